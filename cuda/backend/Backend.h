@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_backend_Backend_h
+#define limpid_backend_Backend_h
+
+#include "math/Vec.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+/// Number of threads that ParallelFor uses here and now.
+int ThreadCount();
+
+/// What computes, for the user: "CPU, 2 threads".
+std::string CpuName();
+
+/// While alive, ParallelFor uses at most so many threads. For tests and benchmarks.
+class ThreadLimit
+{
+public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+  struct Control;
+  std::unique_ptr<Control> Holder;
+};
+
+/// `count` floats of memory that belong to the calling thread until its next call.
+float* ThreadScratch(std::size_t count);
+
+namespace detail
+{
+using RangeFunction = void (*)(const void* body, Index begin, Index end);
+void ParallelRanges(Index count, Index grain, RangeFunction function, const void* body);
+}
+
+/**
+ * Calls body(index) for every index in [0, count), in parallel and in any order.
+ *
+ * A body owns what it writes: the result does not depend on the number of threads. `grain` is the
+ * least number of indices worth a task of their own.
+ */
+template <class Body>
+void ParallelFor(Index count, Index grain, const Body& body)
+{
+  const auto range = [](const void* typeless, Index begin, Index end)
+  {
+    const Body& call = *static_cast<const Body*>(typeless);
+    for (Index index = begin; index < end; ++index)
+    {
+      call(index);
+    }
+  };
+  detail::ParallelRanges(count, grain, range, &body);
+}
+
+template <class Body>
+void ParallelFor(Index count, const Body& body)
+{
+  ParallelFor(count, 1, body);
+}
+
+/**
+ * Sum over all indices of body(index), in double precision and in a fixed order, whatever the
+ * number of threads: partial sums of fixed blocks are added in turn.
+ */
+template <class Body>
+double ParallelSum(Index count, const Body& body)
+{
+  constexpr Index blockSize = 16384;
+  const Index blocks = (count + blockSize - 1) / blockSize;
+  std::vector<double> partial(static_cast<std::size_t>(blocks), 0.0);
+  ParallelFor(blocks,
+    [&](Index block)
+    {
+      const Index end =
+        block * blockSize + blockSize < count ? block * blockSize + blockSize : count;
+      double sum = 0;
+      for (Index index = block * blockSize; index < end; ++index)
+      {
+        sum += body(index);
+      }
+      partial[static_cast<std::size_t>(block)] = sum;
+    });
+  double total = 0;
+  for (const double part : partial)
+  {
+    total += part;
+  }
+  return total;
+}
+}
+
+#endif

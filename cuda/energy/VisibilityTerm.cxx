@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "energy/VisibilityTerm.h"
+
+#include "energy/GradientVoxel.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+LIMPID_MULTIVERSION
+void GradientRow(const GradientVoxel<float>& body, float weight,
+  const float* __restrict transmittance, const float* __restrict behind,
+  const float* __restrict importance, const Interval& columns, float* __restrict gradient)
+{
+  const GradientVoxel<float> voxel = body;
+  for (int u = columns.begin; u < columns.end; ++u)
+  {
+    gradient[u] += weight * voxel(transmittance[u], behind[u], importance[u]);
+  }
+}
+
+/// What all backward sweeps through a fixed extinction share: the rays.
+class RayCarrier
+{
+public:
+  RayCarrier(const Pyramid& pyramid, const Grid& grid, const float* extinction,
+    const float* importance, Derivative derivative, RayImages& images)
+    : Source(pyramid)
+    , Images(images)
+    , Widens(derivative == Derivative::Volume)
+    , Extinction(pyramid, grid, extinction)
+    , Importance(pyramid, grid, importance)
+  {
+    std::fill(images.behind.begin(), images.behind.end(), 0.0f);
+    std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
+  }
+
+  void Load(const Slab& slab)
+  {
+    this->Extinction.Load(slab, 1);
+    this->Importance.Load(slab, 1);
+  }
+
+  /// Moves a row of rays to station `s`.
+  void RayRow(int s, int row)
+  {
+    const auto columns = std::size_t(this->Source.columns);
+    const std::size_t first = std::size_t(row) * columns;
+    double* opticalDepth = this->Images.opticalDepth.data() + first;
+    const Station& station = this->Source.stations[std::size_t(s)];
+    if (s < this->Source.LastStation())
+    {
+      float* memory = ThreadScratch(4 * columns + ScratchSize(this->Source));
+      float* scratch = memory + 4 * columns;
+      limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);
+      if (!this->Widens)
+      {
+        rays.layer.frontScale = rays.layer.backScale = 1;
+      }
+      for (int half = 0; half < 2; ++half)
+      {
+        const Plane& plane = station.planes[std::size_t(half)];
+        float* extinction = memory + std::size_t(half) * columns;
+        float* importance = memory + std::size_t(half + 2) * columns;
+        SamplePlane(plane, row, rays.work, Slices::Both, this->Extinction, scratch, extinction);
+        SamplePlane(plane, row, rays.work, Slices::Both, this->Importance, scratch, importance);
+        HideOutOfView(this->Source, row, rays.work, importance);
+        rays.extinction[half] = extinction;
+        rays.importance[half] = importance;
+      }
+      BackwardRow(rays, this->Images.behind.data() + first);
+      UnwindRow(rays, opticalDepth);
+    }
+    TransmitRow(
+      opticalDepth, station.work[std::size_t(row)], this->Images.transmittance.data() + first);
+  }
+
+  float AreaOf(const Station& station) const
+  {
+    return this->Widens ? station.scale * station.scale : 1.0f;
+  }
+
+  const Pyramid& Source;
+  RayImages& Images;
+  bool Widens; ///< whether rays carry the weight of Deviation D1
+  SliceWindow Extinction;
+  SliceWindow Importance;
+};
+
+class GradientVisitor : public RayCarrier
+{
+public:
+  GradientVisitor(const RayCarrier& rays, const Grid& grid, float weight, float* gradient)
+    : RayCarrier(rays)
+    , Weight(weight)
+    , Gradient(rays.Source, grid, gradient)
+  {
+  }
+
+  void Load(const Slab& slab)
+  {
+    this->RayCarrier::Load(slab);
+    this->Gradient.Load(slab, 0);
+  }
+
+  void VoxelRow(int s, int v)
+  {
+    const Station& station = this->Source.stations[std::size_t(s)];
+    const Interval columns =
+      Intersection(this->Source.VoxelColumns(station, v), station.ownedColumns);
+    if (columns.Empty())
+    {
+      return;
+    }
+    const auto nodes = std::size_t(this->Source.nodesU);
+    float* memory = ThreadScratch(3 * nodes + ScratchSize(this->Source));
+    float* transmittance = memory;
+    float* behind = memory + nodes;
+    float* importance = memory + 2 * nodes;
+    float* scratch = memory + 3 * nodes;
+    SampleRays(
+      this->Source, station, v, columns, this->Images.transmittance, scratch, transmittance);
+    SampleRays(this->Source, station, v, columns, this->Images.behind, scratch, behind);
+    const float* source = this->Importance.Row(station.slice, v);
+    if (!this->Source.inView.empty())
+    {
+      SampleRays(this->Source, station, v, columns, this->Source.inView, scratch, importance);
+      MultiplyRow(importance, source, columns);
+      source = importance;
+    }
+    GradientRow({ 1.0f / this->AreaOf(station) }, this->Weight, transmittance, behind, source,
+      columns, this->Gradient.Row(station.slice, v));
+  }
+
+  void Store(const Slab& slab) { this->Gradient.Store(slab); }
+
+private:
+  float Weight;
+  SliceWindow Gradient;
+};
+
+class TransmittanceVisitor : public RayCarrier
+{
+public:
+  TransmittanceVisitor(const RayCarrier& rays, const Grid& grid, float* transmittance)
+    : RayCarrier(rays)
+    , Target(rays.Source, grid, transmittance)
+  {
+  }
+
+  void Load(const Slab& slab)
+  {
+    this->RayCarrier::Load(slab);
+    this->Target.Load(slab, 0);
+  }
+
+  void VoxelRow(int s, int v)
+  {
+    const Station& station = this->Source.stations[std::size_t(s)];
+    float* scratch = ThreadScratch(ScratchSize(this->Source));
+    float* target = this->Target.Row(station.slice, v);
+    const Interval columns = station.ownedColumns;
+    SampleRays(this->Source, station, v, columns, this->Images.transmittance, scratch, target);
+    for (int u = columns.begin; u < columns.end; ++u)
+    {
+      target[u] = std::min(target[u], 1.0f); // some rays may not have entered the box yet
+    }
+  }
+
+  void Store(const Slab& slab) { this->Target.Store(slab); }
+
+private:
+  SliceWindow Target;
+};
+}
+
+VisibilityTerm::VisibilityTerm(
+  const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity)
+  : Nodes(grid)
+  , Pyramids(PlanSweep(grid, occupancy, eye, rayDensity))
+{
+  this->Images.reserve(this->Pyramids.size());
+  for (const Pyramid& pyramid : this->Pyramids)
+  {
+    this->Images.emplace_back(pyramid);
+  }
+}
+
+Visible VisibilityTerm::Forward(const float* extinction, const float* importance)
+{
+  Visible sum;
+  for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
+  {
+    const Visible part =
+      SweepForward(this->Pyramids[index], this->Nodes, extinction, importance, this->Images[index]);
+    sum.visible += part.visible;
+    sum.plain += part.plain;
+  }
+  return sum;
+}
+
+void VisibilityTerm::AddGradient(const float* extinction, const float* importance,
+  Derivative derivative, float weight, float* gradient)
+{
+  for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
+  {
+    const RayCarrier rays(
+      this->Pyramids[index], this->Nodes, extinction, importance, derivative, this->Images[index]);
+    GradientVisitor visitor(rays, this->Nodes, weight, gradient);
+    SweepBackward(this->Pyramids[index], visitor);
+  }
+}
+
+void VisibilityTerm::Transmittance(const float* extinction, float* transmittance)
+{
+  std::fill_n(transmittance, this->Nodes.NodeCount(), 1.0f);
+  this->Forward(extinction, extinction);
+  for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
+  {
+    const RayCarrier rays(this->Pyramids[index], this->Nodes, extinction, extinction,
+      Derivative::Ray, this->Images[index]);
+    TransmittanceVisitor visitor(rays, this->Nodes, transmittance);
+    SweepBackward(this->Pyramids[index], visitor);
+  }
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_VisibilityTerm_h
+#define limpid_energy_VisibilityTerm_h
+
+#include "optimize/Settings.h"
+#include "sweep/Sweep.h"
+
+#include <vector>
+
+namespace limpid
+{
+/**
+ * One of the two visibility terms of the energy, Eq. (23) or (24): what a camera or a light sees.
+ *
+ * Holds the rays; the fields stay with the caller, grid.NodeCount() values each.
+ */
+class VisibilityTerm
+{
+public:
+  VisibilityTerm(const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity);
+
+  /// Integral of g mu T and its bound, and the optical depth of all rays for what follows.
+  Visible Forward(const float* extinction, const float* importance);
+
+  /// Adds `weight` times the derivative to `gradient` [1]. Call after Forward with the same fields.
+  void AddGradient(const float* extinction, const float* importance, Derivative derivative,
+    float weight, float* gradient);
+
+  /// Transmittance from the eye to every voxel [0, 1]. The occupancy must not skip.
+  void Transmittance(const float* extinction, float* transmittance);
+
+  const Grid& Domain() const { return this->Nodes; }
+  std::size_t PyramidCount() const { return this->Pyramids.size(); }
+  const Pyramid& PyramidAt(std::size_t index) const { return this->Pyramids[index]; }
+  RayImages& ImagesAt(std::size_t index) { return this->Images[index]; }
+
+private:
+  Grid Nodes;
+  std::vector<Pyramid> Pyramids;
+  std::vector<RayImages> Images;
+};
+}
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The only door to GLM, and the home of the few macros that tell one compiler from another.
+
+#ifndef limpid_math_Vec_h
+#define limpid_math_Vec_h
+
+#ifdef __CUDACC__
+#include <cuda.h> // GLM asks for CUDA_VERSION before it marks its functions
+#pragma nv_diag_suppress 20012
+#define LIMPID_HD __host__ __device__
+#else
+#define LIMPID_HD
+#endif
+
+#include <glm/glm.hpp>
+
+#ifdef __CUDACC__
+#pragma nv_diag_default 20012
+#endif
+
+#include <cstdint>
+
+namespace limpid
+{
+using Vec3 = glm::dvec3; ///< double precision: positions, directions, lengths
+using Mat3 = glm::dmat3; ///< columns are the images of the axes
+using Int3 = glm::ivec3;
+using Index = std::int64_t; ///< any count of voxels: volumes beyond 2^31 voxels are valid
+}
+
+#endif

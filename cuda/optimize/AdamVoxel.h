@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_AdamVoxel_h
+#define limpid_optimize_AdamVoxel_h
+
+#include "math/Vec.h"
+
+#include <cmath>
+
+namespace limpid
+{
+/**
+ * One step of Adam [KB17] at every voxel, projected to the constraint of Eq. (25); replaces the
+ * plain step of Eq. (30).
+ *
+ * Adam divides the gradient by its own size. Where the true gradient is zero that would blow up
+ * rounding noise, so `floor` is a small share of the largest weight, not of the gradient.
+ */
+template <class Real>
+struct AdamVoxel
+{
+  const Real* gradient;  ///< of the visibility terms
+  const Real* base;      ///< mu-bar [1/length]
+  Real* first;           ///< running mean of the gradient
+  Real* second;          ///< running mean of its square
+  Real* extinction;      ///< [1/length]
+  Real regularization;   ///< weight of (mu - mu-bar), Eq. (26) [length]
+  Real step;             ///< learning rate, bias of the first moment removed [1/length]
+  Real secondCorrection; ///< 1 / (1 - beta2^n), removes the bias of the second moment
+  Real floor;            ///< epsilon
+  Real majorant;         ///< [1/length]
+
+  LIMPID_HD void operator()(Index voxel) const
+  {
+    constexpr Real beta1 = Real(0.9);
+    constexpr Real beta2 = Real(0.999);
+    const Real now = this->extinction[voxel];
+    const Real slope = this->gradient[voxel] + this->regularization * (now - this->base[voxel]);
+    const Real mean = beta1 * this->first[voxel] + (Real(1) - beta1) * slope;
+    const Real square = beta2 * this->second[voxel] + (Real(1) - beta2) * slope * slope;
+    this->first[voxel] = mean;
+    this->second[voxel] = square;
+    const Real size = std::sqrt(square * this->secondCorrection) + this->floor;
+    const Real wanted = now - this->step * mean / size;
+    const Real atLeast = wanted > Real(0) ? wanted : Real(0);
+    this->extinction[voxel] = atLeast < this->majorant ? atLeast : this->majorant;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Levels_h
+#define limpid_optimize_Levels_h
+
+#include "scene/Grid.h"
+
+#include <vector>
+
+namespace limpid
+{
+/// A grid over the same box with about 1/factor as many nodes along each axis, at least two where
+/// the grid has two.
+Grid CoarseGrid(const Grid& grid, int factor);
+
+/// A field on a coarse grid over the same box: the mean of the fine field about each coarse node,
+/// weighted by the coarse node's trilinear hat function.
+std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse);
+
+/// A field on a fine grid over the same box: the coarse field's trilinear interpolation.
+std::vector<float> Prolong(const Grid& coarse, const float* field, const Grid& fine);
+}
+
+#endif

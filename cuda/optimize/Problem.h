@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Problem_h
+#define limpid_optimize_Problem_h
+
+#include "optimize/Settings.h"
+#include "scene/Eye.h"
+#include "scene/Grid.h"
+#include "sweep/Plan.h"
+
+#include <vector>
+
+namespace limpid
+{
+/// What is to be minimised: Eq. 21 for one extinction field. The fields belong to the caller.
+struct Problem
+{
+  Grid grid;
+  const float* baseExtinction = nullptr; ///< [1/length]
+  const float* importance = nullptr;     ///< [0, 1]
+  float majorant = 0;                    ///< upper bound of the extinction [1/length]
+  Eye camera;
+  Eye light;
+  Settings settings;
+
+  /// p of Eq. 22 in world units: the normalised energy times R^2 has p R / 2 (mu - mu-bar)^2.
+  double RegularizationWeight() const
+  {
+    return this->settings.weights.regularization * this->grid.Radius();
+  }
+
+  /// F_p of Eq. 22 in world units [length^2].
+  double Regularization(const std::vector<float>& extinction) const;
+};
+
+/// An iterative method for a problem.
+class Minimizer
+{
+public:
+  virtual ~Minimizer() = default;
+
+  /// One more iteration. Returns its record; `seconds` and `iteration` are the caller's business.
+  virtual IterationRecord Iterate() = 0;
+
+  /// The record of the extinction that the iterations start from.
+  virtual IterationRecord Start() = 0;
+
+  /// Whether another iteration can still gain something.
+  virtual bool Converged() const = 0;
+
+  virtual int IterationLimit() const = 0;
+
+  /// Best iterate so far [1/length].
+  virtual const std::vector<float>& Best() const = 0;
+};
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "optimize/Settings.h"
+
+#include "math/Require.h"
+
+#include <cmath>
+
+namespace limpid
+{
+namespace
+{
+void RequireNotNegative(const char* name, const char* why, double value)
+{
+  LIMPID_REQUIRE(std::isfinite(value) && value >= 0,
+    "The " << name << " is " << value << " (" << why << "). Set it to zero or more.");
+}
+}
+
+void Settings::Require() const
+{
+  RequireNotNegative("regularization weight", "the energy of Eq. 21 would have no minimum",
+    this->weights.regularization);
+  RequireNotNegative(
+    "view weight", "important structures would be hidden on purpose", this->weights.view);
+  RequireNotNegative(
+    "light weight", "important structures would be darkened on purpose", this->weights.light);
+  RequireNotNegative("tolerance", "no change can be smaller", this->tolerance);
+  RequireNotNegative("time limit", "it has passed already", this->maximumSeconds);
+  LIMPID_REQUIRE(
+    std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
+    "The ray density is " << this->rayDensity
+                          << " rays per voxel (fewer miss structures, more only take time). Set it "
+                             "between 0.1 and 16.");
+  LIMPID_REQUIRE(
+    std::isfinite(this->learningRate) && this->learningRate > 0 && this->learningRate <= 1,
+    "The learning rate is " << this->learningRate
+                            << " of the largest extinction (a step leaves the valid range or does "
+                               "nothing). Set it above 0 and at most 1.");
+  LIMPID_REQUIRE(this->maximumIterations >= 0,
+    "The number of iterations is " << this->maximumIterations
+                                   << " (it is a count). Set it to zero or more.");
+  for (const int iterations : this->iterationsPerLevel)
+  {
+    LIMPID_REQUIRE(iterations >= 0,
+      "The number of iterations of a level is " << iterations
+                                                << " (it is a count). Set it to zero or more.");
+  }
+}
+}

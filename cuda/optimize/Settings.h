@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Settings_h
+#define limpid_optimize_Settings_h
+
+#include <array>
+#include <functional>
+#include <string>
+
+namespace limpid
+{
+enum class SolverKind
+{
+  Policy, ///< policy sweeps, Documentation/Method.md
+  Adam    ///< the paper's projected Adam, coarse to fine
+};
+
+enum class Mode
+{
+  Joint,   ///< one extinction for camera and light, Eqs. 22-24
+  Separate ///< one extinction for each, Section 4.2
+};
+
+enum class Derivative
+{
+  Volume, ///< exact derivative of the volume integral
+  Ray     ///< Eqs. 19-20 as printed: without the weight of the widening rays
+};
+
+enum class BackendKind
+{
+  Auto,
+  Cpu,
+  Cuda
+};
+
+/// Weights of the energy of Eq. 21, in normalised coordinates.
+struct Weights
+{
+  double regularization = 1e-3; ///< p of Eq. 22
+  double view = 10;             ///< q of Eq. 23
+  double light = 1;             ///< r of Eq. 24
+};
+
+struct Settings
+{
+  Weights weights;
+  Mode mode = Mode::Joint;
+  SolverKind solver = SolverKind::Policy;
+  int maximumIterations = 8;                               ///< policy
+  std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< Adam: quarter, half, full resolution
+  double learningRate = 0.05;                              ///< Adam [majorant]
+  double tolerance = 1e-3;   ///< stop when the mean change of an iteration is below [majorant]
+  double maximumSeconds = 0; ///< stop after; zero: no limit [s]
+  Derivative derivative = Derivative::Volume;
+  double rayDensity = 1;       ///< rays per voxel and axis on the farthest slice
+  bool skipUnneeded = true;    ///< leave out what provably cannot change the result
+  bool restrictToView = false; ///< count only what the picture shows
+  BackendKind backend = BackendKind::Auto;
+
+  /// Throws limpid::Error on a value that cannot be worked with.
+  void Require() const;
+};
+
+/// The three terms of Eq. 21, in world units: the normalised energy times R^2.
+struct Energy
+{
+  double regularization = 0; ///< F_p, Eq. 22
+  double view = 0;           ///< F_q, Eq. 23
+  double light = 0;          ///< F_r, Eq. 24
+  double Total() const { return regularization + view + light; }
+};
+
+/// What an iteration ended with.
+struct IterationRecord
+{
+  int iteration = 0; ///< 0 is the base extinction
+  int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
+  Energy energy;
+  double visibilityScore = 0; ///< S of Eq. 32 [length^2]
+  double visibleFraction = 0; ///< S over the same integral without transmittance [0, 1]
+  double meanChange = 0;      ///< mean |change| of the voxels that may change [majorant]
+  double seconds = 0;         ///< since the start
+};
+
+/// Told after every iteration: share of the work done in [0, 1] and a text for the user.
+/// Returns false to stop: the solver then keeps the best iterate so far.
+using Progress = std::function<bool(double share, const std::string& text)>;
+}
+
+#endif

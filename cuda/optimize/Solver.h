@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Solver_h
+#define limpid_optimize_Solver_h
+
+#include "optimize/Settings.h"
+#include "scene/Eye.h"
+#include "scene/Grid.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+/// The fields of a scene; the caller owns the arrays and keeps them while a solver uses them.
+struct SceneFields
+{
+  Grid grid;
+  const float* baseExtinction = nullptr; ///< grid.NodeCount() values >= 0, finite [1/length]
+  const float* importance = nullptr;     ///< grid.NodeCount() values in [0, 1]
+};
+
+/// Score of an extinction as seen from the camera.
+struct Score
+{
+  double visibility = 0; ///< S of Eq. 32 [length^2]
+  double fraction = 0;   ///< S over the integral of importance times extinction [0, 1]
+};
+
+/**
+ * Finds the extinction that minimises Eq. 21 for one camera and one light.
+ *
+ * Iterations can be spread over frames: each Step continues where the last one ended. Whatever
+ * happens in between, Extinction() is the best iterate so far, and every value lies in
+ * [0, majorant]. Voxels that no important structure needs keep their base extinction bit by bit.
+ */
+class Solver
+{
+public:
+  /// Throws limpid::Error when the scene or the settings cannot be worked with.
+  Solver(
+    const SceneFields& scene, const Camera& camera, const Light& light, const Settings& settings);
+  ~Solver();
+  Solver(Solver&&) noexcept;
+  Solver& operator=(Solver&&) noexcept;
+
+  /// Starts from this extinction instead of the base extinction: grid.NodeCount() values, clamped
+  /// to [0, majorant] [1/length]. Joint mode only.
+  void SetInitialExtinction(const float* extinction);
+
+  /// A new camera, light or new weights; goes on from the current extinction.
+  void Restart(const Camera& camera, const Light& light, const Settings& settings);
+
+  /// Runs up to `iterations` further iterations. Returns whether there is nothing left to do:
+  /// converged, or iterations or time used up, or stopped by `progress`.
+  bool Step(int iterations, const Progress& progress = {});
+
+  /// Step until there is nothing left to do.
+  void Run(const Progress& progress = {});
+
+  bool Done() const;
+  bool Stopped() const; ///< whether `progress` asked to stop
+
+  /// Best iterate so far, grid.NodeCount() values [1/length].
+  const std::vector<float>& Extinction() const;
+
+  /// Separate mode: the extinction for the light [1/length]; joint mode: empty.
+  const std::vector<float>& LightExtinction() const;
+
+  double Majorant() const; ///< upper bound of the extinction, Eq. 25 [1/length]
+
+  Score BaseScore() const; ///< of the base extinction
+  Score BestScore() const; ///< of Extinction()
+  Energy BestEnergy() const;
+  int Iterations() const;
+  double Seconds() const;
+  std::string BackendName() const;                     ///< what computes: "CPU, 2 threads"
+  const std::vector<IterationRecord>& History() const; ///< all iterations, first the base
+
+  /// Transmittance from the camera to every voxel through Extinction(), Eq. 15;
+  /// `transmittance` has room for grid.NodeCount() values in [0, 1].
+  void Transmittance(float* transmittance) const;
+
+  /// Transmittance from the light, Eq. 16, through LightExtinction() in separate mode.
+  void LightTransmittance(float* transmittance) const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> State;
+};
+}
+
+#endif

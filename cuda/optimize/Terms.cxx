@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "optimize/Terms.h"
+
+namespace limpid
+{
+Terms::Terms(const Problem& problem, const Occupancy& occupancy)
+{
+  const Settings& settings = problem.settings;
+  if (settings.weights.view > 0)
+  {
+    this->camera.emplace(problem.grid, occupancy, problem.camera, settings.rayDensity);
+  }
+  if (settings.weights.light > 0)
+  {
+    this->light.emplace(problem.grid, occupancy, problem.light, settings.rayDensity);
+  }
+}
+
+IterationRecord Terms::Measure(const Problem& problem, const std::vector<float>& extinction)
+{
+  const Weights& weights = problem.settings.weights;
+  IterationRecord record;
+  record.energy.regularization = problem.Regularization(extinction);
+  if (this->camera)
+  {
+    const Visible seen = this->camera->Forward(extinction.data(), problem.importance);
+    record.visibilityScore = seen.visible;
+    record.visibleFraction = seen.plain > 0 ? seen.visible / seen.plain : 0.0;
+    record.energy.view = -weights.view * seen.visible;
+  }
+  if (this->light)
+  {
+    const Visible lit = this->light->Forward(extinction.data(), problem.importance);
+    record.energy.light = -weights.light * lit.visible;
+  }
+  return record;
+}
+
+double Problem::Regularization(const std::vector<float>& extinction) const
+{
+  const float* now = extinction.data();
+  const float* base = this->baseExtinction;
+  const double sum = ParallelSum(this->grid.NodeCount(),
+    [=](Index voxel)
+    {
+      const double change = double(now[voxel]) - base[voxel];
+      return change * change;
+    });
+  return 0.5 * this->RegularizationWeight() * this->grid.CellVolume() * sum;
+}
+}

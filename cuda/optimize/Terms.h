@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Terms_h
+#define limpid_optimize_Terms_h
+
+#include "energy/VisibilityTerm.h"
+#include "optimize/Problem.h"
+
+#include <optional>
+
+namespace limpid
+{
+/// The visibility terms of a problem; a term of weight zero is not there and costs nothing.
+struct Terms
+{
+  Terms() = default;
+  Terms(const Problem& problem, const Occupancy& occupancy);
+
+  /// Energy and score of an extinction; leaves the optical depths of all rays in the terms.
+  IterationRecord Measure(const Problem& problem, const std::vector<float>& extinction);
+
+  std::optional<VisibilityTerm> camera;
+  std::optional<VisibilityTerm> light;
+};
+}
+
+#endif

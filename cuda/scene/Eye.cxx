@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "scene/Eye.h"
+
+#include "math/Require.h"
+#include "scene/Grid.h"
+
+#include <cmath>
+
+namespace limpid
+{
+namespace
+{
+bool IsFinite(const Vec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+struct Text
+{
+  const Vec3& v;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Text& text)
+{
+  return stream << '(' << text.v.x << ", " << text.v.y << ", " << text.v.z << ')';
+}
+
+/// From `from` to `to`, normalised.
+Vec3 DirectionOf(const char* what, const Vec3& from, const Vec3& to)
+{
+  LIMPID_REQUIRE(IsFinite(from) && IsFinite(to),
+    "The position " << Text{ from } << " or focal point " << Text{ to } << " of the " << what
+                    << " is not finite (no ray starts there). Set finite coordinates.");
+  const Vec3 difference = to - from;
+  const double length = glm::length(difference);
+  LIMPID_REQUIRE(length > 0,
+    "The " << what << " is at its own focal point " << Text{ to }
+           << " (it looks in no direction). Move one of the two.");
+  return difference / length;
+}
+
+/// A world plane through `point` with inward `normal` as a condition on rays in index space.
+Eye::Plane PlaneOf(const Grid& grid, const Vec3& normal, const Vec3& point, bool parallel)
+{
+  // n . (x - p) with x = origin + D S i has the index-space normal S D^T n.
+  Eye::Plane plane;
+  plane.normal = (glm::transpose(grid.direction) * normal) * grid.spacing;
+  plane.offset = parallel ? glm::dot(normal, grid.origin - point) : 0.0;
+  return plane;
+}
+
+void AddFrustum(Eye& eye, const Camera& camera, const Grid& grid, const Vec3& forward)
+{
+  Vec3 right = glm::cross(forward, camera.viewUp);
+  if (!(glm::length(right) > 1e-12 * glm::length(camera.viewUp)))
+  {
+    // View-up along the view direction: any upright will do, as for VTK.
+    right = glm::cross(forward, std::abs(forward.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+  }
+  right = glm::normalize(right);
+  const Vec3 up = glm::cross(right, forward);
+  const double halfHeight = camera.parallel
+    ? camera.parallelScale
+    : std::tan(0.5 * camera.viewAngle * 3.14159265358979323846 / 180.0);
+  const double halfWidth = halfHeight * camera.aspect;
+  for (const double side : { -1.0, 1.0 })
+  {
+    if (camera.parallel)
+    {
+      eye.frustum.push_back(
+        PlaneOf(grid, -side * right, camera.position + side * halfWidth * right, true));
+      eye.frustum.push_back(
+        PlaneOf(grid, -side * up, camera.position + side * halfHeight * up, true));
+    }
+    else
+    {
+      eye.frustum.push_back(
+        PlaneOf(grid, halfWidth * forward - side * right, camera.position, false));
+      eye.frustum.push_back(
+        PlaneOf(grid, halfHeight * forward - side * up, camera.position, false));
+    }
+  }
+}
+}
+
+Eye EyeOfCamera(const Camera& camera, const Grid& grid, bool restrictToView)
+{
+  const Vec3 forward = DirectionOf("camera", camera.position, camera.focalPoint);
+  LIMPID_REQUIRE(camera.parallel || (camera.viewAngle > 0 && camera.viewAngle < 180),
+    "The camera's view angle is " << camera.viewAngle
+                                  << " degrees (no picture has that opening). Set an angle above 0 "
+                                     "and below 180 degrees.");
+  LIMPID_REQUIRE(!camera.parallel || camera.parallelScale > 0,
+    "The camera's parallel scale is " << camera.parallelScale
+                                      << " (the picture has no height). Set a scale above zero.");
+  LIMPID_REQUIRE(camera.aspect > 0,
+    "The picture's aspect ratio is " << camera.aspect
+                                     << " (the picture has no width). Set a ratio above zero.");
+  Eye eye;
+  eye.parallel = camera.parallel;
+  eye.origin = grid.PointToIndex(camera.position);
+  eye.direction = grid.DirectionToIndex(forward);
+  if (restrictToView)
+  {
+    AddFrustum(eye, camera, grid, forward);
+  }
+  return eye;
+}
+
+Eye EyeOfLight(const Light& light, const Grid& grid)
+{
+  Eye eye;
+  eye.parallel = light.type == LightType::Directional;
+  if (eye.parallel)
+  {
+    eye.direction = grid.DirectionToIndex(DirectionOf("light", light.position, light.focalPoint));
+  }
+  else
+  {
+    LIMPID_REQUIRE(IsFinite(light.position),
+      "The light's position " << Text{ light.position }
+                              << " is not finite (no ray starts there). Set finite coordinates.");
+  }
+  eye.origin = grid.PointToIndex(light.position);
+  return eye;
+}
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "scene/Grid.h"
+
+#include "math/Require.h"
+
+#include <cmath>
+
+namespace limpid
+{
+Vec3 Grid::PointToIndex(const Vec3& world) const
+{
+  return this->DirectionToIndex(world - this->origin);
+}
+
+Vec3 Grid::PointToWorld(const Vec3& index) const
+{
+  return this->origin + this->direction * (index * this->spacing);
+}
+
+Vec3 Grid::DirectionToIndex(const Vec3& world) const
+{
+  return (glm::transpose(this->direction) * world) / this->spacing;
+}
+
+Vec3 Grid::Centre() const
+{
+  return this->PointToWorld(0.5 * (Vec3(this->nodes) - 1.0));
+}
+
+double Grid::Radius() const
+{
+  return 0.5 * glm::length((Vec3(this->nodes) - 1.0) * this->spacing);
+}
+
+void Grid::Require() const
+{
+  LIMPID_REQUIRE(this->nodes.x > 0 && this->nodes.y > 0 && this->nodes.z > 0,
+    "The image has " << this->nodes.x << " x " << this->nodes.y << " x " << this->nodes.z
+                     << " points (there is nothing to optimise). Give an image with points.");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    LIMPID_REQUIRE(std::isfinite(this->spacing[axis]) && this->spacing[axis] > 0,
+      "The spacing along axis " << axis << " is " << this->spacing[axis]
+                                << " (lengths along a ray are made from it). Set a spacing above "
+                                   "zero.");
+    LIMPID_REQUIRE(std::isfinite(this->origin[axis]),
+      "The origin along axis " << axis << " is " << this->origin[axis]
+                               << " (rays cannot reach it). Set a finite origin.");
+  }
+  const Mat3 product = glm::transpose(this->direction) * this->direction;
+  double error = 0;
+  for (int column = 0; column < 3; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      error = std::fmax(error, std::abs(product[column][row] - (column == row ? 1.0 : 0.0)));
+    }
+  }
+  LIMPID_REQUIRE(error < 1e-6,
+    "The direction matrix is not orthonormal, by "
+      << error << " (a sheared image has no single spacing). Resample it to an orthonormal image.");
+}
+}

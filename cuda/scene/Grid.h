@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_scene_Grid_h
+#define limpid_scene_Grid_h
+
+#include "math/Vec.h"
+
+namespace limpid
+{
+/**
+ * The nodes of an image: where they are, and how index space maps to the world.
+ *
+ * Index space has its origin at the first node and one unit per node along each axis. All sweeps
+ * work in it, so anisotropic spacing, extents and direction matrices need no further thought.
+ * Fields over a grid are arrays of NodeCount() values, first axis fastest.
+ */
+struct Grid
+{
+  Int3 nodes{ 0 };       ///< number of nodes along each axis
+  Vec3 origin{ 0.0 };    ///< world position of node (0,0,0)             [length]
+  Vec3 spacing{ 1.0 };   ///< distance of neighbouring nodes, above zero [length]
+  Mat3 direction{ 1.0 }; ///< columns: world directions of the grid axes, orthonormal
+
+  Index NodeCount() const { return Index(nodes.x) * nodes.y * nodes.z; }
+
+  /// Whether the box of the nodes has a volume, that is, at least two nodes along each axis.
+  bool HasVolume() const { return nodes.x > 1 && nodes.y > 1 && nodes.z > 1; }
+
+  /// Volume of one cell [length^3].
+  double CellVolume() const { return spacing.x * spacing.y * spacing.z; }
+
+  Vec3 PointToIndex(const Vec3& world) const;
+  Vec3 PointToWorld(const Vec3& index) const;
+  Vec3 DirectionToIndex(const Vec3& world) const;
+
+  /// Centre of the box of the nodes [length].
+  Vec3 Centre() const;
+
+  /// R of the normalised coordinates: half the diagonal of the box of the nodes [length].
+  double Radius() const;
+
+  /// Throws limpid::Error unless sizes, spacing and direction can be worked with.
+  void Require() const;
+};
+}
+
+#endif

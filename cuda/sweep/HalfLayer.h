@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_HalfLayer_h
+#define limpid_sweep_HalfLayer_h
+
+#include "math/Exp.h"
+
+namespace limpid
+{
+/// Shares of a layer's thickness at which rays are sampled: the two points of Gauss' quadrature.
+constexpr double gaussPoints[2] = { 0.21132486540518712, 0.78867513459481288 };
+
+/// The layer between two neighbouring stations, the same for all rays that cross it.
+struct Layer
+{
+  float front = 0;      ///< relative depth of the station in front [index]
+  float thickness = 0;  ///< distance of the stations along the depth axis [index]
+  float frontScale = 1; ///< width of a ray at the front, see Station::scale
+  float backScale = 1;  ///< ... and at the back
+};
+
+/// Where a ray is inside the box, as relative depths [index].
+struct Clip
+{
+  float entry;
+  float exit;
+};
+
+/**
+ * What a half of a layer does to a ray (Documentation/Method.md, quadrature).
+ *
+ * Extinction mu and importance g are constant in the half, each with its value at the Gauss point.
+ * With the optical depth x = mu h of the half, exactly:
+ *
+ *   it stops 1 - e^-x of what passes,
+ *   its visible importance is  integral of g mu T dt = g (1 - e^-x)         (T = 1 at its front),
+ *
+ * so visible importance never exceeds max g, and for thin media the two halves together integrate
+ * products g mu that are cubic along the layer without error. Where rays widen, g carries the
+ * factor scale^2, averaged over where light is stopped: at the share c of the half's depth,
+ * c = 1/x - 1/(e^x - 1), here to 1e-3 of its value for x < 1 as 1 / (2 + x/3 + x^2/18).
+ */
+template <class Real>
+struct HalfLayer
+{
+  Real opticalDepth; ///< x [1]
+  Real stopped;      ///< 1 - e^-x [0, 1]
+  Real visible;      ///< visible importance times scale^2 [1]
+  Real plain;        ///< the same without attenuation: g x times the mean of scale^2 [1]
+
+  /// The whole half. `length`: world length of the ray in it [length]; `extinction` [1/length];
+  /// `importance` [0, 1]; the scales are those at its front and back.
+  LIMPID_HD LIMPID_INLINE HalfLayer(
+    Real length, Real extinction, Real importance, Real frontScale, Real backScale)
+  {
+    const Real x = length * extinction;
+    const Real widening = backScale - frontScale;
+    const Real centre = Real(1) / (Real(2) + x * (Real(1) / 3 + x * (Real(1) / 18)));
+    const Real area = frontScale * frontScale +
+      widening * centre * (Real(2) * frontScale + (Real(4) / 3) * widening * centre);
+    const Real meanArea =
+      frontScale * frontScale + widening * (frontScale + (Real(1) / 3) * widening);
+    this->opticalDepth = x;
+    this->stopped = Stopped(x);
+    this->visible = importance * (this->stopped * area);
+    this->plain = importance * (x * meanArea);
+  }
+
+  LIMPID_HD LIMPID_INLINE Real Passed() const { return Real(1) - this->stopped; }
+
+  /// Beyond an optical depth of 1e4 nothing changes any more; sums of such stay exact to 1e-8.
+  LIMPID_HD LIMPID_INLINE Real LimitedDepth() const
+  {
+    return this->opticalDepth < Real(1e4) ? this->opticalDepth : Real(1e4);
+  }
+
+private:
+  /// 1 - e^-x; by its series below 1/4, where the difference cancels. The first term left out is
+  /// below 6e-8 of the result.
+  LIMPID_HD static LIMPID_INLINE Real Stopped(Real x)
+  {
+    const Real series = x *
+      (Real(1) -
+        x *
+          (Real(1) / 2 -
+            x * (Real(1) / 6 - x * (Real(1) / 24 - x * (Real(1) / 120 - x * (Real(1) / 720))))));
+    return x < Real(0.25) ? series : Real(1) - Attenuate(x);
+  }
+};
+
+/// Where a half of a layer lies, as shares of the layer's thickness.
+struct HalfRange
+{
+  float begin;
+  float end;
+};
+constexpr HalfRange halfRanges[2] = { { 0.0f, 0.5f }, { 0.5f, 1.0f } };
+
+/// A half of a layer that the ray crosses inside the box from front to back. `length`: world
+/// length of the ray per unit of depth.
+template <class Real>
+LIMPID_HD LIMPID_INLINE HalfLayer<Real> WholeHalf(
+  const Layer& layer, const HalfRange& half, Real length, Real extinction, Real importance)
+{
+  const Real widening = layer.backScale - layer.frontScale;
+  return HalfLayer<Real>(Real(0.5) * layer.thickness * length, extinction, importance,
+    layer.frontScale + half.begin * widening, layer.frontScale + half.end * widening);
+}
+
+/// The part of a half between the clips of the ray's column and row. Extinction and importance are
+/// sampled at the Gauss point even where that lies outside the box: there on its border.
+template <class Real>
+LIMPID_HD LIMPID_INLINE HalfLayer<Real> ClippedHalf(const Layer& layer, const HalfRange& half,
+  Real length, Real extinction, Real importance, const Clip& column, const Clip& row)
+{
+  const Real inverse = Real(1) / layer.thickness;
+  const Real entry =
+    ((column.entry > row.entry ? column.entry : row.entry) - layer.front) * inverse;
+  const Real exit = ((column.exit < row.exit ? column.exit : row.exit) - layer.front) * inverse;
+  const Real begin = entry > half.begin ? (entry < half.end ? entry : half.end) : half.begin;
+  const Real last = exit < half.end ? exit : half.end;
+  const Real end = last > begin ? last : begin;
+  const Real widening = layer.backScale - layer.frontScale;
+  return HalfLayer<Real>((end - begin) * layer.thickness * length, extinction, importance,
+    layer.frontScale + begin * widening, layer.frontScale + end * widening);
+}
+}
+
+#endif

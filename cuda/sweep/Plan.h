@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_Plan_h
+#define limpid_sweep_Plan_h
+
+#include "scene/Eye.h"
+#include "scene/Grid.h"
+
+#include <array>
+#include <vector>
+
+namespace limpid
+{
+/// Half-open range of columns; empty unless begin < end.
+struct Interval
+{
+  int begin = 0;
+  int end = 0;
+  bool Empty() const { return this->begin >= this->end; }
+};
+
+/// Smallest interval that contains both.
+Interval Hull(const Interval& a, const Interval& b);
+Interval Intersection(const Interval& a, const Interval& b);
+
+/**
+ * For every row of voxels along x and along y: where the scene is not empty and where it is
+ * important. What lies outside provably never changes (Documentation/Method.md, section on skips).
+ */
+class Occupancy
+{
+public:
+  /// Both fields: grid.NodeCount() values. With `skip` off every voxel counts as occupied.
+  Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
+
+  struct Spans
+  {
+    Interval filled;    ///< base extinction or importance above zero
+    Interval important; ///< importance above zero
+  };
+
+  /// The row of voxels along grid axis `alongAxis` (0 or 1); `first` and `second` are its indices
+  /// along the two other axes, lower axis first.
+  const Spans& Row(int alongAxis, int first, int second) const
+  {
+    return alongAxis == 0 ? this->AlongX[std::size_t(second) * this->Nodes.y + first]
+                          : this->AlongY[std::size_t(second) * this->Nodes.x + first];
+  }
+
+  bool Skips() const { return this->Skip; }
+  Index FilledVoxels() const { return this->Filled; } ///< number of voxels that may change
+
+private:
+  Int3 Nodes;
+  bool Skip;
+  Index Filled = 0;
+  std::vector<Spans> AlongX; ///< [z][y]
+  std::vector<Spans> AlongY; ///< [z][x]
+};
+
+/// Linear interpolation from one row of samples to another: target t reads
+/// source[index[t]] and source[index[t] + 1] with weights 1 - weight[t] and weight[t].
+struct LinearMap
+{
+  std::vector<int> index;
+  std::vector<float> weight;
+};
+
+/// A plane through a Gauss point of a layer, on which all rays of a pyramid are sampled: between
+/// two slices of voxels.
+struct Plane
+{
+  int slices[2] = { 0, 0 }; ///< node indices along the depth axis
+  float fraction = 0;       ///< weight of the second slice [0, 1]
+  LinearMap rayColumns;     ///< ray column -> voxel column
+  LinearMap rayRows;        ///< ray row -> voxel row
+};
+
+/// A slice of voxels, or the eye itself, and the layer behind it up to the next station.
+struct Station
+{
+  int slice = -1;          ///< node index along the depth axis; -1: the eye itself
+  double depth = 0;        ///< distance from the eye along the depth axis [index]
+  float relativeDepth = 0; ///< depth less the depth of the first slice [index]
+  float scale = 1;         ///< depth / far depth: width of a ray; 1 if parallel
+
+  LinearMap voxelColumns; ///< voxel column -> ray column
+  LinearMap voxelRows;    ///< voxel row -> ray row
+  Interval ownedColumns;  ///< voxels of this slice that belong to this pyramid
+  Interval ownedRows;
+
+  // The layer behind; the last station has none.
+  std::array<Plane, 2> planes;
+  Interval insideColumns;     ///< columns of rays that stay inside the box in u
+  std::vector<Interval> work; ///< per row of rays: columns that have to be visited
+};
+
+/**
+ * One family of rays and the slices it crosses.
+ *
+ * Ray (a, b) meets the slice at depth D in (u, v) = offset + (a, b) D (point eye: slopes) or
+ * (a, b) + shear D (parallel eye). Space about a point eye is split into up to six pyramids, one
+ * per face direction, in which no slope exceeds one voxel per slice; each voxel belongs to exactly
+ * one. All lengths are in index space, where anisotropic voxels are cubes.
+ */
+struct Pyramid
+{
+  int axisU = 0; ///< grid axis of the columns
+  int axisV = 1; ///< grid axis of the rows
+  int axisW = 2; ///< grid axis of the depth
+  int nodesU = 0;
+  int nodesV = 0;
+
+  int columns = 0;               ///< rays along u
+  int rows = 0;                  ///< rays along v
+  std::vector<Station> stations; ///< front to back
+
+  std::vector<float> columnEntry; ///< per column: relative depth at which it enters the box in u
+  std::vector<float> columnExit;
+  std::vector<float> rowEntry;
+  std::vector<float> rowExit;
+  std::vector<double> columnSlope; ///< du/dD per column
+  std::vector<double> rowSlope;    ///< dv/dD per row
+  std::vector<float> columnShare;  ///< 1, or 0 for guard rays that only serve interpolation
+  std::vector<float> rowShare;
+
+  /// World volume that a unit of ray integral stands for:
+  /// S = cellMeasure sum_ij share_ij / length_ij integral g mu T scale^2 dt.
+  double cellMeasure = 0;
+  Vec3 spacing{ 1.0 }; ///< world length of an index step along u, v, w
+
+  std::vector<float> inView; ///< per ray 1 or 0; empty: all are
+
+  int RayCount() const { return this->columns * this->rows; }
+
+  int LastStation() const { return static_cast<int>(this->stations.size()) - 1; }
+
+  /// The first station that is a slice of voxels.
+  int FirstSlice() const { return this->stations.front().slice < 0 ? 1 : 0; }
+
+  /// Voxel columns of row `v` on a station whose transmittance and importance behind can matter:
+  /// those that read a ray in `work`.
+  Interval VoxelColumns(const Station& station, int v) const;
+
+  /// World length of ray (i, j) per unit of depth.
+  float RayLength(int column, int row) const;
+};
+
+/// The pyramids that cover a grid as seen from an eye; none if the grid has no volume.
+std::vector<Pyramid> PlanSweep(
+  const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity);
+}
+
+#endif

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/Rows.h"
+
+#include "backend/Gather.h"
+
+namespace limpid
+{
+namespace
+{
+LIMPID_INLINE HalfLayer<float> Whole(const RayRow& rays, int half, int i)
+{
+  return WholeHalf<float>(rays.layer, halfRanges[half], rays.length[i], rays.extinction[half][i],
+    rays.importance[half][i]);
+}
+
+/// Which ends of a ray's stay in the box cut a half off.
+enum class Cut
+{
+  Entry,
+  Exit,
+  Both
+};
+
+template <Cut cut>
+LIMPID_INLINE HalfLayer<float> Clipped(const RayRow& rays, int half, int i)
+{
+  constexpr float always = 1e30f;
+  Clip column{ rays.columnEntry[i], rays.columnExit[i] };
+  Clip row = rays.row;
+  if (cut == Cut::Entry)
+  {
+    column.exit = row.exit = always;
+  }
+  if (cut == Cut::Exit)
+  {
+    const float entry = column.entry > row.entry ? column.entry : row.entry;
+    const float exit = column.exit < row.exit ? column.exit : row.exit;
+    row.exit = entry < exit ? row.exit : -always; // a ray that misses the box meets nothing
+    column.entry = row.entry = -always;
+  }
+  return ClippedHalf<float>(rays.layer, halfRanges[half], rays.length[i], rays.extinction[half][i],
+    rays.importance[half][i], column, row);
+}
+
+/// The columns of a row in three parts: clipped, whole, clipped.
+struct Parts
+{
+  Interval before;
+  Interval whole;
+  Interval after;
+};
+
+LIMPID_INLINE Parts PartsOf(const RayRow& rays)
+{
+  const float back = rays.layer.front + rays.layer.thickness;
+  const bool rowInside = rays.row.entry <= rays.layer.front && rays.row.exit >= back;
+  const Interval whole = Intersection(rays.work, rays.inside);
+  if (!rowInside || whole.Empty())
+  {
+    return { rays.work, {}, {} };
+  }
+  return { { rays.work.begin, whole.begin }, whole, { whole.end, rays.work.end } };
+}
+
+/// Visits the columns of a row with `whole` where the layer is inside the box from front to back,
+/// with `clipped` elsewhere.
+template <class WholeColumn, class ClippedColumn>
+LIMPID_INLINE void Visit(const RayRow& rays, const WholeColumn& whole, const ClippedColumn& clipped)
+{
+  const Parts parts = PartsOf(rays);
+  for (const Interval& part : { parts.before, parts.after })
+  {
+    for (int i = part.begin; i < part.end; ++i)
+    {
+      clipped(i);
+    }
+  }
+#pragma GCC ivdep
+  for (int i = parts.whole.begin; i < parts.whole.end; ++i)
+  {
+    whole(i);
+  }
+}
+
+struct ForwardColumn
+{
+  RayRow rays;
+  double* opticalDepth;
+  float* visible;
+  float* plain;
+
+  LIMPID_INLINE void Gain(int i, const HalfLayer<float>& front, const HalfLayer<float>& rear) const
+  {
+    const float transmittance = Attenuate(static_cast<float>(this->opticalDepth[i]));
+    this->visible[i] += transmittance * (front.visible + front.Passed() * rear.visible);
+    this->plain[i] += front.plain + rear.plain;
+  }
+
+  LIMPID_INLINE void Deepen(
+    int i, const HalfLayer<float>& front, const HalfLayer<float>& rear) const
+  {
+    this->opticalDepth[i] += front.LimitedDepth() + rear.LimitedDepth();
+  }
+};
+
+struct ForwardWhole : ForwardColumn
+{
+  LIMPID_INLINE void operator()(int i) const
+  {
+    const HalfLayer<float> front = Whole(this->rays, 0, i);
+    const HalfLayer<float> rear = Whole(this->rays, 1, i);
+    this->Gain(i, front, rear);
+    this->Deepen(i, front, rear);
+  }
+};
+
+struct ForwardClipped : ForwardColumn
+{
+  LIMPID_INLINE void operator()(int i) const
+  {
+    this->Gain(i, Clipped<Cut::Both>(this->rays, 0, i), Clipped<Cut::Both>(this->rays, 1, i));
+    this->Deepen(i, Clipped<Cut::Entry>(this->rays, 0, i), Clipped<Cut::Entry>(this->rays, 1, i));
+  }
+};
+
+struct Unwind
+{
+  RayRow rays;
+  double* opticalDepth;
+
+  LIMPID_INLINE void operator()(int i) const
+  {
+    this->opticalDepth[i] -=
+      Whole(this->rays, 0, i).LimitedDepth() + Whole(this->rays, 1, i).LimitedDepth();
+  }
+};
+
+/// What comes from the back of a layer to its middle and on to its front.
+LIMPID_INLINE float Carried(const HalfLayer<float>& half, float behind)
+{
+  return half.visible + half.Passed() * behind;
+}
+
+struct BackwardWhole
+{
+  RayRow rays;
+  float* behind;
+
+  LIMPID_INLINE void operator()(int i) const
+  {
+    const float middle = Carried(Whole(this->rays, 1, i), this->behind[i]);
+    this->behind[i] = Carried(Whole(this->rays, 0, i), middle);
+  }
+};
+
+struct BackwardClipped
+{
+  RayRow rays;
+  float* behind;
+
+  LIMPID_INLINE void operator()(int i) const
+  {
+    const float middle = Carried(Clipped<Cut::Exit>(this->rays, 1, i), this->behind[i]);
+    this->behind[i] = Carried(Clipped<Cut::Exit>(this->rays, 0, i), middle);
+  }
+};
+
+struct RearHalfWhole
+{
+  RayRow rays;
+  const float* behind;
+  float* ahead;
+
+  LIMPID_INLINE void operator()(int i) const
+  {
+    this->ahead[i] = Carried(Whole(this->rays, 1, i), this->behind[i]);
+  }
+};
+
+struct RearHalfClipped
+{
+  RayRow rays;
+  const float* behind;
+  float* ahead;
+
+  LIMPID_INLINE void operator()(int i) const
+  {
+    this->ahead[i] = Carried(Clipped<Cut::Exit>(this->rays, 1, i), this->behind[i]);
+  }
+};
+}
+
+LIMPID_MULTIVERSION
+void BlendRows(const float* __restrict first, const float* __restrict second, float weight,
+  int begin, int end, float* __restrict out)
+{
+  for (int u = begin; u < end; ++u)
+  {
+    out[u] = first[u] + weight * (second[u] - first[u]);
+  }
+}
+
+LIMPID_MULTIVERSION
+void BlendFourRows(const float* const rows[2][2], float across, float along, int begin, int end,
+  float* __restrict out)
+{
+  const float* __restrict front0 = rows[0][0];
+  const float* __restrict front1 = rows[0][1];
+  const float* __restrict back0 = rows[1][0];
+  const float* __restrict back1 = rows[1][1];
+  for (int u = begin; u < end; ++u)
+  {
+    const float first = front0[u] + along * (back0[u] - front0[u]);
+    const float second = front1[u] + along * (back1[u] - front1[u]);
+    out[u] = first + across * (second - first);
+  }
+}
+
+void InterpolateRow(const float* source, const LinearMap& map, const Interval& columns, float* out)
+{
+  if (!columns.Empty())
+  {
+    InterpolateGathered(source, map.index.data() + columns.begin, map.weight.data() + columns.begin,
+      columns.end - columns.begin, out + columns.begin);
+  }
+}
+
+LIMPID_MULTIVERSION
+void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float* plain)
+{
+  const ForwardColumn column{ rays, opticalDepth, visible, plain };
+  Visit(rays, ForwardWhole{ column }, ForwardClipped{ column });
+}
+
+LIMPID_MULTIVERSION
+void UnwindRow(const RayRow& rays, double* opticalDepth)
+{
+  const Unwind column{ rays, opticalDepth };
+#pragma GCC ivdep
+  for (int i = rays.work.begin; i < rays.work.end; ++i)
+  {
+    column(i);
+  }
+}
+
+LIMPID_MULTIVERSION
+void BackwardRow(const RayRow& rays, float* behind)
+{
+  Visit(rays, BackwardWhole{ rays, behind }, BackwardClipped{ rays, behind });
+}
+
+LIMPID_MULTIVERSION
+void RearHalfRow(const RayRow& rays, const float* behind, float* ahead)
+{
+  Visit(rays, RearHalfWhole{ rays, behind, ahead }, RearHalfClipped{ rays, behind, ahead });
+}
+
+LIMPID_MULTIVERSION
+void TransmitRow(
+  const double* __restrict opticalDepth, const Interval& columns, float* __restrict transmittance)
+{
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    const float depth = static_cast<float>(opticalDepth[i]);
+    transmittance[i] = Attenuate(depth > -1.0f ? depth : -1.0f);
+  }
+}
+
+LIMPID_MULTIVERSION
+void MultiplyRow(float* __restrict values, const float* __restrict factors, const Interval& columns)
+{
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    values[i] *= factors[i];
+  }
+}
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_Slices_h
+#define limpid_sweep_Slices_h
+
+#include "scene/Grid.h"
+#include "sweep/Plan.h"
+
+#include <vector>
+
+namespace limpid
+{
+/// Consecutive stations [begin, end) whose slices are held in memory together.
+struct Slab
+{
+  int begin = 0;
+  int end = 0;
+};
+
+/// The slabs of a pyramid, front to back: all stations at once where rows of voxels are contiguous
+/// in memory, else so many slices that a transposed read uses whole cache lines.
+std::vector<Slab> SlabsOf(const Pyramid& pyramid);
+
+/**
+ * A field seen slice by slice along the depth axis of a pyramid, each row of voxels contiguous.
+ *
+ * Depth along y or z: rows of the field itself. Depth along x: a transposed copy of the slices of
+ * a slab; Load and Store move it.
+ */
+class SliceWindow
+{
+public:
+  /// `field`: grid.NodeCount() values; written only by Store, or through Row where not transposed.
+  SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field);
+  SliceWindow(const Pyramid& pyramid, const Grid& grid, const float* field)
+    : SliceWindow(pyramid, grid, const_cast<float*>(field))
+  {
+  }
+
+  /// Makes the slices of the stations [slab.begin, slab.end) readable, and those of as many
+  /// stations as `behind` says behind them.
+  void Load(const Slab& slab, int behind);
+
+  /// Writes the slices of the slab back.
+  void Store(const Slab& slab);
+
+  /// Row `v` of the slice: one value per column.
+  float* Row(int slice, int v)
+  {
+    return this->Transposed
+      ? this->Buffer.data() + (std::size_t(slice - this->First) * this->Rows + v) * this->Columns
+      : this->Field + this->StrideW * slice + this->StrideV * v;
+  }
+
+private:
+  struct Range
+  {
+    int first;
+    int count;
+  };
+  Range SlicesOf(int begin, int end) const;
+
+  const Pyramid* Source;
+  float* Field;
+  bool Transposed;
+  int Columns;
+  int Rows;
+  Index StrideV = 0;
+  Index StrideW = 0;
+  int First = 0;
+  std::vector<float> Buffer;
+};
+}
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/Sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpid
+{
+RayImages::RayImages(const Pyramid& pyramid)
+{
+  const auto count = static_cast<std::size_t>(pyramid.RayCount());
+  this->length.resize(count);
+  for (int row = 0; row < pyramid.rows; ++row)
+  {
+    for (int column = 0; column < pyramid.columns; ++column)
+    {
+      this->length[std::size_t(row) * pyramid.columns + column] = pyramid.RayLength(column, row);
+    }
+  }
+  this->opticalDepth.resize(count);
+  this->behind.resize(count);
+  this->plain.resize(count);
+  this->transmittance.resize(count);
+}
+
+Layer LayerOf(const Pyramid& pyramid, int front)
+{
+  const Station& near = pyramid.stations[std::size_t(front)];
+  const Station& far = pyramid.stations[std::size_t(front) + 1];
+  return { near.relativeDepth, far.relativeDepth - near.relativeDepth, near.scale, far.scale };
+}
+
+RayRow RaysOf(const Pyramid& pyramid, const RayImages& images, int front, int row)
+{
+  const Station& station = pyramid.stations[std::size_t(front)];
+  RayRow rays{};
+  rays.layer = LayerOf(pyramid, front);
+  rays.row = { pyramid.rowEntry[std::size_t(row)], pyramid.rowExit[std::size_t(row)] };
+  rays.columnEntry = pyramid.columnEntry.data();
+  rays.columnExit = pyramid.columnExit.data();
+  rays.length = images.length.data() + std::size_t(row) * pyramid.columns;
+  rays.work = station.work[std::size_t(row)];
+  rays.inside = station.insideColumns;
+  return rays;
+}
+
+std::size_t ScratchSize(const Pyramid& pyramid)
+{
+  constexpr std::size_t readBeyond = 32; // see InterpolateRow
+  return std::size_t(std::max(pyramid.nodesU, pyramid.columns)) + readBeyond;
+}
+
+void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices slices,
+  SliceWindow& field, float* scratch, float* out)
+{
+  if (columns.Empty())
+  {
+    return;
+  }
+  const auto r = std::size_t(row);
+  const int v = plane.rayRows.index[r];
+  const float across = plane.rayRows.weight[r];
+  const int begin = plane.rayColumns.index[std::size_t(columns.begin)];
+  const int end = plane.rayColumns.index[std::size_t(columns.end) - 1] + 2;
+  const float* back[2] = { field.Row(plane.slices[1], v), field.Row(plane.slices[1], v + 1) };
+  if (slices == Slices::Rear)
+  {
+    BlendRows(back[0], back[1], across, begin, end, scratch);
+  }
+  else
+  {
+    const float* rows[2][2] = {
+      { field.Row(plane.slices[0], v), field.Row(plane.slices[0], v + 1) }, { back[0], back[1] }
+    };
+    BlendFourRows(rows, across, plane.fraction, begin, end, scratch);
+  }
+  InterpolateRow(scratch, plane.rayColumns, columns, out);
+}
+
+void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
+  const std::vector<float>& image, float* scratch, float* out)
+{
+  if (columns.Empty())
+  {
+    return;
+  }
+  const LinearMap& map = station.voxelColumns;
+  const int begin = map.index[std::size_t(columns.begin)];
+  const int end = map.index[std::size_t(columns.end) - 1] + 2;
+  const int row = station.voxelRows.index[std::size_t(v)];
+  const float* first = image.data() + std::size_t(row) * pyramid.columns;
+  BlendRows(
+    first, first + pyramid.columns, station.voxelRows.weight[std::size_t(v)], begin, end, scratch);
+  InterpolateRow(scratch, map, columns, out);
+}
+
+void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, float* importance)
+{
+  if (!pyramid.inView.empty())
+  {
+    MultiplyRow(importance, pyramid.inView.data() + std::size_t(row) * pyramid.columns, columns);
+  }
+}
+
+namespace
+{
+/// The forward sweep of one pyramid; one call of Row moves a row of rays through a slab.
+class ForwardVisitor
+{
+public:
+  ForwardVisitor(const Pyramid& pyramid, const Grid& grid, const float* extinction,
+    const float* importance, RayImages& images)
+    : Source(pyramid)
+    , Images(images)
+    , Extinction(pyramid, grid, extinction)
+    , Importance(pyramid, grid, importance)
+  {
+    std::fill(images.opticalDepth.begin(), images.opticalDepth.end(), 0.0);
+    std::fill(images.behind.begin(), images.behind.end(), 0.0f);
+    std::fill(images.plain.begin(), images.plain.end(), 0.0f);
+  }
+
+  void Load(const Slab& slab)
+  {
+    this->Extinction.Load(slab, 1);
+    this->Importance.Load(slab, 1);
+  }
+
+  void Row(const Slab& slab, int row)
+  {
+    const std::size_t columns = std::size_t(this->Source.columns);
+    const std::size_t first = std::size_t(row) * columns;
+    float* memory = ThreadScratch(4 * columns + ScratchSize(this->Source));
+    float* scratch = memory + 4 * columns;
+    for (int s = slab.begin; s < std::min(slab.end, this->Source.LastStation()); ++s)
+    {
+      RayRow rays = RaysOf(this->Source, this->Images, s, row);
+      for (int half = 0; half < 2; ++half)
+      {
+        const Plane& plane = this->Source.stations[std::size_t(s)].planes[std::size_t(half)];
+        float* extinction = memory + std::size_t(half) * columns;
+        float* importance = memory + std::size_t(half + 2) * columns;
+        SamplePlane(plane, row, rays.work, Slices::Both, this->Extinction, scratch, extinction);
+        SamplePlane(plane, row, rays.work, Slices::Both, this->Importance, scratch, importance);
+        HideOutOfView(this->Source, row, rays.work, importance);
+        rays.extinction[half] = extinction;
+        rays.importance[half] = importance;
+      }
+      ForwardRow(rays, this->Images.opticalDepth.data() + first, this->Images.behind.data() + first,
+        this->Images.plain.data() + first);
+    }
+  }
+
+private:
+  const Pyramid& Source;
+  RayImages& Images;
+  SliceWindow Extinction;
+  SliceWindow Importance;
+};
+
+/// Sums the rays of a pyramid, row by row, in a fixed order.
+Visible SumRays(const Pyramid& pyramid, const RayImages& images)
+{
+  Visible sum;
+  for (int row = 0; row < pyramid.rows; ++row)
+  {
+    double visible = 0;
+    double plain = 0;
+    for (int column = 0; column < pyramid.columns; ++column)
+    {
+      const std::size_t ray = std::size_t(row) * pyramid.columns + column;
+      const double weight = pyramid.columnShare[std::size_t(column)] / double(images.length[ray]);
+      visible += weight * images.behind[ray];
+      plain += weight * images.plain[ray];
+    }
+    sum.visible += visible * pyramid.rowShare[std::size_t(row)];
+    sum.plain += plain * pyramid.rowShare[std::size_t(row)];
+  }
+  sum.visible *= pyramid.cellMeasure;
+  sum.plain *= pyramid.cellMeasure;
+  return sum;
+}
+}
+
+Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
+  const float* importance, RayImages& images)
+{
+  constexpr Index rowsPerTask = 4;
+  ForwardVisitor visitor(pyramid, grid, extinction, importance, images);
+  for (const Slab& slab : SlabsOf(pyramid))
+  {
+    visitor.Load(slab);
+    ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.Row(slab, int(row)); });
+  }
+  return SumRays(pyramid, images);
+}
+}

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_Sweep_h
+#define limpid_sweep_Sweep_h
+
+#include "backend/Backend.h"
+#include "sweep/Plan.h"
+#include "sweep/Rows.h"
+#include "sweep/Slices.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace limpid
+{
+/// One value per ray of a pyramid; what travels with the rays while a sweep moves from slice to
+/// slice. Row by row, Pyramid::columns values each.
+struct RayImages
+{
+  explicit RayImages(const Pyramid& pyramid);
+
+  std::vector<float> length;        ///< world length per unit of depth [length]
+  std::vector<double> opticalDepth; ///< from the eye to the station that the sweep has reached
+  std::vector<float> behind;        ///< visible importance behind, times scale^2
+  std::vector<float> plain;         ///< the same without attenuation
+  std::vector<float> transmittance; ///< from the eye [0, 1]
+};
+
+/// Integrals over the domain of importance times extinction, with and without transmittance.
+struct Visible
+{
+  double visible = 0; ///< S of Eq. 32 [length^2]
+  double plain = 0;   ///< its upper bound [length^2]
+};
+
+/// The layer between stations `front` and `front + 1`.
+Layer LayerOf(const Pyramid& pyramid, int front);
+
+/// Row `row` of the rays in the layer behind station `front`; the sampled fields are left open.
+RayRow RaysOf(const Pyramid& pyramid, const RayImages& images, int front, int row);
+
+/// Which slices a plane is sampled from.
+enum class Slices
+{
+  Both, ///< blended at the Gauss point
+  Rear  ///< the slice behind alone
+};
+
+/// Samples a plane at `columns` of a row of rays. `scratch`: ScratchSize(pyramid) values.
+void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices slices,
+  SliceWindow& field, float* scratch, float* out);
+
+/// Number of values that sampling needs as scratch.
+std::size_t ScratchSize(const Pyramid& pyramid);
+
+/// Interpolates an image of the rays at `columns` of voxel row `v`. `scratch`:
+/// ScratchSize(pyramid) values.
+void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
+  const std::vector<float>& image, float* scratch, float* out);
+
+/// Multiplies by 0 what the picture does not show, see Settings::restrictToView.
+void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, float* importance);
+
+/**
+ * Front to back over all slices: leaves in `images` the optical depth of every ray through
+ * the layers in its `work`, and returns the score of the pyramid.
+ */
+Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
+  const float* importance, RayImages& images);
+
+/**
+ * Back to front over all slices of voxels. On each slice the visitor first moves all rays to it
+ * (RayRow) and then does its work on the voxels of the slice (VoxelRow), which may depend on the
+ * rays of the whole slice. Load and Store tell it which slices come next.
+ */
+template <class Visitor>
+void SweepBackward(const Pyramid& pyramid, Visitor& visitor)
+{
+  constexpr Index rowsPerTask = 8;
+  const std::vector<Slab> slabs = SlabsOf(pyramid);
+  for (std::size_t index = slabs.size(); index-- > 0;)
+  {
+    const Slab& slab = slabs[index];
+    visitor.Load(slab);
+    for (int s = slab.end; s-- > std::max(slab.begin, pyramid.FirstSlice());)
+    {
+      const Interval rows = pyramid.stations[std::size_t(s)].ownedRows;
+      ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.RayRow(s, int(row)); });
+      ParallelFor(rows.end - rows.begin, rowsPerTask,
+        [&](Index v) { visitor.VoxelRow(s, rows.begin + int(v)); });
+    }
+    visitor.Store(slab);
+  }
+}
+}
+
+#endif
