@@ -6,67 +6,14 @@
 
 #include "scene/Eye.h"
 #include "scene/Grid.h"
+#include "sweep/Lateral.h"
+#include "sweep/Occupancy.h"
 
 #include <array>
 #include <vector>
 
 namespace limpid
 {
-/// Half-open range of columns; empty unless begin < end.
-struct Interval
-{
-  int begin = 0;
-  int end = 0;
-  bool Empty() const { return this->begin >= this->end; }
-};
-
-/// Smallest interval that contains both.
-Interval Hull(const Interval& a, const Interval& b);
-Interval Intersection(const Interval& a, const Interval& b);
-
-/**
- * For every row of voxels along x and along y: where the scene is not empty and where it is
- * important. What lies outside provably never changes (Documentation/Method.md, section on skips).
- */
-class Occupancy
-{
-public:
-  /// Both fields: grid.NodeCount() values. With `skip` off every voxel counts as occupied.
-  Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
-
-  struct Spans
-  {
-    Interval filled;    ///< base extinction or importance above zero
-    Interval important; ///< importance above zero
-  };
-
-  /// The row of voxels along grid axis `alongAxis` (0 or 1); `first` and `second` are its indices
-  /// along the two other axes, lower axis first.
-  const Spans& Row(int alongAxis, int first, int second) const
-  {
-    return alongAxis == 0 ? this->AlongX[std::size_t(second) * this->Nodes.y + first]
-                          : this->AlongY[std::size_t(second) * this->Nodes.x + first];
-  }
-
-  bool Skips() const { return this->Skip; }
-  Index FilledVoxels() const { return this->Filled; } ///< number of voxels that may change
-
-private:
-  Int3 Nodes;
-  bool Skip;
-  Index Filled = 0;
-  std::vector<Spans> AlongX; ///< [z][y]
-  std::vector<Spans> AlongY; ///< [z][x]
-};
-
-/// Linear interpolation from one row of samples to another: target t reads
-/// source[index[t]] and source[index[t] + 1] with weights 1 - weight[t] and weight[t].
-struct LinearMap
-{
-  std::vector<int> index;
-  std::vector<float> weight;
-};
-
 /// A plane through a Gauss point of a layer, on which all rays of a pyramid are sampled: between
 /// two slices of voxels.
 struct Plane

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_Interval_h
+#define limpid_sweep_Interval_h
+
+namespace limpid
+{
+/// Half-open range of columns; empty unless begin < end.
+struct Interval
+{
+  int begin = 0;
+  int end = 0;
+  bool Empty() const { return this->begin >= this->end; }
+};
+
+/// Smallest interval that contains both.
+inline Interval Hull(const Interval& a, const Interval& b)
+{
+  if (a.Empty())
+  {
+    return b;
+  }
+  if (b.Empty())
+  {
+    return a;
+  }
+  return { a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end };
+}
+
+inline Interval Intersection(const Interval& a, const Interval& b)
+{
+  return { a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end };
+}
+}
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_Lateral_h
+#define limpid_sweep_Lateral_h
+
+#include "sweep/Interval.h"
+
+#include <vector>
+
+namespace limpid
+{
+/// Linear interpolation from one row of samples to another: target t reads
+/// source[index[t]] and source[index[t] + 1] with weights 1 - weight[t] and weight[t].
+struct LinearMap
+{
+  std::vector<int> index;
+  std::vector<float> weight;
+};
+
+/**
+ * The rays of a pyramid along one of its lateral axes.
+ *
+ * A ray has the coordinate a, its slope (point eye) or its position at depth 0 (parallel eye); at
+ * depth D it is at eye + a D or at a + shear D.
+ */
+class Lateral
+{
+public:
+  bool parallel = false;
+  double eye = 0;   ///< point eye: its position [index]
+  double shear = 0; ///< parallel eye: lateral step per slice [index]
+  int nodes = 0;    ///< voxels along the axis
+
+  int count = 0;          ///< rays, guards included
+  double first = 0;       ///< coordinate of ray 0
+  double step = 0;        ///< between neighbouring rays
+  bool guardLow = false;  ///< ray 0 only serves interpolation at the border to the next pyramid
+  bool guardHigh = false; ///< ... and so does the last
+
+  double Coordinate(int ray) const { return this->first + ray * this->step; }
+  double Slope(int ray) const { return this->parallel ? this->shear : this->Coordinate(ray); }
+
+  /// Chooses the rays that see the box between two depths; none if it is out of reach.
+  void Fit(double nearDepth, double farDepth, double rayDensity);
+
+  /// Voxel column and weight of every ray at `depth`; on the border where it is outside the box.
+  LinearMap RayMap(double depth) const;
+
+  /// Floor of the voxel column of every ray at `depth`, also outside the box.
+  std::vector<int> RayNodes(double depth) const;
+
+  /// Ray column and weight of every voxel on the slice at `depth`, a positive depth. Voxels beyond
+  /// the outermost rays take the value of these.
+  LinearMap VoxelMap(double depth) const;
+
+  /// Depths at which a ray enters and leaves the slab of the box, relative to `base`.
+  void Clip(int ray, double base, float& entry, float& exit) const;
+
+  /// Voxels at `depth` whose distance from the eye is at most (closed) or below (open) the depth.
+  Interval Owned(double depth, bool closed) const;
+
+private:
+  double Position(double ray, double depth) const
+  {
+    return this->parallel ? ray + this->shear * depth : this->eye + ray * depth;
+  }
+
+  double Ray(double position, double depth) const
+  {
+    return this->parallel ? position - this->shear * depth : (position - this->eye) / depth;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_Occupancy_h
+#define limpid_sweep_Occupancy_h
+
+#include "scene/Grid.h"
+#include "sweep/Interval.h"
+
+#include <vector>
+
+namespace limpid
+{
+/**
+ * For every row of voxels along x and along y: where the scene is not empty and where it is
+ * important. What lies outside provably never changes (Documentation/Method.md, section on skips).
+ */
+class Occupancy
+{
+public:
+  /// Both fields: grid.NodeCount() values. With `skip` off every voxel counts as occupied.
+  Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
+
+  struct Spans
+  {
+    Interval filled;    ///< base extinction or importance above zero
+    Interval important; ///< importance above zero
+  };
+
+  /// The row of voxels along grid axis `alongAxis` (0 or 1); `first` and `second` are its indices
+  /// along the two other axes, lower axis first.
+  const Spans& Row(int alongAxis, int first, int second) const
+  {
+    return alongAxis == 0 ? this->AlongX[std::size_t(second) * this->Nodes.y + first]
+                          : this->AlongY[std::size_t(second) * this->Nodes.x + first];
+  }
+
+  bool Skips() const { return this->Skip; }
+  Index FilledVoxels() const { return this->Filled; } ///< number of voxels that may change
+
+private:
+  Int3 Nodes;
+  bool Skip;
+  Index Filled = 0;
+  std::vector<Spans> AlongX; ///< [z][y]
+  std::vector<Spans> AlongY; ///< [z][x]
+};
+}
+
+#endif
