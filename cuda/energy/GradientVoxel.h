@@ -22,12 +22,10 @@ struct GradientVoxel
 {
   Real inverseArea; ///< 1 / scale^2 of the slice
 
-  /// `transmittance`, `behind` [scale^2], `importance` [0, 1]: all at the voxel, the first two
-  /// interpolated from rays, of which some may not have entered the box yet.
+  /// `transmittance` [0, 1], `behind` [scale^2], `importance` [0, 1]: all at the voxel.
   LIMPID_HD LIMPID_INLINE Real operator()(Real transmittance, Real behind, Real importance) const
   {
-    const Real passed = transmittance < Real(1) ? transmittance : Real(1);
-    return passed * (behind * this->inverseArea - importance);
+    return transmittance * (behind * this->inverseArea - importance);
   }
 };
 }

@@ -50,11 +50,11 @@ public:
   {
     const auto columns = std::size_t(this->Source.columns);
     const std::size_t first = std::size_t(row) * columns;
-    double* opticalDepth = this->Images.opticalDepth.data() + first;
     const Station& station = this->Source.stations[std::size_t(s)];
-    if (s < this->Source.LastStation())
+    float* memory = ThreadScratch(4 * columns + ScratchSize(this->Source));
+    const bool last = s == this->Source.LastStation();
+    if (!last)
     {
-      float* memory = ThreadScratch(4 * columns + ScratchSize(this->Source));
       float* scratch = memory + 4 * columns;
       limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);
       if (!this->Widens)
@@ -73,10 +73,9 @@ public:
         rays.importance[half] = importance;
       }
       BackwardRow(rays, this->Images.behind.data() + first);
-      UnwindRow(rays, opticalDepth);
+      UnwindRow(rays, this->Images.opticalDepth.data() + first);
     }
-    TransmitRow(
-      opticalDepth, station.work[std::size_t(row)], this->Images.transmittance.data() + first);
+    TransmitRays(this->Source, s, row, last ? nullptr : memory, this->Images);
   }
 
   float AreaOf(const Station& station) const
@@ -122,8 +121,7 @@ public:
     float* behind = memory + nodes;
     float* importance = memory + 2 * nodes;
     float* scratch = memory + 3 * nodes;
-    SampleRays(
-      this->Source, station, v, columns, this->Images.transmittance, scratch, transmittance);
+    SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, transmittance);
     SampleRays(this->Source, station, v, columns, this->Images.behind, scratch, behind);
     const float* source = this->Importance.Row(station.slice, v);
     if (!this->Source.inView.empty())
@@ -164,11 +162,7 @@ public:
     float* scratch = ThreadScratch(ScratchSize(this->Source));
     float* target = this->Target.Row(station.slice, v);
     const Interval columns = station.ownedColumns;
-    SampleRays(this->Source, station, v, columns, this->Images.transmittance, scratch, target);
-    for (int u = columns.begin; u < columns.end; ++u)
-    {
-      target[u] = std::min(target[u], 1.0f); // some rays may not have entered the box yet
-    }
+    SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, target);
   }
 
   void Store(const Slab& slab) { this->Target.Store(slab); }

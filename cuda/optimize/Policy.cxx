@@ -160,7 +160,14 @@ public:
     const auto nodes = std::size_t(this->Source.nodesU);
     float* memory = ThreadScratch(3 * nodes + ScratchSize(this->Source));
     float* scratch = memory + 3 * nodes;
-    SampleRays(this->Source, station, v, columns, this->Images.transmittance, scratch, memory);
+    if (this->TrustTransmittance)
+    {
+      SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, memory);
+    }
+    else
+    {
+      std::fill(memory + columns.begin, memory + columns.end, 1.0f);
+    }
     SampleRays(this->Source, station, v, columns, this->Ahead, scratch, memory + nodes);
     arrays.transmittance = memory;
     arrays.behind = memory + nodes;
@@ -237,7 +244,8 @@ private:
   {
     const std::size_t columns = std::size_t(this->Source.columns);
     double* opticalDepth = this->Images.opticalDepth.data() + std::size_t(row) * columns;
-    if (s < this->Source.LastStation())
+    const bool last = s == this->Source.LastStation();
+    if (!last)
     {
       limpid::RayRow rays = this->Rays(s, row);
       for (int half = 0; half < 2; ++half)
@@ -249,8 +257,7 @@ private:
       }
       UnwindRow(rays, opticalDepth);
     }
-    TransmitRow(opticalDepth, this->Source.stations[std::size_t(s)].work[std::size_t(row)],
-      this->Images.transmittance.data() + std::size_t(row) * columns);
+    TransmitRays(this->Source, s, row, last ? nullptr : memory, this->Images);
   }
 
   const Pyramid& Source;

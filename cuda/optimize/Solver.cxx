@@ -191,8 +191,16 @@ struct Solver::Internals
       const float* baseField = this->scene.baseExtinction;
       this->extinction.assign(baseField, baseField + this->scene.grid.NodeCount());
       this->minimizer.reset();
-      this->base = this->lightRun ? this->base : this->ScoreOf(this->scene.baseExtinction);
-      this->best = this->lightRun ? this->best : this->base;
+      if (!this->lightRun)
+      {
+        this->base = this->best = this->ScoreOf(this->scene.baseExtinction);
+        this->bestEnergy.view = -weights.view * this->base.visibility;
+        IterationRecord record;
+        record.energy = this->bestEnergy;
+        record.visibilityScore = this->base.visibility;
+        record.visibleFraction = this->base.fraction;
+        this->history.push_back(record);
+      }
       return;
     }
     const Occupancy occupancy(this->scene.grid, this->scene.baseExtinction, this->scene.importance,

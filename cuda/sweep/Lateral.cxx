@@ -36,8 +36,6 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity)
     };
     low = slope(-this->eye, true);
     high = slope(last - this->eye, false);
-    this->guardLow = low < -1;
-    this->guardHigh = high > 1;
     low = std::max(low, -1.0);
     high = std::min(high, 1.0);
   }
@@ -46,12 +44,13 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity)
     this->count = 0;
     return;
   }
+  constexpr double fewest = 16; // even across a single voxel, for the sake of the integrals
   const double scale = this->parallel ? 1.0 : farDepth;
   const double wanted = std::ceil((high - low) * scale * rayDensity - 1e-9);
-  const int cells = static_cast<int>(std::min(std::max(wanted, 2.0), 1e6));
+  const int cells = static_cast<int>(std::min(std::max(wanted, fewest), 1e6));
   this->step = (high - low) / cells;
-  this->first = low + 0.5 * this->step - (this->guardLow ? this->step : 0.0);
-  this->count = cells + (this->guardLow ? 1 : 0) + (this->guardHigh ? 1 : 0);
+  this->first = low - 0.5 * this->step;
+  this->count = cells + 2;
 }
 
 LinearMap Lateral::RayMap(double depth) const
@@ -100,12 +99,12 @@ LinearMap Lateral::VoxelMap(double depth) const
   return map;
 }
 
-void Lateral::Clip(int ray, double base, float& entry, float& exit) const
+Clip Lateral::ClipRay(double coordinate, double base) const
 {
   constexpr double never = 1e30;
   const double last = this->nodes - 1;
-  const double slope = this->Slope(ray);
-  const double start = this->parallel ? this->Coordinate(ray) : this->eye;
+  const double slope = this->parallel ? this->shear : coordinate;
+  const double start = this->parallel ? coordinate : this->eye;
   double low = -never;
   double high = never;
   if (slope != 0)
@@ -120,8 +119,18 @@ void Lateral::Clip(int ray, double base, float& entry, float& exit) const
     low = never;
     high = -never;
   }
-  entry = static_cast<float>(std::min(std::max(low, -never), never));
-  exit = static_cast<float>(std::min(std::max(high, -never), never));
+  return { static_cast<float>(std::min(std::max(low, -never), never)),
+    static_cast<float>(std::min(std::max(high, -never), never)) };
+}
+
+std::vector<float> Lateral::VoxelEntries(double depth, double base) const
+{
+  std::vector<float> entries(std::size_t(this->nodes));
+  for (int node = 0; node < this->nodes; ++node)
+  {
+    entries[std::size_t(node)] = this->ClipRay(this->Ray(node, depth), base).entry;
+  }
+  return entries;
 }
 
 Interval Lateral::Owned(double depth, bool closed) const

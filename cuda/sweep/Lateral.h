@@ -4,6 +4,7 @@
 #ifndef limpid_sweep_Lateral_h
 #define limpid_sweep_Lateral_h
 
+#include "sweep/HalfLayer.h"
 #include "sweep/Interval.h"
 
 #include <vector>
@@ -32,11 +33,9 @@ public:
   double shear = 0; ///< parallel eye: lateral step per slice [index]
   int nodes = 0;    ///< voxels along the axis
 
-  int count = 0;          ///< rays, guards included
-  double first = 0;       ///< coordinate of ray 0
-  double step = 0;        ///< between neighbouring rays
-  bool guardLow = false;  ///< ray 0 only serves interpolation at the border to the next pyramid
-  bool guardHigh = false; ///< ... and so does the last
+  int count = 0;    ///< rays, with one guard on either side that only serves interpolation
+  double first = 0; ///< coordinate of ray 0
+  double step = 0;  ///< between neighbouring rays
 
   double Coordinate(int ray) const { return this->first + ray * this->step; }
   double Slope(int ray) const { return this->parallel ? this->shear : this->Coordinate(ray); }
@@ -55,12 +54,17 @@ public:
   LinearMap VoxelMap(double depth) const;
 
   /// Depths at which a ray enters and leaves the slab of the box, relative to `base`.
-  void Clip(int ray, double base, float& entry, float& exit) const;
+  Clip ClipOf(int ray, double base) const { return this->ClipRay(this->Coordinate(ray), base); }
+
+  /// Depths at which the rays through every voxel on the slice at `depth` enter the slab.
+  std::vector<float> VoxelEntries(double depth, double base) const;
 
   /// Voxels at `depth` whose distance from the eye is at most (closed) or below (open) the depth.
   Interval Owned(double depth, bool closed) const;
 
 private:
+  Clip ClipRay(double coordinate, double base) const;
+
   double Position(double ray, double depth) const
   {
     return this->parallel ? ray + this->shear * depth : this->eye + ray * depth;

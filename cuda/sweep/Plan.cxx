@@ -14,8 +14,8 @@ namespace limpid
 {
 float Pyramid::RayLength(int column, int row) const
 {
-  const Vec3 step(this->columnSlope[std::size_t(column)] * this->spacing.x,
-    this->rowSlope[std::size_t(row)] * this->spacing.y, this->spacing.z);
+  const Vec3 step(this->columnAxis.slope[std::size_t(column)] * this->spacing.x,
+    this->rowAxis.slope[std::size_t(row)] * this->spacing.y, this->spacing.z);
   return static_cast<float>(glm::length(step));
 }
 
@@ -96,15 +96,16 @@ void PlacePlanes(
   }
 }
 
-/// Columns that are inside the box in u all the way between two depths. They are neighbours, as
-/// the rays' order along u never changes.
+/// Columns, guards apart, that are inside the box in u all the way between two depths. They are
+/// neighbours, as the rays' order along u never changes.
 Interval InsideColumns(const Pyramid& pyramid, float front, float back)
 {
   Interval inside;
   for (int column = 0; column < pyramid.columns; ++column)
   {
     const auto i = std::size_t(column);
-    if (pyramid.columnEntry[i] <= front && pyramid.columnExit[i] >= back)
+    const bool guard = pyramid.columnAxis.share[i] == 0;
+    if (!guard && pyramid.columnAxis.entry[i] <= front && pyramid.columnAxis.exit[i] >= back)
     {
       inside = Hull(inside, { column, column + 1 });
     }
@@ -158,26 +159,42 @@ double PlaceStations(Pyramid& pyramid, const DepthAxis& depth)
   return base;
 }
 
-/// What is known of the rays along one lateral axis.
-void DescribeRays(const Lateral& lateral, double base, std::vector<float>& entry,
-  std::vector<float>& exit, std::vector<double>& slope, std::vector<float>& share)
+/// What is known of the rays along one lateral axis. A guard that does not enter the slab of the
+/// box before `back` runs along its border all the way.
+void DescribeRays(const Lateral& lateral, double base, float back, RayAxis& axis)
 {
+  constexpr Clip everywhere{ -1e30f, 1e30f };
   const auto count = static_cast<std::size_t>(lateral.count);
-  entry.resize(count);
-  exit.resize(count);
-  slope.resize(count);
-  share.assign(count, 1.0f);
+  axis.share.assign(count, 1.0f);
+  axis.share.front() = axis.share.back() = 0.0f;
   for (std::size_t ray = 0; ray < count; ++ray)
   {
-    lateral.Clip(static_cast<int>(ray), base, entry[ray], exit[ray]);
-    slope[ray] = lateral.Slope(static_cast<int>(ray));
+    Clip clip = lateral.ClipOf(static_cast<int>(ray), base);
+    const bool misses = clip.entry >= back || clip.exit <= 0 || clip.entry >= clip.exit;
+    clip = misses && axis.share[ray] == 0 ? everywhere : clip;
+    axis.entry.push_back(clip.entry);
+    axis.exit.push_back(clip.exit);
+    axis.slope.push_back(lateral.Slope(static_cast<int>(ray)));
   }
-  share.front() = lateral.guardLow ? 0.0f : 1.0f;
-  share.back() = lateral.guardHigh ? 0.0f : 1.0f;
+}
+
+/// Rays, guards apart, that enter the slab of the box no later than at `front`. They are
+/// neighbours.
+Interval RaysThatEnterInFront(const RayAxis& axis, float front)
+{
+  Interval rays;
+  for (int ray = 0; ray < axis.Count(); ++ray)
+  {
+    if (axis.share[std::size_t(ray)] > 0 && axis.entry[std::size_t(ray)] <= front)
+    {
+      rays = Hull(rays, { ray, ray + 1 });
+    }
+  }
+  return rays;
 }
 
 /// How rays and voxels of every slice read each other.
-void PlaceMaps(Pyramid& pyramid, double sign, const Lateral& u, const Lateral& v)
+void PlaceMaps(Pyramid& pyramid, double sign, double base, const Lateral& u, const Lateral& v)
 {
   // Which voxels on the boundary of two pyramids belong to which: the last axis wins.
   const bool closedU = pyramid.axisU < pyramid.axisW;
@@ -196,6 +213,8 @@ void PlaceMaps(Pyramid& pyramid, double sign, const Lateral& u, const Lateral& v
       {
         station.voxelColumns = u.VoxelMap(station.depth);
         station.voxelRows = v.VoxelMap(station.depth);
+        station.columnEntry = u.VoxelEntries(station.depth, base);
+        station.rowEntry = v.VoxelEntries(station.depth, base);
         station.ownedColumns = u.Owned(station.depth, closedU);
         station.ownedRows = v.Owned(station.depth, closedV);
       }
@@ -239,10 +258,12 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
   pyramid.cellMeasure =
     grid.CellVolume() * u.step * v.step * (eye.parallel ? 1.0 : depth.Far() * depth.Far());
   const double base = PlaceStations(pyramid, depth);
-  DescribeRays(
-    u, base, pyramid.columnEntry, pyramid.columnExit, pyramid.columnSlope, pyramid.columnShare);
-  DescribeRays(v, base, pyramid.rowEntry, pyramid.rowExit, pyramid.rowSlope, pyramid.rowShare);
-  PlaceMaps(pyramid, sign, u, v);
+  const float back = pyramid.stations.back().relativeDepth;
+  DescribeRays(u, base, back, pyramid.columnAxis);
+  DescribeRays(v, base, back, pyramid.rowAxis);
+  pyramid.frontColumns = RaysThatEnterInFront(pyramid.columnAxis, pyramid.FrontDepth());
+  pyramid.frontRows = RaysThatEnterInFront(pyramid.rowAxis, pyramid.FrontDepth());
+  PlaceMaps(pyramid, sign, base, u, v);
   FindWork(pyramid, occupancy, u, v);
   pyramid.inView = FindInView(pyramid, eye, u, v, sign, depth.origin);
   return pyramid;

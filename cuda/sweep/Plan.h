@@ -36,11 +36,24 @@ struct Station
   LinearMap voxelRows;    ///< voxel row -> ray row
   Interval ownedColumns;  ///< voxels of this slice that belong to this pyramid
   Interval ownedRows;
+  std::vector<float> columnEntry; ///< per voxel column: relative depth where its rays enter in u
+  std::vector<float> rowEntry;    ///< per voxel row: ... in v
 
   // The layer behind; the last station has none.
   std::array<Plane, 2> planes;
   Interval insideColumns;     ///< columns of rays that stay inside the box in u
   std::vector<Interval> work; ///< per row of rays: columns that have to be visited
+};
+
+/// The rays of a pyramid along a lateral axis, one value per column or row.
+struct RayAxis
+{
+  std::vector<float> entry;  ///< relative depth at which the ray enters the box in this axis
+  std::vector<float> exit;   ///< ... and leaves it
+  std::vector<double> slope; ///< lateral step per unit of depth [index]
+  std::vector<float> share;  ///< 1, or 0 for guards that only serve interpolation
+
+  int Count() const { return static_cast<int>(this->entry.size()); }
 };
 
 /**
@@ -63,15 +76,10 @@ struct Pyramid
   int rows = 0;                  ///< rays along v
   std::vector<Station> stations; ///< front to back
 
-  std::vector<float> columnEntry; ///< per column: relative depth at which it enters the box in u
-  std::vector<float> columnExit;
-  std::vector<float> rowEntry;
-  std::vector<float> rowExit;
-  std::vector<double> columnSlope; ///< du/dD per column
-  std::vector<double> rowSlope;    ///< dv/dD per row
-  std::vector<float> columnShare;  ///< 1, or 0 for guard rays that only serve interpolation
-  std::vector<float> rowShare;
-
+  RayAxis columnAxis;
+  RayAxis rowAxis;
+  Interval frontColumns; ///< columns that enter the box in its front, not later through a side
+  Interval frontRows;
   /// World volume that a unit of ray integral stands for:
   /// S = cellMeasure sum_ij share_ij / length_ij integral g mu T scale^2 dt.
   double cellMeasure = 0;
@@ -80,6 +88,9 @@ struct Pyramid
   std::vector<float> inView; ///< per ray 1 or 0; empty: all are
 
   int RayCount() const { return this->columns * this->rows; }
+
+  /// Relative depth where rays begin that do not enter through a side.
+  float FrontDepth() const { return this->stations.front().relativeDepth; }
 
   int LastStation() const { return static_cast<int>(this->stations.size()) - 1; }
 

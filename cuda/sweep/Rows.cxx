@@ -264,7 +264,35 @@ void TransmitRow(
   for (int i = columns.begin; i < columns.end; ++i)
   {
     const float depth = static_cast<float>(opticalDepth[i]);
-    transmittance[i] = Attenuate(depth > -1.0f ? depth : -1.0f);
+    transmittance[i] = Attenuate(depth > 0.0f ? depth : 0.0f); // rounding leaves traces below 0
+  }
+}
+
+LIMPID_MULTIVERSION
+void DensifyRow(const DensityRow& row, const Interval& columns, float* __restrict density)
+{
+  const DensityRow rays = row;
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    constexpr float tooClose = 0.01f; // to the entry, to divide by the distance [index]
+    const float entry = rays.entry > rays.columnEntry[i] ? rays.entry : rays.columnEntry[i];
+    const float distance = rays.depth - entry;
+    const bool close = distance < tooClose && distance > -tooClose;
+    const float here = rays.extinction ? rays.extinction[i] * rays.length[i] : 0.0f;
+    const float mean = static_cast<float>(rays.opticalDepth[i]) / (close ? tooClose : distance);
+    density[i] = close ? here : mean;
+  }
+}
+
+LIMPID_MULTIVERSION
+void TransmitVoxelRow(float depth, float rowEntry, const float* __restrict columnEntry,
+  const Interval& columns, float* __restrict densityToTransmittance)
+{
+  for (int u = columns.begin; u < columns.end; ++u)
+  {
+    const float entry = rowEntry > columnEntry[u] ? rowEntry : columnEntry[u];
+    const float opticalDepth = densityToTransmittance[u] * (depth - entry);
+    densityToTransmittance[u] = Attenuate(opticalDepth > 0.0f ? opticalDepth : 0.0f);
   }
 }
 

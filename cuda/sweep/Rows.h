@@ -39,13 +39,9 @@ void BlendFourRows(
 /// readable up to 32 values beyond the last sample.
 void InterpolateRow(const float* source, const LinearMap& map, const Interval& columns, float* out);
 
-// Where a ray enters the box through a side, voxels on that side are interpolated between it and
-// rays that are not inside yet. So that nothing jumps there, a ray carries its optical depth and
-// the importance behind it on through the samples on the border: its optical depth is that since
-// its entry, negative before; what it has met behind its exit never counts as visible.
-
-/// Front to back: `opticalDepth` grows, also behind the exit; `visible` gains the integral of
-/// g mu T scale^2 and `plain` that of g mu scale^2, inside the box only.
+/// Front to back: `opticalDepth` grows; it is that since the entry into the box, negative before,
+/// and goes on behind the exit, so that nothing jumps between neighbouring rays. `visible` gains
+/// the integral of g mu T scale^2 and `plain` that of g mu scale^2, inside the box only.
 void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float* plain);
 
 /// Back to front: `opticalDepth` shrinks to that at the front of the layer.
@@ -58,9 +54,28 @@ void BackwardRow(const RayRow& rays, float* behind);
 /// `ahead`: what `behind` becomes in the middle of the layer.
 void RearHalfRow(const RayRow& rays, const float* behind, float* ahead);
 
-/// transmittance = exp(-opticalDepth), above 1 in front of the entry. An optical depth below -1 is
-/// taken as -1: there is no voxel so far outside.
+/// transmittance = exp(-opticalDepth).
 void TransmitRow(const double* opticalDepth, const Interval& columns, float* transmittance);
+
+/// Optical depth per unit of depth since the entry into the box, for rays at a station.
+struct DensityRow
+{
+  float depth;              ///< relative depth of the station
+  float entry;              ///< of the row, or the front of the box if that is deeper
+  const float* columnEntry; ///< of the columns
+  const double* opticalDepth;
+  const float* length;     ///< world length per unit of depth
+  const float* extinction; ///< just behind the station; null: behind the last one
+};
+
+/// density = opticalDepth / (depth - entry). It is as smooth as the extinction even where the entry
+/// has a kink or lies ahead.
+void DensifyRow(const DensityRow& rays, const Interval& columns, float* density);
+
+/// Of voxels whose rays enter through a side: transmittance = exp(-density (depth - entry)), in
+/// place. `entry`: that of the row or of the front, `columnEntry` that of the columns.
+void TransmitVoxelRow(float depth, float entry, const float* columnEntry, const Interval& columns,
+  float* densityToTransmittance);
 
 /// values *= factors.
 void MultiplyRow(float* values, const float* factors, const Interval& columns);

@@ -23,6 +23,7 @@ RayImages::RayImages(const Pyramid& pyramid)
   this->behind.resize(count);
   this->plain.resize(count);
   this->transmittance.resize(count);
+  this->density.resize(count);
 }
 
 Layer LayerOf(const Pyramid& pyramid, int front)
@@ -37,9 +38,9 @@ RayRow RaysOf(const Pyramid& pyramid, const RayImages& images, int front, int ro
   const Station& station = pyramid.stations[std::size_t(front)];
   RayRow rays{};
   rays.layer = LayerOf(pyramid, front);
-  rays.row = { pyramid.rowEntry[std::size_t(row)], pyramid.rowExit[std::size_t(row)] };
-  rays.columnEntry = pyramid.columnEntry.data();
-  rays.columnExit = pyramid.columnExit.data();
+  rays.row = { pyramid.rowAxis.entry[std::size_t(row)], pyramid.rowAxis.exit[std::size_t(row)] };
+  rays.columnEntry = pyramid.columnAxis.entry.data();
+  rays.columnExit = pyramid.columnAxis.exit.data();
   rays.length = images.length.data() + std::size_t(row) * pyramid.columns;
   rays.work = station.work[std::size_t(row)];
   rays.inside = station.insideColumns;
@@ -94,6 +95,57 @@ void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Int
   BlendRows(
     first, first + pyramid.columns, station.voxelRows.weight[std::size_t(v)], begin, end, scratch);
   InterpolateRow(scratch, map, columns, out);
+}
+
+void TransmitRays(
+  const Pyramid& pyramid, int s, int row, const float* extinction, RayImages& images)
+{
+  const std::size_t first = std::size_t(row) * pyramid.columns;
+  const Station& station = pyramid.stations[std::size_t(s)];
+  const Interval work = station.work[std::size_t(row)];
+  const double* opticalDepth = images.opticalDepth.data() + first;
+  TransmitRow(opticalDepth, work, images.transmittance.data() + first);
+  const DensityRow rays{ station.relativeDepth,
+    std::max(pyramid.rowAxis.entry[std::size_t(row)], pyramid.FrontDepth()),
+    pyramid.columnAxis.entry.data(), opticalDepth, images.length.data() + first, extinction };
+  float* density = images.density.data() + first;
+  const Interval front = pyramid.frontColumns;
+  const bool nextToSide = row <= pyramid.frontRows.begin || row + 1 >= pyramid.frontRows.end;
+  if (nextToSide || front.Empty())
+  {
+    DensifyRow(rays, work, density);
+    return;
+  }
+  DensifyRow(rays, Intersection(work, { work.begin, front.begin + 1 }), density);
+  DensifyRow(rays, Intersection(work, { front.end - 1, work.end }), density);
+}
+
+void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
+  const Interval& columns, const RayImages& images, float* scratch, float* out)
+{
+  const auto fromSide = [&](const Interval& side)
+  {
+    SampleRays(pyramid, station, v, side, images.density, scratch, out);
+    TransmitVoxelRow(station.relativeDepth,
+      std::max(station.rowEntry[std::size_t(v)], pyramid.FrontDepth()), station.columnEntry.data(),
+      side, out);
+  };
+  const int row = station.voxelRows.index[std::size_t(v)];
+  const std::vector<int>& index = station.voxelColumns.index;
+  // Voxels both of whose rays enter in front read index and index + 1.
+  const auto begin = std::lower_bound(index.begin(), index.end(), pyramid.frontColumns.begin);
+  const auto end = std::lower_bound(index.begin(), index.end(), pyramid.frontColumns.end - 1);
+  const Interval front = Intersection(
+    columns, { static_cast<int>(begin - index.begin()), static_cast<int>(end - index.begin()) });
+  const bool rowInFront = row >= pyramid.frontRows.begin && row + 1 < pyramid.frontRows.end;
+  if (!rowInFront || front.Empty())
+  {
+    fromSide(columns);
+    return;
+  }
+  fromSide({ columns.begin, front.begin });
+  SampleRays(pyramid, station, v, front, images.transmittance, scratch, out);
+  fromSide({ front.end, columns.end });
 }
 
 void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, float* importance)
@@ -171,12 +223,13 @@ Visible SumRays(const Pyramid& pyramid, const RayImages& images)
     for (int column = 0; column < pyramid.columns; ++column)
     {
       const std::size_t ray = std::size_t(row) * pyramid.columns + column;
-      const double weight = pyramid.columnShare[std::size_t(column)] / double(images.length[ray]);
+      const double weight =
+        pyramid.columnAxis.share[std::size_t(column)] / double(images.length[ray]);
       visible += weight * images.behind[ray];
       plain += weight * images.plain[ray];
     }
-    sum.visible += visible * pyramid.rowShare[std::size_t(row)];
-    sum.plain += plain * pyramid.rowShare[std::size_t(row)];
+    sum.visible += visible * pyramid.rowAxis.share[std::size_t(row)];
+    sum.plain += plain * pyramid.rowAxis.share[std::size_t(row)];
   }
   sum.visible *= pyramid.cellMeasure;
   sum.plain *= pyramid.cellMeasure;

@@ -24,7 +24,8 @@ struct RayImages
   std::vector<double> opticalDepth; ///< from the eye to the station that the sweep has reached
   std::vector<float> behind;        ///< visible importance behind, times scale^2
   std::vector<float> plain;         ///< the same without attenuation
-  std::vector<float> transmittance; ///< from the eye [0, 1]
+  std::vector<float> transmittance; ///< from the eye to the station [0, 1]
+  std::vector<float> density;       ///< near the sides: see DensifyRow
 };
 
 /// Integrals over the domain of importance times extinction, with and without transmittance.
@@ -58,6 +59,16 @@ std::size_t ScratchSize(const Pyramid& pyramid);
 /// ScratchSize(pyramid) values.
 void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
   const std::vector<float>& image, float* scratch, float* out);
+
+/// Turns the optical depths of a row of rays at station `s` into what voxels read: transmittance,
+/// and density where rays enter through a side. `extinction`: of the row just behind the station.
+void TransmitRays(
+  const Pyramid& pyramid, int s, int row, const float* extinction, RayImages& images);
+
+/// Transmittance at `columns` of voxel row `v` on station `s` [0, 1]. Between rays that enter
+/// through a side, it is made from their density, which knows where the voxel's own ray enters.
+void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
+  const Interval& columns, const RayImages& images, float* scratch, float* out);
 
 /// Multiplies by 0 what the picture does not show, see Settings::restrictToView.
 void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, float* importance);

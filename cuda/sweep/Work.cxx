@@ -143,8 +143,8 @@ private:
         const Interval columns = needed[s][row];
         const auto outside = [&](int column)
         {
-          return this->Target.columnEntry[std::size_t(column)] > depth ||
-            this->Target.rowEntry[row] > depth;
+          return this->Target.columnAxis.entry[std::size_t(column)] > depth ||
+            this->Target.rowAxis.entry[row] > depth;
         };
         for (int column = columns.begin; column < columns.end; ++column)
         {
