@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The policy against the best there is: small columns whose every on-off extinction is tried.
+
+#include "BoxScene.h"
+#include "Tolerance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+const int depth = 14; ///< nodes along the column; 2^14 extinctions are tried
+
+/// 3 x 3 x depth nodes, the same in every column, seen by parallel rays along z: one ray.
+struct Column
+{
+  std::vector<double> extinction;
+  std::vector<double> importance;
+  double spacing;
+
+  BoxScene Scene() const
+  {
+    BoxScene scene(Int3(3, 3, depth), Vec3(0), Vec3(spacing));
+    scene.ForEachNode(
+      [&](std::size_t node, int, int, int k)
+      {
+        scene.extinction[node] = static_cast<float>(extinction[k]);
+        scene.importance[node] = static_cast<float>(importance[k]);
+      });
+    scene.camera.parallel = true;
+    scene.camera.position = scene.grid.Centre() - Vec3(0, 0, 100);
+    scene.camera.focalPoint = scene.grid.Centre();
+    scene.settings.weights = { 1e-6, 10, 0 };
+    return scene;
+  }
+
+  /// The score per area of an extinction, piecewise linear fields, 32 steps per cell.
+  double Score(const std::vector<double>& mu) const
+  {
+    const int steps = 32;
+    double opticalDepth = 0;
+    double score = 0;
+    for (int k = 0; k + 1 < depth; ++k)
+    {
+      for (int n = 0; n < steps; ++n)
+      {
+        const double s = (n + 0.5) / steps;
+        const double m = mu[k] + s * (mu[k + 1] - mu[k]);
+        const double g = importance[k] + s * (importance[k + 1] - importance[k]);
+        const double thickness = m * spacing / steps;
+        score += g * std::exp(-opticalDepth) * (1 - std::exp(-thickness));
+        opticalDepth += thickness;
+      }
+    }
+    return score;
+  }
+
+  double BestOnOff(double majorant) const
+  {
+    double best = 0;
+    std::vector<double> mu(depth);
+    for (int pattern = 0; pattern < (1 << depth); ++pattern)
+    {
+      bool worth = true; // nothing may appear where nothing is
+      for (int k = 0; k < depth; ++k)
+      {
+        const bool on = (pattern >> k) & 1;
+        mu[k] = on ? majorant : 0;
+        worth = worth && !(on && extinction[k] == 0 && importance[k] == 0);
+      }
+      if (worth)
+      {
+        best = std::max(best, Score(mu));
+      }
+    }
+    return best;
+  }
+};
+
+/// Noisy extinction and smooth importance, some wavelengths of at least six cells: decisions are
+/// made at nodes, and say nothing about importance that changes from node to node.
+Column RandomColumn(unsigned seed, double cellDepth)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double slow = 6 + 6 * uniform(generator);
+  const double fast = 6 + 2 * uniform(generator);
+  const double phase = 6 * uniform(generator);
+  const double pi = std::acos(-1.0);
+  Column column;
+  column.spacing = 0.5;
+  for (int k = 0; k < depth; ++k)
+  {
+    column.extinction.push_back(cellDepth / column.spacing * uniform(generator));
+    const double wave =
+      0.5 * std::sin(2 * pi * k / slow + phase) + 0.5 * std::sin(2 * pi * k / fast);
+    column.importance.push_back(std::max(0.0, wave));
+  }
+  column.extinction[5] = cellDepth / column.spacing;
+  return column;
+}
+}
+
+TEST(Policy, ComesNearTheBestOnOffExtinctionOfARay)
+{
+  for (const double cellDepth : { 0.1, 0.5 }) // the range of the real scenes
+  {
+    for (unsigned seed = 1; seed <= 4; ++seed)
+    {
+      SCOPED_TRACE(
+        ::testing::Message() << "optical depth of a cell " << cellDepth << ", seed " << seed);
+      const Column column = RandomColumn(seed, cellDepth);
+      const BoxScene scene = column.Scene();
+
+      Solver solver = scene.MakeSolver();
+      solver.Run();
+
+      std::vector<double> found(depth);
+      for (int k = 0; k < depth; ++k)
+      {
+        found[k] = solver.Extinction()[4 + 9 * k]; // the middle column
+      }
+      const double best = column.BestOnOff(solver.Majorant());
+      // The policy decides at nodes what is optimal for a continuous field: a switch may be half a
+      // cell off, and there importance has changed by half its step.
+      double step = 0;
+      for (int k = 1; k < depth; ++k)
+      {
+        step = std::max(step, std::abs(column.importance[k] - column.importance[k - 1]));
+      }
+      const Tolerance tolerance{ 0.5 * step * (1 - std::exp(-0.5 * cellDepth)),
+        "a switch half a cell off" };
+      EXPECT_GE(column.Score(found), best - tolerance.value) << tolerance.reason;
+    }
+  }
+}
+
+TEST(Policy, ClearsTheWayToOneHiddenStructureAndShowsItWhole)
+{
+  // A thick wall without importance in front of an important layer: remove the one, fill the other.
+  Column column;
+  column.spacing = 0.5;
+  column.extinction.assign(depth, 0.0);
+  column.importance.assign(depth, 0.0);
+  for (int k = 1; k < 7; ++k)
+  {
+    column.extinction[k] = 4;
+  }
+  for (int k = 9; k < 12; ++k)
+  {
+    column.extinction[k] = 1;
+    column.importance[k] = 1;
+  }
+
+  const BoxScene scene = column.Scene();
+  Solver solver = scene.MakeSolver();
+  solver.Run();
+
+  for (int k = 1; k < 7; ++k)
+  {
+    EXPECT_WITHIN(solver.Extinction()[4 + 9 * k], 0, Relative(1e-3, 4, "regularisation"));
+  }
+  for (int k = 9; k < 12; ++k)
+  {
+    EXPECT_WITHIN(solver.Extinction()[4 + 9 * k], 4, Relative(1e-3, 4, "regularisation"));
+  }
+}
+
+TEST(Policy, FindsWhatIsHiddenBehindAnOpaqueWall)
+{
+  // T behind the wall is exp(-200): a local method sees no gradient there.
+  BoxScene scene = BoxScene::Cube(21);
+  scene.Fill([](const Vec3& x) { return x.z < -0.4        ? 300
+                                   : glm::length(x) < 0.5 ? 5
+                                                          : 0; },
+    [](const Vec3& x) { return glm::length(x) < 0.4 ? 1 : 0; });
+  scene.camera.position = Vec3(0.2, 0.1, -5);
+  scene.settings.weights.regularization = 1e-9; // or so thick a wall is not worth removing
+
+  Solver solver = scene.MakeSolver();
+  solver.Run();
+
+  EXPECT_LT(solver.BaseScore().fraction, 1e-6);
+  std::vector<float> alone(scene.extinction.size());
+  for (std::size_t node = 0; node < alone.size(); ++node)
+  {
+    alone[node] = scene.importance[node] > 0 ? static_cast<float>(solver.Majorant()) : 0.0f;
+  }
+  EXPECT_GE(scene.TrueScore(solver.Extinction()), 0.99 * scene.TrueScore(alone))
+    << "what the important ball scores alone, 1 % for its rim";
+}
+
+TEST(Policy, EndsBelowTheEnergyItStartedFromAndNotAboveAdam)
+{
+  BoxScene scene = BoxScene::Cube(33);
+  scene.FillOnion();
+  Solver policy = scene.MakeSolver();
+  policy.Run();
+  scene.settings.solver = SolverKind::Adam;
+  Solver adam = scene.MakeSolver();
+  adam.Run();
+
+  EXPECT_LT(policy.BestEnergy().Total(), policy.History().front().energy.Total());
+  EXPECT_LT(adam.BestEnergy().Total(), adam.History().front().energy.Total());
+  EXPECT_LE(policy.BestEnergy().Total(), adam.BestEnergy().Total() * 0.997)
+    << "energies are negative: lower, or within 0.3 %";
+  EXPECT_LE(policy.Iterations(), 8);
+}
+
+TEST(Policy, StartsWarmFromItsOwnResultWithoutLosingIt)
+{
+  BoxScene scene = BoxScene::Cube(25);
+  scene.FillOnion();
+  Solver solver = scene.MakeSolver();
+  solver.Run();
+  const double found = solver.BestEnergy().Total();
+
+  solver.Restart(scene.camera, scene.light, scene.settings);
+  solver.Run();
+
+  EXPECT_LE(solver.BestEnergy().Total(), found + 1e-6 * std::abs(found));
+}
+
+TEST(Policy, StopsWhenToldAndKeepsTheBestSoFar)
+{
+  BoxScene scene = BoxScene::Cube(17);
+  scene.FillOnion();
+  Solver solver = scene.MakeSolver();
+  int calls = 0;
+
+  solver.Run(
+    [&](double share, const std::string& text)
+    {
+      EXPECT_GE(share, 0);
+      EXPECT_LE(share, 1);
+      EXPECT_FALSE(text.empty());
+      return ++calls < 2;
+    });
+
+  EXPECT_EQ(calls, 2);
+  EXPECT_TRUE(solver.Stopped());
+  EXPECT_EQ(solver.Iterations(), 2);
+  EXPECT_EQ(solver.Extinction().size(), scene.extinction.size());
+}

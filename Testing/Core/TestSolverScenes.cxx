@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Seven real scenes: what the solver reports against the independent march of what it returns.
+
+#include "LoadedScene.h"
+#include "Tolerance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+struct TransmittanceErrors
+{
+  double camera = 0; ///< rms
+  double light = 0;
+};
+
+TransmittanceErrors ErrorsAtRandomVoxels(const LoadedScene& scene)
+{
+  const Solver solver = scene.MakeSolver();
+  const truth::Volume<float> fields = scene.file.Fields();
+  std::vector<float> camera(scene.file.extinction.size());
+  std::vector<float> light(scene.file.extinction.size());
+  solver.Transmittance(camera.data());
+  solver.LightTransmittance(light.data());
+  std::mt19937 generator(1);
+  TransmittanceErrors squares;
+  const int samples = 4000;
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    int index[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      index[c] = static_cast<int>(generator() % unsigned(scene.grid.nodes[c]));
+    }
+    const std::size_t node =
+      index[0] + scene.grid.nodes.x * (index[1] + std::size_t(scene.grid.nodes.y) * index[2]);
+    const truth::Vector x = fields.lattice.Position(index[0], index[1], index[2]);
+    squares.camera += std::pow(camera[node] - truth::Transmittance(fields, scene.file.Eye(), x), 2);
+    squares.light += std::pow(light[node] - truth::Transmittance(fields, scene.file.Lamp(), x), 2);
+  }
+  return { std::sqrt(squares.camera / samples), std::sqrt(squares.light / samples) };
+}
+
+const std::string bar = "the bar for reported scores";
+}
+
+TEST_P(RealScene, ReportsTheBaseScoreOfTheMarch)
+{
+  const LoadedScene scene(GetParam().name);
+  const Solver solver = scene.MakeSolver();
+  const double march = scene.March(scene.file.extinction);
+  RecordProperty("march", std::to_string(march));
+
+  EXPECT_WITHIN(solver.BaseScore().visibility, march, Relative(0.003, march, bar));
+  const double total = truth::ImportantExtinction(scene.file.Fields());
+  EXPECT_WITHIN(solver.BaseScore().fraction, march / total, Relative(0.006, march / total, bar));
+  if (GetParam().base > 0)
+  {
+    EXPECT_WITHIN(solver.BaseScore().visibility, GetParam().base,
+      Relative(0.003, GetParam().base, "two marches agree to 0.05 %, and the bar"));
+  }
+}
+
+TEST_P(RealScene, BecomesVisibleAndReportsTheScoreOfTheMarch)
+{
+  const LoadedScene scene(GetParam().name);
+  Solver solver = scene.MakeSolver();
+
+  solver.Run();
+
+  const double march = scene.March(solver.Extinction());
+  RecordProperty("reported", std::to_string(solver.BestScore().visibility));
+  RecordProperty("march", std::to_string(march));
+  std::cout << GetParam().name << ": base " << solver.BaseScore().visibility << ", reported "
+            << solver.BestScore().visibility << ", march " << march << " ("
+            << 100 * (solver.BestScore().visibility / march - 1) << " %), " << solver.Iterations()
+            << " iterations, " << solver.Seconds() << " s\n";
+  EXPECT_WITHIN(solver.BestScore().visibility, march, Relative(0.003, march, bar));
+  EXPECT_GE(march, GetParam().leastAfter);
+  EXPECT_LE(solver.Iterations(), 8);
+  std::size_t bad = 0;
+  for (const float value : solver.Extinction())
+  {
+    bad += value >= 0 && value <= solver.Majorant() ? 0 : 1;
+  }
+  EXPECT_EQ(bad, 0u) << "voxels outside [0, majorant]";
+}
+
+TEST_P(RealScene, TransmitsAsTheMarchDoesToSecondOrder)
+{
+  LoadedScene scene(GetParam().name);
+
+  const TransmittanceErrors coarse = ErrorsAtRandomVoxels(scene);
+  scene.settings.rayDensity = 2;
+  const TransmittanceErrors fine = ErrorsAtRandomVoxels(scene);
+
+  // Between rays one voxel apart T is interpolated over steps of the extinction; a step of optical
+  // depth 0.5 per voxel is misplaced by up to an eighth, in one voxel of a few.
+  const Tolerance tolerance{ 0.5 / 8 / 4, "linear interpolation between rays, rms" };
+  EXPECT_WITHIN(coarse.camera, 0, tolerance);
+  EXPECT_WITHIN(coarse.light, 0, tolerance);
+  EXPECT_WITHIN(fine.camera, 0, Relative(0.5, coarse.camera, "second order, with some room"));
+  EXPECT_WITHIN(fine.light, 0, Relative(0.5, coarse.light, "second order, with some room"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Quick, RealScene, ::testing::Values(Bars{ "carotid_mra", 162.43, 510 }),
+  ::testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(Long, RealScene,
+  ::testing::Values(Bars{ "isabel_wind", 867.4, 8640 }, Bars{ "visible_male", 2218.0, 19000 },
+    Bars{ "engine", 0, 5900 }, Bars{ "thorax_ct", 0, 27800 }, Bars{ "vortex_rings", 0, 8950 },
+    Bars{ "skull_phantom", 0, 6050 }),
+  ::testing::PrintToStringParamName());
+
+class PolicyAgainstAdam : public RealScene
+{
+};
+
+TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThirdOfAPercent)
+{
+  LoadedScene scene(GetParam().name);
+  Solver policy = scene.MakeSolver();
+  policy.Run();
+  scene.settings.solver = SolverKind::Adam;
+  Solver adam = scene.MakeSolver();
+  adam.Run();
+
+  const double least = adam.BestEnergy().Total();
+  std::cout << GetParam().name << ": policy " << policy.BestEnergy().Total() << " in "
+            << policy.Seconds() << " s, Adam " << least << " in " << adam.Seconds() << " s\n";
+  EXPECT_LE(policy.BestEnergy().Total(), least + 0.003 * std::abs(least));
+  EXPECT_LE(policy.Iterations(), 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Quick, PolicyAgainstAdam, ::testing::Values(Bars{ "carotid_mra", 0, 0 }),
+  ::testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(Long, PolicyAgainstAdam,
+  ::testing::Values(Bars{ "isabel_wind", 0, 0 }, Bars{ "visible_male", 0, 0 },
+    Bars{ "engine", 0, 0 }, Bars{ "thorax_ct", 0, 0 }, Bars{ "vortex_rings", 0, 0 },
+    Bars{ "skull_phantom", 0, 0 }),
+  ::testing::PrintToStringParamName());

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SceneFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+namespace truth
+{
+namespace
+{
+using Points = std::vector<std::pair<double, double>>;
+
+Vector ReadVector(const nlohmann::json& json)
+{
+  return { { json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>() } };
+}
+
+void ReadVolume(const std::string& path, const std::string& array, SceneFile& scene)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw std::runtime_error(path + " is missing or no VTK XML image data.");
+  }
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  vtkDataArray* values = image->GetPointData()->GetArray(array.c_str());
+  if (!values)
+  {
+    throw std::runtime_error(path + " has no point array \"" + array + "\".");
+  }
+  const int* extent = image->GetExtent();
+  image->GetDimensions(scene.lattice.nodes.data());
+  image->GetSpacing(scene.lattice.spacing.data());
+  image->GetOrigin(scene.lattice.origin.data());
+  std::copy_n(image->GetDirectionMatrix()->GetData(), 9, scene.lattice.direction.begin());
+  scene.lattice.origin = scene.lattice.Position(extent[0], extent[2], extent[4]);
+  scene.scalars.resize(scene.lattice.Count());
+  for (vtkIdType node = 0; node < values->GetNumberOfTuples(); ++node)
+  {
+    scene.scalars[node] = values->GetComponent(node, 0);
+  }
+}
+
+std::vector<float> Classify(const std::vector<double>& scalars, const Points& points)
+{
+  std::vector<float> result(scalars.size());
+  std::transform(scalars.begin(), scalars.end(), result.begin(),
+    [&](double value) { return static_cast<float>(PiecewiseLinear(points, value)); });
+  return result;
+}
+}
+
+double PiecewiseLinear(const std::vector<std::pair<double, double>>& points, double value)
+{
+  if (value <= points.front().first)
+  {
+    return points.front().second;
+  }
+  for (std::size_t point = 1; point < points.size(); ++point)
+  {
+    const auto& [left, low] = points[point - 1];
+    const auto& [right, high] = points[point];
+    if (value <= right)
+    {
+      return low + (high - low) * (value - left) / (right - left);
+    }
+  }
+  return points.back().second;
+}
+
+SceneFile ReadSceneFile(const std::string& path)
+{
+  std::ifstream file(path);
+  if (!file)
+  {
+    throw std::runtime_error(path + " cannot be opened.");
+  }
+  const nlohmann::json json = nlohmann::json::parse(file);
+  const std::size_t slash = path.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+
+  SceneFile scene;
+  scene.name = json.at("name").get<std::string>();
+  const nlohmann::json& data = json.at("data");
+  ReadVolume(
+    folder + data.at("file").get<std::string>(), data.at("array").get<std::string>(), scene);
+  scene.extinction = Classify(scene.scalars, json.at("extinction_tf").get<Points>());
+  scene.importance = Classify(scene.scalars, json.at("importance_tf").get<Points>());
+  scene.majorant = json.at("max_extinction").get<double>();
+  const nlohmann::json& camera = json.at("camera");
+  scene.cameraPosition = ReadVector(camera.at("position"));
+  scene.cameraFocalPoint = ReadVector(camera.at("focal_point"));
+  scene.cameraViewUp = ReadVector(camera.at("view_up"));
+  scene.cameraViewAngle = camera.at("view_angle").get<double>();
+  scene.lightPosition = ReadVector(json.at("light").at("position"));
+  return scene;
+}
+}
