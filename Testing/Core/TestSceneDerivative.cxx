@@ -6,6 +6,7 @@
 #include "LoadedScene.h"
 #include "Tolerance.h"
 
+#include "energy/NodeImportance.h"
 #include "energy/VisibilityTerm.h"
 
 #include <gtest/gtest.h>
@@ -74,8 +75,9 @@ TEST_P(RealDerivative, IsThatOfTheMarch)
   VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(file.extinction.size(), 0.0f);
   term.Forward(file.extinction.data(), file.importance.data());
-  term.AddGradient(
-    file.extinction.data(), file.importance.data(), Derivative::Volume, 1.0f, gradient.data());
+  const std::vector<float> nodeImportance = NodeImportance(scene.grid, file.importance.data());
+  term.AddGradient({ file.extinction.data(), file.importance.data(), nodeImportance.data() },
+    Derivative::Volume, 1.0f, gradient.data());
   const std::vector<double> importance(file.importance.begin(), file.importance.end());
   truth::Sampling sampling;
   sampling.raysPerVoxel = 2;

@@ -6,6 +6,7 @@
 #include "BoxScene.h"
 #include "Tolerance.h"
 
+#include "energy/NodeImportance.h"
 #include "energy/VisibilityTerm.h"
 
 #include <gtest/gtest.h>
@@ -95,8 +96,9 @@ double FromGradient(const BoxScene& scene, const Field& direction, Derivative de
     scene.settings.rayDensity);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
   term.Forward(scene.extinction.data(), scene.importance.data());
-  term.AddGradient(
-    scene.extinction.data(), scene.importance.data(), derivative, 1.0f, gradient.data());
+  const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
+  term.AddGradient({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
+    derivative, 1.0f, gradient.data());
   double sum = 0;
   scene.ForEachNode(
     [&](std::size_t node, int i, int j, int k)
@@ -228,8 +230,10 @@ TEST(VisibilityTerm, CarriesTheVisibleImportanceOfTheReferenceToEveryVoxel)
     VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
     std::vector<float> gradient(scene.extinction.size(), 0.0f);
     term.Forward(scene.extinction.data(), scene.importance.data());
+    // At a point, as the march computes it, it is g at the point that counts.
     term.AddGradient(
-      scene.extinction.data(), scene.importance.data(), derivative, 1.0f, gradient.data());
+      { scene.extinction.data(), scene.importance.data(), scene.importance.data() }, derivative,
+      1.0f, gradient.data());
 
     double largest = 0;
     const auto widening =

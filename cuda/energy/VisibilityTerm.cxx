@@ -93,9 +93,11 @@ public:
 class GradientVisitor : public RayCarrier
 {
 public:
-  GradientVisitor(const RayCarrier& rays, const Grid& grid, float weight, float* gradient)
+  GradientVisitor(const RayCarrier& rays, const Grid& grid, const float* nodeImportance,
+    float weight, float* gradient)
     : RayCarrier(rays)
     , Weight(weight)
+    , NodeImportance(rays.Source, grid, nodeImportance)
     , Gradient(rays.Source, grid, gradient)
   {
   }
@@ -103,6 +105,7 @@ public:
   void Load(const Slab& slab)
   {
     this->RayCarrier::Load(slab);
+    this->NodeImportance.Load(slab, 0);
     this->Gradient.Load(slab, 0);
   }
 
@@ -123,7 +126,7 @@ public:
     float* scratch = memory + 3 * nodes;
     SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, transmittance);
     SampleRays(this->Source, station, v, columns, this->Images.behind, scratch, behind);
-    const float* source = this->Importance.Row(station.slice, v);
+    const float* source = this->NodeImportance.Row(station.slice, v);
     if (!this->Source.inView.empty())
     {
       SampleRays(this->Source, station, v, columns, this->Source.inView, scratch, importance);
@@ -138,6 +141,7 @@ public:
 
 private:
   float Weight;
+  SliceWindow NodeImportance;
   SliceWindow Gradient;
 };
 
@@ -197,14 +201,14 @@ Visible VisibilityTerm::Forward(const float* extinction, const float* importance
   return sum;
 }
 
-void VisibilityTerm::AddGradient(const float* extinction, const float* importance,
-  Derivative derivative, float weight, float* gradient)
+void VisibilityTerm::AddGradient(
+  const TermFields& fields, Derivative derivative, float weight, float* gradient)
 {
   for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
   {
-    const RayCarrier rays(
-      this->Pyramids[index], this->Nodes, extinction, importance, derivative, this->Images[index]);
-    GradientVisitor visitor(rays, this->Nodes, weight, gradient);
+    const RayCarrier rays(this->Pyramids[index], this->Nodes, fields.extinction, fields.importance,
+      derivative, this->Images[index]);
+    GradientVisitor visitor(rays, this->Nodes, fields.nodeImportance, weight, gradient);
     SweepBackward(this->Pyramids[index], visitor);
   }
 }

@@ -11,6 +11,14 @@
 
 namespace limpid
 {
+/// What a derivative is taken of; the arrays belong to the caller, NodeCount() values each.
+struct TermFields
+{
+  const float* extinction;     ///< [1/length]
+  const float* importance;     ///< [0, 1]
+  const float* nodeImportance; ///< see NodeImportance.h [0, 1]
+};
+
 /**
  * One of the two visibility terms of the energy, Eq. (23) or (24): what a camera or a light sees.
  *
@@ -25,8 +33,7 @@ public:
   Visible Forward(const float* extinction, const float* importance);
 
   /// Adds `weight` times the derivative to `gradient` [1]. Call after Forward with the same fields.
-  void AddGradient(const float* extinction, const float* importance, Derivative derivative,
-    float weight, float* gradient);
+  void AddGradient(const TermFields& fields, Derivative derivative, float weight, float* gradient);
 
   /// Transmittance from the eye to every voxel [0, 1]. The occupancy must not skip.
   void Transmittance(const float* extinction, float* transmittance);

@@ -3,6 +3,7 @@
 
 #include "optimize/Adam.h"
 
+#include "energy/NodeImportance.h"
 #include "optimize/AdamVoxel.h"
 #include "optimize/Levels.h"
 #include "optimize/Terms.h"
@@ -22,6 +23,7 @@ struct Level
   Problem task;
   std::vector<float> baseStorage; ///< empty on the full resolution
   std::vector<float> importanceStorage;
+  std::vector<float> nodeImportanceStorage;
   Terms terms;
   std::vector<float> extinction;
   std::vector<float> gradient;
@@ -162,13 +164,16 @@ private:
       here.baseStorage = Restrict(this->Task.grid, this->Task.baseExtinction, here.task.grid);
       here.importanceStorage = Restrict(this->Task.grid, this->Task.importance, here.task.grid);
       here.task.baseExtinction = here.baseStorage.data();
+      here.nodeImportanceStorage = NodeImportanceOfFilled(
+        here.task.grid, here.baseStorage.data(), here.importanceStorage.data());
       here.task.importance = here.importanceStorage.data();
+      here.task.nodeImportance = here.nodeImportanceStorage.data();
       here.task.camera = Rescaled(this->Task.camera, this->Task.grid, here.task.grid);
       here.task.light = Rescaled(this->Task.light, this->Task.grid, here.task.grid);
     }
     const Settings& settings = here.task.settings;
     const Occupancy occupancy(
-      here.task.grid, here.task.baseExtinction, here.task.importance, settings.skipUnneeded);
+      here.task.grid, here.task.baseExtinction, here.task.nodeImportance, settings.skipUnneeded);
     here.filledVoxels = occupancy.FilledVoxels();
     here.terms = Terms(here.task, occupancy);
   }
@@ -177,16 +182,18 @@ private:
   {
     Level& here = this->Here;
     const Settings& settings = here.task.settings;
+    const TermFields fields{ here.extinction.data(), here.task.importance,
+      here.task.nodeImportance };
     std::fill(here.gradient.begin(), here.gradient.end(), 0.0f);
     if (here.terms.camera)
     {
-      here.terms.camera->AddGradient(here.extinction.data(), here.task.importance,
-        settings.derivative, static_cast<float>(settings.weights.view), here.gradient.data());
+      here.terms.camera->AddGradient(fields, settings.derivative,
+        static_cast<float>(settings.weights.view), here.gradient.data());
     }
     if (here.terms.light)
     {
-      here.terms.light->AddGradient(here.extinction.data(), here.task.importance,
-        settings.derivative, static_cast<float>(settings.weights.light), here.gradient.data());
+      here.terms.light->AddGradient(fields, settings.derivative,
+        static_cast<float>(settings.weights.light), here.gradient.data());
     }
     ++here.count;
     AdamVoxel<float> body{};

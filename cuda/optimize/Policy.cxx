@@ -72,11 +72,12 @@ void LaggedRow(
 /// Fields of a policy sweep, grid.NodeCount() values each.
 struct PolicyFields
 {
-  const float* base;       ///< [1/length]
-  const float* importance; ///< [0, 1]
-  const float* extinction; ///< the last iterate [1/length]
-  const float* lagged;     ///< T (V - g) of the other term; null: none
-  float* next;             ///< the next iterate [1/length]
+  const float* base;           ///< [1/length]
+  const float* importance;     ///< [0, 1]
+  const float* nodeImportance; ///< see NodeImportance.h [0, 1]
+  const float* extinction;     ///< the last iterate [1/length]
+  const float* lagged;         ///< T (V - g) of the other term; null: none
+  float* next;                 ///< the next iterate [1/length]
 };
 
 /// The backward sweep of one pyramid.
@@ -93,6 +94,7 @@ public:
     , HasLagged(fields.lagged != nullptr)
     , Base(pyramid, grid, fields.base)
     , Importance(pyramid, grid, fields.importance)
+    , NodeImportance(pyramid, grid, fields.nodeImportance)
     , Extinction(pyramid, grid, fields.extinction)
     , Lagged(pyramid, grid, fields.lagged)
     , Next(pyramid, grid, fields.next)
@@ -105,6 +107,7 @@ public:
   void Load(const Slab& slab)
   {
     this->Base.Load(slab, 0);
+    this->NodeImportance.Load(slab, 0);
     this->Importance.Load(slab, 2);
     this->Next.Load(slab, 2);
     if (this->TrustTransmittance)
@@ -171,7 +174,7 @@ public:
     SampleRays(this->Source, station, v, columns, this->Ahead, scratch, memory + nodes);
     arrays.transmittance = memory;
     arrays.behind = memory + nodes;
-    arrays.importance = this->Importance.Row(station.slice, v);
+    arrays.importance = this->NodeImportance.Row(station.slice, v);
     if (!this->Source.inView.empty())
     {
       float* seen = memory + 2 * nodes;
@@ -268,6 +271,7 @@ private:
   bool HasLagged;
   SliceWindow Base;
   SliceWindow Importance;
+  SliceWindow NodeImportance;
   SliceWindow Extinction;
   SliceWindow Lagged;
   SliceWindow Next;
@@ -334,7 +338,8 @@ private:
     if (useLagged)
     {
       std::fill(this->Lagged.begin(), this->Lagged.end(), 0.0f);
-      this->Seen.light->AddGradient(this->Current.data(), this->Task.importance,
+      this->Seen.light->AddGradient(
+        { this->Current.data(), this->Task.importance, this->Task.nodeImportance },
         this->Task.settings.derivative, 1.0f, this->Lagged.data());
     }
     // Without regularisation the optimum is bang-bang, which a large but finite gain gives, too.
@@ -348,6 +353,7 @@ private:
     PolicyFields fields{};
     fields.base = this->Task.baseExtinction;
     fields.importance = this->Task.importance;
+    fields.nodeImportance = this->Task.nodeImportance;
     fields.extinction = this->Current.data();
     fields.lagged = useLagged ? this->Lagged.data() : nullptr;
     fields.next = this->Next.data();

@@ -19,6 +19,7 @@ struct Problem
   Grid grid;
   const float* baseExtinction = nullptr; ///< [1/length]
   const float* importance = nullptr;     ///< [0, 1]
+  const float* nodeImportance = nullptr; ///< see NodeImportanceOfFilled [0, 1]
   float majorant = 0;                    ///< upper bound of the extinction [1/length]
   Eye camera;
   Eye light;

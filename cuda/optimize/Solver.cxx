@@ -4,6 +4,7 @@
 #include "optimize/Solver.h"
 
 #include "backend/Backend.h"
+#include "energy/NodeImportance.h"
 #include "math/Require.h"
 #include "optimize/Adam.h"
 #include "optimize/Policy.h"
@@ -82,7 +83,8 @@ struct Solver::Internals
   Settings settings;
   float majorant = 0;
   bool somethingImportant = false;
-  std::vector<float> initial; ///< empty: the base extinction
+  std::vector<float> nodeImportance; ///< see NodeImportanceOfFilled; for voxels
+  std::vector<float> initial;        ///< empty: the base extinction
 
   /// One run of a minimiser: the joint field, or in separate mode first the camera's field and
   /// then the light's.
@@ -116,6 +118,8 @@ struct Solver::Internals
     this->somethingImportant =
       LargestValue(count, this->scene.importance, "importance", "between 0 and 1",
         [](float value) { return value >= 0 && value <= 1; }) > 0;
+    this->nodeImportance =
+      NodeImportanceOfFilled(this->scene.grid, this->scene.baseExtinction, this->scene.importance);
     this->Begin();
   }
 
@@ -146,6 +150,7 @@ struct Solver::Internals
     task.grid = this->scene.grid;
     task.baseExtinction = this->scene.baseExtinction;
     task.importance = this->scene.importance;
+    task.nodeImportance = this->nodeImportance.data();
     task.majorant = this->majorant;
     task.camera = EyeOfCamera(this->camera, task.grid, this->settings.restrictToView);
     task.light = EyeOfLight(this->light, task.grid);
@@ -203,8 +208,8 @@ struct Solver::Internals
       }
       return;
     }
-    const Occupancy occupancy(this->scene.grid, this->scene.baseExtinction, this->scene.importance,
-      this->problem.settings.skipUnneeded);
+    const Occupancy occupancy(this->scene.grid, this->scene.baseExtinction,
+      this->nodeImportance.data(), this->problem.settings.skipUnneeded);
     this->minimizer = this->problem.settings.solver == SolverKind::Adam
       ? MakeAdam(this->problem, std::move(start))
       : MakePolicy(this->problem, occupancy, std::move(start), this->warm);

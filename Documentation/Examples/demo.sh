@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs what is missing, builds the plugin and shows what it does.
+#   bash Documentation/Examples/demo.sh [OUTDIR] [--scene FILE.scene.json]...
+# OUTDIR (demo-output) gets, per scene: before.png, after.png, result.vti, convergence.csv and
+# report.md. Without --scene the scene is the embedded phantom of a head; with several scenes each
+# has a folder of its own and there is a contact sheet of all.
+
+set -euo pipefail
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
+examples="$root/Documentation/Examples"
+output=demo-output
+scenes=()
+while (($# > 0)); do
+  case "$1" in
+    --scene)
+      if (($# < 2)); then
+        echo "--scene has no file behind it. Give it a FILE.scene.json." >&2
+        exit 2
+      fi
+      scenes+=("$2")
+      shift 2
+      ;;
+    -*)
+      echo "$1 is no option of this script. Use: demo.sh [OUTDIR] [--scene FILE.scene.json]..." >&2
+      exit 2
+      ;;
+    *)
+      output="$1"
+      shift
+      ;;
+  esac
+done
+
+mkdir -p "$output"
+echo "Installing what is missing and building (details in $output/build.log) ..."
+bash "$root/Testing/build.sh" > "$output/build.log" 2>&1 || {
+  tail -40 "$output/build.log" >&2
+  echo "The build failed; all that it said is in $output/build.log." >&2
+  exit 1
+}
+plugin="$(tail -1 "$output/build.log")"
+
+show() {
+  bash "$root/Testing/with-display.sh" pvpython "$examples/optimize_scene.py" \
+    --plugin "$plugin" "$@"
+}
+
+case ${#scenes[@]} in
+  0) show --output "$output" ;;
+  1) show --output "$output" --scene "${scenes[0]}" ;;
+  *)
+    folders=()
+    for scene in "${scenes[@]}"; do
+      folder="$output/$(basename "$scene" .scene.json)"
+      show --output "$folder" --scene "$scene"
+      folders+=("$folder")
+    done
+    /usr/bin/python3 "$examples/contact_sheet.py" "$output/contact-sheet.png" "${folders[@]}"
+    ;;
+esac

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Scenes for the examples: a volume, what is important in it, and who looks at it."""
+
+import dataclasses
+import json
+import os
+
+import numpy as np
+from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from paraview.vtk.vtkIOXML import vtkXMLImageDataReader
+
+EXTINCTION = "SceneExtinction"
+
+
+@dataclasses.dataclass
+class Scene:
+    name: str
+    title: str
+    becomes_visible: str
+    source: object  # a ParaView source of image data
+    array: str  # the scalar field
+    importance_array: str
+    importance: list  # [value, importance], piecewise linear; empty: the array is importance
+    extinction_array: str
+    colors: list  # [value, r, g, b], piecewise linear
+    position: list
+    focal_point: list
+    view_up: list
+    view_angle: float
+    light: list
+
+
+def phantom_scene(simple):
+    """The head of the embedded phantom, seen from the front, slightly from above."""
+    return Scene(
+        name="phantom",
+        title="Phantom of a head",
+        becomes_visible="The skull under the skin, and the tumour inside it.",
+        source=simple.OcclusionPhantom(Resolution=128, Scene="Head"),
+        array="Scalars",
+        importance_array="Importance",
+        importance=[],
+        extinction_array="BaseExtinction",
+        colors=[[0.0, 0.2, 0.15, 0.2], [0.15, 0.75, 0.5, 0.55], [0.25, 0.8, 0.45, 0.35],
+                [0.4, 0.87, 0.66, 0.53], [0.55, 0.9, 0.85, 0.7], [0.65, 0.95, 0.92, 0.8],
+                [0.75, 0.8, 0.2, 0.15], [0.85, 0.75, 0.05, 0.1], [0.93, 0.3, 0.7, 0.3],
+                [1.0, 0.1, 0.8, 0.35]],
+        position=[1.9, -4.7, 1.5],
+        focal_point=[0.0, 0.0, 0.0],
+        view_up=[0.0, 0.0, 1.0],
+        view_angle=30.0,
+        light=[-2.5, -4.5, 4.5])
+
+
+def read_scene(simple, path):
+    """A scene file: JSON beside an image file."""
+    with open(path, encoding="utf-8") as file:
+        description = json.load(file)
+    data = description["data"]
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(os.path.join(os.path.dirname(os.path.abspath(path)), data["file"]))
+    reader.Update()
+    image = reader.GetOutput()
+    scalars = image.GetPointData().GetArray(data["array"])
+    if scalars is None:
+        raise SystemExit('{} has no point array "{}" (the scene is made from it). Correct "array" '
+                         "in {}.".format(data["file"], data["array"], path))
+
+    # A scene's transfer function is linear in extinction, not in opacity, between its nodes.
+    nodes, extinction = np.array(description["extinction_tf"], dtype=float).T
+    field = np.interp(vtk_to_numpy(scalars).astype(float), nodes, extinction).astype(np.float32)
+    array = numpy_to_vtk(field, deep=1)
+    array.SetName(EXTINCTION)
+    image.GetPointData().AddArray(array)
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(image)
+
+    camera = description["camera"]
+    return Scene(
+        name=description["name"],
+        title=description["title"],
+        becomes_visible=description["becomes_visible"],
+        source=source,
+        array=data["array"],
+        importance_array=data["array"],
+        importance=description["importance_tf"],
+        extinction_array=EXTINCTION,
+        colors=description["color_tf"],
+        position=camera["position"],
+        focal_point=camera["focal_point"],
+        view_up=camera["view_up"],
+        view_angle=camera["view_angle"],
+        light=description["light"]["position"])

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OptimizedImage.h"
+
+#include "AllCores.h"
+#include "SceneConversion.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include "optimize/Solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpid
+{
+namespace
+{
+vtkNew<vtkFloatArray> NewField(const char* name, vtkIdType count)
+{
+  vtkNew<vtkFloatArray> field;
+  field->SetName(name);
+  field->SetNumberOfTuples(count);
+  return field;
+}
+
+void AddCopy(const char* name, const float* values, vtkIdType count, vtkImageData* output)
+{
+  vtkNew<vtkFloatArray> field = NewField(name, count);
+  float* copy = field->GetPointer(0);
+  ForOnAllCores(count,
+    [=](vtkIdType begin, vtkIdType end) { std::copy(values + begin, values + end, copy + begin); });
+  output->GetPointData()->AddArray(field);
+}
+
+void AddConstant(const char* name, float value, vtkImageData* output)
+{
+  vtkNew<vtkFloatArray> field = NewField(name, output->GetNumberOfPoints());
+  field->FillValue(value);
+  output->GetPointData()->AddArray(field);
+}
+
+// Opacity of one unit distance, for volume renderers that want opacities.
+void AddOpacity(const float* extinction, double unitDistance, vtkImageData* output)
+{
+  vtkNew<vtkFloatArray> field = NewField("Opacity", output->GetNumberOfPoints());
+  float* opacity = field->GetPointer(0);
+  const auto distance = static_cast<float>(unitDistance);
+  ForOnAllCores(field->GetNumberOfTuples(),
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        opacity[i] = -std::expm1(-extinction[i] * distance);
+      }
+    });
+  output->GetPointData()->AddArray(field);
+}
+
+template <class ArrayType, class Value>
+void AddValue(const char* name, const Value& value, vtkFieldData* output)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->AddArray(array);
+}
+
+void AddVector(const char* name, const Vec3& vector, vtkFieldData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->InsertNextTuple3(vector.x, vector.y, vector.z);
+  output->AddArray(array);
+}
+
+// A column of a table with one row per iteration.
+template <class ArrayType, class Member>
+void AddColumn(const char* name, const Solver& solver, const Member& member, vtkTable* table)
+{
+  vtkNew<ArrayType> column;
+  column->SetName(name);
+  for (const IterationRecord& record : solver.History())
+  {
+    column->InsertNextValue(member(record));
+  }
+  table->AddColumn(column);
+}
+}
+
+void AddFields(
+  const Solver& solver, const SceneArrays& arrays, double unitDistance, vtkImageData* output)
+{
+  const vtkIdType count = output->GetNumberOfPoints();
+  const float* extinction = solver.Extinction().data();
+  AddCopy("Extinction", extinction, count, output);
+  if (!solver.LightExtinction().empty())
+  {
+    AddCopy("LightExtinction", solver.LightExtinction().data(), count, output);
+  }
+  AddOpacity(extinction, unitDistance, output);
+  output->GetPointData()->AddArray(arrays.baseExtinction);
+  output->GetPointData()->AddArray(arrays.importance);
+
+  vtkNew<vtkFloatArray> transmittance = NewField("Transmittance", count);
+  solver.Transmittance(transmittance->GetPointer(0));
+  output->GetPointData()->AddArray(transmittance);
+  vtkNew<vtkFloatArray> lightTransmittance = NewField("LightTransmittance", count);
+  solver.LightTransmittance(lightTransmittance->GetPointer(0));
+  output->GetPointData()->AddArray(lightTransmittance);
+}
+
+void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, vtkImageData* output)
+{
+  const float* extinction = arrays.baseExtinction->GetPointer(0);
+  AddCopy("Extinction", extinction, output->GetNumberOfPoints(), output);
+  AddOpacity(extinction, unitDistance, output);
+  output->GetPointData()->AddArray(arrays.baseExtinction);
+  output->GetPointData()->AddArray(arrays.importance);
+  AddConstant("Transmittance", 1, output);
+  AddConstant("LightTransmittance", 1, output);
+}
+
+void AddSummary(const Solver& solver, vtkFieldData* output)
+{
+  AddValue<vtkDoubleArray>("VisibilityScore", solver.BestScore().visibility, output);
+  AddValue<vtkDoubleArray>("BaseVisibilityScore", solver.BaseScore().visibility, output);
+  AddValue<vtkDoubleArray>("VisibleFraction", solver.BestScore().fraction, output);
+  AddValue<vtkDoubleArray>("BaseVisibleFraction", solver.BaseScore().fraction, output);
+  AddValue<vtkDoubleArray>("Energy", solver.BestEnergy().Total(), output);
+  AddValue<vtkIntArray>("Iterations", solver.Iterations(), output);
+  AddValue<vtkDoubleArray>("Seconds", solver.Seconds(), output);
+  AddValue<vtkStringArray>("Backend", solver.BackendName(), output);
+}
+
+void AddPlacement(
+  const Camera& camera, const Light& light, double unitDistance, vtkFieldData* output)
+{
+  AddVector("CameraPosition", camera.position, output);
+  AddVector("CameraFocalPoint", camera.focalPoint, output);
+  AddVector("CameraViewUp", camera.viewUp, output);
+  AddVector("LightPosition", light.position, output);
+  AddValue<vtkDoubleArray>("ScalarOpacityUnitDistance", unitDistance, output);
+}
+
+void FillConvergence(const Solver& solver, vtkTable* table)
+{
+  using Record = IterationRecord;
+  AddColumn<vtkIntArray>(
+    "Iteration", solver, [](const Record& record) { return record.iteration; }, table);
+  AddColumn<vtkIntArray>(
+    "Level", solver, [](const Record& record) { return record.level; }, table);
+  AddColumn<vtkDoubleArray>(
+    "Energy", solver, [](const Record& record) { return record.energy.Total(); }, table);
+  AddColumn<vtkDoubleArray>(
+    "RegularizationEnergy", solver,
+    [](const Record& record) { return record.energy.regularization; }, table);
+  AddColumn<vtkDoubleArray>(
+    "ViewEnergy", solver, [](const Record& record) { return record.energy.view; }, table);
+  AddColumn<vtkDoubleArray>(
+    "LightEnergy", solver, [](const Record& record) { return record.energy.light; }, table);
+  AddColumn<vtkDoubleArray>(
+    "VisibilityScore", solver, [](const Record& record) { return record.visibilityScore; }, table);
+  AddColumn<vtkDoubleArray>(
+    "VisibleFraction", solver, [](const Record& record) { return record.visibleFraction; }, table);
+  AddColumn<vtkDoubleArray>(
+    "Seconds", solver, [](const Record& record) { return record.seconds; }, table);
+}
+}

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ScalarMapping.h"
+
+#include "AllCores.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace limpid
+{
+namespace
+{
+struct Node
+{
+  double position;
+  double value;
+};
+
+// The nodes of a function that is nothing but straight lines, constant outside; otherwise none.
+std::vector<Node> NodesOfPlainFunction(vtkPiecewiseFunction* function)
+{
+  std::vector<Node> nodes;
+  if (!function->GetClamping() || function->GetUseLogScale())
+  {
+    return nodes;
+  }
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    std::array<double, 4> node; // position, value, midpoint, sharpness
+    function->GetNodeValue(i, node.data());
+    const bool straight = node[2] == 0.5 && node[3] == 0.0;
+    const bool ascending = nodes.empty() || nodes.back().position < node[0];
+    if (!straight || !ascending)
+    {
+      return {};
+    }
+    nodes.push_back({ node[0], node[1] });
+  }
+  return nodes;
+}
+
+double EvaluateNodes(const std::vector<Node>& nodes, double position)
+{
+  const auto next = std::upper_bound(nodes.begin(), nodes.end(), position,
+    [](double wanted, const Node& node) { return wanted < node.position; });
+  if (next == nodes.begin())
+  {
+    return nodes.front().value;
+  }
+  if (next == nodes.end())
+  {
+    return nodes.back().value;
+  }
+  const Node& left = *(next - 1);
+  const double share = (position - left.position) / (next->position - left.position);
+  return left.value + share * (next->value - left.value);
+}
+
+template <class TupleRange>
+double ValueOf(const TupleRange& tuple, int component)
+{
+  if (component != MagnitudeComponent)
+  {
+    return static_cast<double>(tuple[component]);
+  }
+  if (tuple.size() == 1)
+  {
+    return static_cast<double>(tuple[0]);
+  }
+  double sum = 0;
+  for (const auto value : tuple)
+  {
+    sum += static_cast<double>(value) * static_cast<double>(value);
+  }
+  return std::sqrt(sum);
+}
+
+float MapValue(const ScalarMapping& mapping, double value)
+{
+  if (std::isfinite(value))
+  {
+    const auto mapped = static_cast<float>(mapping(value));
+    if (std::isfinite(mapped))
+    {
+      return mapped;
+    }
+  }
+  return std::numeric_limits<float>::quiet_NaN();
+}
+
+struct MapWorker
+{
+  int component;
+  const ScalarMapping& mapping;
+  float* field;
+
+  template <class ArrayType>
+  void operator()(ArrayType* array) const
+  {
+    using Value = vtk::GetAPIType<ArrayType>;
+    constexpr bool isSmall = std::is_integral<Value>::value && sizeof(Value) <= 2;
+    if constexpr (isSmall)
+    {
+      if (this->component != MagnitudeComponent || array->GetNumberOfComponents() == 1)
+      {
+        this->LookUp<Value>(array);
+        return;
+      }
+    }
+    this->Compute(array);
+  }
+
+  // Eight or sixteen bits: the mapping is evaluated once per possible value.
+  template <class Value, class ArrayType>
+  void LookUp(ArrayType* array) const
+  {
+    constexpr int lowest = static_cast<int>(std::numeric_limits<Value>::lowest());
+    constexpr int highest = std::numeric_limits<Value>::max();
+    std::vector<float> table(static_cast<std::size_t>(highest - lowest) + 1);
+    for (int value = lowest; value <= highest; ++value)
+    {
+      table[static_cast<std::size_t>(value - lowest)] = MapValue(this->mapping, value);
+    }
+
+    const int chosen = std::max(this->component, 0);
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    ForOnAllCores(array->GetNumberOfTuples(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const int value = static_cast<int>(static_cast<Value>(tuples[i][chosen]));
+          this->field[i] = table[static_cast<std::size_t>(value - lowest)];
+        }
+      });
+  }
+
+  template <class ArrayType>
+  void Compute(ArrayType* array) const
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    ForOnAllCores(array->GetNumberOfTuples(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          this->field[i] = MapValue(this->mapping, ValueOf(tuples[i], this->component));
+        }
+      });
+  }
+};
+
+struct RangeWorker
+{
+  int component;
+  double& low;
+  double& high;
+
+  template <class ArrayType>
+  void operator()(ArrayType* array) const
+  {
+    for (const auto tuple : vtk::DataArrayTupleRange(array))
+    {
+      const double value = ValueOf(tuple, this->component);
+      if (std::isfinite(value))
+      {
+        this->low = std::min(this->low, value);
+        this->high = std::max(this->high, value);
+      }
+    }
+  }
+};
+
+template <class Worker>
+void Dispatch(vtkDataArray* array, const Worker& worker)
+{
+  using AllTypes = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::AllTypes>;
+  if (!AllTypes::Execute(array, worker))
+  {
+    worker(array); // a layout of its own: through the virtual interface
+  }
+}
+}
+
+ScalarMapping KeepValue()
+{
+  return [](double value) { return value; };
+}
+
+ScalarMapping Evaluate(vtkPiecewiseFunction* function)
+{
+  std::vector<Node> nodes = NodesOfPlainFunction(function);
+  if (nodes.empty())
+  {
+    return [function](double value) { return function->GetValue(value); };
+  }
+  return [nodes = std::move(nodes)](double value) { return EvaluateNodes(nodes, value); };
+}
+
+ScalarMapping Ramp(double low, double high)
+{
+  if (!(high > low))
+  {
+    return [](double) { return 0.0; };
+  }
+  return [low, high](double value)
+  { return std::min(std::max((value - low) / (high - low), 0.0), 1.0); };
+}
+
+ScalarMapping ExtinctionOfOpacity(ScalarMapping opacity, double unitDistance)
+{
+  return [opacity = std::move(opacity), unitDistance](double value)
+  {
+    const double clamped = std::min(std::max(opacity(value), 0.0), LargestOpacity);
+    // log1p is four times slower than log, and needed only where 1 - opacity loses digits.
+    const double depth = clamped > 1e-6 ? -std::log(1.0 - clamped) : -std::log1p(-clamped);
+    return depth / unitDistance;
+  };
+}
+
+void FiniteRange(vtkDataArray* array, int component, double& low, double& high)
+{
+  low = std::numeric_limits<double>::max();
+  high = std::numeric_limits<double>::lowest();
+  Dispatch(array, RangeWorker{ component, low, high });
+}
+
+void MapArray(vtkDataArray* array, int component, const ScalarMapping& mapping, float* field)
+{
+  Dispatch(array, MapWorker{ component, mapping, field });
+}
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// From an image and its arrays to the grid and the fields that the solver works on.
+
+#ifndef limpid_SceneConversion_h
+#define limpid_SceneConversion_h
+
+#include "ScalarMapping.h"
+
+#include "vtkFloatArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace limpid
+{
+struct Grid;
+
+/// An array of the image and what to make of it.
+struct FieldSource
+{
+  vtkDataArray* array = nullptr;
+  bool onCells = false; ///< an array of the cells: averaged to the points first
+  int component = MagnitudeComponent;
+  ScalarMapping mapping = KeepValue();
+};
+
+/// The fields of a scene at the points of the image, and what had to be left out.
+struct SceneArrays
+{
+  vtkSmartPointer<vtkFloatArray> baseExtinction; ///< [1/length]
+  vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
+  vtkIdType invalidPoints = 0;                   ///< NaN or infinity: empty
+  vtkIdType negativePoints = 0;                  ///< extinction below zero: empty
+  vtkIdType hiddenPoints = 0;                    ///< blanked: empty
+  vtkIdType clampedPoints = 0;                   ///< importance outside [0, 1]: moved there
+
+  /// What a user has to know about values that could not be taken as they are; may be nothing.
+  std::string Warning() const;
+};
+
+/// The nodes of an image: its points. Extent and direction matrix are part of the placement.
+Grid GridOfImage(vtkImageData* image);
+
+/// Both fields of a scene. An empty point has neither extinction nor importance; importance is
+/// moved into [0, 1].
+SceneArrays ConvertScene(
+  vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
+}
+
+#endif

@@ -1,0 +1,458 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkExtinctionOptimizer
+ * @brief   find the extinction field that lets important regions be seen
+ *
+ * Minimises the energy of Eq. (21) in [HG24] over the extinction at every point of an image, seen
+ * from one camera and lit by one light.
+ *
+ * Input port 0: vtkImageData with arrays of its points or its cells (cell arrays are averaged to
+ * the points first), of any numeric type, chosen with SetInputArrayToProcess:
+ *   index 0: scalar field; default: the active scalars;
+ *   index 1: importance, dimensionless; default: "Importance";
+ *   index 2: base extinction [1/length], only with ExtinctionSource ARRAY; default:
+ *            "BaseExtinction".
+ * Points with a NaN or an infinite value and hidden (blanked) points are empty: they have neither
+ * extinction nor importance.
+ *
+ * Output port 0: vtkImageData, a shallow copy of the input with float point arrays
+ *   "Extinction"         optimised extinction for the camera, joint mode: and light [1/length],
+ *   "LightExtinction"    separate mode only: optimised extinction for the light [1/length],
+ *   "Opacity"            1 - exp(-Extinction * unit distance), for stock volume rendering,
+ *   "BaseExtinction"     the extinction that the optimisation started from [1/length],
+ *   "Importance"         the importance that was used [0, 1],
+ *   "Transmittance"      camera to point through Extinction [0, 1],
+ *   "LightTransmittance" light to point [0, 1],
+ * an input array of the same name is replaced; and field data with one tuple each:
+ * "VisibilityScore" and "BaseVisibilityScore" (S of Eq. 32, [length^2]), "VisibleFraction" and
+ * "BaseVisibleFraction" (S over the integral of importance times extinction, [0, 1]), "Energy",
+ * "Iterations", "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
+ * "LightPosition", "ScalarOpacityUnitDistance" (all as used).
+ * Output port 1: vtkTable, one row per iteration.
+ *
+ * After an error the outputs are empty; after an abort output 0 is the input as it came.
+ * An image without volume (a slice, a row, a point) keeps its base extinction, with a warning.
+ *
+ * With several processes each one optimises the whole image and keeps its own piece. Where a
+ * source cannot give the whole image to each process, there is an error.
+ *
+ * The unit of length is that of the input's spacing.
+ *
+ * @sa vtkOcclusionPhantom
+ */
+
+#ifndef vtkExtinctionOptimizer_h
+#define vtkExtinctionOptimizer_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkLimpidFiltersModule.h" // for export macro
+
+#include <memory> // for the hidden core
+
+class vtkPiecewiseFunction;
+class vtkTable;
+
+class VTKLIMPIDFILTERS_EXPORT vtkExtinctionOptimizer : public vtkImageAlgorithm
+{
+public:
+  static vtkExtinctionOptimizer* New();
+  vtkTypeMacro(vtkExtinctionOptimizer, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ExtinctionSources
+  {
+    OPACITY_FUNCTION = 0,
+    ARRAY = 1
+  };
+
+  enum LightTypes
+  {
+    POINT = 0,
+    DIRECTIONAL = 1
+  };
+
+  enum Modes
+  {
+    JOINT = 0,
+    SEPARATE = 1
+  };
+
+  enum Solvers
+  {
+    POLICY = 0,
+    ADAM = 1
+  };
+
+  enum Derivatives
+  {
+    VOLUME = 0,
+    RAY = 1
+  };
+
+  enum Backends
+  {
+    AUTO = 0,
+    CPU = 1,
+    CUDA = 2
+  };
+
+  /**
+   * The array on the Convergence output: iteration, level, energies, score and seconds.
+   */
+  vtkTable* GetConvergence();
+
+  ///@{
+  /**
+   * Component of the scalar array that is the scalar field; -1: the length of the tuple, which
+   * for a single component is its value. Default is -1.
+   */
+  vtkSetMacro(ScalarComponent, int);
+  vtkGetMacro(ScalarComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Component of the importance array; -1: the length of the tuple, which for a single component
+   * is its value. Default is -1.
+   */
+  vtkSetMacro(ImportanceComponent, int);
+  vtkGetMacro(ImportanceComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether ImportanceFunction maps the importance array to importance. Off: the array's values
+   * are importance, moved into [0, 1]. Default is off.
+   */
+  vtkSetMacro(UseImportanceFunction, vtkTypeBool);
+  vtkGetMacro(UseImportanceFunction, vtkTypeBool);
+  vtkBooleanMacro(UseImportanceFunction, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Maps values of the importance array to importance; its values are moved into [0, 1].
+   * Default is none.
+   */
+  virtual void SetImportanceFunction(vtkPiecewiseFunction*);
+  vtkGetObjectMacro(ImportanceFunction, vtkPiecewiseFunction);
+  ///@}
+
+  ///@{
+  /**
+   * Where the base extinction comes from: OPACITY_FUNCTION of the scalar field, or ARRAY 2.
+   * Default is OPACITY_FUNCTION.
+   */
+  vtkSetMacro(ExtinctionSource, int);
+  vtkGetMacro(ExtinctionSource, int);
+  ///@}
+
+  ///@{
+  /**
+   * Opacity of the scalar field on one unit distance, as in vtkVolumeProperty. The base extinction
+   * is -ln(1 - opacity) / unit distance, the opacity not above 1 - 1e-6. None or one without
+   * points: a straight line from 0 to 1 over the range of the scalar field. Default is none.
+   */
+  virtual void SetScalarOpacityFunction(vtkPiecewiseFunction*);
+  vtkGetObjectMacro(ScalarOpacityFunction, vtkPiecewiseFunction);
+  ///@}
+
+  ///@{
+  /**
+   * Distance on which the opacity function holds, and for which the array "Opacity" is made
+   * [length]. Zero: diagonal of the image over the cube root of the number of its cells, as
+   * ParaView's volume representation has it. Default is 0.
+   */
+  vtkSetMacro(ScalarOpacityUnitDistance, double);
+  vtkGetMacro(ScalarOpacityUnitDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the filter places what nobody has placed: the camera as long as CameraPosition is
+   * (0, 0, 1) and CameraFocalPoint (0, 0, 0), as in a new vtkCamera, and the light as long as
+   * LightPosition is (0, 0, 1), as in a new vtkLight. The camera then stands where
+   * vtkRenderer::ResetCamera would put it, the light above and behind it. Off: these positions are
+   * taken as they are. Default is on.
+   */
+  vtkSetMacro(AutomaticPlacement, vtkTypeBool);
+  vtkGetMacro(AutomaticPlacement, vtkTypeBool);
+  vtkBooleanMacro(AutomaticPlacement, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Camera by VTK's conventions, in world coordinates. Defaults are those of vtkCamera: position
+   * (0, 0, 1), focal point (0, 0, 0), view up (0, 1, 0), but see AutomaticPlacement.
+   */
+  vtkSetVector3Macro(CameraPosition, double);
+  vtkGetVector3Macro(CameraPosition, double);
+  vtkSetVector3Macro(CameraFocalPoint, double);
+  vtkGetVector3Macro(CameraFocalPoint, double);
+  vtkSetVector3Macro(CameraViewUp, double);
+  vtkGetVector3Macro(CameraViewUp, double);
+  ///@}
+
+  ///@{
+  /**
+   * Vertical opening of a perspective camera [degrees]. Matters with RestrictToView only, and for
+   * a camera that is placed automatically. Default is 30.
+   */
+  vtkSetMacro(CameraViewAngle, double);
+  vtkGetMacro(CameraViewAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether all rays run along the view direction. Default is off.
+   */
+  vtkSetMacro(CameraParallelProjection, vtkTypeBool);
+  vtkGetMacro(CameraParallelProjection, vtkTypeBool);
+  vtkBooleanMacro(CameraParallelProjection, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Half the height of the picture of a parallel camera [length]. Matters with RestrictToView
+   * only. Default is 1.
+   */
+  vtkSetMacro(CameraParallelScale, double);
+  vtkGetMacro(CameraParallelScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width of the picture over its height. Matters with RestrictToView only. Default is 1.
+   */
+  vtkSetMacro(CameraAspectRatio, double);
+  vtkGetMacro(CameraAspectRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * POINT: the light shines from LightPosition. DIRECTIONAL: parallel rays, from LightPosition
+   * towards CameraFocalPoint. Default is POINT.
+   */
+  vtkSetMacro(LightType, int);
+  vtkGetMacro(LightType, int);
+  ///@}
+
+  ///@{
+  /**
+   * Position of the light in world coordinates. Default is (0, 0, 1), but see AutomaticPlacement.
+   */
+  vtkSetVector3Macro(LightPosition, double);
+  vtkGetVector3Macro(LightPosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight p of the regularisation term, Eq. (22), in normalised coordinates. Not below zero.
+   * Default is 1e-3.
+   */
+  vtkSetMacro(RegularizationWeight, double);
+  vtkGetMacro(RegularizationWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight q of the view term, Eq. (23). Not below zero; zero leaves the view as it is.
+   * Default is 10.
+   */
+  vtkSetMacro(ViewWeight, double);
+  vtkGetMacro(ViewWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight r of the light term, Eq. (24). Not below zero; zero leaves the light as it is.
+   * Default is 1.
+   */
+  vtkSetMacro(LightWeight, double);
+  vtkGetMacro(LightWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one for each,
+   * Section 4.2. Default is JOINT.
+   */
+  vtkSetMacro(Mode, int);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  ///@{
+  /**
+   * POLICY: policy sweeps. ADAM: the projected Adam of [HG24], coarse to fine.
+   * Default is POLICY.
+   */
+  vtkSetMacro(Solver, int);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /**
+   * Most iterations of the policy solver. Default is 8.
+   */
+  vtkSetMacro(MaximumIterations, int);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Iterations of Adam at a quarter, half and the full resolution. Default is (32, 32, 64).
+   */
+  vtkSetVector3Macro(IterationsPerLevel, int);
+  vtkGetVector3Macro(IterationsPerLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Step length of Adam in units of the largest base extinction. Default is 0.05.
+   */
+  vtkSetMacro(LearningRate, double);
+  vtkGetMacro(LearningRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Stop when the mean change of an iteration is below this share of the largest base extinction.
+   * Default is 1e-3.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Stop after this time [s]; zero: no limit. Default is 0.
+   */
+  vtkSetMacro(MaximumSeconds, double);
+  vtkGetMacro(MaximumSeconds, double);
+  ///@}
+
+  ///@{
+  /**
+   * VOLUME: exact derivative of the volume integral. RAY: Eqs. (19)-(20) as printed, without the
+   * weight of the widening rays. Default is VOLUME.
+   */
+  vtkSetMacro(Derivative, int);
+  vtkGetMacro(Derivative, int);
+  ///@}
+
+  ///@{
+  /**
+   * Rays per voxel and axis on the slice farthest from the eye. Default is 1.
+   */
+  vtkSetMacro(RayDensity, double);
+  vtkGetMacro(RayDensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether what provably cannot change the result is left out. Default is on.
+   */
+  vtkSetMacro(SkipUnneeded, vtkTypeBool);
+  vtkGetMacro(SkipUnneeded, vtkTypeBool);
+  vtkBooleanMacro(SkipUnneeded, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether only what the picture shows counts. Default is off: the whole image counts.
+   */
+  vtkSetMacro(RestrictToView, vtkTypeBool);
+  vtkGetMacro(RestrictToView, vtkTypeBool);
+  vtkBooleanMacro(RestrictToView, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the camera is optimised, too. Not available in this version: on is an error.
+   * Default is off.
+   */
+  vtkSetMacro(OptimizeViewpoint, vtkTypeBool);
+  vtkGetMacro(OptimizeViewpoint, vtkTypeBool);
+  vtkBooleanMacro(OptimizeViewpoint, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a run starts from the result of the last one, if the size of the image is the same:
+   * faster while a camera moves or time goes on, but the result may depend on what was before.
+   * Joint mode only. Default is off.
+   */
+  vtkSetMacro(WarmStart, vtkTypeBool);
+  vtkGetMacro(WarmStart, vtkTypeBool);
+  vtkBooleanMacro(WarmStart, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * AUTO: the fastest that works here, named in the field data "Backend". CPU, CUDA: this or an
+   * error. Default is AUTO.
+   */
+  vtkSetMacro(Backend, int);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkExtinctionOptimizer();
+  ~vtkExtinctionOptimizer() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkExtinctionOptimizer(const vtkExtinctionOptimizer&) = delete;
+  void operator=(const vtkExtinctionOptimizer&) = delete;
+
+  int ScalarComponent = -1;
+  int ImportanceComponent = -1;
+  vtkTypeBool UseImportanceFunction = 0;
+  vtkPiecewiseFunction* ImportanceFunction = nullptr;
+  int ExtinctionSource = OPACITY_FUNCTION;
+  vtkPiecewiseFunction* ScalarOpacityFunction = nullptr;
+  double ScalarOpacityUnitDistance = 0;
+
+  vtkTypeBool AutomaticPlacement = 1;
+  double CameraPosition[3] = { 0, 0, 1 };
+  double CameraFocalPoint[3] = { 0, 0, 0 };
+  double CameraViewUp[3] = { 0, 1, 0 };
+  double CameraViewAngle = 30;
+  vtkTypeBool CameraParallelProjection = 0;
+  double CameraParallelScale = 1;
+  double CameraAspectRatio = 1;
+  int LightType = POINT;
+  double LightPosition[3] = { 0, 0, 1 };
+
+  double RegularizationWeight = 1e-3;
+  double ViewWeight = 10;
+  double LightWeight = 1;
+  int Mode = JOINT;
+  int Solver = POLICY;
+  int MaximumIterations = 8;
+  int IterationsPerLevel[3] = { 32, 32, 64 };
+  double LearningRate = 0.05;
+  double Tolerance = 1e-3;
+  double MaximumSeconds = 0;
+  int Derivative = VOLUME;
+  double RayDensity = 1;
+  vtkTypeBool SkipUnneeded = 1;
+  vtkTypeBool RestrictToView = 0;
+  vtkTypeBool OptimizeViewpoint = 0;
+  vtkTypeBool WarmStart = 0;
+  int Backend = AUTO;
+
+  struct Internals; // speaks to the core, so that no core type shows here
+  std::unique_ptr<Internals> State;
+};
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkOcclusionPhantom.h"
+
+#include "AllCores.h"
+#include "PhantomScenes.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <array>
+
+vtkStandardNewMacro(vtkOcclusionPhantom);
+
+namespace
+{
+vtkNew<vtkFloatArray> NewArray(const char* name, vtkIdType count)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+}
+
+vtkOcclusionPhantom::vtkOcclusionPhantom()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkOcclusionPhantom::~vtkOcclusionPhantom() = default;
+
+int vtkOcclusionPhantom::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const int last = this->Resolution - 1;
+  const double spacing = 2.0 / last;
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), 0, last, 0, last, 0, last);
+  info->Set(vtkDataObject::ORIGIN(), -1.0, -1.0, -1.0);
+  info->Set(vtkDataObject::SPACING(), spacing, spacing, spacing);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+int vtkOcclusionPhantom::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  constexpr std::array<limpid::PhantomScene, 4> scenes{ { limpid::HeadScene, limpid::FlameScene,
+    limpid::ShellsScene, limpid::HomogeneousScene } };
+  const limpid::PhantomScene scene = scenes[static_cast<std::size_t>(this->Scene)];
+
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+  output->SetSpacing(info->Get(vtkDataObject::SPACING()));
+
+  const vtkIdType count = output->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> scalars = NewArray("Scalars", count);
+  vtkNew<vtkFloatArray> importance = NewArray("Importance", count);
+  vtkNew<vtkFloatArray> extinction = NewArray("BaseExtinction", count);
+  const double edge = std::max(0.03, 0.75 * output->GetSpacing()[0]);
+  limpid::ForOnAllCores(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        limpid::PhantomPoint point;
+        output->GetPoint(i, point.data());
+        const limpid::Material material = scene(point, edge);
+        scalars->SetValue(i, static_cast<float>(material.scalar));
+        importance->SetValue(i, static_cast<float>(material.importance));
+        extinction->SetValue(i, static_cast<float>(material.extinction));
+      }
+    });
+  output->GetPointData()->SetScalars(scalars);
+  output->GetPointData()->AddArray(importance);
+  output->GetPointData()->AddArray(extinction);
+  return 1;
+}
+
+void vtkOcclusionPhantom::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Scene: " << this->Scene << "\n";
+}

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The ParaView plugin: lib/Limpid/Limpid.so.
+
+include(PredeclareMissingPythonTargets)
+limpid_predeclare_missing_python_targets(ParaView)
+
+# With COMPONENTS only what these components need must be installed, not what all of ParaView
+# needs. RemotingServerManager, on which RemotingViews depends, is named for the packages that
+# it looks for itself (Python); it is optional because that list is longer than what we use.
+find_package(ParaView 5.11 REQUIRED
+  COMPONENTS RemotingViews
+  OPTIONAL_COMPONENTS RemotingServerManager)
+message(STATUS "Limpid: plugin for ParaView ${ParaView_VERSION} (VTK ${VTK_VERSION})")
+
+paraview_plugin_scan(
+  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  ENABLE_BY_DEFAULT ON)
+paraview_plugin_build(
+  PLUGINS ${plugins}
+  AUTOLOAD ${plugins}
+  PLUGINS_FILE_NAME "limpid.plugins.xml")

@@ -1,0 +1,598 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The filter round the solver: what goes in, what comes out, and what it says when it cannot.
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+
+from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkOcclusionPhantom
+
+POINTS, CELLS = 0, 1
+SINGLE = float(np.finfo(np.float32).eps)
+RESULTS = ("Extinction", "Opacity", "BaseExtinction", "Importance", "Transmittance",
+           "LightTransmittance")
+SUMMARY = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
+           "Energy", "Iterations", "Seconds", "Backend")
+
+
+def image_of(shape, **arrays):
+    """An image with one point array per keyword; shape is (x, y, z), arrays are flat."""
+    image = vtkImageData()
+    image.SetDimensions(shape)
+    for name, data in arrays.items():
+        array = numpy_to_vtk(np.ascontiguousarray(data), deep=1)
+        array.SetName(name)
+        image.GetPointData().AddArray(array)
+    return image
+
+
+def phantom(resolution=20, scene=0):
+    source = vtkOcclusionPhantom()
+    source.SetResolution(resolution)
+    source.SetScene(scene)
+    source.Update()
+    image = vtkImageData()
+    image.ShallowCopy(source.GetOutput())
+    return image
+
+
+def optimizer(image, **properties):
+    """A filter that takes its extinction from the array BaseExtinction, with messages caught."""
+    result = vtkExtinctionOptimizer()
+    result.SetInputData(image)
+    result.SetExtinctionSource(vtkExtinctionOptimizer.ARRAY)
+    result.SetCameraPosition(4, 3, 2)
+    result.SetLightPosition(-3, 4, 5)
+    for name, value in properties.items():
+        getattr(result, "Set" + name)(value)
+    result.messages = {"ErrorEvent": [], "WarningEvent": []}
+    for event, texts in result.messages.items():
+        def observe(_, __, text, texts=texts):
+            texts.append(text)
+        observe.CallDataType = "string0"
+        result.AddObserver(event, observe)
+        result.GetExecutive().AddObserver(event, lambda *_: None)
+    return result
+
+
+def values(image, name):
+    return vtk_to_numpy(image.GetPointData().GetArray(name))
+
+
+def number(image, name):
+    return image.GetFieldData().GetArray(name).GetTuple1(0)
+
+
+class OptimizerTest(unittest.TestCase):
+    def run_filter(self, image, **properties):
+        result = optimizer(image, **properties)
+        result.Update()
+        self.assertEqual(result.messages["ErrorEvent"], [])
+        return result.GetOutput()
+
+    def assert_refuses(self, *words, filter_):
+        filter_.Update()
+
+        errors = filter_.messages["ErrorEvent"]
+        self.assertEqual(len(errors), 1, errors)
+        for word in words:
+            self.assertIn(word, errors[0])
+        self.assertEqual(filter_.GetOutput().GetNumberOfPoints(), 0)
+        self.assertEqual(filter_.GetOutput().GetPointData().GetNumberOfArrays(), 0)
+
+
+class TestOutput(OptimizerTest):
+    def test_has_the_geometry_and_the_arrays_of_the_input(self):
+        image = phantom()
+        image.SetOrigin(5, 6, 7)
+        output = self.run_filter(image)
+
+        self.assertEqual(output.GetExtent(), image.GetExtent())
+        self.assertEqual(output.GetSpacing(), image.GetSpacing())
+        self.assertEqual(output.GetOrigin(), image.GetOrigin())
+        np.testing.assert_array_equal(values(output, "Scalars"), values(image, "Scalars"))
+
+    def test_has_float_results_in_their_ranges(self):
+        output = self.run_filter(phantom())
+
+        for name in RESULTS:
+            self.assertEqual(output.GetPointData().GetArray(name).GetDataTypeAsString(), "float")
+            self.assertTrue(np.isfinite(values(output, name)).all())
+        largest = values(output, "BaseExtinction").max()
+        self.assertLessEqual(values(output, "Extinction").max(), largest)
+        for name in ("Extinction", "Opacity", "Transmittance", "LightTransmittance"):
+            self.assertGreaterEqual(values(output, name).min(), 0)
+        for name in ("Opacity", "Transmittance", "LightTransmittance"):
+            self.assertLessEqual(values(output, name).max(), 1)
+
+    def test_opacity_is_that_of_one_unit_distance(self):
+        output = self.run_filter(phantom(), ScalarOpacityUnitDistance=0.25)
+
+        depth = values(output, "Extinction").astype(float) * 0.25
+        # The product and 1 - exp are rounded to single precision; |d opacity| <= |d depth|.
+        bound = SINGLE * (2 * depth.max() + 4)
+        self.assertLess(np.abs(values(output, "Opacity") - (1 - np.exp(-depth))).max(), bound)
+
+    def test_says_what_was_achieved(self):
+        output = self.run_filter(phantom())
+
+        for name in SUMMARY:
+            self.assertEqual(output.GetFieldData().GetAbstractArray(name).GetNumberOfTuples(), 1)
+        self.assertGreater(number(output, "VisibilityScore"),
+                           number(output, "BaseVisibilityScore"))
+        self.assertGreaterEqual(number(output, "VisibleFraction"), 0)
+        self.assertLessEqual(number(output, "VisibleFraction"), 1)
+        self.assertNotEqual(output.GetFieldData().GetAbstractArray("Backend").GetValue(0), "")
+
+    def test_has_one_row_per_iteration_in_the_table(self):
+        result = optimizer(phantom())
+        result.Update()
+
+        table = result.GetConvergence()
+        names = [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
+        self.assertEqual(names, ["Iteration", "Level", "Energy", "RegularizationEnergy",
+                                 "ViewEnergy", "LightEnergy", "VisibilityScore",
+                                 "VisibleFraction", "Seconds"])
+        iterations = vtk_to_numpy(table.GetColumnByName("Iteration"))
+        np.testing.assert_array_equal(iterations, np.arange(len(iterations)))
+        self.assertEqual(len(iterations), number(result.GetOutput(), "Iterations") + 1)
+
+    def test_has_an_extinction_for_the_light_in_separate_mode_only(self):
+        joint = self.run_filter(phantom())
+        separate = self.run_filter(phantom(), Mode=vtkExtinctionOptimizer.SEPARATE)
+
+        self.assertIsNone(joint.GetPointData().GetArray("LightExtinction"))
+        self.assertTrue(np.isfinite(values(separate, "LightExtinction")).all())
+
+    def test_without_weights_is_the_base_extinction_bit_for_bit(self):
+        image = phantom()
+        output = self.run_filter(image, ViewWeight=0, LightWeight=0)
+
+        np.testing.assert_array_equal(values(output, "Extinction"),
+                                      values(image, "BaseExtinction"))
+
+    def test_is_the_same_bits_again(self):
+        first = values(self.run_filter(phantom()), "Extinction").copy()
+        second = values(self.run_filter(phantom()), "Extinction")
+
+        np.testing.assert_array_equal(first, second)
+
+    def test_records_camera_and_light(self):
+        output = self.run_filter(phantom())
+
+        self.assertEqual(output.GetFieldData().GetArray("CameraPosition").GetTuple3(0), (4, 3, 2))
+        self.assertEqual(output.GetFieldData().GetArray("LightPosition").GetTuple3(0), (-3, 4, 5))
+
+
+class TestPlacement(OptimizerTest):
+    def test_an_unplaced_camera_stands_where_a_new_view_has_it(self):
+        image = phantom()
+        image.SetOrigin(9, 19, 29)
+        result = optimizer(image)
+        result.SetCameraPosition(0, 0, 1)
+        result.SetLightPosition(0, 0, 1)
+        result.Update()
+
+        # vtkRenderer::ResetCamera: half the diagonal over the sine of half the view angle.
+        distance = np.sqrt(3) / np.sin(np.radians(15))
+        fields = result.GetOutput().GetFieldData()
+        np.testing.assert_allclose(fields.GetArray("CameraFocalPoint").GetTuple3(0), (10, 20, 30))
+        np.testing.assert_allclose(fields.GetArray("CameraPosition").GetTuple3(0),
+                                   (10, 20, 30 + distance))
+        light = np.subtract(fields.GetArray("LightPosition").GetTuple3(0), (10, 20, 30))
+        self.assertAlmostEqual(np.linalg.norm(light), distance)
+        self.assertAlmostEqual(light[1], distance * np.sin(np.radians(50)))
+
+    def test_positions_are_literal_on_demand(self):
+        result = optimizer(phantom(), AutomaticPlacement=0)
+        result.SetCameraPosition(0, 0, 1)
+        result.Update()
+
+        camera = result.GetOutput().GetFieldData().GetArray("CameraPosition").GetTuple3(0)
+        self.assertEqual(camera, (0, 0, 1))
+
+    def test_a_camera_at_its_focal_point_is_refused(self):
+        result = optimizer(phantom())
+        result.SetCameraPosition(0, 0, 0)
+        self.assert_refuses("focal point", filter_=result)
+
+
+class TestExtinctionSource(OptimizerTest):
+    def function(self, *nodes):
+        function = vtkPiecewiseFunction()
+        for position, value in nodes:
+            function.AddPoint(position, value)
+        return function
+
+    def base(self, data, function, distance, **properties):
+        image = image_of((4, 4, 4), s=data, g=np.zeros(64))
+        result = optimizer(image, ExtinctionSource=vtkExtinctionOptimizer.OPACITY_FUNCTION,
+                           ScalarOpacityFunction=function, ScalarOpacityUnitDistance=distance,
+                           **properties)
+        result.SetInputArrayToProcess(0, 0, 0, POINTS, "s")
+        result.SetInputArrayToProcess(1, 0, 0, POINTS, "g")
+        result.Update()
+        self.assertEqual(result.messages["ErrorEvent"], [])
+        return values(result.GetOutput(), "BaseExtinction").astype(float)
+
+    def test_opacity_becomes_extinction(self):
+        data = np.linspace(0, 9, 64)
+        opacity = np.interp(data, [0, 3, 9], [0, 0.2, 0.9])
+        base = self.base(data, self.function((0, 0), (3, 0.2), (9, 0.9)), 0.5)
+
+        # One rounding to single precision of a result in double precision.
+        np.testing.assert_allclose(base, -np.log1p(-opacity) / 0.5, rtol=SINGLE)
+
+    def test_opacity_one_is_finite(self):
+        base = self.base(np.ones(64), self.function((0, 0), (1, 1)), 2.0)
+
+        np.testing.assert_allclose(base, -np.log(1e-6) / 2.0, rtol=1e-6)  # 1 - 1e-6 in double
+
+    def test_curved_functions_are_evaluated_as_vtk_does(self):
+        function = vtkPiecewiseFunction()
+        function.AddPoint(0, 0.1, 0.3, 0.7)
+        function.AddPoint(1, 0.8)
+        data = np.linspace(-0.5, 1.5, 64)
+        opacity = np.array([function.GetValue(value) for value in data])
+
+        np.testing.assert_allclose(self.base(data, function, 1.0), -np.log1p(-opacity), rtol=SINGLE)
+
+    def test_without_function_is_a_ramp_over_the_range(self):
+        data = np.linspace(10, 20, 64)
+        opacity = np.minimum((data - 10) / 10, 1 - 1e-6)
+
+        np.testing.assert_allclose(self.base(data, None, 1.0), -np.log1p(-opacity), rtol=1e-6)
+
+    def test_all_types_give_the_same(self):
+        data = np.arange(64) % 100
+        expected = self.base(data.astype(np.float64), self.function((0, 0), (100, 0.9)), 1.0)
+        for kind in (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64,
+                     np.uint64, np.float32):
+            with self.subTest(kind=kind):
+                base = self.base(data.astype(kind), self.function((0, 0), (100, 0.9)), 1.0)
+                np.testing.assert_array_equal(base, expected)
+
+    def test_negative_integers_are_looked_up(self):
+        data = (np.arange(64) - 32).astype(np.int8)
+        expected = self.base(data.astype(np.float64), self.function((-32, 0), (32, 0.9)), 1.0)
+
+        base = self.base(data, self.function((-32, 0), (32, 0.9)), 1.0)
+
+        np.testing.assert_array_equal(base, expected)
+
+    def test_bits_are_numbers_too(self):
+        image = image_of((2, 2, 2), g=np.zeros(8))
+        bits = vtkBitArray()
+        bits.SetName("s")
+        for i in range(8):
+            bits.InsertNextValue(i % 2)
+        image.GetPointData().AddArray(bits)
+        result = optimizer(image, ExtinctionSource=0, ScalarOpacityUnitDistance=1,
+                           ScalarOpacityFunction=self.function((0, 0), (1, 0.5)))
+        result.SetInputArrayToProcess(0, 0, 0, POINTS, "s")
+        result.SetInputArrayToProcess(1, 0, 0, POINTS, "g")
+        result.Update()
+
+        base = values(result.GetOutput(), "BaseExtinction")
+        np.testing.assert_allclose(base, np.log(2) * (np.arange(8) % 2), rtol=SINGLE)
+
+    def test_a_component_or_the_magnitude_of_vectors(self):
+        data = np.random.default_rng(1).uniform(0, 1, (64, 3))
+        function = self.function((0, 0), (2, 0.9))
+
+        for component, expected in ((0, data[:, 0]), (2, data[:, 2]),
+                                    (-1, np.linalg.norm(data, axis=1))):
+            with self.subTest(component=component):
+                base = self.base(data, function, 1.0, ScalarComponent=component)
+                np.testing.assert_allclose(base, self.base(expected, function, 1.0), rtol=2 * SINGLE)
+
+    def test_a_changed_function_is_a_new_run(self):
+        function = self.function((0, 0), (1, 0.5))
+        image = image_of((3, 3, 3), s=np.ones(27), Importance=np.zeros(27))
+        result = optimizer(image, ExtinctionSource=0, ScalarOpacityFunction=function,
+                           ScalarOpacityUnitDistance=1)
+        result.SetInputArrayToProcess(0, 0, 0, POINTS, "s")
+        result.Update()
+        function.AddPoint(1, 0.75)
+        result.Update()
+
+        base = values(result.GetOutput(), "BaseExtinction")
+        np.testing.assert_allclose(base, np.log(4), rtol=SINGLE)
+
+    def test_cell_arrays_are_averaged_to_the_points(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 2, 2)
+        for name, data in (("mu", [1.0, 3.0]), ("g", [0.0, 1.0])):
+            array = numpy_to_vtk(np.array(data), deep=1)
+            array.SetName(name)
+            image.GetCellData().AddArray(array)
+        result = optimizer(image)
+        result.SetInputArrayToProcess(1, 0, 0, CELLS, "g")
+        result.SetInputArrayToProcess(2, 0, 0, CELLS, "mu")
+        result.Update()
+
+        self.assertEqual(result.messages["ErrorEvent"], [])
+        output = result.GetOutput()
+        np.testing.assert_array_equal(values(output, "BaseExtinction"), [1, 2, 3] * 4)
+        np.testing.assert_array_equal(values(output, "Importance"), [0, 0.5, 1] * 4)
+
+    def test_the_importance_function_maps_the_importance_array(self):
+        image = image_of((4, 4, 4), BaseExtinction=np.ones(64), Importance=np.arange(64.0))
+        output = self.run_filter(image, UseImportanceFunction=1,
+                                 ImportanceFunction=self.function((10, 0), (20, 1)))
+
+        np.testing.assert_allclose(values(output, "Importance"),
+                                   np.clip((np.arange(64) - 10) / 10, 0, 1), rtol=SINGLE)
+
+
+class TestValuesThatCannotBeUsed(OptimizerTest):
+    def test_nan_and_infinity_are_empty_and_reported_once(self):
+        image = phantom(12)
+        extinction = values(image, "BaseExtinction")
+        importance = values(image, "Importance")
+        extinction[100], extinction[200] = np.nan, np.inf
+        importance[300], importance[100] = -np.inf, np.nan
+        result = optimizer(image)
+        result.Update()
+
+        self.assertEqual(result.messages["ErrorEvent"], [])
+        self.assertEqual(len(result.messages["WarningEvent"]), 1)
+        self.assertIn("3 of 1728", result.messages["WarningEvent"][0])
+        output = result.GetOutput()
+        for name in RESULTS:
+            self.assertTrue(np.isfinite(values(output, name)).all(), name)
+        for name in ("BaseExtinction", "Extinction", "Importance"):
+            np.testing.assert_array_equal(values(output, name)[[100, 200, 300]], 0)
+
+    def test_negative_extinction_is_empty_and_reported(self):
+        image = phantom(12)
+        values(image, "BaseExtinction")[7] = -1
+        result = optimizer(image)
+        result.Update()
+
+        self.assertIn("1 of 1728", result.messages["WarningEvent"][0])
+        self.assertEqual(values(result.GetOutput(), "BaseExtinction")[7], 0)
+
+    def test_importance_outside_its_range_is_clamped_and_reported(self):
+        image = phantom(12)
+        values(image, "Importance")[:4] = [-2, 0, 1, 3]
+        result = optimizer(image)
+        result.Update()
+
+        self.assertIn("2 of 1728", result.messages["WarningEvent"][0])
+        np.testing.assert_array_equal(values(result.GetOutput(), "Importance")[:4], [0, 0, 1, 1])
+
+    def test_blanked_points_are_empty(self):
+        image = phantom(12)
+        image.AllocatePointGhostArray()
+        vtk_to_numpy(image.GetPointGhostArray())[:200] = 2  # vtkDataSetAttributes::HIDDENPOINT
+        values(image, "Importance")[:200] = 1
+        output = self.run_filter(image)
+
+        np.testing.assert_array_equal(values(output, "Importance")[:200], 0)
+        np.testing.assert_array_equal(values(output, "BaseExtinction")[:200], 0)
+        self.assertIsNotNone(output.GetPointGhostArray())
+
+
+class TestDegenerateInput(OptimizerTest):
+    def test_no_points(self):
+        self.assert_refuses("no points", filter_=optimizer(vtkImageData()))
+
+    def test_flat_images_keep_their_extinction_with_a_warning(self):
+        for shape in ((5, 5, 1), (5, 1, 1), (1, 1, 1), (1, 6, 7)):
+            with self.subTest(shape=shape):
+                count = int(np.prod(shape))
+                image = image_of(shape, BaseExtinction=np.linspace(0, 1, count),
+                                 Importance=np.ones(count))
+                result = optimizer(image)
+                result.Update()
+
+                self.assertEqual(result.messages["ErrorEvent"], [])
+                self.assertEqual(len(result.messages["WarningEvent"]), 1)
+                output = result.GetOutput()
+                np.testing.assert_array_equal(values(output, "Extinction"),
+                                              np.linspace(0, 1, count).astype(np.float32))
+                for name in RESULTS:
+                    self.assertTrue(np.isfinite(values(output, name)).all())
+
+    def test_no_importance_and_no_extinction_change_nothing(self):
+        for name in ("Importance", "BaseExtinction"):
+            with self.subTest(zero=name):
+                image = phantom(12)
+                values(image, name)[:] = 0
+                output = self.run_filter(image)
+
+                np.testing.assert_array_equal(values(output, "Extinction"),
+                                              values(image, "BaseExtinction"))
+                self.assertEqual(number(output, "VisibilityScore"), 0)
+                for field in SUMMARY[:5]:
+                    self.assertTrue(np.isfinite(number(output, field)), field)
+
+    def test_the_smallest_image_with_a_volume(self):
+        image = image_of((2, 2, 2), BaseExtinction=np.ones(8), Importance=np.ones(8))
+        output = self.run_filter(image)
+
+        for name in RESULTS:
+            self.assertTrue(np.isfinite(values(output, name)).all())
+
+    def test_missing_arrays_are_named_with_the_choice(self):
+        image = phantom(8)
+        cases = ((0, "scalar", dict(ExtinctionSource=0)), (1, "importance", {}),
+                 (2, "extinction", {}))
+        for index, role, properties in cases:
+            with self.subTest(role=role):
+                result = optimizer(image, **properties)
+                result.SetInputArrayToProcess(index, 0, 0, POINTS, "Absent")
+                self.assert_refuses(role, '"Absent"', "Scalars, Importance, BaseExtinction",
+                                    filter_=result)
+
+    def test_settings_that_make_no_sense_are_named(self):
+        cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0,
+                     ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
+                     LightType=3, ExtinctionSource=2, ScalarComponent=4, OptimizeViewpoint=1,
+                     LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1)
+        for name, value in cases.items():
+            with self.subTest(name=name):
+                result = optimizer(phantom(8), **{name: value})
+                if name == "ScalarComponent":
+                    result.SetExtinctionSource(0)
+                if name in ("LearningRate",):
+                    result.SetSolver(vtkExtinctionOptimizer.ADAM)
+                result.Update()
+                self.assertEqual(len(result.messages["ErrorEvent"]), 1)
+                self.assertIn(str(value), result.messages["ErrorEvent"][0]
+                              if name != "OptimizeViewpoint" else "1")
+
+    def test_a_sheared_direction_matrix_is_refused(self):
+        image = phantom(8)
+        image.SetDirectionMatrix(1, 0.5, 0, 0, 1, 0, 0, 0, 1)
+        self.assert_refuses("direction matrix", filter_=optimizer(image))
+
+    def test_extinction_with_components_is_refused(self):
+        image = image_of((2, 2, 2), Importance=np.ones(8), BaseExtinction=np.ones((8, 3)))
+        self.assert_refuses("3", "components", filter_=optimizer(image))
+
+
+class TestPlaceInTheWorld(OptimizerTest):
+    """The same scene elsewhere: S scales by length squared, arrays agree to 1e-4 of the largest."""
+
+    def compare(self, image, scale, move):
+        def transformed(result, *vectors):
+            for name in vectors:
+                position = getattr(result, "Get" + name)()
+                getattr(result, "Set" + name)(*move(np.array(position)))
+            return result
+
+        reference = self.run_filter(phantom())
+        result = transformed(optimizer(image), "CameraPosition", "CameraFocalPoint",
+                             "LightPosition")
+        result.SetCameraViewUp(*(move(np.array((0.0, 1, 0))) - move(np.zeros(3))))
+        result.Update()
+        self.assertEqual(result.messages["ErrorEvent"], [])
+
+        output = result.GetOutput()
+        self.assertLess(abs(number(output, "VisibilityScore") / scale**2 /
+                            number(reference, "VisibilityScore") - 1), 1e-4)
+        for name in ("Transmittance", "LightTransmittance"):
+            np.testing.assert_allclose(values(output, name), values(reference, name), atol=1e-4)
+
+    def test_in_another_unit_of_length(self):
+        # A power of two keeps the digits of the extinctions: where a voxel may as well be clear as
+        # opaque, the rounding of its input would decide.
+        unit = 1024
+        image = phantom()
+        image.SetSpacing(*(unit * np.array(image.GetSpacing())))
+        image.SetOrigin(*(unit * np.array(image.GetOrigin())))
+        values(image, "BaseExtinction")[:] /= unit
+        self.compare(image, unit, lambda position: unit * position)
+
+    def test_far_from_the_origin(self):
+        image = phantom()
+        image.SetOrigin(1e6 - 1, 1e6 - 1, -1e6 - 1)
+        self.compare(image, 1, lambda position: position + (1e6, 1e6, -1e6))
+
+    def test_with_an_extent_that_does_not_start_at_zero(self):
+        image = phantom()
+        spacing = np.array(image.GetSpacing())
+        image.SetExtent(100, 119, -50, -31, 7, 26)
+        image.SetOrigin(*(-1 - spacing * (100, -50, 7)))
+        self.compare(image, 1, lambda position: position)
+
+    def test_rotated_by_a_direction_matrix(self):
+        matrix = np.array([[0.0, -1, 0], [0.6, 0, -0.8], [0.8, 0, 0.6]])
+        image = phantom()
+        image.SetDirectionMatrix(*matrix.ravel())
+        image.SetOrigin(*(matrix @ np.array([-1.0, -1, -1])))
+        self.compare(image, 1, lambda position: matrix @ position)
+
+    def test_mirrored_by_a_left_handed_direction_matrix(self):
+        matrix = np.diag([1.0, -1, 1])
+        image = phantom()
+        image.SetDirectionMatrix(*matrix.ravel())
+        image.SetOrigin(-1, 1, -1)
+        self.compare(image, 1, lambda position: matrix @ position)
+
+
+class TestRuns(OptimizerTest):
+    def test_progress_rises_and_has_a_text(self):
+        result = optimizer(phantom())
+        seen = []
+        result.AddObserver("ProgressEvent",
+                           lambda *_: seen.append((result.GetProgress(), result.GetProgressText())))
+        result.Update()
+
+        shares = [share for share, _ in seen]
+        self.assertEqual(shares, sorted(shares))
+        self.assertTrue(any(text for _, text in seen))
+
+    def test_an_aborted_run_leaves_the_input_as_it_came(self):
+        image = phantom()
+        result = optimizer(image)
+        result.AddObserver("ProgressEvent", lambda *_: result.SetAbortExecute(1)
+                           if result.GetProgress() > 0 else None)
+        result.Update()
+
+        output = result.GetOutput()
+        self.assertEqual(output.GetExtent(), image.GetExtent())
+        names = [output.GetPointData().GetArrayName(i)
+                 for i in range(output.GetPointData().GetNumberOfArrays())]
+        self.assertEqual(names, ["Scalars", "Importance", "BaseExtinction"])
+        self.assertEqual(result.GetConvergence().GetNumberOfRows(), 0)
+
+    def test_changed_data_is_a_new_run(self):
+        image = phantom(12)
+        result = optimizer(image)
+        result.Update()
+        values(image, "BaseExtinction")[:] *= 2
+        image.GetPointData().GetArray("BaseExtinction").Modified()
+        image.Modified()
+        result.Update()
+        fresh = self.run_filter(image)
+
+        np.testing.assert_array_equal(values(result.GetOutput(), "Extinction"),
+                                      values(fresh, "Extinction"))
+
+    def test_a_warm_start_ends_no_worse_than_it_began(self):
+        result = optimizer(phantom(), WarmStart=1, MaximumIterations=2)
+        result.Update()
+        first = number(result.GetOutput(), "Energy")
+        result.Modified()
+        result.Update()
+
+        self.assertLessEqual(number(result.GetOutput(), "Energy"), first + abs(first) * 1e-9)
+
+    def test_a_warm_start_survives_a_change_of_size(self):
+        result = optimizer(phantom(12), WarmStart=1)
+        result.Update()
+        result.SetInputData(phantom(14))
+        result.Update()
+
+        self.assertEqual(result.messages["ErrorEvent"], [])
+
+    def test_cuda_is_used_or_an_error(self):
+        result = optimizer(phantom(8), Backend=vtkExtinctionOptimizer.CUDA)
+        result.Update()
+
+        if result.messages["ErrorEvent"]:
+            self.assertIn("CUDA", result.messages["ErrorEvent"][0])
+        else:
+            backend = result.GetOutput().GetFieldData().GetAbstractArray("Backend").GetValue(0)
+            self.assertIn("CUDA", backend)
+
+    def test_recovers_from_an_error(self):
+        result = optimizer(phantom(), ViewWeight=-1)
+        result.Update()
+        result.SetViewWeight(10)
+        result.Update()
+
+        self.assertEqual(len(result.messages["ErrorEvent"]), 1)
+        self.assertIsNotNone(result.GetOutput().GetPointData().GetArray("Extinction"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What ParaView is told about a class has to be what the class does.
+
+import pathlib
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import limpid.vtkLimpidFilters as filters
+
+XML = pathlib.Path(__file__).resolve().parents[2] / "Filters" / "LimpidFilters.xml"
+PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "ProxyProperty")
+
+
+def proxies():
+    return ElementTree.parse(XML).getroot().iter("SourceProxy")
+
+
+def properties(proxy):
+    return [element for element in proxy if element.tag in PROPERTIES]
+
+
+class TestPropertyDefaults(unittest.TestCase):
+    def test_defaults_are_those_of_the_class(self):
+        compared = 0
+        for proxy in proxies():
+            instance = getattr(filters, proxy.get("class"))()
+            for element in properties(proxy):
+                command = element.get("command")
+                if command == "SetInputArrayToProcess" or element.tag == "ProxyProperty":
+                    continue
+                with self.subTest(property=element.get("name")):
+                    self.assertEqual(command, "Set" + element.get("name"))
+                    value = getattr(instance, "Get" + element.get("name"))()
+                    expected = value if isinstance(value, tuple) else (value,)
+                    defaults = tuple(float(text) for text in element.get("default_values").split())
+                    self.assertEqual(defaults, tuple(float(number) for number in expected))
+                    self.assertEqual(int(element.get("number_of_elements")), len(expected))
+                    compared += 1
+        self.assertGreater(compared, 25)
+
+    def test_enumerations_are_those_of_the_class(self):
+        optimizer = filters.vtkExtinctionOptimizer
+        expected = {
+            "ExtinctionSource": {"Opacity Function": optimizer.OPACITY_FUNCTION,
+                                 "Array": optimizer.ARRAY},
+            "LightType": {"Point": optimizer.POINT, "Directional": optimizer.DIRECTIONAL},
+            "Mode": {"Joint": optimizer.JOINT, "Separate": optimizer.SEPARATE},
+            "Solver": {"Policy": optimizer.POLICY, "Adam": optimizer.ADAM},
+            "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},
+            "Backend": {"Auto": optimizer.AUTO, "CPU": optimizer.CPU, "CUDA": optimizer.CUDA},
+            "Scene": {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3},
+        }
+        found = {}
+        for proxy in proxies():
+            for element in properties(proxy):
+                entries = element.findall("EnumerationDomain/Entry")
+                if entries:
+                    found[element.get("name")] = {
+                        entry.get("text"): int(entry.get("value")) for entry in entries}
+        self.assertEqual(found, expected)
+
+    def test_everything_is_documented(self):
+        for proxy in proxies():
+            self.assertTrue(proxy.find("Documentation").get("short_help"))
+            for element in proxy:
+                if element.tag in PROPERTIES + ("InputProperty",):
+                    with self.subTest(property=element.get("name")):
+                        text = " ".join((element.findtext("Documentation") or "").split())
+                        self.assertTrue(text.endswith("."), "no documentation, or no sentence")
+
+    def test_every_property_is_in_one_group(self):
+        for proxy in proxies():
+            groups = [entry.get("name")
+                      for group in proxy.findall("PropertyGroup") for entry in group]
+            if groups:
+                shown = [element.get("name") for element in properties(proxy)
+                         if element.get("panel_visibility") != "never"]
+                self.assertEqual(sorted(groups), sorted(shown))
+
+
+if __name__ == "__main__":
+    unittest.main()

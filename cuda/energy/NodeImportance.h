@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_NodeImportance_h
+#define limpid_energy_NodeImportance_h
+
+#include "scene/Grid.h"
+
+#include <vector>
+
+namespace limpid
+{
+/**
+ * The importance that a node's extinction can show: the mean of the trilinear field g, weighted by
+ * the node's own trilinear hat function phi,
+ *
+ *   g_i = integral phi_i g dx / integral phi_i dx.
+ *
+ * The extinction of a node acts on its whole neighbourhood with weight phi_i, so this, not g at the
+ * node, stands in the derivative of Eqs. (23) and (24) with respect to the node's extinction
+ * (deviation D8). `importance`: grid.NodeCount() values in [0, 1]; so is the result.
+ */
+std::vector<float> NodeImportance(const Grid& grid, const float* importance);
+
+/// The same, 0 at nodes that have neither extinction nor importance: they are no one's concern.
+std::vector<float> NodeImportanceOfFilled(
+  const Grid& grid, const float* baseExtinction, const float* importance);
+}
+
+#endif
