@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Puts the pictures of several demo folders on one sheet, a column per scene.
+"""Puts the pictures of several demo folders on one sheet, before above after, four scenes a row.
 
   python3 contact_sheet.py SHEET.png FOLDER...
 """
@@ -16,6 +16,7 @@ matplotlib.use("Agg")
 
 from matplotlib import pyplot  # pylint: disable=wrong-import-position
 
+ACROSS = 4  # scenes in a row
 HEAD = re.compile(r"^# (.*)$", re.MULTILINE)
 SHARE = re.compile(r"^\| visible share[^|]*\| ([^|]*) \| ([^|]*) \|$", re.MULTILINE)
 SCORE = re.compile(r"^\| visibility score[^|]*\| ([^|]*) \| ([^|]*) \|$", re.MULTILINE)
@@ -25,18 +26,21 @@ def main(sheet, folders):
     if not folders:
         raise SystemExit("No folders are given (there is nothing to show). "
                          "Use: contact_sheet.py SHEET.png FOLDER...")
-    figure, axes = pyplot.subplots(2, len(folders), squeeze=False,
-                                   figsize=(3 * len(folders), 6.6), facecolor="white")
-    for column, folder in enumerate(folders):
+    across = min(len(folders), ACROSS)
+    blocks = (len(folders) + across - 1) // across
+    figure, axes = pyplot.subplots(2 * blocks, across, squeeze=False,
+                                   figsize=(3 * across, 6.5 * blocks), facecolor="white")
+    for axis in axes.flat:
+        axis.set_axis_off()
+    for number, folder in enumerate(folders):
         with open(os.path.join(folder, "report.md"), encoding="utf-8") as file:
             report = file.read()
         title = HEAD.search(report).group(1)
         shares = SHARE.search(report).groups()
         scores = SCORE.search(report).groups()
         for row, name in enumerate(("before", "after")):
-            axis = axes[row][column]
+            axis = axes[2 * (number // across) + row][number % across]
             axis.imshow(pyplot.imread(os.path.join(folder, name + ".png")))
-            axis.set_axis_off()
             label = "{}\n".format(title) if row == 0 else ""
             axis.set_title("{}{}: S {} ({} visible)".format(label, name, scores[row], shares[row]),
                            fontsize=8)

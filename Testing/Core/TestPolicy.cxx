@@ -143,7 +143,7 @@ TEST(Policy, ComesNearTheBestOnOffExtinctionOfARay)
   }
 }
 
-TEST(Policy, ClearsTheWayToOneHiddenStructureAndShowsItWhole)
+TEST(Policy, ClearsTheWayToOneHiddenStructureAndShowsItBest)
 {
   // A thick wall without importance in front of an important layer: remove the one, fill the other.
   Column column;
@@ -168,10 +168,20 @@ TEST(Policy, ClearsTheWayToOneHiddenStructureAndShowsItWhole)
   {
     EXPECT_WITHIN(solver.Extinction()[4 + 9 * k], 0, Relative(1e-3, 4, "regularisation"));
   }
+  // The first important node lets the others be seen better than it shows itself: half of what it
+  // fills with extinction is the step of importance in front of it. On-off extinctions reach 0.973
+  // without it and 0.743 with it.
+  const double shown[3] = { 0, 4, 4 };
+  std::vector<double> found(depth);
+  for (int k = 0; k < depth; ++k)
+  {
+    found[k] = solver.Extinction()[4 + 9 * k];
+  }
   for (int k = 9; k < 12; ++k)
   {
-    EXPECT_WITHIN(solver.Extinction()[4 + 9 * k], 4, Relative(1e-3, 4, "regularisation"));
+    EXPECT_WITHIN(found[k], shown[k - 9], Relative(1e-3, 4, "regularisation"));
   }
+  EXPECT_GE(column.Score(found), 0.999 * column.BestOnOff(4)) << "but for the regularisation";
 }
 
 TEST(Policy, FindsWhatIsHiddenBehindAnOpaqueWall)
