@@ -68,11 +68,11 @@ void ParallelFor(Index count, const Body& body)
 }
 
 /**
- * Sum over all indices of body(index), in double precision and in a fixed order, whatever the
- * number of threads: partial sums of fixed blocks are added in turn.
+ * Sum of body(begin, end) over blocks of indices, in double precision and in a fixed order,
+ * whatever the number of threads.
  */
 template <class Body>
-double ParallelSum(Index count, const Body& body)
+double ParallelBlockSum(Index count, const Body& body)
 {
   constexpr Index blockSize = 16384;
   const Index blocks = (count + blockSize - 1) / blockSize;
@@ -80,14 +80,9 @@ double ParallelSum(Index count, const Body& body)
   ParallelFor(blocks,
     [&](Index block)
     {
-      const Index end =
-        block * blockSize + blockSize < count ? block * blockSize + blockSize : count;
-      double sum = 0;
-      for (Index index = block * blockSize; index < end; ++index)
-      {
-        sum += body(index);
-      }
-      partial[static_cast<std::size_t>(block)] = sum;
+      const Index begin = block * blockSize;
+      const Index end = begin + blockSize < count ? begin + blockSize : count;
+      partial[static_cast<std::size_t>(block)] = body(begin, end);
     });
   double total = 0;
   for (const double part : partial)
@@ -95,6 +90,22 @@ double ParallelSum(Index count, const Body& body)
     total += part;
   }
   return total;
+}
+
+/// Sum over all indices of body(index), likewise.
+template <class Body>
+double ParallelSum(Index count, const Body& body)
+{
+  return ParallelBlockSum(count,
+    [&](Index begin, Index end)
+    {
+      double sum = 0;
+      for (Index index = begin; index < end; ++index)
+      {
+        sum += body(index);
+      }
+      return sum;
+    });
 }
 }
 

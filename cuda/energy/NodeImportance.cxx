@@ -4,6 +4,7 @@
 #include "energy/NodeImportance.h"
 
 #include "backend/Backend.h"
+#include "backend/Simd.h"
 
 #include <algorithm>
 
@@ -34,8 +35,9 @@ Taps TapsOf(int k, int nodes)
 }
 
 /// A row and its neighbours along one axis; on the border the row itself stands in.
-void WeighRows(
-  const float* below, const float* own, const float* above, const Taps& taps, int count, float* out)
+LIMPID_MULTIVERSION
+void WeighRows(const float* below, const float* own, const float* above, const Taps& taps,
+  int count, float* __restrict out)
 {
   for (int x = 0; x < count; ++x)
   {
@@ -43,14 +45,18 @@ void WeighRows(
   }
 }
 
-void WeighAlongRow(const float* row, int count, float* out)
+LIMPID_MULTIVERSION
+void WeighAlongRow(const float* __restrict row, int count, float* __restrict out)
 {
-  for (int x = 0; x < count; ++x)
+  const Taps inner = TapsOf(1, 3);
+  for (int x = 1; x + 1 < count; ++x)
   {
-    const Taps taps = TapsOf(x, count);
-    out[x] = taps.own * row[x] +
-      (taps.below * row[std::max(x - 1, 0)] + taps.above * row[std::min(x + 1, count - 1)]);
+    out[x] = inner.own * row[x] + (inner.below * row[x - 1] + inner.above * row[x + 1]);
   }
+  const Taps first = TapsOf(0, count);
+  const Taps last = TapsOf(count - 1, count);
+  out[0] = first.own * row[0] + (count > 1 ? first.above * row[1] : 0.0f);
+  out[count - 1] = count > 1 ? last.own * row[count - 1] + last.below * row[count - 2] : out[0];
 }
 }
 

@@ -33,6 +33,10 @@ struct Problem
 
   /// F_p of Eq. 22 in world units [length^2].
   double Regularization(const std::vector<float>& extinction) const;
+
+  /// Mean change from one extinction to another over the voxels that may change [majorant].
+  double MeanChange(
+    const std::vector<float>& from, const std::vector<float>& to, Index filledVoxels) const;
 };
 
 /// An iterative method for a problem.

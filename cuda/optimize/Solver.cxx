@@ -45,16 +45,18 @@ float LargestValue(
     {
       const Index end = std::min(count, (block + 1) * blockSize);
       float most = 0;
+      bool allValid = true;
       for (Index voxel = block * blockSize; voxel < end; ++voxel)
       {
-        if (!valid(field[voxel]))
-        {
-          bad[std::size_t(block)] = voxel;
-          break;
-        }
-        most = std::max(most, field[voxel]);
+        allValid &= valid(field[voxel]);
+        most = field[voxel] > most ? field[voxel] : most;
       }
       largest[std::size_t(block)] = most;
+      for (Index voxel = block * blockSize; voxel < end && !allValid; ++voxel)
+      {
+        allValid = !valid(field[voxel]);
+        bad[std::size_t(block)] = voxel;
+      }
     });
   for (const Index voxel : bad)
   {
@@ -93,7 +95,7 @@ struct Solver::Internals
   int runIterations = 0;
   bool lightRun = false;
 
-  std::vector<float> extinction; ///< result of a finished run, or the start
+  std::vector<float> extinction; ///< result of a finished run
   std::vector<float> lightExtinction;
   std::vector<IterationRecord> history;
   Score base;
@@ -114,10 +116,10 @@ struct Solver::Internals
     RequireFields(this->scene);
     const Index count = this->scene.grid.NodeCount();
     this->majorant = LargestValue(count, this->scene.baseExtinction, "base extinction",
-      "finite and not negative", [](float value) { return value >= 0 && value < 3e38f; });
+      "finite and not negative", [](float value) { return (value >= 0) & (value < 3e38f); });
     this->somethingImportant =
       LargestValue(count, this->scene.importance, "importance", "between 0 and 1",
-        [](float value) { return value >= 0 && value <= 1; }) > 0;
+        [](float value) { return (value >= 0) & (value <= 1); }) > 0;
     this->nodeImportance =
       NodeImportanceOfFilled(this->scene.grid, this->scene.baseExtinction, this->scene.importance);
     this->Begin();
@@ -186,7 +188,6 @@ struct Solver::Internals
   void MakeMinimizer(std::vector<float> start)
   {
     const Weights& weights = this->problem.settings.weights;
-    this->extinction = start;
     this->runIterations = 0;
     const bool nothingAtStake = !(weights.view > 0 || weights.light > 0) ||
       !this->somethingImportant || !(this->majorant > 0) || !this->scene.grid.HasVolume();
@@ -208,11 +209,11 @@ struct Solver::Internals
       }
       return;
     }
-    const Occupancy occupancy(this->scene.grid, this->scene.baseExtinction,
-      this->nodeImportance.data(), this->problem.settings.skipUnneeded);
+    Occupancy occupancy(this->scene.grid, this->scene.baseExtinction, this->nodeImportance.data(),
+      this->problem.settings.skipUnneeded);
     this->minimizer = this->problem.settings.solver == SolverKind::Adam
       ? MakeAdam(this->problem, std::move(start))
-      : MakePolicy(this->problem, occupancy, std::move(start), this->warm);
+      : MakePolicy(this->problem, std::move(occupancy), std::move(start), this->warm);
     IterationRecord record = this->minimizer->Start();
     record.iteration = this->iterations;
     this->history.push_back(record);

@@ -37,17 +37,4 @@ IterationRecord Terms::Measure(const Problem& problem, const std::vector<float>&
   }
   return record;
 }
-
-double Problem::Regularization(const std::vector<float>& extinction) const
-{
-  const float* now = extinction.data();
-  const float* base = this->baseExtinction;
-  const double sum = ParallelSum(this->grid.NodeCount(),
-    [=](Index voxel)
-    {
-      const double change = double(now[voxel]) - base[voxel];
-      return change * change;
-    });
-  return 0.5 * this->RegularizationWeight() * this->grid.CellVolume() * sum;
-}
 }

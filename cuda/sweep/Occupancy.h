@@ -18,8 +18,8 @@ namespace limpid
 class Occupancy
 {
 public:
-  /// Both fields: grid.NodeCount() values; `importance` is that of nodes, see NodeImportance.h. With
-  /// `skip` off every voxel counts as occupied.
+  /// Both fields: grid.NodeCount() values; `importance` is that of nodes, see NodeImportance.h.
+  /// With `skip` off every voxel counts as occupied.
   Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
 
   struct Spans

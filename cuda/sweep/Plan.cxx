@@ -270,6 +270,13 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
 }
 }
 
+const Occupancy::Spans& SpansOf(
+  const Pyramid& pyramid, const Occupancy& occupancy, int slice, int v)
+{
+  return pyramid.axisV < pyramid.axisW ? occupancy.Row(pyramid.axisU, v, slice)
+                                       : occupancy.Row(pyramid.axisU, slice, v);
+}
+
 std::vector<Pyramid> PlanSweep(
   const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity)
 {

@@ -105,6 +105,10 @@ struct Pyramid
   float RayLength(int column, int row) const;
 };
 
+/// The spans of voxel row `v` on a slice of a pyramid.
+const Occupancy::Spans& SpansOf(
+  const Pyramid& pyramid, const Occupancy& occupancy, int slice, int v);
+
 /// The pyramids that cover a grid as seen from an eye; none if the grid has no volume.
 std::vector<Pyramid> PlanSweep(
   const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity);

@@ -104,19 +104,13 @@ private:
       Interval importantVoxels;
       for (int v = std::max(low, 0); v <= std::min(high, lastVoxel); ++v)
       {
-        const Occupancy::Spans& spans = this->RowOfVoxels(v, station.slice);
+        const Occupancy::Spans& spans = SpansOf(this->Target, this->Source, station.slice, v);
         filledVoxels = Hull(filledVoxels, spans.filled);
         importantVoxels = Hull(importantVoxels, spans.important);
       }
       filled[std::size_t(row)] = RaysThatTouch(filledVoxels, columnNodes);
       important[std::size_t(row)] = RaysThatTouch(importantVoxels, columnNodes);
     }
-  }
-
-  const Occupancy::Spans& RowOfVoxels(int v, int w) const
-  {
-    return this->Target.axisV < this->Target.axisW ? this->Source.Row(this->Target.axisU, v, w)
-                                                   : this->Source.Row(this->Target.axisU, w, v);
   }
 
   /// What is important on a slice is at stake on all slices in front of it.

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "optimize/PolicySweep.h"
+
+#include "energy/GradientVoxel.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+/// The voxels of one row. All arrays are indexed by column.
+struct PolicyRowArrays
+{
+  const float* transmittance; ///< [0, 1]
+  const float* behind;        ///< [scale^2]
+  const float* importance;    ///< [0, 1]
+  const float* base;          ///< [1/length]
+  const float* lagged;        ///< T (V - g) of the other term; null: none
+  float* extinction;          ///< out [1/length]
+};
+
+LIMPID_MULTIVERSION
+void PolicyRow(const PolicyVoxel<float>& policy, const GradientVoxel<float>& gradient,
+  const PolicyRowArrays& arrays, const Interval& columns)
+{
+  const PolicyVoxel<float> voxel = policy;
+  const GradientVoxel<float> derivative = gradient;
+  const float* __restrict transmittance = arrays.transmittance;
+  const float* __restrict behind = arrays.behind;
+  const float* __restrict importance = arrays.importance;
+  const float* __restrict base = arrays.base;
+  const float* __restrict lagged = arrays.lagged;
+  float* __restrict extinction = arrays.extinction;
+  if (lagged)
+  {
+    for (int u = columns.begin; u < columns.end; ++u)
+    {
+      extinction[u] =
+        voxel(base[u], derivative(transmittance[u], behind[u], importance[u]), lagged[u]);
+    }
+  }
+  else
+  {
+    for (int u = columns.begin; u < columns.end; ++u)
+    {
+      extinction[u] = voxel(base[u], derivative(transmittance[u], behind[u], importance[u]), 0.0f);
+    }
+  }
+}
+
+/// Voxels that no important structure of the swept term needs: only the other term counts.
+LIMPID_MULTIVERSION
+void LaggedRow(
+  const PolicyVoxel<float>& policy, const PolicyRowArrays& arrays, const Interval& columns)
+{
+  const PolicyVoxel<float> voxel = policy;
+  const float* __restrict base = arrays.base;
+  const float* __restrict lagged = arrays.lagged;
+  float* __restrict extinction = arrays.extinction;
+  for (int u = columns.begin; u < columns.end; ++u)
+  {
+    extinction[u] = voxel(base[u], 0.0f, lagged ? lagged[u] : 0.0f);
+  }
+}
+
+/// The backward sweep of one pyramid.
+class PolicyVisitor
+{
+public:
+  PolicyVisitor(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
+    : Source(pyramid)
+    , Occupied(*task.occupancy)
+    , Images(images)
+    , Voxel(task.voxel)
+    , TrustTransmittance(task.trust == Trust::LastIterate)
+    , Widens(task.derivative == Derivative::Volume)
+    , HasLagged(task.fields.lagged != nullptr)
+    , Base(pyramid, *task.grid, task.fields.base)
+    , Importance(pyramid, *task.grid, task.fields.importance)
+    , NodeImportance(pyramid, *task.grid, task.fields.nodeImportance)
+    , Extinction(pyramid, *task.grid, task.fields.extinction)
+    , Lagged(pyramid, *task.grid, task.fields.lagged)
+    , Next(pyramid, *task.grid, task.fields.next)
+    , Ahead(images.behind.size(), 0.0f)
+  {
+    std::fill(images.behind.begin(), images.behind.end(), 0.0f);
+    std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
+  }
+
+  void Load(const Slab& slab)
+  {
+    this->Base.Load(slab, 0);
+    this->NodeImportance.Load(slab, 0);
+    this->Importance.Load(slab, 2);
+    this->Next.Load(slab, 2);
+    if (this->TrustTransmittance)
+    {
+      this->Extinction.Load(slab, 1);
+    }
+    if (this->HasLagged)
+    {
+      this->Lagged.Load(slab, 0);
+    }
+  }
+
+  void Store(const Slab& slab) { this->Next.Store(slab); }
+
+  /// Moves a row of rays to station `s`, whose voxels are to be found next. The voxels behind are
+  /// final.
+  void RayRow(int s, int row)
+  {
+    float* memory =
+      ThreadScratch(4 * std::size_t(this->Source.columns) + ScratchSize(this->Source));
+    const int last = this->Source.LastStation();
+    if (s + 1 < last)
+    {
+      this->CarryThroughLayer(s + 1, row, memory);
+    }
+    if (s < last)
+    {
+      this->LookAhead(s, row, memory);
+    }
+    if (this->TrustTransmittance)
+    {
+      this->UnwindTransmittance(s, row, memory);
+    }
+  }
+
+  void VoxelRow(int s, int v)
+  {
+    const Station& station = this->Source.stations[std::size_t(s)];
+    const Interval owned = Intersection(
+      station.ownedColumns, SpansOf(this->Source, this->Occupied, station.slice, v).filled);
+    if (owned.Empty())
+    {
+      return;
+    }
+    const Interval columns = Intersection(this->Source.VoxelColumns(station, v), owned);
+    PolicyRowArrays arrays{};
+    arrays.base = this->Base.Row(station.slice, v);
+    arrays.lagged = this->HasLagged ? this->Lagged.Row(station.slice, v) : nullptr;
+    arrays.extinction = this->Next.Row(station.slice, v);
+    if (columns.Empty())
+    {
+      LaggedRow(this->Voxel, arrays, owned);
+      return;
+    }
+    LaggedRow(this->Voxel, arrays, { owned.begin, columns.begin });
+    LaggedRow(this->Voxel, arrays, { columns.end, owned.end });
+
+    const auto nodes = std::size_t(this->Source.nodesU);
+    float* memory = ThreadScratch(3 * nodes + ScratchSize(this->Source));
+    float* scratch = memory + 3 * nodes;
+    if (this->TrustTransmittance)
+    {
+      SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, memory);
+    }
+    else
+    {
+      std::fill(memory + columns.begin, memory + columns.end, 1.0f);
+    }
+    SampleRays(this->Source, station, v, columns, this->Ahead, scratch, memory + nodes);
+    arrays.transmittance = memory;
+    arrays.behind = memory + nodes;
+    arrays.importance = this->NodeImportance.Row(station.slice, v);
+    if (!this->Source.inView.empty())
+    {
+      float* seen = memory + 2 * nodes;
+      SampleRays(this->Source, station, v, columns, this->Source.inView, scratch, seen);
+      MultiplyRow(seen, arrays.importance, columns);
+      arrays.importance = seen;
+    }
+    const float area = this->Widens ? station.scale * station.scale : 1.0f;
+    PolicyRow(this->Voxel, { 1.0f / area }, arrays, columns);
+  }
+
+private:
+  limpid::RayRow Rays(int s, int row) const
+  {
+    limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);
+    if (!this->Widens)
+    {
+      rays.layer.frontScale = rays.layer.backScale = 1;
+    }
+    return rays;
+  }
+
+  const Plane& PlaneAt(int s, int half) const
+  {
+    return this->Source.stations[std::size_t(s)].planes[std::size_t(half)];
+  }
+
+  /// Visible importance of a row of rays from the back of layer `s` to its front.
+  void CarryThroughLayer(int s, int row, float* memory)
+  {
+    const std::size_t columns = std::size_t(this->Source.columns);
+    float* scratch = memory + 4 * columns;
+    limpid::RayRow rays = this->Rays(s, row);
+    for (int half = 0; half < 2; ++half)
+    {
+      float* extinction = memory + std::size_t(half) * columns;
+      float* importance = memory + std::size_t(half + 2) * columns;
+      SamplePlane(
+        this->PlaneAt(s, half), row, rays.work, Slices::Both, this->Next, scratch, extinction);
+      SamplePlane(this->PlaneAt(s, half), row, rays.work, Slices::Both, this->Importance, scratch,
+        importance);
+      HideOutOfView(this->Source, row, rays.work, importance);
+      rays.extinction[half] = extinction;
+      rays.importance[half] = importance;
+    }
+    BackwardRow(rays, this->Images.behind.data() + std::size_t(row) * columns);
+  }
+
+  /// Visible importance in the middle of layer `s`. The rear half of the layer is taken to be as
+  /// opaque as the slice behind it, as the slice in front is not known yet.
+  void LookAhead(int s, int row, float* memory)
+  {
+    const std::size_t columns = std::size_t(this->Source.columns);
+    float* scratch = memory + 4 * columns;
+    limpid::RayRow rays = this->Rays(s, row);
+    float* extinction = memory;
+    float* importance = memory + columns;
+    const Plane& plane = this->PlaneAt(s, 1);
+    SamplePlane(plane, row, rays.work, Slices::Rear, this->Next, scratch, extinction);
+    SamplePlane(plane, row, rays.work, Slices::Both, this->Importance, scratch, importance);
+    HideOutOfView(this->Source, row, rays.work, importance);
+    rays.extinction[0] = rays.extinction[1] = extinction;
+    rays.importance[0] = rays.importance[1] = importance;
+    RearHalfRow(rays, this->Images.behind.data() + std::size_t(row) * columns,
+      this->Ahead.data() + std::size_t(row) * columns);
+  }
+
+  /// Transmittance on station `s` through the last iterate.
+  void UnwindTransmittance(int s, int row, float* memory)
+  {
+    const std::size_t columns = std::size_t(this->Source.columns);
+    double* opticalDepth = this->Images.opticalDepth.data() + std::size_t(row) * columns;
+    const bool last = s == this->Source.LastStation();
+    if (!last)
+    {
+      limpid::RayRow rays = this->Rays(s, row);
+      for (int half = 0; half < 2; ++half)
+      {
+        float* extinction = memory + std::size_t(half) * columns;
+        SamplePlane(this->PlaneAt(s, half), row, rays.work, Slices::Both, this->Extinction,
+          memory + 4 * columns, extinction);
+        rays.extinction[half] = rays.importance[half] = extinction; // importance is not used
+      }
+      UnwindRow(rays, opticalDepth);
+    }
+    TransmitRays(this->Source, s, row, last ? nullptr : memory, this->Images);
+  }
+
+  const Pyramid& Source;
+  const Occupancy& Occupied;
+  RayImages& Images;
+  PolicyVoxel<float> Voxel;
+  bool TrustTransmittance;
+  bool Widens;
+  bool HasLagged;
+  SliceWindow Base;
+  SliceWindow Importance;
+  SliceWindow NodeImportance;
+  SliceWindow Extinction;
+  SliceWindow Lagged;
+  SliceWindow Next;
+  std::vector<float> Ahead; ///< visible importance half way to the station behind
+};
+}
+
+void SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
+{
+  PolicyVisitor visitor(pyramid, task, images);
+  SweepBackward(pyramid, visitor);
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_PolicySweep_h
+#define limpid_optimize_PolicySweep_h
+
+#include "optimize/PolicyVoxel.h"
+#include "optimize/Settings.h"
+#include "sweep/Sweep.h"
+
+namespace limpid
+{
+/// Fields of a policy sweep, grid.NodeCount() values each.
+struct PolicyFields
+{
+  const float* base;           ///< [1/length]
+  const float* importance;     ///< [0, 1]
+  const float* nodeImportance; ///< see NodeImportance.h [0, 1]
+  const float* extinction;     ///< the last iterate [1/length]
+  const float* lagged;         ///< T (V - g) of the other term; null: none
+  float* next;                 ///< the next iterate [1/length]
+};
+
+/// Which transmittance a policy sweep believes in.
+enum class Trust
+{
+  Clear,      ///< nothing is in the way: T = 1
+  LastIterate ///< that of the last iterate, whose optical depths are in the images
+};
+
+/// What the sweeps of all pyramids have in common.
+struct PolicyTask
+{
+  const Grid* grid;
+  const Occupancy* occupancy;
+  PolicyVoxel<float> voxel;
+  PolicyFields fields;
+  Trust trust;
+  Derivative derivative;
+};
+
+/// One backward policy sweep: finds the next iterate in all voxels of a pyramid.
+void SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images);
+}
+
+#endif
