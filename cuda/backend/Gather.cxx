@@ -30,14 +30,16 @@ void InterpolateScalar(const float* __restrict source, const int* __restrict ind
 __attribute__((target("avx512f"))) void InterpolateAvx512(
   const float* source, const int* index, const float* weight, int count, float* out)
 {
-  int i = 0;
-  for (; i + 16 <= count; i += 16)
+  for (int i = 0; i < count; i += 16)
   {
+    const int many = count - i < 16 ? count - i : 16;
+    const auto mask = static_cast<__mmask16>((1u << many) - 1);
     const int first = index[i];
-    const __m512i at = _mm512_sub_epi32(_mm512_loadu_si512(index + i), _mm512_set1_epi32(first));
+    const __m512i at =
+      _mm512_sub_epi32(_mm512_maskz_loadu_epi32(mask, index + i), _mm512_set1_epi32(first));
     __m512 a;
     __m512 b;
-    if (index[i + 15] - first < 31)
+    if (index[i + many - 1] - first < 31)
     {
       const __m512 low = _mm512_loadu_ps(source + first);
       const __m512 high = _mm512_loadu_ps(source + first + 16);
@@ -47,13 +49,12 @@ __attribute__((target("avx512f"))) void InterpolateAvx512(
     else
     {
       const __m512 zero = _mm512_setzero_ps(); // the unmasked form trips GCC 12's warnings
-      a = _mm512_mask_i32gather_ps(zero, 0xffff, at, source + first, 4);
-      b = _mm512_mask_i32gather_ps(zero, 0xffff, at, source + first + 1, 4);
+      a = _mm512_mask_i32gather_ps(zero, mask, at, source + first, 4);
+      b = _mm512_mask_i32gather_ps(zero, mask, at, source + first + 1, 4);
     }
-    const __m512 t = _mm512_loadu_ps(weight + i);
-    _mm512_storeu_ps(out + i, _mm512_fmadd_ps(t, _mm512_sub_ps(b, a), a));
+    const __m512 t = _mm512_maskz_loadu_ps(mask, weight + i);
+    _mm512_mask_storeu_ps(out + i, mask, _mm512_fmadd_ps(t, _mm512_sub_ps(b, a), a));
   }
-  InterpolateScalar(source, index + i, weight + i, count - i, out + i);
 }
 
 /// 8 targets at a time whose sources lie in two registers.

@@ -113,7 +113,8 @@ public:
   {
     const Station& station = this->Source.stations[std::size_t(s)];
     const Interval columns =
-      Intersection(this->Source.VoxelColumns(station, v), station.ownedColumns);
+      FilledRegisters(Intersection(this->Source.VoxelColumns(station, v), station.ownedColumns),
+        station.ownedColumns);
     if (columns.Empty())
     {
       return;

@@ -132,13 +132,15 @@ public:
   void VoxelRow(int s, int v)
   {
     const Station& station = this->Source.stations[std::size_t(s)];
-    const Interval owned = Intersection(
-      station.ownedColumns, SpansOf(this->Source, this->Occupied, station.slice, v).filled);
+    const Interval filled = SpansOf(this->Source, this->Occupied, station.slice, v).filled;
+    const Interval owned =
+      FilledRegisters(Intersection(station.ownedColumns, filled), station.ownedColumns);
     if (owned.Empty())
     {
       return;
     }
-    const Interval columns = Intersection(this->Source.VoxelColumns(station, v), owned);
+    const Interval columns =
+      FilledRegisters(Intersection(this->Source.VoxelColumns(station, v), owned), owned);
     PolicyRowArrays arrays{};
     arrays.base = this->Base.Row(station.slice, v);
     arrays.lagged = this->HasLagged ? this->Lagged.Row(station.slice, v) : nullptr;

@@ -45,6 +45,8 @@ public:
   /// Writes the slices of the slab back.
   void Store(const Slab& slab);
 
+  int ColumnCount() const { return this->Columns; }
+
   /// Row `v` of the slice: one value per column.
   float* Row(int slice, int v)
   {

@@ -63,19 +63,21 @@ void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices sl
   const auto r = std::size_t(row);
   const int v = plane.rayRows.index[r];
   const float across = plane.rayRows.weight[r];
-  const int begin = plane.rayColumns.index[std::size_t(columns.begin)];
-  const int end = plane.rayColumns.index[std::size_t(columns.end) - 1] + 2;
+  const Interval read =
+    FilledRegisters({ plane.rayColumns.index[std::size_t(columns.begin)],
+                      plane.rayColumns.index[std::size_t(columns.end) - 1] + 2 },
+      { 0, field.ColumnCount() });
   const float* back[2] = { field.Row(plane.slices[1], v), field.Row(plane.slices[1], v + 1) };
   if (slices == Slices::Rear)
   {
-    BlendRows(back[0], back[1], across, begin, end, scratch);
+    BlendRows(back[0], back[1], across, read.begin, read.end, scratch);
   }
   else
   {
     const float* rows[2][2] = {
       { field.Row(plane.slices[0], v), field.Row(plane.slices[0], v + 1) }, { back[0], back[1] }
     };
-    BlendFourRows(rows, across, plane.fraction, begin, end, scratch);
+    BlendFourRows(rows, across, plane.fraction, read.begin, read.end, scratch);
   }
   InterpolateRow(scratch, plane.rayColumns, columns, out);
 }
@@ -88,12 +90,13 @@ void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Int
     return;
   }
   const LinearMap& map = station.voxelColumns;
-  const int begin = map.index[std::size_t(columns.begin)];
-  const int end = map.index[std::size_t(columns.end) - 1] + 2;
+  const Interval read = FilledRegisters(
+    { map.index[std::size_t(columns.begin)], map.index[std::size_t(columns.end) - 1] + 2 },
+    { 0, pyramid.columns });
   const int row = station.voxelRows.index[std::size_t(v)];
   const float* first = image.data() + std::size_t(row) * pyramid.columns;
-  BlendRows(
-    first, first + pyramid.columns, station.voxelRows.weight[std::size_t(v)], begin, end, scratch);
+  BlendRows(first, first + pyramid.columns, station.voxelRows.weight[std::size_t(v)], read.begin,
+    read.end, scratch);
   InterpolateRow(scratch, map, columns, out);
 }
 

@@ -76,7 +76,7 @@ public:
       {
         const Interval touched =
           s + 1 < count ? Hull(filled[s][row], filled[s + 1][row]) : filled[s][row];
-        station.work[row] = Intersection(needed[s][row], touched);
+        station.work[row] = FilledRegisters(Intersection(needed[s][row], touched), all);
       }
     }
   }
