@@ -91,22 +91,6 @@ double ParallelBlockSum(Index count, const Body& body)
   }
   return total;
 }
-
-/// Sum over all indices of body(index), likewise.
-template <class Body>
-double ParallelSum(Index count, const Body& body)
-{
-  return ParallelBlockSum(count,
-    [&](Index begin, Index end)
-    {
-      double sum = 0;
-      for (Index index = begin; index < end; ++index)
-      {
-        sum += body(index);
-      }
-      return sum;
-    });
-}
 }
 
 #endif

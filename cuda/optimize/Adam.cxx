@@ -6,6 +6,7 @@
 #include "energy/NodeImportance.h"
 #include "optimize/AdamVoxel.h"
 #include "optimize/Levels.h"
+#include "optimize/Sums.h"
 #include "optimize/Terms.h"
 
 #include <algorithm>
@@ -45,6 +46,33 @@ Eye Rescaled(const Eye& eye, const Grid& from, const Grid& to)
     plane.normal = plane.normal / scale;
   }
   return other;
+}
+
+LIMPID_MULTIVERSION
+void StepRange(const AdamVoxel<float>& body, Index begin, Index end)
+{
+  const AdamVoxel<float> voxel = body;
+#pragma GCC ivdep
+  for (Index i = begin; i < end; ++i)
+  {
+    voxel(i);
+  }
+}
+
+/// A step in [begin, end). Returns the sum of the changes [1/length].
+double StepBlock(const AdamVoxel<float>& body, Index begin, Index end)
+{
+  constexpr Index chunk = 1024;
+  float before[chunk];
+  double sum = 0;
+  for (Index first = begin; first < end; first += chunk)
+  {
+    const Index last = std::min(first + chunk, end);
+    std::copy(body.extinction + first, body.extinction + last, before);
+    StepRange(body, first, last);
+    sum += SumOfChanges(body.extinction + first, before, last - first);
+  }
+  return sum;
 }
 
 class Adam : public Minimizer
@@ -208,14 +236,8 @@ private:
     body.secondCorrection = static_cast<float>(1.0 / (1.0 - std::pow(0.999, here.count)));
     body.floor = static_cast<float>(1e-6 * std::max(settings.weights.view, settings.weights.light));
     body.majorant = here.task.majorant;
-    const float* extinction = here.extinction.data();
-    const double sum = ParallelSum(here.task.grid.NodeCount(),
-      [=](Index voxel)
-      {
-        const float before = extinction[voxel];
-        body(voxel);
-        return std::abs(double(extinction[voxel]) - before);
-      });
+    const double sum = ParallelBlockSum(here.task.grid.NodeCount(),
+      [&](Index begin, Index end) { return StepBlock(body, begin, end); });
     const double scale = double(std::max<Index>(here.filledVoxels, 1)) * here.task.majorant;
     this->Change = scale > 0 ? sum / scale : 0.0;
   }

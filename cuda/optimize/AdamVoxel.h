@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_AdamVoxel_h
 #define limpid_optimize_AdamVoxel_h
 
+#include "backend/Simd.h"
 #include "math/Vec.h"
 
 #include <cmath>
@@ -31,7 +32,7 @@ struct AdamVoxel
   Real floor;            ///< epsilon
   Real majorant;         ///< [1/length]
 
-  LIMPID_HD void operator()(Index voxel) const
+  LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
   {
     constexpr Real beta1 = Real(0.9);
     constexpr Real beta2 = Real(0.999);

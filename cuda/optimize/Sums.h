@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Sums_h
+#define limpid_optimize_Sums_h
+
+#include "math/Vec.h"
+
+namespace limpid
+{
+/// Sum of (a - b)^2 over `count` values.
+double SumOfSquares(const float* a, const float* b, Index count);
+
+/// Sum of |a - b| over `count` values.
+double SumOfChanges(const float* a, const float* b, Index count);
+}
+
+#endif
