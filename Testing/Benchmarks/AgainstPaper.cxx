@@ -130,7 +130,7 @@ void WriteAgainstPaper(
   stream << "\n## The paper's scheme\n\n"
          << "An Adam iteration at full resolution, camera and light, single precision: perspective "
             "grids with "
-         << Significant(options.paperSamples, 2)
+         << options.paperSamples
          << " samples per voxel and axis (Eqs. 13, 17–20, 26–28) beside Limpid's sweeps with their "
             "defaults, in turns, after one iteration of each as warm-up; medians.\n";
   WriteTimes(stream, results);

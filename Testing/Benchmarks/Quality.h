@@ -37,6 +37,7 @@ struct QualityResult
 {
   std::string scene;
   CheckedScore base;
+  double baseFraction = 0; ///< as reported [0, 1]
   RunResult policy;
   RunResult adam;
 };

@@ -8,6 +8,8 @@
 
 #include "backend/Backend.h"
 
+#include <algorithm>
+
 namespace limpid::benchmark
 {
 namespace
@@ -77,6 +79,18 @@ double SpreadOfWhole(const std::vector<RunTimes>& runs)
   return Spread(values);
 }
 
+/// The load before the start says nothing about what others do meanwhile; the spread does.
+void WarnOfNoise(std::ostream& stream, const std::vector<TimeResult>& results)
+{
+  const bool noisy = std::any_of(
+    results.begin(), results.end(), [](const TimeResult& result) { return result.spread > 0.2; });
+  if (noisy)
+  {
+    stream << "**The machine was busy while this was measured (a spread above 20 %): all times are "
+              "preliminary.**\n\n";
+  }
+}
+
 void WriteDefaults(std::ostream& stream, const std::vector<TimeResult>& results)
 {
   Table table({ "scene", "voxels", "setup [ms]", "first pass [ms]", "setup + first pass [ms]",
@@ -140,6 +154,7 @@ void WriteTime(std::ostream& stream, const std::vector<TimeResult>& results, con
             "and energy of the base extinction. Spread: slowest less fastest whole run over the "
             "median; much more than 10 % means that the machine was busy.\n";
   WriteDefaults(stream, results);
+  WarnOfNoise(stream, results);
   WriteSkips(stream, results);
 }
 }
