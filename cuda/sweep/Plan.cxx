@@ -36,6 +36,10 @@ Interval Pyramid::VoxelColumns(const Station& station, int v) const
 
 namespace
 {
+/// A slice closer to a point eye holds no voxel but the eye's own, and rays have no width there
+/// [index].
+constexpr double nearestSlice = 1e-6;
+
 /// The depth axis of a pyramid: depth of a node k is sign (k - origin).
 struct DepthAxis
 {
@@ -136,7 +140,7 @@ double PlaceStations(Pyramid& pyramid, const DepthAxis& depth)
     Station station;
     station.slice = slice;
     station.depth = depth.Of(slice);
-    if (!depth.parallel && !(station.depth > 0))
+    if (!depth.parallel && !(station.depth > nearestSlice))
     {
       continue;
     }
@@ -232,7 +236,7 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
   depth.sign = sign;
   depth.nodes = grid.nodes[axisW];
   depth.origin = eye.parallel ? (sign > 0 ? 0.0 : depth.nodes - 1.0) : eye.origin[axisW];
-  if (!(depth.Far() > 0))
+  if (!(depth.Far() > nearestSlice))
   {
     return pyramid;
   }

@@ -36,6 +36,8 @@ struct Station
   LinearMap voxelRows;    ///< voxel row -> ray row
   Interval ownedColumns;  ///< voxels of this slice that belong to this pyramid
   Interval ownedRows;
+  Interval touchedColumns; ///< voxels of this slice that rays read, and the owned ones
+  Interval touchedRows;
   std::vector<float> columnEntry; ///< per voxel column: relative depth where its rays enter in u
   std::vector<float> rowEntry;    ///< per voxel row: ... in v
 

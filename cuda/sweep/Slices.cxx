@@ -11,7 +11,8 @@ namespace limpid
 {
 namespace
 {
-constexpr int slicesPerSlab = 16; // floats in a cache line of 64 bytes
+constexpr int slicesPerSlab = 16;  // floats in a cache line of 64 bytes
+constexpr int columnsPerTile = 16; // cache lines that a tile of columns reads again and again
 }
 
 std::vector<Slab> SlabsOf(const Pyramid& pyramid)
@@ -67,28 +68,46 @@ SliceWindow::Range SliceWindow::SlicesOf(int begin, int end) const
   return { std::max(low, 0), low < 0 ? 0 : high - low + 1 };
 }
 
+Interval SliceWindow::HullOf(int begin, int end, Interval Station::*part) const
+{
+  Interval hull;
+  for (int s = begin; s < end; ++s)
+  {
+    hull = Hull(hull, this->Source->stations[std::size_t(s)].*part);
+  }
+  return hull;
+}
+
 void SliceWindow::Load(const Slab& slab, int behind)
 {
   if (!this->Transposed)
   {
     return;
   }
-  const int last = this->Source->LastStation() + 1;
-  const Range range = this->SlicesOf(slab.begin, std::min(slab.end + behind, last));
+  const int end = std::min(slab.end + behind, this->Source->LastStation() + 1);
+  const Range range = this->SlicesOf(slab.begin, end);
+  const Interval columns = this->HullOf(slab.begin, end, &Station::touchedColumns);
+  const Interval rows = this->HullOf(slab.begin, end, &Station::touchedRows);
+  const Index slice = Index(this->Rows) * this->Columns;
+  const Index pitch = this->StrideV / this->Columns; // nodes along x
   this->First = range.first;
-  this->Buffer.resize(std::size_t(range.count) * this->Rows * this->Columns);
+  this->Buffer.resize(std::size_t(range.count * slice));
   // Slices along x, columns along y, rows along z.
-  ParallelFor(this->Rows,
-    [&](Index v)
+  ParallelFor(rows.end - rows.begin,
+    [&](Index row)
     {
-      const Index pitch = this->StrideV / this->Columns; // nodes along x
-      for (int u = 0; u < this->Columns; ++u)
+      const Index v = rows.begin + row;
+      const float* source = this->Field + this->StrideV * v + range.first;
+      float* target = this->Buffer.data() + v * this->Columns;
+      for (int tile = columns.begin; tile < columns.end; tile += columnsPerTile)
       {
-        const float* source = this->Field + this->StrideV * v + pitch * u + range.first;
-        float* target = this->Buffer.data() + v * this->Columns + u;
-        for (int slice = 0; slice < range.count; ++slice)
+        const int last = std::min(tile + columnsPerTile, columns.end);
+        for (int k = 0; k < range.count; ++k)
         {
-          target[std::size_t(slice) * this->Rows * this->Columns] = source[slice];
+          for (int u = tile; u < last; ++u)
+          {
+            target[k * slice + u] = source[pitch * u + k];
+          }
         }
       }
     });
@@ -101,18 +120,22 @@ void SliceWindow::Store(const Slab& slab)
     return;
   }
   const Range range = this->SlicesOf(slab.begin, slab.end);
-  ParallelFor(this->Rows,
-    [&](Index v)
+  const Interval columns = this->HullOf(slab.begin, slab.end, &Station::ownedColumns);
+  const Interval rows = this->HullOf(slab.begin, slab.end, &Station::ownedRows);
+  const Index slice = Index(this->Rows) * this->Columns;
+  const Index pitch = this->StrideV / this->Columns;
+  ParallelFor(rows.end - rows.begin,
+    [&](Index row)
     {
-      const Index pitch = this->StrideV / this->Columns;
-      for (int u = 0; u < this->Columns; ++u)
+      const Index v = rows.begin + row;
+      float* target = this->Field + this->StrideV * v + range.first;
+      const float* source =
+        this->Buffer.data() + (range.first - this->First) * slice + v * this->Columns;
+      for (int u = columns.begin; u < columns.end; ++u)
       {
-        float* target = this->Field + this->StrideV * v + pitch * u + range.first;
-        const float* source = this->Buffer.data() + v * this->Columns + u;
-        for (int slice = 0; slice < range.count; ++slice)
+        for (int k = 0; k < range.count; ++k)
         {
-          target[slice] =
-            source[std::size_t(range.first - this->First + slice) * this->Rows * this->Columns];
+          target[pitch * u + k] = source[k * slice + u];
         }
       }
     });

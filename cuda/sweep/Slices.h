@@ -62,6 +62,7 @@ private:
     int count;
   };
   Range SlicesOf(int begin, int end) const;
+  Interval HullOf(int begin, int end, Interval Station::*part) const;
 
   const Pyramid* Source;
   float* Field;

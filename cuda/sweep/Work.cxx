@@ -79,9 +79,49 @@ public:
         station.work[row] = FilledRegisters(Intersection(needed[s][row], touched), all);
       }
     }
+    this->FindTouched();
   }
 
 private:
+  /// Voxels that a sweep reads or writes on each slice.
+  void FindTouched() const
+  {
+    std::vector<Station>& stations = this->Target.stations;
+    for (Station& station : stations)
+    {
+      station.touchedColumns = station.ownedColumns;
+      station.touchedRows = station.ownedRows;
+    }
+    for (std::size_t s = 0; s + 1 < stations.size(); ++s)
+    {
+      Interval rows;
+      Interval columns;
+      for (int row = 0; row < this->Target.rows; ++row)
+      {
+        const Interval& work = stations[s].work[std::size_t(row)];
+        columns = Hull(columns, work);
+        rows = work.Empty() ? rows : Hull(rows, { row, row + 1 });
+      }
+      for (const Plane& plane : stations[s].planes)
+      {
+        for (Station* station : { &stations[s], &stations[s + 1] })
+        {
+          station->touchedColumns =
+            Hull(station->touchedColumns, SourcesOf(plane.rayColumns, columns));
+          station->touchedRows = Hull(station->touchedRows, SourcesOf(plane.rayRows, rows));
+        }
+      }
+    }
+  }
+
+  /// Sources that the targets in an interval of a map with ascending indices read.
+  static Interval SourcesOf(const LinearMap& map, const Interval& targets)
+  {
+    return targets.Empty() ? Interval{}
+                           : Interval{ map.index[std::size_t(targets.begin)],
+                               map.index[std::size_t(targets.end) - 1] + 2 };
+  }
+
   void FindOccupied(
     std::size_t s, std::vector<Interval>& filled, std::vector<Interval>& important) const
   {
