@@ -12,6 +12,8 @@ packages=(
   g++ cmake ninja-build libglm-dev libtbb-dev
   # ParaView and what its CMake files look for
   paraview-dev python3-paraview python3-dev libopenmpi-dev libglew-dev libfreetype-dev
+  # the button in ParaView's window (optional, see LIMPID_ENABLE_GUI)
+  qtbase5-dev libqt5opengl5-dev qttools5-dev
   # tests and benchmarks
   libgtest-dev nlohmann-json3-dev libbenchmark-dev
   # pictures without a screen

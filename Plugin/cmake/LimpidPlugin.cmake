@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The ParaView plugin: lib/Limpid/Limpid.so.
+# The ParaView plugin: lib/Limpid/Limpid.so, and for ParaView's window lib/LimpidGui/LimpidGui.so.
 
 include(PredeclareMissingPythonTargets)
 limpid_predeclare_missing_python_targets(ParaView)
@@ -14,8 +14,14 @@ find_package(ParaView 5.11 REQUIRED
   OPTIONAL_COMPONENTS RemotingServerManager)
 message(STATUS "Limpid: plugin for ParaView ${ParaView_VERSION} (VTK ${VTK_VERSION})")
 
+include(LimpidGui)
+set(plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
+if (LIMPID_GUI)
+  list(APPEND plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Gui/paraview.plugin")
+endif ()
+
 paraview_plugin_scan(
-  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PLUGIN_FILES ${plugin_files}
   PROVIDES_PLUGINS plugins
   ENABLE_BY_DEFAULT ON)
 paraview_plugin_build(
