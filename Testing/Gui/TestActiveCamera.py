@@ -28,6 +28,7 @@ def main():
     seen.UpdatePipeline()
     Show(seen, view)
     SetActiveSource(seen)
+    Render(view)  # the first time it resets the camera
 
     # Thirds, tenths and square roots: digits that get lost wherever a value is shortened.
     view.CameraPosition = [4 / 3, -5 / 7, 3.1]
@@ -37,8 +38,8 @@ def main():
     view.CameraParallelProjection = 1
     view.CameraParallelScale = 2 ** 0.5
     Render(view)
-    if not differences(seen, view):
-        print("the filter has the view's camera before the button is pressed")
+    if len(differences(seen, view)) != len(NAMES) + 1:  # the aspect ratio is no property of a view
+        print("some property of the filter is the view's before the button is pressed")
         return
 
     # Apply sends one property after the other, so all but the last report may be differences.
