@@ -48,30 +48,17 @@ public:
   /// Moves a row of rays to station `s`.
   void RayRow(int s, int row)
   {
-    const auto columns = std::size_t(this->Source.columns);
-    const std::size_t first = std::size_t(row) * columns;
-    const Station& station = this->Source.stations[std::size_t(s)];
-    float* memory = ThreadScratch(4 * columns + ScratchSize(this->Source));
+    const std::size_t first = std::size_t(row) * this->Source.columns;
+    float* memory = ThreadScratch(LayerMemory(this->Source));
     const bool last = s == this->Source.LastStation();
     if (!last)
     {
-      float* scratch = memory + 4 * columns;
       limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);
       if (!this->Widens)
       {
         rays.layer.frontScale = rays.layer.backScale = 1;
       }
-      for (int half = 0; half < 2; ++half)
-      {
-        const Plane& plane = station.planes[std::size_t(half)];
-        float* extinction = memory + std::size_t(half) * columns;
-        float* importance = memory + std::size_t(half + 2) * columns;
-        SamplePlane(plane, row, rays.work, Slices::Both, this->Extinction, scratch, extinction);
-        SamplePlane(plane, row, rays.work, Slices::Both, this->Importance, scratch, importance);
-        HideOutOfView(this->Source, row, rays.work, importance);
-        rays.extinction[half] = extinction;
-        rays.importance[half] = importance;
-      }
+      SampleLayer(this->Source, s, row, this->Extinction, this->Importance, memory, rays);
       BackwardRow(rays, this->Images.behind.data() + first);
       UnwindRow(rays, this->Images.opticalDepth.data() + first);
     }

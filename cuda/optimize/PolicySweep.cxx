@@ -112,8 +112,7 @@ public:
   /// final.
   void RayRow(int s, int row)
   {
-    float* memory =
-      ThreadScratch(4 * std::size_t(this->Source.columns) + ScratchSize(this->Source));
+    float* memory = ThreadScratch(LayerMemory(this->Source));
     const int last = this->Source.LastStation();
     if (s + 1 < last)
     {
@@ -198,22 +197,9 @@ private:
   /// Visible importance of a row of rays from the back of layer `s` to its front.
   void CarryThroughLayer(int s, int row, float* memory)
   {
-    const std::size_t columns = std::size_t(this->Source.columns);
-    float* scratch = memory + 4 * columns;
     limpid::RayRow rays = this->Rays(s, row);
-    for (int half = 0; half < 2; ++half)
-    {
-      float* extinction = memory + std::size_t(half) * columns;
-      float* importance = memory + std::size_t(half + 2) * columns;
-      SamplePlane(
-        this->PlaneAt(s, half), row, rays.work, Slices::Both, this->Next, scratch, extinction);
-      SamplePlane(this->PlaneAt(s, half), row, rays.work, Slices::Both, this->Importance, scratch,
-        importance);
-      HideOutOfView(this->Source, row, rays.work, importance);
-      rays.extinction[half] = extinction;
-      rays.importance[half] = importance;
-    }
-    BackwardRow(rays, this->Images.behind.data() + std::size_t(row) * columns);
+    SampleLayer(this->Source, s, row, this->Next, this->Importance, memory, rays);
+    BackwardRow(rays, this->Images.behind.data() + std::size_t(row) * this->Source.columns);
   }
 
   /// Visible importance in the middle of layer `s`. The rear half of the layer is taken to be as

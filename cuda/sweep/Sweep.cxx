@@ -159,6 +159,29 @@ void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, flo
   }
 }
 
+std::size_t LayerMemory(const Pyramid& pyramid)
+{
+  return 4 * std::size_t(pyramid.columns) + ScratchSize(pyramid);
+}
+
+void SampleLayer(const Pyramid& pyramid, int s, int row, SliceWindow& extinction,
+  SliceWindow& importance, float* memory, RayRow& rays)
+{
+  const auto columns = std::size_t(pyramid.columns);
+  float* scratch = memory + 4 * columns;
+  for (int half = 0; half < 2; ++half)
+  {
+    const Plane& plane = pyramid.stations[std::size_t(s)].planes[std::size_t(half)];
+    float* extinctions = memory + std::size_t(half) * columns;
+    float* importances = memory + std::size_t(half + 2) * columns;
+    SamplePlane(plane, row, rays.work, Slices::Both, extinction, scratch, extinctions);
+    SamplePlane(plane, row, rays.work, Slices::Both, importance, scratch, importances);
+    HideOutOfView(pyramid, row, rays.work, importances);
+    rays.extinction[half] = extinctions;
+    rays.importance[half] = importances;
+  }
+}
+
 namespace
 {
 /// The forward sweep of one pyramid; one call of Row moves a row of rays through a slab.
@@ -187,22 +210,11 @@ public:
   {
     const std::size_t columns = std::size_t(this->Source.columns);
     const std::size_t first = std::size_t(row) * columns;
-    float* memory = ThreadScratch(4 * columns + ScratchSize(this->Source));
-    float* scratch = memory + 4 * columns;
+    float* memory = ThreadScratch(LayerMemory(this->Source));
     for (int s = slab.begin; s < std::min(slab.end, this->Source.LastStation()); ++s)
     {
       RayRow rays = RaysOf(this->Source, this->Images, s, row);
-      for (int half = 0; half < 2; ++half)
-      {
-        const Plane& plane = this->Source.stations[std::size_t(s)].planes[std::size_t(half)];
-        float* extinction = memory + std::size_t(half) * columns;
-        float* importance = memory + std::size_t(half + 2) * columns;
-        SamplePlane(plane, row, rays.work, Slices::Both, this->Extinction, scratch, extinction);
-        SamplePlane(plane, row, rays.work, Slices::Both, this->Importance, scratch, importance);
-        HideOutOfView(this->Source, row, rays.work, importance);
-        rays.extinction[half] = extinction;
-        rays.importance[half] = importance;
-      }
+      SampleLayer(this->Source, s, row, this->Extinction, this->Importance, memory, rays);
       ForwardRow(rays, this->Images.opticalDepth.data() + first, this->Images.behind.data() + first,
         this->Images.plain.data() + first);
     }

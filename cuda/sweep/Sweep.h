@@ -70,6 +70,15 @@ void TransmitRays(
 void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
   const Interval& columns, const RayImages& images, float* scratch, float* out);
 
+/// Samples a row of rays at both Gauss points of the layer behind station `s` and lets `rays` point
+/// to the samples. `memory`: LayerMemory(pyramid) values.
+void SampleLayer(const Pyramid& pyramid, int s, int row, SliceWindow& extinction,
+  SliceWindow& importance, float* memory, RayRow& rays);
+
+/// Number of values that the samples of a row of rays in a layer need, scratch included; the
+/// scratch begins at the fifth row of rays.
+std::size_t LayerMemory(const Pyramid& pyramid);
+
 /// Multiplies by 0 what the picture does not show, see Settings::restrictToView.
 void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, float* importance);
 
