@@ -139,7 +139,7 @@ private:
     for (int row = 0; row < rowCount; ++row)
     {
       const int low = row > 0 ? nodes[std::size_t(row - 1)] - 1 : 0;
-      const int high = row + 1 < rowCount ? nodes[std::size_t(row + 1)] + 2 : lastVoxel;
+      const int high = row + 1 < rowCount ? nodes[std::size_t(row) + 1] + 2 : lastVoxel;
       Interval filledVoxels;
       Interval importantVoxels;
       for (int v = std::max(low, 0); v <= std::min(high, lastVoxel); ++v)
