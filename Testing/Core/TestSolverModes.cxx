@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 using namespace limpid;
@@ -150,6 +151,34 @@ TEST(SolverModes, RefusesAnInitialExtinctionForSeparateFields)
   Solver solver = scene.MakeSolver();
 
   EXPECT_THROW(solver.SetInitialExtinction(scene.extinction.data()), Error);
+}
+
+TEST(SolverModes, KeepsTheBaseForTheLightWhenStoppedBeforeItsRun)
+{
+  BoxScene scene = Onion();
+  scene.settings.mode = Mode::Separate;
+  Solver solver = scene.MakeSolver();
+
+  solver.Run([](double, const std::string&) { return false; });
+
+  EXPECT_TRUE(solver.Done());
+  EXPECT_EQ(solver.LightExtinction(), scene.extinction);
+  std::vector<float> transmittance(scene.extinction.size(), -1.0f);
+  solver.LightTransmittance(transmittance.data());
+  for (const float value : transmittance)
+  {
+    EXPECT_GE(value, 0);
+    EXPECT_LE(value, 1);
+  }
+}
+
+TEST(SolverModes, RefusesCudaWhenItStartsAgain)
+{
+  BoxScene scene = Onion();
+  Solver solver = scene.MakeSolver();
+  scene.settings.backend = BackendKind::Cuda;
+
+  EXPECT_THROW(solver.Restart(scene.camera, scene.light, scene.settings), Error);
 }
 
 TEST(SolverModes, StopsAfterTheIterationsItWasGiven)

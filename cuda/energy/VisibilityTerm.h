@@ -38,7 +38,6 @@ public:
   /// Transmittance from the eye to every voxel [0, 1]. The occupancy must not skip.
   void Transmittance(const float* extinction, float* transmittance);
 
-  const Grid& Domain() const { return this->Nodes; }
   std::size_t PyramidCount() const { return this->Pyramids.size(); }
   const Pyramid& PyramidAt(std::size_t index) const { return this->Pyramids[index]; }
   RayImages& ImagesAt(std::size_t index) { return this->Images[index]; }

@@ -67,6 +67,14 @@ float LargestValue(
   return *std::max_element(largest.begin(), largest.end());
 }
 
+void RequireSettings(const Settings& settings)
+{
+  settings.Require();
+  LIMPID_REQUIRE(settings.backend != BackendKind::Cuda,
+    "CUDA was asked for, but this build has no CUDA backend (nothing would run on a GPU). Choose "
+    "the backend Auto or CPU.");
+}
+
 void RequireReach(const char* what, const Eye& eye, const Grid& grid)
 {
   const double distance = glm::length(eye.origin - 0.5 * Vec3(grid.nodes - 1));
@@ -109,10 +117,7 @@ struct Solver::Internals
 
   void Prepare()
   {
-    this->settings.Require();
-    LIMPID_REQUIRE(this->settings.backend != BackendKind::Cuda,
-      "CUDA was asked for, but this build has no CUDA backend (nothing would run on a GPU). Choose "
-      "the backend Auto or CPU.");
+    RequireSettings(this->settings);
     RequireFields(this->scene);
     const Index count = this->scene.grid.NodeCount();
     this->majorant = LargestValue(count, this->scene.baseExtinction, "base extinction",
@@ -138,6 +143,10 @@ struct Solver::Internals
     this->best = Score();
     this->bestEnergy = Energy();
     this->lightExtinction.clear();
+    if (this->settings.mode == Mode::Separate)
+    {
+      this->AssignBase(this->lightExtinction); // until the light's own run
+    }
     const Clock::time_point start = Clock::now();
     this->problem = this->MakeProblem();
     RequireReach("camera", this->problem.camera, this->scene.grid);
@@ -162,6 +171,12 @@ struct Solver::Internals
       (this->lightRun ? task.settings.weights.view : task.settings.weights.light) = 0;
     }
     return task;
+  }
+
+  void AssignBase(std::vector<float>& field) const
+  {
+    const float* baseField = this->scene.baseExtinction;
+    field.assign(baseField, baseField + this->scene.grid.NodeCount());
   }
 
   std::vector<float> FirstIterate() const
@@ -194,8 +209,7 @@ struct Solver::Internals
     if (nothingAtStake)
     {
       // Only the regularisation is left, whose minimum is the base extinction.
-      const float* baseField = this->scene.baseExtinction;
-      this->extinction.assign(baseField, baseField + this->scene.grid.NodeCount());
+      this->AssignBase(this->lightRun ? this->lightExtinction : this->extinction);
       this->minimizer.reset();
       if (!this->lightRun)
       {
@@ -209,11 +223,12 @@ struct Solver::Internals
       }
       return;
     }
-    Occupancy occupancy(this->scene.grid, this->scene.baseExtinction, this->nodeImportance.data(),
-      this->problem.settings.skipUnneeded);
     this->minimizer = this->problem.settings.solver == SolverKind::Adam
       ? MakeAdam(this->problem, std::move(start))
-      : MakePolicy(this->problem, std::move(occupancy), std::move(start), this->warm);
+      : MakePolicy(this->problem,
+          Occupancy(this->scene.grid, this->scene.baseExtinction, this->nodeImportance.data(),
+            this->problem.settings.skipUnneeded),
+          std::move(start), this->warm);
     IterationRecord record = this->minimizer->Start();
     record.iteration = this->iterations;
     this->history.push_back(record);
@@ -298,22 +313,15 @@ struct Solver::Internals
       this->minimizer.reset();
     }
     const bool lightFollows = this->settings.mode == Mode::Separate && !this->lightRun;
-    if (!lightFollows)
+    if (!lightFollows || this->stopped)
     {
       this->done = true;
       return;
     }
-    std::vector<float> cameraExtinction = std::move(this->extinction);
     this->lightRun = true;
     this->problem = this->MakeProblem();
     this->MakeMinimizer(this->FirstIterate());
-    this->lightExtinction = std::move(this->extinction);
-    this->extinction = std::move(cameraExtinction);
-    if (!this->minimizer || this->stopped)
-    {
-      this->minimizer.reset();
-      this->done = true;
-    }
+    this->done = !this->minimizer;
   }
 };
 
@@ -346,7 +354,7 @@ void Solver::SetInitialExtinction(const float* extinction)
 void Solver::Restart(const Camera& camera, const Light& light, const Settings& settings)
 {
   Internals& state = *this->State;
-  settings.Require();
+  RequireSettings(settings);
   if (settings.mode == Mode::Joint && state.settings.mode == Mode::Joint)
   {
     state.initial = this->Extinction();
