@@ -6,6 +6,8 @@
 #ifndef limpid_ScalarMapping_h
 #define limpid_ScalarMapping_h
 
+#include "vtkLimpidFiltersModule.h" // for export macro
+
 #include <functional>
 
 class vtkDataArray;
@@ -25,26 +27,29 @@ constexpr int MagnitudeComponent = -1;
 constexpr double LargestOpacity = 1.0 - 1e-6;
 
 /// The value itself.
-ScalarMapping KeepValue();
+VTKLIMPIDFILTERS_EXPORT ScalarMapping KeepValue();
 
 /// The value of a function of one variable, as vtkPiecewiseFunction::GetValue has it.
-ScalarMapping Evaluate(vtkPiecewiseFunction* function);
+VTKLIMPIDFILTERS_EXPORT ScalarMapping Evaluate(vtkPiecewiseFunction* function);
 
 /// A straight line from 0 at `low` to 1 at `high`, clamped.
-ScalarMapping Ramp(double low, double high);
+VTKLIMPIDFILTERS_EXPORT ScalarMapping Ramp(double low, double high);
 
 /// Extinction of what takes `opacity` of the light on `unitDistance`: -ln(1 - opacity) / distance,
 /// the inverse of VTK's correction of opacities for the length of a step [1/length].
-ScalarMapping ExtinctionOfOpacity(ScalarMapping opacity, double unitDistance);
+VTKLIMPIDFILTERS_EXPORT ScalarMapping ExtinctionOfOpacity(
+  ScalarMapping opacity, double unitDistance);
 
 /// Smallest and largest finite value of a component; low > high when there is none.
-void FiniteRange(vtkDataArray* array, int component, double& low, double& high);
+VTKLIMPIDFILTERS_EXPORT void FiniteRange(
+  vtkDataArray* array, int component, double& low, double& high);
 
 /**
  * Writes one value per tuple, mapping(component of the tuple), to `field`. A value that is not
  * finite, before or after the mapping, becomes NaN.
  */
-void MapArray(vtkDataArray* array, int component, const ScalarMapping& mapping, float* field);
+VTKLIMPIDFILTERS_EXPORT void MapArray(
+  vtkDataArray* array, int component, const ScalarMapping& mapping, float* field);
 }
 
 #endif

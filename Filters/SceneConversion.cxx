@@ -3,6 +3,7 @@
 
 #include "SceneConversion.h"
 
+#include "Choices.h"
 #include "Refuse.h"
 
 #include "vtkCellData.h"
@@ -49,33 +50,6 @@ vtkSmartPointer<vtkFloatArray> AverageToPoints(vtkImageData* image, const FieldS
   average->Update();
   return vtkFloatArray::SafeDownCast(
     average->GetImageDataOutput()->GetPointData()->GetArray("value"));
-}
-
-vtkSmartPointer<vtkFloatArray> ConvertField(
-  vtkImageData* image, const FieldSource& source, const char* name)
-{
-  vtkNew<vtkFloatArray> field;
-  field->SetName(name);
-  field->SetNumberOfTuples(image->GetNumberOfPoints());
-  const vtkIdType expected =
-    source.onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
-  if (source.array->GetNumberOfTuples() != expected)
-  {
-    Refuse("The array \"", source.array->GetName(), "\" has ", source.array->GetNumberOfTuples(),
-      " values for ", expected, source.onCells ? " cells" : " points",
-      " (values cannot be told apart by place). Give an array with one value for each.");
-  }
-
-  if (source.onCells)
-  {
-    const vtkSmartPointer<vtkFloatArray> averaged = AverageToPoints(image, source);
-    MapArray(averaged, MagnitudeComponent, source.mapping, field->GetPointer(0));
-  }
-  else
-  {
-    MapArray(source.array, source.component, source.mapping, field->GetPointer(0));
-  }
-  return field;
 }
 
 // Whether no value is negative, above `largest` or not finite: the usual case, in a loop that
@@ -166,6 +140,33 @@ Grid GridOfImage(vtkImageData* image)
   }
   grid.Require();
   return grid;
+}
+
+vtkSmartPointer<vtkFloatArray> ConvertField(
+  vtkImageData* image, const FieldSource& source, const char* name)
+{
+  vtkNew<vtkFloatArray> field;
+  field->SetName(name);
+  field->SetNumberOfTuples(image->GetNumberOfPoints());
+  const vtkIdType expected =
+    source.onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  if (source.array->GetNumberOfTuples() != expected)
+  {
+    Refuse("The array \"", NameOf(source.array), "\" has ", source.array->GetNumberOfTuples(),
+      " values for ", expected, source.onCells ? " cells" : " points",
+      " (values cannot be told apart by place). Give an array with one value for each.");
+  }
+
+  if (source.onCells)
+  {
+    const vtkSmartPointer<vtkFloatArray> averaged = AverageToPoints(image, source);
+    MapArray(averaged, MagnitudeComponent, source.mapping, field->GetPointer(0));
+  }
+  else
+  {
+    MapArray(source.array, source.component, source.mapping, field->GetPointer(0));
+  }
+  return field;
 }
 
 SceneArrays ConvertScene(

@@ -9,6 +9,7 @@
 #include "ScalarMapping.h"
 
 #include "vtkFloatArray.h"
+#include "vtkLimpidFiltersModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -31,7 +32,7 @@ struct FieldSource
 };
 
 /// The fields of a scene at the points of the image, and what had to be left out.
-struct SceneArrays
+struct VTKLIMPIDFILTERS_EXPORT SceneArrays
 {
   vtkSmartPointer<vtkFloatArray> baseExtinction; ///< [1/length]
   vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
@@ -45,11 +46,15 @@ struct SceneArrays
 };
 
 /// The nodes of an image: its points. Extent and direction matrix are part of the placement.
-Grid GridOfImage(vtkImageData* image);
+VTKLIMPIDFILTERS_EXPORT Grid GridOfImage(vtkImageData* image);
+
+/// A field at the points of the image; NaN where it has no finite value.
+VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(
+  vtkImageData* image, const FieldSource& source, const char* name);
 
 /// Both fields of a scene. An empty point has neither extinction nor importance; importance is
 /// moved into [0, 1].
-SceneArrays ConvertScene(
+VTKLIMPIDFILTERS_EXPORT SceneArrays ConvertScene(
   vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
 }
 

@@ -6,6 +6,8 @@
 #ifndef limpid_ScenePlacement_h
 #define limpid_ScenePlacement_h
 
+#include "vtkLimpidFiltersModule.h" // for export macro
+
 namespace limpid
 {
 struct Camera;
@@ -13,18 +15,18 @@ struct Grid;
 struct Light;
 
 /// Whether a camera still has the position and focal point of a new vtkCamera.
-bool IsUnplaced(const Camera& camera);
+VTKLIMPIDFILTERS_EXPORT bool IsUnplaced(const Camera& camera);
 
 /// Whether a light still has the position of a new vtkLight.
-bool IsUnplaced(const Light& light);
+VTKLIMPIDFILTERS_EXPORT bool IsUnplaced(const Light& light);
 
 /// Puts the camera where vtkRenderer::ResetCamera puts a new one: on the z axis through the centre
 /// of the data, at the distance from which the sphere around the data fills the view angle.
-void PlaceCamera(const Grid& grid, Camera& camera);
+VTKLIMPIDFILTERS_EXPORT void PlaceCamera(const Grid& grid, Camera& camera);
 
 /// Puts the light where the key light of ParaView's light kit shines from: 50 degrees above and 10
 /// degrees to the right of the camera, as far from the focal point as the camera.
-void PlaceLight(const Camera& camera, Light& light);
+VTKLIMPIDFILTERS_EXPORT void PlaceLight(const Camera& camera, Light& light);
 }
 
 #endif

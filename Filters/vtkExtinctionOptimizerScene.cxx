@@ -5,6 +5,7 @@
 
 #include "vtkExtinctionOptimizerInternals.h"
 
+#include "Choices.h"
 #include "Refuse.h"
 #include "SceneConversion.h"
 #include "ScenePlacement.h"
@@ -24,50 +25,20 @@
 
 namespace
 {
-void RequireChoice(const char* property, int value, int count)
-{
-  if (value < 0 || value >= count)
-  {
-    limpid::Refuse(property, " is ", value, " (there is no such choice). Set a number from 0 to ",
-      count - 1, ".");
-  }
-}
-
-void RequireComponent(const char* property, vtkDataArray* array, int component)
-{
-  if (component < limpid::MagnitudeComponent || component >= array->GetNumberOfComponents())
-  {
-    limpid::Refuse(property, " is ", component, " (the array \"", array->GetName(), "\" has ",
-      array->GetNumberOfComponents(),
-      " components). Set a component from 0 on, or -1 for the magnitude.");
-  }
-}
-
 limpid::Vec3 ToVec3(const double* vector)
 {
   return { vector[0], vector[1], vector[2] };
-}
-
-std::string ArrayNames(vtkFieldData* attributes)
-{
-  std::string names;
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    const char* name = attributes->GetArrayName(i);
-    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
-  }
-  return names.empty() ? "none" : names;
 }
 }
 
 void vtkExtinctionOptimizer::Internals::RequireAvailableChoices() const
 {
-  RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
-  RequireChoice("LightType", this->Self->LightType, 2);
-  RequireChoice("Mode", this->Self->Mode, 2);
-  RequireChoice("Solver", this->Self->Solver, 2);
-  RequireChoice("Derivative", this->Self->Derivative, 2);
-  RequireChoice("Backend", this->Self->Backend, 3);
+  limpid::RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
+  limpid::RequireChoice("LightType", this->Self->LightType, 2);
+  limpid::RequireChoice("Mode", this->Self->Mode, 2);
+  limpid::RequireChoice("Solver", this->Self->Solver, 2);
+  limpid::RequireChoice("Derivative", this->Self->Derivative, 2);
+  limpid::RequireChoice("Backend", this->Self->Backend, 3);
   if (!(this->Self->ScalarOpacityUnitDistance >= 0) ||
     !std::isfinite(this->Self->ScalarOpacityUnitDistance))
   {
@@ -105,7 +76,8 @@ vtkDataArray* vtkExtinctionOptimizer::Internals::FindArray(
     limpid::Refuse("The ", role, " array \"", wanted,
       "\" is not among the input's numeric arrays (the scene cannot be made without it). Choose "
       "one of these: of the points: ",
-      ArrayNames(input->GetPointData()), "; of the cells: ", ArrayNames(input->GetCellData()), ".");
+      limpid::ArrayNames(input->GetPointData()),
+      "; of the cells: ", limpid::ArrayNames(input->GetCellData()), ".");
   }
   onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
     (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
@@ -118,7 +90,7 @@ limpid::FieldSource vtkExtinctionOptimizer::Internals::ImportanceSource(vtkImage
   limpid::FieldSource source;
   source.array = this->FindArray(1, "importance", "Importance", input, source.onCells);
   source.component = this->Self->ImportanceComponent;
-  RequireComponent("ImportanceComponent", source.array, source.component);
+  limpid::RequireComponent("ImportanceComponent", source.array, source.component);
   if (this->Self->UseImportanceFunction)
   {
     if (!this->Self->ImportanceFunction || this->Self->ImportanceFunction->GetSize() == 0)
@@ -141,7 +113,7 @@ limpid::FieldSource vtkExtinctionOptimizer::Internals::ExtinctionOf(
     source.array = this->FindArray(2, "extinction", "BaseExtinction", input, source.onCells);
     if (source.array->GetNumberOfComponents() != 1)
     {
-      limpid::Refuse("The extinction array \"", source.array->GetName(), "\" has ",
+      limpid::Refuse("The extinction array \"", limpid::NameOf(source.array), "\" has ",
         source.array->GetNumberOfComponents(),
         " components (extinction is one number per point). Choose an array with one component.");
     }
@@ -150,7 +122,7 @@ limpid::FieldSource vtkExtinctionOptimizer::Internals::ExtinctionOf(
 
   source.array = this->FindArray(0, "scalar", nullptr, input, source.onCells);
   source.component = this->Self->ScalarComponent;
-  RequireComponent("ScalarComponent", source.array, source.component);
+  limpid::RequireComponent("ScalarComponent", source.array, source.component);
   vtkPiecewiseFunction* function = this->Self->ScalarOpacityFunction;
   if (function && function->GetSize() > 0)
   {

@@ -70,9 +70,9 @@ if (LIMPID_ENABLE_GUI)
   limpid_find_gui(missing)
   if (NOT missing)
     set(LIMPID_GUI TRUE)
-    message(STATUS "Limpid: with the button for the active view's camera (LimpidGui)")
+    message(STATUS "Limpid: with the parts for ParaView's window (LimpidGui)")
   elseif (LIMPID_ENABLE_GUI STREQUAL "AUTO")
-    message(STATUS "Limpid: without the button for the active view's camera; missing: ${missing}")
+    message(STATUS "Limpid: without the parts for ParaView's window (LimpidGui); missing: ${missing}")
   else ()
     message(FATAL_ERROR
       "LIMPID_ENABLE_GUI is ${LIMPID_ENABLE_GUI}, but this is missing: ${missing} "

@@ -9,14 +9,16 @@ limpid_predeclare_missing_python_targets(VTK)
 
 find_package(VTK 9.1 REQUIRED
   COMPONENTS
-    CommonExecutionModel FiltersCore ImagingCore ParallelCore
+    CommonExecutionModel FiltersCore ImagingCore ParallelCore RenderingOpenGL2 RenderingVolume
   OPTIONAL_COMPONENTS
     WrappingPythonCore)
 message(STATUS "Limpid: modules for VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")
 
 vtk_module_scan(
-  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Filters/vtk.module"
-  REQUEST_MODULES Limpid::Filters
+  MODULE_FILES
+    "${CMAKE_CURRENT_SOURCE_DIR}/Filters/vtk.module"
+    "${CMAKE_CURRENT_SOURCE_DIR}/Representations/Rendering/vtk.module"
+  REQUEST_MODULES Limpid::Filters Limpid::Rendering
   PROVIDES_MODULES modules
   ENABLE_TESTS OFF)
 vtk_module_build(

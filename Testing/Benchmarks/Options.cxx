@@ -17,9 +17,9 @@ namespace limpid::benchmark
 namespace
 {
 const char* const usage =
-  "limpid_bench_solvers [--output FILE] [--parts quality,time,paper,memory] [--repeats N]\n"
-  "                     [--threads N] [--march-rays PER_VOXEL] [--paper-samples PER_VOXEL]\n"
-  "                     [--paper-iterations N] [--paper-seconds S] [NAME.scene.json ...]\n";
+  "PROGRAM [--output FILE] [--repeats N] [--threads N] [NAME.scene.json ...]\n"
+  "limpid_bench_solvers also [--parts quality,time,paper,memory] [--march-rays PER_VOXEL]\n"
+  "                     [--paper-samples PER_VOXEL] [--paper-iterations N] [--paper-seconds S]\n";
 
 std::vector<std::string> TestScenes()
 {

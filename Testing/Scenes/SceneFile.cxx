@@ -82,6 +82,21 @@ double PiecewiseLinear(const std::vector<std::pair<double, double>>& points, dou
   return points.back().second;
 }
 
+std::array<double, 3> SceneFile::Color(double scalar) const
+{
+  std::array<double, 3> color{};
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    Points points;
+    for (const std::array<double, 4>& point : this->colorPoints)
+    {
+      points.emplace_back(point[0], point[channel + 1]);
+    }
+    color[channel] = PiecewiseLinear(points, scalar);
+  }
+  return color;
+}
+
 SceneFile ReadSceneFile(const std::string& path)
 {
   std::ifstream file(path);
@@ -98,7 +113,9 @@ SceneFile ReadSceneFile(const std::string& path)
   const nlohmann::json& data = json.at("data");
   ReadVolume(
     folder + data.at("file").get<std::string>(), data.at("array").get<std::string>(), scene);
-  scene.extinction = Classify(scene.scalars, json.at("extinction_tf").get<Points>());
+  scene.extinctionPoints = json.at("extinction_tf").get<Points>();
+  scene.colorPoints = json.at("color_tf").get<std::vector<std::array<double, 4>>>();
+  scene.extinction = Classify(scene.scalars, scene.extinctionPoints);
   scene.importance = Classify(scene.scalars, json.at("importance_tf").get<Points>());
   scene.majorant = json.at("max_extinction").get<double>();
   const nlohmann::json& camera = json.at("camera");

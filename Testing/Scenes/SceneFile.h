@@ -8,6 +8,7 @@
 
 #include "RayMarch.h"
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,11 +27,17 @@ struct SceneFile
   std::vector<float> importance; ///< at the nodes [0, 1]
   double majorant = 0;           ///< largest of the transfer function [1/length]
 
+  std::vector<std::pair<double, double>> extinctionPoints; ///< of a scalar [1/length]
+  std::vector<std::array<double, 4>> colorPoints;          ///< scalar, red, green, blue [0, 1]
+
   Vector cameraPosition{};
   Vector cameraFocalPoint{};
   Vector cameraViewUp{};
   double cameraViewAngle = 30; ///< vertical [degrees]
   Vector lightPosition{};
+
+  /// Colour of a scalar, piecewise linear as the others.
+  std::array<double, 3> Color(double scalar) const;
 
   Source Eye() const { return Source::Point(cameraPosition); }
   Source Lamp() const { return Source::Point(lightPosition); }

@@ -62,7 +62,8 @@ public:
       BackwardRow(rays, this->Images.behind.data() + first);
       UnwindRow(rays, this->Images.opticalDepth.data() + first);
     }
-    TransmitRays(this->Source, s, row, last ? nullptr : memory, this->Images);
+    TransmitRays(this->Source, s, row, this->Source.stations[std::size_t(s)].work[std::size_t(row)],
+      last ? nullptr : memory, Depths::Unwound, this->Images);
   }
 
   float AreaOf(const Station& station) const

@@ -45,6 +45,36 @@ LIMPID_HD LIMPID_INLINE double Attenuate(double depth)
 {
   return std::exp(-depth);
 }
+
+/**
+ * Natural logarithm of a normal number above zero, in a form that compilers vectorise; within 3
+ * units in the last place of the larger of result and 1. Cody and Waite again: x = 2^k (1 + f).
+ */
+LIMPID_HD LIMPID_INLINE float Logarithm(float x)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  // So that 1 + f lies between the square roots of 1/2 and 2.
+  const std::uint32_t shifted = bits - 0x3f3504f3u;
+  const std::int32_t k = static_cast<std::int32_t>(shifted) >> 23;
+  const std::uint32_t mantissa = (shifted & 0x007fffffu) + 0x3f3504f3u;
+  float f;
+  std::memcpy(&f, &mantissa, sizeof(f));
+  f -= 1.0f;
+  float p = 7.0376836292e-2f;
+  p = p * f - 1.1514610310e-1f;
+  p = p * f + 1.1676998740e-1f;
+  p = p * f - 1.2420140846e-1f;
+  p = p * f + 1.4249322787e-1f;
+  p = p * f - 1.6668057665e-1f;
+  p = p * f + 2.0000714765e-1f;
+  p = p * f - 2.4999993993e-1f;
+  p = p * f + 3.3333331174e-1f;
+  const float square = f * f;
+  const float tail = p * square * f - 0.5f * square;
+  const float exponent = static_cast<float>(k);
+  return (tail - exponent * 2.12194440e-4f) + f + exponent * 0.693359375f;
+}
 }
 
 #endif

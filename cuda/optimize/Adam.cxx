@@ -133,6 +133,8 @@ public:
 
   const std::vector<float>& Best() const override { return this->BestIterate; }
 
+  std::vector<float> TakeBest() override { return std::move(this->BestIterate); }
+
 private:
   int NextLevel() const { return this->Remaining[0] > 0 ? 2 : (this->Remaining[1] > 0 ? 1 : 0); }
 
@@ -198,12 +200,11 @@ private:
       here.task.nodeImportance = here.nodeImportanceStorage.data();
       here.task.camera = Rescaled(this->Task.camera, this->Task.grid, here.task.grid);
       here.task.light = Rescaled(this->Task.light, this->Task.grid, here.task.grid);
+      here.task.occupancy = std::make_shared<const Occupancy>(here.task.grid,
+        here.task.baseExtinction, here.task.nodeImportance, here.task.settings.skipUnneeded);
     }
-    const Settings& settings = here.task.settings;
-    const Occupancy occupancy(
-      here.task.grid, here.task.baseExtinction, here.task.nodeImportance, settings.skipUnneeded);
-    here.filledVoxels = occupancy.FilledVoxels();
-    here.terms = Terms(here.task, occupancy);
+    here.filledVoxels = here.task.occupancy->FilledVoxels();
+    here.terms = Terms(here.task);
   }
 
   void Step()

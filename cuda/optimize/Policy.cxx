@@ -16,10 +16,9 @@ namespace
 class Policy : public Minimizer
 {
 public:
-  Policy(const Problem& problem, Occupancy&& occupancy, std::vector<float>&& start, bool warm)
+  Policy(const Problem& problem, std::vector<float>&& start, bool warm)
     : Task(problem)
-    , Occupied(std::move(occupancy))
-    , Seen(problem, this->Occupied)
+    , Seen(problem)
     , Warm(warm)
   {
     this->Iterates[0] = std::move(start);
@@ -41,7 +40,7 @@ public:
     this->Now = next;
     IterationRecord record = this->Seen.Measure(this->Task, this->Iterates[next]);
     this->Change = this->Task.MeanChange(
-      this->Iterates[last], this->Iterates[next], this->Occupied.FilledVoxels());
+      this->Iterates[last], this->Iterates[next], this->Task.occupancy->FilledVoxels());
     record.meanChange = this->Change;
     if (record.energy.Total() < this->BestEnergy)
     {
@@ -59,6 +58,8 @@ public:
   int IterationLimit() const override { return this->Task.settings.maximumIterations; }
 
   const std::vector<float>& Best() const override { return this->Iterates[this->BestOf]; }
+
+  std::vector<float> TakeBest() override { return std::move(this->Iterates[this->BestOf]); }
 
 private:
   /// A place for the next iterate that overwrites neither the last nor the best.
@@ -89,21 +90,13 @@ private:
         { last.data(), this->Task.importance, this->Task.nodeImportance },
         this->Task.settings.derivative, 1.0f, this->Lagged.data());
     }
-    // Without regularisation the optimum is bang-bang, which a large but finite gain gives, too.
-    const double p = std::max(this->Task.RegularizationWeight(), 1e-30);
-    const auto gainOf = [p](double weight)
-    { return static_cast<float>(std::min(weight / p, 1e30)); };
     const bool useLagged = !this->Lagged.empty();
-    PolicyTask task{};
-    task.grid = &this->Task.grid;
-    task.occupancy = &this->Occupied;
-    task.voxel.gain = gainOf(this->Seen.camera ? weights.view : weights.light);
-    task.voxel.lagGain = useLagged ? gainOf(weights.light) : 0.0f;
-    task.voxel.majorant = this->Task.majorant;
-    task.fields = { this->Task.baseExtinction, this->Task.importance, this->Task.nodeImportance,
-      last.data(), useLagged ? this->Lagged.data() : nullptr, next.data() };
+    PolicyTask task = TaskOf(this->Task, this->Seen.camera ? weights.view : weights.light,
+      useLagged ? weights.light : 0.0);
+    task.fields.extinction = last.data();
+    task.fields.lagged = useLagged ? this->Lagged.data() : nullptr;
+    task.fields.next = next.data();
     task.trust = trust ? Trust::LastIterate : Trust::Clear;
-    task.derivative = this->Task.settings.derivative;
     for (std::size_t index = 0; index < swept.PyramidCount(); ++index)
     {
       SweepPolicy(swept.PyramidAt(index), task, swept.ImagesAt(index));
@@ -111,7 +104,6 @@ private:
   }
 
   const Problem& Task;
-  Occupancy Occupied;
   Terms Seen;
   bool Warm;
   int Count = 0;
@@ -124,9 +116,8 @@ private:
 };
 }
 
-std::unique_ptr<Minimizer> MakePolicy(
-  const Problem& problem, Occupancy&& occupancy, std::vector<float>&& start, bool warm)
+std::unique_ptr<Minimizer> MakePolicy(const Problem& problem, std::vector<float>&& start, bool warm)
 {
-  return std::make_unique<Policy>(problem, std::move(occupancy), std::move(start), warm);
+  return std::make_unique<Policy>(problem, std::move(start), warm);
 }
 }

@@ -14,7 +14,7 @@ namespace limpid
 /// by slice, the best extinction given what lies behind. `start`: first iterate [1/length]; `warm`
 /// tells that it is near the optimum, so that its transmittance can be trusted.
 std::unique_ptr<Minimizer> MakePolicy(
-  const Problem& problem, Occupancy&& occupancy, std::vector<float>&& start, bool warm);
+  const Problem& problem, std::vector<float>&& start, bool warm);
 }
 
 #endif

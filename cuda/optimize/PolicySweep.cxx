@@ -239,7 +239,8 @@ private:
       }
       UnwindRow(rays, opticalDepth);
     }
-    TransmitRays(this->Source, s, row, last ? nullptr : memory, this->Images);
+    TransmitRays(this->Source, s, row, this->Source.stations[std::size_t(s)].work[std::size_t(row)],
+      last ? nullptr : memory, Depths::Unwound, this->Images);
   }
 
   const Pyramid& Source;
@@ -257,6 +258,24 @@ private:
   SliceWindow Next;
   std::vector<float> Ahead; ///< visible importance half way to the station behind
 };
+}
+
+PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight)
+{
+  // Without regularisation the optimum is bang-bang, which a large but finite gain gives, too.
+  const double p = std::max(problem.RegularizationWeight(), 1e-30);
+  const auto gainOf = [p](double w) { return static_cast<float>(std::min(w / p, 1e30)); };
+  PolicyTask task{};
+  task.grid = &problem.grid;
+  task.occupancy = problem.occupancy.get();
+  task.voxel.gain = gainOf(weight);
+  task.voxel.lagGain = gainOf(lagWeight);
+  task.voxel.majorant = problem.majorant;
+  task.fields.base = problem.baseExtinction;
+  task.fields.importance = problem.importance;
+  task.fields.nodeImportance = problem.nodeImportance;
+  task.derivative = problem.settings.derivative;
+  return task;
 }
 
 void SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)

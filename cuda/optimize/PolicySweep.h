@@ -5,7 +5,7 @@
 #define limpid_optimize_PolicySweep_h
 
 #include "optimize/PolicyVoxel.h"
-#include "optimize/Settings.h"
+#include "optimize/Problem.h"
 #include "sweep/Sweep.h"
 
 namespace limpid
@@ -38,6 +38,10 @@ struct PolicyTask
   Trust trust;
   Derivative derivative;
 };
+
+/// What the sweeps for a problem have in common; iterates and trust are left to the caller.
+/// `weight`: that of the term that is swept; `lagWeight`: that of the other one.
+PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight);
 
 /// One backward policy sweep: finds the next iterate in all voxels of a pyramid.
 void SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images);

@@ -9,6 +9,7 @@
 #include "scene/Grid.h"
 #include "sweep/Plan.h"
 
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -17,10 +18,11 @@ namespace limpid
 struct Problem
 {
   Grid grid;
-  const float* baseExtinction = nullptr; ///< [1/length]
-  const float* importance = nullptr;     ///< [0, 1]
-  const float* nodeImportance = nullptr; ///< see NodeImportanceOfFilled [0, 1]
-  float majorant = 0;                    ///< upper bound of the extinction [1/length]
+  const float* baseExtinction = nullptr;      ///< [1/length]
+  const float* importance = nullptr;          ///< [0, 1]
+  const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
+  std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
+  float majorant = 0;                         ///< upper bound of the extinction [1/length]
   Eye camera;
   Eye light;
   Settings settings;
@@ -58,6 +60,9 @@ public:
 
   /// Best iterate so far [1/length].
   virtual const std::vector<float>& Best() const = 0;
+
+  /// The same, given away: nothing else can be asked any more.
+  virtual std::vector<float> TakeBest() = 0;
 };
 }
 

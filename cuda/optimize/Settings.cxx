@@ -6,6 +6,7 @@
 #include "math/Require.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace limpid
 {
@@ -47,5 +48,16 @@ void Settings::Require() const
       "The number of iterations of a level is " << iterations
                                                 << " (it is a count). Set it to zero or more.");
   }
+}
+
+bool operator==(const Settings& one, const Settings& other)
+{
+  const auto values = [](const Settings& s)
+  {
+    return std::tie(s.weights.regularization, s.weights.view, s.weights.light, s.mode, s.solver,
+      s.maximumIterations, s.iterationsPerLevel, s.learningRate, s.tolerance, s.maximumSeconds,
+      s.derivative, s.rayDensity, s.skipUnneeded, s.restrictToView, s.backend);
+  };
+  return values(one) == values(other);
 }
 }

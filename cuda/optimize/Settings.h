@@ -63,6 +63,8 @@ struct Settings
   void Require() const;
 };
 
+bool operator==(const Settings& one, const Settings& other);
+
 /// The three terms of Eq. 21, in world units: the normalised energy times R^2.
 struct Energy
 {

@@ -4,16 +4,14 @@
 #include "optimize/Solver.h"
 
 #include "backend/Backend.h"
-#include "energy/NodeImportance.h"
+#include "energy/VisibilityTerm.h"
 #include "math/Require.h"
 #include "optimize/Adam.h"
 #include "optimize/Policy.h"
-#include "optimize/Problem.h"
-#include "optimize/Terms.h"
+#include "optimize/PreparedScene.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <sstream>
 
 namespace limpid
@@ -21,80 +19,16 @@ namespace limpid
 namespace
 {
 using Clock = std::chrono::steady_clock;
-
-void RequireFields(const SceneFields& scene)
-{
-  scene.grid.Require();
-  LIMPID_REQUIRE(scene.baseExtinction != nullptr,
-    "There is no base extinction (the optimisation starts from it). Give an array.");
-  LIMPID_REQUIRE(scene.importance != nullptr,
-    "There is no importance (nothing tells what is to be seen). Give an array.");
-}
-
-/// Checks all values of a field and returns the largest.
-template <class Valid>
-float LargestValue(
-  Index count, const float* field, const char* name, const char* range, const Valid& valid)
-{
-  constexpr Index blockSize = 65536;
-  const Index blocks = (count + blockSize - 1) / blockSize;
-  std::vector<float> largest(static_cast<std::size_t>(blocks), 0.0f);
-  std::vector<Index> bad(static_cast<std::size_t>(blocks), -1);
-  ParallelFor(blocks,
-    [&](Index block)
-    {
-      const Index end = std::min(count, (block + 1) * blockSize);
-      float most = 0;
-      bool allValid = true;
-      for (Index voxel = block * blockSize; voxel < end; ++voxel)
-      {
-        allValid &= valid(field[voxel]);
-        most = field[voxel] > most ? field[voxel] : most;
-      }
-      largest[std::size_t(block)] = most;
-      for (Index voxel = block * blockSize; voxel < end && !allValid; ++voxel)
-      {
-        allValid = !valid(field[voxel]);
-        bad[std::size_t(block)] = voxel;
-      }
-    });
-  for (const Index voxel : bad)
-  {
-    LIMPID_REQUIRE(voxel < 0,
-      "The " << name << " of voxel " << voxel << " is " << field[voxel]
-             << " (the energy of Eq. 21 is not defined there). Keep it " << range << '.');
-  }
-  return *std::max_element(largest.begin(), largest.end());
-}
-
-void RequireSettings(const Settings& settings)
-{
-  settings.Require();
-  LIMPID_REQUIRE(settings.backend != BackendKind::Cuda,
-    "CUDA was asked for, but this build has no CUDA backend (nothing would run on a GPU). Choose "
-    "the backend Auto or CPU.");
-}
-
-void RequireReach(const char* what, const Eye& eye, const Grid& grid)
-{
-  const double distance = glm::length(eye.origin - 0.5 * Vec3(grid.nodes - 1));
-  LIMPID_REQUIRE(eye.parallel || distance < 1e12 * glm::length(Vec3(grid.nodes)),
-    "The " << what << " is " << distance / glm::length(Vec3(grid.nodes))
-           << " image diagonals away (its rays cannot be told apart). Move it closer or use a "
-              "parallel projection.");
-}
 }
 
 struct Solver::Internals
 {
+  std::shared_ptr<PreparedScene> prepared;
   SceneFields scene;
   Camera camera;
   Light light;
   Settings settings;
-  float majorant = 0;
-  bool somethingImportant = false;
-  std::vector<float> nodeImportance; ///< see NodeImportanceOfFilled; for voxels
-  std::vector<float> initial;        ///< empty: the base extinction
+  std::vector<float> initial; ///< empty: the base extinction
 
   /// One run of a minimiser: the joint field, or in separate mode first the camera's field and
   /// then the light's.
@@ -102,6 +36,7 @@ struct Solver::Internals
   std::unique_ptr<Minimizer> minimizer;
   int runIterations = 0;
   bool lightRun = false;
+  bool hasIterate = false; ///< whether this run has made one at full resolution
 
   std::vector<float> extinction; ///< result of a finished run
   std::vector<float> lightExtinction;
@@ -115,19 +50,12 @@ struct Solver::Internals
   bool stopped = false;
   bool warm = false;
 
-  void Prepare()
+  void Set(const Camera& eye, const Light& lamp, const Settings& wanted)
   {
-    RequireSettings(this->settings);
-    RequireFields(this->scene);
-    const Index count = this->scene.grid.NodeCount();
-    this->majorant = LargestValue(count, this->scene.baseExtinction, "base extinction",
-      "finite and not negative", [](float value) { return (value >= 0) & (value < 3e38f); });
-    this->somethingImportant =
-      LargestValue(count, this->scene.importance, "importance", "between 0 and 1",
-        [](float value) { return (value >= 0) & (value <= 1); }) > 0;
-    this->nodeImportance =
-      NodeImportanceOfFilled(this->scene.grid, this->scene.baseExtinction, this->scene.importance);
-    this->Begin();
+    this->scene = this->prepared->Arrays();
+    this->camera = eye;
+    this->light = lamp;
+    this->settings = wanted;
   }
 
   /// Starts the first run.
@@ -149,28 +77,19 @@ struct Solver::Internals
     }
     const Clock::time_point start = Clock::now();
     this->problem = this->MakeProblem();
-    RequireReach("camera", this->problem.camera, this->scene.grid);
-    RequireReach("light", this->problem.light, this->scene.grid);
+    RequireReach(this->problem);
     this->MakeMinimizer(this->FirstIterate());
     this->seconds += std::chrono::duration<double>(Clock::now() - start).count();
   }
 
   Problem MakeProblem() const
   {
-    Problem task;
-    task.grid = this->scene.grid;
-    task.baseExtinction = this->scene.baseExtinction;
-    task.importance = this->scene.importance;
-    task.nodeImportance = this->nodeImportance.data();
-    task.majorant = this->majorant;
-    task.camera = EyeOfCamera(this->camera, task.grid, this->settings.restrictToView);
-    task.light = EyeOfLight(this->light, task.grid);
-    task.settings = this->settings;
-    if (this->settings.mode == Mode::Separate)
+    Settings wanted = this->settings;
+    if (wanted.mode == Mode::Separate)
     {
-      (this->lightRun ? task.settings.weights.view : task.settings.weights.light) = 0;
+      (this->lightRun ? wanted.weights.view : wanted.weights.light) = 0;
     }
-    return task;
+    return this->prepared->ProblemFor(this->camera, this->light, wanted);
   }
 
   void AssignBase(std::vector<float>& field) const
@@ -188,7 +107,7 @@ struct Solver::Internals
     {
       const float* wish = this->initial.data();
       const float* importance = this->scene.importance;
-      const float most = this->majorant;
+      const float most = this->prepared->Majorant();
       ParallelFor(count, 65536,
         [&](Index voxel)
         {
@@ -204,8 +123,9 @@ struct Solver::Internals
   {
     const Weights& weights = this->problem.settings.weights;
     this->runIterations = 0;
-    const bool nothingAtStake = !(weights.view > 0 || weights.light > 0) ||
-      !this->somethingImportant || !(this->majorant > 0) || !this->scene.grid.HasVolume();
+    this->hasIterate = false;
+    const bool nothingAtStake =
+      !(weights.view > 0 || weights.light > 0) || !this->prepared->SomethingToSee();
     if (nothingAtStake)
     {
       // Only the regularisation is left, whose minimum is the base extinction.
@@ -225,10 +145,7 @@ struct Solver::Internals
     }
     this->minimizer = this->problem.settings.solver == SolverKind::Adam
       ? MakeAdam(this->problem, std::move(start))
-      : MakePolicy(this->problem,
-          Occupancy(this->scene.grid, this->scene.baseExtinction, this->nodeImportance.data(),
-            this->problem.settings.skipUnneeded),
-          std::move(start), this->warm);
+      : MakePolicy(this->problem, std::move(start), this->warm);
     IterationRecord record = this->minimizer->Start();
     record.iteration = this->iterations;
     this->history.push_back(record);
@@ -245,10 +162,8 @@ struct Solver::Internals
 
   Score ScoreOf(const float* field) const
   {
-    const Occupancy occupancy(this->scene.grid, this->scene.baseExtinction, this->scene.importance,
-      this->settings.skipUnneeded);
     VisibilityTerm term(
-      this->scene.grid, occupancy, this->problem.camera, this->settings.rayDensity);
+      this->scene.grid, *this->problem.occupancy, this->problem.camera, this->settings.rayDensity);
     const Visible seen = term.Forward(field, this->scene.importance);
     return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
   }
@@ -269,6 +184,7 @@ struct Solver::Internals
     record.iteration = this->iterations;
     record.seconds = this->seconds;
     this->history.push_back(record);
+    this->hasIterate = this->hasIterate || record.level == 0;
     const bool better = record.level == 0 && record.energy.Total() < this->bestEnergy.Total();
     if (better && !this->lightRun)
     {
@@ -309,7 +225,7 @@ struct Solver::Internals
     std::vector<float>& result = this->lightRun ? this->lightExtinction : this->extinction;
     if (this->minimizer)
     {
-      result = this->minimizer->Best();
+      result = this->minimizer->TakeBest();
       this->minimizer.reset();
     }
     const bool lightFollows = this->settings.mode == Mode::Separate && !this->lightRun;
@@ -329,11 +245,20 @@ Solver::Solver(
   const SceneFields& scene, const Camera& camera, const Light& light, const Settings& settings)
   : State(std::make_unique<Internals>())
 {
-  this->State->scene = scene;
-  this->State->camera = camera;
-  this->State->light = light;
-  this->State->settings = settings;
-  this->State->Prepare();
+  RequireSettings(settings);
+  this->State->prepared = std::make_shared<PreparedScene>(scene);
+  this->State->Set(camera, light, settings);
+  this->State->Begin();
+}
+
+Solver::Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
+  const Settings& settings)
+  : State(std::make_unique<Internals>())
+{
+  RequireSettings(settings);
+  this->State->prepared = std::move(scene);
+  this->State->Set(camera, light, settings);
+  this->State->Begin();
 }
 
 Solver::~Solver() = default;
@@ -360,9 +285,7 @@ void Solver::Restart(const Camera& camera, const Light& light, const Settings& s
     state.initial = this->Extinction();
     state.warm = true;
   }
-  state.camera = camera;
-  state.light = light;
-  state.settings = settings;
+  state.Set(camera, light, settings);
   state.Begin();
 }
 
@@ -415,9 +338,28 @@ const std::vector<float>& Solver::LightExtinction() const
   return state.minimizer && state.lightRun ? state.minimizer->Best() : state.lightExtinction;
 }
 
+bool Solver::HasResult() const
+{
+  const Internals& state = *this->State;
+  const bool lastRun = state.settings.mode == Mode::Joint || state.lightRun;
+  return state.done || (lastRun && state.hasIterate);
+}
+
+std::array<std::vector<float>, 2> Solver::TakeExtinctions()
+{
+  Internals& state = *this->State;
+  if (state.minimizer)
+  {
+    (state.lightRun ? state.lightExtinction : state.extinction) = state.minimizer->TakeBest();
+    state.minimizer.reset();
+  }
+  state.done = true;
+  return { { std::move(state.extinction), std::move(state.lightExtinction) } };
+}
+
 double Solver::Majorant() const
 {
-  return this->State->majorant;
+  return this->State->prepared->Majorant();
 }
 
 Score Solver::BaseScore() const

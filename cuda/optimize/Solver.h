@@ -8,6 +8,7 @@
 #include "scene/Eye.h"
 #include "scene/Grid.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct SceneFields
   const float* baseExtinction = nullptr; ///< grid.NodeCount() values >= 0, finite [1/length]
   const float* importance = nullptr;     ///< grid.NodeCount() values in [0, 1]
 };
+
+class PreparedScene;
 
 /// Score of an extinction as seen from the camera.
 struct Score
@@ -42,6 +45,10 @@ public:
   /// Throws limpid::Error when the scene or the settings cannot be worked with.
   Solver(
     const SceneFields& scene, const Camera& camera, const Light& light, const Settings& settings);
+
+  /// The same for a scene that has been checked before and may be shared.
+  Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
+    const Settings& settings);
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
@@ -68,6 +75,12 @@ public:
 
   /// Separate mode: the extinction for the light [1/length]; joint mode: empty.
   const std::vector<float>& LightExtinction() const;
+
+  /// Whether these are iterates at full resolution, no longer what the iterations start from.
+  bool HasResult() const;
+
+  /// Both extinctions, given away: the solver cannot be used any more.
+  std::array<std::vector<float>, 2> TakeExtinctions();
 
   double Majorant() const; ///< upper bound of the extinction, Eq. 25 [1/length]
 

@@ -5,16 +5,16 @@
 
 namespace limpid
 {
-Terms::Terms(const Problem& problem, const Occupancy& occupancy)
+Terms::Terms(const Problem& problem)
 {
   const Settings& settings = problem.settings;
   if (settings.weights.view > 0)
   {
-    this->camera.emplace(problem.grid, occupancy, problem.camera, settings.rayDensity);
+    this->camera.emplace(problem.grid, *problem.occupancy, problem.camera, settings.rayDensity);
   }
   if (settings.weights.light > 0)
   {
-    this->light.emplace(problem.grid, occupancy, problem.light, settings.rayDensity);
+    this->light.emplace(problem.grid, *problem.occupancy, problem.light, settings.rayDensity);
   }
 }
 

@@ -15,7 +15,7 @@ namespace limpid
 struct Terms
 {
   Terms() = default;
-  Terms(const Problem& problem, const Occupancy& occupancy);
+  explicit Terms(const Problem& problem);
 
   /// Energy and score of an extinction; leaves the optical depths of all rays in the terms.
   IterationRecord Measure(const Problem& problem, const std::vector<float>& extinction);

@@ -7,6 +7,7 @@
 #include "scene/Grid.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace limpid
 {
@@ -51,7 +52,8 @@ Eye::Plane PlaneOf(const Grid& grid, const Vec3& normal, const Vec3& point, bool
   return plane;
 }
 
-void AddFrustum(Eye& eye, const Camera& camera, const Grid& grid, const Vec3& forward)
+/// The planes of a picture with a given opening.
+void AddOpening(Eye& eye, const Camera& camera, const Grid& grid, const Vec3& forward)
 {
   Vec3 right = glm::cross(forward, camera.viewUp);
   if (!(glm::length(right) > 1e-12 * glm::length(camera.viewUp)))
@@ -83,11 +85,9 @@ void AddFrustum(Eye& eye, const Camera& camera, const Grid& grid, const Vec3& fo
     }
   }
 }
-}
 
-Eye EyeOfCamera(const Camera& camera, const Grid& grid, bool restrictToView)
+void RequireOpening(const Camera& camera)
 {
-  const Vec3 forward = DirectionOf("camera", camera.position, camera.focalPoint);
   LIMPID_REQUIRE(camera.parallel || (camera.viewAngle > 0 && camera.viewAngle < 180),
     "The camera's view angle is " << camera.viewAngle
                                   << " degrees (no picture has that opening). Set an angle above 0 "
@@ -98,13 +98,75 @@ Eye EyeOfCamera(const Camera& camera, const Grid& grid, bool restrictToView)
   LIMPID_REQUIRE(camera.aspect > 0,
     "The picture's aspect ratio is " << camera.aspect
                                      << " (the picture has no width). Set a ratio above zero.");
+}
+
+/// The planes through neighbouring corners of a picture and along the rays there.
+void AddCorners(Eye& eye, const Camera& camera, const Grid& grid, const Vec3& forward)
+{
+  const std::vector<Vec3>& corners = camera.corners;
+  const Vec3 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const Vec3& corner = corners[i];
+    const Vec3 along = camera.parallel ? forward : corner - camera.position;
+    Vec3 normal = glm::cross(along, corners[(i + 1) % 4] - corner);
+    // The picture is on the inner side, whichever way round the corners are.
+    const double inside = glm::dot(normal, middle - corner);
+    const double size = glm::length(normal);
+    LIMPID_REQUIRE(std::abs(inside) > 1e-12 * size * glm::length(middle - corner),
+      "The picture's corners " << Text{ corners[0] } << ", " << Text{ corners[1] } << ", "
+                               << Text{ corners[2] } << ", " << Text{ corners[3] }
+                               << " span no area as seen from the camera (no ray is in view). Set "
+                                  "corners that do.");
+    normal *= (inside > 0 ? 1 : -1) / size;
+    eye.frustum.push_back(PlaneOf(grid, normal, corner, camera.parallel));
+  }
+}
+
+void RequireCorners(const Camera& camera)
+{
+  LIMPID_REQUIRE(camera.corners.size() == 4,
+    "The picture has " << camera.corners.size()
+                       << " corners (four planes bound the rays). Give four or none.");
+  for (const Vec3& corner : camera.corners)
+  {
+    LIMPID_REQUIRE(IsFinite(corner),
+      "The corner " << Text{ corner }
+                    << " of the picture is not finite (no plane runs through it). Set finite "
+                       "coordinates.");
+  }
+}
+}
+
+bool operator==(const Camera& one, const Camera& other)
+{
+  const auto values = [](const Camera& camera)
+  {
+    return std::tie(camera.position, camera.focalPoint, camera.viewUp, camera.viewAngle,
+      camera.parallel, camera.parallelScale, camera.aspect, camera.corners);
+  };
+  return values(one) == values(other);
+}
+
+bool operator==(const Light& one, const Light& other)
+{
+  const auto values = [](const Light& light)
+  { return std::tie(light.type, light.position, light.focalPoint); };
+  return values(one) == values(other);
+}
+
+Eye EyeOfCamera(const Camera& camera, const Grid& grid, bool restrictToView)
+{
+  const Vec3 forward = DirectionOf("camera", camera.position, camera.focalPoint);
+  const bool hasCorners = !camera.corners.empty();
+  hasCorners ? RequireCorners(camera) : RequireOpening(camera);
   Eye eye;
   eye.parallel = camera.parallel;
   eye.origin = grid.PointToIndex(camera.position);
   eye.direction = grid.DirectionToIndex(forward);
   if (restrictToView)
   {
-    AddFrustum(eye, camera, grid, forward);
+    hasCorners ? AddCorners(eye, camera, grid, forward) : AddOpening(eye, camera, grid, forward);
   }
   return eye;
 }

@@ -23,7 +23,14 @@ struct Camera
   bool parallel = false;      ///< parallel instead of perspective projection
   double parallelScale = 1.0; ///< half the height of the picture, parallel only [length]
   double aspect = 1.0;        ///< width by height of the picture
+
+  /// Corners of the picture in any plane in front of the camera, in cyclic order; empty: from view
+  /// angle, parallel scale and aspect. For pictures that are off the axis or seen through a
+  /// transformation that bends right angles.
+  std::vector<Vec3> corners;
 };
+
+bool operator==(const Camera& one, const Camera& other);
 
 enum class LightType
 {
@@ -38,6 +45,8 @@ struct Light
   Vec3 position{ 0.0, 0.0, 1.0 };
   Vec3 focalPoint{ 0.0 }; ///< directional: the light goes from position towards this point
 };
+
+bool operator==(const Light& one, const Light& other);
 
 /**
  * Where a family of rays comes from, in the index space of a grid: the camera or the light.

@@ -9,9 +9,18 @@
 
 namespace limpid
 {
-void Lateral::Fit(double nearDepth, double farDepth, double rayDensity)
+void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placement placement)
 {
   const double last = this->nodes - 1;
+  constexpr double straight = 1e-3; // sideways step all through the box [index]
+  if (this->parallel && placement == Placement::ForNodes &&
+    std::abs(this->shear) * (farDepth - nearDepth) < straight)
+  {
+    this->step = 1;
+    this->first = -1;
+    this->count = this->nodes + 2;
+    return;
+  }
   double low;
   double high;
   if (this->parallel)

@@ -19,6 +19,13 @@ struct LinearMap
   std::vector<float> weight;
 };
 
+/// Where rays lie best.
+enum class Placement
+{
+  ForIntegrals, ///< in the middle of equal parts of the box
+  ForNodes      ///< on the nodes, where rays run along them; else as for integrals
+};
+
 /**
  * The rays of a pyramid along one of its lateral axes.
  *
@@ -41,7 +48,7 @@ public:
   double Slope(int ray) const { return this->parallel ? this->shear : this->Coordinate(ray); }
 
   /// Chooses the rays that see the box between two depths; none if it is out of reach.
-  void Fit(double nearDepth, double farDepth, double rayDensity);
+  void Fit(double nearDepth, double farDepth, double rayDensity, Placement placement);
 
   /// Voxel column and weight of every ray at `depth`; on the border where it is outside the box.
   LinearMap RayMap(double depth) const;

@@ -227,7 +227,7 @@ void PlaceMaps(Pyramid& pyramid, double sign, double base, const Lateral& u, con
 
 /// The pyramid about the eye that opens along +axis or -axis; without rays if it misses the grid.
 Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye, int axisW,
-  double sign, double rayDensity)
+  double sign, double rayDensity, Placement placement)
 {
   Pyramid pyramid;
   ChooseAxes(pyramid, grid, axisW);
@@ -249,7 +249,7 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
     lateral.eye = eye.origin[axis];
     lateral.shear = eye.parallel ? eye.direction[axis] / std::abs(eye.direction[axisW]) : 0.0;
     lateral.nodes = grid.nodes[axis];
-    lateral.Fit(depth.Near(), depth.Far(), rayDensity);
+    lateral.Fit(depth.Near(), depth.Far(), rayDensity, placement);
     if (lateral.count == 0)
     {
       return pyramid;
@@ -281,8 +281,8 @@ const Occupancy::Spans& SpansOf(
                                        : occupancy.Row(pyramid.axisU, slice, v);
 }
 
-std::vector<Pyramid> PlanSweep(
-  const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity)
+std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, const Eye& eye,
+  double rayDensity, Placement placement)
 {
   std::vector<Pyramid> pyramids;
   if (!grid.HasVolume())
@@ -303,7 +303,7 @@ std::vector<Pyramid> PlanSweep(
           continue;
         }
       }
-      Pyramid pyramid = MakePyramid(grid, occupancy, eye, axis, sign, rayDensity);
+      Pyramid pyramid = MakePyramid(grid, occupancy, eye, axis, sign, rayDensity, placement);
       if (pyramid.RayCount() > 0)
       {
         pyramids.push_back(std::move(pyramid));

@@ -112,8 +112,8 @@ const Occupancy::Spans& SpansOf(
   const Pyramid& pyramid, const Occupancy& occupancy, int slice, int v);
 
 /// The pyramids that cover a grid as seen from an eye; none if the grid has no volume.
-std::vector<Pyramid> PlanSweep(
-  const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity);
+std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, const Eye& eye,
+  double rayDensity, Placement placement = Placement::ForIntegrals);
 }
 
 #endif

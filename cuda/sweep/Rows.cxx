@@ -125,6 +125,30 @@ struct ForwardClipped : ForwardColumn
   }
 };
 
+struct DeepenWhole
+{
+  RayRow rays;
+  double* opticalDepth;
+
+  LIMPID_INLINE void operator()(int i) const
+  {
+    this->opticalDepth[i] +=
+      Whole(this->rays, 0, i).LimitedDepth() + Whole(this->rays, 1, i).LimitedDepth();
+  }
+};
+
+struct DeepenClipped
+{
+  RayRow rays;
+  double* opticalDepth;
+
+  LIMPID_INLINE void operator()(int i) const
+  {
+    this->opticalDepth[i] += Clipped<Cut::Entry>(this->rays, 0, i).LimitedDepth() +
+      Clipped<Cut::Entry>(this->rays, 1, i).LimitedDepth();
+  }
+};
+
 struct Unwind
 {
   RayRow rays;
@@ -218,6 +242,55 @@ void BlendFourRows(const float* const rows[2][2], float across, float along, int
   }
 }
 
+LIMPID_MULTIVERSION
+void BlendCubic(const float* const rows[4], float across, int begin, int end, float* __restrict out)
+{
+  const float* __restrict before = rows[0];
+  const float* __restrict first = rows[1];
+  const float* __restrict second = rows[2];
+  const float* __restrict after = rows[3];
+  const float bend = 0.5f * across * (1 - across);
+  for (int i = begin; i < end; ++i)
+  {
+    // The straight line less what it curves at its ends: exact where nothing changes.
+    const float slope = second[i] - first[i];
+    const float atFirst = (before[i] - first[i]) + slope;
+    const float atSecond = (after[i] - second[i]) - slope;
+    out[i] = first[i] + across * slope - bend * (atFirst + across * (atSecond - atFirst));
+  }
+}
+
+LIMPID_MULTIVERSION
+void Curve(const float* __restrict row, int begin, int end, float* __restrict out)
+{
+  for (int i = begin; i < end; ++i)
+  {
+    out[i] = (row[i - 1] - row[i]) + (row[i + 1] - row[i]);
+  }
+}
+
+LIMPID_MULTIVERSION
+void BendRow(const LinearMap& map, const float* __restrict curvature, const Interval& columns,
+  float* __restrict values)
+{
+  const float* __restrict fractions = map.weight.data();
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    const float x = fractions[i];
+    values[i] -= 0.5f * x * (1 - x) * curvature[i];
+  }
+}
+
+LIMPID_MULTIVERSION
+void ClampRow(const Interval& columns, float* __restrict values)
+{
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    const float atLeast = values[i] > 0.0f ? values[i] : 0.0f;
+    values[i] = atLeast < 1.0f ? atLeast : 1.0f;
+  }
+}
+
 void InterpolateRow(const float* source, const LinearMap& map, const Interval& columns, float* out)
 {
   if (!columns.Empty())
@@ -232,6 +305,12 @@ void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float*
 {
   const ForwardColumn column{ rays, opticalDepth, visible, plain };
   Visit(rays, ForwardWhole{ column }, ForwardClipped{ column });
+}
+
+LIMPID_MULTIVERSION
+void DeepenRow(const RayRow& rays, double* opticalDepth)
+{
+  Visit(rays, DeepenWhole{ rays, opticalDepth }, DeepenClipped{ rays, opticalDepth });
 }
 
 LIMPID_MULTIVERSION
@@ -277,9 +356,10 @@ void DensifyRow(const DensityRow& row, const Interval& columns, float* __restric
     constexpr float tooClose = 0.01f; // to the entry, to divide by the distance [index]
     const float entry = rays.entry > rays.columnEntry[i] ? rays.entry : rays.columnEntry[i];
     const float distance = rays.depth - entry;
-    const bool close = distance < tooClose && distance > -tooClose;
+    const bool close = distance < tooClose && (!rays.unwound || distance > -tooClose);
     const float here = rays.extinction ? rays.extinction[i] * rays.length[i] : 0.0f;
-    const float mean = static_cast<float>(rays.opticalDepth[i]) / (close ? tooClose : distance);
+    const float depth = static_cast<float>(rays.opticalDepth[i]);
+    const float mean = (depth < rays.limit ? depth : rays.limit) / (close ? tooClose : distance);
     density[i] = close ? here : mean;
   }
 }

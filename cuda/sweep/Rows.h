@@ -35,6 +35,20 @@ void BlendRows(
 void BlendFourRows(
   const float* const rows[2][2], float across, float along, int begin, int end, float* out);
 
+/// The cubic blend of four rows of samples at -1, 0, 1, 2 between the second and the third
+/// (Catmull-Rom); `across`: fraction of the way. Columns [begin, end).
+void BlendCubic(const float* const rows[4], float across, int begin, int end, float* out);
+
+/// out[i] = row[i - 1] - 2 row[i] + row[i + 1], columns [begin, end).
+void Curve(const float* row, int begin, int end, float* out);
+
+/// Makes the linear interpolation of a row cubic, in place. `curvature`: the same interpolation of
+/// the row's Curve; `map`: of both.
+void BendRow(const LinearMap& map, const float* curvature, const Interval& columns, float* values);
+
+/// Puts values that are outside [0, 1] on its border.
+void ClampRow(const Interval& columns, float* values);
+
 /// Linear interpolation of a row of samples to `columns` of the map's targets. `source` must be
 /// readable up to 32 values beyond the last sample.
 void InterpolateRow(const float* source, const LinearMap& map, const Interval& columns, float* out);
@@ -43,6 +57,9 @@ void InterpolateRow(const float* source, const LinearMap& map, const Interval& c
 /// and goes on behind the exit, so that nothing jumps between neighbouring rays. `visible` gains
 /// the integral of g mu T scale^2 and `plain` that of g mu scale^2, inside the box only.
 void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float* plain);
+
+/// Front to back, the optical depth alone.
+void DeepenRow(const RayRow& rays, double* opticalDepth);
 
 /// Back to front: `opticalDepth` shrinks to that at the front of the layer.
 void UnwindRow(const RayRow& rays, double* opticalDepth);
@@ -66,6 +83,8 @@ struct DensityRow
   const double* opticalDepth;
   const float* length;     ///< world length per unit of depth
   const float* extinction; ///< just behind the station; null: behind the last one
+  bool unwound;            ///< whether `opticalDepth` is known, and negative, ahead of the entry
+  float limit;             ///< to optical depths, lest cubics swing beside them
 };
 
 /// density = opticalDepth / (depth - entry). It is as smooth as the extinction even where the entry

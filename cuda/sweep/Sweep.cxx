@@ -100,27 +100,28 @@ void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Int
   InterpolateRow(scratch, map, columns, out);
 }
 
-void TransmitRays(
-  const Pyramid& pyramid, int s, int row, const float* extinction, RayImages& images)
+void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& columns,
+  const float* extinction, Depths depths, RayImages& images)
 {
   const std::size_t first = std::size_t(row) * pyramid.columns;
   const Station& station = pyramid.stations[std::size_t(s)];
-  const Interval work = station.work[std::size_t(row)];
+  constexpr float opaque = 12; // T below 1e-5
   const double* opticalDepth = images.opticalDepth.data() + first;
-  TransmitRow(opticalDepth, work, images.transmittance.data() + first);
+  TransmitRow(opticalDepth, columns, images.transmittance.data() + first);
   const DensityRow rays{ station.relativeDepth,
     std::max(pyramid.rowAxis.entry[std::size_t(row)], pyramid.FrontDepth()),
-    pyramid.columnAxis.entry.data(), opticalDepth, images.length.data() + first, extinction };
+    pyramid.columnAxis.entry.data(), opticalDepth, images.length.data() + first, extinction,
+    depths == Depths::Unwound, depths == Depths::Unwound ? 1e30f : opaque };
   float* density = images.density.data() + first;
   const Interval front = pyramid.frontColumns;
   const bool nextToSide = row <= pyramid.frontRows.begin || row + 1 >= pyramid.frontRows.end;
   if (nextToSide || front.Empty())
   {
-    DensifyRow(rays, work, density);
+    DensifyRow(rays, columns, density);
     return;
   }
-  DensifyRow(rays, Intersection(work, { work.begin, front.begin + 1 }), density);
-  DensifyRow(rays, Intersection(work, { front.end - 1, work.end }), density);
+  DensifyRow(rays, Intersection(columns, { columns.begin, front.begin + 1 }), density);
+  DensifyRow(rays, Intersection(columns, { front.end - 1, columns.end }), density);
 }
 
 void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,

@@ -60,10 +60,19 @@ std::size_t ScratchSize(const Pyramid& pyramid);
 void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
   const std::vector<float>& image, float* scratch, float* out);
 
-/// Turns the optical depths of a row of rays at station `s` into what voxels read: transmittance,
-/// and density where rays enter through a side. `extinction`: of the row just behind the station.
-void TransmitRays(
-  const Pyramid& pyramid, int s, int row, const float* extinction, RayImages& images);
+/// Whether optical depths are those of a sweep from the front, 0 ahead of a ray's entry into the
+/// box, or unwound from the back, negative there.
+enum class Depths
+{
+  Wound,
+  Unwound
+};
+
+/// Turns the optical depths of `columns` of a row of rays at station `s` into what voxels read:
+/// transmittance, and density where rays enter through a side. `extinction`: of the row just behind
+/// the station; null: there is nothing.
+void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& columns,
+  const float* extinction, Depths depths, RayImages& images);
 
 /// Transmittance at `columns` of voxel row `v` on station `s` [0, 1]. Between rays that enter
 /// through a side, it is made from their density, which knows where the voxel's own ray enters.
@@ -88,6 +97,30 @@ void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, flo
  */
 Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
   const float* importance, RayImages& images);
+
+/**
+ * Front to back over all slices, the eye's own included. On each slice the visitor first lets the
+ * rays tell what they have met (RayRow), which may carry them on to the next slice, and then does
+ * its work on the voxels of the slice (VoxelRow). Load and Store tell it which slices come next.
+ */
+template <class Visitor>
+void SweepFrontToBack(const Pyramid& pyramid, Visitor& visitor)
+{
+  constexpr Index rowsPerTask = 8;
+  for (const Slab& slab : SlabsOf(pyramid))
+  {
+    visitor.Load(slab);
+    for (int s = slab.begin; s < slab.end; ++s)
+    {
+      const Station& station = pyramid.stations[std::size_t(s)];
+      const Interval rows = station.slice < 0 ? Interval{} : station.ownedRows;
+      ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.RayRow(s, int(row)); });
+      ParallelFor(rows.end - rows.begin, rowsPerTask,
+        [&](Index v) { visitor.VoxelRow(s, rows.begin + int(v)); });
+    }
+    visitor.Store(slab);
+  }
+}
 
 /**
  * Back to front over all slices of voxels. On each slice the visitor first moves all rays to it

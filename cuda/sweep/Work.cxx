@@ -172,23 +172,29 @@ private:
     for (std::size_t s = 0; s + 1 < needed.size(); ++s)
     {
       const float depth = this->Target.stations[s + 1].relativeDepth;
+      const Interval outside = this->ColumnsOutside(depth);
       for (std::size_t row = 0; row < this->Rows; ++row)
       {
         const Interval columns = needed[s][row];
-        const auto outside = [&](int column)
-        {
-          return this->Target.columnAxis.entry[std::size_t(column)] > depth ||
-            this->Target.rowAxis.entry[row] > depth;
-        };
-        for (int column = columns.begin; column < columns.end; ++column)
-        {
-          if (outside(column))
-          {
-            needed[s + 1][row] = Hull(needed[s + 1][row], { column, column + 1 });
-          }
-        }
+        const bool rowOutside = this->Target.rowAxis.entry[row] > depth;
+        needed[s + 1][row] =
+          Hull(needed[s + 1][row], rowOutside ? columns : Intersection(columns, outside));
       }
     }
+  }
+
+  /// Columns of rays that enter the box in u behind a depth. They are neighbours, as these rays all
+  /// come from the same side.
+  Interval ColumnsOutside(float depth) const
+  {
+    const std::vector<float>& entry = this->Target.columnAxis.entry;
+    Interval outside;
+    for (int column = 0; column < this->Target.columns; ++column)
+    {
+      outside =
+        entry[std::size_t(column)] > depth ? Hull(outside, { column, column + 1 }) : outside;
+    }
+    return outside;
   }
 
   /// One ray more on every side: voxels there read these rays, too.

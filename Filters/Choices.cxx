@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Choices.h"
+
+#include "Refuse.h"
+#include "ScalarMapping.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+
+namespace limpid
+{
+void RequireChoice(const char* property, int value, int count)
+{
+  if (value < 0 || value >= count)
+  {
+    Refuse(property, " is ", value, " (there is no such choice). Set a number from 0 to ",
+      count - 1, ".");
+  }
+}
+
+void RequireComponent(const char* property, vtkDataArray* array, int component)
+{
+  if (component < MagnitudeComponent || component >= array->GetNumberOfComponents())
+  {
+    Refuse(property, " is ", component, " (the array \"", NameOf(array), "\" has ",
+      array->GetNumberOfComponents(),
+      " components). Set a component from 0 on, or -1 for the magnitude.");
+  }
+}
+
+std::string NameOf(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "(no name)";
+}
+
+std::string ArrayNames(vtkFieldData* attributes)
+{
+  std::string names;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    const char* name = attributes->GetArrayName(i);
+    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
+  }
+  return names.empty() ? "none" : names;
+}
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Choices that a user makes by number or by name, and what to say about impossible ones.
+
+#ifndef limpid_Choices_h
+#define limpid_Choices_h
+
+#include "vtkLimpidFiltersModule.h" // for export macro
+
+#include <string>
+
+class vtkDataArray;
+class vtkFieldData;
+
+namespace limpid
+{
+/// Throws unless `value` is one of the numbers 0 to count - 1 of the enumeration `property`.
+VTKLIMPIDFILTERS_EXPORT void RequireChoice(const char* property, int value, int count);
+
+/// Throws unless the array has the component; MagnitudeComponent stands for all of them.
+VTKLIMPIDFILTERS_EXPORT void RequireComponent(
+  const char* property, vtkDataArray* array, int component);
+
+/// The name of an array for a message.
+VTKLIMPIDFILTERS_EXPORT std::string NameOf(vtkDataArray* array);
+
+/// The names of the arrays for a message, separated by commas.
+VTKLIMPIDFILTERS_EXPORT std::string ArrayNames(vtkFieldData* attributes);
+}
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The optimised volumes of a view, and what a client says to them past the server manager.
+ *
+ * What is said here is no property of the representation, so it is in no state, trace or undo
+ * step. It reaches the objects on all processes, wherever the picture is made.
+ */
+
+#ifndef LimpidOptimizedVolumes_h
+#define LimpidOptimizedVolumes_h
+
+#include <vector>
+
+class vtkSMProxy;
+class vtkSMViewProxy;
+
+/// The visible representations of type "Optimized Volume" in a view: their own sub-proxies.
+std::vector<vtkSMProxy*> VisibleOptimizedVolumes(vtkSMViewProxy* view);
+
+/// Whether the following still renders make one step each (vtkOptimizedVolumeRepresentation).
+void SetProgressiveStill(vtkSMProxy* volume, bool progressive);
+
+/// Whether the last frame left nothing to do, as the process that made the picture knows it.
+bool IsConverged(vtkSMProxy* volume);
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimpidProgressiveView.h"
+
+#include "LimpidOptimizedVolumes.h"
+#include "pqRenderView.h"
+#include "pqServer.h"
+#include "vtkCommand.h"
+#include "vtkEventQtSlotConnect.h"
+#include "vtkPVView.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSMProxy.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSession.h"
+
+#include <algorithm>
+
+namespace
+{
+// Milliseconds until a step is tried again while ParaView is at work on something else.
+const int RETRY_INTERVAL = 50;
+
+// Reads a state that views keep protected; there is never an object of this type.
+struct CaptureState : public vtkPVView
+{
+  static bool Of(vtkPVView* view) { return (view->*(&CaptureState::GetInCaptureScreenshot))(); }
+};
+
+bool IsSet(void* interactive)
+{
+  return *static_cast<int*>(interactive) != 0;
+}
+}
+
+LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRenderView* view)
+  : QObject(view)
+  , View(view)
+  , Proxy(proxy)
+{
+  this->NextStep.setSingleShot(true);
+  this->connect(&this->NextStep, &QTimer::timeout, this, &LimpidProgressiveView::step);
+
+  this->Events->Connect(proxy, vtkCommand::StartEvent, this,
+    SLOT(beginRender(vtkObject*, unsigned long, void*, void*)));
+  this->Events->Connect(
+    proxy, vtkCommand::EndEvent, this, SLOT(endRender(vtkObject*, unsigned long, void*, void*)));
+  if (vtkRenderWindowInteractor* interactor = proxy->GetInteractor())
+  {
+    this->Events->Connect(
+      interactor, vtkCommand::StartInteractionEvent, this, SLOT(beginInteraction()));
+    this->Events->Connect(
+      interactor, vtkCommand::EndInteractionEvent, this, SLOT(endInteraction()));
+  }
+}
+
+LimpidProgressiveView::~LimpidProgressiveView() = default;
+
+void LimpidProgressiveView::setPaused(bool paused)
+{
+  this->Paused = paused;
+  this->scheduleStep();
+}
+
+void LimpidProgressiveView::beginRender(vtkObject*, unsigned long, void*, void* interactive)
+{
+  this->NextStep.stop();
+  if (IsSet(interactive))
+  {
+    return;
+  }
+  const bool progressive = !this->isCapturing();
+  for (vtkSMProxy* volume : VisibleOptimizedVolumes(this->Proxy))
+  {
+    SetProgressiveStill(volume, progressive);
+  }
+}
+
+void LimpidProgressiveView::endRender(vtkObject*, unsigned long, void*, void* interactive)
+{
+  if (IsSet(interactive))
+  {
+    this->Unfinished = false; // ParaView makes a still render itself when the interaction ends
+    return;
+  }
+  if (!this->isCapturing()) // else what was unfinished in the window still is
+  {
+    const std::vector<vtkSMProxy*> volumes = VisibleOptimizedVolumes(this->Proxy);
+    this->Unfinished = !std::all_of(volumes.begin(), volumes.end(), IsConverged);
+    if (!this->Unfinished)
+    {
+      for (vtkSMProxy* volume : volumes)
+      {
+        volume->UpdatePropertyInformation(); // the results in the properties panel
+      }
+    }
+  }
+  this->scheduleStep();
+}
+
+void LimpidProgressiveView::beginInteraction()
+{
+  this->Interacting = true;
+  this->NextStep.stop();
+}
+
+void LimpidProgressiveView::endInteraction()
+{
+  this->Interacting = false;
+  this->scheduleStep();
+}
+
+bool LimpidProgressiveView::isCapturing() const
+{
+  auto* view = vtkPVView::SafeDownCast(this->Proxy->GetClientSideObject());
+  return view && CaptureState::Of(view);
+}
+
+void LimpidProgressiveView::scheduleStep()
+{
+  if (this->Unfinished && !this->Interacting && !this->Paused)
+  {
+    this->NextStep.start(0); // no time, but after the events that wait
+  }
+  else
+  {
+    this->NextStep.stop();
+  }
+}
+
+void LimpidProgressiveView::step()
+{
+  if (this->Proxy->GetSession()->GetPendingProgress() ||
+    this->View->getServer()->isProcessingPending())
+  {
+    this->NextStep.start(RETRY_INTERVAL);
+    return;
+  }
+  this->View->forceRender();
+}

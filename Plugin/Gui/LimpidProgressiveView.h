@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   LimpidProgressiveView
+ * @brief   refines the optimised volumes of one view while nothing else happens
+ *
+ * Still renders of the view make one step each. As long as the last one left something to do,
+ * another follows as soon as no event of the user waits. None follows when all is done, while the
+ * user interacts, or while an animation plays. Pictures that are captured (screenshots, frames of
+ * a saved animation) are made whole in one render.
+ */
+
+#ifndef LimpidProgressiveView_h
+#define LimpidProgressiveView_h
+
+#include "vtkNew.h"
+
+#include <QObject>
+#include <QTimer>
+
+class pqRenderView;
+class vtkEventQtSlotConnect;
+class vtkObject;
+class vtkSMRenderViewProxy;
+
+class LimpidProgressiveView : public QObject
+{
+  Q_OBJECT
+
+public:
+  LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRenderView* view);
+  ~LimpidProgressiveView() override;
+
+  /// While paused no steps are taken.
+  void setPaused(bool paused);
+
+private Q_SLOTS:
+  // Events of the view's proxy; `interactive` points to an int.
+  void beginRender(vtkObject*, unsigned long, void*, void* interactive);
+  void endRender(vtkObject*, unsigned long, void*, void* interactive);
+  // Events of the view's interactor.
+  void beginInteraction();
+  void endInteraction();
+  void step();
+
+private:
+  bool isCapturing() const;
+  void scheduleStep();
+
+  pqRenderView* View; // the parent
+  vtkSMRenderViewProxy* Proxy;
+  vtkNew<vtkEventQtSlotConnect> Events;
+  QTimer NextStep;
+  bool Unfinished = false; // the last render left something to do
+  bool Interacting = false;
+  bool Paused = false;
+};
+
+#endif

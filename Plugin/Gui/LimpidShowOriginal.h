@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   LimpidShowOriginal
+ * @brief   a toolbar with a button that shows the original volume while it is held down
+ *
+ * While the button is down the optimised volumes of the active view have the method "Ordinary".
+ * Afterwards they have their own again: nothing stays behind, and there is nothing to undo.
+ */
+
+#ifndef LimpidShowOriginal_h
+#define LimpidShowOriginal_h
+
+#include "vtkWeakPointer.h"
+
+#include <QToolBar>
+#include <utility>
+#include <vector>
+
+class QToolButton;
+class pqView;
+class vtkSMProxy;
+
+class LimpidShowOriginal : public QToolBar
+{
+  Q_OBJECT
+
+public:
+  explicit LimpidShowOriginal(QWidget* parent = nullptr);
+
+private Q_SLOTS:
+  void watch(pqView* view);
+  void enable();
+  void showOriginal();
+  void showOptimized();
+
+private:
+  QToolButton* Button;
+  std::vector<std::pair<vtkWeakPointer<vtkSMProxy>, int>> Methods; // to be given back
+};
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Which of two volumes hides the other, and whether that can be told at all.
+
+#ifndef limpid_DrawingOrder_h
+#define limpid_DrawingOrder_h
+
+#include "math/Vec.h"
+
+#include <array>
+
+class vtkRenderer;
+class vtkVolume;
+
+namespace limpid
+{
+/// A parallelepiped in world coordinates.
+struct Box
+{
+  Vec3 corner{ 0.0 };
+  std::array<Vec3, 3> edges{ { Vec3(0.0), Vec3(0.0), Vec3(0.0) } }; ///< from the corner
+};
+
+/// Of VTK's bounds: six numbers.
+Box BoxOfBounds(const double* bounds);
+
+/// Of a volume: of its image, turned as the volume is, or else of its bounds. Never throws.
+Box BoxOf(vtkVolume* volume);
+
+enum class Order
+{
+  Any,         ///< neither hides the other
+  FirstFirst,  ///< the first is farther away: draw it first
+  SecondFirst, ///< the second is farther away
+  Overlapping  ///< no order is right
+};
+
+/// In what order to draw two boxes as the renderer's camera sees them. Boxes that touch do not
+/// overlap.
+Order OrderOf(const Box& first, const Box& second, vtkRenderer* renderer);
+}
+
+#endif

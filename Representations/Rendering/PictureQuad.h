@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Draws a picture into a viewport.
+
+#ifndef limpid_PictureQuad_h
+#define limpid_PictureQuad_h
+
+#include "ViewGeometry.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <memory>
+
+class vtkOpenGLQuadHelper;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace limpid
+{
+struct Picture;
+
+/**
+ * A rectangle with a texture, pixel by pixel where picture and viewport have equal pixels and
+ * interpolated where they have not. vtkRayCastImageDisplayHelper, which VTK's own mapper uses,
+ * draws every picture one pixel too narrow.
+ */
+class PictureQuad
+{
+public:
+  PictureQuad();
+  ~PictureQuad();
+  PictureQuad(const PictureQuad&) = delete;
+  PictureQuad& operator=(const PictureQuad&) = delete;
+
+  /// Over what has been drawn before, where that is not nearer than `depth` in the depth buffer.
+  /// Throws when the window has no OpenGL.
+  void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth);
+
+  /// Like Draw, but where the picture's alpha is above `threshold` in this colour, and nowhere
+  /// else.
+  void DrawMask(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
+    double depth, const float color[3], double threshold);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth,
+    const std::array<float, 4>& mask);
+
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  vtkNew<vtkTextureObject> Texture;
+};
+}
+
+#endif

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TransferTables.h"
+
+#include "AllCores.h"
+#include "Refuse.h"
+#include "ScalarMapping.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limpid
+{
+namespace
+{
+constexpr int Samples = 4096;
+
+struct Interval
+{
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+
+  void Include(const double* range)
+  {
+    this->low = std::min(this->low, range[0]);
+    this->high = std::max(this->high, range[1]);
+  }
+};
+
+bool IsConstantOutside(vtkColorTransferFunction* function)
+{
+  return function->GetClamping() && !function->GetUseBelowRangeColor() &&
+    !function->GetUseAboveRangeColor();
+}
+
+// Where the functions are not constant; sets `constantOutside` to whether they are outside of it.
+Interval IntervalOf(vtkVolumeProperty* property, bool& constantOutside)
+{
+  Interval interval;
+  interval.Include(property->GetScalarOpacity(0)->GetRange());
+  constantOutside = property->GetScalarOpacity(0)->GetClamping() != 0;
+  if (property->GetColorChannels(0) == 1)
+  {
+    interval.Include(property->GetGrayTransferFunction(0)->GetRange());
+    constantOutside &= property->GetGrayTransferFunction(0)->GetClamping() != 0;
+  }
+  else
+  {
+    interval.Include(property->GetRGBTransferFunction(0)->GetRange());
+    constantOutside &= IsConstantOutside(property->GetRGBTransferFunction(0));
+  }
+  return interval;
+}
+
+// An interval to be sampled: never empty, and within the data unless that makes it so.
+Interval SampledInterval(vtkVolumeProperty* property, double low, double high)
+{
+  bool constantOutside = false;
+  const Interval functions = IntervalOf(property, constantOutside);
+  Interval sampled;
+  sampled.low = low;
+  sampled.high = high;
+  if (constantOutside && functions.low <= functions.high)
+  {
+    sampled.low = std::min(std::max(low, functions.low), functions.high);
+    sampled.high = std::max(std::min(high, functions.high), functions.low);
+  }
+  if (!(sampled.high > sampled.low))
+  {
+    // One value: a table needs two, and single precision must tell them apart.
+    sampled.high = sampled.low + std::max(1e-3 * std::abs(sampled.low), 1e-30);
+  }
+  return sampled;
+}
+
+// As GetTable, but at equal steps whatever the scale of the function.
+void SampleLogarithmicColors(
+  vtkColorTransferFunction* function, const Interval& interval, std::vector<double>& table)
+{
+  const double* range = function->GetRange();
+  for (int i = 0; i < Samples; ++i)
+  {
+    const double value = interval.low + (interval.high - interval.low) * i / (Samples - 1);
+    const double inside =
+      IsConstantOutside(function) ? std::min(std::max(value, range[0]), range[1]) : value;
+    function->vtkColorTransferFunction::GetColor(inside, &table[3 * std::size_t(i)]);
+  }
+}
+
+std::vector<double> SampleColors(vtkVolumeProperty* property, const Interval& interval)
+{
+  std::vector<double> table(3 * Samples, 0.0);
+  if (property->GetColorChannels(0) == 1)
+  {
+    std::vector<double> gray(Samples);
+    property->GetGrayTransferFunction(0)->GetTable(
+      interval.low, interval.high, Samples, gray.data());
+    for (std::size_t i = 0; i < table.size(); ++i)
+    {
+      table[i] = gray[i / 3];
+    }
+    return table;
+  }
+  vtkColorTransferFunction* function = property->GetRGBTransferFunction(0);
+  if (function->GetScale() == VTK_CTF_LOG10 && function->GetRange()[0] > 0)
+  {
+    SampleLogarithmicColors(function, interval, table);
+  }
+  else
+  {
+    function->GetTable(interval.low, interval.high, Samples, table.data());
+  }
+  return table;
+}
+
+float Color(double value)
+{
+  return std::isfinite(value) ? static_cast<float>(std::min(std::max(value, 0.0), 1.0)) : 0.0F;
+}
+}
+
+TransferFunctions SampleFunctions(
+  vtkVolumeProperty* property, double low, double high, const ValueUnit& unit)
+{
+  const double unitDistance = property->GetScalarOpacityUnitDistance(0);
+  if (!(unitDistance > 0) || !std::isfinite(unitDistance))
+  {
+    Refuse("The scalar opacity unit distance is ", unitDistance,
+      " (opacity is light lost on a distance). Set a length above zero.");
+  }
+
+  const Interval interval = SampledInterval(property, low, high);
+  const std::vector<double> colors = SampleColors(property, interval);
+  std::vector<double> opacities(Samples);
+  property->GetScalarOpacity(0)->GetTable(interval.low, interval.high, Samples, opacities.data());
+  const ScalarMapping extinction = ExtinctionOfOpacity(KeepValue(), unitDistance);
+
+  TransferFunctions functions;
+  functions.low = (interval.low - unit.offset) * unit.scale;
+  functions.high = (interval.high - unit.offset) * unit.scale;
+  functions.extinction.resize(Samples);
+  functions.color.resize(Samples);
+  for (std::size_t i = 0; i < Samples; ++i)
+  {
+    const double opacity = std::isfinite(opacities[i]) ? opacities[i] : 0.0;
+    functions.extinction[i] = static_cast<float>(extinction(opacity));
+    functions.color[i] = { { Color(colors[3 * i]), Color(colors[3 * i + 1]),
+      Color(colors[3 * i + 2]) } };
+  }
+  return functions;
+}
+
+void LookUpExtinction(
+  const TransferFunctions& functions, const float* values, Index count, float* extinction)
+{
+  const float* table = functions.extinction.data();
+  const auto last = static_cast<float>(functions.extinction.size() - 1);
+  const auto low = static_cast<float>(functions.low);
+  const auto scale = static_cast<float>(last / (functions.high - functions.low));
+  ForOnAllCores(count,
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        // The order of the arguments makes zero of NaN.
+        const float position = std::min(std::max(0.0F, (values[i] - low) * scale), last);
+        const auto entry = static_cast<int>(std::min(position, last - 1));
+        const float share = position - static_cast<float>(entry);
+        const float value = table[entry] + share * (table[entry + 1] - table[entry]);
+        extinction[i] = std::isnan(values[i]) ? 0.0F : value;
+      }
+    });
+}
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// From VTK's camera, window and prop to the rays of a picture.
+
+#ifndef limpid_ViewGeometry_h
+#define limpid_ViewGeometry_h
+
+#include "render/Renderer.h"
+#include "scene/Eye.h"
+
+#include <array>
+#include <vector>
+
+class vtkMatrix4x4;
+class vtkRenderer;
+class vtkVolume;
+
+namespace limpid
+{
+/// The matrix of a prop: from data coordinates to world coordinates.
+glm::dmat4 DataToWorld(vtkVolume* volume);
+
+/// As VTK has it, row by row.
+glm::dmat4 ToMatrix(vtkMatrix4x4* matrix);
+
+/// The corners of the box of a grid's nodes.
+std::array<Vec3, 8> CornersOf(const Grid& grid);
+
+Vec3 TransformPoint(const glm::dmat4& matrix, const Vec3& point);
+
+/// How a renderer sees the box of a grid. Lengths of pictures in pixels, from the left and bottom.
+struct ViewGeometry
+{
+  std::array<int, 2> size{ { 0, 0 } };   ///< of the viewport
+  std::array<int, 2> origin{ { 0, 0 } }; ///< of the viewport in the window
+
+  /// What of the viewport the box covers: first and one past the last column, then row. Empty
+  /// when it is out of view.
+  std::array<int, 4> covered{ { 0, 0, 0, 0 } };
+  double nearest = 0; ///< depth of the box where it is nearest, as in the depth buffer [0, 1]
+
+  glm::dmat4 clipToData{ 1.0 }; ///< of the viewport
+
+  /// The camera of the whole picture in data coordinates: of both eyes in stereo, of all tiles.
+  Camera camera;
+
+  bool IsVisible() const
+  {
+    return this->covered[0] < this->covered[1] && this->covered[2] < this->covered[3];
+  }
+};
+
+/// Throws when the prop or the camera flatten everything.
+ViewGeometry GeometryOf(vtkRenderer* renderer, vtkVolume* volume, const Grid& grid);
+
+/// The rectangle of a picture with pixels of another size than the view's, and its place.
+struct PictureFrame
+{
+  std::array<int, 2> whole{ { 0, 0 } };  ///< size of a picture of the whole viewport
+  std::array<int, 2> origin{ { 0, 0 } }; ///< of the rectangle in it
+  std::array<int, 2> size{ { 0, 0 } };   ///< of the rectangle
+};
+
+/// The smallest picture that covers the box, with pixels `pixelSize` >= 1 pixels of the view wide.
+PictureFrame FrameOf(const ViewGeometry& geometry, double pixelSize);
+
+/// From clip coordinates of the frame to data coordinates.
+glm::dmat4 ClipToData(const ViewGeometry& geometry, const PictureFrame& frame);
+
+/**
+ * Where the rays of a frame end at geometry that has been drawn before, in clip coordinates; empty
+ * when nothing has been drawn. Throws when the depth cannot be read.
+ */
+std::vector<float> ReadDepth(
+  vtkRenderer* renderer, const ViewGeometry& geometry, const PictureFrame& frame);
+
+/// Whether they differ by no more than rounding.
+bool AreSame(const Camera& a, const Camera& b);
+bool AreSame(const Light& a, const Light& b);
+}
+
+#endif

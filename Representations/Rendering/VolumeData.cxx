@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "VolumeData.h"
+
+#include "AllCores.h"
+#include "Refuse.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace limpid
+{
+namespace
+{
+constexpr float Empty = std::numeric_limits<float>::quiet_NaN();
+
+bool HaveSameNodes(const Grid& a, const Grid& b)
+{
+  return a.nodes == b.nodes && a.origin == b.origin && a.spacing == b.spacing &&
+    a.direction == b.direction;
+}
+
+// Calls body(node, its position in data coordinates, count), which returns whether to count.
+template <class Body>
+vtkIdType CountNodes(const Grid& grid, const Body& body)
+{
+  std::atomic<vtkIdType> counted{ 0 };
+  const vtkIdType rows = vtkIdType(grid.nodes.y) * grid.nodes.z;
+  ForOnAllCores(rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType count = 0;
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const vtkIdType first = row * grid.nodes.x;
+        for (int i = 0; i < grid.nodes.x; ++i)
+        {
+          const auto j = static_cast<double>(row % grid.nodes.y);
+          const auto k = static_cast<double>(row / grid.nodes.y);
+          count += body(first + i, Vec3(i, j, k)) ? 1 : 0;
+        }
+      }
+      counted += count;
+    });
+  return counted;
+}
+}
+
+bool CropRegion::Contains(const Vec3& point) const
+{
+  for (const glm::dvec4& plane : this->planes)
+  {
+    if (!(glm::dot(plane, glm::dvec4(point, 1.0)) >= 0))
+    {
+      return false;
+    }
+  }
+  if (!this->hasRegions)
+  {
+    return true;
+  }
+  int region = 0;
+  int stride = 1;
+  for (int axis = 0; axis < 3; ++axis, stride *= 3)
+  {
+    const double low = this->limits[2 * std::size_t(axis)];
+    const double high = this->limits[2 * std::size_t(axis) + 1];
+    region += stride * (point[axis] < low ? 0 : (point[axis] > high ? 2 : 1));
+  }
+  return (this->regions & (1 << region)) != 0;
+}
+
+bool CropRegion::operator==(const CropRegion& other) const
+{
+  return std::tie(this->planes, this->hasRegions, this->limits, this->regions) ==
+    std::tie(other.planes, other.hasRegions, other.limits, other.regions);
+}
+
+bool VolumeData::ArrayKey::operator==(const ArrayKey& other) const
+{
+  return std::tie(this->array, this->ghosts, this->mapping, this->component, this->onCells) ==
+    std::tie(other.array, other.ghosts, other.mapping, other.component, other.onCells);
+}
+
+VolumeData::ArrayKey VolumeData::KeyOf(
+  vtkImageData* image, const FieldSource& source, vtkMTimeType mapping)
+{
+  ArrayKey key;
+  key.array = source.array->GetMTime();
+  key.mapping = mapping;
+  key.component = source.component;
+  key.onCells = source.onCells;
+  for (vtkUnsignedCharArray* ghosts : { image->GetPointGhostArray(), image->GetCellGhostArray() })
+  {
+    key.ghosts = std::max(key.ghosts, ghosts ? ghosts->GetMTime() : 0);
+  }
+  return key;
+}
+
+// Single precision has seven digits: enough for the values themselves unless they are huge or
+// differ from each other by far less than from zero.
+ValueUnit VolumeData::ChooseUnit(const FieldSource& source)
+{
+  double range[2];
+  const bool single = source.array->GetNumberOfComponents() == 1;
+  source.array->GetFiniteRange(range, single ? 0 : source.component);
+  this->Low = range[0] <= range[1] ? range[0] : 0;
+  this->High = range[0] <= range[1] ? range[1] : 0;
+
+  ValueUnit unit;
+  const double width = this->High - this->Low;
+  const double largest = std::max(std::abs(this->Low), std::abs(this->High));
+  const bool plain = largest < 1e30 && (largest == 0 || largest > 1e-30);
+  if (width > 0 && (!plain || width < 1e-3 * largest))
+  {
+    unit.offset = this->Low;
+    unit.scale = 1 / width;
+  }
+  return unit;
+}
+
+// Hidden points and points outside of the crop region become empty.
+void VolumeData::EmptyScalars(vtkImageData* image, const CropRegion& crop)
+{
+  vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
+  float* values = this->ScalarValues->GetPointer(0);
+  this->InvalidScalars = CountNodes(this->NodeGrid,
+    [=](vtkIdType node, const Vec3&)
+    {
+      const bool hidden =
+        ghosts && (ghosts->GetValue(node) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+      const bool invalid = !hidden && std::isnan(values[node]);
+      values[node] = hidden ? Empty : values[node];
+      return invalid;
+    });
+  if (!crop.IsEverything())
+  {
+    const Grid& grid = this->NodeGrid;
+    CountNodes(grid,
+      [=, &crop, &grid](vtkIdType node, const Vec3& index)
+      {
+        const bool inside = crop.Contains(grid.PointToWorld(index));
+        values[node] = inside ? values[node] : Empty;
+        return false;
+      });
+  }
+}
+
+void VolumeData::UpdateScalars(
+  vtkImageData* image, const FieldSource& source, const CropRegion& crop)
+{
+  const Grid grid = GridOfImage(image);
+  const ArrayKey key = KeyOf(image, source, 0);
+  const bool same =
+    key == this->ScalarsKey && HaveSameNodes(grid, this->NodeGrid) && crop == this->Crop;
+  if (same && this->ScalarValues)
+  {
+    return;
+  }
+  this->DataChanges += same ? 0 : 1;
+  this->ScalarValues = nullptr;
+  this->Unit = this->ChooseUnit(source);
+  FieldSource scaled = source;
+  if (this->Unit.offset != 0 || this->Unit.scale != 1)
+  {
+    scaled.mapping = [unit = this->Unit](double value)
+    { return (value - unit.offset) * unit.scale; };
+  }
+  this->NodeGrid = grid;
+  this->ScalarValues = ConvertField(image, scaled, "Scalars");
+  this->EmptyScalars(image, crop);
+  this->ScalarsKey = key;
+  this->Crop = crop;
+  ++this->ScalarChanges;
+}
+
+void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
+{
+  // Functions that are made on demand change the property: ask for its time afterwards.
+  property->GetScalarOpacity(0);
+  property->GetColorChannels(0) == 1 ? static_cast<void>(property->GetGrayTransferFunction(0))
+                                     : static_cast<void>(property->GetRGBTransferFunction(0));
+  const vtkMTimeType time = property->GetMTime();
+  const bool current = property == this->Property && time == this->PropertyTime &&
+    this->FunctionsScalars == this->ScalarChanges && !this->Tables.extinction.empty();
+  if (!current)
+  {
+    this->Tables.extinction.clear();
+    this->Tables = SampleFunctions(property, this->Low, this->High, this->Unit);
+    this->Property = property;
+    this->PropertyTime = time;
+    this->FunctionsScalars = this->ScalarChanges;
+    ++this->FunctionChanges;
+  }
+}
+
+// Moves importance into [0, 1]; none where there is no value or nothing to be seen.
+void VolumeData::CorrectImportance()
+{
+  const float* scalars = this->Scalars();
+  float* importance = this->Arrays.importance->GetPointer(0);
+  this->Arrays.invalidPoints = this->InvalidScalars +
+    CountNodes(this->NodeGrid,
+      [=](vtkIdType node, const Vec3&)
+      {
+        const bool empty = std::isnan(scalars[node]);
+        const bool invalid = !empty && std::isnan(importance[node]);
+        importance[node] = empty || invalid ? 0.0F : importance[node];
+        return invalid;
+      });
+  this->Arrays.clampedPoints = CountNodes(this->NodeGrid,
+    [=](vtkIdType node, const Vec3&)
+    {
+      const float value = importance[node];
+      importance[node] = std::min(std::max(value, 0.0F), 1.0F);
+      return importance[node] != value;
+    });
+}
+
+void VolumeData::UpdateBaseExtinction()
+{
+  if (this->BaseVersion != this->FunctionChanges || !this->Arrays.baseExtinction)
+  {
+    this->Arrays.baseExtinction = vtkSmartPointer<vtkFloatArray>::New();
+    this->Arrays.baseExtinction->SetNumberOfTuples(this->NodeGrid.NodeCount());
+    LookUpExtinction(this->Tables, this->Scalars(), this->NodeGrid.NodeCount(),
+      this->Arrays.baseExtinction->GetPointer(0));
+    this->BaseVersion = this->FunctionChanges;
+  }
+}
+
+void VolumeData::UpdateImportance(
+  vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime)
+{
+  if (!source.array)
+  {
+    this->Arrays = SceneArrays();
+    return;
+  }
+  const ArrayKey key = KeyOf(image, source, functionTime);
+  const bool current = this->Arrays.importance && key == this->ImportanceKey &&
+    this->ImportanceScalars == this->ScalarChanges;
+  if (!current)
+  {
+    this->Arrays.importance = nullptr;
+    this->Arrays.importance = ConvertField(image, source, "Importance");
+    this->CorrectImportance();
+    this->ImportanceKey = key;
+    this->ImportanceScalars = this->ScalarChanges;
+    ++this->ImportanceChanges;
+  }
+  this->UpdateBaseExtinction();
+}
+
+SceneFields VolumeData::Scene() const
+{
+  SceneFields scene;
+  scene.grid = this->NodeGrid;
+  scene.baseExtinction = this->Arrays.baseExtinction->GetPointer(0);
+  scene.importance = this->Arrays.importance->GetPointer(0);
+  return scene;
+}
+
+// No two changes give the same sum, because each one adds to it.
+std::uint64_t VolumeData::SceneVersion() const
+{
+  return this->ScalarChanges + this->FunctionChanges + this->ImportanceChanges;
+}
+
+std::string VolumeData::Warning() const
+{
+  SceneArrays counts = this->Arrays;
+  counts.invalidPoints = std::max(counts.invalidPoints, this->InvalidScalars);
+  if (!counts.baseExtinction)
+  {
+    counts.baseExtinction = this->ScalarValues; // for the number of points
+  }
+  return counts.baseExtinction ? counts.Warning() : std::string();
+}
+
+void VolumeData::Release()
+{
+  this->ScalarValues = nullptr;
+  this->Arrays = SceneArrays();
+  this->Tables.extinction.clear();
+}
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is drawn: the fields of an image and the functions of a property as the core wants them.
+// Each part is made anew only when what it is made of has changed.
+
+#ifndef limpid_VolumeData_h
+#define limpid_VolumeData_h
+
+#include "SceneConversion.h"
+#include "TransferTables.h"
+
+#include "optimize/Solver.h"
+#include "render/Renderer.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkVolumeProperty;
+
+namespace limpid
+{
+/// The part of space that is left in, in data coordinates.
+struct CropRegion
+{
+  /// Half-spaces: inside where dot(plane, (x, y, z, 1)) >= 0.
+  std::vector<glm::dvec4> planes;
+
+  /// Two planes across each axis, which make 27 regions, and a bit for each that is left in, x
+  /// fastest, as in vtkVolumeMapper.
+  bool hasRegions = false;
+  std::array<double, 6> limits{ {} };
+  int regions = 0;
+
+  bool IsEverything() const { return this->planes.empty() && !this->hasRegions; }
+  bool Contains(const Vec3& point) const;
+  bool operator==(const CropRegion& other) const;
+};
+
+class VolumeData
+{
+public:
+  /// The scalar field. Throws when the image or the array cannot be worked with.
+  void UpdateScalars(vtkImageData* image, const FieldSource& source, const CropRegion& crop);
+
+  /// The transfer functions, for the present scalars. Throws when they make no sense.
+  void UpdateFunctions(vtkVolumeProperty* property);
+
+  /// The importance at the points of the image; an array of null: there is none. `functionTime`:
+  /// when the source's mapping was changed last.
+  void UpdateImportance(vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime);
+
+  /// Gives the memory back.
+  void Release();
+
+  const Grid& Nodes() const { return this->NodeGrid; }
+  const float* Scalars() const { return this->ScalarValues->GetPointer(0); }
+  const TransferFunctions& Functions() const { return this->Tables; }
+  bool HasImportance() const { return this->Arrays.importance != nullptr; }
+
+  /// The scene for the optimisation. HasImportance() must be true.
+  SceneFields Scene() const;
+
+  /// Grows with every change of the scalars that is more than making them again.
+  std::uint64_t DataVersion() const { return this->DataChanges; }
+
+  /// They grow with every change of a part; a change of the scalars changes the scene, too.
+  std::uint64_t ScalarsVersion() const { return this->ScalarChanges; }
+  std::uint64_t FunctionsVersion() const { return this->FunctionChanges; }
+  std::uint64_t SceneVersion() const;
+
+  /// What a user has to know about values that could not be taken as they are; may be nothing.
+  std::string Warning() const;
+
+private:
+  /// What an array was when it was converted. MTimes are unique, so nothing else has them.
+  struct ArrayKey
+  {
+    vtkMTimeType array = 0;
+    vtkMTimeType ghosts = 0;
+    vtkMTimeType mapping = 0;
+    int component = 0;
+    bool onCells = false;
+    bool operator==(const ArrayKey& other) const;
+  };
+
+  static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);
+  ValueUnit ChooseUnit(const FieldSource& source);
+  void EmptyScalars(vtkImageData* image, const CropRegion& crop);
+  void CorrectImportance();
+  void UpdateBaseExtinction();
+
+  Grid NodeGrid;
+  ArrayKey ScalarsKey;
+  CropRegion Crop;
+  ValueUnit Unit;
+  double Low = 0;  ///< smallest value of the data
+  double High = 0; ///< largest value of the data
+  vtkSmartPointer<vtkFloatArray> ScalarValues;
+  vtkIdType InvalidScalars = 0;
+  std::uint64_t DataChanges = 0;
+  std::uint64_t ScalarChanges = 0;
+
+  vtkVolumeProperty* Property = nullptr; // only to tell one from another
+  vtkMTimeType PropertyTime = 0;
+  std::uint64_t FunctionsScalars = 0; ///< version of the scalars that they were sampled for
+  TransferFunctions Tables;
+  std::uint64_t FunctionChanges = 0;
+
+  ArrayKey ImportanceKey;
+  std::uint64_t ImportanceScalars = 0; ///< version of the scalars that it was made for
+  SceneArrays Arrays;                  ///< base extinction and importance
+  std::uint64_t BaseVersion = 0;       ///< version of the functions that the base was made with
+  std::uint64_t ImportanceChanges = 0;
+};
+}
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkTransmittanceVolumeMapper.h"
+
+#include "vtkTransmittanceVolumeMapperInternals.h"
+
+#include "vtkCollection.h"
+#include "vtkCuller.h"
+#include "vtkCullerCollection.h"
+#include "vtkDataObject.h"
+#include "vtkFrustumCoverageCuller.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkTransmittanceVolumeMapper);
+vtkCxxSetObjectMacro(vtkTransmittanceVolumeMapper, ImportanceFunction, vtkPiecewiseFunction);
+
+vtkTransmittanceVolumeMapper::vtkTransmittanceVolumeMapper()
+  : State(new Internals(this))
+{
+  static_assert(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS == 3,
+    "the default of ImportanceArrayAssociation in the header");
+}
+
+vtkTransmittanceVolumeMapper::~vtkTransmittanceVolumeMapper()
+{
+  this->SetImportanceFunction(nullptr);
+}
+
+void vtkTransmittanceVolumeMapper::SetImportanceArray(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (wanted != this->ImportanceArray)
+  {
+    this->ImportanceArray = wanted;
+    this->Modified();
+  }
+}
+
+const char* vtkTransmittanceVolumeMapper::GetImportanceArray() const
+{
+  return this->ImportanceArray.c_str();
+}
+
+void vtkTransmittanceVolumeMapper::Reset()
+{
+  for (const auto& view : this->State->Views)
+  {
+    view->Reset();
+  }
+  this->Modified();
+}
+
+double vtkTransmittanceVolumeMapper::GetVisibilityScore() const
+{
+  return this->State->Last.score.visibility;
+}
+
+double vtkTransmittanceVolumeMapper::GetBaseVisibilityScore() const
+{
+  return this->State->Last.baseScore.visibility;
+}
+
+double vtkTransmittanceVolumeMapper::GetVisibleFraction() const
+{
+  return this->State->Last.score.fraction;
+}
+
+double vtkTransmittanceVolumeMapper::GetBaseVisibleFraction() const
+{
+  return this->State->Last.baseScore.fraction;
+}
+
+bool vtkTransmittanceVolumeMapper::GetConverged() const
+{
+  return this->State->Last.converged;
+}
+
+int vtkTransmittanceVolumeMapper::GetIterations() const
+{
+  return this->State->Last.iterations;
+}
+
+const char* vtkTransmittanceVolumeMapper::GetLightDescription() const
+{
+  return this->State->Last.light.c_str();
+}
+
+const char* vtkTransmittanceVolumeMapper::GetBackendName() const
+{
+  return this->State->Last.backend.c_str();
+}
+
+const char* vtkTransmittanceVolumeMapper::GetMessages() const
+{
+  return this->State->Messages.c_str();
+}
+
+void vtkTransmittanceVolumeMapper::SortBackToFront(vtkRenderer* renderer)
+{
+  vtkCullerCollection* cullers = renderer->GetCullers();
+  vtkCollectionSimpleIterator position;
+  cullers->InitTraversal(position);
+  while (vtkCuller* culler = cullers->GetNextCuller(position))
+  {
+    if (auto* sorting = vtkFrustumCoverageCuller::SafeDownCast(culler))
+    {
+      sorting->SetSortingStyleToBackToFront();
+      return;
+    }
+  }
+  vtkNew<vtkFrustumCoverageCuller> sorting;
+  sorting->SetSortingStyleToBackToFront();
+  renderer->AddCuller(sorting);
+}
+
+void vtkTransmittanceVolumeMapper::ReleaseMemory()
+{
+  this->State->ReleaseMemory();
+}
+
+void vtkTransmittanceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    this->State->RenderSelection(renderer, volume, selector);
+  }
+  else
+  {
+    this->State->Render(renderer, volume);
+  }
+}
+
+void vtkTransmittanceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  auto& views = this->State->Views;
+  for (const auto& view : views)
+  {
+    if (view->IsOrphaned() || view->IsIn(window))
+    {
+      view->ReleaseGraphicsResources(window);
+      view->Release();
+    }
+  }
+  const bool unused = std::all_of(views.begin(), views.end(),
+    [window](const auto& view) { return view->IsOrphaned() || view->IsIn(window); });
+  if (unused)
+  {
+    this->ReleaseMemory();
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+vtkMTimeType vtkTransmittanceVolumeMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->ImportanceFunction ? std::max(time, this->ImportanceFunction->GetMTime()) : time;
+}
+
+void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto print = [&os, indent](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
+  const auto printVector = [&os, indent](const char* name, const auto& vector)
+  { os << indent << name << ": " << vector[0] << " " << vector[1] << " " << vector[2] << "\n"; };
+
+  this->Superclass::PrintSelf(os, indent);
+  print("ScalarComponent", this->ScalarComponent);
+  print("ImportanceArray", this->ImportanceArray);
+  print("ImportanceArrayAssociation", this->ImportanceArrayAssociation);
+  print("ImportanceComponent", this->ImportanceComponent);
+  print("UseImportanceFunction", this->UseImportanceFunction);
+  print("ImportanceFunction", static_cast<void*>(this->ImportanceFunction));
+  print("Method", this->Method);
+  print("Optimization", this->Optimization);
+  print("PauseOptimization", this->PauseOptimization);
+  print("RegularizationWeight", this->RegularizationWeight);
+  print("ViewWeight", this->ViewWeight);
+  print("LightWeight", this->LightWeight);
+  print("Mode", this->Mode);
+  print("Solver", this->Solver);
+  print("MaximumIterations", this->MaximumIterations);
+  printVector("IterationsPerLevel", this->IterationsPerLevel);
+  print("LearningRate", this->LearningRate);
+  print("Tolerance", this->Tolerance);
+  print("MaximumSeconds", this->MaximumSeconds);
+  print("Derivative", this->Derivative);
+  print("RayDensity", this->RayDensity);
+  print("SkipUnneeded", this->SkipUnneeded);
+  print("RestrictToView", this->RestrictToView);
+  print("Backend", this->Backend);
+  print("LightSource", this->LightSource);
+  print("LightType", this->LightType);
+  printVector("LightPosition", this->LightPosition);
+  print("Shadows", this->Shadows);
+  print("ShadowStrength", this->ShadowStrength);
+  print("Ambient", this->Ambient);
+  print("Anisotropy", this->Anisotropy);
+  print("Specular", this->Specular);
+  print("SpecularPower", this->SpecularPower);
+  print("LightIntensity", this->LightIntensity);
+  print("SampleDistance", this->SampleDistance);
+  print("Jitter", this->Jitter);
+  print("InteractiveFrameTime", this->InteractiveFrameTime);
+  print("EaseTime", this->EaseTime);
+  print("AdaptiveQuality", this->AdaptiveQuality);
+  print("ProgressiveStill", this->ProgressiveStill);
+  print("VisibilityScore", this->GetVisibilityScore());
+  print("VisibleFraction", this->GetVisibleFraction());
+  print("Converged", this->GetConverged());
+  print("LightDescription", this->GetLightDescription());
+}

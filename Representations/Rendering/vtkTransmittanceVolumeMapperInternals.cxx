@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkTransmittanceVolumeMapperInternals.h"
+
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <exception>
+
+limpid::VolumeView& vtkTransmittanceVolumeMapper::Internals::ViewOf(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  const auto orphaned = [this](const auto& view)
+  {
+    if (view->IsOrphaned())
+    {
+      this->Log.Forget(view.get());
+    }
+    return view->IsOrphaned();
+  };
+  this->Views.erase(
+    std::remove_if(this->Views.begin(), this->Views.end(), orphaned), this->Views.end());
+
+  for (const auto& view : this->Views)
+  {
+    if (view->IsOf(renderer, volume))
+    {
+      return *view;
+    }
+  }
+  const auto releaseUnused = [this]()
+  {
+    const bool unused = std::all_of(
+      this->Views.begin(), this->Views.end(), [](const auto& view) { return view->IsHidden(); });
+    if (unused)
+    {
+      this->Data.Release();
+    }
+  };
+  this->Views.push_back(std::make_unique<limpid::VolumeView>(renderer, volume, releaseUnused));
+  return *this->Views.back();
+}
+
+void vtkTransmittanceVolumeMapper::Internals::ReleaseMemory()
+{
+  for (const auto& view : this->Views)
+  {
+    view->Release();
+  }
+  this->Data.Release();
+}
+
+// The renderer visits volumes in the order in which they were added: the ones that this one hides
+// are drawn now, and not when it comes to them.
+void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  const limpid::Box box = limpid::BoxOf(volume);
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    vtkVolume* other = vtkVolume::SafeDownCast(prop);
+    auto* mapper = other && other != volume && other->GetVisibility()
+      ? vtkTransmittanceVolumeMapper::SafeDownCast(other->GetMapper())
+      : nullptr;
+    if (!mapper || !mapper->GetDataObjectInput())
+    {
+      continue;
+    }
+    const bool behind =
+      limpid::OrderOf(box, limpid::BoxOf(other), renderer) == limpid::Order::SecondFirst;
+    limpid::VolumeView& view = mapper->State->ViewOf(renderer, other);
+    if (behind && view.InFrame == limpid::VolumeView::Turn::NotYet)
+    {
+      other->Update();
+      mapper->State->Render(renderer, other);
+      view.InFrame = limpid::VolumeView::Turn::Ahead;
+    }
+  }
+}
+
+void vtkTransmittanceVolumeMapper::Internals::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  using Turn = limpid::VolumeView::Turn;
+  limpid::VolumeView& view = this->ViewOf(renderer, volume);
+  const bool ahead = view.InFrame == Turn::Ahead;
+  view.InFrame = Turn::Over;
+  if (ahead)
+  {
+    return;
+  }
+  this->DrawWhatIsBehind(renderer, volume);
+
+  this->Log.Begin();
+  this->Messages.clear();
+  try
+  {
+    this->Draw(view, renderer, volume);
+  }
+  catch (const std::exception& error)
+  {
+    this->Error(error.what());
+    this->Last = limpid::FrameResult();
+  }
+  this->Log.End(&view);
+}
+
+void vtkTransmittanceVolumeMapper::Internals::Draw(
+  limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkImageData* image = this->RequireImage();
+  this->RequireAvailableChoices();
+  limpid::FrameSettings frame = this->MakeFrameSettings(volume);
+  const limpid::FieldSource scalars = this->ScalarSource(image, volume);
+  this->Data.UpdateScalars(image, scalars, this->CropRegionOf(volume));
+  this->Data.UpdateFunctions(volume->GetProperty());
+  try
+  {
+    this->Data.UpdateImportance(image, this->ImportanceSource(image, scalars),
+      this->Self->ImportanceFunction ? this->Self->ImportanceFunction->GetMTime() : 0);
+  }
+  catch (const std::exception& error)
+  {
+    // Without optimisation, importance is for the score only.
+    if (frame.optimize)
+    {
+      this->Error(error.what() + std::string(" The volume is drawn without optimization."));
+    }
+    this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
+    frame.optimize = false;
+  }
+  if (!this->Data.Warning().empty())
+  {
+    this->Warn(this->Data.Warning());
+  }
+  this->ReportIgnored(volume);
+  if (!this->Data.Nodes().HasVolume())
+  {
+    const auto& nodes = this->Data.Nodes().nodes;
+    this->Warn("The image has " + std::to_string(nodes.x) + " x " + std::to_string(nodes.y) +
+      " x " + std::to_string(nodes.z) +
+      " points (without a volume nothing can be seen of it). Give an image with at least two "
+      "points per axis.");
+    this->Last = limpid::FrameResult();
+    return;
+  }
+  this->ReportNeighbours(renderer, volume);
+
+  std::vector<std::string> errors;
+  std::vector<std::string> warnings;
+  this->Last = view.Draw(frame, this->Data, errors, warnings);
+  std::for_each(errors.begin(), errors.end(), [this](const auto& text) { this->Error(text); });
+  std::for_each(warnings.begin(), warnings.end(), [this](const auto& text) { this->Warn(text); });
+}
+
+// A pass of a hardware selection: ids instead of colours. Which point or cell it is cannot be told
+// from a picture, so these passes get the id of nothing.
+void vtkTransmittanceVolumeMapper::Internals::RenderSelection(
+  vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector)
+{
+  const int pass = selector->GetCurrentPass();
+  float color[3] = { 0, 0, 0 };
+  selector->BeginRenderProp();
+  if (pass == vtkHardwareSelector::ACTOR_PASS || pass == vtkHardwareSelector::PROCESS_PASS)
+  {
+    selector->GetPropColorValue(color);
+  }
+  try
+  {
+    this->ViewOf(renderer, volume).DrawMask(color);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(this->Self, << error.what());
+  }
+  selector->EndRenderProp();
+}

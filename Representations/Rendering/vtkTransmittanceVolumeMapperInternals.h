@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What vtkTransmittanceVolumeMapper does between a call to Render and the picture: the border to
+// the core.
+
+#ifndef vtkTransmittanceVolumeMapperInternals_h
+#define vtkTransmittanceVolumeMapperInternals_h
+
+#include "vtkTransmittanceVolumeMapper.h"
+
+#include "DrawingOrder.h"
+#include "MessageLog.h"
+#include "VolumeData.h"
+#include "VolumeView.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkHardwareSelector;
+class vtkImageData;
+class vtkProp;
+
+struct vtkTransmittanceVolumeMapper::Internals
+{
+  explicit Internals(vtkTransmittanceVolumeMapper* self)
+    : Self(self)
+  {
+  }
+
+  // Drawing
+  void Render(vtkRenderer* renderer, vtkVolume* volume);
+  void RenderSelection(vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector);
+  void ReleaseMemory();
+  limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);
+  void DrawWhatIsBehind(vtkRenderer* renderer, vtkVolume* volume);
+  void Draw(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume);
+
+  // From properties to what the core wants
+  vtkImageData* RequireImage() const;
+  limpid::FieldSource ScalarSource(vtkImageData* image, vtkVolume* volume);
+  limpid::FieldSource ImportanceSource(vtkImageData* image, const limpid::FieldSource& scalars);
+  vtkDataArray* FindImportance(vtkImageData* image, const std::string& name, bool& onCells) const;
+  limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
+  void RequireAvailableChoices() const;
+  limpid::FrameSettings MakeFrameSettings(vtkVolume* volume);
+  limpid::Settings MakeSettings() const;
+  limpid::Lighting MakeLighting() const;
+
+  // Messages about what is drawn otherwise than it was meant
+  void Warn(const std::string& text);
+  void Error(const std::string& text);
+  void ReportIgnored(vtkVolume* volume);
+  void ReportNeighbours(vtkRenderer* renderer, vtkVolume* volume);
+  bool ReportVolume(vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later);
+
+  vtkTransmittanceVolumeMapper* Self;
+  limpid::VolumeData Data;
+  std::vector<std::unique_ptr<limpid::VolumeView>> Views;
+  limpid::FrameResult Last; ///< of the last frame, in whichever view
+  limpid::MessageLog Log;
+  std::string Messages; ///< of the last frame
+};
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What vtkTransmittanceVolumeMapper says about things that it draws otherwise than they were meant.
+
+#include "vtkTransmittanceVolumeMapperInternals.h"
+
+#include "vtkActor.h"
+#include "vtkCollection.h"
+#include "vtkCuller.h"
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
+#include "vtkMath.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+bool IsSortingBackToFront(vtkRenderer* renderer)
+{
+  vtkCullerCollection* cullers = renderer->GetCullers();
+  vtkCollectionSimpleIterator position;
+  cullers->InitTraversal(position);
+  while (vtkCuller* culler = cullers->GetNextCuller(position))
+  {
+    auto* sorting = vtkFrustumCoverageCuller::SafeDownCast(culler);
+    if (sorting && sorting->GetSortingStyle() == VTK_CULLER_SORT_BACK_TO_FRONT)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool HasBounds(vtkProp* prop)
+{
+  const double* bounds = prop->GetBounds();
+  return bounds && vtkMath::AreBoundsInitialized(bounds);
+}
+
+// Whether VTK draws it, too early, before volumes that it is not wholly behind.
+bool IsTranslucentInFront(vtkProp* prop, const limpid::Box& box, vtkRenderer* renderer)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || !actor->GetVisibility() || !HasBounds(actor) ||
+    !actor->HasTranslucentPolygonalGeometry())
+  {
+    return false;
+  }
+  const limpid::Order order =
+    limpid::OrderOf(box, limpid::BoxOfBounds(actor->GetBounds()), renderer);
+  return order == limpid::Order::Overlapping || order == limpid::Order::FirstFirst;
+}
+}
+
+void vtkTransmittanceVolumeMapper::Internals::Warn(const std::string& text)
+{
+  this->Messages += text + "\n";
+  if (this->Log.IsNew(text))
+  {
+    vtkWarningWithObjectMacro(this->Self, << text);
+  }
+}
+
+// Errors of the core may name coordinates, which change with every frame of the same trouble; but
+// after a change of a property, it is another one.
+void vtkTransmittanceVolumeMapper::Internals::Error(const std::string& text)
+{
+  this->Messages += text + "\n";
+  if (this->Log.IsNew(limpid::WithoutNumbers(text) + std::to_string(this->Self->GetMTime())))
+  {
+    vtkErrorWithObjectMacro(this->Self, << text);
+  }
+}
+
+void vtkTransmittanceVolumeMapper::Internals::ReportIgnored(vtkVolume* volume)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  if (this->Self->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    this->Warn("The blend mode is " + std::to_string(this->Self->GetBlendMode()) +
+      " (transmittance has a meaning for composite blending only): the volume is drawn with "
+      "composite blending. Set the blend mode to composite, 0.");
+  }
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    this->Warn("The transfer function is two-dimensional (the extinction would depend on more than "
+               "the scalar): the one-dimensional functions are used. Set the transfer function "
+               "mode to 1D.");
+  }
+  vtkPiecewiseFunction* gradient =
+    property->GetDisableGradientOpacity(0) ? nullptr : property->GetStoredGradientOpacity(0);
+  if (gradient && gradient->GetSize() > 0 && gradient->GetType() &&
+    !(std::string(gradient->GetType()) == "Constant" && gradient->GetValue(0) == 1))
+  {
+    this->Warn(
+      "The volume property has a gradient opacity function (the extinction would depend on "
+      "more than the scalar): it is not used. Disable the gradient opacity.");
+  }
+  if (property->GetScalarOpacity(0)->GetSize() == 0)
+  {
+    this->Warn("The scalar opacity function has no points (nothing can be seen). Add points.");
+  }
+}
+
+// `later`: whether the renderer comes to the other volume after this one. Returns whether the other
+// one is drawn by another class and out of order.
+bool vtkTransmittanceVolumeMapper::Internals::ReportVolume(
+  vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later)
+{
+  const bool ours = vtkTransmittanceVolumeMapper::SafeDownCast(other->GetMapper()) != nullptr;
+  const limpid::Box otherBox =
+    ours ? limpid::BoxOf(other) : limpid::BoxOfBounds(other->GetBounds());
+  const limpid::Order order = limpid::OrderOf(box, otherBox, renderer);
+  if (order == limpid::Order::Overlapping)
+  {
+    this->Warn(
+      "The bounds of this volume and another one overlap (each volume is one picture, and "
+      "no order of two pictures is right where their contents are mingled): where both are "
+      "seen, one is drawn wholly in front of the other, and neither shades nor clears the "
+      "other. Move them apart, or put both into one image.");
+  }
+  const bool wrong =
+    later ? order == limpid::Order::SecondFirst : order == limpid::Order::FirstFirst;
+  return wrong && !ours;
+}
+
+void vtkTransmittanceVolumeMapper::Internals::ReportNeighbours(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  const limpid::Box box = limpid::BoxOf(volume);
+  bool later = false;
+  bool outOfOrder = false;
+  bool translucent = false;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    vtkVolume* other = vtkVolume::SafeDownCast(prop);
+    later |= prop == volume;
+    if (other && other != volume && other->GetVisibility() && HasBounds(other))
+    {
+      outOfOrder |= this->ReportVolume(renderer, other, box, later);
+    }
+    translucent |= IsTranslucentInFront(prop, box, renderer);
+  }
+  if (outOfOrder && !IsSortingBackToFront(renderer))
+  {
+    this->Warn(
+      "A volume that another mapper draws is on the wrong side of this one (the renderer "
+      "draws volumes in the order in which they were added): the farther one is drawn over "
+      "the nearer one. Call vtkTransmittanceVolumeMapper::SortBackToFront for the renderer.");
+  }
+  if (translucent)
+  {
+    this->Warn(
+      "Translucent geometry is in front of this volume or reaches into it (the renderer "
+      "draws it before any volume): it is drawn behind the volume. Make it opaque, or move "
+      "it behind the volume.");
+  }
+  if (translucent && renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes())
+  {
+    this->Warn("Depth peeling of volumes is on (a picture has one depth, so nothing can be peeled "
+               "off it): the picture is wrong. Call UseDepthPeelingForVolumesOff of the renderer.");
+  }
+}

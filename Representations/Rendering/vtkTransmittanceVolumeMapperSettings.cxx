@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// From the properties of vtkTransmittanceVolumeMapper to the scene and the settings of the core.
+
+#include "vtkTransmittanceVolumeMapperInternals.h"
+
+#include "Choices.h"
+#include "Refuse.h"
+#include "ScenePlacement.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int CellFlag = 1;
+constexpr int FieldFlag = 2;
+
+void RequireShare(const char* property, double value)
+{
+  if (!(value >= 0 && value <= 1))
+  {
+    limpid::Refuse(property, " is ", value, " (it is a share). Set a number from 0 to 1.");
+  }
+}
+
+void RequireNotNegative(const char* property, double value)
+{
+  if (!(value >= 0) || !std::isfinite(value))
+  {
+    limpid::Refuse(
+      property, " is ", value, " (less than none of it makes no sense). Set a number not below 0.");
+  }
+}
+
+void RequirePositive(const char* property, double value)
+{
+  if (!(value > 0) || !std::isfinite(value))
+  {
+    limpid::Refuse(property, " is ", value,
+      " (a picture needs more than none of it). Set a number "
+      "above zero.");
+  }
+}
+}
+
+vtkImageData* vtkTransmittanceVolumeMapper::Internals::RequireImage() const
+{
+  vtkDataObject* input = this->Self->GetDataObjectInput();
+  vtkImageData* image = vtkImageData::SafeDownCast(input);
+  if (!image)
+  {
+    limpid::Refuse("The input is a ", input ? input->GetClassName() : "null pointer",
+      " (this mapper works on points at equal distances). Give it a vtkImageData, for instance "
+      "from "
+      "Resample To Image (vtkResampleToImage).");
+  }
+  if (image->GetNumberOfPoints() == 0)
+  {
+    limpid::Refuse("The input has 0 points (there is nothing to be seen). Give it an image with "
+                   "data.");
+  }
+  return image;
+}
+
+limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
+  vtkImageData* image, vtkVolume* volume)
+{
+  limpid::FieldSource source;
+  const char* name = this->Self->GetArrayName();
+  int flag = 0;
+  source.array = vtkAbstractMapper::GetScalars(image, this->Self->GetScalarMode(),
+    this->Self->GetArrayAccessMode(), this->Self->GetArrayId(), name, flag);
+  if (!source.array || flag == FieldFlag)
+  {
+    limpid::Refuse("The scalar array \"", name && *name ? name : "(the active scalars)",
+      "\" is not among the input's numeric arrays (there is nothing to be coloured). Choose one of "
+      "these: of the points: ",
+      limpid::ArrayNames(image->GetPointData()),
+      "; of the cells: ", limpid::ArrayNames(image->GetCellData()), ".");
+  }
+  source.onCells = flag == CellFlag;
+
+  const int components = source.array->GetNumberOfComponents();
+  if (components > 1 && !volume->GetProperty()->GetIndependentComponents())
+  {
+    limpid::Refuse("The array \"", limpid::NameOf(source.array), "\" has ", components,
+      " dependent components, which are colours and opacities themselves (this mapper shows one "
+      "scalar through transfer functions). Turn IndependentComponents on (in ParaView: Map Scalars "
+      "on, separate opacity array and multi components mapping off) and choose a component.");
+  }
+  if (components > 1 && this->Self->ScalarComponent == UNDECIDED)
+  {
+    this->Warn("The array \"" + limpid::NameOf(source.array) + "\" has " +
+      std::to_string(components) +
+      " components (this mapper shows one scalar): the magnitude is shown. Set ScalarComponent to "
+      "a component from 0 on, or to -1 for the magnitude.");
+  }
+  source.component = this->Self->ScalarComponent == UNDECIDED ? limpid::MagnitudeComponent
+                                                              : this->Self->ScalarComponent;
+  limpid::RequireComponent("ScalarComponent", source.array, source.component);
+  return source;
+}
+
+vtkDataArray* vtkTransmittanceVolumeMapper::Internals::FindImportance(
+  vtkImageData* image, const std::string& name, bool& onCells) const
+{
+  const int association = this->Self->ImportanceArrayAssociation;
+  const bool both = association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  vtkDataArray* array = nullptr;
+  if (both || association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    array = image->GetPointData()->GetArray(name.c_str());
+  }
+  onCells = !array;
+  if (!array && (both || association == vtkDataObject::FIELD_ASSOCIATION_CELLS))
+  {
+    array = image->GetCellData()->GetArray(name.c_str());
+  }
+  return array;
+}
+
+limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ImportanceSource(
+  vtkImageData* image, const limpid::FieldSource& scalars)
+{
+  const std::string& given = this->Self->ImportanceArray;
+  const std::string name = given.empty() ? "Importance" : given;
+  limpid::FieldSource source;
+  source.array = this->FindImportance(image, name, source.onCells);
+  source.component = this->Self->ImportanceComponent;
+  if (!source.array && given.empty() && this->Self->UseImportanceFunction)
+  {
+    source = scalars;
+  }
+  if (!source.array)
+  {
+    limpid::Refuse("The importance array \"", name,
+      "\" is not among the input's numeric arrays (what is to be seen is not known). Choose one of "
+      "these: of the points: ",
+      limpid::ArrayNames(image->GetPointData()),
+      "; of the cells: ", limpid::ArrayNames(image->GetCellData()), "; or turn optimization off.");
+  }
+  limpid::RequireComponent("ImportanceComponent", source.array, source.component);
+  if (this->Self->UseImportanceFunction)
+  {
+    vtkPiecewiseFunction* function = this->Self->ImportanceFunction;
+    if (!function || function->GetSize() == 0)
+    {
+      limpid::Refuse("UseImportanceFunction is on, but ImportanceFunction has no points (no value "
+                     "would have an importance). Add points to the function or turn it off.");
+    }
+    source.mapping = limpid::Evaluate(function);
+  }
+  return source;
+}
+
+limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolume* volume) const
+{
+  limpid::CropRegion region;
+  if (vtkPlaneCollection* planes = this->Self->GetClippingPlanes())
+  {
+    // n . (M x - o) as a plane in data coordinates.
+    const glm::dmat4 toWorld = limpid::DataToWorld(volume);
+    for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+    {
+      double normal[3];
+      double origin[3];
+      planes->GetItem(i)->GetNormal(normal);
+      planes->GetItem(i)->GetOrigin(origin);
+      const double offset = normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2];
+      region.planes.push_back(
+        glm::transpose(toWorld) * glm::dvec4(normal[0], normal[1], normal[2], -offset));
+    }
+  }
+  if (this->Self->GetCropping())
+  {
+    region.hasRegions = true;
+    std::copy_n(this->Self->GetCroppingRegionPlanes(), 6, region.limits.begin());
+    region.regions = this->Self->GetCroppingRegionFlags();
+  }
+  return region;
+}
+
+void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
+{
+  const vtkTransmittanceVolumeMapper* self = this->Self;
+  limpid::RequireChoice("Method", self->Method, 5);
+  limpid::RequireChoice("Optimization", self->Optimization, 3);
+  limpid::RequireChoice("Mode", self->Mode, 2);
+  limpid::RequireChoice("Solver", self->Solver, 2);
+  limpid::RequireChoice("Derivative", self->Derivative, 2);
+  limpid::RequireChoice("Backend", self->Backend, 3);
+  limpid::RequireChoice("LightSource", self->LightSource, 2);
+  limpid::RequireChoice("LightType", self->LightType, 2);
+  RequireShare("ShadowStrength", self->ShadowStrength);
+  RequireShare("Ambient", self->Ambient);
+  if (!(std::abs(self->Anisotropy) < 1))
+  {
+    limpid::Refuse("Anisotropy is ", self->Anisotropy,
+      " (the phase function has no such parameter). Set a number above -1 and below 1.");
+  }
+  RequireNotNegative("Specular", self->Specular);
+  RequireNotNegative("SpecularPower", self->SpecularPower);
+  RequireNotNegative("LightIntensity", self->LightIntensity);
+  RequireNotNegative("EaseTime", self->EaseTime);
+  RequirePositive("SampleDistance", self->SampleDistance);
+  RequirePositive("InteractiveFrameTime", self->InteractiveFrameTime);
+}
+
+limpid::Settings vtkTransmittanceVolumeMapper::Internals::MakeSettings() const
+{
+  limpid::Settings settings;
+  settings.weights.regularization = this->Self->RegularizationWeight;
+  settings.weights.view = this->Self->ViewWeight;
+  settings.weights.light = this->Self->LightWeight;
+  settings.mode = static_cast<limpid::Mode>(this->Self->Mode);
+  settings.solver = static_cast<limpid::SolverKind>(this->Self->Solver);
+  settings.maximumIterations = this->Self->MaximumIterations;
+  std::copy_n(this->Self->IterationsPerLevel, 3, settings.iterationsPerLevel.begin());
+  settings.learningRate = this->Self->LearningRate;
+  settings.tolerance = this->Self->Tolerance;
+  settings.maximumSeconds = this->Self->MaximumSeconds;
+  settings.derivative = static_cast<limpid::Derivative>(this->Self->Derivative);
+  settings.rayDensity = this->Self->RayDensity;
+  settings.skipUnneeded = this->Self->SkipUnneeded != 0;
+  settings.restrictToView = this->Self->RestrictToView != 0;
+  settings.backend = static_cast<limpid::BackendKind>(this->Self->Backend);
+  return settings;
+}
+
+limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
+{
+  limpid::Lighting lighting;
+  lighting.intensity = this->Self->LightIntensity;
+  lighting.ambient = this->Self->Ambient;
+  lighting.anisotropy = this->Self->Anisotropy;
+  lighting.surface = this->Self->Specular;
+  lighting.specularPower = this->Self->SpecularPower;
+  lighting.shadows = this->Self->Shadows != 0;
+  lighting.shadowStrength = this->Self->ShadowStrength;
+  return lighting;
+}
+
+limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(vtkVolume* volume)
+{
+  const vtkTransmittanceVolumeMapper* self = this->Self;
+  limpid::FrameSettings frame;
+  frame.optimize = self->Method == OPTIMIZED && self->Optimization != OFF;
+  frame.once = self->Optimization == ONCE;
+  frame.paused = self->PauseOptimization != 0;
+  frame.solver = this->MakeSettings();
+  frame.solver.Require();
+  frame.lighting = this->MakeLighting();
+  frame.lit = self->Shadows || volume->GetProperty()->GetShade(0);
+  frame.hasOwnLight = self->LightSource == OWN;
+  frame.ownLight.type = static_cast<limpid::LightType>(self->LightType);
+  frame.ownLight.position =
+    limpid::Vec3(self->LightPosition[0], self->LightPosition[1], self->LightPosition[2]);
+  frame.sampleDistance = self->SampleDistance;
+  frame.jitter = self->Jitter != 0;
+  frame.frameTime = self->InteractiveFrameTime;
+  frame.easeTime = self->EaseTime;
+  frame.adaptive = self->AdaptiveQuality != 0;
+  frame.stepwise = self->ProgressiveStill != 0;
+
+  if (self->Method > ORDINARY)
+  {
+    const char* const names[] = { "Viola 2004", "Marchesin 2010", "Ament 2017" };
+    this->Error("Method is " + std::to_string(self->Method) + ", " +
+      names[self->Method - VIOLA_2004] +
+      " (it comes in a later version): the volume is drawn in the ordinary way. Set Method to 0 "
+      "(optimized) or 1 (ordinary).");
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1 && (frame.optimize || frame.lit))
+  {
+    this->Warn("There are " + std::to_string(controller->GetNumberOfProcesses()) +
+      " processes (each has its own piece of the volume, and what hides a structure or shades it "
+      "may lie in another one): the volume is drawn without optimization and light. Run one "
+      "process, or set Method to Ordinary and Shadows and Shade off.");
+    frame.optimize = false;
+    frame.lit = false;
+  }
+  return frame;
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ScoreText.h"
+
+#include "vtkTransmittanceVolumeMapper.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace limpid
+{
+namespace
+{
+std::string Percent(double share)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << 100 * share << " %";
+  return text.str();
+}
+
+bool IsOptimizing(vtkTransmittanceVolumeMapper* mapper)
+{
+  return mapper->GetMethod() == vtkTransmittanceVolumeMapper::OPTIMIZED &&
+    mapper->GetOptimization() != vtkTransmittanceVolumeMapper::OFF;
+}
+
+std::string Progress(vtkTransmittanceVolumeMapper* mapper)
+{
+  if (mapper->GetPauseOptimization())
+  {
+    return "paused";
+  }
+  if (!mapper->GetConverged())
+  {
+    return "optimizing ...";
+  }
+  const int iterations = mapper->GetIterations();
+  return "converged, " + std::to_string(iterations) +
+    (iterations == 1 ? " iteration" : " iterations");
+}
+}
+
+std::string ScoreText(vtkTransmittanceVolumeMapper* mapper)
+{
+  // Of what is important, some is visible at least through a haze: zero stands for no importance.
+  const double before = mapper->GetBaseVisibleFraction();
+  const double now = mapper->GetVisibleFraction();
+  if (!(before > 0 || now > 0))
+  {
+    return {};
+  }
+  const std::string visible = "Visible: " + Percent(now) + " of what is important";
+  return IsOptimizing(mapper) ? visible + " (was " + Percent(before) + ")\n" + Progress(mapper)
+                              : visible;
+}
+}

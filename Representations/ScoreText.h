@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the view says about the last picture of a mapper.
+
+#ifndef limpid_ScoreText_h
+#define limpid_ScoreText_h
+
+#include <string>
+
+class vtkTransmittanceVolumeMapper;
+
+namespace limpid
+{
+/// How much of what is important can be seen, before the optimisation too, and how far the
+/// optimisation is; empty when the last picture knew no importance.
+std::string ScoreText(vtkTransmittanceVolumeMapper* mapper);
+}
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkOptimizedVolumeRepresentation.h"
+
+#include "ScoreText.h"
+#include "vtkOptimizedVolumeRepresentationInternals.h"
+
+#include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkOptimizedVolumeRepresentation);
+vtkStandardNewMacro(vtkRepresentedVolumeMapper);
+
+namespace
+{
+// Why an input cannot be drawn; empty if it can.
+std::string RefusalOf(vtkDataObject* input)
+{
+  if (!input || vtkImageData::SafeDownCast(input))
+  {
+    return {};
+  }
+  const std::string what = "The input is a " + std::string(input->GetClassName()) +
+    " (Optimized Volume draws one image with the same spacing everywhere). ";
+  return what +
+    (vtkCompositeDataSet::SafeDownCast(input)
+        ? "Take one of its blocks with the filter Extract Block, or make an image of all of them "
+          "with Resample To Image."
+        : "Make it one with the filter Resample To Image.");
+}
+
+void GetBounds(vtkDataObject* input, double bounds[6])
+{
+  if (auto* data = vtkDataSet::SafeDownCast(input))
+  {
+    data->GetBounds(bounds);
+  }
+  else if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    blocks->GetBounds(bounds);
+  }
+}
+}
+
+vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
+  : State(new Internals)
+{
+  this->VolumeMapper = this->State->Mapper;
+  this->State->Mapper->Prop = this->Actor;
+  this->State->Annotation->SetTextSource(
+    [this]()
+    {
+      const auto& mapper = this->State->Mapper;
+      return mapper->HasDrawn ? limpid::ScoreText(mapper) : std::string();
+    });
+}
+
+vtkOptimizedVolumeRepresentation::~vtkOptimizedVolumeRepresentation()
+{
+  this->State->Annotation->SetTextSource(nullptr); // a renderer may keep it longer
+}
+
+int vtkOptimizedVolumeRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool severalPieces = controller && controller->GetNumberOfProcesses() > 1;
+  for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects() && severalPieces; ++i)
+  {
+    // The neighbours' layer, for what is interpolated or averaged at the borders of pieces.
+    inputVector[0]->GetInformationObject(i)->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 1);
+  }
+  return 1;
+}
+
+int vtkOptimizedVolumeRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() > 0
+    ? vtkDataObject::GetData(inputVector[0], 0)
+    : nullptr;
+  this->State->Refusal = RefusalOf(input);
+  if (this->State->Refusal.empty())
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  // An outline, so that something says where the data are.
+  GetBounds(input, this->DataBounds);
+  this->OutlineSource->SetBounds(this->DataBounds);
+  this->OutlineSource->Update();
+  this->DataSize = 0;
+  this->Cache = vtkSmartPointer<vtkImageData>::New();
+  this->Actor->SetEnableLOD(1);
+  return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
+}
+
+void vtkOptimizedVolumeRepresentation::UpdateMapperParameters()
+{
+  this->Superclass::UpdateMapperParameters();
+  std::vector<std::string> messages;
+  if (!this->State->Refusal.empty())
+  {
+    messages.push_back(this->State->Refusal);
+    this->Actor->SetVisibility(1); // the outline
+  }
+  else if (auto* image = vtkImageData::SafeDownCast(this->VolumeMapper->GetDataSetInput()))
+  {
+    this->ApplyScalars(image, messages);
+  }
+  this->AddUnavailable(messages);
+  this->Say(messages);
+}
+
+void vtkOptimizedVolumeRepresentation::SetVisibility(bool visible)
+{
+  if (this->GetVisibility() && !visible)
+  {
+    this->State->Mapper->ReleaseMemory();
+  }
+  this->Superclass::SetVisibility(visible);
+  this->State->Annotation->SetVisibility(visible && this->State->ShowScore);
+}
+
+bool vtkOptimizedVolumeRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView || !this->Superclass::AddToView(view))
+  {
+    return false;
+  }
+  vtkRenderer* renderer = renderView->GetRenderer();
+  renderer->AddViewProp(this->State->Annotation);
+  this->State->Observers = { renderer->AddObserver(vtkCommand::StartEvent, this,
+                               &vtkOptimizedVolumeRepresentation::BeginFrame),
+    renderer->AddObserver(
+      vtkCommand::EndEvent, this, &vtkOptimizedVolumeRepresentation::EndFrame) };
+  return true;
+}
+
+bool vtkOptimizedVolumeRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    vtkRenderer* renderer = renderView->GetRenderer();
+    renderer->RemoveViewProp(this->State->Annotation);
+    for (const unsigned long observer : this->State->Observers)
+    {
+      renderer->RemoveObserver(observer);
+    }
+    this->State->Observers.clear();
+    this->State->Mapper->ReleaseMemory();
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkOptimizedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ImportanceArray: " << this->State->ImportanceArray << "\n";
+  os << indent << "ShowScore: " << this->State->ShowScore << "\n";
+  os << indent << "Messages: " << this->GetMessages() << "\n";
+}
+
+// ParaView peels volumes along with translucent polygons by default. That works in the shaders of
+// its GPU mapper only; a picture that was computed elsewhere comes out as garbage.
+void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned long, void*)
+{
+  this->State->Mapper->HasDrawn = false;
+  auto* renderer = static_cast<vtkRenderer*>(object);
+  this->State->PeelsVolumes = this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes();
+  if (this->State->PeelsVolumes)
+  {
+    renderer->UseDepthPeelingForVolumesOff();
+  }
+}
+
+void vtkOptimizedVolumeRepresentation::EndFrame(vtkObject* object, unsigned long, void*)
+{
+  if (this->State->PeelsVolumes)
+  {
+    static_cast<vtkRenderer*>(object)->UseDepthPeelingForVolumesOn();
+    this->State->PeelsVolumes = false;
+  }
+}
+
+void vtkRepresentedVolumeMapper::Render(vtkRenderer* renderer, vtkVolume*)
+{
+  this->HasDrawn = true;
+  this->vtkTransmittanceVolumeMapper::Render(renderer, this->Prop);
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkOptimizedVolumeRepresentation
+ * @brief   shows image data so that important structures inside can be seen
+ *
+ * The representation type "Optimized Volume" of ParaView: a vtkTransmittanceVolumeMapper with the
+ * display's color map, opacity function, unit distance, transformation and cropping, and a text in
+ * the view that says how much of what is important can be seen.
+ *
+ * Each view has its own representation of a data set, so each has an optimisation of its own.
+ *
+ * The properties without a comment are those of the mapper, which says what they mean.
+ *
+ * With several processes each one draws its part of the image as the transfer functions make it,
+ * without lighting: optimisation and shadows across processes are not available.
+ *
+ * @sa vtkTransmittanceVolumeMapper
+ */
+
+#ifndef vtkOptimizedVolumeRepresentation_h
+#define vtkOptimizedVolumeRepresentation_h
+
+#include "vtkImageVolumeRepresentation.h"
+#include "vtkLimpidRepresentationsModule.h" // for export macro
+
+#include <memory> // for the hidden state
+#include <string> // for messages
+#include <vector> // for messages
+
+class vtkColorTransferFunction;
+class vtkDataArray;
+class vtkPiecewiseFunction;
+
+class VTKLIMPIDREPRESENTATIONS_EXPORT vtkOptimizedVolumeRepresentation
+  : public vtkImageVolumeRepresentation
+{
+public:
+  static vtkOptimizedVolumeRepresentation* New();
+  vtkTypeMacro(vtkOptimizedVolumeRepresentation, vtkImageVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetVisibility(bool visible) override;
+
+  ///@{
+  /**
+   * What is important: an array by association and name, as SetInputArrayToProcess takes it. The
+   * name "(Color Array)" stands for the array that the volume is colored by. Default is
+   * "Importance", or the color array if there is none of that name.
+   */
+  void SetImportanceArray(int index, int port, int connection, int association, const char* name);
+  void SetImportanceComponent(int);
+  void SetUseImportanceFunction(int);
+  void SetImportanceFunction(vtkPiecewiseFunction*);
+  ///@}
+
+  ///@{
+  /**
+   * What is done about it.
+   */
+  void SetMethod(int);
+  void SetOptimization(int);
+  void SetViewWeight(double);
+  void SetLightWeight(double);
+  void SetRegularizationWeight(double);
+  void SetMode(int);
+  void SetRestrictToView(int);
+  void SetSolver(int);
+  void SetMaximumIterations(int);
+  void SetIterationsPerLevel(int quarter, int half, int full);
+  void SetLearningRate(double);
+  void SetTolerance(double);
+  void SetMaximumSeconds(double);
+  void SetDerivative(int);
+  void SetRayDensity(double);
+  void SetSkipUnneeded(int);
+  void SetBackend(int);
+  ///@}
+
+  ///@{
+  /**
+   * How it is lit. The names differ from the mapper's where vtkImageVolumeRepresentation has a
+   * method of that name for the volume's property.
+   */
+  void SetShadows(int);
+  void SetShadowStrength(double);
+  void SetLightSource(int);
+  void SetLightType(int);
+  void SetLightPosition(double x, double y, double z);
+  void SetLightIntensity(double);
+  void SetVolumeAmbient(double);
+  void SetVolumeSpecular(double);
+  void SetVolumeSpecularPower(double);
+  void SetScatteringAnisotropy(double);
+  ///@}
+
+  ///@{
+  /**
+   * Color map and opacity function; none: ParaView's default colors and a straight line from 0 to 1
+   * over the range of the array that is shown.
+   */
+  void SetColor(vtkColorTransferFunction*);
+  void SetScalarOpacity(vtkPiecewiseFunction*);
+  ///@}
+
+  ///@{
+  /**
+   * Not available: there is a message if it is on, and the volume is drawn without.
+   */
+  void SetUseSeparateOpacityArray(bool);
+  void SetUseTransfer2D(bool);
+  ///@}
+
+  ///@{
+  /**
+   * How it is drawn.
+   */
+  void SetSampleDistance(double);
+  void SetJitter(int);
+  void SetAdaptiveQuality(int);
+  void SetInteractiveFrameTime(double);
+  void SetEaseTime(double);
+  ///@}
+
+  /**
+   * Keep the extinction as it is, whatever moves. Default is off.
+   */
+  void SetPauseOptimization(int);
+
+  /**
+   * Forget what was optimised; begin anew with the next picture.
+   */
+  void ResetOptimization();
+
+  /**
+   * Whether the following still renders make one step each, for a client that goes on rendering
+   * until Converged. Set for each render by that client, part of no state. Default is off.
+   */
+  void SetProgressiveStill(int);
+
+  /**
+   * Whether the view shows how much of what is important can be seen. Default is on.
+   */
+  void SetShowScore(int);
+
+  ///@{
+  /**
+   * What came of the last picture, on the process that drew it.
+   */
+  double GetVisibilityScore();
+  double GetBaseVisibilityScore();
+  double GetVisibleFraction();
+  double GetBaseVisibleFraction();
+  int GetConverged();
+  int GetIterations();
+  const char* GetLightDescription();
+  const char* GetBackendName();
+  ///@}
+
+  /**
+   * What could not be done for the last picture as it was asked for, and what to do about it, one a
+   * line. Empty if all is well.
+   */
+  const char* GetMessages();
+
+protected:
+  vtkOptimizedVolumeRepresentation();
+  ~vtkOptimizedVolumeRepresentation() override;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void UpdateMapperParameters() override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  void BeginFrame(vtkObject* renderer, unsigned long event, void* data);
+  void EndFrame(vtkObject* renderer, unsigned long event, void* data);
+  void ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
+  void ApplyFunctions(vtkDataArray* array);
+  void ApplyImportance(vtkImageData* image, const char* colorArray, bool colorsOnCells);
+  void AddUnavailable(std::vector<std::string>& messages) const;
+  void Say(const std::vector<std::string>& messages);
+
+  vtkOptimizedVolumeRepresentation(const vtkOptimizedVolumeRepresentation&) = delete;
+  void operator=(const vtkOptimizedVolumeRepresentation&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> State;
+};
+
+#endif

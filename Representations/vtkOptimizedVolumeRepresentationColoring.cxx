@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is shown and in which colours, and what to say when that is not what was asked for.
+
+#include "ScalarChoice.h"
+#include "vtkOptimizedVolumeRepresentationInternals.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+// Stands for the array that the volume is coloured by; none_string in LimpidRepresentations.xml.
+const char* const COLOR_ARRAY = "(Color Array)";
+
+// Taken when nothing else is said, if there is such an array.
+const char* const IMPORTANCE = "Importance";
+
+std::string ColorByCall(const limpid::ScalarChoice& scalars)
+{
+  return std::string("ColorBy(display, (\"") + (scalars.onCells ? "CELLS" : "POINTS") + "\", \"" +
+    scalars.array->GetName() + "\"))";
+}
+
+// The name of the array that the user has chosen to colour by; empty: none.
+std::string ChosenName(vtkInformation* chosen)
+{
+  const char* name = chosen && chosen->Has(vtkDataObject::FIELD_NAME())
+    ? chosen->Get(vtkDataObject::FIELD_NAME())
+    : nullptr;
+  return name ? name : "";
+}
+
+bool IsOnCells(vtkInformation* chosen)
+{
+  return chosen && chosen->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
+    chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+}
+
+// What to show: an array, or why there is none, or both where the user should know.
+limpid::ScalarChoice WhatToShow(vtkInformation* chosen, const std::string& importance,
+  vtkImageData* image, std::vector<std::string>& messages)
+{
+  const std::string name = ChosenName(chosen);
+  const bool onCells = IsOnCells(chosen);
+  const limpid::ScalarChoice scalars = name.empty()
+    ? limpid::ChooseScalars(image, importance.c_str())
+    : limpid::FindScalars(image, name.c_str(), onCells);
+  if (scalars.array && name.empty())
+  {
+    messages.push_back("No array is chosen for coloring (a volume has no solid color). \"" +
+      std::string(scalars.array->GetName()) +
+      "\" is shown; choose an array under Coloring, in Python with " + ColorByCall(scalars) + ".");
+  }
+  else if (!scalars.array && !name.empty())
+  {
+    messages.push_back("The array \"" + name +
+      "\" that the volume is colored by is not among those "
+      "of the " +
+      (onCells ? "cells" : "points") +
+      " (there are no values to draw). Choose another one under Coloring.");
+  }
+  else if (!scalars.array && image->GetNumberOfPoints() > 0)
+  {
+    messages.emplace_back("The image has no array with numbers (there are no values to draw). Make "
+                          "one, for instance with the filter Calculator.");
+  }
+  return scalars;
+}
+}
+
+void vtkOptimizedVolumeRepresentation::ApplyScalars(
+  vtkImageData* image, std::vector<std::string>& messages)
+{
+  const limpid::ScalarChoice scalars =
+    WhatToShow(this->GetInputArrayInformation(0), this->State->ImportanceArray, image, messages);
+  if (!scalars.array)
+  {
+    this->Actor->SetVisibility(0);
+    return;
+  }
+  this->Actor->SetVisibility(1);
+  this->ApplyFunctions(scalars.array);
+
+  vtkTransmittanceVolumeMapper* mapper = this->State->Mapper;
+  mapper->SelectScalarArray(scalars.array->GetName());
+  mapper->SetScalarMode(
+    scalars.onCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  this->ApplyImportance(image, scalars.array->GetName(), scalars.onCells);
+}
+
+void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
+{
+  if (this->State->DefaultsTime != array->GetMTime()) // times are unique among arrays
+  {
+    limpid::SpreadOverRange(array, this->State->DefaultColors, this->State->DefaultOpacity);
+    this->State->DefaultsTime = array->GetMTime();
+  }
+  if (!this->State->ColorsGiven)
+  {
+    this->Superclass::SetColor(this->State->DefaultColors);
+  }
+  if (!this->State->OpacityGiven)
+  {
+    this->Superclass::SetScalarOpacity(this->State->DefaultOpacity);
+  }
+
+  // The base class sets the vector mode of VTK's own mappers only. Two or four components may be
+  // meant as colours with an opacity: there the mapper is to say what it shows of them.
+  vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction(0);
+  const int components = array->GetNumberOfComponents();
+  const int unchosen = components == 2 || components == 4 ? vtkTransmittanceVolumeMapper::UNDECIDED
+                                                          : vtkTransmittanceVolumeMapper::MAGNITUDE;
+  this->State->Mapper->SetScalarComponent(colors->GetVectorMode() == vtkScalarsToColors::COMPONENT
+      ? colors->GetVectorComponent()
+      : unchosen);
+}
+
+void vtkOptimizedVolumeRepresentation::ApplyImportance(
+  vtkImageData* image, const char* colorArray, bool colorsOnCells)
+{
+  vtkTransmittanceVolumeMapper* mapper = this->State->Mapper;
+  const std::string& name = this->State->ImportanceArray;
+  const bool onCells = this->State->ImportanceAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const auto isThere = [image](const std::string& array, bool cells)
+  { return limpid::FindScalars(image, array.c_str(), cells).array != nullptr; };
+  const auto association = [](bool cells)
+  {
+    return cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  };
+
+  if (name == COLOR_ARRAY && (isThere(IMPORTANCE, false) || isThere(IMPORTANCE, true)))
+  {
+    mapper->SetImportanceArray(colorArray);
+    mapper->SetImportanceArrayAssociation(association(colorsOnCells));
+  }
+  else if (name == COLOR_ARRAY || (name == IMPORTANCE && !isThere(name, onCells)))
+  {
+    mapper->SetImportanceArray(""); // "Importance", or what the function makes of the scalars
+    mapper->SetImportanceArrayAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
+  }
+  else
+  {
+    mapper->SetImportanceArray(name.c_str());
+    mapper->SetImportanceArrayAssociation(association(onCells));
+  }
+}
+
+void vtkOptimizedVolumeRepresentation::AddUnavailable(std::vector<std::string>& messages) const
+{
+  if (this->State->UseSeparateOpacityArray)
+  {
+    messages.emplace_back("Use Separate Opacity Array is on (Optimized Volume takes opacity from "
+                          "the array that it is colored by). Turn it off.");
+  }
+  if (this->State->UseTransfer2D)
+  {
+    messages.emplace_back("Use 2D Transfer Function is on (Optimized Volume takes color and "
+                          "opacity from functions of one variable). Turn it off.");
+  }
+}
+
+// Each message once, until what it is about has been settled.
+void vtkOptimizedVolumeRepresentation::Say(const std::vector<std::string>& messages)
+{
+  const std::vector<std::string>& said = this->State->Messages;
+  for (const std::string& message : messages)
+  {
+    if (std::find(said.begin(), said.end(), message) == said.end())
+    {
+      vtkWarningMacro(<< message);
+    }
+  }
+  this->State->Messages = messages;
+}
+
+const char* vtkOptimizedVolumeRepresentation::GetMessages()
+{
+  std::string& text = this->State->Text;
+  text = this->State->Mapper->GetMessages();
+  for (const std::string& message : this->State->Messages)
+  {
+    text += (text.empty() ? "" : "\n") + message;
+  }
+  return text.c_str();
+}
+
+void vtkOptimizedVolumeRepresentation::SetColor(vtkColorTransferFunction* colors)
+{
+  this->State->ColorsGiven = colors != nullptr;
+  this->Superclass::SetColor(colors);
+}
+
+void vtkOptimizedVolumeRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
+{
+  this->State->OpacityGiven = opacity != nullptr;
+  this->Superclass::SetScalarOpacity(opacity);
+}
+
+void vtkOptimizedVolumeRepresentation::SetUseSeparateOpacityArray(bool use)
+{
+  this->State->UseSeparateOpacityArray = use; // not the base class: it would make an array for it
+}
+
+void vtkOptimizedVolumeRepresentation::SetUseTransfer2D(bool use)
+{
+  this->State->UseTransfer2D = use;
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef vtkOptimizedVolumeRepresentationInternals_h
+#define vtkOptimizedVolumeRepresentationInternals_h
+
+#include "vtkOptimizedVolumeRepresentation.h"
+#include "vtkScoreAnnotation.h"
+#include "vtkTransmittanceVolumeMapper.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <string>
+#include <vector>
+
+/// The mapper in ParaView's kind of prop. It has no type of its own: users know the name of the
+/// other one from messages.
+class vtkRepresentedVolumeMapper : public vtkTransmittanceVolumeMapper
+{
+public:
+  static vtkRepresentedVolumeMapper* New();
+
+  /// Draws the prop that the renderer knows. ParaView's props hold another volume, which only they
+  /// know, and draw that one.
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  vtkVolume* Prop = nullptr;
+
+  /// Whether the renderer came to it in a frame. It does not if the volume is out of the view, and
+  /// what the mapper says is about an earlier frame then.
+  bool HasDrawn = false;
+};
+
+struct vtkOptimizedVolumeRepresentation::Internals
+{
+  vtkNew<vtkRepresentedVolumeMapper> Mapper;
+  vtkNew<vtkScoreAnnotation> Annotation;
+  bool ShowScore = true;
+
+  std::string ImportanceArray = "Importance";
+  int ImportanceAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+
+  // What the volume's property has in place of functions that were not given.
+  vtkNew<vtkColorTransferFunction> DefaultColors;
+  vtkNew<vtkPiecewiseFunction> DefaultOpacity;
+  vtkMTimeType DefaultsTime = 0; // of the array that they are for
+  bool ColorsGiven = false;
+  bool OpacityGiven = false;
+
+  bool UseSeparateOpacityArray = false;
+  bool UseTransfer2D = false;
+  std::string Refusal;                  // of the input: why it cannot be drawn; empty if it can
+  std::vector<unsigned long> Observers; // of the renderer's frames
+  bool PeelsVolumes = false;            // whether the renderer does, but for the present frame
+
+  std::vector<std::string> Messages; // about the last picture
+  std::string Text;                  // the same, and the mapper's, one a line
+};
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkSMOptimizedVolumeRepresentationProxy.h"
+
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkPVSession.h"
+#include "vtkSMArrayListDomain.h"
+#include "vtkSMCoreUtilities.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMViewProxy.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSMOptimizedVolumeRepresentationProxy);
+
+namespace
+{
+const char* const TYPE = "Optimized Volume"; // text in LimpidRepresentations.xml
+
+struct ColorArray
+{
+  std::string name; // empty: none
+  int association = vtkDataObject::POINT;
+};
+
+// Name of the active scalars of the points; empty if there are none.
+std::string ActiveScalars(vtkPVDataInformation* data)
+{
+  vtkPVDataSetAttributesInformation* points = data ? data->GetPointDataInformation() : nullptr;
+  vtkPVArrayInformation* active =
+    points ? points->GetAttributeInformation(vtkDataSetAttributes::SCALARS) : nullptr;
+  return active && active->GetName() ? active->GetName() : "";
+}
+
+// Of the arrays that a display can be coloured by: the active scalars of the points, or else the
+// first array of the points, or else the first one. `last` is for want of another one only.
+ColorArray ChooseColorArray(vtkSMArrayListDomain* arrays, const std::string& last)
+{
+  const std::string active = ActiveScalars(arrays->GetInputDataInformation("Input"));
+  ColorArray choice;
+  int best = 0;
+  for (unsigned int i = 0; i < arrays->GetNumberOfStrings(); ++i)
+  {
+    const std::string name = arrays->GetString(i);
+    const int association = arrays->GetFieldAssociation(i);
+    const bool onPoints = association == vtkDataObject::POINT;
+    const int rank =
+      1 + (onPoints ? 1 : 0) + (onPoints && name == active ? 1 : 0) + (name != last ? 3 : 0);
+    if (rank > best)
+    {
+      best = rank;
+      choice = { name, association };
+    }
+  }
+  return choice;
+}
+
+bool HasColorMap(vtkSMProxy* display, const std::string& array)
+{
+  const std::string name = vtkSMCoreUtilities::SanitizeName(array) + ".PVLookupTable";
+  return display->GetSessionProxyManager()->GetProxy("lookup_tables", name.c_str()) != nullptr;
+}
+}
+
+vtkSMOptimizedVolumeRepresentationProxy::vtkSMOptimizedVolumeRepresentationProxy() = default;
+
+vtkSMOptimizedVolumeRepresentationProxy::~vtkSMOptimizedVolumeRepresentationProxy() = default;
+
+void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
+{
+  this->Superclass::CreateVTKObjects();
+  vtkSMProxy* display = this->GetParentProxy();
+  vtkSMProperty* type = display ? display->GetProperty("Representation") : nullptr;
+  if (type && !this->WatchesType)
+  {
+    this->WatchesType = true;
+    type->AddObserver(
+      vtkCommand::ModifiedEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged);
+  }
+}
+
+// Whether it is the one that its display shows.
+bool vtkSMOptimizedVolumeRepresentationProxy::IsActive()
+{
+  vtkSMProxy* display = this->GetParentProxy();
+  return display && display->GetProperty("Representation") &&
+    std::string(vtkSMPropertyHelper(display, "Representation").GetAsString()) == TYPE;
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged()
+{
+  auto* display = vtkSMPVRepresentationProxy::SafeDownCast(this->GetParentProxy());
+  if (!display || !this->IsActive() || display->GetUsingScalarColoring() ||
+    this->GetSessionProxyManager()->GetInLoadXMLState() || this->GetSession()->IsMultiClients())
+  {
+    return;
+  }
+  vtkSMProperty* coloring = display->GetProperty("ColorArrayName");
+  auto* arrays = coloring ? coloring->FindDomain<vtkSMArrayListDomain>() : nullptr;
+  if (!arrays)
+  {
+    return;
+  }
+  const char* importance = vtkSMPropertyHelper(this, "ImportanceArray").GetAsString(4);
+  const ColorArray choice = ChooseColorArray(arrays, importance ? importance : "");
+  const bool hasColorMap = !choice.name.empty() && HasColorMap(display, choice.name);
+  if (!choice.name.empty() && display->SetScalarColoring(choice.name.c_str(), choice.association) &&
+    !hasColorMap)
+  {
+    display->RescaleTransferFunctionToDataRange(true);
+  }
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::UpdatePropertyInformationInternal(
+  vtkSMProperty* property)
+{
+  // The state is pulled from one of the processes that the proxy is on, preferably the client.
+  const vtkTypeUInt32 everywhere = this->Location;
+  if (everywhere & vtkPVSession::RENDER_SERVER)
+  {
+    this->Location = vtkPVSession::RENDER_SERVER_ROOT;
+  }
+  this->Superclass::UpdatePropertyInformationInternal(property);
+  this->Location = everywhere;
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::AddConsumer(
+  vtkSMProperty* property, vtkSMProxy* proxy)
+{
+  this->Superclass::AddConsumer(property, proxy);
+  if (vtkSMViewProxy::SafeDownCast(proxy) && this->Views.count(proxy) == 0)
+  {
+    this->Views[proxy] = proxy->AddObserver(
+      vtkCommand::EndEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnRendered);
+  }
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::RemoveConsumer(
+  vtkSMProperty* property, vtkSMProxy* proxy)
+{
+  this->Superclass::RemoveConsumer(property, proxy);
+  const auto view = this->Views.find(proxy);
+  if (view != this->Views.end())
+  {
+    proxy->RemoveObserver(view->second);
+    this->Views.erase(view);
+  }
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::OnRendered(
+  vtkObject*, unsigned long, void* interactive)
+{
+  vtkSMProxy* display = this->GetParentProxy();
+  if (interactive && *static_cast<int*>(interactive) == 0 && this->IsActive() &&
+    vtkSMPropertyHelper(display, "Visibility").GetAsInt() != 0)
+  {
+    this->UpdatePropertyInformation();
+  }
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

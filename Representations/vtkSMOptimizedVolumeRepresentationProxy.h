@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkSMOptimizedVolumeRepresentationProxy
+ * @brief   what a client does for vtkOptimizedVolumeRepresentation
+ *
+ * Information properties (VisibleFraction, Converged, ...) are fetched from the process that draws,
+ * and after every still render of a view that shows the representation: they are those of the
+ * picture that one sees. By itself ParaView asks the client, which has no volume when a server
+ * draws.
+ *
+ * When a display without scalar coloring changes to the type "Optimized Volume", an array to color
+ * by is chosen, as ParaView does for the type "Volume".
+ */
+
+#ifndef vtkSMOptimizedVolumeRepresentationProxy_h
+#define vtkSMOptimizedVolumeRepresentationProxy_h
+
+#include "vtkLimpidRepresentationsModule.h" // for export macro
+#include "vtkSMRepresentationProxy.h"
+
+#include <map> // for the views
+
+class VTKLIMPIDREPRESENTATIONS_EXPORT vtkSMOptimizedVolumeRepresentationProxy
+  : public vtkSMRepresentationProxy
+{
+public:
+  static vtkSMOptimizedVolumeRepresentationProxy* New();
+  vtkTypeMacro(vtkSMOptimizedVolumeRepresentationProxy, vtkSMRepresentationProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSMOptimizedVolumeRepresentationProxy();
+  ~vtkSMOptimizedVolumeRepresentationProxy() override;
+
+  void CreateVTKObjects() override;
+  void UpdatePropertyInformationInternal(vtkSMProperty* property = nullptr) override;
+  void AddConsumer(vtkSMProperty* property, vtkSMProxy* proxy) override;
+  void RemoveConsumer(vtkSMProperty* property, vtkSMProxy* proxy) override;
+
+private:
+  vtkSMOptimizedVolumeRepresentationProxy(const vtkSMOptimizedVolumeRepresentationProxy&) = delete;
+  void operator=(const vtkSMOptimizedVolumeRepresentationProxy&) = delete;
+
+  bool IsActive();
+  void OnTypeChanged();
+  void OnRendered(vtkObject* view, unsigned long event, void* interactive);
+
+  bool WatchesType = false;
+  std::map<vtkSMProxy*, unsigned long> Views; // that show it, and the tag of the observer there
+};
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkScoreAnnotation.h"
+
+#include "vtkCoordinate.h"
+#include "vtkObjectFactory.h"
+#include "vtkPropCollection.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkViewport.h"
+
+#include <algorithm>
+#include <utility>
+
+vtkStandardNewMacro(vtkScoreAnnotation);
+
+namespace
+{
+// Points: as large as ParaView's own annotations.
+constexpr int FONT_SIZE = 12;
+
+// Distance to the border of the view [its width or height].
+constexpr double MARGIN = 0.01;
+}
+
+vtkScoreAnnotation::vtkScoreAnnotation()
+{
+  this->PickableOff();
+  this->UseBoundsOff(); // Reset Camera looks at the data alone
+
+  vtkTextProperty* text = this->Actor->GetTextProperty();
+  text->SetFontFamilyToArial();
+  text->SetFontSize(FONT_SIZE);
+  text->SetJustificationToLeft();
+  text->SetVerticalJustificationToTop();
+  text->SetColor(1, 1, 1);
+  text->SetBackgroundColor(0, 0, 0);
+  text->SetBackgroundOpacity(0.5);
+  this->Actor->SetTextScaleModeToNone();
+  this->Actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  this->Actor->SetPosition(MARGIN, 1 - MARGIN);
+}
+
+vtkScoreAnnotation::~vtkScoreAnnotation() = default;
+
+void vtkScoreAnnotation::SetTextSource(std::function<std::string()> source)
+{
+  this->TextSource = std::move(source);
+  this->Modified();
+}
+
+std::string vtkScoreAnnotation::CurrentText()
+{
+  return this->TextSource && this->GetVisibility() ? this->TextSource() : std::string();
+}
+
+// Where the annotations end that were drawn before this one in this frame.
+double vtkScoreAnnotation::BottomOfOthers(vtkViewport* viewport)
+{
+  double bottom = 1;
+  vtkPropCollection* props = viewport->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  for (vtkProp* prop = props->GetNextProp(position); prop && prop != this;
+       prop = props->GetNextProp(position))
+  {
+    if (auto* annotation = vtkScoreAnnotation::SafeDownCast(prop))
+    {
+      bottom = annotation->CurrentText().empty() ? bottom : annotation->Bottom;
+    }
+  }
+  return bottom;
+}
+
+int vtkScoreAnnotation::RenderOverlay(vtkViewport* viewport)
+{
+  const std::string text = this->CurrentText();
+  if (text.empty())
+  {
+    return 0;
+  }
+  const double top = this->BottomOfOthers(viewport) - MARGIN;
+  this->Actor->SetPosition(MARGIN, top);
+  this->Actor->SetInput(text.c_str());
+  double size[2];
+  this->Actor->GetSize(viewport, size);
+  this->Bottom = top - size[1] / std::max(1, viewport->GetSize()[1]);
+  // The image of the text is made in passes before this one; they are over.
+  this->Actor->RenderOpaqueGeometry(viewport);
+  return this->Actor->RenderOverlay(viewport);
+}
+
+void vtkScoreAnnotation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Actor->ReleaseGraphicsResources(window);
+}
+
+void vtkScoreAnnotation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Text: " << this->CurrentText() << "\n";
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkScoreAnnotation
+ * @brief   text in the upper left corner about what a volume mapper has just drawn
+ *
+ * The text is asked for when overlays are drawn, which is after the volumes of the same frame. It
+ * stands on a dark, half transparent plate, so that it can be read on any background. Several
+ * annotations in a renderer stand below each other.
+ */
+
+#ifndef vtkScoreAnnotation_h
+#define vtkScoreAnnotation_h
+
+#include "vtkLimpidRepresentationsModule.h" // for export macro
+#include "vtkNew.h"                         // for the drawing of the text
+#include "vtkProp.h"
+
+#include <functional> // for the source of the text
+#include <string>     // for the text
+
+class vtkTextActor;
+
+class VTKLIMPIDREPRESENTATIONS_EXPORT vtkScoreAnnotation : public vtkProp
+{
+public:
+  static vtkScoreAnnotation* New();
+  vtkTypeMacro(vtkScoreAnnotation, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What says the text of a frame; an empty text is not drawn. None: nothing is drawn.
+  void SetTextSource(std::function<std::string()> source);
+
+  int RenderOverlay(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkScoreAnnotation();
+  ~vtkScoreAnnotation() override;
+
+private:
+  vtkScoreAnnotation(const vtkScoreAnnotation&) = delete;
+  void operator=(const vtkScoreAnnotation&) = delete;
+
+  std::string CurrentText();
+  double BottomOfOthers(vtkViewport* viewport);
+
+  std::function<std::string()> TextSource;
+  double Bottom = 1; // of the plate in the last frame, share of the viewport's height
+  vtkNew<vtkTextActor> Actor;
+};
+
+#endif

@@ -1,0 +1,417 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A camera that moves and rests: what is refined is what a solver finds, whatever was shown before.
+
+#include "BoxScene.h"
+#include "Tolerance.h"
+
+#include "math/Require.h"
+#include "optimize/PassTime.h"
+#include "optimize/Progressive.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+BoxScene Onion(int nodes = 33)
+{
+  BoxScene scene = BoxScene::Cube(nodes);
+  scene.FillOnion();
+  return scene;
+}
+
+/// A machine on which a pass takes so many seconds per node.
+Stopwatch Machine(double secondsPerNode)
+{
+  return [secondsPerNode](Index nodes, const std::function<void()>& pass)
+  {
+    pass();
+    return secondsPerNode * double(nodes);
+  };
+}
+
+Progressive MakeProgressive(const BoxScene& scene)
+{
+  Progressive progressive(scene.Fields(), scene.settings);
+  progressive.SetView(scene.camera, scene.light, scene.settings);
+  return progressive;
+}
+
+/// Refines to the end. Returns the number of calls.
+int RefineAll(Progressive& progressive)
+{
+  int calls = 1;
+  while (!progressive.Refine() && calls < 1000)
+  {
+    ++calls;
+  }
+  EXPECT_TRUE(progressive.Converged());
+  return calls;
+}
+
+std::vector<float> Copy(const Progressive& progressive, const float* field)
+{
+  return { field, field + progressive.ShownGrid().NodeCount() };
+}
+
+void ExpectWhatASolverFinds(const Progressive& progressive, const BoxScene& scene)
+{
+  Solver solver = scene.MakeSolver();
+  solver.Run();
+  const bool separate = scene.settings.mode == Mode::Separate;
+
+  ASSERT_EQ(progressive.ShownGrid().nodes, scene.grid.nodes);
+  EXPECT_EQ(progressive.BaseExtinction(), scene.extinction.data());
+  EXPECT_EQ(Copy(progressive, progressive.Extinction()), solver.Extinction());
+  EXPECT_EQ(Copy(progressive, progressive.LightExtinction()),
+    separate ? solver.LightExtinction() : solver.Extinction());
+  EXPECT_EQ(progressive.BaseScore().visibility, solver.BaseScore().visibility);
+  EXPECT_EQ(progressive.BestScore().visibility, solver.BestScore().visibility);
+  EXPECT_EQ(progressive.BestScore().fraction, solver.BestScore().fraction);
+  EXPECT_EQ(progressive.Iterations(), solver.Iterations());
+}
+
+/// The camera turned about the z axis through the centre.
+Camera Turned(const BoxScene& scene, double degrees)
+{
+  const double angle = degrees * std::acos(-1.0) / 180;
+  Camera camera = scene.camera;
+  const Vec3 arm = camera.position - camera.focalPoint;
+  camera.position = camera.focalPoint +
+    Vec3(std::cos(angle) * arm.x - std::sin(angle) * arm.y,
+      std::sin(angle) * arm.x + std::cos(angle) * arm.y, arm.z);
+  return camera;
+}
+
+struct Way
+{
+  const char* name;
+  SolverKind solver;
+  Mode mode;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Way& way)
+{
+  return stream << way.name;
+}
+}
+
+class ProgressiveWays : public ::testing::TestWithParam<Way>
+{
+protected:
+  BoxScene Scene() const
+  {
+    BoxScene scene = Onion();
+    scene.settings.solver = GetParam().solver;
+    scene.settings.mode = GetParam().mode;
+    scene.settings.iterationsPerLevel = { { 2, 2, 3 } };
+    return scene;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Ways, ProgressiveWays,
+  ::testing::Values(Way{ "PolicyJoint", SolverKind::Policy, Mode::Joint },
+    Way{ "PolicySeparate", SolverKind::Policy, Mode::Separate },
+    Way{ "AdamJoint", SolverKind::Adam, Mode::Joint },
+    Way{ "AdamSeparate", SolverKind::Adam, Mode::Separate }),
+  ::testing::PrintToStringParamName());
+
+TEST_P(ProgressiveWays, RefinesToWhatASolverFinds)
+{
+  const BoxScene scene = this->Scene();
+  Progressive progressive = MakeProgressive(scene);
+
+  RefineAll(progressive);
+
+  ExpectWhatASolverFinds(progressive, scene);
+}
+
+TEST_P(ProgressiveWays, ForgetsWhatWasShownBefore)
+{
+  BoxScene scene = this->Scene();
+  Progressive progressive = MakeProgressive(scene);
+  progressive.SetStopwatch(Machine(1e-6));
+  for (const double degrees : { 10.0, 20.0, 30.0 })
+  {
+    progressive.SetView(Turned(scene, degrees), scene.light, scene.settings);
+    progressive.Preview(degrees < 25 ? 0.004 : 1.0);
+    progressive.Refine();
+    progressive.Refine();
+  }
+  scene.camera = Turned(scene, 30.5);
+  progressive.SetView(scene.camera, scene.light, scene.settings);
+  progressive.Preview(0.01);
+  progressive.Refine();
+  progressive.Preview(1);
+
+  RefineAll(progressive);
+
+  ExpectWhatASolverFinds(progressive, scene);
+}
+
+TEST_P(ProgressiveWays, StepsOneIterationPerCall)
+{
+  const BoxScene scene = this->Scene();
+  Progressive progressive = MakeProgressive(scene);
+
+  EXPECT_FALSE(progressive.Refine());
+  EXPECT_EQ(progressive.Iterations(), 0);
+  EXPECT_FALSE(progressive.Refine());
+  EXPECT_EQ(progressive.Iterations(), 1);
+  EXPECT_FALSE(progressive.Converged());
+}
+
+TEST_P(ProgressiveWays, NeverShowsTheBaseAgainOnceItHasShownMore)
+{
+  const BoxScene scene = this->Scene();
+  Progressive progressive = MakeProgressive(scene);
+  progressive.Preview(1);
+  bool done = false;
+  for (int view = 0; view < 2; ++view)
+  {
+    do
+    {
+      done = progressive.Refine();
+      EXPECT_NE(Copy(progressive, progressive.Extinction()),
+        Copy(progressive, progressive.BaseExtinction()));
+      EXPECT_NE(Copy(progressive, progressive.LightExtinction()),
+        Copy(progressive, progressive.BaseExtinction()));
+    } while (!done);
+    progressive.SetView(Turned(scene, 5), scene.light, scene.settings);
+  }
+}
+
+TEST_P(ProgressiveWays, PreviewsInTheScenesBounds)
+{
+  const BoxScene scene = this->Scene();
+  Progressive progressive = MakeProgressive(scene);
+
+  progressive.Preview(1e-9);
+
+  const Grid& grid = progressive.ShownGrid();
+  EXPECT_LT(grid.NodeCount(), scene.grid.NodeCount());
+  const Vec3 last = Vec3(grid.nodes) - 1.0;
+  const Vec3 end = scene.grid.PointToWorld(Vec3(scene.grid.nodes) - 1.0);
+  EXPECT_WITHIN(
+    glm::length(grid.PointToWorld(last) - end), 0, Roundoff<double>(20, glm::length(end)));
+  const float most = *std::max_element(scene.extinction.begin(), scene.extinction.end());
+  for (const float* field : { progressive.Extinction(), progressive.LightExtinction() })
+  {
+    for (const float value : Copy(progressive, field))
+    {
+      ASSERT_TRUE(value >= 0 && value <= most) << value;
+    }
+  }
+  const bool separate = GetParam().mode == Mode::Separate;
+  EXPECT_EQ(progressive.Extinction() != progressive.LightExtinction(), separate);
+  EXPECT_GT(progressive.BestScore().fraction, 1.5 * progressive.BaseScore().fraction);
+  EXPECT_LE(progressive.BestScore().fraction, 1);
+  EXPECT_EQ(progressive.Iterations(), 0);
+  EXPECT_FALSE(progressive.Converged());
+}
+
+TEST(Progressive, KeepsShowingTheLastViewUntilThereIsSomethingNew)
+{
+  const BoxScene scene = Onion();
+  Progressive progressive = MakeProgressive(scene);
+  RefineAll(progressive);
+  const std::vector<float> shown = Copy(progressive, progressive.Extinction());
+  const Score score = progressive.BestScore();
+
+  progressive.SetView(Turned(scene, 40), scene.light, scene.settings);
+  EXPECT_FALSE(progressive.Converged());
+  EXPECT_EQ(Copy(progressive, progressive.Extinction()), shown);
+  EXPECT_EQ(progressive.BestScore().visibility, score.visibility);
+  progressive.Refine();
+  EXPECT_EQ(Copy(progressive, progressive.Extinction()), shown);
+  progressive.Refine();
+  EXPECT_NE(Copy(progressive, progressive.Extinction()), shown);
+}
+
+TEST(Progressive, DoesNothingForTheSameView)
+{
+  const BoxScene scene = Onion();
+  Progressive progressive = MakeProgressive(scene);
+  const int calls = RefineAll(progressive);
+  EXPECT_GT(calls, 2);
+
+  progressive.SetView(scene.camera, scene.light, scene.settings);
+
+  EXPECT_TRUE(progressive.Converged());
+  progressive.Preview(1e-9); // would be worse than what is shown
+  EXPECT_EQ(progressive.ShownGrid().nodes, scene.grid.nodes);
+  EXPECT_EQ(progressive.Iterations(), calls - 1);
+}
+
+TEST(Progressive, StartsAgainForAnyChange)
+{
+  const BoxScene scene = Onion(17);
+  Progressive progressive = MakeProgressive(scene);
+  const auto startsAgain = [&](Camera camera, Light light, Settings settings)
+  {
+    progressive.SetView(scene.camera, scene.light, scene.settings);
+    RefineAll(progressive);
+    progressive.SetView(camera, light, settings);
+    return !progressive.Converged();
+  };
+
+  Camera camera = scene.camera;
+  camera.viewUp = Vec3(1, 0, 0);
+  EXPECT_TRUE(startsAgain(camera, scene.light, scene.settings));
+  camera = scene.camera;
+  camera.corners = { Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0) };
+  EXPECT_TRUE(startsAgain(camera, scene.light, scene.settings));
+  Light light = scene.light;
+  light.position.x += 0.1;
+  EXPECT_TRUE(startsAgain(scene.camera, light, scene.settings));
+  Settings settings = scene.settings;
+  settings.weights.light = 2;
+  EXPECT_TRUE(startsAgain(scene.camera, scene.light, settings));
+  EXPECT_FALSE(startsAgain(scene.camera, scene.light, scene.settings));
+}
+
+TEST(Progressive, PreviewsOnCoarserGridsForSmallerBudgets)
+{
+  const BoxScene scene = Onion(65);
+  Index last = std::numeric_limits<Index>::max();
+  for (const double seconds : { 1.0, 0.1, 0.02, 0.002 })
+  {
+    Progressive progressive = MakeProgressive(scene);
+    const double secondsPerNode = 1e-6;
+    progressive.SetStopwatch(Machine(secondsPerNode));
+    for (const double degrees : { 0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0 })
+    {
+      progressive.SetView(Turned(scene, degrees), scene.light, scene.settings);
+      progressive.Preview(seconds);
+    }
+
+    const Index nodes = progressive.ShownGrid().NodeCount();
+    EXPECT_LT(nodes, last) << seconds;
+    EXPECT_LE(secondsPerNode * double(nodes), seconds);
+    last = nodes;
+  }
+}
+
+TEST(Progressive, LeavesTheBaseWhereNothingIsToBeSeen)
+{
+  BoxScene scenes[] = { Onion(17), Onion(17), Onion(17), BoxScene({ 9, 9, 1 }, Vec3(0), Vec3(1)) };
+  std::fill(scenes[0].importance.begin(), scenes[0].importance.end(), 0.0f);
+  std::fill(scenes[1].extinction.begin(), scenes[1].extinction.end(), 0.0f);
+  scenes[2].settings.weights.view = scenes[2].settings.weights.light = 0;
+  scenes[3].Fill(Everywhere(1), Everywhere(1));
+  for (BoxScene& scene : scenes)
+  {
+    for (const Mode mode : { Mode::Joint, Mode::Separate })
+    {
+      scene.settings.mode = mode;
+      Progressive progressive = MakeProgressive(scene);
+      EXPECT_NE(progressive.Extinction(), nullptr);
+      progressive.Preview(1e-9);
+      EXPECT_EQ(Copy(progressive, progressive.Extinction()),
+        Copy(progressive, progressive.BaseExtinction()));
+      EXPECT_EQ(Copy(progressive, progressive.LightExtinction()),
+        Copy(progressive, progressive.BaseExtinction()));
+      EXPECT_TRUE(std::isfinite(progressive.BestScore().fraction));
+
+      RefineAll(progressive);
+
+      ExpectWhatASolverFinds(progressive, scene);
+    }
+  }
+}
+
+TEST(Progressive, SeesWithTheLightAloneWhenTheViewHasNoWeight)
+{
+  BoxScene scene = Onion();
+  scene.settings.weights.view = 0;
+  Progressive progressive = MakeProgressive(scene);
+
+  progressive.Preview(1e-9);
+  EXPECT_NE(
+    Copy(progressive, progressive.Extinction()), Copy(progressive, progressive.BaseExtinction()));
+
+  RefineAll(progressive);
+  ExpectWhatASolverFinds(progressive, scene);
+}
+
+TEST(Progressive, KeepsItsViewWhenTheNewOneIsNoGood)
+{
+  const BoxScene scene = Onion(17);
+  Progressive progressive = MakeProgressive(scene);
+  RefineAll(progressive);
+  Camera camera = scene.camera;
+  camera.position = camera.focalPoint;
+  Settings settings = scene.settings;
+  settings.rayDensity = -1;
+
+  EXPECT_THROW(progressive.SetView(camera, scene.light, scene.settings), Error);
+  EXPECT_THROW(progressive.SetView(scene.camera, scene.light, settings), Error);
+
+  ExpectWhatASolverFinds(progressive, scene);
+}
+
+TEST(Progressive, RejectsScenesThatASolverRejects)
+{
+  BoxScene scene = Onion(9);
+  scene.extinction[5] = -1;
+  EXPECT_THROW(Progressive(scene.Fields(), scene.settings), Error);
+  scene.extinction[5] = 1;
+  scene.importance[5] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(Progressive(scene.Fields(), scene.settings), Error);
+  scene.importance[5] = 0;
+  scene.settings.backend = BackendKind::Cuda;
+  EXPECT_THROW(Progressive(scene.Fields(), scene.settings), Error);
+}
+
+TEST(PassTime, ChoosesTheFinestGridThatFits)
+{
+  PassTime time;
+  const std::vector<Index> nodes{ 1000000, 125000, 15625 };
+  for (int n = 0; n < 40; ++n)
+  {
+    time.Learn(125000, 0.0125); // 1e-7 s per node
+  }
+
+  EXPECT_EQ(time.Choose(nodes, 1, 2), 0u);
+  EXPECT_EQ(time.Choose(nodes, 0.05, 2), 1u);
+  EXPECT_EQ(time.Choose(nodes, 0.001, 2), 2u);
+  EXPECT_EQ(time.Choose(nodes, 0, 2), 2u);
+}
+
+TEST(PassTime, ChangesToAFinerGridOnlyWithTimeToSpare)
+{
+  PassTime time;
+  const std::vector<Index> nodes{ 1000000, 125000 };
+  for (int n = 0; n < 40; ++n)
+  {
+    time.Learn(1000000, 0.1);
+  }
+
+  EXPECT_EQ(time.Choose(nodes, 0.11, 0), 0u);
+  EXPECT_EQ(time.Choose(nodes, 0.11, 1), 1u);
+  EXPECT_EQ(time.Choose(nodes, 0.15, 1), 0u);
+}
+
+TEST(PassTime, LearnsFromWhatIsSlow)
+{
+  PassTime time;
+  const std::vector<Index> nodes{ 1000000, 125000 };
+  time.Learn(125000, 0.001);
+  time.Learn(125000, 0.001);
+  time.Learn(125000, 0.001);
+  EXPECT_EQ(time.Choose(nodes, 0.1, 1), 0u);
+
+  time.Learn(1000000, 0.5);
+
+  EXPECT_EQ(time.Choose(nodes, 0.1, 0), 1u);
+}

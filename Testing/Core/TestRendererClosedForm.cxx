@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A homogeneous box is Beer's law on every ray, whatever the camera: nothing but rounding may be
+// wrong in any pixel.
+
+#include "PictureErrors.h"
+#include "RenderScene.h"
+#include "Tolerance.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+const double extinction = 0.17;
+const std::array<float, 3> color{ { 0.9f, 0.6f, 0.2f } };
+
+/// Anisotropic, turned, far from the origin: 9 x 8 x 9.8 in the directions of its axes.
+Grid Box()
+{
+  Grid grid = MakeGrid({ 10, 9, 8 }, { 500, -300, 2000 }, { 0.9, 1.0, 1.4 });
+  grid.direction = Mat3(Vec3(0, 0.6, 0.8), Vec3(-1, 0, 0), Vec3(0, -0.8, 0.6));
+  return grid;
+}
+
+RenderScene HomogeneousScene()
+{
+  RenderScene scene = RenderScene::Homogeneous(Box(), extinction, color);
+  scene.view.opaqueBelow = 0;
+  scene.view.width = 37;
+  scene.view.height = 23;
+  return scene;
+}
+
+/// Where a pixel's ray is inside the box, which is `margin` nodes larger on every side [length].
+double PathOf(const RenderScene& scene, int column, int row, double margin)
+{
+  const auto point = [&](double z)
+  {
+    const glm::dvec4 x = scene.view.clipToWorld *
+      glm::dvec4(
+        2 * (column + 0.5) / scene.view.width - 1, 2 * (row + 0.5) / scene.view.height - 1, z, 1.0);
+    return Vec3(x) / x.w;
+  };
+  const double end =
+    scene.depth.empty() ? 1.0 : scene.depth[std::size_t(row * scene.view.width + column)];
+  const Vec3 from = point(-1);
+  const Vec3 way = point(end) - from;
+  const Vec3 index = scene.grid.PointToIndex(from);
+  const Vec3 indexWay = scene.grid.DirectionToIndex(way);
+  double first = 0;
+  double last = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = (-margin - index[axis]) / indexWay[axis];
+    const double high = (scene.grid.nodes[axis] - 1 + margin - index[axis]) / indexWay[axis];
+    first = std::fmax(first, std::fmin(low, high));
+    last = std::fmin(last, std::fmax(low, high));
+  }
+  return glm::length(way) * std::max(0.0, last - first);
+}
+
+/// Every pixel is the colour times `brightness` behind the optical depth of its ray.
+void ExpectBeersLaw(const RenderScene& scene, double mu, double brightness = 1)
+{
+  const Tolerance tolerance = EightBits() + StoredMedium(scene);
+  const Picture picture = scene.Render();
+  std::size_t pixel = 0;
+  double worst = 0;
+  std::string where;
+  int inside = 0;
+  for (int row = 0; row < scene.view.height; ++row)
+  {
+    for (int column = 0; column < scene.view.width; ++column, ++pixel)
+    {
+      const double path = PathOf(scene, column, row, 0);
+      if (std::abs(PathOf(scene, column, row, 1e-9) - PathOf(scene, column, row, -1e-9)) > 1e-3)
+      {
+        continue; // along a face: rounding decides whether the ray is inside
+      }
+      inside += path > 0 ? 1 : 0;
+      for (int channel = 0; channel < 4; ++channel)
+      {
+        const double share = channel < 3 ? brightness * color[std::size_t(channel)] : 1.0;
+        const double expected = std::min(1.0, share * -std::expm1(-mu * path));
+        const double error = std::abs(Channel(picture, pixel, channel) - expected);
+        if (!(error <= worst))
+        {
+          worst = error;
+          where = "pixel (" + std::to_string(column) + ", " + std::to_string(row) + "), channel " +
+            std::to_string(channel) + ", expected " + std::to_string(expected);
+        }
+      }
+    }
+  }
+  EXPECT_GT(inside, 20) << "the view hardly meets the box";
+  EXPECT_WITHIN(worst, 0, tolerance) << where;
+}
+
+struct Viewpoint
+{
+  const char* name;
+  std::function<glm::dmat4(const Grid&)> clipToWorld;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Viewpoint& viewpoint)
+{
+  return stream << viewpoint.name;
+}
+
+Frustum From(const Grid& grid, const Vec3& offset)
+{
+  return LookAt(grid.Centre() + offset, grid.Centre(), Vec3(0.1, 1, 0.2));
+}
+
+const double aspect = 37.0 / 23.0;
+
+std::vector<Viewpoint> Viewpoints()
+{
+  return {
+    { "Perspective",
+      [](const Grid& grid) {
+        return Perspective(From(grid, { 9, 13, -30 }), 30, aspect, 5, 80);
+      } },
+    { "WideAndNear",
+      [](const Grid& grid) {
+        return Perspective(From(grid, { 5, -7, 6 }), 100, aspect, 0.01, 80);
+      } },
+    { "Parallel",
+      [](const Grid& grid) {
+        return Parallel(From(grid, { 9, 13, -30 }), 8, aspect, -80, 80);
+      } },
+    { "ParallelSheared",
+      [](const Grid& grid) {
+        return Parallel(From(grid, { 9, 13, -30 }), 8, aspect, 5, 80, 0.3);
+      } },
+    { "ParallelAlongAnAxis",
+      [](const Grid& grid)
+      {
+        const Vec3 eye = grid.PointToWorld(Vec3(4.5, 4, -9));
+        return Parallel(LookAt(eye, grid.Centre(), grid.direction[1]), 6, aspect, 1, 80);
+      } },
+    { "Inside",
+      [](const Grid& grid) {
+        return Perspective(From(grid, { 1, 0.5, -1.2 }), 60, aspect, 1e-3, 80);
+      } },
+    { "InTheMiddle",
+      [](const Grid& grid)
+      {
+        const Frustum camera = LookAt(grid.Centre(), grid.Centre() + Vec3(1, 2, 3), Vec3(0, 1, 0));
+        return Perspective(camera, 60, aspect, 1e-3, 80);
+      } },
+    { "OnANodeInside",
+      [](const Grid& grid)
+      {
+        const Vec3 eye = grid.PointToWorld(Vec3(3, 5, 2));
+        return Perspective(LookAt(eye, grid.Centre(), Vec3(0, 1, 0)), 60, aspect, 1e-3, 80);
+      } },
+    { "OnAFace",
+      [](const Grid& grid)
+      {
+        const Vec3 eye = grid.PointToWorld(Vec3(3, 5, 0));
+        return Perspective(LookAt(eye, grid.Centre(), Vec3(0, 1, 0)), 60, aspect, 1e-3, 80);
+      } },
+    { "InTheCorner",
+      [](const Grid& grid) {
+        return Perspective(LookAt(grid.origin, grid.Centre(), Vec3(0, 1, 0)), 60, aspect, 1e-3, 80);
+      } },
+    { "AlongAnEdge",
+      [](const Grid& grid)
+      {
+        const Vec3 eye = grid.PointToWorld(Vec3(0, 0, -5));
+        return Perspective(LookAt(eye, grid.origin, grid.direction[0]), 60, aspect, 0.1, 80);
+      } },
+    { "CutByTheNearPlane",
+      [](const Grid& grid) {
+        return Perspective(From(grid, { 9, 13, -30 }), 30, aspect, 33, 80);
+      } },
+    { "CutByTheFarPlane",
+      [](const Grid& grid) {
+        return Perspective(From(grid, { 9, 13, -30 }), 30, aspect, 1, 34);
+      } },
+    { "MirroredAndUpsideDown",
+      [](const Grid& grid)
+      {
+        Frustum camera = From(grid, { 9, 13, -30 });
+        camera.right = -camera.right;
+        return Perspective(camera, 30, aspect, 5, 80);
+      } },
+  };
+}
+}
+
+class HomogeneousBox : public ::testing::TestWithParam<Viewpoint>
+{
+};
+
+TEST_P(HomogeneousBox, FollowsBeersLaw)
+{
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
+
+  ExpectBeersLaw(scene, extinction);
+}
+
+TEST_P(HomogeneousBox, FollowsBeersLawUpToOpaqueGeometry)
+{
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
+  const glm::dvec4 middle =
+    glm::inverse(scene.view.clipToWorld) * glm::dvec4(scene.grid.PointToWorld({ 5, 5, 6 }), 1.0);
+  const double behind = middle.w > 0 ? std::min(1.0, std::max(-1.0, middle.z / middle.w)) : 0.5;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> around(-0.05, 0.05);
+  for (int pixel = 0; pixel < scene.view.width * scene.view.height; ++pixel)
+  {
+    scene.depth.push_back(
+      float(std::min(1.0, std::max(-1.0, behind + (1 - behind) * around(generator)))));
+  }
+  scene.depth[400] = -1;
+  scene.depth[401] = 1;
+
+  ExpectBeersLaw(scene, extinction);
+}
+
+TEST_P(HomogeneousBox, IsTheSameWithJitterOrAnyOtherSampleDistance)
+{
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
+  scene.view.jitter = true;
+
+  ExpectBeersLaw(scene, extinction);
+  scene.view.sampleDistance = 100;
+  ExpectBeersLaw(scene, extinction);
+  scene.view.sampleDistance = 0.37;
+  scene.view.jitter = false;
+  ExpectBeersLaw(scene, extinction);
+}
+
+TEST_P(HomogeneousBox, AddsTheChangeOfACoarserGridAndClampsIt)
+{
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
+  scene.functions.extinction = { 0.08f, 0.08f, float(extinction) }; // the scalars are in the middle
+  scene.functions.color = { color, color, color };
+  scene.changeGrid = WithNodes(scene.grid, { 4, 2, 5 });
+  scene.base.assign(40, 0.05f);
+  // Of the base, a share or all is kept, what exceeds it is added; up to the majorant.
+  const double most = extinction;
+  for (const auto& [changed, expected] : { std::make_pair(0.09, 0.12), std::make_pair(0.01, 0.016),
+         std::make_pair(0.0, 0.0), std::make_pair(most, most) })
+  {
+    scene.extinction.assign(40, float(changed));
+
+    SCOPED_TRACE(changed);
+    ExpectBeersLaw(scene, expected);
+  }
+}
+
+TEST_P(HomogeneousBox, HasNoSurfaceAndScattersAsInTheMiddleWhateverTheLight)
+{
+  // Without anisotropy every direction is like the middle's; no gradient, no surface term.
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
+  scene.lighting.enabled = true;
+  scene.lighting.shadows = false;
+  scene.lighting.anisotropy = 0;
+  scene.lighting.ambient = 0.3;
+  scene.lighting.intensity = 0.5;
+  scene.lighting.surface = 5;
+
+  for (const Vec3& light : { Vec3(600, -200, 2100), scene.grid.Centre(), scene.grid.origin })
+  {
+    scene.lighting.light.position = light;
+    ExpectBeersLaw(scene, extinction, 0.3 + 0.7 * 0.5);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  All, HomogeneousBox, ::testing::ValuesIn(Viewpoints()), ::testing::PrintToStringParamName());
+
+TEST(HomogeneousBoxInParallelLight, KeepsItsColorAtIntensityOneAndAnyAnisotropy)
+{
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = Parallel(From(scene.grid, { 9, 13, -30 }), 8, aspect, 5, 80);
+  scene.lighting.enabled = true;
+  scene.lighting.shadows = false;
+  scene.lighting.light.type = LightType::Directional;
+  scene.lighting.light.position = { 1, 2, 3 };
+  scene.lighting.light.focalPoint = { 0, 0, 4 };
+  for (const double anisotropy : { -0.9, 0.0, 0.6, 0.9 })
+  {
+    scene.lighting.anisotropy = anisotropy;
+    ExpectBeersLaw(scene, extinction);
+  }
+}
+
+TEST(HomogeneousBoxInPointLight, ScattersByHenyeyAndGreenstein)
+{
+  // The reference needs no second order here: only the phase function varies along a ray.
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = Perspective(From(scene.grid, { 9, 13, -30 }), 30, aspect, 5, 80);
+  scene.lighting.enabled = true;
+  scene.lighting.shadows = false;
+  scene.lighting.light.position = scene.grid.Centre() + Vec3(-12, 5, 4);
+
+  ExpectPicture(scene, scene.Render(),
+    truth::PictureMarch(scene.Truth(), truth::Shadow::Marched, 16).Picture(scene.Frame()),
+    EightBits());
+}
+
+TEST(HomogeneousBoxLitAlongTheView, SendsHalfOfTheLightThatEntersBack)
+{
+  // T_L = T_V along the ray, and a full shadow doubles the exposure:
+  // L = ambient (1 - T) + (1 - ambient) (1 - T^2).
+  RenderScene scene = RenderScene::Homogeneous(
+    MakeGrid({ 9, 9, 33 }, { -1, -1, -1 }, { 0.25, 0.25, 0.0625 }), 1.1, { { 1, 1, 1 } });
+  scene.view.width = scene.view.height = 9;
+  scene.view.opaqueBelow = 0;
+  scene.view.clipToWorld = Parallel(LookAt({ 0, 0, -5 }, { 0, 0, 0 }, { 0, 1, 0 }), 1, 1, 1, 10);
+  scene.lighting.enabled = true;
+  scene.lighting.light.type = LightType::Directional;
+  scene.lighting.light.position = { 0, 0, -1 };
+  scene.lighting.light.focalPoint = { 0, 0, 0 };
+  scene.lighting.ambient = 0.3;
+  scene.lighting.shadowStrength = 1;
+
+  const Picture picture = scene.Render();
+
+  const double mu = 1.1;
+  const double radiance = 0.3 * -std::expm1(-2 * mu) + 0.7 * -std::expm1(-4 * mu);
+  // T_L is linear between slices 1/16 apart, and the light between samples: h^2/8 mu^2 each.
+  const Tolerance tolerance = EightBits() +
+    Tolerance{ 0.7 * 2 * 2 * std::pow(mu * 0.0625, 2) / 8,
+      "T_L linear between slices and samples" };
+  for (std::size_t pixel = 0; pixel < 81; ++pixel)
+  {
+    EXPECT_WITHIN(Channel(picture, pixel, 0), radiance, tolerance);
+  }
+}

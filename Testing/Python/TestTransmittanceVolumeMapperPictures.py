@@ -1,0 +1,410 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The mapper's pictures without optimization and light, against VTK's own volume mappers: an
+# independent check of cameras, transfer functions, opacity correction and compositing.
+
+import unittest
+
+import numpy as np
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingVolume import (vtkFixedPointVolumeRayCastMapper,
+                                           vtkGPUVolumeRayCastMapper)
+
+from volume_views import (CELLS, View, colors_of, difference, image_of, opacity_of, phantom,
+                          phantom_property, plain_mapper, property_of, save, scene, values)
+
+# Mean absolute difference of 8-bit values. From inside of the phantom, VTK's two mappers differ by
+# more from each other.
+BAR = 1.5
+
+
+def fixed_point_mapper(step):
+    mapper = vtkFixedPointVolumeRayCastMapper()
+    mapper.SetAutoAdjustSampleDistances(0)
+    mapper.SetImageSampleDistance(1)
+    mapper.SetSampleDistance(step)
+    return mapper
+
+
+def gpu_mapper(step):
+    mapper = vtkGPUVolumeRayCastMapper()
+    mapper.SetAutoAdjustSampleDistances(0)
+    mapper.SetImageSampleDistance(1)
+    mapper.SetUseJittering(0)
+    mapper.SetSampleDistance(step)
+    return mapper
+
+
+# With the distance of their samples, in units of the smallest spacing. In the mapper with fixed
+# point numbers, the opacity of a shorter step has too few digits; the other one leaves out its
+# first step.
+REFERENCES = {"fixed point": (fixed_point_mapper, 0.5), "GPU": (gpu_mapper, 0.1)}
+
+
+def perspective(view, bounds):
+    view.look()
+
+
+def parallel(view, bounds):
+    view.look()
+    view.camera.ParallelProjectionOn()
+    view.camera.SetParallelScale(0.6 * view.camera.GetParallelScale())
+
+
+def inside(view, bounds):
+    view.look()
+    middle, size = bounds.mean(1), bounds[:, 1] - bounds[:, 0]
+    view.camera.SetPosition(*(middle + 0.3 * size * (0.5, 0.4, 1)))
+    view.camera.SetFocalPoint(*middle)
+    view.camera.SetViewAngle(60)
+    view.camera.SetClippingRange(0.001 * size.max(), 3 * size.max())
+
+
+class PictureTest(unittest.TestCase):
+    def pictures(self, image, volume_property, place, decorate=None, name=None,
+                 references=REFERENCES):
+        """Ours and the references', with the camera that place(view, bounds) sets."""
+        mappers = {"ours": plain_mapper()}
+        for key in references:
+            make, step = REFERENCES[key]
+            mappers[key] = make(step * min(image.GetSpacing()))
+        result = {}
+        for key, mapper in mappers.items():
+            view = View()
+            volume = view.add(image, volume_property, mapper)
+            if decorate:
+                decorate(view, volume)
+            place(view, np.array(image.GetBounds()).reshape(3, 2))
+            result[key] = view.picture()
+            if name:
+                save(result[key], name + " " + key)
+        return result
+
+    def assert_same(self, pictures, bar=BAR):
+        ours = pictures.pop("ours")
+        self.assertGreater(ours.std(), 3)  # there is something in it
+        for key, picture in pictures.items():
+            with self.subTest(reference=key):
+                print(f"{self.id().split('.')[-1]}, {key}: {difference(ours, picture):.2f} of 255")
+                self.assertLess(difference(ours, picture), bar)
+
+
+class TestScenes(PictureTest):
+    def check(self, name, place):
+        if name == "phantom":
+            image, volume_property = phantom(64), phantom_property()
+        else:
+            found = scene(name)
+            if not found:
+                self.skipTest(f"the scene {name} is not here: set LIMPID_TEST_DATA")
+            image, volume_property, _ = found
+        self.assert_same(self.pictures(image, volume_property, place,
+                                       name=f"{name} {place.__name__}"))
+
+    def test_phantom_in_perspective(self):
+        self.check("phantom", perspective)
+
+    def test_phantom_in_parallel_projection(self):
+        self.check("phantom", parallel)
+
+    def test_phantom_from_inside(self):
+        self.check("phantom", inside)
+
+    def test_carotid_mra_in_perspective(self):
+        self.check("carotid_mra", perspective)
+
+    def test_carotid_mra_in_parallel_projection(self):
+        self.check("carotid_mra", parallel)
+
+    def test_carotid_mra_from_inside(self):
+        self.check("carotid_mra", inside)
+
+    def test_visible_male_in_perspective(self):
+        self.check("visible_male", perspective)
+
+    def test_visible_male_in_parallel_projection(self):
+        self.check("visible_male", parallel)
+
+    def test_visible_male_from_inside(self):
+        self.check("visible_male", inside)
+
+
+class TestPlacement(PictureTest):
+    def test_a_moved_turned_and_scaled_volume(self):
+        def transform(_, volume):
+            volume.SetPosition(1, 2, 3)
+            volume.RotateX(30)
+            volume.RotateZ(50)
+            volume.SetScale(1, 2, 0.7)
+        self.assert_same(self.pictures(phantom(), phantom_property(), perspective, transform))
+
+    def test_an_extent_that_does_not_start_at_zero(self):
+        image = phantom()
+        spacing = np.array(image.GetSpacing())
+        image.SetExtent(100, 131, -50, -19, 7, 38)
+        image.SetOrigin(*(-1 - spacing * (100, -50, 7)))
+        self.assert_same(self.pictures(image, phantom_property(), perspective))
+
+    def test_direction_matrices_of_either_handedness(self):
+        # VTK's mapper on the CPU does not know them, the one on the GPU in some versions not: the
+        # same voxels, reordered, without a matrix.
+        image = phantom()
+        scalars = values(image, "Scalars").reshape(32, 32, 32)
+        spacing = image.GetSpacing()
+        for matrix, reordered, origin in (
+                (((0, -1, 0), (1, 0, 0), (0, 0, 1)), scalars.transpose(0, 2, 1)[:, :, ::-1],
+                 (1, -1, -1)),
+                (((1, 0, 0), (0, -1, 0), (0, 0, 1)), scalars[:, ::-1, :], (-1, 1, -1))):
+            turned = phantom()
+            turned.SetDirectionMatrix(*np.ravel(matrix).astype(float))
+            turned.SetOrigin(*origin)
+            plain = image_of((32, 32, 32), spacing, (-1, -1, -1), Scalars=reordered.ravel())
+            with self.subTest(matrix=matrix):
+                views = [View(), View()]
+                views[0].add(turned, phantom_property(), plain_mapper())
+                views[1].add(plain, phantom_property(), plain_mapper())
+                for view in views:
+                    view.look()
+                self.assertLess(difference(views[0].picture(), views[1].picture()), 0.1)
+
+    def test_far_from_the_origin_and_tiny(self):
+        reference = View()
+        reference.add(phantom(), phantom_property(), plain_mapper())
+        reference.look()
+        for unit, place in ((1, 1e5), (1e-9, 0), (1e9, 1e9)):
+            with self.subTest(unit=unit, place=place):
+                image = phantom()
+                image.SetSpacing(*(unit * np.array(image.GetSpacing())))
+                image.SetOrigin(*(place + unit * np.array(image.GetOrigin())))
+                volume_property = phantom_property()
+                volume_property.SetScalarOpacityUnitDistance(0.05 * unit)
+                view = View()
+                view.add(image, volume_property, plain_mapper())
+                view.look()
+                self.assertLess(difference(view.picture(), reference.picture()), 0.2)
+
+    def test_a_viewport_that_is_a_part_of_the_window(self):
+        def divide(view, _):
+            view.renderer.SetViewport(0.3, 0.1, 0.9, 0.7)
+        self.assert_same(self.pictures(phantom(), phantom_property(), perspective, divide))
+
+    def test_a_picture_in_tiles(self):
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+        def tiled(mapper):
+            view = View((120, 120))
+            view.add(phantom(), phantom_property(), mapper)
+            view.look()
+            capture = vtkWindowToImageFilter()
+            capture.SetInput(view.window)
+            capture.SetScale(2)
+            capture.SetInputBufferTypeToRGB()
+            capture.ReadFrontBufferOff()
+            capture.Update()
+            return vtk_to_numpy(capture.GetOutput().GetPointData().GetScalars()).astype(float)
+        view = View((240, 240))
+        view.add(phantom(), phantom_property(), plain_mapper())
+        view.look()
+        # The tiles' cameras differ from the whole picture's by rounding.
+        self.assertLess(difference(tiled(plain_mapper()), view.picture().reshape(-1, 3)), 0.2)
+
+    def test_both_eyes(self):
+        def stereo(view, _):
+            view.window.StereoRenderOn()
+            view.window.SetStereoTypeToRight()
+        self.assert_same(self.pictures(phantom(), phantom_property(), perspective, stereo))
+
+    def test_a_picture_off_the_axis(self):
+        def shifted(view, bounds):
+            view.look()
+            view.camera.SetWindowCenter(0.4, -0.3)
+        self.assert_same(self.pictures(phantom(), phantom_property(), shifted))
+
+
+class TestFunctionsAndArrays(PictureTest):
+    def test_scalar_types(self):
+        data = values(phantom(), "Scalars")
+        reference = None
+        for kind in (np.float32, np.float64, np.uint8, np.int16, np.uint16, np.int32, np.int64):
+            with self.subTest(type=kind.__name__):
+                top = 200 if kind in (np.uint8,) else 20000
+                scaled = (data * top).round().astype(kind)
+                image = image_of((32, 32, 32), phantom().GetSpacing(), (-1, -1, -1), s=scaled)
+                volume_property = property_of(
+                    colors_of((0, 0.2, 0.3, 0.9), (0.5 * top, 0.9, 0.8, 0.6),
+                              (top, 0.9, 0.2, 0.1)),
+                    opacity_of((0, 0), (0.2 * top, 0.02), (top, 0.2)), 0.05)
+                view = View()
+                view.add(image, volume_property, plain_mapper())
+                view.look()
+                picture = view.picture()
+                reference = picture if reference is None else reference
+                # Values are rounded to 1/200 of their range.
+                self.assertLess(difference(picture, reference), 0.5)
+
+    def test_numbers_that_single_precision_cannot_tell_apart(self):
+        data = values(phantom(), "Scalars").astype(float)
+        pictures = []
+        for offset in (0.0, 1e9):
+            image = image_of((32, 32, 32), phantom().GetSpacing(), (-1, -1, -1), s=offset + data)
+            volume_property = property_of(
+                colors_of((offset, 0.2, 0.3, 0.9), (offset + 0.5, 0.9, 0.8, 0.6),
+                          (offset + 1, 0.9, 0.2, 0.1)),
+                opacity_of((offset, 0), (offset + 0.2, 0.02), (offset + 1, 0.2)), 0.05)
+            view = View()
+            view.add(image, volume_property, plain_mapper())
+            view.look()
+            pictures.append(view.picture())
+        self.assertLess(difference(*pictures), 0.1)
+
+    def test_a_constant_field(self):
+        image = image_of((8, 8, 8), s=np.full(512, 0.3))
+        volume_property = property_of(colors_of((0, 1, 0, 0), (1, 0, 0, 1)),
+                                      opacity_of((0, 0), (1, 1)), 3.0)
+        self.assert_same(self.pictures(image, volume_property, perspective))
+
+    def test_gray_transfer_functions(self):
+        volume_property = phantom_property()
+        volume_property.SetColor(opacity_of((0, 0.2), (0.4, 0.9), (1, 0.5)))
+        # VTK's mapper on the GPU knows no gray functions.
+        self.assert_same(self.pictures(phantom(), volume_property, perspective,
+                                       references=["fixed point"]))
+
+    def test_functions_without_clamping_are_nothing_outside(self):
+        volume_property = phantom_property()
+        function = opacity_of((0.3, 0.1), (0.6, 0.1))
+        function.ClampingOff()
+        volume_property.SetScalarOpacity(function)
+        self.assert_same(self.pictures(phantom(), volume_property, perspective))
+
+    def test_functions_that_are_constant_where_the_data_are(self):
+        for nodes in (((-9, 0.05), (-8, 0.02)), ((8, 0.02), (9, 0.05))):
+            with self.subTest(nodes=nodes):
+                volume_property = phantom_property()
+                volume_property.SetScalarOpacity(opacity_of(*nodes))
+                self.assert_same(self.pictures(phantom(), volume_property, perspective))
+
+    def test_steps_and_sharp_peaks(self):
+        volume_property = phantom_property()
+        volume_property.SetScalarOpacity(
+            opacity_of((0.30, 0), (0.301, 0.1), (0.35, 0.1), (0.351, 0)))
+        self.assert_same(self.pictures(phantom(), volume_property, perspective))
+
+    def test_colours_on_a_logarithmic_scale_are_those_of_the_legend(self):
+        # A slab of one value has the colour that GetColor gives it, as in a scalar bar.
+        function = colors_of((0.01, 0, 0, 1), (1, 1, 0, 0))
+        function.SetScaleToLog10()
+        data = np.full(512, 0.1)
+        data[0] = 0.01
+        data[-1] = 1.0
+        image = image_of((8, 8, 8), s=data)
+        volume_property = property_of(function, opacity_of((0, 1), (1, 1)), 0.1)
+        view = View()
+        view.add(image, volume_property, plain_mapper())
+        view.look(0, 0)
+        expected = 255 * np.array(function.GetColor(0.1))
+        np.testing.assert_allclose(view.picture()[100, 100], expected, atol=1)
+
+    def test_the_choice_of_component_and_magnitude(self):
+        data = values(phantom(), "Scalars")
+        vectors = np.stack([0 * data, -data, 0.5 * data], axis=1)
+        image = image_of((32, 32, 32), phantom().GetSpacing(), (-1, -1, -1), s=data,
+                         v=vectors, m=np.linalg.norm(vectors, axis=1), half=vectors[:, 2])
+        for component, same in ((-1, "m"), (2, "half")):
+            views = [View(), View()]
+            for view, array, chosen in zip(views, ("v", same), (component, 0)):
+                mapper = plain_mapper()
+                mapper.SelectScalarArray(array)
+                mapper.SetScalarModeToUsePointFieldData()
+                mapper.SetScalarComponent(chosen)
+                view.add(image, phantom_property(), mapper)
+                view.look()
+            np.testing.assert_array_equal(views[0].picture(), views[1].picture())
+
+    def test_cell_arrays_are_averaged_to_the_points(self):
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        cells = np.random.default_rng(1).random((7, 7, 7))
+        padded = np.pad(cells, 1, constant_values=np.nan)
+        around = [padded[i:i + 8, j:j + 8, k:k + 8]
+                  for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+        points = np.nanmean(around, axis=0)
+        onCells = image_of((8, 8, 8))
+        array = numpy_to_vtk(cells.ravel(), deep=1)
+        array.SetName("c")
+        onCells.GetCellData().SetScalars(array)
+        views = [View(), View()]
+        for view, image in zip(views, (onCells, image_of((8, 8, 8), c=points.ravel()))):
+            view.add(image, phantom_property(), plain_mapper())
+            view.look()
+        self.assertLess(difference(views[0].picture(), views[1].picture()), 0.01)
+
+    def test_jitter_and_sample_distance_change_little(self):
+        view = View()
+        mapper = plain_mapper()
+        view.add(phantom(64), phantom_property(), mapper)
+        view.look()
+        reference = view.picture()
+        for name, value in (("Jitter", 1), ("SampleDistance", 0.5), ("SampleDistance", 2)):
+            getattr(mapper, "Set" + name)(value)
+            self.assertLess(difference(view.picture(), reference), 1)
+
+
+def add_surface(source, color=(0.2, 0.8, 0.2), opacity=1):
+    def decorate(view, _):
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(source.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(*color)
+        actor.GetProperty().SetOpacity(opacity)
+        actor.GetProperty().LightingOff()
+        view.renderer.AddActor(actor)
+    return decorate
+
+
+class TestOpaqueGeometry(PictureTest):
+    def sphere(self, x, y, z, radius=0.4):
+        source = vtkSphereSource()
+        source.SetCenter(x, y, z)
+        source.SetRadius(radius)
+        source.SetThetaResolution(60)
+        source.SetPhiResolution(60)
+        return add_surface(source)
+
+    def check(self, name, place, camera):
+        self.assert_same(self.pictures(phantom(), phantom_property(), camera, place, name=name))
+
+    def test_in_front(self):
+        self.check("sphere in front", self.sphere(1.5, 0.9, 1.8), perspective)
+
+    def test_inside(self):
+        self.check("sphere inside", self.sphere(0.1, 0.1, 0.2), perspective)
+        self.check("sphere inside parallel", self.sphere(0.1, 0.1, 0.2), parallel)
+
+    def test_behind(self):
+        self.check("sphere behind", self.sphere(-1.5, -0.9, -1.8), perspective)
+
+    def test_around(self):
+        box = vtkCubeSource()
+        box.SetBounds(-3, 3, -3, -1.2, -3, 3)
+        self.check("floor", add_surface(box), perspective)
+
+    def test_with_multisampling(self):
+        view = View()
+        view.window.SetMultiSamples(4)
+        view.add(phantom(), phantom_property(), plain_mapper())
+        self.sphere(0.1, 0.1, 0.2)(view, None)
+        view.look()
+        smooth = view.picture()
+        view = View()
+        view.add(phantom(), phantom_property(), plain_mapper())
+        self.sphere(0.1, 0.1, 0.2)(view, None)
+        view.look()
+        self.assertLess(difference(smooth, view.picture()), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""What the tests of the representation in ParaView share: views, displays of the phantom."""
+
+from paraview import simple
+
+BACKGROUND = [0.1, 0.2, 0.3]
+# Where the head is looked at from: in front, above, behind and below.
+POSITIONS = [[1.9, -4.7, 1.5], [0.5, -2.0, 4.8], [-3.0, 3.5, -2.2]]
+
+# Values of the head's materials and their colours and opacities.
+COLORS = [0.0, 0.2, 0.15, 0.2, 0.15, 0.75, 0.5, 0.55, 0.4, 0.87, 0.66, 0.53, 0.65, 0.95, 0.92, 0.8,
+          0.75, 0.8, 0.2, 0.15, 0.85, 0.75, 0.05, 0.1, 0.93, 0.3, 0.7, 0.3, 1.0, 0.1, 0.8, 0.35]
+OPACITIES = [0.0, 0.0, 0.5, 0.0, 0.05, 0.0, 0.5, 0.0, 0.15, 0.25, 0.5, 0.0, 1.0, 0.6, 0.5, 0.0]
+UNIT_DISTANCE = 0.1
+
+
+def new_view(size=(200, 200)):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = list(size)
+    view.OrientationAxesVisibility = 0
+    view.CenterAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = BACKGROUND
+    look(view, POSITIONS[0])
+    return view
+
+
+def look(view, position):
+    view.CameraPosition = position
+    view.CameraFocalPoint = [0, 0, 0]
+    view.CameraViewUp = [0, 0, 1]
+
+
+def set_functions(array="Scalars"):
+    """The colour map and the opacity function that displays of an array of this name use."""
+    colors = simple.GetColorTransferFunction(array)
+    colors.ColorSpace = "RGB"
+    colors.RGBPoints = COLORS
+    opacity = simple.GetOpacityTransferFunction(array)
+    opacity.Points = OPACITIES
+    return colors, opacity
+
+
+def show(source, view, representation="Optimized Volume", array=("POINTS", "Scalars")):
+    """Shows a source without the score, which is no part of the volume's picture."""
+    source.UpdatePipeline()
+    display = simple.Show(source, view)
+    simple.ColorBy(display, array)
+    set_functions(array[1])
+    display.ScalarOpacityUnitDistance = UNIT_DISTANCE
+    display.SetScalarBarVisibility(view, False)
+    display.ShowScore = 0
+    display.SetRepresentationType(representation)
+    return display
+
+
+def show_head(view, resolution=48, **settings):
+    display = show(simple.OcclusionPhantom(Resolution=resolution, Scene="Head"), view)
+    for name, value in settings.items():
+        setattr(display, name, value)
+    return display

@@ -1,0 +1,204 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What the tests of the volume mapper share: scenes, views, pictures, messages.
+
+import json
+import os
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the object factories)
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+from vtkmodules.vtkRenderingCore import (vtkColorTransferFunction, vtkRenderer, vtkRenderWindow,
+                                         vtkVolume, vtkVolumeProperty, vtkWindowToImageFilter)
+
+from limpid.vtkLimpidFilters import vtkOcclusionPhantom
+from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
+
+POINTS, CELLS = 0, 1
+BACKGROUND = (0.1, 0.2, 0.3)
+
+
+def image_of(shape, spacing=(1, 1, 1), origin=(0, 0, 0), **arrays):
+    """An image with one point array per keyword, the first one active; shape is (x, y, z)."""
+    image = vtkImageData()
+    image.SetDimensions(shape)
+    image.SetSpacing(spacing)
+    image.SetOrigin(origin)
+    for name, data in arrays.items():
+        array = numpy_to_vtk(np.ascontiguousarray(data), deep=1)
+        array.SetName(name)
+        image.GetPointData().AddArray(array)
+    if arrays:
+        image.GetPointData().SetActiveScalars(next(iter(arrays)))
+    return image
+
+
+def phantom(resolution=32):
+    source = vtkOcclusionPhantom()
+    source.SetResolution(resolution)
+    source.Update()
+    image = vtkImageData()
+    image.ShallowCopy(source.GetOutput())
+    image.GetPointData().SetActiveScalars("Scalars")
+    return image
+
+
+def values(image, name):
+    return vtk_to_numpy(image.GetPointData().GetArray(name))
+
+
+def opacity_of(*nodes):
+    function = vtkPiecewiseFunction()
+    for position, value in nodes:
+        function.AddPoint(position, value)
+    return function
+
+
+def colors_of(*nodes):
+    function = vtkColorTransferFunction()
+    for node in nodes:
+        function.AddRGBPoint(*node)
+    return function
+
+
+def property_of(color, opacity, unit_distance):
+    result = vtkVolumeProperty()
+    result.SetColor(color)
+    result.SetScalarOpacity(opacity)
+    result.SetScalarOpacityUnitDistance(unit_distance)
+    result.SetInterpolationTypeToLinear()
+    result.ShadeOff()
+    return result
+
+
+def phantom_property():
+    return property_of(
+        colors_of((0, 0.2, 0.3, 0.9), (0.5, 0.9, 0.8, 0.6), (1, 0.9, 0.2, 0.1)),
+        opacity_of((0, 0), (0.2, 0.02), (1, 0.2)), 0.05)
+
+
+def gray_property(opacity=0.5, unit_distance=1.0, color=(0.9, 0.5, 0.1)):
+    """The same colour and opacity for every value."""
+    return property_of(colors_of((0, *color), (1, *color)), opacity_of((0, opacity), (1, opacity)),
+                       unit_distance)
+
+
+def scene(name):
+    """Image, property and importance function of a test scene; None if it is not there."""
+    folder = os.environ.get("LIMPID_TEST_DATA", "")
+    path = os.path.join(folder, name + ".scene.json")
+    if not folder or not os.path.exists(path):
+        return None
+    with open(path) as file:
+        description = json.load(file)
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(os.path.join(folder, description["data"]["file"]))
+    reader.Update()
+    image = reader.GetOutput()
+    image.GetPointData().SetActiveScalars(description["data"]["array"])
+
+    unit = min(description["data"]["spacing"])
+    nodes = np.array(description["extinction_tf"])
+    # Straight lines of extinction are curves of opacity: enough of them.
+    samples = np.linspace(*description["data"]["range"], 400)
+    opacity = 1 - np.exp(-np.interp(samples, nodes[:, 0], nodes[:, 1]) * unit)
+    volume_property = property_of(colors_of(*description["color_tf"]),
+                                  opacity_of(*zip(samples, opacity)), unit)
+    return image, volume_property, opacity_of(*description["importance_tf"])
+
+
+def plain_mapper():
+    """Without optimization and light."""
+    mapper = vtkTransmittanceVolumeMapper()
+    mapper.SetOptimization(vtkTransmittanceVolumeMapper.OFF)
+    mapper.ShadowsOff()
+    return mapper
+
+
+def caught(thing, *events):
+    """Collects the texts of the events of a VTK object, by default errors and warnings."""
+    texts = []
+
+    def observe(_, __, text):
+        texts.append(text)
+    observe.CallDataType = "string0"
+    for event in events or ("ErrorEvent", "WarningEvent"):
+        thing.AddObserver(event, observe)
+    return texts
+
+
+class View:
+    """A window off the screen, with one renderer."""
+
+    def __init__(self, size=(200, 200)):
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(*size)
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(*BACKGROUND)
+        self.window.AddRenderer(self.renderer)
+
+    @property
+    def camera(self):
+        return self.renderer.GetActiveCamera()
+
+    def add(self, image, volume_property, mapper):
+        mapper.SetInputData(image)
+        volume = vtkVolume()
+        volume.SetMapper(mapper)
+        volume.SetProperty(volume_property)
+        self.renderer.AddVolume(volume)
+        return volume
+
+    def look(self, azimuth=35, elevation=20):
+        """From a new camera's place, turned a little so that nothing lies along an axis."""
+        self.camera.SetPosition(0, 0, 1)
+        self.camera.SetFocalPoint(0, 0, 0)
+        self.camera.SetViewUp(0, 1, 0)
+        self.camera.SetViewAngle(30)
+        self.renderer.ResetCamera()
+        self.camera.Azimuth(azimuth)
+        self.camera.Elevation(elevation)
+        self.camera.Zoom(1.6)
+        self.renderer.ResetCameraClippingRange()
+
+    def interact(self, moving):
+        self.window.SetDesiredUpdateRate(10 if moving else 0.001)
+
+    def picture(self):
+        """Renders; rows from the bottom, colours from 0 to 255."""
+        self.window.Render()
+        return self.pixels()
+
+    def pixels(self):
+        capture = vtkWindowToImageFilter()
+        capture.SetInput(self.window)
+        capture.SetInputBufferTypeToRGB()
+        capture.ReadFrontBufferOff()
+        capture.ShouldRerenderOff()
+        capture.Update()
+        columns, rows, _ = capture.GetOutput().GetDimensions()
+        scalars = capture.GetOutput().GetPointData().GetScalars()
+        return vtk_to_numpy(scalars).reshape(rows, columns, 3).astype(float)
+
+
+def difference(a, b):
+    return np.abs(a - b).mean()
+
+
+def save(pixels, name):
+    """Writes a picture into the folder LIMPID_TEST_OUTPUT, if there is one, to be looked at."""
+    folder = os.environ.get("LIMPID_TEST_OUTPUT", "")
+    if folder:
+        from vtkmodules.vtkIOImage import vtkPNGWriter
+        rows, columns, _ = pixels.shape
+        image = image_of((columns, rows, 1), rgb=pixels.reshape(-1, 3).astype(np.uint8))
+        writer = vtkPNGWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(os.path.join(folder, name + ".png"))
+        writer.Write()

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_PreparedScene_h
+#define limpid_optimize_PreparedScene_h
+
+#include "optimize/Problem.h"
+#include "optimize/Solver.h"
+
+namespace limpid
+{
+/// Throws limpid::Error unless settings can be worked with in this build.
+void RequireSettings(const Settings& settings);
+
+/// Throws limpid::Error unless the rays of both can be told apart.
+void RequireReach(const Problem& problem);
+
+/// Throws limpid::Error unless camera and light can be worked with.
+void RequireView(
+  const Camera& camera, const Light& light, const Settings& settings, const Grid& grid);
+
+/**
+ * A scene whose values have been checked, with all that follows from them alone: what stays when
+ * camera, light and weights change.
+ */
+class PreparedScene
+{
+public:
+  /// Throws limpid::Error when the scene cannot be worked with.
+  explicit PreparedScene(const SceneFields& scene);
+
+  const Grid& Nodes() const { return this->Fields.grid; }
+  const SceneFields& Arrays() const { return this->Fields; }
+  float Majorant() const { return this->LargestExtinction; } ///< Eq. 25 [1/length]
+
+  /// Whether an extinction can show anything at all: there is a volume, and something important.
+  bool SomethingToSee() const;
+
+  /// The energy as seen from a camera and lit by a light; null-weighted terms stay in it.
+  Problem ProblemFor(const Camera& camera, const Light& light, const Settings& settings);
+
+private:
+  SceneFields Fields;
+  float LargestExtinction = 0;
+  bool SomethingImportant = false;
+  std::vector<float> Important;            ///< see NodeImportanceOfFilled; made when first needed
+  std::shared_ptr<const Occupancy> Filled; ///< made when first needed
+};
+}
+
+#endif

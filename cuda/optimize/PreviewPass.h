@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_PreviewPass_h
+#define limpid_optimize_PreviewPass_h
+
+#include "energy/VisibilityTerm.h"
+#include "optimize/PreparedScene.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace limpid
+{
+/**
+ * The first policy pass on one grid, which knows of no transmittance and leaves the light out of
+ * the camera's extinction: the most visibility for one sweep (Documentation/Method.md).
+ */
+class PreviewPass
+{
+public:
+  explicit PreviewPass(std::shared_ptr<PreparedScene> scene)
+    : Scene(std::move(scene))
+  {
+  }
+
+  void Make(const Camera& camera, const Light& light, const Settings& settings);
+
+  /// Frees the extinctions that passes have made.
+  void Forget();
+
+  const Grid& Nodes() const { return this->Scene->Nodes(); }
+  const float* Base() const { return this->Scene->Arrays().baseExtinction; }
+
+  /// What the last pass has found, Nodes().NodeCount() values [1/length].
+  const float* Extinction() const { return this->DataOf(this->ForCamera); }
+
+  /// Separate mode: for the light; joint mode: the same as for the camera.
+  const float* LightExtinction() const
+  {
+    return this->Task.settings.mode == Mode::Joint ? this->Extinction()
+                                                   : this->DataOf(this->ForLight);
+  }
+
+  /// Of the base and of the found extinction; each costs a sweep when it is asked for first.
+  Score BaseScore();
+  Score BestScore();
+
+private:
+  const float* DataOf(const std::vector<float>& found) const
+  {
+    return found.empty() ? this->Base() : found.data();
+  }
+
+  VisibilityTerm& CameraTerm();
+  Score ScoreOf(const float* extinction);
+
+  std::shared_ptr<PreparedScene> Scene;
+  Problem Task;                       ///< of the last pass
+  std::optional<VisibilityTerm> Seen; ///< by the camera; made when first needed
+  std::vector<float> ForCamera;       ///< empty: the base extinction
+  std::vector<float> ForLight;
+  std::optional<Score> Before;
+  std::optional<Score> After;
+};
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Progressive_h
+#define limpid_optimize_Progressive_h
+
+#include "optimize/PassTime.h"
+#include "optimize/Solver.h"
+
+#include <memory>
+
+namespace limpid
+{
+/**
+ * Optimises for a camera that moves: quickly and coarsely while it does, fully when it rests.
+ *
+ *   progressive.SetView(camera, light);  // whenever one of them has changed
+ *   progressive.Preview(0.05);           // while moving: once per frame
+ *   while (!progressive.Refine()) {}     // at rest: once per frame, or all at once
+ *
+ * A refined result depends on camera, light and settings alone, not on what was previewed before.
+ */
+class Progressive
+{
+public:
+  /// The fields stay with the caller. Throws limpid::Error as Solver does.
+  Progressive(const SceneFields& scene, const Settings& settings);
+  ~Progressive();
+  Progressive(Progressive&&) noexcept;
+  Progressive& operator=(Progressive&&) noexcept;
+
+  /// Another stopwatch for previews; for tests.
+  void SetStopwatch(Stopwatch stopwatch);
+
+  /// A new camera, light or new settings. What was found before stays shown until there is
+  /// something new. Nothing happens if all are the same as before. Throws limpid::Error, and
+  /// changes nothing, when they cannot be worked with.
+  void SetView(const Camera& camera, const Light& light, const Settings& settings);
+
+  /// One policy pass on the finest grid on which it is expected to take no longer. Does nothing if
+  /// what is shown is at least as good for the present view.
+  void Preview(double seconds);
+
+  /// The next iteration at full resolution; the first call for a view only prepares. Previews stay
+  /// shown until the first iteration. Returns whether there is nothing left to do.
+  bool Refine();
+
+  bool Converged() const; ///< whether Refine has nothing left to do for the present view
+
+  /// What is to be shown now; the same box as the scene's grid. Valid after Preview or Refine.
+  const Grid& ShownGrid() const;
+  const float* BaseExtinction() const;  ///< at the nodes of ShownGrid() [1/length]
+  const float* Extinction() const;      ///< at the nodes of ShownGrid() [1/length]
+  const float* LightExtinction() const; ///< the same array in joint mode
+
+  Score BaseScore() const;
+  Score BestScore() const;
+  int Iterations() const; ///< at full resolution, for the present view
+  std::string BackendName() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> State;
+};
+}
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "render/Bricks.h"
+
+#include "backend/Backend.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpid
+{
+namespace
+{
+constexpr int farthest = 255; // what fits in a byte
+
+/// Calls use(i, j, k) for the box of nodes from `first` to `last`.
+template <class Use>
+void ForNodes(const Int3& nodes, const Int3& first, const Int3& last, const Use& use)
+{
+  for (int k = first.z; k <= last.z; ++k)
+  {
+    for (int j = first.y; j <= last.y; ++j)
+    {
+      const Index row = nodes.x * (j + Index(nodes.y) * k);
+      for (int i = first.x; i <= last.x; ++i)
+      {
+        use(row + i);
+      }
+    }
+  }
+}
+
+/// Nodes of a coarse grid over the same box whose interpolation a range of
+/// cells reads.
+void CoarseRange(int nodes, int coarseNodes, int& first, int& last)
+{
+  const double scale = double(coarseNodes - 1) / std::max(nodes - 1, 1);
+  first = std::clamp(int(std::floor(first * scale - 1e-6)), 0, coarseNodes - 1);
+  last = std::clamp(int(std::ceil(last * scale + 1e-6)), 0, coarseNodes - 1);
+}
+
+/// Chebyshev distances to the nearest zero, by one pass forth and one back.
+void SpreadDistances(const Int3& count, std::vector<std::uint8_t>& distance)
+{
+  const auto pass = [&](bool forth)
+  {
+    const Index total = Index(count.x) * count.y * count.z;
+    for (Index step = 0; step < total; ++step)
+    {
+      const Index at = forth ? step : total - 1 - step;
+      const Int3 brick(at % count.x, at / count.x % count.y, at / (Index(count.x) * count.y));
+      int nearest = distance[std::size_t(at)];
+      for (int n = 0; n < 13; ++n) // the neighbours that the pass has met
+      {
+        const Int3 offset(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const Int3 other = forth ? brick + offset : brick - offset;
+        if (other.x >= 0 && other.y >= 0 && other.z >= 0 && other.x < count.x &&
+          other.y < count.y && other.z < count.z)
+        {
+          const Index place = other.x + count.x * (other.y + Index(count.y) * other.z);
+          nearest = std::min(nearest, distance[std::size_t(place)] + 1);
+        }
+      }
+      distance[std::size_t(at)] = static_cast<std::uint8_t>(nearest);
+    }
+  };
+  pass(true);
+  pass(false);
+}
+} // namespace
+
+Bricks::Bricks(const ScalarField& scalars)
+  : Nodes(scalars.grid.nodes)
+  , Count((scalars.grid.nodes + (size - 2)) / size)
+  , Ranges(std::size_t(Index(Count.x) * Count.y * Count.z))
+{
+  ParallelFor(Index(this->Count.y) * this->Count.z,
+    [&](Index row)
+    {
+      for (int i = 0; i < this->Count.x; ++i)
+      {
+        const Int3 first = size * Int3(i, int(row % this->Count.y), int(row / this->Count.y));
+        const Int3 last = glm::min(first + size, this->Nodes - 1);
+        Range range{ 3.4e38f, -3.4e38f };
+        ForNodes(this->Nodes, first, last,
+          [&](Index node)
+          {
+            range.least = std::min(range.least, scalars.values[node]);
+            range.most = std::max(range.most, scalars.values[node]);
+          });
+        this->Ranges[std::size_t(row * this->Count.x + i)] = range;
+      }
+    });
+}
+
+void Bricks::Classify(const Classification& classification, const MediumField& medium)
+{
+  this->Distance.resize(this->Ranges.size());
+  ParallelFor(Index(this->Count.y) * this->Count.z,
+    [&](Index row)
+    {
+      for (int i = 0; i < this->Count.x; ++i)
+      {
+        const Index brick = row * this->Count.x + i;
+        const Range& range = this->Ranges[std::size_t(brick)];
+        float largest = classification.LargestBetween(
+          classification.Position(range.least), classification.Position(range.most));
+        if (medium.changed)
+        {
+          Int3 first = size * Int3(i, int(row % this->Count.y), int(row / this->Count.y));
+          Int3 last = glm::min(first + size, this->Nodes - 1);
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            CoarseRange(this->Nodes[axis], medium.nodes[axis], first[axis], last[axis]);
+          }
+          int kept = 0;
+          int added = 0;
+          ForNodes(medium.nodes, first, last,
+            [&](Index node)
+            {
+              kept = std::max<int>(kept, medium.packed[std::size_t(4 * node)]);
+              added = std::max<int>(added, medium.packed[std::size_t(4 * node + 1)]);
+            });
+          largest = largest * static_cast<float>(kept) + static_cast<float>(added);
+        }
+        this->Distance[std::size_t(brick)] = largest > 0 ? 0 : farthest;
+      }
+    });
+  SpreadDistances(this->Count, this->Distance);
+}
+
+double Bricks::EmptyShare() const
+{
+  const auto empty = std::count_if(
+    this->Distance.begin(), this->Distance.end(), [](std::uint8_t value) { return value > 0; });
+  return this->Distance.empty() ? 0.0 : double(empty) / double(this->Distance.size());
+}
+} // namespace limpid

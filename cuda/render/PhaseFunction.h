@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_render_PhaseFunction_h
+#define limpid_render_PhaseFunction_h
+
+#include "backend/Simd.h"
+#include "math/Vec.h"
+
+#include <cmath>
+
+namespace limpid
+{
+constexpr double pi = 3.14159265358979323846;
+
+/**
+ * Phase function f_v of Eq. 6 [HG41]: share of the light scattered per solid angle [1/steradian].
+ * Integrates to 1 over the sphere.
+ *
+ * `cosine`: of the angle between the light's direction of travel and the outgoing direction.
+ */
+template <class Real>
+LIMPID_HD LIMPID_INLINE Real HenyeyGreenstein(Real anisotropy, Real cosine)
+{
+  const Real square = anisotropy * anisotropy;
+  const Real base = 1 + square - 2 * anisotropy * cosine;
+  return (1 - square) / (Real(4 * pi) * base * std::sqrt(base));
+}
+
+/**
+ * Factor of the Blinn-Phong lobe (h.n)^p with which it, times the cosine of the light, integrates
+ * to 1 over the hemisphere of lights for a viewer in the direction of the normal, and to less for
+ * any other [1/steradian].
+ */
+inline double BlinnPhongNormalization(double power)
+{
+  return (power + 2) * (power + 4) / (8 * pi * (std::exp2(-0.5 * power) + power));
+}
+
+/// Share of the highlight in what a surface scatters; the rest is matt.
+constexpr double highlightShare = 0.25;
+
+/**
+ * Surface term f_s of Eq. 6 [1/steradian]: the matt surface of Lambert and the normalised lobe of
+ * Blinn and Phong. `lobe`: BlinnPhongNormalization(p) (h.n)^p, zero if h.n < 0.
+ */
+template <class Real>
+LIMPID_HD LIMPID_INLINE Real SurfaceScattering(Real lobe)
+{
+  return Real((1 - highlightShare) / pi) + Real(highlightShare) * lobe;
+}
+}
+
+#endif

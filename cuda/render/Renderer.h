@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_render_Renderer_h
+#define limpid_render_Renderer_h
+
+#include "scene/Eye.h"
+#include "scene/Grid.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace limpid
+{
+/// Transfer functions of a scalar, sampled at equal steps from `low` to `high`, constant outside.
+struct TransferFunctions
+{
+  double low = 0;
+  double high = 1;                         ///< above low
+  std::vector<float> extinction;           ///< two or more values >= 0, finite [1/length]
+  std::vector<std::array<float, 3>> color; ///< as many colours [0, 1]
+};
+
+/**
+ * How the medium is lit, Eqs. 3-6. Off: every sample has the colour of the transfer function.
+ *
+ * A sample sends its colour times
+ *   ambient + (1 - ambient) exposure (1 - strength (1 - T_L)) (f_v' + k_s pi f_s (w_L.n)+) / (1 +
+ * k_s) to the viewer: f_v' is the Henyey-Greenstein function over its value in the middle of the
+ * volume, f_s see SurfaceScattering, k_s = surface |grad mu-bar| / its largest value, and exposure
+ * = intensity / (1 - strength / 2), see Documentation/Method.md.
+ */
+struct Lighting
+{
+  bool enabled = false;
+  Light light;                 ///< in world coordinates
+  double intensity = 1;        ///< 1: what faces light and viewer keeps its colour, >= 0
+  double ambient = 0.35;       ///< share of the light that comes from everywhere [0, 1]
+  double anisotropy = 0.6;     ///< a of the Henyey-Greenstein function (-1, 1)
+  double surface = 2;          ///< k_s where the base extinction is steepest, >= 0
+  double specularPower = 20;   ///< exponent of the Blinn-Phong lobe, >= 0
+  bool shadows = true;         ///< T_L of Eq. 4; off: 1
+  double shadowStrength = 0.7; ///< share of the shadow that is drawn [0, 1]
+  std::array<float, 3> color{ { 1.0f, 1.0f, 1.0f } };
+};
+
+/// A picture to be made: where its rays run, where they end, how they are sampled.
+struct View
+{
+  int width = 0;  ///< pixels
+  int height = 0; ///< pixels, first row at the bottom
+
+  /// From clip coordinates of the picture, x, y, z in [-1, 1] (left, bottom, near: -1), to world
+  /// coordinates; perspective or parallel. Columns as in OpenGL.
+  glm::dmat4 clipToWorld{ 1.0 };
+
+  /// Clip z in [-1, 1] at which the ray of a pixel ends, width * height values; null: all at 1.
+  const float* depth = nullptr;
+
+  double sampleDistance = 1; ///< between samples, in units of the smallest spacing, > 0
+  bool jitter = false;       ///< shift the samples of each ray by a fixed pseudo-random amount
+  bool skipEmpty = true;     ///< leave out what is empty; never changes the picture
+  double opaqueBelow = 1 / 1024.0; ///< a ray ends when its transmittance is below; 0: never
+};
+
+/// A picture, first row at the bottom.
+struct Picture
+{
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba; ///< colours multiplied by alpha, 4 per pixel
+};
+
+/**
+ * Renders a volume with single scattering, Eqs. 1-6.
+ *
+ * The extinction of a sample is clamp(mu-bar(s) + delta, 0, majorant): the transfer function of the
+ * interpolated scalar, as ordinary volume rendering has it, plus the interpolated change that the
+ * optimisation made (Documentation/Method.md).
+ *
+ * Fields belong to the caller, who keeps them while the renderer uses them.
+ */
+class Renderer
+{
+public:
+  Renderer();
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// The scalars at the nodes of a grid, NodeCount() values; NaN: an empty node.
+  void SetScalars(const Grid& grid, const float* scalars);
+
+  /// Call it again when a function has changed.
+  void SetTransferFunctions(const TransferFunctions& functions);
+
+  /**
+   * The extinction to be shown: `base` and `extinction` at the nodes of a grid over the same box,
+   * as fine as the scalars' or coarser, NodeCount() values each [1/length]. What counts is their
+   * difference, and for shadows `extinction` itself. Null for both: the transfer function's alone.
+   *
+   * `share` in (0, 1]: how far to move from what is shown now to the new extinction; 1 at once.
+   * `lightExtinction`: what casts the shadows, if that is another extinction.
+   */
+  void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share = 1,
+    const float* lightExtinction = nullptr);
+
+  /// Light for the following pictures. Shadows are computed when they are needed next.
+  void SetLighting(const Lighting& lighting);
+
+  /// Rays of the shadow volume per voxel and axis. Default 3.
+  void SetShadowRayDensity(double density);
+
+  /// Throws limpid::Error when there are no scalars or transfer functions, or the view is unusable.
+  void Render(const View& view, Picture& picture);
+
+  /// Transmittance of the light at a world position [0, 1], as the shadows have it; 1 outside of
+  /// the grid and without shadows.
+  double LightTransmittanceAt(const Vec3& world);
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> State;
+};
+}
+
+#endif
