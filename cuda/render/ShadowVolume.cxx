@@ -33,6 +33,23 @@ Interval CubicTargets(const LinearMap& map, const Interval& targets, const Inter
   return { static_cast<int>(begin - map.index.begin()), static_cast<int>(end - map.index.begin()) };
 }
 
+/// Rays, guards apart, that are in the box along one axis by the time they come to `depth`. They are
+/// neighbours.
+Interval Entered(const RayAxis& axis, float depth)
+{
+  int begin = 1;
+  int end = axis.Count() - 1;
+  while (begin < end && axis.entry[std::size_t(begin)] > depth)
+  {
+    ++begin;
+  }
+  while (begin < end && axis.entry[std::size_t(end) - 1] > depth)
+  {
+    --end;
+  }
+  return { begin, end };
+}
+
 /// The forward sweep of one pyramid that writes the transmittance of the voxels as it goes.
 class ShadowVisitor
 {
@@ -93,10 +110,12 @@ public:
     const auto linear = [&](const Interval& columns)
     { SampleTransmittance(this->Source, station, v, columns, this->Images, memory, out); };
 
+    // Ahead of its entry into the box a ray says nothing that four rays could bend by.
     const LinearMap& map = station.voxelColumns;
     const int row = station.voxelRows.index[std::size_t(v)];
-    const Interval cubic = row > 0 && row + 2 < this->Source.rows
-      ? CubicTargets(map, owned, { 0, this->Source.columns })
+    const Interval rows = Entered(this->Source.rowAxis, station.relativeDepth);
+    const Interval cubic = row > rows.begin && row + 2 < rows.end
+      ? CubicTargets(map, owned, Entered(this->Source.columnAxis, station.relativeDepth))
       : Interval{};
     if (cubic.Empty())
     {

@@ -113,15 +113,18 @@ void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& column
     pyramid.columnAxis.entry.data(), opticalDepth, images.length.data() + first, extinction,
     depths == Depths::Unwound, depths == Depths::Unwound ? 1e30f : opaque };
   float* density = images.density.data() + first;
-  const Interval front = pyramid.frontColumns;
-  const bool nextToSide = row <= pyramid.frontRows.begin || row + 1 >= pyramid.frontRows.end;
+  // Of the rays that enter in front, a voxel beside one that does not reads up to three.
+  constexpr int reach = 3;
+  const Interval front = { pyramid.frontColumns.begin + reach, pyramid.frontColumns.end - reach };
+  const bool nextToSide =
+    row < pyramid.frontRows.begin + reach || row >= pyramid.frontRows.end - reach;
   if (nextToSide || front.Empty())
   {
     DensifyRow(rays, columns, density);
     return;
   }
-  DensifyRow(rays, Intersection(columns, { columns.begin, front.begin + 1 }), density);
-  DensifyRow(rays, Intersection(columns, { front.end - 1, columns.end }), density);
+  DensifyRow(rays, Intersection(columns, { columns.begin, front.begin }), density);
+  DensifyRow(rays, Intersection(columns, { front.end, columns.end }), density);
 }
 
 void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
