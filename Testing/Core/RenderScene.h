@@ -78,7 +78,7 @@ struct RenderScene
   std::vector<float> base; ///< with `extinction`; both empty: the transfer function's alone
   std::vector<float> extinction;
   Lighting lighting;
-  double shadowRayDensity = 2;
+  double shadowRayDensity = 3; // as in Renderer.h
   View view;
   std::vector<float> depth; ///< of `view`; empty: nothing opaque
 

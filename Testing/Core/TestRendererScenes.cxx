@@ -137,10 +137,7 @@ TEST_P(DrawnScene, IsShadowedAsTheMarchToItsLightSays)
   ExpectShadow(scene, scene.loaded.file.extinction, "base");
 }
 
-// Disabled: not reached yet. At the default density the nodes of carotid_mra are off by 0.0049 rms
-// (optimised), 0.0030 (headlight) and 0.0041 (along z); visible_male, thorax_ct and vortex_rings,
-// optimised, by 0.0030 to 0.0036 at density 2. Limpid's issue on the representation has the bar.
-TEST_P(DrawnScene, DISABLED_IsShadowedAsTheMarchSaysWhenOptimised)
+TEST_P(DrawnScene, IsShadowedAsTheMarchSaysWhenOptimised)
 {
   SceneToDraw scene(GetParam().name);
   Solver solver = scene.loaded.MakeSolver();
@@ -149,7 +146,7 @@ TEST_P(DrawnScene, DISABLED_IsShadowedAsTheMarchSaysWhenOptimised)
   ExpectShadow(scene, solver.Extinction(), "optimised");
 }
 
-TEST_P(DrawnScene, DISABLED_IsShadowedAsTheMarchSaysUnderAHeadlight)
+TEST_P(DrawnScene, IsShadowedAsTheMarchSaysUnderAHeadlight)
 {
   SceneToDraw scene(GetParam().name);
   Light& light = scene.drawn.lighting.light;
@@ -160,7 +157,7 @@ TEST_P(DrawnScene, DISABLED_IsShadowedAsTheMarchSaysUnderAHeadlight)
   ExpectShadow(scene, scene.loaded.file.extinction, "headlight");
 }
 
-TEST_P(DrawnScene, DISABLED_IsShadowedAsTheMarchSaysUnderALightAlongAnAxis)
+TEST_P(DrawnScene, IsShadowedAsTheMarchSaysUnderALightAlongAnAxis)
 {
   SceneToDraw scene(GetParam().name);
   Light& light = scene.drawn.lighting.light;
