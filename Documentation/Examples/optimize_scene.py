@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Optimises a scene and draws it before and after, with ParaView's stock volume rendering.
+"""Optimises a scene and draws it before and after, as the representation Optimized Volume does.
 
   pvpython optimize_scene.py --plugin Limpid.so --output FOLDER [--scene FILE.scene.json]
 """
@@ -19,7 +19,13 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import scenes  # pylint: disable=wrong-import-position
 
 
-COLORED = "Colored"
+def flat(nodes):
+    return [number for node in nodes for number in node]
+
+
+def piecewise(nodes):
+    """[value, y] as points of ParaView's functions."""
+    return flat([value, y, 0.5, 0.0] for value, y in nodes)
 
 
 def optimize(scene):
@@ -28,9 +34,7 @@ def optimize(scene):
     optimizer.ImportanceArray = ["POINTS", scene.importance_array]
     if scene.importance:
         optimizer.UseImportanceFunction = 1
-        optimizer.ImportanceFunction.Points = [
-            number for value, importance in scene.importance
-            for number in (value, importance, 0.5, 0.0)]
+        optimizer.ImportanceFunction.Points = piecewise(scene.importance)
     optimizer.ExtinctionSource = "Array"
     optimizer.ExtinctionArray = ["POINTS", scene.extinction_array]
     optimizer.CameraPosition = scene.position
@@ -49,8 +53,7 @@ def results(optimizer):
     fields = optimizer.FieldData
     return {name: fields[name].GetRange()[0]
             for name in ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction",
-                         "BaseVisibleFraction", "Energy", "Iterations", "Seconds",
-                         "ScalarOpacityUnitDistance")}
+                         "BaseVisibleFraction", "Energy", "Iterations", "Seconds")}
 
 
 def make_view(scene):
@@ -66,38 +69,25 @@ def make_view(scene):
     return view
 
 
-def set_unit_distance_of_opacity_array(view, unit_distance):
-    """ParaView 5.11 gives its unit distance to the first component of what it draws, but with a
-    separate opacity array VTK asks for that of the second, which stays 1."""
-    view.Update()
-    volumes = view.GetRenderer().GetVolumes()
-    for i in range(volumes.GetNumberOfItems()):
-        volumes.GetItemAsObject(i).GetProperty().SetScalarOpacityUnitDistance(1, unit_distance)
-
-
-def draw(scene, source, unit_distance, view, path):
-    """Colors by the scalar field, opacity by the array Opacity, which holds for unit_distance."""
-    # A copy in floating point: ParaView 5.11 makes opacities of the type of the colored array.
-    colored = simple.Calculator(Input=source, ResultArrayName=COLORED, ResultArrayType="Float",
-                                Function='"{}"'.format(scene.array))
-    colored.UpdatePipeline()
-    colors = simple.GetColorTransferFunction(COLORED)
+def show(scene, view):
+    """The scene's display: an optimized volume, lit by the scene's light."""
+    display = simple.Show(scene.source, view)
+    simple.ColorBy(display, ("POINTS", scene.array))
+    colors = simple.GetColorTransferFunction(scene.array)
     colors.ColorSpace = "RGB"
-    colors.RGBPoints = [number for node in scene.colors for number in node]
-    identity = simple.CreatePiecewiseFunction(Points=[0, 0, 0.5, 0, 1, 1, 0.5, 0])
-
-    display = simple.Show(colored, view)
-    simple.ColorBy(display, ("POINTS", COLORED))
-    display.SetRepresentationType("Volume")
-    display.LookupTable = colors
-    display.UseSeparateOpacityArray = 1
-    display.OpacityArrayName = ["POINTS", "Opacity"]
-    display.ScalarOpacityFunction = identity
-    display.ScalarOpacityUnitDistance = unit_distance
+    colors.RGBPoints = flat(scene.colors)
+    simple.GetOpacityTransferFunction(scene.array).Points = piecewise(scene.opacity())
+    display.ScalarOpacityUnitDistance = scene.unit_distance()
     display.SetScalarBarVisibility(view, False)
-    set_unit_distance_of_opacity_array(view, unit_distance)
-    simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
-    simple.Hide(colored, view)
+    display.ImportanceArray = ["POINTS", scene.importance_array]
+    if scene.importance:
+        display.UseImportanceFunction = 1
+        display.ImportanceFunction.Points = piecewise(scene.importance)
+    display.LightSource = "Own"
+    display.LightPosition = scene.light
+    display.ShowScore = 0
+    display.SetRepresentationType("Optimized Volume")
+    return display
 
 
 def write_image(scene, optimizer, path):
@@ -140,9 +130,9 @@ Becomes visible: {becomes_visible}
 
 {Iterations:.0f} iterations in {Seconds:.2f} s on {backend}.
 
-`result.vti` has the arrays, `convergence.csv` a row per iteration. The pictures are drawn by
-ParaView's stock volume rendering with a separate opacity array, unit distance
-{ScalarOpacityUnitDistance:.6g}.
+`result.vti` has the arrays, `convergence.csv` a row per iteration. Both pictures are drawn by the
+representation Optimized Volume under the scene's light: before with the method Ordinary, after with
+Optimized.
 """.format(title=scene.title, becomes_visible=scene.becomes_visible, backend=backend,
            base=100 * numbers["BaseVisibleFraction"], best=100 * numbers["VisibleFraction"],
            **numbers)
@@ -179,12 +169,11 @@ def main():
     print("  {:.0f} iterations in {:.2f} s on {}".format(
         numbers["Iterations"], numbers["Seconds"], backend))
 
-    distance = numbers["ScalarOpacityUnitDistance"]
     view = make_view(scene)
-    before = simple.Calculator(Input=optimizer, ResultArrayName="Opacity",
-                               Function="1-exp(-BaseExtinction*{!r})".format(distance))
-    draw(scene, before, distance, view, output("before.png"))
-    draw(scene, optimizer, distance, view, output("after.png"))
+    display = show(scene, view)
+    for method, name in (("Ordinary", "before.png"), ("Optimized", "after.png")):
+        display.Method = method
+        simple.SaveScreenshot(output(name), view, ImageResolution=view.ViewSize)
     write_image(scene, optimizer, output("result.vti"))
     write_table(optimizer, output("convergence.csv"))
     write_report(scene, numbers, backend, output("report.md"))

@@ -5,6 +5,7 @@
 
 import dataclasses
 import json
+import math
 import os
 
 import numpy as np
@@ -12,6 +13,7 @@ from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from paraview.vtk.vtkIOXML import vtkXMLImageDataReader
 
 EXTINCTION = "SceneExtinction"
+STEPS = 16  # of an opacity function between two nodes of an extinction function
 
 
 @dataclasses.dataclass
@@ -24,12 +26,31 @@ class Scene:
     importance_array: str
     importance: list  # [value, importance], piecewise linear; empty: the array is importance
     extinction_array: str
+    extinction: list  # [value, extinction per world unit] that it was made with, piecewise linear
     colors: list  # [value, r, g, b], piecewise linear
     position: list
     focal_point: list
     view_up: list
     view_angle: float
     light: list
+
+    def unit_distance(self):
+        """A distance for opacities that are neither tiny nor close to 1."""
+        return 0.5 / max(extinction for _, extinction in self.extinction)
+
+    def opacity(self):
+        """[value, opacity] at the unit distance. Between nodes extinction is a straight line and
+        opacity is not, so there are many."""
+        nodes = []
+        for (value, extinction), (end, extinction_at_end) in zip(self.extinction,
+                                                                 self.extinction[1:]):
+            for step in range(STEPS):
+                way = step / STEPS
+                nodes.append([value + way * (end - value),
+                              extinction + way * (extinction_at_end - extinction)])
+        nodes.append(self.extinction[-1])
+        return [[value, -math.expm1(-extinction * self.unit_distance())]
+                for value, extinction in nodes]
 
 
 def phantom_scene(simple):
@@ -43,6 +64,8 @@ def phantom_scene(simple):
         importance_array="Importance",
         importance=[],
         extinction_array="BaseExtinction",
+        extinction=[[0.0, 0.0], [0.15, 1.5], [0.25, 3.0], [0.4, 9.0], [0.65, 14.0], [0.85, 25.0],
+                    [1.0, 25.0]],
         colors=[[0.0, 0.2, 0.15, 0.2], [0.15, 0.75, 0.5, 0.55], [0.25, 0.8, 0.45, 0.35],
                 [0.4, 0.87, 0.66, 0.53], [0.55, 0.9, 0.85, 0.7], [0.65, 0.95, 0.92, 0.8],
                 [0.75, 0.8, 0.2, 0.15], [0.85, 0.75, 0.05, 0.1], [0.93, 0.3, 0.7, 0.3],
@@ -87,6 +110,7 @@ def read_scene(simple, path):
         importance_array=data["array"],
         importance=description["importance_tf"],
         extinction_array=EXTINCTION,
+        extinction=description["extinction_tf"],
         colors=description["color_tf"],
         position=camera["position"],
         focal_point=camera["focal_point"],
