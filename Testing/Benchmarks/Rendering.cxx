@@ -10,6 +10,8 @@
 
 #include "optimize/Progressive.h"
 #include "render/Renderer.h"
+#include "scene/Eye.h"
+#include "sweep/Sweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -225,6 +227,41 @@ MovingTimes TimeMoving(const Drawable& drawable)
   return times;
 }
 
+FewRaysTimes TimeFewRays(const Drawable& drawable, int repeats)
+{
+  const Scene& scene = drawable.scene;
+  const float* extinction = scene.file.extinction.data();
+  const Occupancy occupancy(scene.grid, extinction, extinction, true);
+  FewRaysTimes times;
+  std::vector<double> sweeps;
+  for (int repeat = -1; repeat < repeats; ++repeat) // the first run warms up
+  {
+    const std::vector<Pyramid> pyramids =
+      PlanSweep(scene.grid, occupancy, EyeOfCamera(scene.camera, scene.grid, true), 1);
+    times.rays = 0;
+    double seconds = 0;
+    for (const Pyramid& pyramid : pyramids)
+    {
+      RayImages images(pyramid);
+      Stopwatch watch;
+      SweepForward(pyramid, scene.grid, extinction, extinction, images);
+      seconds += watch.Lap();
+      times.rays += pyramid.RayCount();
+    }
+    if (repeat >= 0)
+    {
+      sweeps.push_back(seconds);
+    }
+  }
+  times.sweep = Median(sweeps);
+  Renderer renderer;
+  renderer.SetScalars(scene.grid, drawable.scalars.data());
+  renderer.SetTransferFunctions(drawable.functions);
+  const int size = int(std::lround(std::sqrt(double(times.rays))));
+  times.cast = TimeOf(renderer, ViewOf(scene.camera, size), repeats);
+  return times;
+}
+
 void WriteStill(std::ostream& stream, const std::vector<RenderingResult>& results)
 {
   Table table({ "scene", "nodes", "scalars [ms]", "functions, extinction [ms]",
@@ -289,6 +326,23 @@ void WriteMoving(std::ostream& stream, const std::vector<RenderingResult>& resul
          << " ms for one pass of the optimisation. Medians.\n";
   table.Write(stream);
 }
+
+void WriteFewRays(std::ostream& stream, const std::vector<RenderingResult>& results)
+{
+  Table table({ "scene", "rays", "one sweep [ms]", "as many pixels cast [ms]", "sweep / cast" });
+  for (const RenderingResult& result : results)
+  {
+    const FewRaysTimes& times = result.fewRays;
+    table.Add({ result.scene, std::to_string(times.rays), Milliseconds(times.sweep),
+      Milliseconds(times.cast), Fixed(times.sweep / times.cast, 1) });
+  }
+  stream << "\n## Few rays, or a sweep\n\n"
+         << "A picture composited by a sweep from slice to slice and warped to the screen has the "
+            "rays of the sweep, here one per voxel and axis; the same number of rays can be cast "
+            "through pixels. Base extinction, unlit. The sweep sums extinction and importance "
+            "only: colours and light would come on top.\n";
+  table.Write(stream);
+}
 }
 
 RenderingResult MeasureRendering(const Scene& scene, const Options& options)
@@ -301,6 +355,7 @@ RenderingResult MeasureRendering(const Scene& scene, const Options& options)
   result.base = TimeRays(drawable, scene.file.extinction, options.repeats);
   result.optimized = TimeRays(drawable, drawable.optimized, options.repeats);
   result.moving = TimeMoving(drawable);
+  result.fewRays = TimeFewRays(drawable, options.repeats);
   return result;
 }
 
@@ -309,5 +364,6 @@ void WriteRendering(std::ostream& stream, const std::vector<RenderingResult>& re
   WriteStill(stream, results);
   WriteRays(stream, results);
   WriteMoving(stream, results);
+  WriteFewRays(stream, results);
 }
 }

@@ -48,6 +48,14 @@ struct MovingTimes
   double longest = 0;
 };
 
+/// As many rays as one sweep from the camera has, one per voxel and axis, by either way [s].
+struct FewRaysTimes
+{
+  Index rays = 0;
+  double sweep = 0; ///< integrals of two scalars: fewer than colours, and without light
+  double cast = 0;  ///< an unlit picture of as many pixels
+};
+
 struct RenderingResult
 {
   std::string scene;
@@ -56,6 +64,7 @@ struct RenderingResult
   RayTimes base;
   RayTimes optimized;
   MovingTimes moving;
+  FewRaysTimes fewRays;
 };
 
 RenderingResult MeasureRendering(const Scene& scene, const Options& options);
