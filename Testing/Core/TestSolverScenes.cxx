@@ -96,21 +96,17 @@ TEST_P(RealScene, BecomesVisibleAndReportsTheScoreOfTheMarch)
   EXPECT_EQ(bad, 0u) << "voxels outside [0, majorant]";
 }
 
-TEST_P(RealScene, TransmitsAsTheMarchDoesToSecondOrder)
+TEST_P(RealScene, TransmitsAsTheMarchDoes)
 {
-  LoadedScene scene(GetParam().name);
+  const LoadedScene scene(GetParam().name);
 
-  const TransmittanceErrors coarse = ErrorsAtRandomVoxels(scene);
-  scene.settings.rayDensity = 2;
-  const TransmittanceErrors fine = ErrorsAtRandomVoxels(scene);
+  const TransmittanceErrors errors = ErrorsAtRandomVoxels(scene);
 
-  // Between rays one voxel apart T is interpolated over steps of the extinction; a step of optical
-  // depth 0.5 per voxel is misplaced by up to an eighth, in one voxel of a few.
-  const Tolerance tolerance{ 0.5 / 8 / 4, "linear interpolation between rays, rms" };
-  EXPECT_WITHIN(coarse.camera, 0, tolerance);
-  EXPECT_WITHIN(coarse.light, 0, tolerance);
-  EXPECT_WITHIN(fine.camera, 0, Relative(0.5, coarse.camera, "second order, with some room"));
-  EXPECT_WITHIN(fine.light, 0, Relative(0.5, coarse.light, "second order, with some room"));
+  std::cout << GetParam().name << ": rms of T " << errors.camera << ", of T_L " << errors.light
+            << "\n";
+  const Tolerance tolerance{ 2e-3, "the bar for transmittance, rms" };
+  EXPECT_WITHIN(errors.camera, 0, tolerance);
+  EXPECT_WITHIN(errors.light, 0, tolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Quick, RealScene, ::testing::Values(Bars{ "carotid_mra", 162.43, 510 }),

@@ -133,36 +133,6 @@ private:
   SliceWindow NodeImportance;
   SliceWindow Gradient;
 };
-
-class TransmittanceVisitor : public RayCarrier
-{
-public:
-  TransmittanceVisitor(const RayCarrier& rays, const Grid& grid, float* transmittance)
-    : RayCarrier(rays)
-    , Target(rays.Source, grid, transmittance)
-  {
-  }
-
-  void Load(const Slab& slab)
-  {
-    this->RayCarrier::Load(slab);
-    this->Target.Load(slab, 0);
-  }
-
-  void VoxelRow(int s, int v)
-  {
-    const Station& station = this->Source.stations[std::size_t(s)];
-    float* scratch = ThreadScratch(ScratchSize(this->Source));
-    float* target = this->Target.Row(station.slice, v);
-    const Interval columns = station.ownedColumns;
-    SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, target);
-  }
-
-  void Store(const Slab& slab) { this->Target.Store(slab); }
-
-private:
-  SliceWindow Target;
-};
 }
 
 VisibilityTerm::VisibilityTerm(
@@ -198,19 +168,6 @@ void VisibilityTerm::AddGradient(
     const RayCarrier rays(this->Pyramids[index], this->Nodes, fields.extinction, fields.importance,
       derivative, this->Images[index]);
     GradientVisitor visitor(rays, this->Nodes, fields.nodeImportance, weight, gradient);
-    SweepBackward(this->Pyramids[index], visitor);
-  }
-}
-
-void VisibilityTerm::Transmittance(const float* extinction, float* transmittance)
-{
-  std::fill_n(transmittance, this->Nodes.NodeCount(), 1.0f);
-  this->Forward(extinction, extinction);
-  for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
-  {
-    const RayCarrier rays(this->Pyramids[index], this->Nodes, extinction, extinction,
-      Derivative::Ray, this->Images[index]);
-    TransmittanceVisitor visitor(rays, this->Nodes, transmittance);
     SweepBackward(this->Pyramids[index], visitor);
   }
 }

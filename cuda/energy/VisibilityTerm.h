@@ -35,9 +35,6 @@ public:
   /// Adds `weight` times the derivative to `gradient` [1]. Call after Forward with the same fields.
   void AddGradient(const TermFields& fields, Derivative derivative, float weight, float* gradient);
 
-  /// Transmittance from the eye to every voxel [0, 1]. The occupancy must not skip.
-  void Transmittance(const float* extinction, float* transmittance);
-
   std::size_t PyramidCount() const { return this->Pyramids.size(); }
   const Pyramid& PyramidAt(std::size_t index) const { return this->Pyramids[index]; }
   RayImages& ImagesAt(std::size_t index) { return this->Images[index]; }

@@ -4,6 +4,7 @@
 #include "optimize/Solver.h"
 
 #include "backend/Backend.h"
+#include "energy/TransmittanceVolume.h"
 #include "energy/VisibilityTerm.h"
 #include "math/Require.h"
 #include "optimize/Adam.h"
@@ -397,29 +398,19 @@ const std::vector<IterationRecord>& Solver::History() const
   return this->State->history;
 }
 
-namespace
-{
-void FillTransmittance(const Grid& grid, const Eye& eye, double rayDensity,
-  const std::vector<float>& extinction, float* transmittance)
-{
-  const Occupancy everything(grid, extinction.data(), extinction.data(), false);
-  VisibilityTerm term(grid, everything, eye, rayDensity);
-  term.Transmittance(extinction.data(), transmittance);
-}
-}
-
 void Solver::Transmittance(float* transmittance) const
 {
   const Internals& state = *this->State;
-  FillTransmittance(state.scene.grid, state.problem.camera, state.settings.rayDensity,
-    this->Extinction(), transmittance);
+  FillTransmittance(state.scene.grid, this->Extinction().data(), state.problem.camera,
+    std::max(state.settings.rayDensity, transmittanceRayDensity), transmittance);
 }
 
 void Solver::LightTransmittance(float* transmittance) const
 {
   const Internals& state = *this->State;
-  FillTransmittance(state.scene.grid, state.problem.light, state.settings.rayDensity,
-    state.settings.mode == Mode::Separate ? this->LightExtinction() : this->Extinction(),
-    transmittance);
+  const bool separate = state.settings.mode == Mode::Separate;
+  const std::vector<float>& extinction = separate ? this->LightExtinction() : this->Extinction();
+  FillTransmittance(state.scene.grid, extinction.data(), state.problem.light,
+    std::max(state.settings.rayDensity, transmittanceRayDensity), transmittance);
 }
 }

@@ -4,10 +4,10 @@
 #include "render/Renderer.h"
 
 #include "backend/Backend.h"
+#include "energy/TransmittanceVolume.h"
 #include "math/Require.h"
 #include "render/Medium.h"
 #include "render/Raycast.h"
-#include "render/ShadowVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ struct Renderer::Internals
   Bricks bricks;
   Medium medium;
   Lighting lighting;
-  double shadowRayDensity = 3;
+  double shadowRayDensity = transmittanceRayDensity;
 
   // What was given as the extinction; the arrays belong to the caller.
   Grid extinctionGrid;
@@ -158,9 +158,10 @@ struct Renderer::Internals
       shown = this->medium.ShownExtinction(this->base);
       extinction = shown.data();
     }
-    std::vector<float> transmittance;
-    FillShadow(this->extinctionGrid, extinction, this->lighting.light, this->shadowRayDensity,
-      transmittance);
+    const Grid& grid = this->extinctionGrid;
+    std::vector<float> transmittance(static_cast<std::size_t>(grid.NodeCount()));
+    FillTransmittance(grid, extinction, EyeOfLight(this->lighting.light, grid),
+      this->shadowRayDensity, transmittance.data());
     this->medium.SetShadow(transmittance.data());
   }
 

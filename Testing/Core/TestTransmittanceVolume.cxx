@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The light's transmittance at the nodes against closed forms and the march to the light.
+// Transmittance at the nodes against closed forms and the march, for lights; cameras are no others.
 
 #include "BoxScene.h"
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
-#include "math/Require.h"
-#include "render/ShadowVolume.h"
+#include "energy/TransmittanceVolume.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -70,10 +68,11 @@ void FillClouds(BoxScene& scene, double depth)
     Everywhere(0));
 }
 
-std::vector<float> Shadow(const BoxScene& scene, double rayDensity)
+std::vector<float> Fill(const BoxScene& scene, double rayDensity)
 {
-  std::vector<float> transmittance;
-  FillShadow(scene.grid, scene.extinction.data(), scene.light, rayDensity, transmittance);
+  std::vector<float> transmittance(scene.extinction.size());
+  FillTransmittance(scene.grid, scene.extinction.data(), EyeOfLight(scene.light, scene.grid),
+    rayDensity, transmittance.data());
   return transmittance;
 }
 
@@ -85,7 +84,7 @@ double March(const BoxScene& scene, int i, int j, int k)
 
 double RmsError(const BoxScene& scene, double rayDensity)
 {
-  const std::vector<float> transmittance = Shadow(scene, rayDensity);
+  const std::vector<float> transmittance = Fill(scene, rayDensity);
   double squares = 0;
   scene.ForEachNode([&](std::size_t node, int i, int j, int k)
     { squares += std::pow(transmittance[node] - March(scene, i, j, k), 2); });
@@ -93,27 +92,27 @@ double RmsError(const BoxScene& scene, double rayDensity)
 }
 }
 
-class ShadowVolume : public ::testing::TestWithParam<Lamp>
+class TransmittanceVolume : public ::testing::TestWithParam<Lamp>
 {
 };
 
-TEST_P(ShadowVolume, IsOneWhereNothingAbsorbs)
+TEST_P(TransmittanceVolume, IsOneWhereNothingAbsorbs)
 {
   const BoxScene scene = Scene(GetParam());
 
-  for (const float value : Shadow(scene, 2))
+  for (const float value : Fill(scene, 2))
   {
     ASSERT_EQ(value, 1);
   }
 }
 
-TEST_P(ShadowVolume, FollowsBeersLawInAHomogeneousBox)
+TEST_P(TransmittanceVolume, FollowsBeersLawInAHomogeneousBox)
 {
   BoxScene scene = Scene(GetParam());
   const double depth = 4; // over the half diagonal
   scene.Fill(Everywhere(depth / scene.grid.Radius()), Everywhere(0));
 
-  const std::vector<float> transmittance = Shadow(scene, 2);
+  const std::vector<float> transmittance = Fill(scene, 2);
 
   // What is interpolated between rays is the optical depth per depth since the entry: of second
   // order in the distance of the rays, 1/2 node, over the distance to the light, a node or more.
@@ -125,7 +124,7 @@ TEST_P(ShadowVolume, FollowsBeersLawInAHomogeneousBox)
   EXPECT_WITHIN(worst, 0, tolerance);
 }
 
-TEST_P(ShadowVolume, FollowsTheMarchToSecondOrder)
+TEST_P(TransmittanceVolume, FollowsTheMarchToSecondOrder)
 {
   BoxScene scene = Scene(GetParam());
   FillClouds(scene, 3);
@@ -140,18 +139,18 @@ TEST_P(ShadowVolume, FollowsTheMarchToSecondOrder)
   EXPECT_LE(fine, coarse / 8 + 1e-4) << coarse << " " << usual << " " << fine;
 }
 
-TEST_P(ShadowVolume, StaysBetweenZeroAndOneAndDoesNotDependOnThreads)
+TEST_P(TransmittanceVolume, StaysBetweenZeroAndOneAndDoesNotDependOnThreads)
 {
   BoxScene scene = Scene(GetParam());
   scene.FillOnion(1000);
   std::vector<float> one;
   {
     const ThreadLimit limit(1);
-    one = Shadow(scene, 2);
+    one = Fill(scene, 2);
   }
   const ThreadLimit limit(3);
 
-  EXPECT_EQ(one, Shadow(scene, 2));
+  EXPECT_EQ(one, Fill(scene, 2));
   for (const float value : one)
   {
     ASSERT_TRUE(value >= 0 && value <= 1) << value;
@@ -159,15 +158,4 @@ TEST_P(ShadowVolume, StaysBetweenZeroAndOneAndDoesNotDependOnThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Lamps, ShadowVolume, ::testing::ValuesIn(lamps), ::testing::PrintToStringParamName());
-
-TEST(ShadowVolumeInput, RejectsALightThatShinesNowhere)
-{
-  BoxScene scene = Scene(lamps[0]);
-  scene.light.position.x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(Shadow(scene, 2), Error);
-
-  scene.light.type = LightType::Directional;
-  scene.light.position = scene.light.focalPoint;
-  EXPECT_THROW(Shadow(scene, 2), Error);
-}
+  Lamps, TransmittanceVolume, ::testing::ValuesIn(lamps), ::testing::PrintToStringParamName());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "render/ShadowVolume.h"
+#include "energy/TransmittanceVolume.h"
 
 #include "sweep/Sweep.h"
 
@@ -33,8 +33,8 @@ Interval CubicTargets(const LinearMap& map, const Interval& targets, const Inter
   return { static_cast<int>(begin - map.index.begin()), static_cast<int>(end - map.index.begin()) };
 }
 
-/// Rays, guards apart, that are in the box along one axis by the time they come to `depth`. They are
-/// neighbours.
+/// Rays, guards apart, that are in the box along one axis by the time they come to `depth`. They
+/// are neighbours.
 Interval Entered(const RayAxis& axis, float depth)
 {
   int begin = 1;
@@ -51,10 +51,10 @@ Interval Entered(const RayAxis& axis, float depth)
 }
 
 /// The forward sweep of one pyramid that writes the transmittance of the voxels as it goes.
-class ShadowVisitor
+class TransmittanceVisitor
 {
 public:
-  ShadowVisitor(const Pyramid& pyramid, const Grid& grid, const float* extinction,
+  TransmittanceVisitor(const Pyramid& pyramid, const Grid& grid, const float* extinction,
     float* transmittance, RayImages& images)
     : Source(pyramid)
     , Images(images)
@@ -219,18 +219,15 @@ private:
 };
 }
 
-void FillShadow(const Grid& grid, const float* extinction, const Light& light, double rayDensity,
-  std::vector<float>& transmittance)
+void FillTransmittance(const Grid& grid, const float* extinction, const Eye& eye, double rayDensity,
+  float* transmittance)
 {
-  const Eye eye = EyeOfLight(light, grid);
-  transmittance.resize(static_cast<std::size_t>(grid.NodeCount()));
-  ParallelFor(
-    grid.NodeCount(), 65536, [&](Index node) { transmittance[std::size_t(node)] = 1.0f; });
+  ParallelFor(grid.NodeCount(), 65536, [&](Index node) { transmittance[node] = 1.0f; });
   const Occupancy occupancy(grid, extinction, extinction, true);
   for (const Pyramid& pyramid : PlanSweep(grid, occupancy, eye, rayDensity, Placement::ForNodes))
   {
     RayImages images(pyramid);
-    ShadowVisitor visitor(pyramid, grid, extinction, transmittance.data(), images);
+    TransmittanceVisitor visitor(pyramid, grid, extinction, transmittance, images);
     SweepFrontToBack(pyramid, visitor);
   }
 }
