@@ -8,6 +8,7 @@
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -117,9 +118,9 @@ void vtkOptimizedVolumeRepresentation::UpdateMapperParameters()
   }
   else if (auto* image = vtkImageData::SafeDownCast(this->VolumeMapper->GetDataSetInput()))
   {
-    this->ApplyScalars(image, messages);
+    vtkDataArray* scalars = this->ApplyScalars(image, messages);
+    this->AddUnavailable(scalars ? scalars->GetNumberOfComponents() : 0, messages);
   }
-  this->AddUnavailable(messages);
   this->Say(messages);
 }
 

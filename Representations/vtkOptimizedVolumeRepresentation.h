@@ -106,10 +106,14 @@ public:
 
   ///@{
   /**
-   * Not available: there is a message if it is on, and the volume is drawn without.
+   * Not available, nor values that are colors themselves, nor interpolation other than linear:
+   * there is a message if it is asked for, and the volume is drawn without.
    */
   void SetUseSeparateOpacityArray(bool);
   void SetUseTransfer2D(bool);
+  void SetMapScalars(bool);
+  void SetMultiComponentsMapping(bool);
+  void SetInterpolationType(int);
   ///@}
 
   ///@{
@@ -179,10 +183,10 @@ protected:
 private:
   void BeginFrame(vtkObject* renderer, unsigned long event, void* data);
   void EndFrame(vtkObject* renderer, unsigned long event, void* data);
-  void ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
+  vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
   void ApplyFunctions(vtkDataArray* array);
   void ApplyImportance(vtkImageData* image, const char* colorArray, bool colorsOnCells);
-  void AddUnavailable(std::vector<std::string>& messages) const;
+  void AddUnavailable(int components, std::vector<std::string>& messages) const;
   void Say(const std::vector<std::string>& messages);
 
   vtkOptimizedVolumeRepresentation(const vtkOptimizedVolumeRepresentation&) = delete;

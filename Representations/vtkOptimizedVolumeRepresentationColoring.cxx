@@ -74,7 +74,8 @@ limpid::ScalarChoice WhatToShow(vtkInformation* chosen, const std::string& impor
 }
 }
 
-void vtkOptimizedVolumeRepresentation::ApplyScalars(
+// Returns what is shown; null: nothing.
+vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   vtkImageData* image, std::vector<std::string>& messages)
 {
   const limpid::ScalarChoice scalars =
@@ -82,7 +83,7 @@ void vtkOptimizedVolumeRepresentation::ApplyScalars(
   if (!scalars.array)
   {
     this->Actor->SetVisibility(0);
-    return;
+    return nullptr;
   }
   this->Actor->SetVisibility(1);
   this->ApplyFunctions(scalars.array);
@@ -92,6 +93,7 @@ void vtkOptimizedVolumeRepresentation::ApplyScalars(
   mapper->SetScalarMode(
     scalars.onCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   this->ApplyImportance(image, scalars.array->GetName(), scalars.onCells);
+  return scalars.array;
 }
 
 void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
@@ -151,7 +153,9 @@ void vtkOptimizedVolumeRepresentation::ApplyImportance(
   }
 }
 
-void vtkOptimizedVolumeRepresentation::AddUnavailable(std::vector<std::string>& messages) const
+// `components`: of the array that is shown.
+void vtkOptimizedVolumeRepresentation::AddUnavailable(
+  int components, std::vector<std::string>& messages) const
 {
   if (this->State->UseSeparateOpacityArray)
   {
@@ -162,6 +166,23 @@ void vtkOptimizedVolumeRepresentation::AddUnavailable(std::vector<std::string>& 
   {
     messages.emplace_back("Use 2D Transfer Function is on (Optimized Volume takes color and "
                           "opacity from functions of one variable). Turn it off.");
+  }
+  if (components > 1 && !this->State->MapsScalars)
+  {
+    messages.emplace_back("Map Scalars is off (the components would be colors and an opacity "
+                          "themselves; Optimized Volume takes both from functions of one "
+                          "component). Turn it on.");
+  }
+  if (components > 1 && this->State->MapsComponents)
+  {
+    messages.emplace_back("Multi Components Mapping is on (the last component would be the "
+                          "opacity; Optimized Volume takes color and opacity from one "
+                          "component). Turn it off.");
+  }
+  if (!this->State->Interpolates)
+  {
+    messages.emplace_back("The interpolation type is Nearest (Optimized Volume interpolates "
+                          "linearly between points). Set it to Linear.");
   }
 }
 
@@ -210,4 +231,19 @@ void vtkOptimizedVolumeRepresentation::SetUseSeparateOpacityArray(bool use)
 void vtkOptimizedVolumeRepresentation::SetUseTransfer2D(bool use)
 {
   this->State->UseTransfer2D = use;
+}
+
+void vtkOptimizedVolumeRepresentation::SetMapScalars(bool map)
+{
+  this->State->MapsScalars = map; // not the base class: the mapper would refuse to draw
+}
+
+void vtkOptimizedVolumeRepresentation::SetMultiComponentsMapping(bool map)
+{
+  this->State->MapsComponents = map;
+}
+
+void vtkOptimizedVolumeRepresentation::SetInterpolationType(int type)
+{
+  this->State->Interpolates = type != VTK_NEAREST_INTERPOLATION;
 }

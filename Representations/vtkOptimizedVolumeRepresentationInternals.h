@@ -50,8 +50,13 @@ struct vtkOptimizedVolumeRepresentation::Internals
   bool ColorsGiven = false;
   bool OpacityGiven = false;
 
+  // Asked for, but not available.
   bool UseSeparateOpacityArray = false;
   bool UseTransfer2D = false;
+  bool MapsScalars = true;
+  bool MapsComponents = false;
+  bool Interpolates = true;
+
   std::string Refusal;                  // of the input: why it cannot be drawn; empty if it can
   std::vector<unsigned long> Observers; // of the renderer's frames
   bool PeelsVolumes = false;            // whether the renderer does, but for the present frame

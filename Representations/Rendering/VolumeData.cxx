@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace limpid
 {
@@ -29,6 +30,11 @@ bool HaveSameNodes(const Grid& a, const Grid& b)
 {
   return a.nodes == b.nodes && a.origin == b.origin && a.spacing == b.spacing &&
     a.direction == b.direction;
+}
+
+bool HaveSameTables(const TransferFunctions& a, const TransferFunctions& b)
+{
+  return a.low == b.low && a.high == b.high && a.extinction == b.extinction && a.color == b.color;
 }
 
 // Calls body(node, its position in data coordinates, count), which returns whether to count.
@@ -192,17 +198,19 @@ void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
   property->GetColorChannels(0) == 1 ? static_cast<void>(property->GetGrayTransferFunction(0))
                                      : static_cast<void>(property->GetRGBTransferFunction(0));
   const vtkMTimeType time = property->GetMTime();
-  const bool current = property == this->Property && time == this->PropertyTime &&
-    this->FunctionsScalars == this->ScalarChanges && !this->Tables.extinction.empty();
-  if (!current)
+  const bool sameScalars = this->FunctionsScalars == this->ScalarChanges;
+  if (property == this->Property && time == this->PropertyTime && sameScalars &&
+    !this->Tables.extinction.empty())
   {
-    this->Tables.extinction.clear();
-    this->Tables = SampleFunctions(property, this->Low, this->High, this->Unit);
-    this->Property = property;
-    this->PropertyTime = time;
-    this->FunctionsScalars = this->ScalarChanges;
-    ++this->FunctionChanges;
+    return;
   }
+  const TransferFunctions before = std::exchange(this->Tables, TransferFunctions());
+  this->Tables = SampleFunctions(property, this->Low, this->High, this->Unit);
+  this->Property = property;
+  this->PropertyTime = time;
+  this->FunctionsScalars = this->ScalarChanges;
+  // A property changes with much that is no function, and VTK changes it while it draws.
+  this->FunctionChanges += sameScalars && HaveSameTables(before, this->Tables) ? 0 : 1;
 }
 
 // Moves importance into [0, 1]; none where there is no value or nothing to be seen.

@@ -13,6 +13,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -20,20 +21,26 @@ namespace limpid
 {
 namespace
 {
-// What a moving frame's time is for: the optimisation gets this share at most, the rays the rest,
-// but never less than this one.
+// What a moving frame's time is for: optimisation and shadows get these shares at most, the rays
+// the rest, but never less than this one.
 constexpr double OptimizationShare = 0.4;
+constexpr double ShadowShare = 0.25;
 constexpr double LeastRayShare = 0.3;
 
 // What was not drawn for longer than this goes on easing as if it had been [s].
 constexpr double LongestPause = 0.2;
 
-// A change is over when less than half a step of an 8-bit picture is left of it.
+// A change is over when less than this is left of it: half a step of an 8-bit picture in motion;
+// at rest, the picture becomes sharp in the same moment and hides more.
 constexpr double LeastChange = 1.0 / 512;
+constexpr double LeastChangeAtRest = 1.0 / 32;
 
 // Rays of the shadow volume per voxel and axis.
 constexpr double StillShadowDensity = 3;
 constexpr double MovingShadowDensity = 1;
+
+// How coarse the shadows of moving frames may be, see Renderer::SetShadowCoarseness.
+constexpr std::array<int, 7> Coarsenesses{ { 1, 2, 3, 4, 6, 8, 12 } };
 
 // Alpha above which a pixel counts as hit by a selection.
 constexpr double VisibleAlpha = 0.05;
@@ -187,8 +194,36 @@ void VolumeView::SetLight(const FrameSettings& frame, const ChosenLight& light)
   lighting.enabled = frame.lit && light.found;
   lighting.light = light.light;
   lighting.color = light.color;
-  this->Caster.SetShadowRayDensity(this->IsStill(frame) ? StillShadowDensity : MovingShadowDensity);
   this->Caster.SetLighting(lighting);
+}
+
+void VolumeView::MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine)
+{
+  if (fine)
+  {
+    this->Caster.SetShadowRayDensity(StillShadowDensity);
+    this->Caster.SetShadowCoarseness(1);
+    this->Caster.UpdateShadows();
+    return;
+  }
+  std::vector<Index> nodes;
+  for (const int factor : Coarsenesses)
+  {
+    nodes.push_back(CoarseGrid(grid, factor).NodeCount());
+  }
+  const std::size_t level =
+    this->ShadowTime.Choose(nodes, ShadowShare * frame.frameTime, this->ShadowLevel);
+  this->ShadowLevel = level;
+  this->Caster.SetShadowRayDensity(MovingShadowDensity);
+  this->Caster.SetShadowCoarseness(Coarsenesses[level]);
+  const Clock::time_point start = Clock::now();
+  const bool made = this->Caster.UpdateShadows();
+  // The first time on a grid, something has to be prepared that will not be again.
+  if (made && this->ShadowNodes == nodes[level])
+  {
+    this->ShadowTime.Learn(nodes[level], Seconds(Clock::now() - start));
+  }
+  this->ShadowNodes = nodes[level];
 }
 
 // Tells the optimiser what it works for. Returns whether that is known at all.
@@ -213,9 +248,11 @@ bool VolumeView::TakeView(
     }
   }
   this->IsOnceView = once;
+  this->IsBaseView = !frame.optimize;
+  this->ViewSettings = frame.solver;
   Settings settings = frame.solver;
   settings.weights.light = light.found ? settings.weights.light : 0.0;
-  if (!frame.optimize)
+  if (this->IsBaseView)
   {
     settings.maximumIterations = 0;
     settings.iterationsPerLevel = { { 0, 0, 0 } };
@@ -263,7 +300,7 @@ void VolumeView::Show(const FrameSettings& frame, bool changed)
     share = std::max(1 - std::exp(-this->SecondsSinceLastFrame / frame.easeTime), 0.01);
   }
   this->Remaining *= 1 - share;
-  if (this->Remaining < LeastChange)
+  if (this->Remaining < (this->IsStill(frame) ? LeastChangeAtRest : LeastChange))
   {
     this->Remaining = 0;
     share = 1;
@@ -272,6 +309,24 @@ void VolumeView::Show(const FrameSettings& frame, bool changed)
   this->Caster.SetExtinction(this->Optimizer->ShownGrid(), this->Optimizer->BaseExtinction(),
     this->Optimizer->Extinction(), share, separate ? this->Optimizer->LightExtinction() : nullptr);
   this->ShowsBase = false;
+}
+
+// What the frame's camera sees, which is not the one that the optimiser works for while the
+// extinction is kept. Moving frames have no time for that: they repeat what was measured last.
+Scores VolumeView::Measure(const FrameSettings& frame, const Camera& camera, bool changed)
+{
+  if (AreSame(camera, this->ViewCamera))
+  {
+    this->Elsewhere.reset();
+    return { this->Optimizer->BaseScore(), this->Optimizer->BestScore() };
+  }
+  const bool current = this->Elsewhere && !changed && AreSame(camera, this->ElsewhereCamera);
+  if (!current && (this->IsStill(frame) || !this->Elsewhere))
+  {
+    this->Elsewhere = this->Optimizer->ScoresFrom(camera);
+    this->ElsewhereCamera = camera;
+  }
+  return *this->Elsewhere;
 }
 
 void VolumeView::ShowBase()
@@ -292,7 +347,7 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
     this->HasView = false;
     this->DataVersion = data.DataVersion();
   }
-  if (!data.HasImportance() || (!frame.optimize && !this->IsStill(frame)))
+  if (!data.HasImportance() || !frame.measure || (!frame.optimize && !this->IsStill(frame)))
   {
     this->ShowBase();
     return;
@@ -305,7 +360,10 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
     this->SceneVersion = data.SceneVersion();
     changed = true;
   }
-  const bool frozen = frame.optimize && frame.paused && !changed && !this->ShowsBase;
+  // What has been found stays, for when optimization is on again.
+  const bool found =
+    this->HasView && !this->IsBaseView && !changed && frame.solver == this->ViewSettings;
+  const bool frozen = frame.optimize ? frame.paused && !changed && !this->ShowsBase : found;
   if (!frozen)
   {
     if (!this->TakeView(frame, camera, light))
@@ -319,8 +377,9 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
   frame.optimize ? this->Show(frame, changed) : this->ShowBase();
 
   const bool moving = !this->IsStill(frame);
-  result.score = frame.optimize ? this->Optimizer->BestScore() : this->Optimizer->BaseScore();
-  result.baseScore = this->Optimizer->BaseScore();
+  const Scores scores = this->Measure(frame, camera, changed);
+  result.score = frame.optimize ? scores.best : scores.base;
+  result.baseScore = scores.base;
   result.iterations = this->Optimizer->Iterations();
   result.backend = this->Optimizer->BackendName();
   result.converged = !moving && (frozen || this->Optimizer->Converged()) && this->Remaining == 0;
@@ -328,10 +387,6 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
 
 double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geometry)
 {
-  if (this->IsStill(frame))
-  {
-    return 1;
-  }
   const double pixels = double(geometry.covered[1] - geometry.covered[0]) *
     double(geometry.covered[3] - geometry.covered[2]);
   const double left =
@@ -362,7 +417,8 @@ FrameResult VolumeView::Draw(const FrameSettings& frame, const VolumeData& data,
   std::vector<std::string>& errors, std::vector<std::string>& warnings)
 {
   const Clock::time_point now = Clock::now();
-  this->SecondsSinceLastFrame = std::min(Seconds(now - this->FrameStart), LongestPause);
+  const double since = Seconds(now - this->FrameStart);
+  this->SecondsSinceLastFrame = this->GoesOn ? since : std::min(since, LongestPause);
   this->FrameStart = now;
   this->Image = Picture();
 
@@ -400,9 +456,12 @@ FrameResult VolumeView::Draw(const FrameSettings& frame, const VolumeData& data,
     this->Optimizer.reset();
     this->ShowBase();
   }
-  // Shadows belong to the fixed part of a frame's time, not to the rays.
-  this->Caster.LightTransmittanceAt(data.Nodes().Centre());
-  this->MakePicture(frame, geometry, this->PixelSize(frame, geometry));
+  // While there is something left to do, the next picture follows at once.
+  this->GoesOn = this->IsStill(frame) && frame.stepwise && !result.converged;
+  const bool fine = this->IsStill(frame) && !this->GoesOn;
+  this->MakeShadows(frame, this->ShowsBase ? data.Nodes() : this->Optimizer->ShownGrid(), fine);
+  this->Caster.Prepare();
+  this->MakePicture(frame, geometry, fine ? 1 : this->PixelSize(frame, geometry));
   if (!this->Image.rgba.empty())
   {
     this->Quad.Draw(this->Target, this->Image, this->Frame, this->Depth);

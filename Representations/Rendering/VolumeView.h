@@ -12,6 +12,8 @@
 #include "ViewGeometry.h"
 #include "VolumeData.h"
 
+#include "optimize/Levels.h"
+#include "optimize/PassTime.h"
 #include "optimize/Progressive.h"
 #include "render/Renderer.h"
 
@@ -20,6 +22,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +35,7 @@ namespace limpid
 struct FrameSettings
 {
   bool optimize = true; ///< off: the extinction of the transfer functions
+  bool measure = true;  ///< off: no score
   bool once = false;    ///< for the camera of the first still frame only
   bool paused = false;  ///< leave the extinction as it is
   Settings solver;
@@ -102,11 +106,13 @@ private:
   void UpdateRenderer(const VolumeData& data);
   ChosenLight ChooseLight(const FrameSettings& frame) const;
   void SetLight(const FrameSettings& frame, const ChosenLight& light);
+  void MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine);
   void Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
     const ChosenLight& light, FrameResult& result);
   bool TakeView(const FrameSettings& frame, const Camera& camera, const ChosenLight& light);
   bool Advance(const FrameSettings& frame);
   void Show(const FrameSettings& frame, bool changed);
+  Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
   void ShowBase();
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
   void MakePicture(const FrameSettings& frame, const ViewGeometry& geometry, double pixelSize);
@@ -126,15 +132,23 @@ private:
   std::uint64_t DataVersion = 0; ///< of the data that the view below is for
   bool HasView = false;          ///< whether camera and light below were set
   bool IsOnceView = false;       ///< whether they are those of a first still frame
+  bool IsBaseView = false;       ///< whether nothing was to be found for them
+  Settings ViewSettings;         ///< with which they were taken
   Camera ViewCamera;             ///< that the optimiser works for, in data coordinates
   Light ViewLight;
+  std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for the one above
+  Camera ElsewhereCamera;
   bool ShowsBase = true;
   double Remaining = 0; ///< share of the last change that has not eased in yet
   FrameResult LastResult;
 
   FrameBudget Budget;
+  PassTime ShadowTime;
+  std::size_t ShadowLevel = 0; ///< how coarse the shadows of the last moving frame were
+  Index ShadowNodes = 0;       ///< of their grid
   Clock::time_point FrameStart;
   double SecondsSinceLastFrame = 0;
+  bool GoesOn = false; ///< whether the last frame was one of several on the way to the still one
 
   Picture Image;
   PictureFrame Frame;

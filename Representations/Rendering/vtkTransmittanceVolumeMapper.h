@@ -39,7 +39,8 @@
  * optimization and the score either.
  *
  * With several processes each one has its own piece only, and what crosses from piece to piece is
- * not built yet: there is a warning, and the volume is drawn without optimization and light.
+ * not built yet: there is a warning, and the volume is drawn without optimization and light and has
+ * no score.
  *
  * The unit of length is that of the input's spacing, also where the volume is scaled.
  *

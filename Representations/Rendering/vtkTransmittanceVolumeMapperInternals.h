@@ -45,6 +45,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequireAvailableChoices() const;
   limpid::FrameSettings MakeFrameSettings(vtkVolume* volume);
+  void LeaveToOneProcess(limpid::FrameSettings& frame);
   limpid::Settings MakeSettings() const;
   limpid::Lighting MakeLighting() const;
 

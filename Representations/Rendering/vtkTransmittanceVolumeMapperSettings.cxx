@@ -254,6 +254,28 @@ limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
   return lighting;
 }
 
+// What needs all of the volume is done where one process has it.
+void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSettings& frame)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() < 2)
+  {
+    return;
+  }
+  if (frame.optimize || frame.lit)
+  {
+    const std::string text = "There are " + std::to_string(controller->GetNumberOfProcesses()) +
+      " processes (each has its own piece of the volume, and what hides a structure or shades it "
+      "may lie in another one): the volume is drawn without optimization and light, and has no "
+      "score. Run one process, or set Method to Ordinary and Shadows and Shade off.";
+    const bool speaks = controller->GetLocalProcessId() == 0; // for all
+    speaks ? this->Warn(text) : void(this->Messages += text + "\n");
+  }
+  frame.optimize = false;
+  frame.lit = false;
+  frame.measure = false;
+}
+
 limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(vtkVolume* volume)
 {
   const vtkTransmittanceVolumeMapper* self = this->Self;
@@ -284,15 +306,6 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
       " (it comes in a later version): the volume is drawn in the ordinary way. Set Method to 0 "
       "(optimized) or 1 (ordinary).");
   }
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1 && (frame.optimize || frame.lit))
-  {
-    this->Warn("There are " + std::to_string(controller->GetNumberOfProcesses()) +
-      " processes (each has its own piece of the volume, and what hides a structure or shades it "
-      "may lie in another one): the volume is drawn without optimization and light. Run one "
-      "process, or set Method to Ordinary and Shadows and Shade off.");
-    frame.optimize = false;
-    frame.lit = false;
-  }
+  this->LeaveToOneProcess(frame);
   return frame;
 }

@@ -136,6 +136,29 @@ TEST_P(ProgressiveWays, RefinesToWhatASolverFinds)
   ExpectWhatASolverFinds(progressive, scene);
 }
 
+TEST_P(ProgressiveWays, MeasuresWhatAnotherCameraSees)
+{
+  BoxScene scene = this->Scene();
+  Progressive progressive = MakeProgressive(scene);
+  RefineAll(progressive);
+  BoxScene other = scene;
+  other.camera = Turned(scene, 70);
+  other.settings.mode = Mode::Joint;
+  other.settings.weights.light = 0;
+  Solver there = other.MakeSolver();
+  const double base = there.BestScore().visibility;
+  there.SetInitialExtinction(progressive.Extinction());
+
+  const Scores seen = progressive.ScoresFrom(other.camera);
+
+  EXPECT_EQ(seen.base.visibility, base);
+  EXPECT_EQ(seen.best.visibility, there.BestScore().visibility);
+  EXPECT_EQ(seen.best.fraction, there.BestScore().fraction);
+  EXPECT_NE(seen.best.visibility, progressive.BestScore().visibility);
+  EXPECT_EQ(
+    progressive.ScoresFrom(scene.camera).best.visibility, progressive.BestScore().visibility);
+}
+
 TEST_P(ProgressiveWays, ForgetsWhatWasShownBefore)
 {
   BoxScene scene = this->Scene();

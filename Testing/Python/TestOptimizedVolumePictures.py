@@ -5,7 +5,6 @@
 # with other things in the view, in several views.
 
 import os
-import sys
 import unittest
 
 import numpy as np
@@ -13,6 +12,7 @@ from paraview import simple
 
 import displays
 import pictures
+import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 vars(simple).update(OcclusionPhantom=OcclusionPhantom)
@@ -45,9 +45,7 @@ def add_surface(source, view, color, opacity=1.0):
 
 class TestOptimizedVolumePictures(unittest.TestCase):
     def setUp(self):
-        simple.ResetSession()
-        simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
-        vars(simple).update(OcclusionPhantom=OcclusionPhantom)
+        displays.clear()
         self.view = displays.new_view()
 
     def assert_same_rendering(self, first, second):
@@ -169,7 +167,7 @@ class TestOptimizedVolumePictures(unittest.TestCase):
         add_surface(wall, self.view, [1, 1, 0], opacity=0.5)
         picture = pictures.take(self.view)
 
-        # With this on, ParaView's default, its own volume rendering on the CPU comes out as garbage.
+        # With this on, which it is by default, ParaView's own CPU rendering comes out as garbage.
         self.view.DepthPeelingForVolumes = 0
         self.assert_same_rendering(picture, stock(display, self.view))
         self.assertEqual(display.Messages, "")
@@ -304,6 +302,4 @@ class TestOptimizedVolumePictures(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    # Only a failure leaves by sys.exit: it keeps ParaView from closing its windows and processes.
-    if not unittest.main(exit=False).result.wasSuccessful():
-        sys.exit(1)
+    runner.run()

@@ -262,7 +262,7 @@ class TestOnceAndPause(MapperTest):
         first = view.picture()
         score = mapper.GetVisibilityScore()
         kept = self.turned(view)
-        self.assertEqual(mapper.GetVisibilityScore(), score)
+        self.assertLess(mapper.GetVisibilityScore(), score)  # made for the first camera
         mapper.SetOptimization(Mapper.CONTINUOUS)
         self.assertGreater(difference(view.picture(), kept), 0.3)
         mapper.SetOptimization(Mapper.ONCE)
@@ -286,19 +286,41 @@ class TestOnceAndPause(MapperTest):
         view.window.Render()
         score = mapper.GetVisibilityScore()
         self.turned(view)
+        kept = mapper.GetVisibilityScore()
         view.volume.VisibilityOff()
         view.window.Render()
         view.volume.VisibilityOn()
         view.window.Render()
-        self.assertAlmostEqual(mapper.GetVisibilityScore(), score, delta=1e-9 * score)
+        self.assertAlmostEqual(mapper.GetVisibilityScore(), kept, delta=1e-9 * kept)
         mapper.Reset()
         view.window.Render()
-        renewed = mapper.GetVisibilityScore()
-        self.assertNotEqual(renewed, score)
+        self.assertGreater(mapper.GetVisibilityScore(), kept)
         view.camera.Azimuth(-70)
         mapper.SetInputData(phantom())
         view.window.Render()
         self.assertAlmostEqual(mapper.GetVisibilityScore(), score, delta=1e-3 * score)
+
+    def test_what_was_found_is_kept_while_the_ordinary_picture_is_shown(self):
+        for optimization in (Mapper.CONTINUOUS, Mapper.ONCE):
+            with self.subTest(optimization=optimization):
+                view, mapper = show(Optimization=optimization, InteractiveFrameTime=10, EaseTime=0)
+                view.window.Render()
+                if optimization == Mapper.ONCE:
+                    self.turned(view)
+                found = view.picture()
+                score = mapper.GetVisibilityScore()
+                base = mapper.GetBaseVisibilityScore()
+                mapper.SetMethod(Mapper.ORDINARY)
+                view.window.Render()
+                self.assertEqual(mapper.GetVisibilityScore(), base)
+                self.assertTrue(mapper.GetConverged())
+                mapper.SetMethod(Mapper.OPTIMIZED)
+                # A moving frame shows what there is, and begins nothing that a still one ends.
+                view.interact(True)
+                view.window.Render()
+                self.assertEqual(mapper.GetVisibilityScore(), score)
+                view.interact(False)
+                np.testing.assert_array_equal(view.picture(), found)
 
     def test_pause_keeps_what_is_shown(self):
         view, mapper = show()
@@ -306,14 +328,16 @@ class TestOnceAndPause(MapperTest):
         score = mapper.GetVisibilityScore()
         mapper.PauseOptimizationOn()
         self.turned(view)
-        self.assertEqual(mapper.GetVisibilityScore(), score)
+        kept = mapper.GetVisibilityScore()
+        self.assertLess(kept, score)  # made for the first camera
         self.assertTrue(mapper.GetConverged())
         view.interact(True)
         view.window.Render()
         view.interact(False)
+        self.assertEqual(mapper.GetVisibilityScore(), kept)
         mapper.PauseOptimizationOff()
         view.window.Render()
-        self.assertNotEqual(mapper.GetVisibilityScore(), score)
+        self.assertGreater(mapper.GetVisibilityScore(), kept)
 
 
 class TestViews(MapperTest):
@@ -421,18 +445,19 @@ class TestMoving(MapperTest):
         return seconds
 
     def test_frames_keep_to_their_time(self):
-        # A frame that would take long at rest: a large picture of many short steps.
-        view, mapper = show(phantom(64), size=(700, 700), SampleDistance=0.1,
-                            InteractiveFrameTime=0.15)
+        # A frame that takes long at rest: a large picture of many short steps.
+        view, mapper = show(phantom(64), size=(500, 500), SampleDistance=0.2)
         view.camera.Zoom(1.5)
+        view.window.Render()
+        view.camera.Azimuth(3)
         start = time.perf_counter()
         view.window.Render()
         still = time.perf_counter() - start
+        mapper.SetInteractiveFrameTime(still / 6)
         seconds = self.move(view, 12)
-        print(f"still {still:.2f} s, moving {np.median(seconds[4:]):.3f} s for 0.15 s")
-        self.assertGreater(still, 0.3)
+        print(f"still {still:.2f} s, moving {np.median(seconds[4:]):.3f} s for {still / 6:.3f} s")
         # Other programs run on this machine, too.
-        self.assertLess(np.median(seconds[4:]), 3 * 0.15)
+        self.assertLess(np.median(seconds[4:]), 3 * still / 6)
         self.assert_fine(view)
 
     def test_a_moving_picture_is_like_a_still_one_in_the_large(self):
@@ -472,6 +497,16 @@ class TestMoving(MapperTest):
         view.interact(True)
         # Shadows of moving frames are coarser.
         self.assertLess(difference(view.picture(), still), 1)
+        self.assertEqual(mapper.GetVisibilityScore(), score)
+
+    def test_a_change_of_the_property_that_is_none_of_its_functions_begins_nothing_anew(self):
+        view, mapper = show(InteractiveFrameTime=10)
+        view.window.Render()
+        score = mapper.GetVisibilityScore()
+        view.interact(True)
+        view.volume.GetProperty().SetShade(True)
+        view.volume.GetProperty().SetScalarOpacity(phantom_property().GetScalarOpacity())
+        view.window.Render()
         self.assertEqual(mapper.GetVisibilityScore(), score)
 
     def test_still_frames_in_steps_end_at_the_same_picture(self):
@@ -596,24 +631,30 @@ class TestLights(MapperTest):
 
 class TestCropping(MapperTest):
     def test_a_cropping_box_is_a_smaller_image(self):
-        image = phantom(33)
-        mapper_property = phantom_property()
-        view, mapper = show(image, mapper_property, Shadows=0)
+        view, mapper = show(phantom(33), Shadows=0)
         mapper.CroppingOn()
         mapper.SetCroppingRegionPlanes(-0.5, 1, -1, 0.5, -0.25, 0.75)
         view.camera.Azimuth(10)
         cropped = view.picture()
         score = mapper.GetVisibilityScore()
         save(cropped, "cropped")
-
-        part = phantom(33)
-        part.Crop((8, 32, 0, 24, 12, 28))
         mapper.CroppingOff()
-        mapper.SetInputData(part)
-        smaller = view.picture()
+
+        def part(layers):
+            """Picture and score of the points in the box and so many layers of points more."""
+            image = phantom(33)
+            image.Crop((8 - layers, 32, 0, 24 + layers, 12 - layers, 28 + layers))
+            mapper.SetInputData(image)
+            return view.picture(), mapper.GetVisibilityScore()
+        smaller, smaller_score = part(0)
+        larger, larger_score = part(1)
         save(smaller, "smaller")
-        self.assertLess(difference(cropped, smaller), 2)
-        self.assertAlmostEqual(score, mapper.GetVisibilityScore(), delta=0.1 * score)
+
+        # Extinction fades out between the last point inside and the first outside: that is half a
+        # layer of cells, whose effect is less than a whole layer's.
+        self.assertLess(difference(cropped, smaller), difference(larger, smaller))
+        self.assertLess(difference(cropped, larger), difference(larger, smaller))
+        self.assertLess(abs(score - smaller_score), larger_score - smaller_score)
 
     def test_clipping_planes_are_in_world_coordinates(self):
         view, mapper = show(Optimization=Mapper.OFF, Shadows=0)

@@ -9,33 +9,12 @@ import unittest
 import numpy as np
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
-from vtkmodules.vtkRenderingVolume import (vtkFixedPointVolumeRayCastMapper,
-                                           vtkGPUVolumeRayCastMapper)
 
-from volume_views import (CELLS, View, colors_of, difference, image_of, opacity_of, phantom,
-                          phantom_property, plain_mapper, property_of, save, scene, values)
+from volume_views import (View, colors_of, difference, fixed_point_mapper, gpu_mapper,
+                          gray_property, image_of, opacity_of, phantom, phantom_property,
+                          plain_mapper, property_of, save, values)
 
-# Mean absolute difference of 8-bit values. From inside of the phantom, VTK's two mappers differ by
-# more from each other.
-BAR = 1.5
-
-
-def fixed_point_mapper(step):
-    mapper = vtkFixedPointVolumeRayCastMapper()
-    mapper.SetAutoAdjustSampleDistances(0)
-    mapper.SetImageSampleDistance(1)
-    mapper.SetSampleDistance(step)
-    return mapper
-
-
-def gpu_mapper(step):
-    mapper = vtkGPUVolumeRayCastMapper()
-    mapper.SetAutoAdjustSampleDistances(0)
-    mapper.SetImageSampleDistance(1)
-    mapper.SetUseJittering(0)
-    mapper.SetSampleDistance(step)
-    return mapper
-
+BAR = 1.5  # mean absolute difference of 8-bit values
 
 # With the distance of their samples, in units of the smallest spacing. In the mapper with fixed
 # point numbers, the opacity of a shorter step has too few digits; the other one leaves out its
@@ -59,7 +38,9 @@ def inside(view, bounds):
     view.camera.SetPosition(*(middle + 0.3 * size * (0.5, 0.4, 1)))
     view.camera.SetFocalPoint(*middle)
     view.camera.SetViewAngle(60)
-    view.camera.SetClippingRange(0.001 * size.max(), 3 * size.max())
+    # VTK's mapper on the GPU begins 0.2 % of the box's diagonal behind the near plane, so that
+    # pictures differ where the medium that is cut by this plane fills most of them.
+    view.camera.SetClippingRange(0.05 * size.max(), 3 * size.max())
 
 
 class PictureTest(unittest.TestCase):
@@ -91,44 +72,19 @@ class PictureTest(unittest.TestCase):
                 self.assertLess(difference(ours, picture), bar)
 
 
-class TestScenes(PictureTest):
-    def check(self, name, place):
-        if name == "phantom":
-            image, volume_property = phantom(64), phantom_property()
-        else:
-            found = scene(name)
-            if not found:
-                self.skipTest(f"the scene {name} is not here: set LIMPID_TEST_DATA")
-            image, volume_property, _ = found
-        self.assert_same(self.pictures(image, volume_property, place,
-                                       name=f"{name} {place.__name__}"))
+class TestCameras(PictureTest):
+    def check(self, place):
+        self.assert_same(self.pictures(phantom(64), phantom_property(), place,
+                                       name=f"phantom {place.__name__}"))
 
-    def test_phantom_in_perspective(self):
-        self.check("phantom", perspective)
+    def test_perspective(self):
+        self.check(perspective)
 
-    def test_phantom_in_parallel_projection(self):
-        self.check("phantom", parallel)
+    def test_parallel_projection(self):
+        self.check(parallel)
 
-    def test_phantom_from_inside(self):
-        self.check("phantom", inside)
-
-    def test_carotid_mra_in_perspective(self):
-        self.check("carotid_mra", perspective)
-
-    def test_carotid_mra_in_parallel_projection(self):
-        self.check("carotid_mra", parallel)
-
-    def test_carotid_mra_from_inside(self):
-        self.check("carotid_mra", inside)
-
-    def test_visible_male_in_perspective(self):
-        self.check("visible_male", perspective)
-
-    def test_visible_male_in_parallel_projection(self):
-        self.check("visible_male", parallel)
-
-    def test_visible_male_from_inside(self):
-        self.check("visible_male", inside)
+    def test_from_inside(self):
+        self.check(inside)
 
 
 class TestPlacement(PictureTest):
@@ -211,11 +167,44 @@ class TestPlacement(PictureTest):
         # The tiles' cameras differ from the whole picture's by rounding.
         self.assertLess(difference(tiled(plain_mapper()), view.picture().reshape(-1, 3)), 0.2)
 
-    def test_both_eyes(self):
-        def stereo(view, _):
+    def test_the_picture_of_one_eye(self):
+        def right(view, _):
             view.window.StereoRenderOn()
             view.window.SetStereoTypeToRight()
-        self.assert_same(self.pictures(phantom(), phantom_property(), perspective, stereo))
+            view.camera.SetEyeAngle(20)
+
+        # VTK's mapper on the GPU sends an eye's rays from the place of the other one or from
+        # between: with this angle, it is 14 of 255 from VTK's own mapper on the CPU.
+        self.assert_same(self.pictures(phantom(), phantom_property(), perspective, right,
+                                       references=["fixed point"]))
+
+        # An opaque box covers the pixels that VTK's polygons of the box cover.
+        bounds = (-1, 1, -0.5, 0.5, -0.7, 0.7)
+        box = image_of((3, 3, 3), (1, 0.5, 0.7), (-1, -0.5, -0.7), s=np.zeros(27))
+        cube = vtkCubeSource()
+        cube.SetBounds(bounds)
+        pictures = []
+        for decorate in (lambda view, _: view.add(box, gray_property(1.0, 1e-6, (1, 0, 0)),
+                                                  plain_mapper()),
+                         add_surface(cube, (1, 0, 0))):
+            view = View()
+            decorate(view, None)
+            view.look()
+            right(view, None)
+            pictures.append(view.picture())
+        np.testing.assert_array_equal(*pictures)
+
+    def test_over_other_backgrounds(self):
+        def white(view, _):
+            view.renderer.SetBackground(1, 1, 1)
+
+        def gradient(view, _):
+            view.renderer.GradientBackgroundOn()
+            view.renderer.SetBackground2(0.9, 0.8, 0.1)
+        for decorate in (white, gradient):
+            with self.subTest(background=decorate.__name__):
+                self.assert_same(self.pictures(phantom(), phantom_property(), perspective,
+                                               decorate))
 
     def test_a_picture_off_the_axis(self):
         def shifted(view, bounds):
@@ -266,6 +255,23 @@ class TestFunctionsAndArrays(PictureTest):
                                       opacity_of((0, 0), (1, 1)), 3.0)
         self.assert_same(self.pictures(image, volume_property, perspective))
 
+    def test_unit_distances(self):
+        for unit_distance in (0.002, 0.5):
+            with self.subTest(unit_distance=unit_distance):
+                volume_property = phantom_property()
+                volume_property.SetScalarOpacityUnitDistance(unit_distance)
+                self.assert_same(self.pictures(phantom(), volume_property, perspective))
+
+    def test_voxels_of_unequal_edges(self):
+        image = phantom()
+        image.SetSpacing(*(np.array(image.GetSpacing()) * (1, 0.4, 2.5)))
+        self.assert_same(self.pictures(image, phantom_property(), perspective))
+
+    def test_functions_that_reach_less_far_than_the_data(self):
+        volume_property = property_of(colors_of((0.4, 0.1, 0.8, 0.2), (0.6, 0.9, 0.1, 0.5)),
+                                      opacity_of((0.35, 0), (0.55, 0.15)), 0.05)
+        self.assert_same(self.pictures(phantom(), volume_property, perspective))
+
     def test_gray_transfer_functions(self):
         volume_property = phantom_property()
         volume_property.SetColor(opacity_of((0, 0.2), (0.4, 0.9), (1, 0.5)))
@@ -288,10 +294,27 @@ class TestFunctionsAndArrays(PictureTest):
                 self.assert_same(self.pictures(phantom(), volume_property, perspective))
 
     def test_steps_and_sharp_peaks(self):
-        volume_property = phantom_property()
+        # They pass between two samples, so that pictures with samples this far apart are not
+        # right, VTK's less so because they only know the samples themselves: with steps of a
+        # tenth of a voxel all have to agree.
+        image, volume_property = phantom(), phantom_property()
         volume_property.SetScalarOpacity(
             opacity_of((0.30, 0), (0.301, 0.1), (0.35, 0.1), (0.351, 0)))
-        self.assert_same(self.pictures(phantom(), volume_property, perspective))
+        pictures = {}
+        for step in (0.1, 1.0):
+            for name, mapper in (("ours", plain_mapper(step)),
+                                 ("fixed point", fixed_point_mapper(step * image.GetSpacing()[0])),
+                                 ("GPU", gpu_mapper(step * image.GetSpacing()[0]))):
+                view = View()
+                view.add(image, volume_property, mapper)
+                view.look()
+                pictures[name, step] = view.picture()
+        self.assert_same({name: pictures[name, 0.1] for name in ("ours", "fixed point", "GPU")})
+        error = {name: difference(pictures[name, 1.0], pictures[name, 0.1])
+                 for name in ("ours", "fixed point", "GPU")}
+        print(f"errors of steps of a voxel: {error}")
+        self.assertLess(error["ours"], error["fixed point"])
+        self.assertLess(error["ours"], error["GPU"])
 
     def test_colours_on_a_logarithmic_scale_are_those_of_the_legend(self):
         # A slab of one value has the colour that GetColor gives it, as in a scalar bar.

@@ -16,7 +16,24 @@ OPACITIES = [0.0, 0.0, 0.5, 0.0, 0.05, 0.0, 0.5, 0.0, 0.15, 0.25, 0.5, 0.0, 1.0,
 UNIT_DISTANCE = 0.1
 
 
+def clear():
+    """Deletes all sources, views, color maps and opacity functions.
+
+    A third of a second faster than simple.ResetSession(), and plugins stay loaded.
+    """
+    for proxies in (simple.GetSources().values(), simple.GetViews(), simple.GetLayouts().values()):
+        for proxy in list(proxies):
+            simple.Delete(proxy)
+    proxies = simple.servermanager.ProxyManager()
+    for group in ("lookup_tables", "piecewise_functions"):
+        for (name, _), proxy in list(proxies.GetProxiesInGroup(group).items()):
+            proxies.UnRegisterProxy(group, name, proxy.SMProxy)
+    simple.SetActiveSource(None)
+    simple.SetActiveView(None)
+
+
 def new_view(size=(200, 200)):
+    simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
     view.ViewSize = list(size)
     view.OrientationAxesVisibility = 0

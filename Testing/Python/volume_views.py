@@ -14,11 +14,12 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import (vtkColorTransferFunction, vtkRenderer, vtkRenderWindow,
                                          vtkVolume, vtkVolumeProperty, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingVolume import (vtkFixedPointVolumeRayCastMapper,
+                                           vtkGPUVolumeRayCastMapper)
 
 from limpid.vtkLimpidFilters import vtkOcclusionPhantom
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
 
-POINTS, CELLS = 0, 1
 BACKGROUND = (0.1, 0.2, 0.3)
 
 
@@ -111,11 +112,31 @@ def scene(name):
     return image, volume_property, opacity_of(*description["importance_tf"])
 
 
-def plain_mapper():
+def plain_mapper(sample_distance=1):
     """Without optimization and light."""
     mapper = vtkTransmittanceVolumeMapper()
+    mapper.SetSampleDistance(sample_distance)
     mapper.SetOptimization(vtkTransmittanceVolumeMapper.OFF)
     mapper.ShadowsOff()
+    return mapper
+
+
+def fixed_point_mapper(step):
+    """VTK's; `step`: distance of its samples."""
+    mapper = vtkFixedPointVolumeRayCastMapper()
+    mapper.SetAutoAdjustSampleDistances(0)
+    mapper.SetImageSampleDistance(1)
+    mapper.SetSampleDistance(step)
+    return mapper
+
+
+def gpu_mapper(step):
+    """VTK's; `step`: distance of its samples."""
+    mapper = vtkGPUVolumeRayCastMapper()
+    mapper.SetAutoAdjustSampleDistances(0)
+    mapper.SetImageSampleDistance(1)
+    mapper.SetUseJittering(0)
+    mapper.SetSampleDistance(step)
     return mapper
 
 

@@ -30,6 +30,7 @@ public:
   /// Frees the extinctions that passes have made.
   void Forget();
 
+  PreparedScene& Prepared() const { return *this->Scene; }
   const Grid& Nodes() const { return this->Scene->Nodes(); }
   const float* Base() const { return this->Scene->Arrays().baseExtinction; }
 

@@ -306,6 +306,21 @@ Score Progressive::BestScore() const
   return {};
 }
 
+Scores Progressive::ScoresFrom(const Camera& camera) const
+{
+  const Internals& state = *this->State;
+  PreparedScene& scene =
+    state.shown == Shown::Preview ? state.LastPreview().Prepared() : *state.scene;
+  const Problem problem = scene.ProblemFor(camera, state.light, state.settings);
+  VisibilityTerm term(problem.grid, *problem.occupancy, problem.camera, state.settings.rayDensity);
+  const auto scoreOf = [&](const float* extinction) -> Score
+  {
+    const Visible seen = term.Forward(extinction, problem.importance);
+    return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
+  };
+  return { scoreOf(this->BaseExtinction()), scoreOf(this->Extinction()) };
+}
+
 int Progressive::Iterations() const
 {
   return this->State->solver ? this->State->solver->Iterations() : 0;

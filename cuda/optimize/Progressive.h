@@ -11,6 +11,13 @@
 
 namespace limpid
 {
+/// What a camera sees.
+struct Scores
+{
+  Score base; ///< of the base extinction
+  Score best; ///< of what was found
+};
+
 /**
  * Optimises for a camera that moves: quickly and coarsely while it does, fully when it rests.
  *
@@ -55,6 +62,11 @@ public:
 
   Score BaseScore() const;
   Score BestScore() const;
+
+  /// What another camera sees of the base extinction and of what is shown: a sweep each. Valid
+  /// after Preview or Refine.
+  Scores ScoresFrom(const Camera& camera) const;
+
   int Iterations() const; ///< at full resolution, for the present view
   std::string BackendName() const;
 

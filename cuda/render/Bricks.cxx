@@ -40,33 +40,101 @@ void CoarseRange(int nodes, int coarseNodes, int& first, int& last)
   last = std::clamp(int(std::ceil(last * scale + 1e-6)), 0, coarseNodes - 1);
 }
 
+std::uint8_t Next(int distance)
+{
+  return static_cast<std::uint8_t>(std::min(distance + 1, farthest));
+}
+
+/// Chebyshev distances to the nearest zero among what a pass has met: the last slice, the last row,
+/// the last brick.
+class DistancePass
+{
+public:
+  DistancePass(const Int3& count, std::vector<std::uint8_t>& distance)
+    : Count(count)
+    , Distance(distance)
+    , Least(std::size_t(count.x) + 2)
+  {
+  }
+
+  void Forth()
+  {
+    for (int k = 0; k < this->Count.z; ++k)
+    {
+      for (int j = 0; j < this->Count.y; ++j)
+      {
+        std::uint8_t* row = this->TakeRows(j, k, -1);
+        for (int i = 1; i < this->Count.x; ++i)
+        {
+          row[i] = std::min(row[i], Next(row[i - 1]));
+        }
+      }
+    }
+  }
+
+  void Back()
+  {
+    for (int k = this->Count.z - 1; k >= 0; --k)
+    {
+      for (int j = this->Count.y - 1; j >= 0; --j)
+      {
+        std::uint8_t* row = this->TakeRows(j, k, 1);
+        for (int i = this->Count.x - 2; i >= 0; --i)
+        {
+          row[i] = std::min(row[i], Next(row[i + 1]));
+        }
+      }
+    }
+  }
+
+private:
+  std::uint8_t* Row(int j, int k)
+  {
+    return this->Distance.data() + this->Count.x * (j + Index(this->Count.y) * k);
+  }
+
+  /// One more than the least of the neighbours in the rows on the `side` from which the pass comes.
+  std::uint8_t* TakeRows(int j, int k, int side)
+  {
+    std::uint8_t* least = this->Least.data() + 1; // with a brick beyond each end
+    std::fill(this->Least.begin(), this->Least.end(), std::uint8_t(farthest));
+    this->TakeRow(j + side, k, least);
+    for (int other = j - 1; other <= j + 1; ++other)
+    {
+      this->TakeRow(other, k + side, least);
+    }
+    std::uint8_t* row = this->Row(j, k);
+    for (int i = 0; i < this->Count.x; ++i)
+    {
+      row[i] = std::min(row[i], Next(std::min({ least[i - 1], least[i], least[i + 1] })));
+    }
+    return row;
+  }
+
+  void TakeRow(int j, int k, std::uint8_t* least)
+  {
+    if (j < 0 || j >= this->Count.y || k < 0 || k >= this->Count.z)
+    {
+      return;
+    }
+    const std::uint8_t* row = this->Row(j, k);
+    for (int i = 0; i < this->Count.x; ++i)
+    {
+      least[i] = std::min(least[i], row[i]);
+    }
+  }
+
+  Int3 Count;
+  std::vector<std::uint8_t>& Distance;
+  std::vector<std::uint8_t> Least;
+};
+
 /// Chebyshev distances to the nearest zero, by one pass forth and one back.
 void SpreadDistances(const Int3& count, std::vector<std::uint8_t>& distance)
 {
-  const auto pass = [&](bool forth)
-  {
-    const Index total = Index(count.x) * count.y * count.z;
-    for (Index step = 0; step < total; ++step)
-    {
-      const Index at = forth ? step : total - 1 - step;
-      const Int3 brick(at % count.x, at / count.x % count.y, at / (Index(count.x) * count.y));
-      int nearest = distance[std::size_t(at)];
-      for (int n = 0; n < 13; ++n) // the neighbours that the pass has met
-      {
-        const Int3 offset(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-        const Int3 other = forth ? brick + offset : brick - offset;
-        if (other.x >= 0 && other.y >= 0 && other.z >= 0 && other.x < count.x &&
-          other.y < count.y && other.z < count.z)
-        {
-          const Index place = other.x + count.x * (other.y + Index(count.y) * other.z);
-          nearest = std::min(nearest, distance[std::size_t(place)] + 1);
-        }
-      }
-      distance[std::size_t(at)] = static_cast<std::uint8_t>(nearest);
-    }
-  };
-  pass(true);
-  pass(false);
+  DistancePass pass(count, distance);
+  pass.Forth();
+  pass.Back();
 }
 } // namespace
 

@@ -66,6 +66,36 @@ private:
   const float* Extinction;
 };
 
+/// Where the nodes of an axis lie between those of another one over the same length.
+struct AxisMap
+{
+  std::vector<int> before;  ///< the other node at or before
+  std::vector<float> share; ///< of the way to the one behind it
+
+  AxisMap(int from, int to)
+    : last(from - 1)
+  {
+    const double ratio = double(from - 1) / std::max(to - 1, 1);
+    for (int node = 0; node < to; ++node)
+    {
+      const int first = std::min(static_cast<int>(node * ratio), std::max(from - 2, 0));
+      this->before.push_back(first);
+      this->share.push_back(static_cast<float>(node * ratio - first));
+    }
+  }
+
+  /// The two lines of numbers, `stride` apart, that a node lies between.
+  void Neighbours(int node, const float* lines, Index stride, const float** pair) const
+  {
+    const int first = this->before[std::size_t(node)];
+    pair[0] = lines + stride * first;
+    pair[1] = lines + stride * std::min(first + 1, this->last);
+  }
+
+private:
+  int last;
+};
+
 bool SameNodes(const Grid& a, const Grid& b)
 {
   return a.nodes == b.nodes && a.spacing == b.spacing && a.origin == b.origin;
@@ -159,12 +189,56 @@ void Medium::MoveTo(
   this->Packed.changed = changed;
 }
 
-void Medium::SetShadow(const float* transmittance)
+void Medium::ClearShadow()
 {
   std::int16_t* packed = this->Packed.packed.data();
-  this->Packed.shadowed = transmittance != nullptr;
+  this->Packed.shadowed = false;
   ParallelFor(this->Place.NodeCount(), nodesPerTask,
-    [&](Index node) { packed[4 * node + 2] = Pack(transmittance ? transmittance[node] : 1.0f); });
+    [&](Index node) { packed[4 * node + 2] = std::int16_t(packedOne); });
+}
+
+void Medium::SetShadow(const Int3& nodes, const float* transmittance)
+{
+  const Int3 to = this->Packed.nodes;
+  std::int16_t* packed = this->Packed.packed.data();
+  this->Packed.shadowed = true;
+  if (nodes == to)
+  {
+    ParallelFor(this->Place.NodeCount(), nodesPerTask,
+      [&](Index node) { packed[4 * node + 2] = Pack(transmittance[node]); });
+    return;
+  }
+  const AxisMap columns(nodes.x, to.x);
+  const AxisMap rows(nodes.y, to.y);
+  const AxisMap slices(nodes.z, to.z);
+  ParallelFor(to.z,
+    [&](Index k)
+    {
+      std::vector<float> line(static_cast<std::size_t>(nodes.x) + 1); // one more to read beyond
+      const float* slice[2];
+      slices.Neighbours(int(k), transmittance, Index(nodes.x) * nodes.y, slice);
+      for (int j = 0; j < to.y; ++j)
+      {
+        const float* near[2];
+        const float* far[2];
+        rows.Neighbours(j, slice[0], nodes.x, near);
+        rows.Neighbours(j, slice[1], nodes.x, far);
+        const float y = rows.share[std::size_t(j)];
+        const float z = slices.share[std::size_t(k)];
+        for (int i = 0; i < nodes.x; ++i)
+        {
+          const float front = near[0][i] + y * (near[1][i] - near[0][i]);
+          const float back = far[0][i] + y * (far[1][i] - far[0][i]);
+          line[std::size_t(i)] = front + z * (back - front);
+        }
+        std::int16_t* out = packed + 4 * (to.x * (j + to.y * k)) + 2;
+        for (int i = 0; i < to.x; ++i)
+        {
+          const float* left = line.data() + columns.before[std::size_t(i)];
+          out[4 * Index(i)] = Pack(left[0] + columns.share[std::size_t(i)] * (left[1] - left[0]));
+        }
+      }
+    });
 }
 
 std::vector<float> Medium::ShownExtinction(const float* base) const

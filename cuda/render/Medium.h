@@ -21,8 +21,11 @@ public:
   /// Forgets change and shadow.
   void Clear();
 
-  /// Writes a transmittance at the nodes of the grid; null: 1.
-  void SetShadow(const float* transmittance);
+  /// A transmittance of 1 everywhere.
+  void ClearShadow();
+
+  /// Takes a transmittance at the nodes of a grid over the same box, interpolated.
+  void SetShadow(const Int3& nodes, const float* transmittance);
 
   /// base + change at the nodes [1/length].
   std::vector<float> ShownExtinction(const float* base) const;

@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "energy/TransmittanceVolume.h"
 #include "math/Require.h"
+#include "optimize/Levels.h"
 #include "render/Medium.h"
 #include "render/Raycast.h"
 
@@ -93,6 +94,8 @@ struct Renderer::Internals
   Medium medium;
   Lighting lighting;
   double shadowRayDensity = transmittanceRayDensity;
+  int shadowCoarseness = 1;
+  std::vector<float> coarseExtinction; ///< casts the shadows; empty: not current, or not coarse
 
   // What was given as the extinction; the arrays belong to the caller.
   Grid extinctionGrid;
@@ -118,8 +121,12 @@ struct Renderer::Internals
         this->ownBase[std::size_t(node)] =
           this->classification.At(scalar)[0] * filled * this->classification.Majorant();
       });
+    this->extinctionGrid = CoarseGrid(this->scalars.grid, this->shadowCoarseness);
+    if (this->shadowCoarseness > 1)
+    {
+      this->ownBase = Restrict(this->scalars.grid, this->ownBase.data(), this->extinctionGrid);
+    }
     this->base = this->ownBase.data();
-    this->extinctionGrid = this->scalars.grid;
     this->medium.MoveTo(
       this->extinctionGrid, this->base, this->base, this->classification.Majorant(), 1);
   }
@@ -129,17 +136,52 @@ struct Renderer::Internals
     if (!this->ownBase.empty())
     {
       this->ownBase.clear();
+      this->coarseExtinction.clear();
       this->medium.Clear();
       this->shadowIsCurrent = false;
     }
   }
 
-  void UpdateShadow()
+  /// The grid of the shadows.
+  Grid ShadowGrid() const
+  {
+    return this->ownBase.empty() ? CoarseGrid(this->extinctionGrid, this->shadowCoarseness)
+                                 : this->extinctionGrid;
+  }
+
+  /// What casts the shadows, at the nodes of their grid. `memory` is for what is not kept.
+  const float* ShadowExtinction(const Grid& grid, std::vector<float>& memory)
+  {
+    if (!this->coarseExtinction.empty())
+    {
+      return this->coarseExtinction.data();
+    }
+    const float* extinction = this->lightExtinction;
+    if (!extinction)
+    {
+      memory = this->medium.ShownExtinction(this->base);
+      extinction = memory.data();
+    }
+    if (grid.nodes == this->extinctionGrid.nodes)
+    {
+      return extinction;
+    }
+    this->coarseExtinction = Restrict(this->extinctionGrid, extinction, grid);
+    return this->coarseExtinction.data();
+  }
+
+  bool HasScene() const
+  {
+    return this->scalars.values && this->scalars.grid.HasVolume() && !this->classification.Empty();
+  }
+
+  /// Returns whether there was anything to do.
+  bool UpdateShadow()
   {
     const bool wanted = this->lighting.enabled && this->lighting.shadows;
     if (this->shadowIsCurrent || (this->medium.Empty() && !wanted))
     {
-      return;
+      return false;
     }
     this->shadowIsCurrent = true;
     if (this->medium.Empty())
@@ -148,21 +190,17 @@ struct Renderer::Internals
     }
     if (!wanted)
     {
-      this->medium.SetShadow(nullptr);
-      return;
+      this->medium.ClearShadow();
+      return true;
     }
-    std::vector<float> shown;
-    const float* extinction = this->lightExtinction;
-    if (!extinction)
-    {
-      shown = this->medium.ShownExtinction(this->base);
-      extinction = shown.data();
-    }
-    const Grid& grid = this->extinctionGrid;
+    const Grid grid = this->ShadowGrid();
+    std::vector<float> memory;
+    const float* extinction = this->ShadowExtinction(grid, memory);
     std::vector<float> transmittance(static_cast<std::size_t>(grid.NodeCount()));
     FillTransmittance(grid, extinction, EyeOfLight(this->lighting.light, grid),
       this->shadowRayDensity, transmittance.data());
-    this->medium.SetShadow(transmittance.data());
+    this->medium.SetShadow(grid.nodes, transmittance.data());
+    return true;
   }
 
   /// Direction of travel of the light in the middle of the volume, and its
@@ -226,16 +264,10 @@ struct Renderer::Internals
     return light;
   }
 
-  RayScene MakeScene(const View& view)
+  /// Makes what rays read and is not current.
+  void Prepare()
   {
     const Grid& grid = this->scalars.grid;
-    RayScene scene;
-    scene.scalars = &this->scalars;
-    scene.classification = &this->classification;
-    scene.majorant = this->classification.Majorant();
-    scene.opaqueBelow = static_cast<float>(view.opaqueBelow);
-    scene.stepLength = static_cast<float>(
-      view.sampleDistance * std::min({ grid.spacing.x, grid.spacing.y, grid.spacing.z }));
     if (!this->medium.Empty())
     {
       RequireSameBox(grid, this->extinctionGrid);
@@ -245,6 +277,29 @@ struct Renderer::Internals
       EyeOfLight(this->lighting.light, grid); // says what is wrong with a light, if anything is
     }
     this->UpdateShadow();
+    if (this->lighting.enabled && !this->gradientIsCurrent)
+    {
+      this->gradient = PackGradient(this->scalars, this->classification);
+      this->gradientIsCurrent = true;
+    }
+    if (!this->bricksAreCurrent)
+    {
+      this->bricks.Classify(this->classification, this->medium.Field());
+      this->bricksAreCurrent = true;
+    }
+  }
+
+  RayScene MakeScene(const View& view)
+  {
+    this->Prepare();
+    const Grid& grid = this->scalars.grid;
+    RayScene scene;
+    scene.scalars = &this->scalars;
+    scene.classification = &this->classification;
+    scene.majorant = this->classification.Majorant();
+    scene.opaqueBelow = static_cast<float>(view.opaqueBelow);
+    scene.stepLength = static_cast<float>(
+      view.sampleDistance * std::min({ grid.spacing.x, grid.spacing.y, grid.spacing.z }));
     const MediumField& field = this->medium.Field();
     if (!this->medium.Empty() && (field.changed || (field.shadowed && this->lighting.enabled)))
     {
@@ -258,18 +313,8 @@ struct Renderer::Internals
     }
     if (this->lighting.enabled)
     {
-      if (!this->gradientIsCurrent)
-      {
-        this->gradient = PackGradient(this->scalars, this->classification);
-        this->gradientIsCurrent = true;
-      }
       scene.gradient = &this->gradient;
       scene.light = this->MakeLight(view);
-    }
-    if (!this->bricksAreCurrent)
-    {
-      this->bricks.Classify(this->classification, field);
-      this->bricksAreCurrent = true;
     }
     // Farther samples could step over a brick.
     const bool skips = view.skipEmpty && view.sampleDistance <= Bricks::size;
@@ -317,6 +362,7 @@ void Renderer::SetExtinction(const Grid& grid, const float* base, const float* e
   state.base = base;
   state.lightExtinction = lightExtinction;
   state.extinctionGrid = grid;
+  state.coarseExtinction.clear();
   state.ForgetOwnBase();
   if (!base || !extinction)
   {
@@ -357,6 +403,34 @@ void Renderer::SetShadowRayDensity(double density)
   this->State->shadowRayDensity = density;
 }
 
+void Renderer::SetShadowCoarseness(int factor)
+{
+  LIMPID_REQUIRE(factor >= 1,
+    "The coarseness of shadows is " << factor
+                                    << " (times the distance of the nodes). Set 1 or more.");
+  Internals& state = *this->State;
+  if (factor != state.shadowCoarseness)
+  {
+    state.ForgetOwnBase();
+    state.coarseExtinction.clear();
+    state.shadowIsCurrent = false;
+    state.shadowCoarseness = factor;
+  }
+}
+
+bool Renderer::UpdateShadows()
+{
+  return this->State->HasScene() && this->State->UpdateShadow();
+}
+
+void Renderer::Prepare()
+{
+  if (this->State->HasScene() && this->State->classification.Majorant() > 0)
+  {
+    this->State->Prepare();
+  }
+}
+
 void Renderer::Render(const View& view, Picture& picture)
 {
   Internals& state = *this->State;
@@ -378,8 +452,8 @@ void Renderer::Render(const View& view, Picture& picture)
 
 double Renderer::LightTransmittanceAt(const Vec3& world)
 {
-  Internals& state = *this->State;
-  state.UpdateShadow();
+  this->UpdateShadows();
+  const Internals& state = *this->State;
   const MediumField& field = state.medium.Field();
   if (state.medium.Empty() || !field.shadowed)
   {

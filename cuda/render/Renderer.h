@@ -112,6 +112,16 @@ public:
   /// Rays of the shadow volume per voxel and axis. Default 3.
   void SetShadowRayDensity(double density);
 
+  /// Shadows are computed on a grid with nodes so many times farther apart along each axis than
+  /// the extinction's, for pictures that move. Default 1.
+  void SetShadowCoarseness(int factor);
+
+  /// Computes the shadows now if the next picture would. Returns whether there was anything to do.
+  bool UpdateShadows();
+
+  /// Makes everything for the next picture but its rays, which are all that is left to Render.
+  void Prepare();
+
   /// Throws limpid::Error when there are no scalars or transfer functions, or the view is unusable.
   void Render(const View& view, Picture& picture);
 

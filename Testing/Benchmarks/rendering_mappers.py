@@ -3,12 +3,13 @@
 
 """Times vtkTransmittanceVolumeMapper against VTK's own volume mappers, and compares their pictures.
 
-    python3 rendering_against_vtk.py [--size N] [--repeats N] [--output FILE] NAME.scene.json ...
+    bash Testing/with-display.sh /usr/bin/python3 Testing/Benchmarks/rendering_mappers.py \\
+      [--size N] [--repeats N] [--frames N] [--output FILE] NAME.scene.json ...
 
-Needs the Python package limpid (the configuration without ParaView makes it) on PYTHONPATH, and a
-display. All mappers draw the same volume with the same functions at the same sample distance, in
-turns, in one process; every picture is of another camera, so that nothing can be reused. Writes
-Markdown.
+Needs the Python package limpid on PYTHONPATH (Testing/run.sh makes it in build/vtk). All mappers
+draw the same volume with the same functions at the same sample distance, in turns, in one process.
+Every picture is of another camera, and unless said otherwise the light goes with it, so that
+nothing can be reused. Writes Markdown.
 """
 
 import argparse
@@ -40,6 +41,10 @@ from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper, vtkG
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
 
 TURN = 0.37  # degrees between one timed picture and the next
+LEARNING = 5  # frames after which a mapper knows what a frame may cost
+FIXED_POINT = "vtkFixedPointVolumeRayCastMapper"
+FIXED_POINT_SHADED = "vtkFixedPointVolumeRayCastMapper, shaded"
+LIMPID_SHADOWS = "Limpid, lit, shadows"
 CAMERAS = ((0, 0), (70, 20), (200, -35))  # azimuth and elevation of the compared pictures [degrees]
 
 
@@ -63,7 +68,13 @@ class Scene:
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(0, 0, 0)
         self.renderer.AddVolume(self.volume)
-        self.renderer.AddLight(self.make_light())
+        self.renderer.AutomaticLightCreationOff()
+        self.headlight = vtkLight()
+        self.headlight.SetLightTypeToHeadlight()
+        self.fixed_light = self.make_light()
+        self.renderer.AddLight(self.headlight)
+        self.renderer.AddLight(self.fixed_light)
+        self.shine(self.headlight)
         self.window = vtkRenderWindow()
         self.window.SetOffScreenRendering(1)
         self.window.SetMultiSamples(0)
@@ -97,6 +108,11 @@ class Scene:
         light.SetFocalPoint(self.json["camera"]["focal_point"])
         return light
 
+    def shine(self, light):
+        """Switches this light on and all others off."""
+        for other in (self.headlight, self.fixed_light):
+            other.SetSwitch(other is light)
+
     def look(self, azimuth=0.0, elevation=0.0):
         camera = self.renderer.GetActiveCamera()
         of_file = self.json["camera"]
@@ -110,15 +126,15 @@ class Scene:
         self.renderer.ResetCameraClippingRange()
 
     def draw(self, mapper, shade=False, moving=False):
-        """Draws a frame; returns the seconds that it took."""
+        """Draws a frame; returns the seconds that it took, and those of all cores together."""
         if self.volume.GetMapper() is not mapper:
             self.volume.SetMapper(mapper)
         self.volume.GetProperty().SetShade(shade)
         self.window.SetDesiredUpdateRate(10 if moving else 1e-4)
-        start = time.perf_counter()
+        start, cores = time.perf_counter(), time.process_time()
         self.window.Render()
         self.window.WaitForCompletion()
-        return time.perf_counter() - start
+        return time.perf_counter() - start, time.process_time() - cores
 
     def picture(self, mapper, **how):
         """Colours over black, as doubles in [0, 1]."""
@@ -199,35 +215,42 @@ def differences(scene):
 
 
 def still_times(scene, repeats):
-    """Times of still pictures, in turns, each of a camera that was not seen before."""
-    drawn = {
-        "fixed point, shaded": (scene.fixed_point(), True),
-        "unlit": (scene.limpid(shadows=False), False),
-        "shaded": (scene.limpid(shadows=False), True),
-        "shadows": (scene.limpid(), True),
-        "optimised, shadows": (scene.limpid(vtkTransmittanceVolumeMapper.CONTINUOUS), True),
+    """Seconds, and those of all cores, of still pictures by their kind, all kinds in turns."""
+    optimized = scene.limpid(vtkTransmittanceVolumeMapper.CONTINUOUS)
+    # Mapper, shade, whether the light stays where it is, whether it is the picture of a new camera.
+    kinds = {
+        FIXED_POINT: (scene.fixed_point(), False, False, True),
+        FIXED_POINT_SHADED: (scene.fixed_point(), True, False, True),
+        "Limpid, unlit": (scene.limpid(shadows=False), False, False, True),
+        "Limpid, lit": (scene.limpid(shadows=False), True, False, True),
+        "Limpid, lit, shadows, light at rest": (scene.limpid(), True, True, True),
+        LIMPID_SHADOWS: (scene.limpid(), True, False, True),
+        "the same, optimised for this picture": (optimized, True, False, True),
+        "the same once more, nothing to be computed": (optimized, True, False, False),
     }
-    times = {name: [] for name in drawn}
+    times = {name: [] for name in kinds}
     for repeat in range(-1, repeats):  # the first round warms up
-        for name, (mapper, shade) in drawn.items():
-            scene.look(azimuth=TURN * repeat)
-            seconds = scene.draw(mapper, shade=shade)
+        for name, (mapper, shade, rests, new_camera) in kinds.items():
+            scene.shine(scene.fixed_light if rests else scene.headlight)
+            if new_camera:
+                scene.look(azimuth=TURN * repeat)
+            taken = scene.draw(mapper, shade=shade)
             if repeat >= 0:
-                times[name].append(seconds)
+                times[name].append(taken)
+    scene.shine(scene.headlight)
     return times
 
 
-def moving_times(scene, frames):
-    """Times of the frames of an orbit, optimised, with shadows and shading."""
-    mapper = scene.limpid(vtkTransmittanceVolumeMapper.CONTINUOUS)
+def moving_times(scene, frames, optimization, still_before):
+    """Seconds of the frames of an orbit with shadows and shading, turning by two degrees."""
+    mapper = scene.limpid(optimization)
     scene.look()
-    scene.draw(mapper, shade=True)
+    if still_before:
+        scene.draw(mapper, shade=True)
     times = []
-    for frame in range(-10, frames):  # the first frames learn what a frame may cost
-        scene.look(azimuth=2.0 * frame)
-        seconds = scene.draw(mapper, shade=True, moving=True)
-        if frame >= 0:
-            times.append(seconds)
+    for frame in range(frames + LEARNING):
+        scene.look(azimuth=2.0 * (frame + 1))
+        times.append(scene.draw(mapper, shade=True, moving=True)[0])
     return times
 
 
@@ -253,72 +276,79 @@ def shown_command():
     )
 
 
-def measure(scenes, arguments):
-    compared, stills, moving = [], [], []
-    noise = 0.0
-    for path in scenes:
-        scene = Scene(path, arguments.size)
-        print(scene.name, file=sys.stderr, flush=True)
-        compared.append(differences(scene))
-        times = still_times(scene, arguments.repeats)
-        noise = max(noise, max(spread(values) for values in times.values()))
-        ratio = statistics.median(times["fixed point, shaded"]) / statistics.median(times["shadows"])
-        stills.append(
-            [scene.name] + [milliseconds(values) for values in times.values()] + [f"{ratio:.2f}"]
-        )
-        frames = moving_times(scene, arguments.frames)
-        moving.append([scene.name, milliseconds(frames), f"{1000 * max(frames):.0f}"])
-    return compared, stills, moving, noise
+def still_rows(times):
+    reference = [statistics.median(values) for values in zip(*times[FIXED_POINT_SHADED])]
+    rows = []
+    for name, pairs in times.items():
+        seconds, cores = zip(*pairs)
+        rows.append([name, milliseconds(seconds), f"{1000 * min(seconds):.0f}",
+                     f"{1000 * max(seconds):.0f}", milliseconds(cores),
+                     f"{statistics.median(seconds) / reference[0]:.2f}",
+                     f"{statistics.median(cores) / reference[1]:.2f}"])
+    return rows
 
 
-def write(stream, machine_text, arguments, compared, stills, moving, noise):
-    stream.write("# Rendering against VTK\n\nWhat the tables mean is in [README.md](README.md).\n\n")
+def moving_rows(scene, frames):
+    rows = []
+    for name, optimization, still_before in (
+            ("optimised", vtkTransmittanceVolumeMapper.CONTINUOUS, True),
+            ("optimised, no still picture before", vtkTransmittanceVolumeMapper.CONTINUOUS, False),
+            ("not optimised", vtkTransmittanceVolumeMapper.OFF, True)):
+        times = moving_times(scene, frames, optimization, still_before)
+        rows.append([name, f"{1000 * times[0]:.0f}", f"{1000 * max(times[1:LEARNING]):.0f}",
+                     milliseconds(times[LEARNING:]), f"{1000 * max(times[LEARNING:]):.0f}"])
+    return rows
+
+
+def measure(path, arguments):
+    """Name, tables and how far times of the same kind lay apart of one scene."""
+    scene = Scene(path, arguments.size)
+    print(scene.name, file=sys.stderr, flush=True)
+    compared = differences(scene)
+    times = still_times(scene, arguments.repeats)
+    moving = moving_rows(scene, arguments.frames)
+    apart = max(spread([seconds for seconds, _ in pairs]) for pairs in times.values())
+    return scene.name, compared, still_rows(times), moving, apart
+
+
+def write(stream, machine_text, arguments, results):
+    stream.write("# Mappers\n\nWhat the tables mean is in [README.md](README.md).\n\n")
     stream.write(f"    {shown_command()}\n\n{machine_text}\n")
+    noise = max(result[-1] for result in results)
     if noise > 0.2:
         stream.write(
             f"**Times of the same picture lay up to {100 * noise:.0f} % apart: the machine was "
             "busy, and the times are preliminary.**\n\n"
         )
     size = arguments.size
-    stream.write(f"## Still pictures of {size} x {size} [ms]\n\n")
-    stream.write(
-        table(
-            [
-                "scene",
-                "vtkFixedPointVolumeRayCastMapper, shaded",
-                "Limpid, unlit",
-                "shaded",
-                "shaded, shadows",
-                "optimised, shaded, shadows",
-                "fixed point / Limpid with shadows",
-            ],
-            stills,
-        )
-    )
-    stream.write("\n## Frames of an orbit, optimised, shaded, shadows [ms]\n\n")
-    stream.write(table(["scene", "median", "longest"], moving))
-    stream.write("\n## Mean absolute difference of unlit pictures, of all (of covered) pixels [1/255]\n\n")
+    for name, _, still, moving, _ in results:
+        stream.write(f"## {name}, {size} x {size}\n\n")
+        stream.write(table(["still pictures [ms]", "median", "shortest", "longest",
+                            "all cores", "of fixed point, shaded", "all cores"], still) + "\n")
+        stream.write(table(["moving, lit, shadows [ms]", "first frame", "longest of the next "
+                            f"{LEARNING - 1}", "median after", "longest after"], moving) + "\n")
+    stream.write("## Mean absolute difference of unlit pictures, of all (of covered) pixels [1/255]\n\n")
     headings = ["scene"]
     for azimuth, elevation in CAMERAS:
         headings += [f"fixed point, {azimuth}°, {elevation}°", "GPU"]
-    stream.write(table(headings, compared))
+    stream.write(table(headings, [result[1] for result in results]))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--size", type=int, default=1024, help="width and height in pixels")
     parser.add_argument("--repeats", type=int, default=5, help="timed pictures of each kind")
-    parser.add_argument("--frames", type=int, default=30, help="timed frames of the orbit")
+    parser.add_argument("--frames", type=int, default=20, help="timed frames of the orbit")
     parser.add_argument("--output", help="file to write; default: standard output")
     parser.add_argument("scenes", nargs="+", help="NAME.scene.json")
     arguments = parser.parse_args()
     before = machine()
-    results = measure(arguments.scenes, arguments)
+    results = [measure(path, arguments) for path in arguments.scenes]
     if arguments.output:
         with open(arguments.output, "w", encoding="utf-8") as file:
-            write(file, before, arguments, *results)
+            write(file, before, arguments, results)
     else:
-        write(sys.stdout, before, arguments, *results)
+        write(sys.stdout, before, arguments, results)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,225 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The representation type "Optimized Volume" drawn by a pvserver: the client shows the same picture
+# and knows the same scores and messages as if it had drawn it itself.
+
+import gc
+import os
+import shutil
+import unittest
+
+import numpy as np
+from paraview import simple
+
+import displays
+import pictures
+import runner
+from server import Server
+
+PLUGIN = os.environ["LIMPID_PLUGIN"]
+INFORMATION = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
+               "Converged", "Iterations", "LightDescription", "Messages")
+
+
+def load_plugin():
+    simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
+    vars(simple).update(OcclusionPhantom=OcclusionPhantom)
+
+
+class Shown:
+    """What the client has of a view: the picture, and what the display says about it."""
+
+    def __init__(self, view, display):
+        self.picture = pictures.take(view)
+        self.information = {name: getattr(display, name) for name in INFORMATION}
+
+
+def new_view():
+    view = displays.new_view()
+    view.UseFXAA = 0  # ParaView does that to the server's picture in another way than to its own
+    return view
+
+
+def optimized(view):
+    return Shown(view, displays.show_head(view))
+
+
+def with_score(view):
+    return Shown(view, displays.show_head(view, ShowScore=1))
+
+
+def with_own_light(view):
+    return Shown(view, displays.show_head(view, Mode="Separate", LightSource="Own", Jitter=1,
+                                          LightPosition=[-2.5, -4.5, 4.5]))
+
+
+def after_moving(view):
+    display = displays.show_head(view)
+    for position in displays.POSITIONS:
+        displays.look(view, position)
+        view.SMProxy.UpdateVTKObjects()
+        view.SMProxy.InteractiveRender()
+    return Shown(view, display)
+
+
+def by_importance_function(view):
+    display = displays.show_head(view, UseImportanceFunction=1,
+                                 ImportanceArray=["POINTS", "(Color Array)"])
+    display.ImportanceFunction.Points = [0, 0, 0.5, 0, 0.7, 0, 0.5, 0, 1, 1, 0.5, 0]
+    return Shown(view, display)
+
+
+def hidden_and_shown(view):
+    source = OcclusionPhantom(Resolution=32)
+    display = displays.show(source, view)
+    simple.Render(view)
+    simple.Hide(source, view)
+    simple.Render(view)
+    simple.Show(source, view)
+    return Shown(view, display)
+
+
+def of_its_own_choice(view):
+    source = OcclusionPhantom(Resolution=32)
+    source.UpdatePipeline()
+    display = simple.Show(source, view)
+    display.SetRepresentationType("Optimized Volume")
+    return Shown(view, display)
+
+
+def method_of_later(view):
+    return Shown(view, displays.show_head(view, Method="Viola 2004"))
+
+
+def without_importance(view):
+    return Shown(view, displays.show_head(view, ImportanceArray=["POINTS", "nothing"]))
+
+
+def ordinary(view, position=displays.POSITIONS[0]):
+    displays.look(view, position)
+    return Shown(view, displays.show_head(view, Method="Ordinary", Shadows=0))
+
+
+def ordinary_from_above(view):
+    return ordinary(view, displays.POSITIONS[1])
+
+
+def ordinary_from_the_side(view):
+    return ordinary(view, [5, 0.3, 0.2])  # onto the edge where two pieces meet
+
+
+STORIES = (optimized, with_score, with_own_light, after_moving, by_importance_function,
+           hidden_and_shown, of_its_own_choice, method_of_later, without_importance, ordinary)
+STORIES_OF_TWO = (optimized, ordinary, ordinary_from_above, ordinary_from_the_side)
+
+
+def tell(stories):
+    shown = {}
+    for story in stories:
+        displays.clear()
+        shown[story.__name__] = story(new_view())
+    displays.clear()
+    return shown
+
+
+class ServerTest(unittest.TestCase):
+    """Tells stories without a server and with one, and keeps what was shown."""
+
+    processes = 1
+    stories = ()
+
+    @classmethod
+    def setUpClass(cls):
+        load_plugin()
+        cls.here = tell(cls.stories)
+        with Server(cls.processes) as server:
+            simple.Connect("localhost", server.port)
+            simple.LoadPlugin(PLUGIN, remote=True)
+            load_plugin()
+            cls.there = tell(cls.stories)
+            simple.Connect()  # without a server: that one has nobody left
+            gc.collect()
+            cls.exit_code = server.wait(20)
+            cls.output = server.output()
+
+    def check_that_the_server_ends_with_the_client(self):
+        self.assertEqual(self.exit_code, 0, self.output)
+        self.assertNotIn("FATL", self.output)
+
+
+class TestOneServer(ServerTest):
+    stories = STORIES
+
+    def test_pictures_are_those_of_the_client_alone(self):
+        for name, here in self.here.items():
+            with self.subTest(name):
+                # The same program on the same machine, and pictures at rest travel unchanged.
+                np.testing.assert_array_equal(self.there[name].picture, here.picture)
+
+    def test_information_is_that_of_the_client_alone(self):
+        for name, here in self.here.items():
+            with self.subTest(name):
+                self.assertEqual(self.there[name].information, here.information)
+
+    def test_there_is_something_to_compare(self):
+        background = 255 * np.array(displays.BACKGROUND)
+        for name, there in self.there.items():
+            with self.subTest(name):
+                inside = np.abs(there.picture - background).max(axis=2) > 5
+                self.assertGreater(inside.mean(), 0.1)
+        score = self.there["optimized"].information
+        self.assertGreater(score["VisibleFraction"], score["BaseVisibleFraction"])
+        self.assertEqual(score["Converged"], 1)
+        self.assertEqual(score["Messages"], "")
+        self.assertIn("Viola 2004", self.there["method_of_later"].information["Messages"])
+        self.assertIn("nothing", self.there["without_importance"].information["Messages"])
+
+    def test_the_server_ends_with_the_client(self):
+        self.check_that_the_server_ends_with_the_client()
+
+
+@unittest.skipUnless(shutil.which("mpiexec"), "there is no mpiexec")
+class TestTwoServerProcesses(ServerTest):
+    processes = 2
+    stories = STORIES_OF_TWO
+
+    def test_pictures_have_no_seams(self):
+        for name in ("ordinary", "ordinary_from_above", "ordinary_from_the_side"):
+            with self.subTest(name):
+                apart = np.abs(self.there[name].picture - self.here[name].picture)
+                mean, p99 = pictures.difference(self.there[name].picture, self.here[name].picture)
+
+                # Two pictures of pieces are rounded to 8 bits and blended, where there was one:
+                # half a step for each, and another half for the blending.
+                self.assertLessEqual(mean, 0.5)
+                self.assertLessEqual(p99, 2)
+                # Rays are sampled at other places from the border of the pieces on, which counts
+                # where they run along it. A seam would be ten times that.
+                self.assertLessEqual(apart.max(), 8)
+
+    def test_optimization_is_left_out_with_one_warning(self):
+        there = self.there["optimized"]
+
+        self.assertIn("2 processes", there.information["Messages"])
+        self.assertEqual(self.output.count("There are 2 processes"), 1)
+
+    def test_there_is_no_score(self):
+        for name, there in self.there.items():
+            with self.subTest(name):
+                self.assertEqual(there.information["VisibilityScore"], 0)
+                self.assertEqual(there.information["VisibleFraction"], 0)
+                self.assertEqual(there.information["Converged"], 1)
+
+    def test_what_is_not_optimized_is_ordinary(self):
+        np.testing.assert_array_equal(
+            self.there["optimized"].picture, self.there["ordinary"].picture)
+
+    def test_the_server_ends_with_the_client(self):
+        self.check_that_the_server_ends_with_the_client()
+
+
+del ServerTest  # it is no test itself
+
+if __name__ == "__main__":
+    runner.run()

@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What is saved or traced of the representation type "Optimized Volume" makes the same pictures in
+# another process: state files of both kinds, traces; several volumes, two views.
+
+import contextlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from paraview import simple, smstate, smtrace
+
+import displays
+import pictures
+import runner
+from server import environment
+
+PLUGIN = os.environ["LIMPID_PLUGIN"]
+simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
+vars(simple).update(OcclusionPhantom=OcclusionPhantom)
+
+SECONDS = 120  # for another process
+CHILD = "--replay"
+SIZE = [160, 160]
+
+# Not the defaults.
+SETTINGS = {"Mode": "Separate", "ViewWeight": 6.0, "LightWeight": 2.0, "RegularizationWeight": 2e-3,
+            "LightSource": "Own", "LightType": "Directional", "LightPosition": [-3.0, -2.0, 4.0],
+            "LightIntensity": 1.2, "ShadowStrength": 0.9, "VolumeAmbient": 0.2,
+            "VolumeSpecular": 3.0, "VolumeSpecularPower": 30.0, "ScatteringAnisotropy": 0.3,
+            "MaximumIterations": 5, "RestrictToView": 0, "SampleDistance": 0.7, "Jitter": 1,
+            "UseImportanceFunction": 1, "ImportanceArray": ["POINTS", "(Color Array)"],
+            "ShowScore": 0, "RayDensity": 1.2, "Tolerance": 2e-3, "EaseTime": 0.1,
+            "AdaptiveQuality": 0, "InteractiveFrameTime": 0.2}
+
+
+def new_view():
+    view = displays.new_view(SIZE)
+    view.UseFXAA = 0
+    return view
+
+
+def views_by_name():
+    """Views in the order of the positions of their cameras, which tells them apart everywhere."""
+    return sorted(simple.GetViews(), key=lambda view: list(view.CameraPosition))
+
+
+def take_all():
+    return [pictures.take(view, SIZE) for view in views_by_name()]
+
+
+def replay(path, folder):
+    """In another process: loads a state or runs a trace, and takes pictures of its views."""
+    if path.endswith(".pvsm"):
+        simple.LoadState(path)
+    else:
+        with open(path, encoding="utf-8") as script:
+            exec(compile(script.read(), path, "exec"), globals())
+    for number, picture in enumerate(take_all()):
+        pictures.write(os.path.join(folder, "{}.png".format(number)), picture)
+
+
+@contextlib.contextmanager
+def traced(proxy):
+    """Traces what is changed of the properties as the panels of the window do."""
+    change = smtrace.PropertiesModified(proxy.SMProxy)
+    yield
+    change.finalize()
+
+
+class TestOptimizedVolumeState(unittest.TestCase):
+    def setUp(self):
+        displays.clear()
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def replayed(self, path):
+        """Pictures of all views after a state or trace in another process."""
+        folder = tempfile.mkdtemp(dir=self.folder.name)
+        child = subprocess.run([shutil.which("pvpython"), os.path.abspath(__file__), CHILD, path,
+                                folder], env=environment(), timeout=SECONDS, stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, check=False)
+        self.assertEqual(child.returncode, 0, child.stdout.decode(errors="replace"))
+        self.assertNotIn(b"ERR|", child.stdout)
+        return [pictures.read(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
+
+    def assert_replays(self, path, expected):
+        again = self.replayed(path)
+        self.assertEqual(len(again), len(expected))
+        for first, second in zip(again, expected):
+            self.assertGreater(second.std(), 10)  # there is something to be seen
+            np.testing.assert_array_equal(first, second)
+
+    def show_much(self):
+        """Two views; in one of them two volumes."""
+        view = new_view()
+        source = OcclusionPhantom(Resolution=32, Scene="Head")
+        display = displays.show(source, view)
+        for name, value in SETTINGS.items():
+            setattr(display, name, value)
+        display.ImportanceFunction.Points = [0, 0, 0.5, 0, 0.7, 0, 0.5, 0, 1, 1, 0.5, 0]
+        other = displays.show(OcclusionPhantom(Resolution=24, Scene="Shells"), view)
+        moved = "Translation" if "Translation" in other.ListProperties() else "Position"
+        setattr(other, moved, [0.5, 2.5, 0.3])
+        other.Shadows = 0
+        second = new_view()
+        displays.look(second, displays.POSITIONS[1])
+        displays.show(source, second).Method = "Ordinary"
+        return display
+
+    def test_state_files_make_the_same_pictures(self):
+        self.show_much()
+        expected = take_all()
+        simple.SaveState(self.path("state.pvsm"))
+        with open(self.path("state.py"), "w", encoding="utf-8") as file:
+            file.write(smstate.get_state())
+        for name in ("state.pvsm", "state.py"):
+            with self.subTest(name):
+                self.assert_replays(self.path(name), expected)
+
+    def test_a_state_file_brings_back_every_property(self):
+        def values():
+            display = simple.GetDisplayProperties(simple.FindSource("before"), views_by_name()[-1])
+            return {name: getattr(display, name) for name in SETTINGS}
+        display = self.show_much()
+        simple.RenameSource("before", display.Input)
+        before = values()
+        simple.SaveState(self.path("state.pvsm"))
+        displays.clear()
+        simple.LoadState(self.path("state.pvsm"))
+
+        self.assertEqual({name: str(value) for name, value in values().items()},
+                         {name: str(value) for name, value in before.items()})
+
+    def test_a_trace_makes_the_same_picture(self):
+        smtrace.start_trace()
+        view = simple.CreateView("RenderView")
+        with traced(view):
+            view.ViewSize = SIZE
+            view.UseFXAA = view.OrientationAxesVisibility = 0
+        display = simple.Show(OcclusionPhantom(Resolution=32), view)
+        display.SetRepresentationType("Optimized Volume")
+        with traced(display):
+            for name, value in SETTINGS.items():
+                setattr(display, name, value)
+            display.ImportanceFunction.Points = [0, 0, 0.5, 0, 0.7, 0, 0.5, 0, 1, 1, 0.5, 0]
+        displays.look(view, displays.POSITIONS[2])
+        trace = smtrace.stop_trace()
+        with open(self.path("trace.py"), "w", encoding="utf-8") as file:
+            file.write(trace)
+
+        for name in [*SETTINGS, "SetRepresentationType('Optimized Volume')"]:
+            self.assertIn("Display." + name, trace)
+        self.assert_replays(self.path("trace.py"), take_all())
+
+
+if __name__ == "__main__":
+    if CHILD in sys.argv:
+        replay(*sys.argv[2:])
+    else:
+        runner.run()

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What ParaView is told about the representation type "Optimized Volume" has to be what its mapper
+# does: defaults and enumerations.
+
+import pathlib
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+# What the extension module depends on.
+import vtkmodules.vtkRenderingVolume  # noqa: F401
+from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
+
+XML = (pathlib.Path(__file__).resolve().parents[2] / "Representations" /
+       "LimpidRepresentations.xml")
+# Of the representation itself; and the array, whose choice is ParaView's.
+NOT_OF_THE_MAPPER = {"ShowScore", "ImportanceArray"}
+
+
+def properties():
+    """Those that are set, but for functions and buttons."""
+    proxy = ElementTree.parse(XML).getroot().find(".//OptimizedVolumeRepresentationProxy")
+    return [element for element in proxy if element.tag.endswith("VectorProperty") and
+            not element.get("information_only") and element.get("name") not in NOT_OF_THE_MAPPER]
+
+
+class TestRepresentationDefaults(unittest.TestCase):
+    def test_defaults_are_those_of_the_mapper(self):
+        mapper = Mapper()
+        self.assertGreater(len(properties()), 30)
+        for element in properties():
+            with self.subTest(property=element.get("name")):
+                value = getattr(mapper, "Get" + element.get("name"))()
+                expected = value if isinstance(value, tuple) else (value,)
+                defaults = tuple(float(text) for text in element.get("default_values").split())
+                self.assertEqual(defaults, tuple(float(number) for number in expected))
+                self.assertEqual(int(element.get("number_of_elements")), len(expected))
+
+    def test_enumerations_are_those_of_the_mapper(self):
+        for element in properties():
+            for entry in element.findall("EnumerationDomain/Entry"):
+                with self.subTest(property=element.get("name"), entry=entry.get("text")):
+                    constant = entry.get("text").upper().replace(" ", "_")
+                    self.assertEqual(int(entry.get("value")), getattr(Mapper, constant))
+
+
+if __name__ == "__main__":
+    unittest.main()
