@@ -6,14 +6,16 @@
 #   bash Documentation/Examples/gui_screenshots.sh PLUGIN-DIRECTORY OUTDIR [FILE.scene.json]
 # PLUGIN-DIRECTORY is build/lib: it holds Limpid/Limpid.so and LimpidGui/LimpidGui.so. Without a
 # scene the volume is the embedded phantom of a head. OUTDIR gets
-#   before.png, after.png, turned.png                          the view
-#   window-before.png, window-after.png, window-moving.png, window-turned.png   the whole window
+#   before.png, after.png, turned.png     the view
+#   window-before.png, window-after.png, window-turning.png, window-turned.png   the whole window
+#   panel-1.png, panel-2.png              the properties of the volume, two pages
+#   report.txt                            scores and times
 # Needs xdotool, ImageMagick and, without a screen, xvfb.
 
 set -euo pipefail
 
 if (($# < 2)); then
-  sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '5,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 for program in paraview xdotool import; do
@@ -35,13 +37,13 @@ XDG_CONFIG_HOME="$(mktemp -d)"
 export XDG_CONFIG_HOME
 trap 'rm -rf "$XDG_CONFIG_HOME"' EXIT
 export PV_PLUGIN_PATH="$plugins/Limpid:$plugins/LimpidGui"
-export PYTHONPATH="$root/Testing/Gui:$root/Documentation/Examples${PYTHONPATH:+:$PYTHONPATH}"
+export PYTHONPATH="$root/Testing/Gui:$root/Testing/Python:$root/Documentation/Examples${PYTHONPATH:+:$PYTHONPATH}"
 
 cd "$LIMPID_OUTPUT"
 with_display=()
 if [[ -z "${DISPLAY:-}" ]]; then
   with_display=(bash "$root/Testing/with-display.sh")
 fi
-"${with_display[@]}" paraview --dr \
+"${with_display[@]}" paraview --dr -geometry 1600x1000+0+0 \
   --script="$root/Documentation/Examples/gui_screenshots.py" > paraview.log 2>&1 || true
 cat report.txt

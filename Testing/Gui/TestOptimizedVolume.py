@@ -1,26 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The representation type "Optimized Volume" as a person meets it in ParaView's window: chosen,
-# turned by the mouse, refined while nothing else happens, undone, redone, saved, loaded, and traced
-# for TestOptimizedVolume.replay.py. TestOptimizedVolume.xml has the events between the stages.
+# The representation type "Optimized Volume" as a person meets it in ParaView's window: the plugins
+# are loaded, a volume is opened, what is important is chosen, the volume is turned by the mouse,
+# refined while nothing else happens, changed, undone, redone, saved, loaded, and traced for
+# TestOptimizedVolume.replay.py. TestOptimizedVolume.xml has the events between the stages.
 
 import pictures
 import story
 from paraview import simple, smtrace
 from story import expect
 
-SIZE = [600, 400]
 PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
 
 
 def the_end_is_reached(frames, display, what):
-    expect(frames.settle(PATIENCE), f"{what}: rendering ends")
+    frames.clear()
+    expect(frames.settle(PATIENCE), f"{what}: rendering ends ({frames.still} still renders)")
     display.UpdatePropertyInformation()
     expect(display.Converged == 1, f"{what}: nothing is left to do")
-    frames.clear()
-    story.live(3.0)
-    expect(frames.all() == 0, f"{what}: {frames.all()} renders in 3 s after that")
 
 
 def compare(first, second, same, what):
@@ -38,32 +36,50 @@ def tell():
     frames = story.Frames(view)
 
     expect(display.Representation == "Optimized Volume", "the type can be chosen")
-    expect(display.ImportanceArray[1] == "Importance", "the importance can be chosen")
+    expect(display.ImportanceArray[1] == "ct", "the importance can be chosen")
     the_end_is_reached(frames, display, "shown")
+    frames.clear()
+    story.live(3.0)
+    expect(frames.all() == 0, f"shown: {frames.all()} renders in 3 s after that")
     expect(display.VisibleFraction > display.BaseVisibleFraction,
            f"of what is important {100 * display.VisibleFraction:.1f} % shows, "
            f"{100 * display.BaseVisibleFraction:.1f} % before")
-    shown = pictures.take(view)
-    story.screenshot("shown-window.png")
+    expect(display.Messages == "", f"no messages are left: {display.Messages!r}")
+    optimized = story.shown(view)
+    compare(optimized, story.take(view, "optimized.png"), True,
+            "what the steps arrive at and what a screenshot makes")
+    story.screenshot("window-optimized.png")
+    yield
+
+    the_end_is_reached(frames, display, "original")
+    compare(optimized, story.shown(view), False, "original")
+    story.screenshot("window-original.png")
+    yield
+
+    the_end_is_reached(frames, display, "optimized again")
+    compare(optimized, story.shown(view), True, "optimized again")
+    frames.clear()
     yield
 
     expect(frames.interactive > 0, f"turning it renders quickly, {frames.interactive} times")
-    the_end_is_reached(frames, display, "turned")
-    turned = pictures.take(view)
-    compare(shown, turned, False, "turned")
-    story.screenshot("turned-window.png")
-    compare(story.shown(view), turned, True, "what the steps arrive at and what a screenshot makes")
-
-    interactor = view.GetInteractor()
-    interactor.InvokeEvent("StartInteractionEvent")
-    view.CameraPosition = [1.1 * x for x in view.CameraPosition]
-    simple.Render(view)
+    frames.clear()
+    seconds = story.turn(view, 30)
+    count = frames.interactive
+    expect(count >= 20, f"the mouse turned it on: {count} frames, {count / seconds:.1f} per second")
+    story.say(f"view {view.ViewSize[0]} x {view.ViewSize[1]}, {frames.describe()}")
+    display.UpdatePropertyInformation()
+    story.say(f"of what is important {100 * display.VisibleFraction:.1f} % shows while turning, "
+              f"{100 * display.BaseVisibleFraction:.1f} % before")
+    story.screenshot("window-turning.png")
     frames.clear()
     story.live(1.0)
     expect(frames.all() == 0, "no step is made while the mouse button is down")
-    interactor.InvokeEvent("EndInteractionEvent")
-    the_end_is_reached(frames, display, "after the button is up")
+    story.let_go(view)
+    the_end_is_reached(frames, display, "turned")
     turned = story.shown(view)
+    compare(optimized, turned, False, "turned")
+    compare(turned, story.take(view, "turned.png"), True, "turned: steps and screenshot")
+    story.screenshot("window-turned.png")
     yield
 
     # From here to the end of "redone" nothing that ParaView could undo may be done by Python.
@@ -81,21 +97,17 @@ def tell():
     expect(display.Shadows == 0, "the change can be redone")
     the_end_is_reached(frames, display, "redone")
     compare(changed, story.shown(view), True, "redone")
-    taken = pictures.take(view, SIZE)
-    pictures.write("traced.png", taken)
+    changed = story.take(view, "changed.png")
     with open("trace.py", "w", encoding="utf-8") as file:
         file.write(smtrace.stop_trace())
     yield
 
+    simple.LoadState("state.pvsm")
     views = [each for each in simple.GetRenderViews() if each.Representations]
     expect(len(views) == 1, "the state has one view that is not empty")
-    loaded = views[-1]
-    frames = story.Frames(loaded)
-    expect(frames.settle(PATIENCE), "loaded: rendering ends")
-    compare(taken, pictures.take(loaded, SIZE), True, "loaded")
+    compare(changed, story.take(views[-1], "loaded.png"), True, "loaded")
     with open("state.pvsm", encoding="utf-8") as file:
         expect("Progressive" not in file.read(), "the state has nothing of the refinement")
-    yield
 
 
 smtrace.start_trace()

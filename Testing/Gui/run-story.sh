@@ -3,26 +3,46 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Plays a story (story.py) in ParaView's window, then, if it has one, its NAME.replay.py in pvpython.
-#   bash run-story.sh NAME FOLDER
-# FOLDER is emptied, and holds afterwards what the story leaves. Needs PV_PLUGIN_PATH and a display.
+#   bash run-story.sh NAME FOLDER VOLUME PLUGIN...
+# FOLDER is emptied, and holds afterwards what the story leaves. The story finds there the plugins
+# and, as volume.vti with the point array "ct", the file VOLUME: a phantom where there is no such
+# file. Needs a display.
 
 set -euo pipefail
 
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 name="$1"
 folder="$2"
+volume="$3"
+plugins=("${@:4}")
 rm -rf "$folder"
-mkdir -p "$folder"
+mkdir -p "$folder/replay"
 cd "$folder"
 
 # The settings of whoever runs the test must not matter, nor be changed.
 export XDG_CONFIG_HOME="$folder/settings" PV_MACRO_PATH="$here/Macros"
+# As under ctest: ParaView takes its questions ("Delete All?") for answered, else it waits for ever.
+export DASHBOARD_TEST_FROM_CTEST=1
 export PYTHONPATH="$here:$here/../Python${PYTHONPATH:+:$PYTHONPATH}"
 
-paraview --dr --test-directory="$folder" --script="$here/$name.py" \
-  --test-script="$here/$name.xml" --exit || echo "ParaView ended with $?."
+for plugin in "${plugins[@]}"; do
+  ln -s "$plugin" .
+done
+if [[ -f "$volume" ]]; then
+  ln -s "$volume" volume.vti
+else
+  echo "$volume is not there: the story is told of a phantom. Set LIMPID_TEST_DATA."
+  pvpython "$here/write_phantom.py" "${plugins[0]}" volume.vti
+fi
+
+# A window with a view of about 1000 x 700 pixels. Not for ever: an event that fails can leave a
+# dialog open.
+timeout --kill-after=5 240 paraview --dr -geometry 1305x933+0+0 --test-directory="$folder" \
+  --script="$here/$name.py" --test-script="$here/$name.xml" --exit ||
+  echo "ParaView ended with $?."
 cat report.txt
 [[ "$(tail -1 report.txt)" == "The story ended well." ]]
 if [[ -f "$here/$name.replay.py" ]]; then
+  cd replay
   pvpython "$here/$name.replay.py"
 fi

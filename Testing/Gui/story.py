@@ -11,22 +11,26 @@ if nothing was wrong.
 
 import ctypes
 import shutil
+import statistics
 import subprocess
 import time
 import traceback
 
+import pictures
+from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from paraview.vtk.vtkRenderingCore import vtkWindowToImageFilter
 
 ENDED = "The story ended well."
 
 _report = open("report.txt", "w", encoding="utf-8")
+_begin = time.monotonic()
 _story = None
 _failures = 0
 
 
 def say(text):
-    print(text, file=_report, flush=True)
+    print(f"{time.monotonic() - _begin:5.1f} s  {text}", file=_report, flush=True)
 
 
 def expect(condition, text):
@@ -60,6 +64,12 @@ def screenshot(path):
         subprocess.run(["import", "-window", "root", path], check=False)
 
 
+def take(view, path, resolution=None):
+    """A screenshot of a view as pictures.take has it, which stays in the story's folder."""
+    simple.SaveScreenshot(path, view, ImageResolution=resolution or view.ViewSize)
+    return pictures.read(path)
+
+
 def shown(view):
     """What a view shows now, as pictures.take has it: nothing is rendered or changed for it."""
     grabber = vtkWindowToImageFilter()
@@ -72,30 +82,61 @@ def shown(view):
     return pixels.reshape(height, width, -1)[:, :, :3].astype(float)
 
 
+def turn(view, moves):
+    """Presses the left button in the middle of a view and moves the mouse to the right, so many
+    times; returns the seconds that it took. `let_go` ends it."""
+    interactor = view.GetInteractor()
+    width, height = view.ViewSize
+    interactor.SetEventInformation(width // 2, height // 2, 0, 0)
+    interactor.InvokeEvent("LeftButtonPressEvent")
+    start = time.monotonic()
+    for i in range(moves):
+        interactor.SetEventInformation(width // 2 + 5 * (i + 1), height // 2 + i, 0, 0)
+        interactor.InvokeEvent("MouseMoveEvent")
+        live(0)
+    return time.monotonic() - start
+
+
+def let_go(view):
+    view.GetInteractor().InvokeEvent("LeftButtonReleaseEvent")
+
+
 class Frames:
     """The renders of a view since the last call of `clear`."""
 
     def __init__(self, view):
         self._window = view.GetRenderWindow()
         self.clear()
-        view.SMProxy.AddObserver("EndEvent", self._count)
+        view.SMProxy.AddObserver("StartEvent", self._begin)
+        view.SMProxy.AddObserver("EndEvent", self._end)
 
-    def _count(self, *_):
+    def _begin(self, *_):
+        self._started = time.monotonic()
+
+    def _end(self, *_):
         # How ParaView tells its views which of the two it is.
         if self._window.GetDesiredUpdateRate() >= 1:
             self.interactive += 1
+            self._seconds.append(time.monotonic() - self._started)
         else:
             self.still += 1
 
     def clear(self):
         self.interactive = 0
         self.still = 0
+        self._seconds = []
 
     def all(self):
         return self.interactive + self.still
 
-    def settle(self, seconds, quiet=1.0):
-        """Lives on until nothing was rendered for `quiet` seconds. Whether that came to pass."""
+    def describe(self):
+        milliseconds = [1000 * second for second in self._seconds]
+        return (f"frames while moving: median {statistics.median(milliseconds):.0f} ms, "
+                f"first {milliseconds[0]:.0f} ms, longest {max(milliseconds):.0f} ms")
+
+    def settle(self, seconds, quiet=0.8):
+        """Lives on until nothing was rendered for `quiet` seconds, which is longer than ParaView
+        waits with a still render after an interaction. Whether that came to pass."""
         end = time.monotonic() + seconds
         count = -1
         while count != self.all() and time.monotonic() < end:
@@ -115,7 +156,7 @@ def proceed():
         next(_story)
     except StopIteration:
         if _failures == 0:
-            say(ENDED)
+            print(ENDED, file=_report, flush=True)
     except Exception:
         _failures += 1
         say(traceback.format_exc())
