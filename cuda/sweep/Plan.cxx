@@ -282,7 +282,7 @@ const Occupancy::Spans& SpansOf(
 }
 
 std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, const Eye& eye,
-  double rayDensity, Placement placement)
+  double rayDensity, Placement placement, const std::array<bool, 3>& depthAxes)
 {
   std::vector<Pyramid> pyramids;
   if (!grid.HasVolume())
@@ -293,6 +293,10 @@ std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, con
   {
     for (const double sign : { 1.0, -1.0 })
     {
+      if (!depthAxes[std::size_t(axis)])
+      {
+        continue;
+      }
       if (eye.parallel)
       {
         const Vec3 size = glm::abs(eye.direction);

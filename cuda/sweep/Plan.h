@@ -111,9 +111,11 @@ struct Pyramid
 const Occupancy::Spans& SpansOf(
   const Pyramid& pyramid, const Occupancy& occupancy, int slice, int v);
 
-/// The pyramids that cover a grid as seen from an eye; none if the grid has no volume.
+/// The pyramids that cover a grid as seen from an eye; none if the grid has no volume. `depthAxes`:
+/// which grid axes may be the depth axis of one; the others are left out.
 std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, const Eye& eye,
-  double rayDensity, Placement placement = Placement::ForIntegrals);
+  double rayDensity, Placement placement = Placement::ForIntegrals,
+  const std::array<bool, 3>& depthAxes = { { true, true, true } });
 }
 
 #endif

@@ -230,30 +230,23 @@ private:
   SliceWindow Extinction;
   SliceWindow Importance;
 };
+}
 
-/// Sums the rays of a pyramid, row by row, in a fixed order.
-Visible SumRays(const Pyramid& pyramid, const RayImages& images)
+double SumOfRays(const Pyramid& pyramid, const RayImages& images, const float* values)
 {
-  Visible sum;
+  double sum = 0;
   for (int row = 0; row < pyramid.rows; ++row)
   {
-    double visible = 0;
-    double plain = 0;
+    double part = 0;
     for (int column = 0; column < pyramid.columns; ++column)
     {
       const std::size_t ray = std::size_t(row) * pyramid.columns + column;
-      const double weight =
-        pyramid.columnAxis.share[std::size_t(column)] / double(images.length[ray]);
-      visible += weight * images.behind[ray];
-      plain += weight * images.plain[ray];
+      part +=
+        pyramid.columnAxis.share[std::size_t(column)] / double(images.length[ray]) * values[ray];
     }
-    sum.visible += visible * pyramid.rowAxis.share[std::size_t(row)];
-    sum.plain += plain * pyramid.rowAxis.share[std::size_t(row)];
+    sum += part * pyramid.rowAxis.share[std::size_t(row)];
   }
-  sum.visible *= pyramid.cellMeasure;
-  sum.plain *= pyramid.cellMeasure;
-  return sum;
-}
+  return sum * pyramid.cellMeasure;
 }
 
 Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
@@ -266,6 +259,7 @@ Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* exti
     visitor.Load(slab);
     ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.Row(slab, int(row)); });
   }
-  return SumRays(pyramid, images);
+  return { SumOfRays(pyramid, images, images.behind.data()),
+    SumOfRays(pyramid, images, images.plain.data()) };
 }
 }

@@ -35,6 +35,10 @@ struct Visible
   double plain = 0;   ///< its upper bound [length^2]
 };
 
+/// Sum of one value per ray, for an integral over the domain of what these are integrals of along
+/// their rays times scale^2; in a fixed order.
+double SumOfRays(const Pyramid& pyramid, const RayImages& images, const float* values);
+
 /// The layer between stations `front` and `front + 1`.
 Layer LayerOf(const Pyramid& pyramid, int front);
 

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "viewpoint/Search.h"
+
+#include "backend/Backend.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+namespace limpid
+{
+ViewAngles AnglesOf(const Vec3& direction)
+{
+  const double flat = std::hypot(direction.x, direction.z);
+  ViewAngles angles;
+  angles.azimuth = flat > 1e-12 ? std::atan2(direction.x, direction.z) : 0;
+  angles.polar = std::atan2(-direction.y, flat);
+  return angles;
+}
+
+Mat3 RotationOf(const ViewAngles& angles)
+{
+  const double c1 = std::cos(angles.azimuth);
+  const double s1 = std::sin(angles.azimuth);
+  const double c2 = std::cos(angles.polar);
+  const double s2 = std::sin(angles.polar);
+  return Mat3(Vec3(c1, 0, -s1), Vec3(s1 * s2, c2, c1 * s2), Vec3(s1 * c2, -s2, c1 * c2));
+}
+
+Camera Orbit::At(const Vec3& direction) const
+{
+  Camera camera;
+  camera.position = this->centre + this->distance * direction;
+  camera.focalPoint = this->centre;
+  camera.viewUp = RotationOf(AnglesOf(direction))[1];
+  camera.viewAngle = this->viewAngle;
+  camera.parallel = this->parallel;
+  camera.parallelScale = this->parallelScale;
+  camera.aspect = this->aspect;
+  return camera;
+}
+
+std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
+  const std::vector<Vec3>& directions, const SearchProgress& progress)
+{
+  std::vector<ScoredView> views(directions.size());
+  std::atomic<bool> stopped{ false };
+  std::mutex mutex;
+  std::size_t done = 0;
+  ParallelFor(static_cast<Index>(directions.size()),
+    [&](Index index)
+    {
+      ScoredView& view = views[std::size_t(index)];
+      view.direction = directions[std::size_t(index)];
+      if (stopped)
+      {
+        return;
+      }
+      view.score = score.At(orbit.At(view.direction));
+      view.valid = true;
+      const std::lock_guard<std::mutex> lock(mutex);
+      ++done;
+      if (progress && !progress(double(done) / double(directions.size())))
+      {
+        stopped = true;
+      }
+    });
+  return views;
+}
+
+namespace
+{
+double AngleBetween(const Vec3& a, const Vec3& b)
+{
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+bool IsBetter(const ScoredView& a, const ScoredView& b)
+{
+  return a.score.visible > b.score.visible;
+}
+
+/// The best views of which no two are closer to each other than `separation`.
+std::vector<ScoredView> Distinct(std::vector<ScoredView> views, double separation, int count)
+{
+  std::stable_sort(views.begin(), views.end(), IsBetter);
+  std::vector<ScoredView> kept;
+  for (const ScoredView& view : views)
+  {
+    const bool isNew = std::all_of(kept.begin(), kept.end(),
+      [&](const ScoredView& other)
+      { return AngleBetween(view.direction, other.direction) >= separation; });
+    if (view.valid && isNew && static_cast<int>(kept.size()) < count)
+    {
+      kept.push_back(view);
+    }
+  }
+  return kept;
+}
+
+/// One ascent on the sphere of directions.
+class Climb
+{
+public:
+  Climb(const ViewScore& score, const Orbit& orbit, const SearchSettings& settings)
+    : Score(score)
+    , From(orbit)
+    , Options(settings)
+  {
+  }
+
+  Index Evaluations() const { return this->Count; }
+
+  /// The way up from a sample. Every step is one to a higher score.
+  std::vector<ScoredView> Run(const ScoredView& sample)
+  {
+    std::vector<ScoredView> path{ sample };
+    double step = this->Options.firstStep;
+    for (int i = 0; i < this->Options.largestNumberOfSteps && step > 0; ++i)
+    {
+      const ScoredView here = path.back();
+      ++this->Count;
+      const ViewSlope slope = this->Score.SlopeAt(this->From.At(here.direction));
+      const Vec3 ascent = slope.slope * this->From.distance; // per radian
+      const double steepness = glm::length(ascent);
+      if (!(steepness > 0))
+      {
+        break;
+      }
+      step = this->Step(here, ascent / steepness, steepness, step, path);
+    }
+    return path;
+  }
+
+private:
+  /// Goes up along a great circle. Returns how long the next step is to be; 0: this is the top.
+  double Step(const ScoredView& here, const Vec3& along, double steepness, double length,
+    std::vector<ScoredView>& path)
+  {
+    while (length >= this->Options.precision)
+    {
+      ScoredView next;
+      next.direction = glm::normalize(std::cos(length) * here.direction + std::sin(length) * along);
+      ++this->Count;
+      next.score = this->Score.At(this->From.At(next.direction));
+      next.valid = true;
+      const double gain = next.score.visible - here.score.visible;
+      // The parabola with the slope at the start and the value at the end has its top there.
+      const double excess = steepness * length - gain;
+      const double top = excess > 0 ? 0.5 * steepness * length * length / excess : 2 * length;
+      if (gain > 0.1 * steepness * length)
+      {
+        path.push_back(next);
+        return std::min(std::max(top, 0.5 * length), 2 * length);
+      }
+      length = std::min(std::max(top, 0.2 * length), 0.6 * length);
+    }
+    return 0;
+  }
+
+  const ViewScore& Score;
+  const Orbit& From;
+  const SearchSettings& Options;
+  Index Count = 0;
+};
+}
+
+SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
+  const std::vector<ScoredView>& samples, const SearchSettings& settings,
+  const SearchProgress& progress)
+{
+  SearchResult result;
+  std::vector<ScoredView> candidates = samples;
+  const std::vector<ScoredView> starts =
+    Distinct(samples, settings.separation, settings.viewpoints);
+  result.evaluations = std::count_if(
+    samples.begin(), samples.end(), [](const ScoredView& view) { return view.valid; });
+  for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
+  {
+    if (progress && !progress(double(i) / double(starts.size())))
+    {
+      break;
+    }
+    Climb climb(score, orbit, settings);
+    result.paths.push_back(climb.Run(starts[i]));
+    result.evaluations += climb.Evaluations();
+    candidates.push_back(result.paths.back().back());
+  }
+  result.viewpoints = Distinct(candidates, settings.separation, settings.viewpoints);
+  return result;
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_viewpoint_ViewFields_h
+#define limpid_viewpoint_ViewFields_h
+
+#include "scene/Eye.h"
+#include "scene/Grid.h"
+#include "sweep/Plan.h"
+
+#include <memory>
+#include <vector>
+
+namespace limpid
+{
+/// Extinction and importance on a grid, and what is not empty of them.
+struct SweptFields
+{
+  Grid grid;
+  std::vector<float> extinction;
+  std::vector<float> importance;
+  std::unique_ptr<const Occupancy> occupancy; ///< null: there is nothing to be seen
+};
+
+/**
+ * Fields that are to be swept from many sides: cut to the box of what is not empty, and a second
+ * time with the first and the last axis exchanged, so that no sweep reads across rows of memory.
+ */
+class ViewFields
+{
+public:
+  /// Both fields: grid.NodeCount() values; they are copied.
+  ViewFields(const Grid& grid, const float* extinction, const float* importance);
+
+  /// A family of rays and the fields that it runs through.
+  struct Part
+  {
+    const SweptFields* fields;
+    Pyramid pyramid;
+    Eye eye; ///< in the index space of the fields
+  };
+
+  /// All rays of a camera, in view or not.
+  std::vector<Part> PartsOf(const Camera& camera, double rayDensity) const;
+
+private:
+  SweptFields Straight;
+  SweptFields Exchanged;
+};
+}
+
+#endif

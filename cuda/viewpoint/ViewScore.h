@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_viewpoint_ViewScore_h
+#define limpid_viewpoint_ViewScore_h
+
+#include "sweep/Sweep.h"
+#include "viewpoint/ViewFields.h"
+
+namespace limpid
+{
+/// The score of a camera and how it changes when the camera moves.
+struct ViewSlope
+{
+  Visible score;
+  Vec3 slope{ 0.0 }; ///< dS / d position, across the way to the focal point [length]
+};
+
+/**
+ * Scores of cameras that look at the same fields, by one sweep front to back each (Eq. 32). All of
+ * the volume counts, in view or not.
+ *
+ * The fields, grid.NodeCount() values each, are copied: extinction >= 0 [1/length], importance
+ * [0, 1]. `rayDensity`: rays per voxel and axis.
+ */
+class ViewScore
+{
+public:
+  ViewScore(const Grid& grid, const float* extinction, const float* importance, double rayDensity);
+
+  /// S of Eq. 32 and its bound. May be called by several threads.
+  Visible At(const Camera& camera) const;
+
+  /// The same and its derivative by the camera's position, from one sweep
+  /// (Documentation/Method.md, section on viewpoints).
+  ViewSlope SlopeAt(const Camera& camera) const;
+
+private:
+  ViewFields Fields;
+  double RayDensity;
+};
+}
+
+#endif
