@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "viewpoint/Concurrent.h"
+
+#include "backend/Backend.h"
+#include "optimize/PreparedScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limpid
+{
+namespace
+{
+/// The most cameras that an extinction is optimised for after the first.
+constexpr int mostMoves = 6;
+
+/// A move along the slope of the score [radians]: the first, and the smallest that is tried.
+constexpr double firstMove = 0.25;
+constexpr double smallestMove = 0.02;
+
+class ConcurrentOptimizer
+{
+public:
+  ConcurrentOptimizer(const SceneFields& scene, const Camera& camera, const Light& light,
+    const Settings& settings, const Progress& progress)
+    : Fields(scene)
+    , Scene(std::make_shared<PreparedScene>(scene))
+    , First(camera)
+    , Lamp(light)
+    , Options(settings)
+    , Report(progress)
+  {
+    this->Sphere.centre = camera.focalPoint;
+    this->Sphere.distance = glm::length(camera.position - camera.focalPoint);
+    this->Sphere.parallel = camera.parallel;
+    this->Sphere.parallelScale = camera.parallelScale;
+    this->Best.camera = camera;
+  }
+
+  ConcurrentResult Run(Guide guide)
+  {
+    std::unique_ptr<Solver> solver = this->SolveFor(this->First, 0);
+    this->Best.startScore = solver->BestScore();
+    this->Best.path = { this->First.position };
+    const bool stopped = solver->Stopped();
+    this->Best.solver = std::move(solver);
+    if (!stopped && this->Sphere.distance > 0)
+    {
+      guide == Guide::Proxy ? this->FollowProxy() : this->FollowExtinction();
+    }
+    return std::move(this->Best);
+  }
+
+private:
+  Vec3 Direction() const
+  {
+    return glm::normalize(this->Best.camera.position - this->Sphere.centre);
+  }
+
+  /// The first camera turned to another side of its focal point, upright as it was.
+  Camera CameraAt(const Vec3& direction) const
+  {
+    Camera camera = this->First;
+    camera.position = this->Sphere.centre + this->Sphere.distance * direction;
+    if (glm::length(glm::cross(camera.viewUp, direction)) < 1e-6 * glm::length(camera.viewUp))
+    {
+      camera.viewUp = this->Sphere.At(direction).viewUp;
+    }
+    camera.corners.clear();
+    return camera;
+  }
+
+  std::unique_ptr<Solver> SolveFor(const Camera& camera, int move)
+  {
+    auto solver = std::make_unique<Solver>(this->Scene, camera, this->Lamp, this->Options);
+    solver->Run(
+      [&](double share, const std::string& text)
+      {
+        const double done = (move + share) / (mostMoves + 1);
+        return !this->Report || this->Report(done, text);
+      });
+    return solver;
+  }
+
+  enum class Outcome
+  {
+    Taken,
+    Rejected,
+    Stopped
+  };
+
+  Outcome Try(const Vec3& direction, int move)
+  {
+    const Camera camera = this->CameraAt(direction);
+    std::unique_ptr<Solver> solver = this->SolveFor(camera, move);
+    if (solver->Stopped())
+    {
+      return Outcome::Stopped;
+    }
+    if (solver->BestScore().visibility <= this->Best.solver->BestScore().visibility)
+    {
+      return Outcome::Rejected;
+    }
+    this->Best.solver = std::move(solver);
+    this->Best.camera = camera;
+    this->Best.path.push_back(camera.position);
+    return Outcome::Taken;
+  }
+
+  /// Climbs to where most of what is important would be seen if nothing else were there; if the
+  /// extinction that is optimised there is worse, not quite so far.
+  void FollowProxy()
+  {
+    const auto count = static_cast<std::size_t>(this->Fields.grid.NodeCount());
+    const float majorant = static_cast<float>(this->Best.solver->Majorant());
+    std::vector<float> proxy(count);
+    for (std::size_t node = 0; node < count; ++node)
+    {
+      proxy[node] = majorant * this->Fields.importance[node];
+    }
+    const ViewScore score(
+      this->Fields.grid, proxy.data(), this->Fields.importance, this->Options.rayDensity);
+    ScoredView start;
+    start.direction = this->Direction();
+    start.score = score.At(this->CameraAt(start.direction));
+    start.valid = true;
+    SearchSettings search;
+    search.firstStep = firstMove;
+    search.viewpoints = 1;
+    const SearchResult climb = FindViewpoints(score, this->Sphere, { start }, search,
+      [&](double share) { return !this->Report || this->Report(share / (mostMoves + 1), ""); });
+    const std::vector<ScoredView>& path =
+      climb.paths.empty() ? std::vector<ScoredView>{} : climb.paths.front();
+    int move = 1;
+    std::size_t goal = path.size();
+    Outcome outcome = Outcome::Rejected;
+    while (outcome == Outcome::Rejected && goal > 1 && move <= mostMoves)
+    {
+      outcome = this->Try(path[goal - 1].direction, move++);
+      goal = (goal + 1) / 2;
+    }
+  }
+
+  /// Goes where the optimised extinction, as it is, would let more be seen.
+  void FollowExtinction()
+  {
+    double length = firstMove;
+    Vec3 slope = this->SlopeOfBest();
+    for (int move = 1; move <= mostMoves && length >= smallestMove; ++move)
+    {
+      const double steepness = glm::length(slope);
+      if (!(steepness > 0))
+      {
+        return;
+      }
+      const Vec3 next = std::cos(length) * this->Direction() + std::sin(length) * slope / steepness;
+      const Outcome outcome = this->Try(glm::normalize(next), move);
+      if (outcome == Outcome::Stopped)
+      {
+        return;
+      }
+      const bool taken = outcome == Outcome::Taken;
+      length *= taken ? 1.5 : 0.4;
+      slope = taken ? this->SlopeOfBest() : slope;
+    }
+  }
+
+  Vec3 SlopeOfBest() const
+  {
+    const ViewScore score(this->Fields.grid, this->Best.solver->Extinction().data(),
+      this->Fields.importance, this->Options.rayDensity);
+    return score.SlopeAt(this->Best.camera).slope;
+  }
+
+  const SceneFields& Fields;
+  std::shared_ptr<PreparedScene> Scene;
+  const Camera& First;
+  const Light& Lamp;
+  const Settings& Options;
+  const Progress& Report;
+  Orbit Sphere;
+  ConcurrentResult Best;
+};
+}
+
+ConcurrentResult OptimizeConcurrently(const SceneFields& scene, const Camera& camera,
+  const Light& light, const Settings& settings, Guide guide, const Progress& progress)
+{
+  return ConcurrentOptimizer(scene, camera, light, settings, progress).Run(guide);
+}
+}
