@@ -4,6 +4,7 @@
 #include "OptimizedImage.h"
 
 #include "AllCores.h"
+#include "FieldValues.h"
 #include "SceneConversion.h"
 
 #include "vtkDoubleArray.h"
@@ -64,24 +65,6 @@ void AddOpacity(const float* extinction, double unitDistance, vtkImageData* outp
       }
     });
   output->GetPointData()->AddArray(field);
-}
-
-template <class ArrayType, class Value>
-void AddValue(const char* name, const Value& value, vtkFieldData* output)
-{
-  vtkNew<ArrayType> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->AddArray(array);
-}
-
-void AddVector(const char* name, const Vec3& vector, vtkFieldData* output)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->InsertNextTuple3(vector.x, vector.y, vector.z);
-  output->AddArray(array);
 }
 
 // A column of a table with one row per iteration.

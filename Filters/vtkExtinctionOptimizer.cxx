@@ -5,24 +5,18 @@
 
 #include "vtkExtinctionOptimizerInternals.h"
 
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <exception>
 
 vtkStandardNewMacro(vtkExtinctionOptimizer);
-vtkCxxSetObjectMacro(vtkExtinctionOptimizer, ImportanceFunction, vtkPiecewiseFunction);
-vtkCxxSetObjectMacro(vtkExtinctionOptimizer, ScalarOpacityFunction, vtkPiecewiseFunction);
 
 namespace
 {
@@ -47,36 +41,13 @@ vtkExtinctionOptimizer::vtkExtinctionOptimizer()
   : State(new Internals(this))
 {
   this->SetNumberOfOutputPorts(2);
-  this->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  this->SetInputArrayToProcess(
-    1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "Importance");
-  this->SetInputArrayToProcess(
-    2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "BaseExtinction");
 }
 
-vtkExtinctionOptimizer::~vtkExtinctionOptimizer()
-{
-  this->SetImportanceFunction(nullptr);
-  this->SetScalarOpacityFunction(nullptr);
-}
+vtkExtinctionOptimizer::~vtkExtinctionOptimizer() = default;
 
 vtkTable* vtkExtinctionOptimizer::GetConvergence()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-vtkMTimeType vtkExtinctionOptimizer::GetMTime()
-{
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkPiecewiseFunction* function : { this->ImportanceFunction, this->ScalarOpacityFunction })
-  {
-    if (function)
-    {
-      time = std::max(time, function->GetMTime());
-    }
-  }
-  return time;
 }
 
 int vtkExtinctionOptimizer::FillOutputPortInformation(int port, vtkInformation* info)
@@ -87,22 +58,6 @@ int vtkExtinctionOptimizer::FillOutputPortInformation(int port, vtkInformation* 
     return 1;
   }
   return this->Superclass::FillOutputPortInformation(port, info);
-}
-
-int vtkExtinctionOptimizer::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  // Any point may hide any other: the whole image, in one piece, whatever was asked for.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-  return 1;
 }
 
 int vtkExtinctionOptimizer::RequestData(
@@ -133,13 +88,6 @@ void vtkExtinctionOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   { os << indent << name << ": " << vector[0] << " " << vector[1] << " " << vector[2] << "\n"; };
 
   this->Superclass::PrintSelf(os, indent);
-  print("ScalarComponent", this->ScalarComponent);
-  print("ImportanceComponent", this->ImportanceComponent);
-  print("UseImportanceFunction", this->UseImportanceFunction);
-  print("ImportanceFunction", static_cast<void*>(this->ImportanceFunction));
-  print("ExtinctionSource", this->ExtinctionSource);
-  print("ScalarOpacityFunction", static_cast<void*>(this->ScalarOpacityFunction));
-  print("ScalarOpacityUnitDistance", this->ScalarOpacityUnitDistance);
   print("AutomaticPlacement", this->AutomaticPlacement);
   printVector("CameraPosition", this->CameraPosition);
   printVector("CameraFocalPoint", this->CameraFocalPoint);
@@ -150,9 +98,6 @@ void vtkExtinctionOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   print("CameraAspectRatio", this->CameraAspectRatio);
   print("LightType", this->LightType);
   printVector("LightPosition", this->LightPosition);
-  print("RegularizationWeight", this->RegularizationWeight);
-  print("ViewWeight", this->ViewWeight);
-  print("LightWeight", this->LightWeight);
   print("Mode", this->Mode);
   print("Solver", this->Solver);
   print("MaximumIterations", this->MaximumIterations);
@@ -161,10 +106,8 @@ void vtkExtinctionOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   print("Tolerance", this->Tolerance);
   print("MaximumSeconds", this->MaximumSeconds);
   print("Derivative", this->Derivative);
-  print("RayDensity", this->RayDensity);
   print("SkipUnneeded", this->SkipUnneeded);
   print("RestrictToView", this->RestrictToView);
   print("OptimizeViewpoint", this->OptimizeViewpoint);
   print("WarmStart", this->WarmStart);
-  print("Backend", this->Backend);
 }

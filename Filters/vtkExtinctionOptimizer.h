@@ -8,14 +8,8 @@
  * Minimises the energy of Eq. (21) in [HG24] over the extinction at every point of an image, seen
  * from one camera and lit by one light.
  *
- * Input port 0: vtkImageData with arrays of its points or its cells (cell arrays are averaged to
- * the points first), of any numeric type, chosen with SetInputArrayToProcess:
- *   index 0: scalar field; default: the active scalars;
- *   index 1: importance, dimensionless; default: "Importance";
- *   index 2: base extinction [1/length], only with ExtinctionSource ARRAY; default:
- *            "BaseExtinction".
- * Points with a NaN or an infinite value and hidden (blanked) points are empty: they have neither
- * extinction nor importance.
+ * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; array 2, the base extinction, only with
+ * ExtinctionSource ARRAY. The array "Opacity" is made for ScalarOpacityUnitDistance.
  *
  * Output port 0: vtkImageData, a shallow copy of the input with float point arrays
  *   "Extinction"         optimised extinction for the camera, joint mode: and light [1/length],
@@ -35,37 +29,27 @@
  * After an error the outputs are empty; after an abort output 0 is the input as it came.
  * An image without volume (a slice, a row, a point) keeps its base extinction, with a warning.
  *
- * With several processes each one optimises the whole image and keeps its own piece. Where a
- * source cannot give the whole image to each process, there is an error.
+ * With several processes each one optimises the whole image and keeps its own piece.
  *
- * The unit of length is that of the input's spacing.
- *
- * @sa vtkOcclusionPhantom
+ * @sa vtkVisibilityAlgorithm vtkViewpointSearch vtkOcclusionPhantom
  */
 
 #ifndef vtkExtinctionOptimizer_h
 #define vtkExtinctionOptimizer_h
 
-#include "vtkImageAlgorithm.h"
 #include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkVisibilityAlgorithm.h"
 
 #include <memory> // for the hidden core
 
-class vtkPiecewiseFunction;
 class vtkTable;
 
-class VTKLIMPIDFILTERS_EXPORT vtkExtinctionOptimizer : public vtkImageAlgorithm
+class VTKLIMPIDFILTERS_EXPORT vtkExtinctionOptimizer : public vtkVisibilityAlgorithm
 {
 public:
   static vtkExtinctionOptimizer* New();
-  vtkTypeMacro(vtkExtinctionOptimizer, vtkImageAlgorithm);
+  vtkTypeMacro(vtkExtinctionOptimizer, vtkVisibilityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum ExtinctionSources
-  {
-    OPACITY_FUNCTION = 0,
-    ARRAY = 1
-  };
 
   enum LightTypes
   {
@@ -91,83 +75,10 @@ public:
     RAY = 1
   };
 
-  enum Backends
-  {
-    AUTO = 0,
-    CPU = 1,
-    CUDA = 2
-  };
-
   /**
    * The array on the Convergence output: iteration, level, energies, score and seconds.
    */
   vtkTable* GetConvergence();
-
-  ///@{
-  /**
-   * Component of the scalar array that is the scalar field; -1: the length of the tuple, which
-   * for a single component is its value. Default is -1.
-   */
-  vtkSetMacro(ScalarComponent, int);
-  vtkGetMacro(ScalarComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * Component of the importance array; -1: the length of the tuple, which for a single component
-   * is its value. Default is -1.
-   */
-  vtkSetMacro(ImportanceComponent, int);
-  vtkGetMacro(ImportanceComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether ImportanceFunction maps the importance array to importance. Off: the array's values
-   * are importance, moved into [0, 1]. Default is off.
-   */
-  vtkSetMacro(UseImportanceFunction, vtkTypeBool);
-  vtkGetMacro(UseImportanceFunction, vtkTypeBool);
-  vtkBooleanMacro(UseImportanceFunction, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Maps values of the importance array to importance; its values are moved into [0, 1].
-   * Default is none.
-   */
-  virtual void SetImportanceFunction(vtkPiecewiseFunction*);
-  vtkGetObjectMacro(ImportanceFunction, vtkPiecewiseFunction);
-  ///@}
-
-  ///@{
-  /**
-   * Where the base extinction comes from: OPACITY_FUNCTION of the scalar field, or ARRAY 2.
-   * Default is OPACITY_FUNCTION.
-   */
-  vtkSetMacro(ExtinctionSource, int);
-  vtkGetMacro(ExtinctionSource, int);
-  ///@}
-
-  ///@{
-  /**
-   * Opacity of the scalar field on one unit distance, as in vtkVolumeProperty. The base extinction
-   * is -ln(1 - opacity) / unit distance, the opacity not above 1 - 1e-6. None or one without
-   * points: a straight line from 0 to 1 over the range of the scalar field. Default is none.
-   */
-  virtual void SetScalarOpacityFunction(vtkPiecewiseFunction*);
-  vtkGetObjectMacro(ScalarOpacityFunction, vtkPiecewiseFunction);
-  ///@}
-
-  ///@{
-  /**
-   * Distance on which the opacity function holds, and for which the array "Opacity" is made
-   * [length]. Zero: diagonal of the image over the cube root of the number of its cells, as
-   * ParaView's volume representation has it. Default is 0.
-   */
-  vtkSetMacro(ScalarOpacityUnitDistance, double);
-  vtkGetMacro(ScalarOpacityUnitDistance, double);
-  ///@}
 
   ///@{
   /**
@@ -249,33 +160,6 @@ public:
 
   ///@{
   /**
-   * Weight p of the regularisation term, Eq. (22), in normalised coordinates. Not below zero.
-   * Default is 1e-3.
-   */
-  vtkSetMacro(RegularizationWeight, double);
-  vtkGetMacro(RegularizationWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight q of the view term, Eq. (23). Not below zero; zero leaves the view as it is.
-   * Default is 10.
-   */
-  vtkSetMacro(ViewWeight, double);
-  vtkGetMacro(ViewWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight r of the light term, Eq. (24). Not below zero; zero leaves the light as it is.
-   * Default is 1.
-   */
-  vtkSetMacro(LightWeight, double);
-  vtkGetMacro(LightWeight, double);
-  ///@}
-
-  ///@{
-  /**
    * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one for each,
    * Section 4.2. Default is JOINT.
    */
@@ -344,14 +228,6 @@ public:
 
   ///@{
   /**
-   * Rays per voxel and axis on the slice farthest from the eye. Default is 1.
-   */
-  vtkSetMacro(RayDensity, double);
-  vtkGetMacro(RayDensity, double);
-  ///@}
-
-  ///@{
-  /**
    * Whether what provably cannot change the result is left out. Default is on.
    */
   vtkSetMacro(SkipUnneeded, vtkTypeBool);
@@ -389,38 +265,17 @@ public:
   vtkBooleanMacro(WarmStart, vtkTypeBool);
   ///@}
 
-  ///@{
-  /**
-   * AUTO: the fastest that works here, named in the field data "Backend". CPU, CUDA: this or an
-   * error. Default is AUTO.
-   */
-  vtkSetMacro(Backend, int);
-  vtkGetMacro(Backend, int);
-  ///@}
-
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkExtinctionOptimizer();
   ~vtkExtinctionOptimizer() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
   vtkExtinctionOptimizer(const vtkExtinctionOptimizer&) = delete;
   void operator=(const vtkExtinctionOptimizer&) = delete;
-
-  int ScalarComponent = -1;
-  int ImportanceComponent = -1;
-  vtkTypeBool UseImportanceFunction = 0;
-  vtkPiecewiseFunction* ImportanceFunction = nullptr;
-  int ExtinctionSource = OPACITY_FUNCTION;
-  vtkPiecewiseFunction* ScalarOpacityFunction = nullptr;
-  double ScalarOpacityUnitDistance = 0;
 
   vtkTypeBool AutomaticPlacement = 1;
   double CameraPosition[3] = { 0, 0, 1 };
@@ -433,9 +288,6 @@ private:
   int LightType = POINT;
   double LightPosition[3] = { 0, 0, 1 };
 
-  double RegularizationWeight = 1e-3;
-  double ViewWeight = 10;
-  double LightWeight = 1;
   int Mode = JOINT;
   int Solver = POLICY;
   int MaximumIterations = 8;
@@ -444,12 +296,10 @@ private:
   double Tolerance = 1e-3;
   double MaximumSeconds = 0;
   int Derivative = VOLUME;
-  double RayDensity = 1;
   vtkTypeBool SkipUnneeded = 1;
   vtkTypeBool RestrictToView = 0;
   vtkTypeBool OptimizeViewpoint = 0;
   vtkTypeBool WarmStart = 0;
-  int Backend = AUTO;
 
   struct Internals; // speaks to the core, so that no core type shows here
   std::unique_ptr<Internals> State;

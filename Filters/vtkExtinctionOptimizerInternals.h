@@ -7,36 +7,23 @@
 #define vtkExtinctionOptimizerInternals_h
 
 #include "vtkExtinctionOptimizer.h"
+#include "vtkVisibilityAlgorithmScene.h"
 
 #include "vtkFloatArray.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 
-namespace limpid
-{
-struct Camera;
-struct FieldSource;
-struct Grid;
-struct Light;
-struct Settings;
-class Solver;
-}
-
 struct vtkExtinctionOptimizer::Internals
 {
   explicit Internals(vtkExtinctionOptimizer* self)
     : Self(self)
+    , Reader(self)
   {
   }
 
   void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence);
   void RequireAvailableChoices() const;
-  static void RequireWholeImage(vtkImageData* input, vtkInformation* info);
-  vtkDataArray* FindArray(
-    int index, const char* role, const char* fallback, vtkImageData* input, bool& onCells) const;
-  limpid::FieldSource ImportanceSource(vtkImageData* input) const;
-  limpid::FieldSource ExtinctionOf(vtkImageData* input, double unitDistance) const;
   limpid::Camera MakeCamera(const limpid::Grid& grid) const;
   limpid::Light MakeLight(const limpid::Camera& camera) const;
   limpid::Settings MakeSettings() const;
@@ -45,6 +32,7 @@ struct vtkExtinctionOptimizer::Internals
   void KeepResult(vtkImageData* output);
 
   vtkExtinctionOptimizer* Self;
+  SceneReader Reader;
   vtkSmartPointer<vtkFloatArray> LastExtinction; // for a warm start: shared with the last output
   std::array<int, 3> LastNodes{ { 0, 0, 0 } };
 };

@@ -9,7 +9,8 @@ limpid_predeclare_missing_python_targets(VTK)
 
 find_package(VTK 9.1 REQUIRED
   COMPONENTS
-    CommonExecutionModel FiltersCore ImagingCore ParallelCore RenderingOpenGL2 RenderingVolume
+    CommonExecutionModel FiltersCore FiltersModeling FiltersSources ImagingCore ParallelCore
+    RenderingOpenGL2 RenderingVolume
   OPTIONAL_COMPONENTS
     WrappingPythonCore)
 message(STATUS "Limpid: modules for VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")

@@ -56,8 +56,8 @@ glm::dmat4 Inverse(const glm::dmat4& matrix, const char* whose)
   if (!finite)
   {
     Refuse("The matrix of the ", whose, " has the determinant ", glm::determinant(matrix),
-      " (it makes a volume flat, so no ray passes through it). Check scale, orientation, position "
-      "and clipping range.");
+      " (without a way back from the picture no ray can be found). Check scale, orientation, "
+      "position and clipping range.");
   }
   return inverse;
 }

@@ -27,8 +27,8 @@
  * Optimization states belong to renderer and volume: two views of the same volume do not disturb
  * each other. A still frame (the render window's DesiredUpdateRate is below 1) has full resolution,
  * the optimization is run to its end, and it does not depend on what was shown before. A moving
- * frame takes about InteractiveFrameTime: with one pass of the optimization on a grid and a picture
- * on pixels that are as fine as the time allows, and changes ease in.
+ * frame takes about InteractiveFrameTime: with one pass of the optimization on a grid, shadows on a
+ * grid, and a picture on pixels that are as fine as the time allows, and changes ease in.
  *
  * Opaque geometry hides and is hidden correctly. Translucent geometry is drawn by VTK before any
  * volume, so it is right behind the volume only, and volumes that overlap cannot be drawn right;

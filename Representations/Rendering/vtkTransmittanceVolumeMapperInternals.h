@@ -21,6 +21,7 @@
 class vtkHardwareSelector;
 class vtkImageData;
 class vtkProp;
+class vtkVolumeProperty;
 
 struct vtkTransmittanceVolumeMapper::Internals
 {
@@ -53,6 +54,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   void Warn(const std::string& text);
   void Error(const std::string& text);
   void ReportIgnored(vtkVolume* volume);
+  void ReportNumbers(vtkVolumeProperty* property);
   void ReportNeighbours(vtkRenderer* renderer, vtkVolume* volume);
   bool ReportVolume(vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later);
 

@@ -7,6 +7,7 @@
 
 #include "vtkActor.h"
 #include "vtkCollection.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkCuller.h"
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
@@ -16,6 +17,9 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -100,10 +104,42 @@ void vtkTransmittanceVolumeMapper::Internals::ReportIgnored(vtkVolume* volume)
       "The volume property has a gradient opacity function (the extinction would depend on "
       "more than the scalar): it is not used. Disable the gradient opacity.");
   }
+  if (property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
+  {
+    this->Warn("The interpolation type of the volume property is nearest (light has no gradient in "
+               "steps to be reflected by): scalars are interpolated linearly. Call "
+               "SetInterpolationTypeToLinear.");
+  }
+  this->ReportNumbers(property);
   if (property->GetScalarOpacity(0)->GetSize() == 0)
   {
     this->Warn("The scalar opacity function has no points (nothing can be seen). Add points.");
   }
+}
+
+// Values of functions that are no numbers would spread over the whole function.
+void vtkTransmittanceVolumeMapper::Internals::ReportNumbers(vtkVolumeProperty* property)
+{
+  const auto report = [this](const char* name, auto* function, int values)
+  {
+    double node[6];
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      function->GetNodeValue(i, node);
+      if (!std::all_of(node, node + values, [](double value) { return std::isfinite(value); }))
+      {
+        this->Warn(std::string("The scalar ") + name +
+          " function has a value that is nan or "
+          "infinite at its point " +
+          std::to_string(i) +
+          " (what it makes of others cannot be told): it counts as 0. Set finite values.");
+        return;
+      }
+    }
+  };
+  report("opacity", property->GetScalarOpacity(0), 4);
+  property->GetColorChannels(0) == 1 ? report("colour", property->GetGrayTransferFunction(0), 4)
+                                     : report("colour", property->GetRGBTransferFunction(0), 6);
 }
 
 // `later`: whether the renderer comes to the other volume after this one. Returns whether the other

@@ -14,11 +14,23 @@ PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty
 
 
 def proxies():
-    return ElementTree.parse(XML).getroot().iter("SourceProxy")
+    """All that can be made; what they have in common comes with each of them."""
+    groups = ElementTree.parse(XML).getroot().iter("ProxyGroup")
+    return [proxy for group in groups if group.get("name") in ("sources", "filters")
+            for proxy in group.iter("SourceProxy")]
+
+
+def elements(proxy):
+    """Those of the proxy that it is based on, if any, and its own."""
+    based = [] if proxy.get("base_proxyname") is None else elements(
+        ElementTree.parse(XML).getroot().find(
+            f"ProxyGroup[@name='{proxy.get('base_proxygroup')}']"
+            f"/SourceProxy[@name='{proxy.get('base_proxyname')}']"))
+    return based + list(proxy)
 
 
 def properties(proxy):
-    return [element for element in proxy if element.tag in PROPERTIES]
+    return [element for element in elements(proxy) if element.tag in PROPERTIES]
 
 
 class TestPropertyDefaults(unittest.TestCase):
@@ -38,10 +50,11 @@ class TestPropertyDefaults(unittest.TestCase):
                     self.assertEqual(defaults, tuple(float(number) for number in expected))
                     self.assertEqual(int(element.get("number_of_elements")), len(expected))
                     compared += 1
-        self.assertGreater(compared, 25)
+        self.assertGreater(compared, 45)
 
     def test_enumerations_are_those_of_the_class(self):
         optimizer = filters.vtkExtinctionOptimizer
+        search = filters.vtkViewpointSearch
         expected = {
             "ExtinctionSource": {"Opacity Function": optimizer.OPACITY_FUNCTION,
                                  "Array": optimizer.ARRAY},
@@ -51,6 +64,12 @@ class TestPropertyDefaults(unittest.TestCase):
             "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},
             "Backend": {"Auto": optimizer.AUTO, "CPU": optimizer.CPU, "CUDA": optimizer.CUDA},
             "Scene": {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3},
+            "Field": {"Importance Proxy": search.IMPORTANCE_PROXY,
+                      "Base Extinction": search.BASE_EXTINCTION,
+                      "Extinction Array": search.EXTINCTION_ARRAY,
+                      "Optimize Per View": search.OPTIMIZE_PER_VIEW},
+            "Sampling": {"Icosphere": search.ICOSPHERE, "Fibonacci": search.FIBONACCI,
+                         "Latitude-Longitude": search.LATITUDE_LONGITUDE},
         }
         found = {}
         for proxy in proxies():
@@ -64,11 +83,16 @@ class TestPropertyDefaults(unittest.TestCase):
     def test_everything_is_documented(self):
         for proxy in proxies():
             self.assertTrue(proxy.find("Documentation").get("short_help"))
-            for element in proxy:
+            for element in elements(proxy):
                 if element.tag in PROPERTIES + ("InputProperty",):
                     with self.subTest(property=element.get("name")):
                         text = " ".join((element.findtext("Documentation") or "").split())
                         self.assertTrue(text.endswith("."), "no documentation, or no sentence")
+
+    def test_no_property_is_there_twice(self):
+        for proxy in proxies():
+            names = [element.get("name") for element in properties(proxy)]
+            self.assertEqual(len(set(names)), len(names))
 
     def test_every_property_is_in_one_group(self):
         for proxy in proxies():

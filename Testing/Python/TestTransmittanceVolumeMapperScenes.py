@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The mapper's pictures of the test scenes: without optimization and light against VTK's own volume
-# mappers, and how bright shadows leave them. TestEveryScene takes two minutes:
-#   python3 TestTransmittanceVolumeMapperScenes.py [TestAgainstVtk] [TestBrightness] [TestEveryScene]
+# mappers, and how bright shadows leave them. TestEveryScene takes two minutes; ctest has it among
+# the long tests (bash Testing/run.sh --long).
 
 import unittest
 

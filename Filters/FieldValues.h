@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Single values as field data.
+
+#ifndef limpid_FieldValues_h
+#define limpid_FieldValues_h
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+
+#include "math/Vec.h"
+
+namespace limpid
+{
+/// Adds an array with one tuple.
+template <class ArrayType, class Value>
+void AddValue(const char* name, const Value& value, vtkFieldData* output)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->AddArray(array);
+}
+
+/// Adds an array with one tuple of three components.
+inline void AddVector(const char* name, const Vec3& vector, vtkFieldData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->InsertNextTuple3(vector.x, vector.y, vector.z);
+  output->AddArray(array);
+}
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Views of which each one has an extinction of its own, optimised for it.
+
+#ifndef limpid_OptimizedViews_h
+#define limpid_OptimizedViews_h
+
+#include "optimize/PreparedScene.h"
+#include "viewpoint/Search.h"
+
+#include <memory>
+#include <vector>
+
+namespace limpid
+{
+class OptimizedViews
+{
+public:
+  /// The light stands above and behind each camera.
+  OptimizedViews(
+    std::shared_ptr<PreparedScene> scene, const Orbit& orbit, const Settings& settings);
+
+  /// Scores of the directions, one solver run each. What is not done when `progress` says stop
+  /// stays invalid.
+  std::vector<ScoredView> ScoreAll(
+    const std::vector<Vec3>& directions, const SearchProgress& progress) const;
+
+  /// Climbs from the best samples, alternating steps of the camera and of the extinction, and ranks
+  /// what is reached.
+  SearchResult Find(const std::vector<ScoredView>& samples, const SearchSettings& settings,
+    const SearchProgress& progress) const;
+
+private:
+  ScoredView At(const Vec3& direction, std::vector<float>* extinction) const;
+  Index Climb(
+    const ScoredView& sample, const SearchSettings& settings, std::vector<ScoredView>& path) const;
+
+  std::shared_ptr<PreparedScene> Scene;
+  Orbit From;
+  Settings Options;
+};
+}
+
+#endif

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ViewpointData.h"
+
+#include "FieldValues.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace limpid
+{
+namespace
+{
+double FractionOf(const Visible& score)
+{
+  return score.plain > 0 ? score.visible / score.plain : 0;
+}
+
+bool IsWorse(const ScoredView& a, const ScoredView& b)
+{
+  return a.score.visible < b.score.visible;
+}
+
+// The views that were evaluated.
+std::vector<ScoredView> ValidOf(const std::vector<ScoredView>& views)
+{
+  std::vector<ScoredView> valid;
+  std::copy_if(views.begin(), views.end(), std::back_inserter(valid),
+    [](const ScoredView& view) { return view.valid; });
+  return valid;
+}
+
+template <class Value>
+void AddNumbers(
+  const char* name, const std::vector<ScoredView>& views, const Value& value, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const ScoredView& view : views)
+  {
+    array->InsertNextValue(value(view));
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+template <class Value>
+void AddVectors(
+  const char* name, const std::vector<ScoredView>& views, const Value& value, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  for (const ScoredView& view : views)
+  {
+    const Vec3 vector = value(view);
+    array->InsertNextTuple3(vector.x, vector.y, vector.z);
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+void AddScores(const std::vector<ScoredView>& views, vtkPolyData* output)
+{
+  AddNumbers(
+    "VisibilityScore", views, [](const ScoredView& view) { return view.score.visible; }, output);
+  AddNumbers(
+    "VisibleFraction", views, [](const ScoredView& view) { return FractionOf(view.score); },
+    output);
+  output->GetPointData()->SetActiveScalars("VisibilityScore");
+}
+
+double AzimuthOf(const ScoredView& view)
+{
+  return vtkMath::DegreesFromRadians(AnglesOf(view.direction).azimuth);
+}
+
+double PolarOf(const ScoredView& view)
+{
+  return vtkMath::DegreesFromRadians(AnglesOf(view.direction).polar);
+}
+
+// The angles of Eq. 10, where the camera stands and what is up in its picture.
+void AddCameras(const Orbit& orbit, const std::vector<ScoredView>& views, vtkPolyData* output)
+{
+  AddNumbers("Azimuth", views, AzimuthOf, output);
+  AddNumbers("Polar", views, PolarOf, output);
+  AddVectors(
+    "ViewDirection", views, [](const ScoredView& view) { return view.direction; }, output);
+  AddVectors(
+    "CameraPosition", views,
+    [&orbit](const ScoredView& view) { return orbit.At(view.direction).position; }, output);
+  AddVectors(
+    "CameraFocalPoint", views,
+    [&orbit](const ScoredView& view) { return orbit.At(view.direction).focalPoint; }, output);
+  AddVectors(
+    "CameraViewUp", views,
+    [&orbit](const ScoredView& view) { return orbit.At(view.direction).viewUp; }, output);
+}
+
+// 1 for the best of the views that were evaluated, and so on; 0 for the others.
+void AddRanks(const std::vector<ScoredView>& views, vtkPolyData* output)
+{
+  std::vector<std::size_t> order(views.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&views](std::size_t a, std::size_t b)
+    { return views[a].valid != views[b].valid ? views[a].valid : IsWorse(views[b], views[a]); });
+  vtkNew<vtkIntArray> ranks;
+  ranks->SetName("Rank");
+  ranks->SetNumberOfTuples(static_cast<vtkIdType>(views.size()));
+  vtkNew<vtkIntArray> valid;
+  valid->SetName("Valid");
+  valid->SetNumberOfTuples(static_cast<vtkIdType>(views.size()));
+  for (std::size_t place = 0; place < order.size(); ++place)
+  {
+    const bool isValid = views[order[place]].valid;
+    const auto id = static_cast<vtkIdType>(order[place]);
+    ranks->SetValue(id, isValid ? static_cast<int>(place) + 1 : 0);
+    valid->SetValue(id, isValid ? 1 : 0);
+  }
+  output->GetPointData()->AddArray(ranks);
+  output->GetPointData()->AddArray(valid);
+}
+
+// From 0 for the worst to 1 for the best; where all are the same, 1 if anything can be seen.
+void AddNormalizedScores(const std::vector<ScoredView>& views, vtkPolyData* output)
+{
+  const std::vector<ScoredView> valid = ValidOf(views);
+  const auto range = std::minmax_element(valid.begin(), valid.end(), IsWorse);
+  const double least = valid.empty() ? 0 : range.first->score.visible;
+  const double span = valid.empty() ? 0 : range.second->score.visible - least;
+  AddNumbers(
+    "NormalizedScore", views,
+    [least, span](const ScoredView& view)
+    {
+      const double same = view.score.visible > 0 ? 1 : 0;
+      const double normalized = span > 0 ? (view.score.visible - least) / span : same;
+      return view.valid ? normalized : 0;
+    },
+    output);
+}
+
+void AddView(
+  const std::string& prefix, const ScoredView& view, const Orbit& orbit, vtkFieldData* output)
+{
+  const Camera camera = orbit.At(view.direction);
+  AddValue<vtkDoubleArray>((prefix + "VisibilityScore").c_str(), view.score.visible, output);
+  AddValue<vtkDoubleArray>((prefix + "VisibleFraction").c_str(), FractionOf(view.score), output);
+  AddVector((prefix + "CameraPosition").c_str(), camera.position, output);
+  AddVector((prefix + "CameraViewUp").c_str(), camera.viewUp, output);
+  AddValue<vtkDoubleArray>((prefix + "Azimuth").c_str(), AzimuthOf(view), output);
+  AddValue<vtkDoubleArray>((prefix + "Polar").c_str(), PolarOf(view), output);
+}
+}
+
+void FillSphere(const FoundViews& found, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3& direction : found.sphere.directions)
+  {
+    const Vec3 point = found.orbit.centre + found.sphereRadius * direction;
+    points->InsertNextPoint(&point.x);
+  }
+  output->SetPoints(points);
+  output->SetPolys(found.sphere.triangles);
+  AddScores(found.samples, output);
+  AddNormalizedScores(found.samples, output);
+  AddCameras(found.orbit, found.samples, output);
+  AddRanks(found.samples, output);
+  output->GetPointData()->SetActiveNormals("ViewDirection");
+}
+
+void FillViewpoints(const FoundViews& found, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  for (const ScoredView& view : found.search.viewpoints)
+  {
+    const Vec3 position = found.orbit.At(view.direction).position;
+    const vtkIdType id = points->InsertNextPoint(&position.x);
+    vertices->InsertNextCell(1, &id);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  AddScores(found.search.viewpoints, output);
+  AddCameras(found.orbit, found.search.viewpoints, output);
+  AddRanks(found.search.viewpoints, output);
+}
+
+void FillPaths(const FoundViews& found, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  std::vector<ScoredView> views;
+  for (const std::vector<ScoredView>& path : found.search.paths)
+  {
+    if (path.size() < 2)
+    {
+      continue; // nothing better nearby: no way to go
+    }
+    lines->InsertNextCell(static_cast<int>(path.size()));
+    for (const ScoredView& view : path)
+    {
+      const Vec3 position = found.orbit.At(view.direction).position;
+      lines->InsertCellPoint(points->InsertNextPoint(&position.x));
+      views.push_back(view);
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  AddScores(views, output);
+  AddCameras(found.orbit, views, output);
+}
+
+void AddSearchSummary(const FoundViews& found, vtkFieldData* output)
+{
+  const std::vector<ScoredView> valid = ValidOf(found.samples);
+  if (!found.search.viewpoints.empty() && !valid.empty())
+  {
+    AddView("Best", found.search.viewpoints.front(), found.orbit, output);
+    AddView("Worst", *std::min_element(valid.begin(), valid.end(), IsWorse), found.orbit, output);
+  }
+  AddVector("CameraFocalPoint", found.orbit.centre, output);
+  AddValue<vtkDoubleArray>("CameraViewAngle", found.orbit.viewAngle, output);
+  AddValue<vtkIntArray>("CameraParallelProjection", found.orbit.parallel ? 1 : 0, output);
+  AddValue<vtkDoubleArray>("CameraParallelScale", found.orbit.parallelScale, output);
+  AddValue<vtkIntArray>("Evaluations", static_cast<int>(found.search.evaluations), output);
+  AddValue<vtkDoubleArray>("Seconds", found.seconds, output);
+  AddValue<vtkDoubleArray>("ScalarOpacityUnitDistance", found.unitDistance, output);
+  AddValue<vtkStringArray>("Backend", found.backend, output);
+}
+}

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkViewpointSearch.h"
+
+#include "vtkViewpointSearchInternals.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <exception>
+
+vtkStandardNewMacro(vtkViewpointSearch);
+
+namespace
+{
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// Whether another process, or another request, has the first piece of the output, which is all.
+bool IsLaterPiece(vtkInformation* request, vtkInformationVector* outputVector)
+{
+  const int port =
+    request->Has(Pipeline::FROM_OUTPUT_PORT()) ? request->Get(Pipeline::FROM_OUTPUT_PORT()) : 0;
+  vtkInformation* info = outputVector->GetInformationObject(std::max(port, 0));
+  return info->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+}
+
+vtkViewpointSearch::vtkViewpointSearch()
+  : State(new Internals(this))
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkViewpointSearch::~vtkViewpointSearch() = default;
+
+vtkPolyData* vtkViewpointSearch::GetOutput()
+{
+  return this->GetOutput(0);
+}
+
+vtkPolyData* vtkViewpointSearch::GetOutput(int port)
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(port));
+}
+
+vtkPolyData* vtkViewpointSearch::GetViewpoints()
+{
+  return this->GetOutput(1);
+}
+
+vtkPolyData* vtkViewpointSearch::GetPaths()
+{
+  return this->GetOutput(2);
+}
+
+int vtkViewpointSearch::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+int vtkViewpointSearch::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+int vtkViewpointSearch::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* outputs[3];
+  for (int port = 0; port < 3; ++port)
+  {
+    outputs[port] = vtkPolyData::GetData(outputVector, port);
+  }
+  try
+  {
+    const bool isLaterPiece = IsLaterPiece(request, outputVector);
+    this->State->Search(inputVector, isLaterPiece, outputs);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    for (vtkPolyData* output : outputs)
+    {
+      output->Initialize(); // never half a sphere
+    }
+    return 0;
+  }
+}
+
+void vtkViewpointSearch::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto print = [&os, indent](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
+
+  this->Superclass::PrintSelf(os, indent);
+  print("Field", this->Field);
+  print("Sampling", this->Sampling);
+  print("NumberOfDirections", this->NumberOfDirections);
+  print("CameraDistance", this->CameraDistance);
+  print("CameraViewAngle", this->CameraViewAngle);
+  print("CameraParallelProjection", this->CameraParallelProjection);
+  print("NumberOfViewpoints", this->NumberOfViewpoints);
+  print("SeparationAngle", this->SeparationAngle);
+  print("Refine", this->Refine);
+  print("SphereRadius", this->SphereRadius);
+  print("MaximumIterations", this->MaximumIterations);
+}

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkViewpointSearch
+ * @brief   find from where important regions of an image can be seen best
+ *
+ * Scores views from all around an image by S of Eq. (32) in [HG24], climbs from the best of them
+ * along its derivative (Eqs. 29-31), and ranks what is reached. The cameras stand on a sphere round
+ * the centre of the image and look at it, upright by Eq. (10). All of the image counts, whatever
+ * part of it a picture would show; light plays no part.
+ *
+ * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; array 2, an extinction, with
+ * ExtinctionSource ARRAY or Field EXTINCTION_ARRAY.
+ *
+ * Output port 0: vtkPolyData, the S-sphere: a closed triangulated sphere round the image, one point
+ * per direction, with the point arrays
+ *   "VisibilityScore" S [length^2], "VisibleFraction" [0, 1],
+ *   "NormalizedScore" 0 worst, 1 best of the directions (all the same: 1, or 0 if S is 0),
+ *   "Azimuth", "Polar" the angles of Eq. (10) [degrees],
+ *   "ViewDirection"   unit vector from the centre to the camera, R (0, 0, 1) of Eq. (10),
+ *   "CameraPosition", "CameraFocalPoint", "CameraViewUp",
+ *   "Rank"            1 is the best direction,
+ *   "Valid"           1: it was scored; 0: there was an abort before; its scores and rank are 0.
+ * Output port 1: vtkPolyData, Viewpoints: one vertex per ranked viewpoint, at the position of its
+ * camera, best first, with the same point arrays but NormalizedScore.
+ * Output port 2: vtkPolyData, Paths: one polyline per ascent, from the sample to the better view,
+ * through the positions of its cameras, with the same point arrays but NormalizedScore, Rank and
+ * Valid.
+ *
+ * Every output has field data with one tuple each: "BestVisibilityScore", "BestVisibleFraction",
+ * "BestCameraPosition", "BestCameraViewUp", "BestAzimuth", "BestPolar" of the first viewpoint; the
+ * same with "Worst" of the worst direction (neither if nothing was scored before an abort);
+ * "CameraFocalPoint", "CameraViewAngle", "CameraParallelProjection" and "CameraParallelScale" of
+ * all views; "Evaluations" (scores and derivatives), "Seconds", "ScalarOpacityUnitDistance",
+ * "Backend".
+ *
+ * After an error the outputs are empty. With several processes the first one has the result.
+ *
+ * @sa vtkVisibilityAlgorithm vtkExtinctionOptimizer
+ */
+
+#ifndef vtkViewpointSearch_h
+#define vtkViewpointSearch_h
+
+#include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkVisibilityAlgorithm.h"
+
+#include <memory> // for the hidden core
+
+class vtkPolyData;
+
+class VTKLIMPIDFILTERS_EXPORT vtkViewpointSearch : public vtkVisibilityAlgorithm
+{
+public:
+  static vtkViewpointSearch* New();
+  vtkTypeMacro(vtkViewpointSearch, vtkVisibilityAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Fields
+  {
+    IMPORTANCE_PROXY = 0,
+    BASE_EXTINCTION = 1,
+    EXTINCTION_ARRAY = 2,
+    OPTIMIZE_PER_VIEW = 3
+  };
+
+  enum Samplings
+  {
+    ICOSPHERE = 0,
+    FIBONACCI = 1,
+    LATITUDE_LONGITUDE = 2
+  };
+
+  ///@{
+  /**
+   * The outputs: S-sphere, ranked viewpoints, ascents.
+   */
+  vtkPolyData* GetOutput();
+  vtkPolyData* GetOutput(int port);
+  vtkPolyData* GetViewpoints();
+  vtkPolyData* GetPaths();
+  ///@}
+
+  ///@{
+  /**
+   * The extinction that is looked at. IMPORTANCE_PROXY: the largest base extinction times
+   * importance, as if nothing else were there (Section 3.4 of [HG24]). BASE_EXTINCTION: what
+   * ExtinctionSource gives. EXTINCTION_ARRAY: array 2, for instance the result of
+   * vtkExtinctionOptimizer. OPTIMIZE_PER_VIEW: an extinction of its own for every view, optimised
+   * with the weights and a light above and behind the camera; takes long.
+   * Default is IMPORTANCE_PROXY.
+   */
+  vtkSetMacro(Field, int);
+  vtkGetMacro(Field, int);
+  ///@}
+
+  ///@{
+  /**
+   * How directions are spread over the sphere. Default is ICOSPHERE.
+   */
+  vtkSetMacro(Sampling, int);
+  vtkGetMacro(Sampling, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of directions, 1 to 100000; the nearest that the sampling can have, which for an
+   * icosphere is 12, 42, 162, 642, 2562 and so on. Default is 642.
+   */
+  vtkSetMacro(NumberOfDirections, int);
+  vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the cameras from the centre of the image, in radii of the sphere round its box; not
+   * below 1. Default is 3.
+   */
+  vtkSetMacro(CameraDistance, double);
+  vtkGetMacro(CameraDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Vertical opening of the cameras, for whoever looks through them [degrees]. It has no influence
+   * on scores. Default is 30.
+   */
+  vtkSetMacro(CameraViewAngle, double);
+  vtkGetMacro(CameraViewAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the cameras look along parallel rays. Default is off.
+   */
+  vtkSetMacro(CameraParallelProjection, vtkTypeBool);
+  vtkGetMacro(CameraParallelProjection, vtkTypeBool);
+  vtkBooleanMacro(CameraParallelProjection, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Most viewpoints that are ranked, and ascents that are made. Default is 4.
+   */
+  vtkSetMacro(NumberOfViewpoints, int);
+  vtkGetMacro(NumberOfViewpoints, int);
+  ///@}
+
+  ///@{
+  /**
+   * Least angle between two ranked viewpoints [degrees]. Default is 30.
+   */
+  vtkSetMacro(SeparationAngle, double);
+  vtkGetMacro(SeparationAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to climb from the best directions to better ones between them. Default is on.
+   */
+  vtkSetMacro(Refine, vtkTypeBool);
+  vtkGetMacro(Refine, vtkTypeBool);
+  vtkBooleanMacro(Refine, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the S-sphere, in radii of the sphere round the image's box. Default is 1.1.
+   */
+  vtkSetMacro(SphereRadius, double);
+  vtkGetMacro(SphereRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Policy iterations per view, only with Field OPTIMIZE_PER_VIEW. Default is 1.
+   */
+  vtkSetMacro(MaximumIterations, int);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+protected:
+  vtkViewpointSearch();
+  ~vtkViewpointSearch() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkViewpointSearch(const vtkViewpointSearch&) = delete;
+  void operator=(const vtkViewpointSearch&) = delete;
+
+  int Field = IMPORTANCE_PROXY;
+  int Sampling = ICOSPHERE;
+  int NumberOfDirections = 642;
+  double CameraDistance = 3;
+  double CameraViewAngle = 30;
+  vtkTypeBool CameraParallelProjection = 0;
+  int NumberOfViewpoints = 4;
+  double SeparationAngle = 30;
+  vtkTypeBool Refine = 1;
+  double SphereRadius = 1.1;
+  int MaximumIterations = 1;
+
+  struct Internals; // speaks to the core, so that no core type shows here
+  std::unique_ptr<Internals> State;
+};
+
+#endif

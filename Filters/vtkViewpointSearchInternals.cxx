@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkViewpointSearchInternals.h"
+
+#include "AllCores.h"
+#include "Choices.h"
+#include "OptimizedViews.h"
+#include "Refuse.h"
+#include "SearchReport.h"
+#include "ViewpointData.h"
+
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+
+#include "backend/Backend.h"
+#include "optimize/PreparedScene.h"
+#include "viewpoint/Search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace
+{
+constexpr int LargestNumberOfDirections = 100000;
+constexpr double LongSeconds = 60; // a search that takes longer is announced
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Largest base extinction times importance: what is not important is not there.
+std::vector<float> ProxyOf(const limpid::SceneFields& scene, double majorant)
+{
+  std::vector<float> proxy(std::size_t(scene.grid.NodeCount()));
+  const auto factor = static_cast<float>(majorant);
+  limpid::ForOnAllCores(static_cast<vtkIdType>(proxy.size()),
+    [&proxy, &scene, factor](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        proxy[std::size_t(i)] = factor * scene.importance[i];
+      }
+    });
+  return proxy;
+}
+
+std::vector<limpid::ScoredView> Unscored(const std::vector<limpid::Vec3>& directions)
+{
+  std::vector<limpid::ScoredView> views(directions.size());
+  std::transform(directions.begin(), directions.end(), views.begin(),
+    [](const limpid::Vec3& direction)
+    {
+      limpid::ScoredView view;
+      view.direction = direction;
+      return view;
+    });
+  return views;
+}
+
+// Share of the evaluations that the samples are likely to need: an ascent takes some fifteen.
+double ShareOfSamples(std::size_t samples, const limpid::SearchSettings& search)
+{
+  const double ascents = search.refine ? 15.0 * search.viewpoints : 0.0;
+  return double(samples) / (double(samples) + ascents);
+}
+}
+
+void vtkViewpointSearch::Internals::Search(
+  vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3])
+{
+  vtkImageData* input = this->Reader.RequireWholeImage(inputVector);
+  this->RequirePossibleSettings();
+  if (isLaterPiece)
+  {
+    return;
+  }
+  const Clock::time_point start = Clock::now();
+  const int source =
+    this->Self->Field == EXTINCTION_ARRAY ? int(ARRAY) : this->Self->ExtinctionSource;
+  const limpid::ImageScene image = this->Reader.Read(input, source);
+  if (!image.grid.HasVolume())
+  {
+    limpid::Refuse("The image has ", image.grid.nodes.x, " x ", image.grid.nodes.y, " x ",
+      image.grid.nodes.z,
+      " points (without a volume nothing hides anything from any side). Give an image with at "
+      "least two points per axis.");
+  }
+  const auto scene = std::make_shared<limpid::PreparedScene>(image.Fields());
+  this->WarnOfSceneWithoutScore(*scene);
+
+  limpid::FoundViews found;
+  found.orbit = this->MakeOrbit(image.grid);
+  found.sphere = limpid::MakeDirectionSphere(
+    static_cast<limpid::Sampling>(this->Self->Sampling), this->Self->NumberOfDirections);
+  found.sphereRadius = this->Self->SphereRadius * image.grid.Radius();
+  found.unitDistance = image.unitDistance;
+  found.backend = limpid::CpuName();
+  if (this->Self->Field == OPTIMIZE_PER_VIEW)
+  {
+    this->SearchOptimizedFields(scene, found);
+  }
+  else
+  {
+    this->SearchOneField(*scene, found);
+  }
+  found.seconds = SecondsSince(start);
+
+  limpid::FillSphere(found, outputs[0]);
+  limpid::FillViewpoints(found, outputs[1]);
+  limpid::FillPaths(found, outputs[2]);
+  for (int port = 0; port < 3; ++port)
+  {
+    limpid::AddSearchSummary(found, outputs[port]->GetFieldData());
+  }
+}
+
+void vtkViewpointSearch::Internals::SearchOneField(
+  const limpid::PreparedScene& scene, limpid::FoundViews& found) const
+{
+  const limpid::SceneFields& fields = scene.Arrays();
+  const std::vector<float> proxy = this->Self->Field == IMPORTANCE_PROXY
+    ? ProxyOf(fields, scene.Majorant())
+    : std::vector<float>();
+  const limpid::ViewScore score(fields.grid, proxy.empty() ? fields.baseExtinction : proxy.data(),
+    fields.importance, this->Self->RayDensity);
+  this->ScoreAndFind([&](const limpid::SearchProgress& progress)
+    { return limpid::ScoreViews(score, found.orbit, found.sphere.directions, progress); },
+    [&](const limpid::SearchSettings& search, const limpid::SearchProgress& progress)
+    { return limpid::FindViewpoints(score, found.orbit, found.samples, search, progress); },
+    found);
+}
+
+void vtkViewpointSearch::Internals::SearchOptimizedFields(
+  const std::shared_ptr<limpid::PreparedScene>& scene, limpid::FoundViews& found) const
+{
+  const limpid::OptimizedViews views(scene, found.orbit, this->MakeSettings());
+  const Clock::time_point start = Clock::now();
+  const std::size_t count = found.sphere.directions.size();
+  bool isFirst = true;
+  this->ScoreAndFind(
+    [&](const limpid::SearchProgress& progress)
+    {
+      return views.ScoreAll(found.sphere.directions,
+        [&](double share)
+        {
+          const double expected = SecondsSince(start) / share;
+          if (isFirst && expected > LongSeconds)
+          {
+            vtkWarningWithObjectMacro(this->Self,
+              "Optimising the extinction for each of " << count << " views will take about "
+                                                       << std::lround(expected / 60)
+                                                       << " minutes. Set NumberOfDirections or "
+                                                          "Field to something else to be faster.");
+          }
+          isFirst = false;
+          return progress(share);
+        });
+    },
+    [&](const limpid::SearchSettings& search, const limpid::SearchProgress& progress)
+    { return views.Find(found.samples, search, progress); },
+    found);
+}
+
+template <class Score, class Find>
+void vtkViewpointSearch::Internals::ScoreAndFind(
+  const Score& score, const Find& find, limpid::FoundViews& found) const
+{
+  vtkViewpointSearch* self = this->Self;
+  limpid::SearchReport report(
+    [this, self](double share)
+    {
+      self->UpdateProgress(share);
+      return !this->Reader.IsAborted();
+    });
+  limpid::SearchSettings search = this->MakeSearchSettings(found.sphere.Spacing());
+  const double share = ShareOfSamples(found.sphere.directions.size(), search);
+
+  self->SetProgressText("Scoring views");
+  const limpid::SearchProgress progress = report.Part(0, share);
+  found.samples = progress(0) ? score(progress) : Unscored(found.sphere.directions);
+  self->SetProgressText("Climbing to better views");
+  search.refine = search.refine && !report.IsStopped();
+  found.search = find(search, report.Part(share, 1));
+  self->SetProgressText(nullptr);
+}
+
+void vtkViewpointSearch::Internals::RequirePossibleSettings() const
+{
+  const vtkViewpointSearch* self = this->Self;
+  this->Reader.RequireChoices();
+  limpid::RequireChoice("Field", self->Field, 4);
+  limpid::RequireChoice("Sampling", self->Sampling, 3);
+  limpid::RequireSettings(this->MakeSettings());
+  if (self->NumberOfDirections < 1 || self->NumberOfDirections > LargestNumberOfDirections)
+  {
+    limpid::Refuse("NumberOfDirections is ", self->NumberOfDirections,
+      " (without any there is nothing to compare, and more than ", LargestNumberOfDirections,
+      " cannot be told apart). Set it between 1 and ", LargestNumberOfDirections, ".");
+  }
+  if (!(self->CameraDistance >= 1) || !std::isfinite(self->CameraDistance))
+  {
+    limpid::Refuse("CameraDistance is ", self->CameraDistance,
+      " radii of the sphere round the image (below 1 some of the cameras would stand inside the "
+      "image, and what is behind them could not be seen). Set it to 1 or more, for instance 3.");
+  }
+  if (!(self->CameraViewAngle > 0 && self->CameraViewAngle < 180))
+  {
+    limpid::Refuse("CameraViewAngle is ", self->CameraViewAngle,
+      " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
+  }
+  if (self->NumberOfViewpoints < 1)
+  {
+    limpid::Refuse("NumberOfViewpoints is ", self->NumberOfViewpoints,
+      " (a search is for at least one). Set it to 1 or more.");
+  }
+  if (!(self->SeparationAngle >= 0 && self->SeparationAngle <= 180))
+  {
+    limpid::Refuse("SeparationAngle is ", self->SeparationAngle,
+      " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
+  }
+  if (!(self->SphereRadius > 0) || !std::isfinite(self->SphereRadius))
+  {
+    limpid::Refuse("SphereRadius is ", self->SphereRadius,
+      " radii of the sphere round the image (there would be no surface to show scores on). Set it "
+      "above 0, for instance to 1.1.");
+  }
+}
+
+void vtkViewpointSearch::Internals::WarnOfSceneWithoutScore(
+  const limpid::PreparedScene& scene) const
+{
+  if (!scene.SomethingToSee())
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "The largest extinction is "
+        << scene.Majorant() << ", and "
+        << (scene.Majorant() > 0 ? "nothing is important" : "without extinction nothing is seen")
+        << " (every view has the score 0, and none is better than "
+           "another). Check the importance and the extinction.");
+  }
+}
+
+limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid) const
+{
+  limpid::Orbit orbit;
+  orbit.centre = grid.Centre();
+  orbit.distance = this->Self->CameraDistance * grid.Radius();
+  orbit.viewAngle = this->Self->CameraViewAngle;
+  orbit.parallel = this->Self->CameraParallelProjection != 0;
+  orbit.parallelScale = grid.Radius();
+
+  const limpid::Camera any = orbit.At({ 0.0, 0.0, 1.0 });
+  limpid::Light light;
+  light.position = any.position;
+  limpid::RequireView(any, light, this->MakeSettings(), grid);
+  return orbit;
+}
+
+limpid::Settings vtkViewpointSearch::Internals::MakeSettings() const
+{
+  limpid::Settings settings = this->Reader.MakeSettings();
+  settings.maximumIterations = this->Self->MaximumIterations;
+  return settings;
+}
+
+limpid::SearchSettings vtkViewpointSearch::Internals::MakeSearchSettings(double spacing) const
+{
+  limpid::SearchSettings search;
+  search.viewpoints = this->Self->NumberOfViewpoints;
+  search.separation = vtkMath::RadiansFromDegrees(this->Self->SeparationAngle);
+  search.refine = this->Self->Refine != 0;
+  search.firstStep = 0.5 * spacing;
+  return search;
+}

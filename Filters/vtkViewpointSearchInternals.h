@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What vtkViewpointSearch does between a request and its end: the border to the core.
+
+#ifndef vtkViewpointSearchInternals_h
+#define vtkViewpointSearchInternals_h
+
+#include "vtkViewpointSearch.h"
+#include "vtkVisibilityAlgorithmScene.h"
+
+#include <memory>
+
+namespace limpid
+{
+struct FoundViews;
+struct Orbit;
+class PreparedScene;
+struct SearchSettings;
+}
+
+struct vtkViewpointSearch::Internals
+{
+  explicit Internals(vtkViewpointSearch* self)
+    : Self(self)
+    , Reader(self)
+  {
+  }
+
+  /// Fills the S-sphere, the viewpoints and the paths. `isLaterPiece`: they stay empty.
+  void Search(vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3]);
+
+  void RequirePossibleSettings() const;
+  void WarnOfSceneWithoutScore(const limpid::PreparedScene& scene) const;
+  limpid::Orbit MakeOrbit(const limpid::Grid& grid) const;
+  limpid::Settings MakeSettings() const;
+  limpid::SearchSettings MakeSearchSettings(double spacing) const;
+  void SearchOneField(const limpid::PreparedScene& scene, limpid::FoundViews& found) const;
+  void SearchOptimizedFields(
+    const std::shared_ptr<limpid::PreparedScene>& scene, limpid::FoundViews& found) const;
+  template <class Score, class Find>
+  void ScoreAndFind(const Score& score, const Find& find, limpid::FoundViews& found) const;
+
+  vtkViewpointSearch* Self;
+  SceneReader Reader;
+};
+
+#endif

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkVisibilityAlgorithm
+ * @brief   a filter that asks how much of what is important in an image can be seen
+ *
+ * What such filters have in common: the scene, that is an image with extinction and importance,
+ * the weights of Eq. (21) in [HG24], and what computes.
+ *
+ * Input port 0: vtkImageData with arrays of its points or its cells (cell arrays are averaged to
+ * the points first), of any numeric type, chosen with SetInputArrayToProcess:
+ *   index 0: scalar field; default: the active scalars;
+ *   index 1: importance, dimensionless; default: "Importance";
+ *   index 2: extinction [1/length], where a filter is told to take one; default: "BaseExtinction".
+ * Points with a NaN or an infinite value and hidden (blanked) points are empty: they have neither
+ * extinction nor importance.
+ *
+ * Any point may hide any other, so with several processes each one needs the whole image. Where a
+ * source cannot give it to them, there is an error.
+ *
+ * The unit of length is that of the input's spacing.
+ *
+ * @sa vtkExtinctionOptimizer vtkViewpointSearch
+ */
+
+#ifndef vtkVisibilityAlgorithm_h
+#define vtkVisibilityAlgorithm_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkLimpidFiltersModule.h" // for export macro
+
+class vtkPiecewiseFunction;
+
+class VTKLIMPIDFILTERS_EXPORT vtkVisibilityAlgorithm : public vtkImageAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkVisibilityAlgorithm, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ExtinctionSources
+  {
+    OPACITY_FUNCTION = 0,
+    ARRAY = 1
+  };
+
+  enum Backends
+  {
+    AUTO = 0,
+    CPU = 1,
+    CUDA = 2
+  };
+
+  ///@{
+  /**
+   * Component of the scalar array that is the scalar field; -1: the length of the tuple, which
+   * for a single component is its value. Default is -1.
+   */
+  vtkSetMacro(ScalarComponent, int);
+  vtkGetMacro(ScalarComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Component of the importance array; -1: the length of the tuple, which for a single component
+   * is its value. Default is -1.
+   */
+  vtkSetMacro(ImportanceComponent, int);
+  vtkGetMacro(ImportanceComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether ImportanceFunction maps the importance array to importance. Off: the array's values
+   * are importance, moved into [0, 1]. Default is off.
+   */
+  vtkSetMacro(UseImportanceFunction, vtkTypeBool);
+  vtkGetMacro(UseImportanceFunction, vtkTypeBool);
+  vtkBooleanMacro(UseImportanceFunction, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Maps values of the importance array to importance; its values are moved into [0, 1].
+   * Default is none.
+   */
+  virtual void SetImportanceFunction(vtkPiecewiseFunction*);
+  vtkGetObjectMacro(ImportanceFunction, vtkPiecewiseFunction);
+  ///@}
+
+  ///@{
+  /**
+   * Where the base extinction comes from: OPACITY_FUNCTION of the scalar field, or ARRAY 2.
+   * Default is OPACITY_FUNCTION.
+   */
+  vtkSetMacro(ExtinctionSource, int);
+  vtkGetMacro(ExtinctionSource, int);
+  ///@}
+
+  ///@{
+  /**
+   * Opacity of the scalar field on one unit distance, as in vtkVolumeProperty. The base extinction
+   * is -ln(1 - opacity) / unit distance, the opacity not above 1 - 1e-6. None or one without
+   * points: a straight line from 0 to 1 over the range of the scalar field. Default is none.
+   */
+  virtual void SetScalarOpacityFunction(vtkPiecewiseFunction*);
+  vtkGetObjectMacro(ScalarOpacityFunction, vtkPiecewiseFunction);
+  ///@}
+
+  ///@{
+  /**
+   * Distance on which the opacity function holds [length]. Zero: diagonal of the image over the
+   * cube root of the number of its cells, as ParaView's volume representation has it. Default is 0.
+   */
+  vtkSetMacro(ScalarOpacityUnitDistance, double);
+  vtkGetMacro(ScalarOpacityUnitDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight p of the regularisation term, Eq. (22), in normalised coordinates. Not below zero.
+   * Default is 1e-3.
+   */
+  vtkSetMacro(RegularizationWeight, double);
+  vtkGetMacro(RegularizationWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight q of the view term, Eq. (23). Not below zero; zero leaves the view as it is.
+   * Default is 10.
+   */
+  vtkSetMacro(ViewWeight, double);
+  vtkGetMacro(ViewWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight r of the light term, Eq. (24). Not below zero; zero leaves the light as it is.
+   * Default is 1.
+   */
+  vtkSetMacro(LightWeight, double);
+  vtkGetMacro(LightWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Rays per voxel and axis on the slice farthest from the eye. Default is 1.
+   */
+  vtkSetMacro(RayDensity, double);
+  vtkGetMacro(RayDensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * AUTO: the fastest that works here, named in the field data "Backend". CPU, CUDA: this or an
+   * error. Default is AUTO.
+   */
+  vtkSetMacro(Backend, int);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkVisibilityAlgorithm();
+  ~vtkVisibilityAlgorithm() override;
+
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
+
+  struct SceneReader; // from image and properties to the core's scene: no core type shows here
+
+  int ScalarComponent = -1;
+  int ImportanceComponent = -1;
+  vtkTypeBool UseImportanceFunction = 0;
+  vtkPiecewiseFunction* ImportanceFunction = nullptr;
+  int ExtinctionSource = OPACITY_FUNCTION;
+  vtkPiecewiseFunction* ScalarOpacityFunction = nullptr;
+  double ScalarOpacityUnitDistance = 0;
+  double RegularizationWeight = 1e-3;
+  double ViewWeight = 10;
+  double LightWeight = 1;
+  double RayDensity = 1;
+  int Backend = AUTO;
+
+private:
+  vtkVisibilityAlgorithm(const vtkVisibilityAlgorithm&) = delete;
+  void operator=(const vtkVisibilityAlgorithm&) = delete;
+};
+
+#endif

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkVisibilityAlgorithmScene.h"
+
+#include "Choices.h"
+#include "Refuse.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+double MeanCellLength(const limpid::Grid& grid)
+{
+  double cells = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells *= std::max(grid.nodes[axis] - 1, 1);
+  }
+  const double length = 2 * grid.Radius() / std::cbrt(cells);
+  return length > 0 ? length : grid.spacing[0]; // a single point has no length
+}
+}
+
+namespace limpid
+{
+SceneFields ImageScene::Fields() const
+{
+  return { this->grid, this->arrays.baseExtinction->GetPointer(0),
+    this->arrays.importance->GetPointer(0) };
+}
+}
+
+vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
+  vtkInformationVector** inputVector) const
+{
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    limpid::Refuse(
+      "The input has no points (there is nothing to be seen). Give it an image with data.");
+  }
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  const bool isWhole = !whole || std::equal(whole, whole + 6, input->GetExtent());
+  if (controller && controller->GetNumberOfProcesses() > 1 && !isWhole)
+  {
+    const int* extent = input->GetExtent();
+    limpid::Refuse("This process has only the extent ", extent[0], "..", extent[1], " ", extent[2],
+      "..", extent[3], " ", extent[4], "..", extent[5], " of ", whole[0], "..", whole[1], " ",
+      whole[2], "..", whole[3], " ", whole[4], "..", whole[5],
+      " (what hides a structure may lie in the rest, so the result would be wrong). Run with one "
+      "process, or read from a source that can give the whole image to each process.");
+  }
+  return input;
+}
+
+void vtkVisibilityAlgorithm::SceneReader::RequireChoices() const
+{
+  limpid::RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
+  limpid::RequireChoice("Backend", this->Self->Backend, 3);
+  if (!(this->Self->ScalarOpacityUnitDistance >= 0) ||
+    !std::isfinite(this->Self->ScalarOpacityUnitDistance))
+  {
+    limpid::Refuse("ScalarOpacityUnitDistance is ", this->Self->ScalarOpacityUnitDistance,
+      " (opacity is light lost on a distance). Set a length above zero, or zero for the mean "
+      "length of a cell.");
+  }
+}
+
+limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
+  vtkImageData* input, int extinctionSource) const
+{
+  limpid::ImageScene scene;
+  scene.grid = limpid::GridOfImage(input);
+  scene.unitDistance = this->Self->ScalarOpacityUnitDistance == 0
+    ? MeanCellLength(scene.grid)
+    : this->Self->ScalarOpacityUnitDistance;
+  const limpid::FieldSource extinction = extinctionSource == ARRAY
+    ? this->ExtinctionArray(input)
+    : this->OpacityOfScalars(input, scene.unitDistance);
+  scene.arrays = limpid::ConvertScene(input, extinction, this->ImportanceSource(input));
+  if (!scene.arrays.Warning().empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
+  }
+  return scene;
+}
+
+limpid::Settings vtkVisibilityAlgorithm::SceneReader::MakeSettings() const
+{
+  limpid::Settings settings;
+  settings.weights.regularization = this->Self->RegularizationWeight;
+  settings.weights.view = this->Self->ViewWeight;
+  settings.weights.light = this->Self->LightWeight;
+  settings.rayDensity = this->Self->RayDensity;
+  settings.backend = static_cast<limpid::BackendKind>(this->Self->Backend);
+  return settings;
+}
+
+// vtkAlgorithm::CheckAbort came between VTK's releases 9.2 and 9.3; ParaView 5.11 has it.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
+bool vtkVisibilityAlgorithm::SceneReader::IsAborted() const
+{
+  const bool aborted = this->Self->CheckAbort();
+  // The executive would empty the output, but we leave a valid one.
+  this->Self->SetAbortOutput(false);
+  return aborted;
+}
+#else
+bool vtkVisibilityAlgorithm::SceneReader::IsAborted() const
+{
+  return this->Self->GetAbortExecute() != 0;
+}
+#endif
+
+vtkDataArray* vtkVisibilityAlgorithm::SceneReader::FindArray(
+  int index, const char* role, const char* fallback, vtkImageData* input, bool& onCells) const
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* array = this->Self->GetInputArrayToProcess(index, input, association);
+  vtkInformation* chosen = this->Self->GetInputArrayInformation(index);
+  const char* name =
+    chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  // A script's array property has no name, or its own index, when the input had not been executed
+  // before; only ParaView's server manager does that.
+  const bool named = name && *name && name != std::to_string(index);
+  if (!array && !named)
+  {
+    array =
+      fallback ? input->GetPointData()->GetArray(fallback) : input->GetPointData()->GetScalars();
+  }
+  if (!array)
+  {
+    const char* wanted = named ? name : (fallback ? fallback : "(the active scalars)");
+    limpid::Refuse("The ", role, " array \"", wanted,
+      "\" is not among the input's numeric arrays (the scene cannot be made without it). Choose "
+      "one of these: of the points: ",
+      limpid::ArrayNames(input->GetPointData()),
+      "; of the cells: ", limpid::ArrayNames(input->GetCellData()), ".");
+  }
+  onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
+    (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
+      input->GetPointData()->GetArray(array->GetName()) != array);
+  return array;
+}
+
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ImportanceSource(vtkImageData* input) const
+{
+  limpid::FieldSource source;
+  source.array = this->FindArray(1, "importance", "Importance", input, source.onCells);
+  source.component = this->Self->ImportanceComponent;
+  limpid::RequireComponent("ImportanceComponent", source.array, source.component);
+  if (this->Self->UseImportanceFunction)
+  {
+    if (!this->Self->ImportanceFunction || this->Self->ImportanceFunction->GetSize() == 0)
+    {
+      limpid::Refuse(
+        "UseImportanceFunction is on, but ImportanceFunction has no points (no value would "
+        "have an importance). Add points to the function or turn it off.");
+    }
+    source.mapping = limpid::Evaluate(this->Self->ImportanceFunction);
+  }
+  return source;
+}
+
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ExtinctionArray(vtkImageData* input) const
+{
+  limpid::FieldSource source;
+  source.array = this->FindArray(2, "extinction", "BaseExtinction", input, source.onCells);
+  if (source.array->GetNumberOfComponents() != 1)
+  {
+    limpid::Refuse("The extinction array \"", limpid::NameOf(source.array), "\" has ",
+      source.array->GetNumberOfComponents(),
+      " components (extinction is one number per point). Choose an array with one component.");
+  }
+  return source;
+}
+
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::OpacityOfScalars(
+  vtkImageData* input, double unitDistance) const
+{
+  limpid::FieldSource source;
+  source.array = this->FindArray(0, "scalar", nullptr, input, source.onCells);
+  source.component = this->Self->ScalarComponent;
+  limpid::RequireComponent("ScalarComponent", source.array, source.component);
+  vtkPiecewiseFunction* function = this->Self->ScalarOpacityFunction;
+  if (function && function->GetSize() > 0)
+  {
+    source.mapping = limpid::ExtinctionOfOpacity(limpid::Evaluate(function), unitDistance);
+  }
+  else
+  {
+    double low = 0;
+    double high = 0;
+    limpid::FiniteRange(source.array, source.component, low, high);
+    source.mapping = limpid::ExtinctionOfOpacity(limpid::Ramp(low, high), unitDistance);
+  }
+  return source;
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// From the input and the properties of a vtkVisibilityAlgorithm to the scene of the core.
+
+#ifndef vtkVisibilityAlgorithmScene_h
+#define vtkVisibilityAlgorithmScene_h
+
+#include "SceneConversion.h"
+#include "vtkVisibilityAlgorithm.h"
+
+#include "optimize/Solver.h"
+
+namespace limpid
+{
+/// A scene that was read from an image, and what it was read with.
+struct ImageScene
+{
+  Grid grid;
+  double unitDistance = 1; ///< of opacities [length]
+  SceneArrays arrays;
+
+  /// The same for the core; the arrays stay here.
+  SceneFields Fields() const;
+};
+}
+
+struct vtkVisibilityAlgorithm::SceneReader
+{
+  explicit SceneReader(vtkVisibilityAlgorithm* self)
+    : Self(self)
+  {
+  }
+
+  /// Throws unless the input is there, and all of it.
+  vtkImageData* RequireWholeImage(vtkInformationVector** inputVector) const;
+
+  /// Throws on a choice that does not exist or a unit distance that is none.
+  void RequireChoices() const;
+
+  /// The scene of the input, with the base extinction from `extinctionSource`. Warns of values that
+  /// cannot be used.
+  limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
+
+  /// Weights, ray density and backend.
+  limpid::Settings MakeSettings() const;
+
+  /// Whether the user wants to stop. Call it from the thread of the request.
+  bool IsAborted() const;
+
+private:
+  vtkDataArray* FindArray(
+    int index, const char* role, const char* fallback, vtkImageData* input, bool& onCells) const;
+  limpid::FieldSource ImportanceSource(vtkImageData* input) const;
+  limpid::FieldSource ExtinctionArray(vtkImageData* input) const;
+  limpid::FieldSource OpacityOfScalars(vtkImageData* input, double unitDistance) const;
+
+  vtkVisibilityAlgorithm* Self;
+};
+
+#endif
