@@ -126,6 +126,12 @@ void AddSummary(const Solver& solver, vtkFieldData* output)
   AddValue<vtkStringArray>("Backend", solver.BackendName(), output);
 }
 
+void AddStart(const Score& start, vtkFieldData* output)
+{
+  AddValue<vtkDoubleArray>("StartVisibilityScore", start.visibility, output);
+  AddValue<vtkDoubleArray>("StartVisibleFraction", start.fraction, output);
+}
+
 void AddPlacement(
   const Camera& camera, const Light& light, double unitDistance, vtkFieldData* output)
 {

@@ -15,6 +15,7 @@ namespace limpid
 struct Camera;
 struct Light;
 struct SceneArrays;
+struct Score;
 class Solver;
 
 /// Adds the point arrays of a solved scene.
@@ -27,6 +28,9 @@ void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, vtkImageD
 
 /// Adds scores, energy and effort.
 void AddSummary(const Solver& solver, vtkFieldData* output);
+
+/// Adds what the extinction alone achieved before the camera was moved.
+void AddStart(const Score& start, vtkFieldData* output);
 
 /// Adds what the result was made for: camera, light, unit distance of opacities.
 void AddPlacement(

@@ -109,5 +109,6 @@ void vtkExtinctionOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   print("SkipUnneeded", this->SkipUnneeded);
   print("RestrictToView", this->RestrictToView);
   print("OptimizeViewpoint", this->OptimizeViewpoint);
+  print("ViewpointGuide", this->ViewpointGuide);
   print("WarmStart", this->WarmStart);
 }

@@ -23,7 +23,8 @@
  * "VisibilityScore" and "BaseVisibilityScore" (S of Eq. 32, [length^2]), "VisibleFraction" and
  * "BaseVisibleFraction" (S over the integral of importance times extinction, [0, 1]), "Energy",
  * "Iterations", "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
- * "LightPosition", "ScalarOpacityUnitDistance" (all as used).
+ * "LightPosition", "ScalarOpacityUnitDistance" (all as used), and with OptimizeViewpoint
+ * "StartVisibilityScore" and "StartVisibleFraction" (of the extinction alone).
  * Output port 1: vtkTable, one row per iteration.
  *
  * After an error the outputs are empty; after an abort output 0 is the input as it came.
@@ -67,6 +68,12 @@ public:
   {
     POLICY = 0,
     ADAM = 1
+  };
+
+  enum ViewpointGuides
+  {
+    PROXY = 0,
+    COUPLED = 1
   };
 
   enum Derivatives
@@ -246,12 +253,24 @@ public:
 
   ///@{
   /**
-   * Whether the camera is optimised, too. Not available in this version: on is an error.
+   * Whether the camera is optimised, too (Section 3.4): it moves on the sphere round
+   * CameraFocalPoint, and a move is kept if more can be seen with the extinction that is then
+   * optimised for it. The field data "CameraPosition", "CameraViewUp" tell where it came to, and
+   * "StartVisibilityScore" what the extinction alone achieved. Several times slower.
    * Default is off.
    */
   vtkSetMacro(OptimizeViewpoint, vtkTypeBool);
   vtkGetMacro(OptimizeViewpoint, vtkTypeBool);
   vtkBooleanMacro(OptimizeViewpoint, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * What tells which way the camera is to go. PROXY: largest extinction times importance, whatever
+   * hides it. COUPLED: the extinction that was optimised last. Default is PROXY.
+   */
+  vtkSetMacro(ViewpointGuide, int);
+  vtkGetMacro(ViewpointGuide, int);
   ///@}
 
   ///@{
@@ -299,6 +318,7 @@ private:
   vtkTypeBool SkipUnneeded = 1;
   vtkTypeBool RestrictToView = 0;
   vtkTypeBool OptimizeViewpoint = 0;
+  int ViewpointGuide = PROXY;
   vtkTypeBool WarmStart = 0;
 
   struct Internals; // speaks to the core, so that no core type shows here

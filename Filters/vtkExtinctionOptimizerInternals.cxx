@@ -43,18 +43,67 @@ void vtkExtinctionOptimizer::Internals::Optimize(
     return;
   }
 
-  limpid::Solver solver(scene.Fields(), camera, light, this->MakeSettings());
-  this->StartFromLastResult(scene.grid, solver);
-  if (!this->Run(solver))
+  const limpid::ConcurrentResult result = this->Self->OptimizeViewpoint
+    ? this->OptimizeBoth(scene.Fields(), camera, light)
+    : this->OptimizeExtinction(scene.Fields(), camera, light);
+  this->Self->SetProgressText(nullptr);
+  if (!result.solver)
   {
     return; // aborted: the input as it came
   }
-  limpid::AddFields(solver, scene.arrays, scene.unitDistance, output);
-  limpid::AddSummary(solver, output->GetFieldData());
-  limpid::AddPlacement(camera, light, scene.unitDistance, output->GetFieldData());
-  limpid::FillConvergence(solver, convergence);
+  limpid::AddFields(*result.solver, scene.arrays, scene.unitDistance, output);
+  limpid::AddSummary(*result.solver, output->GetFieldData());
+  limpid::AddPlacement(result.camera, light, scene.unitDistance, output->GetFieldData());
+  if (this->Self->OptimizeViewpoint)
+  {
+    limpid::AddStart(result.startScore, output->GetFieldData());
+  }
+  limpid::FillConvergence(*result.solver, convergence);
   this->LastNodes = NodesOf(scene.grid);
   this->KeepResult(output);
+}
+
+// Without a solver if it was aborted.
+limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::OptimizeExtinction(
+  const limpid::SceneFields& scene, const limpid::Camera& camera, const limpid::Light& light) const
+{
+  limpid::ConcurrentResult result;
+  result.camera = camera;
+  auto solver = std::make_unique<limpid::Solver>(scene, camera, light, this->MakeSettings());
+  this->StartFromLastResult(scene.grid, *solver);
+  bool aborted = this->Reader.IsAborted();
+  if (!aborted)
+  {
+    solver->Run(this->ReportTo(aborted));
+  }
+  result.solver = aborted ? nullptr : std::move(solver);
+  return result;
+}
+
+limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::OptimizeBoth(
+  const limpid::SceneFields& scene, const limpid::Camera& camera, const limpid::Light& light) const
+{
+  bool aborted = this->Reader.IsAborted();
+  limpid::ConcurrentResult result;
+  if (!aborted)
+  {
+    result = limpid::OptimizeConcurrently(scene, camera, light, this->MakeSettings(),
+      static_cast<limpid::Guide>(this->Self->ViewpointGuide), this->ReportTo(aborted));
+  }
+  result.solver = aborted ? nullptr : std::move(result.solver);
+  return result;
+}
+
+// Tells the user how far it is, and the solver, by `aborted`, when the user has had enough.
+limpid::Progress vtkExtinctionOptimizer::Internals::ReportTo(bool& aborted) const
+{
+  return [this, &aborted](double share, const std::string& text)
+  {
+    this->Self->SetProgressText(text.c_str());
+    this->Self->UpdateProgress(share);
+    aborted = this->Reader.IsAborted();
+    return !aborted;
+  };
 }
 
 void vtkExtinctionOptimizer::Internals::StartFromLastResult(
@@ -65,26 +114,6 @@ void vtkExtinctionOptimizer::Internals::StartFromLastResult(
   {
     solver.SetInitialExtinction(this->LastExtinction->GetPointer(0));
   }
-}
-
-// Returns whether the run came to its end, and not to an abort.
-bool vtkExtinctionOptimizer::Internals::Run(limpid::Solver& solver) const
-{
-  vtkExtinctionOptimizer* self = this->Self;
-  bool aborted = this->Reader.IsAborted();
-  if (!aborted)
-  {
-    solver.Run(
-      [this, self, &aborted](double share, const std::string& text)
-      {
-        self->SetProgressText(text.c_str());
-        self->UpdateProgress(share);
-        aborted = this->Reader.IsAborted();
-        return !aborted;
-      });
-  }
-  self->SetProgressText(nullptr);
-  return !aborted;
 }
 
 void vtkExtinctionOptimizer::Internals::KeepResult(vtkImageData* output)

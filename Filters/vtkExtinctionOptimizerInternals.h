@@ -12,6 +12,8 @@
 #include "vtkFloatArray.h"
 #include "vtkSmartPointer.h"
 
+#include "viewpoint/Concurrent.h"
+
 #include <array>
 
 struct vtkExtinctionOptimizer::Internals
@@ -28,7 +30,11 @@ struct vtkExtinctionOptimizer::Internals
   limpid::Light MakeLight(const limpid::Camera& camera) const;
   limpid::Settings MakeSettings() const;
   void StartFromLastResult(const limpid::Grid& grid, limpid::Solver& solver) const;
-  bool Run(limpid::Solver& solver) const;
+  limpid::ConcurrentResult OptimizeExtinction(const limpid::SceneFields& scene,
+    const limpid::Camera& camera, const limpid::Light& light) const;
+  limpid::ConcurrentResult OptimizeBoth(const limpid::SceneFields& scene,
+    const limpid::Camera& camera, const limpid::Light& light) const;
+  limpid::Progress ReportTo(bool& aborted) const;
   void KeepResult(vtkImageData* output);
 
   vtkExtinctionOptimizer* Self;

@@ -28,12 +28,7 @@ void vtkExtinctionOptimizer::Internals::RequireAvailableChoices() const
   limpid::RequireChoice("Mode", this->Self->Mode, 2);
   limpid::RequireChoice("Solver", this->Self->Solver, 2);
   limpid::RequireChoice("Derivative", this->Self->Derivative, 2);
-  if (this->Self->OptimizeViewpoint)
-  {
-    limpid::Refuse(
-      "OptimizeViewpoint is on (this version optimises the extinction for a given camera "
-      "only). Turn it off.");
-  }
+  limpid::RequireChoice("ViewpointGuide", this->Self->ViewpointGuide, 2);
 }
 
 limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid& grid) const

@@ -434,7 +434,7 @@ class TestDegenerateInput(OptimizerTest):
     def test_settings_that_make_no_sense_are_named(self):
         cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0,
                      ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
-                     LightType=3, ExtinctionSource=2, ScalarComponent=4, OptimizeViewpoint=1,
+                     LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=2,
                      LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1)
         for name, value in cases.items():
             with self.subTest(name=name):
@@ -445,8 +445,7 @@ class TestDegenerateInput(OptimizerTest):
                     result.SetSolver(vtkExtinctionOptimizer.ADAM)
                 result.Update()
                 self.assertEqual(len(result.messages["ErrorEvent"]), 1)
-                self.assertIn(str(value), result.messages["ErrorEvent"][0]
-                              if name != "OptimizeViewpoint" else "1")
+                self.assertIn(str(value), result.messages["ErrorEvent"][0])
 
     def test_a_sheared_direction_matrix_is_refused(self):
         image = phantom(8)
@@ -456,6 +455,39 @@ class TestDegenerateInput(OptimizerTest):
     def test_extinction_with_components_is_refused(self):
         image = image_of((2, 2, 2), Importance=np.ones(8), BaseExtinction=np.ones((8, 3)))
         self.assert_refuses("3", "components", filter_=optimizer(image))
+
+
+class TestViewpoint(OptimizerTest):
+    def test_extinction_and_viewpoint_together(self):
+        def field(result, name):
+            return result.GetOutput().GetFieldData().GetArray(name).GetTuple(0)
+
+        alone = optimizer(phantom(32))
+        alone.Update()
+        start, = field(alone, "VisibilityScore")
+        self.assertIsNone(alone.GetOutput().GetFieldData().GetArray("StartVisibilityScore"))
+        for guide in (vtkExtinctionOptimizer.PROXY, vtkExtinctionOptimizer.COUPLED):
+            with self.subTest(guide=guide):
+                both = optimizer(phantom(32), OptimizeViewpoint=1, ViewpointGuide=guide)
+                both.Update()
+                self.assertEqual(both.messages["ErrorEvent"], [])
+                self.assertEqual(field(both, "StartVisibilityScore"), (start,))
+                reached, = field(both, "VisibilityScore")
+                self.assertGreater(reached, start)
+                position = np.array(field(both, "CameraPosition"))
+                self.assertAlmostEqual(np.linalg.norm(position), np.sqrt(29), places=9)
+
+                # The extinction is the one for that camera.
+                there = optimizer(phantom(32), CameraPosition=tuple(position),
+                                  CameraViewUp=field(both, "CameraViewUp"))
+                there.Update()
+                self.assertEqual(field(there, "VisibilityScore"), (reached,))
+
+    def test_is_aborted_like_any_other(self):
+        both = optimizer(phantom(16), OptimizeViewpoint=1)
+        both.AddObserver("ProgressEvent", lambda *_: both.SetAbortExecute(1))
+        both.Update()
+        self.assertIsNone(both.GetOutput().GetPointData().GetArray("Extinction"))
 
 
 class TestPlaceInTheWorld(OptimizerTest):
