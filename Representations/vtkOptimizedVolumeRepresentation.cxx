@@ -18,6 +18,7 @@
 #include "vtkPVRenderView.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolumeProperty.h"
 
 vtkStandardNewMacro(vtkOptimizedVolumeRepresentation);
 vtkStandardNewMacro(vtkRepresentedVolumeMapper);
@@ -57,6 +58,7 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
   : State(new Internals)
 {
   this->VolumeMapper = this->State->Mapper;
+  this->Property->SetInterpolationTypeToLinear(); // whatever is asked for: see AddUnavailable
   this->State->Mapper->Prop = this->Actor;
   this->State->Annotation->SetTextSource(
     [this]()

@@ -5,7 +5,8 @@
 # Installs what is missing, builds the plugin and shows what it does.
 #   bash Documentation/Examples/demo.sh [OUTDIR] [--scene FILE.scene.json]...
 # OUTDIR (demo-output) gets, per scene: before.png, after.png, result.vti, convergence.csv and
-# report.md. Without --scene the scene is the embedded phantom of a head; with several scenes each
+# report.md; and s-sphere.vtp, s-sphere.png, the best and the worst view before and after,
+# viewpoints.md and camera files. Without --scene the scene is the embedded phantom of a head; with several scenes each
 # has a folder of its own and there is a contact sheet of all.
 
 set -euo pipefail
@@ -47,6 +48,7 @@ plugin="$(tail -1 "$output/build.log")"
 show() {
   bash "$root/Testing/with-display.sh" pvpython "$examples/optimize_scene.py" \
     --plugin "$plugin" "$@"
+  bash "$root/Testing/with-display.sh" pvpython "$examples/viewpoints.py" --plugin "$plugin" "$@"
 }
 
 case ${#scenes[@]} in

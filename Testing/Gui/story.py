@@ -45,9 +45,10 @@ def live(seconds):
     process_events = ctypes.CDLL(None)[
         "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
     end = time.monotonic() + seconds
+    process_events(0)
     while time.monotonic() < end:
-        process_events(0)
         time.sleep(0.005)
+        process_events(0)
 
 
 def live_until(condition, seconds):
@@ -130,6 +131,8 @@ class Frames:
         return self.interactive + self.still
 
     def describe(self):
+        if not self._seconds:
+            return "no frames while moving"
         milliseconds = [1000 * second for second in self._seconds]
         return (f"frames while moving: median {statistics.median(milliseconds):.0f} ms, "
                 f"first {milliseconds[0]:.0f} ms, longest {max(milliseconds):.0f} ms")

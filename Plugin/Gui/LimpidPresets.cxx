@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimpidPresets.h"
+
+#include "vtkSMSettings.h"
+#include "vtkSMTransferFunctionPresets.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace
+{
+// Below that of the settings that a user or an administrator has made.
+const double LEAST_PRIORITY = 0;
+}
+
+LimpidPresets::LimpidPresets(QObject* parentObject)
+  : QObject(parentObject)
+{
+}
+
+void LimpidPresets::onStartup()
+{
+  QFile file(":/Limpid/Presets.json");
+  if (!file.open(QIODevice::ReadOnly))
+  {
+    return;
+  }
+  vtkSMTransferFunctionPresets* presets = vtkSMTransferFunctionPresets::GetInstance();
+  const QJsonArray added = QJsonDocument::fromJson(file.readAll()).array();
+  for (const QJsonValue preset : added) // Qt 6 has references of its own here
+  {
+    const std::string name = preset.toObject().value("Name").toString().toStdString();
+    if (!presets->HasPreset(name.c_str()))
+    {
+      presets->AddPreset(name.c_str(), QJsonDocument(preset.toObject()).toJson().toStdString());
+    }
+  }
+  vtkSMSettings::GetInstance()->AddCollectionFromString(
+    R"({ "standard_presets": {
+      "NormalizedScore": "Limpid Viewpoint Score",
+      "VisibilityScore": "Limpid Viewpoint Score" } })",
+    LEAST_PRIORITY);
+}

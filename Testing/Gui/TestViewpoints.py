@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Viewpoints as a person meets them in ParaView's window: a phantom is searched, and buttons give
+# the view the camera of the best, the next and the worst view and of a selected point; the camera
+# is undone and traced for TestViewpoints.replay.py. TestViewpoints.xml has the events between.
+
+import json
+import os
+import sys
+
+import story
+from paraview import servermanager, simple, smtrace
+from story import expect
+
+CAMERA = ["CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle",
+          "CameraParallelProjection"]
+POINT = 17  # of the sphere: any
+
+
+def camera_of(view):
+    return {name: list(view.GetProperty(name)) for name in CAMERA}
+
+
+def wanted(search, arrays, tuple_id, prefix=""):
+    """The camera that a tuple of the search's results describes."""
+    fields = search.GetFieldData()
+    return {
+        "CameraPosition": list(arrays.GetArray(prefix + "CameraPosition").GetTuple3(tuple_id)),
+        "CameraFocalPoint": list(fields.GetArray("CameraFocalPoint").GetTuple3(0)),
+        "CameraViewUp": list(arrays.GetArray(prefix + "CameraViewUp").GetTuple3(tuple_id)),
+        "CameraViewAngle": [fields.GetArray("CameraViewAngle").GetValue(0)],
+        "CameraParallelProjection": [fields.GetArray("CameraParallelProjection").GetValue(0)]}
+
+
+def differ(first, second):
+    """Whether by more than what is left of a unit vector when a camera makes it one again."""
+    return max(abs(a - b) for a, b in zip(first, second)) > 4 * sys.float_info.epsilon
+
+
+def expect_camera(view, camera, what):
+    got = camera_of(view)
+    different = [f"{name} is {got[name]}, not {camera[name]}" for name in CAMERA
+                 if differ(got[name], camera[name])]
+    expect(not different, f"{what} {'; '.join(different) or 'is the camera'}")
+
+
+def tell():
+    for plugin in ("Limpid.so", "LimpidGui.so"):
+        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    yield
+
+    view = simple.GetActiveView()
+    search = simple.GetActiveSource()
+    frames = story.Frames(view)
+    before = camera_of(view)
+    ranked = servermanager.Fetch(search, idx=1)
+    count = ranked.GetNumberOfPoints()
+    expect(count >= 2, f"the search has {count} viewpoints")
+    display = simple.GetDisplayProperties(search, view)
+    color = display.LookupTable.RGBPoints[1:4]
+    expect(color[0] > 2 * color[2], f"the sphere is colored by score, worst {color}")
+    story.live(0.3)
+    story.screenshot("window-sphere.png")
+    yield
+
+    expect(frames.all() > 0, "going to the best view renders")
+    expect_camera(view, wanted(ranked, ranked.GetPointData(), 0), "the best view")
+    story.live(0.3)
+    story.screenshot("window-best.png")
+    yield
+
+    second = wanted(ranked, ranked.GetPointData(), 1)
+    expect_camera(view, second, "the next view")
+    yield
+
+    expect_camera(view, wanted(ranked, ranked.GetFieldData(), 0, "Worst"), "the worst view")
+    story.live(0.3)
+    story.screenshot("window-worst.png")
+    yield
+
+    expect_camera(view, second, "undone: the next view")
+    yield
+
+    expect_camera(view, before, "undone: the view before")
+    simple.QuerySelect(QueryString=f"id == {POINT}", FieldType="POINT", Source=search)
+    simple.Render(view)
+    yield
+
+    sphere = servermanager.Fetch(search)
+    expect_camera(view, wanted(ranked, sphere.GetPointData(), POINT), "the view of a point")
+    story.live(0.3)
+    story.screenshot("window-selected.png")
+    with open("trace.py", "w", encoding="utf-8") as file:
+        file.write(smtrace.stop_trace())
+    with open("camera.json", "w", encoding="utf-8") as file:
+        json.dump(camera_of(view), file)
+
+
+smtrace.start_trace()
+story.begin(tell())
