@@ -61,6 +61,7 @@ class TestPropertyDefaults(unittest.TestCase):
             "LightType": {"Point": optimizer.POINT, "Directional": optimizer.DIRECTIONAL},
             "Mode": {"Joint": optimizer.JOINT, "Separate": optimizer.SEPARATE},
             "Solver": {"Policy": optimizer.POLICY, "Adam": optimizer.ADAM},
+            "ViewpointGuide": {"Proxy": optimizer.PROXY, "Coupled": optimizer.COUPLED},
             "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},
             "Backend": {"Auto": optimizer.AUTO, "CPU": optimizer.CPU, "CUDA": optimizer.CUDA},
             "Scene": {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3},
