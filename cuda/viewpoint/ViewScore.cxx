@@ -192,10 +192,18 @@ private:
 };
 }
 
+namespace
+{
+/// Rays across the longest side of a grid, at least. S is an integral over a picture, whose outline
+/// the rays of a small grid would miss by more than half a percent.
+constexpr double fewestRays = 96;
+}
+
 ViewScore::ViewScore(
   const Grid& grid, const float* extinction, const float* importance, double rayDensity)
   : Fields(grid, extinction, importance)
-  , RayDensity(rayDensity)
+  , RayDensity(
+      std::max(rayDensity, fewestRays / std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z, 1 })))
 {
 }
 

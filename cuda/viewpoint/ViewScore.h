@@ -21,7 +21,8 @@ struct ViewSlope
  * the volume counts, in view or not.
  *
  * The fields, grid.NodeCount() values each, are copied: extinction >= 0 [1/length], importance
- * [0, 1]. `rayDensity`: rays per voxel and axis.
+ * [0, 1]. `rayDensity`: rays per voxel and axis, at
+ * least; small grids get more.
  */
 class ViewScore
 {

@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Scores of directions and their derivative against the reference march, and the search for the
+// best of them.
+
+#include "BoxScene.h"
+#include "LoadedScene.h"
+#include "Tolerance.h"
+
+#include "backend/Backend.h"
+#include "viewpoint/Search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+std::vector<Vec3> RandomDirections(int count)
+{
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal;
+  std::vector<Vec3> directions;
+  for (int i = 0; i < count; ++i)
+  {
+    directions.push_back(
+      glm::normalize(Vec3(normal(generator), normal(generator), normal(generator))));
+  }
+  return directions;
+}
+
+/// Evenly spread, by the golden angle.
+std::vector<Vec3> SpreadDirections(int count)
+{
+  std::vector<Vec3> directions;
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 1 - 2 * (i + 0.5) / count;
+    const double r = std::sqrt(1 - z * z);
+    const double angle = i * 2.399963229728653;
+    directions.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+  }
+  return directions;
+}
+
+Orbit OrbitOf(const Grid& grid, bool parallel)
+{
+  Orbit orbit;
+  orbit.centre = grid.Centre();
+  orbit.distance = 3 * grid.Radius();
+  orbit.parallel = parallel;
+  orbit.parallelScale = grid.Radius();
+  return orbit;
+}
+
+/// What fills the box, on lengths of the half diagonal.
+enum class Content
+{
+  Onion,   ///< nothing at the border
+  Waves,   ///< fades to the border
+  Borders, ///< cut off by the sides of the box
+};
+
+BoxScene Filled(Content content)
+{
+  BoxScene scene({ 41, 37, 45 }, { 10, -3, 2 }, { 1.0, 0.8, 1.2 });
+  if (content == Content::Onion)
+  {
+    scene.FillOnion(6);
+    return scene;
+  }
+  const double radius = scene.grid.Radius();
+  const Vec3 centre = scene.grid.Centre();
+  scene.Fill(
+    [=](const Vec3& x)
+    {
+      const Vec3 y = (x - centre) / radius;
+      const double waves = 1.2 + std::sin(5 * y.x + 1) * std::cos(4 * y.y) * std::sin(3 * y.z);
+      return 2 / radius * waves * (content == Content::Waves ? std::exp(-8 * glm::dot(y, y)) : 1);
+    },
+    [=](const Vec3& x)
+    {
+      const Vec3 y = (x - centre) / radius;
+      return 0.5 + 0.5 * std::sin(3 * y.x + 2 * y.z);
+    });
+  return scene;
+}
+
+struct Case
+{
+  const char* name;
+  Content content;
+  bool parallel;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Case& one)
+{
+  return stream << one.name;
+}
+
+double March(const BoxScene& scene, const Camera& camera, double rays)
+{
+  BoxScene seen = scene;
+  seen.camera = camera;
+  return seen.TrueScore(seen.extinction, rays);
+}
+}
+
+class ScoredBox : public ::testing::TestWithParam<Case>
+{
+};
+
+TEST_P(ScoredBox, HasTheScoreOfTheMarchInEveryDirection)
+{
+  const BoxScene scene = Filled(GetParam().content);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
+
+  for (const Vec3& direction : RandomDirections(20))
+  {
+    const Camera camera = orbit.At(direction);
+    const double truth = March(scene, camera, 4);
+    EXPECT_WITHIN(
+      score.At(camera).visible, truth, Relative(0.005, truth, "the bar for scores of directions"));
+  }
+}
+
+/// Of fields that fade to the border: where they are cut off, S has kinks where a side of the box
+/// comes into view, and differences across them say nothing.
+class TurnedBox : public ::testing::TestWithParam<Case>
+{
+};
+
+TEST_P(TurnedBox, ChangesAsTheMarchSaysWhenTheCameraMoves)
+{
+  const BoxScene scene = Filled(GetParam().content);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 2);
+  const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
+  const double angle = 0.01; // differences are off by its square, and by rays over it
+  struct Pair
+  {
+    Vec3 slope;
+    Vec3 truth;
+  };
+  std::vector<Pair> pairs;
+  double largest = 0;
+
+  for (const Vec3& direction : RandomDirections(3))
+  {
+    const Vec3 right = glm::normalize(glm::cross(direction, Vec3(0.3, 0.5, 0.8)));
+    const Vec3 ways[2] = { right, glm::cross(right, direction) };
+    const ViewSlope slope = score.SlopeAt(orbit.At(direction));
+    EXPECT_NEAR(
+      slope.score.visible, score.At(orbit.At(direction)).visible, 1e-5 * slope.score.visible);
+    Pair pair{ Vec3(0), Vec3(0) };
+    for (int way = 0; way < 2; ++way)
+    {
+      const auto turned = [&](double by)
+      { return orbit.At(std::cos(by) * direction + std::sin(by) * ways[way]); };
+      pair.slope[way] = glm::dot(slope.slope, ways[way]) * orbit.distance;
+      pair.truth[way] =
+        (March(scene, turned(angle), 8) - March(scene, turned(-angle), 8)) / (2 * angle);
+    }
+    largest = std::max(largest, glm::length(pair.truth));
+    pairs.push_back(pair);
+  }
+
+  for (const Pair& pair : pairs)
+  {
+    // The bar, 1 % of the slope, and what the differences of the march are uncertain by.
+    const Tolerance tolerance = Relative(0.01, glm::length(pair.truth), "the bar for derivatives") +
+      Relative(0.01, largest, "the march moves its rays along");
+    EXPECT_WITHIN(glm::distance(pair.slope, pair.truth), 0, tolerance)
+      << pair.slope.x << " " << pair.slope.y << " for " << pair.truth.x << " " << pair.truth.y;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Boxes, ScoredBox,
+  ::testing::Values(Case{ "Onion", Content::Onion, false }, Case{ "Waves", Content::Waves, false },
+    Case{ "Borders", Content::Borders, false }, Case{ "ParallelOnion", Content::Onion, true },
+    Case{ "ParallelWaves", Content::Waves, true },
+    Case{ "ParallelBorders", Content::Borders, true }),
+  ::testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(Boxes, TurnedBox,
+  ::testing::Values(Case{ "Onion", Content::Onion, false }, Case{ "Waves", Content::Waves, false },
+    Case{ "ParallelOnion", Content::Onion, true }),
+  ::testing::PrintToStringParamName());
+
+TEST(ViewScore, OfABallIsTheSameEverywhere)
+{
+  BoxScene scene = BoxScene::Cube(41);
+  const auto ball = [](const Vec3& x)
+  { return std::min(1.0, std::max(0.0, (0.7 - glm::length(x)) / 0.1)); };
+  scene.Fill([=](const Vec3& x) { return 5 * ball(x); }, ball);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  for (const bool parallel : { false, true })
+  {
+    double least = 1e300;
+    double most = 0;
+    for (const ScoredView& view :
+      ScoreViews(score, OrbitOf(scene.grid, parallel), SpreadDirections(100), nullptr))
+    {
+      least = std::min(least, view.score.visible);
+      most = std::max(most, view.score.visible);
+    }
+    EXPECT_LE(most, 1.005 * least);
+  }
+}
+
+TEST(ViewScore, IsZeroWithoutAnythingToSee)
+{
+  BoxScene scene = BoxScene::Cube(9);
+  const ViewScore nothing(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const Camera camera = OrbitOf(scene.grid, false).At(Vec3(0, 0, 1));
+
+  EXPECT_EQ(nothing.At(camera).visible, 0);
+  EXPECT_EQ(nothing.SlopeAt(camera).slope, Vec3(0));
+}
+
+TEST(ViewScore, IsFiniteFromInsideAndFromVeryFarAway)
+{
+  const BoxScene scene = Filled(Content::Borders);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  for (const double distance : { 0.01, 0.3, 0.9, 1e5 })
+  {
+    Orbit orbit = OrbitOf(scene.grid, false);
+    orbit.distance = distance * scene.grid.Radius();
+    for (const Vec3& direction : RandomDirections(5))
+    {
+      const ViewSlope slope = score.SlopeAt(orbit.At(direction));
+      EXPECT_TRUE(std::isfinite(slope.score.visible) && std::isfinite(glm::length(slope.slope)));
+      EXPECT_GT(slope.score.visible, 0);
+    }
+  }
+}
+
+TEST(ViewScore, DoesNotDependOnThreads)
+{
+  const BoxScene scene = Filled(Content::Waves);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const Orbit orbit = OrbitOf(scene.grid, false);
+  const std::vector<Vec3> directions = RandomDirections(12);
+  const std::vector<ScoredView> views = ScoreViews(score, orbit, directions, nullptr);
+  const ThreadLimit limit(1);
+
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    EXPECT_EQ(views[i].score.visible, score.At(orbit.At(directions[i])).visible);
+  }
+}
+
+TEST(ViewAngles, AreThoseOfTheRotation)
+{
+  for (const Vec3& direction : RandomDirections(50))
+  {
+    const Mat3 rotation = RotationOf(AnglesOf(direction));
+    EXPECT_LE(glm::distance(rotation[2], direction), 1e-15);
+    EXPECT_LE(glm::distance(glm::cross(rotation[0], rotation[1]), rotation[2]), 1e-15);
+    EXPECT_EQ(rotation[0].y, 0); // upright
+    EXPECT_GE(rotation[1].y, 0);
+  }
+  EXPECT_EQ(AnglesOf(Vec3(0, 1, 0)).azimuth, 0);
+  EXPECT_EQ(AnglesOf(Vec3(0, 0, 1)).polar, 0);
+}
+
+TEST(FindViewpoints, SeesTwoBallsFromTheSide)
+{
+  // Balls on an axis, one behind the other from its ends: best at right angles to it.
+  const Vec3 axis = glm::normalize(Vec3(1, 2, -0.5));
+  BoxScene scene = BoxScene::Cube(49);
+  const auto balls = [=](const Vec3& x)
+  {
+    const double distance = std::min(glm::length(x - 0.35 * axis), glm::length(x + 0.35 * axis));
+    return std::min(1.0, std::max(0.0, (0.45 - distance) / 0.2));
+  };
+  scene.Fill([=](const Vec3& x) { return 6 * balls(x); }, balls);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 2);
+  const Orbit orbit = OrbitOf(scene.grid, true);
+  const std::vector<ScoredView> samples = ScoreViews(score, orbit, SpreadDirections(100), nullptr);
+
+  const SearchResult result = FindViewpoints(score, orbit, samples, SearchSettings(), nullptr);
+
+  ASSERT_FALSE(result.viewpoints.empty());
+  const ScoredView worst = *std::min_element(samples.begin(), samples.end(),
+    [](const ScoredView& a, const ScoredView& b) { return a.score.visible < b.score.visible; });
+  EXPECT_GT(std::abs(glm::dot(worst.direction, axis)), 0.9);
+  const double fromSide = std::asin(std::abs(glm::dot(result.viewpoints.front().direction, axis)));
+  EXPECT_LE(fromSide, 15 * 3.14159 / 180) << "radians; the top is flat all round the axis";
+}
+
+TEST(FindViewpoints, RanksDistinctViewsAndNeverEndsBelowASample)
+{
+  const BoxScene scene = Filled(Content::Waves);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const Orbit orbit = OrbitOf(scene.grid, false);
+  const std::vector<ScoredView> samples = ScoreViews(score, orbit, SpreadDirections(60), nullptr);
+  SearchSettings settings;
+  settings.viewpoints = 5;
+
+  const SearchResult result = FindViewpoints(score, orbit, samples, settings, nullptr);
+
+  ASSERT_FALSE(result.viewpoints.empty());
+  for (const ScoredView& sample : samples)
+  {
+    EXPECT_GE(result.viewpoints.front().score.visible, sample.score.visible);
+  }
+  for (std::size_t i = 0; i < result.viewpoints.size(); ++i)
+  {
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      EXPECT_GE(result.viewpoints[k].score.visible, result.viewpoints[i].score.visible);
+      EXPECT_LE(glm::dot(result.viewpoints[k].direction, result.viewpoints[i].direction),
+        std::cos(settings.separation) + 1e-12);
+    }
+  }
+  for (const std::vector<ScoredView>& path : result.paths)
+  {
+    for (std::size_t step = 1; step < path.size(); ++step)
+    {
+      EXPECT_GT(path[step].score.visible, path[step - 1].score.visible);
+    }
+  }
+}
+
+TEST(FindViewpoints, KeepsWhatWasDoneWhenItIsStopped)
+{
+  const BoxScene scene = Filled(Content::Onion);
+  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const Orbit orbit = OrbitOf(scene.grid, false);
+  int calls = 0;
+
+  const std::vector<ScoredView> samples =
+    ScoreViews(score, orbit, SpreadDirections(50), [&](double) { return ++calls < 5; });
+  const SearchResult result =
+    FindViewpoints(score, orbit, samples, SearchSettings(), [](double) { return false; });
+
+  const auto valid = std::count_if(
+    samples.begin(), samples.end(), [](const ScoredView& view) { return view.valid; });
+  EXPECT_GE(valid, 5);
+  EXPECT_LT(valid, 50);
+  EXPECT_FALSE(result.viewpoints.empty());
+  EXPECT_TRUE(result.paths.empty());
+}
+
+class SearchedScene : public RealScene
+{
+};
+
+TEST_P(SearchedScene, ScoresAsTheMarchAndFindsTheBestOfManyDirections)
+{
+  LoadedScene scene(GetParam().name);
+  const float majorant =
+    *std::max_element(scene.file.extinction.begin(), scene.file.extinction.end());
+  std::vector<float> proxy(scene.file.importance.begin(), scene.file.importance.end());
+  std::for_each(proxy.begin(), proxy.end(), [=](float& value) { value *= majorant; });
+  const Orbit orbit = OrbitOf(scene.grid, false);
+  for (const bool base : { false, true })
+  {
+    const std::vector<float>& extinction = base ? scene.file.extinction : proxy;
+    const ViewScore score(scene.grid, extinction.data(), scene.file.importance.data(), 1);
+    double worst = 0;
+    for (const Vec3& direction : RandomDirections(5))
+    {
+      truth::SceneFile seen = scene.file;
+      const Camera camera = orbit.At(direction);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        seen.cameraPosition[std::size_t(axis)] = camera.position[axis];
+        seen.cameraFocalPoint[std::size_t(axis)] = camera.focalPoint[axis];
+      }
+      truth::Sampling sampling;
+      sampling.raysPerVoxel = 3;
+      const double truth =
+        truth::VisibilityScore(seen.FieldsWith(extinction), seen.Eye(), sampling);
+      worst = std::max(worst, std::abs(score.At(camera).visible / truth - 1));
+    }
+    EXPECT_LE(worst, 0.005);
+
+    const std::vector<ScoredView> samples =
+      ScoreViews(score, orbit, SpreadDirections(162), nullptr);
+    SearchSettings settings;
+    settings.firstStep = 0.13;
+    const SearchResult result = FindViewpoints(score, orbit, samples, settings, nullptr);
+    double best = 0;
+    for (const ScoredView& view : ScoreViews(score, orbit, SpreadDirections(2562), nullptr))
+    {
+      best = std::max(best, view.score.visible);
+    }
+    std::cout << GetParam().name << (base ? ", base" : ", proxy") << ": worst score off by "
+              << 100 * worst << " %, best found "
+              << 100 * result.viewpoints.front().score.visible / best
+              << " % of the best of 2562 directions with " << result.evaluations
+              << " evaluations\n";
+    EXPECT_GE(result.viewpoints.front().score.visible, 0.998 * best);
+    EXPECT_LE(result.evaluations, 2562 / 4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Quick, SearchedScene, ::testing::Values(Bars{ "carotid_mra", 0, 0 }),
+  ::testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(Long, SearchedScene,
+  ::testing::Values(
+    Bars{ "isabel_wind", 0, 0 }, Bars{ "visible_male", 0, 0 }, Bars{ "engine", 0, 0 }),
+  ::testing::PrintToStringParamName());
