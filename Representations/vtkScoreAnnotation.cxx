@@ -88,7 +88,11 @@ int vtkScoreAnnotation::RenderOverlay(vtkViewport* viewport)
   this->Bottom = top - size[1] / std::max(1, viewport->GetSize()[1]);
   // The image of the text is made in passes before this one; they are over.
   this->Actor->RenderOpaqueGeometry(viewport);
-  return this->Actor->RenderOverlay(viewport);
+  const int drawn = this->Actor->RenderOverlay(viewport);
+  // Windows of a server share their shaders: when one is closed, those that the text has kept are
+  // gone in the others. So it keeps none.
+  this->Actor->ReleaseGraphicsResources(viewport->GetVTKWindow());
+  return drawn;
 }
 
 void vtkScoreAnnotation::ReleaseGraphicsResources(vtkWindow* window)

@@ -37,7 +37,8 @@ XDG_CONFIG_HOME="$(mktemp -d)"
 export XDG_CONFIG_HOME
 trap 'rm -rf "$XDG_CONFIG_HOME"' EXIT
 export PV_PLUGIN_PATH="$plugins/Limpid:$plugins/LimpidGui"
-export PYTHONPATH="$root/Testing/Gui:$root/Testing/Python:$root/Documentation/Examples${PYTHONPATH:+:$PYTHONPATH}"
+modules="$root/Testing/Gui:$root/Testing/Python:$root/Documentation/Examples"
+export PYTHONPATH="$modules${PYTHONPATH:+:$PYTHONPATH}"
 
 cd "$LIMPID_OUTPUT"
 with_display=()

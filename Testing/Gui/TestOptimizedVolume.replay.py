@@ -23,4 +23,4 @@ for name in NAMES:
     if mean > 0.05:
         different.append(name)
 if different:
-    sys.exit(f"Replayed pictures are others: {', '.join(different)}. Compare them with the story's.")
+    sys.exit(f"Replayed pictures are others: {', '.join(different)}. Compare with the story's.")

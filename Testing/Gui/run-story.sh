@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Plays a story (story.py) in ParaView's window, then, if it has one, its NAME.replay.py in pvpython.
+# Plays a story (story.py) in ParaView's window, then its NAME.replay.py, if any, in pvpython.
 #   bash run-story.sh NAME FOLDER VOLUME PLUGIN...
 # FOLDER is emptied, and holds afterwards what the story leaves. The story finds there the plugins
 # and, as volume.vti with the point array "ct", the file VOLUME: a phantom where there is no such
