@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <ostream>
 #include <string>
@@ -81,6 +82,15 @@ struct LoadedScene
   {
     return Solver(
       { grid, file.extinction.data(), file.importance.data() }, camera, light, settings);
+  }
+
+  /// The extinction of Field "Importance Proxy": the majorant times importance.
+  std::vector<float> Proxy() const
+  {
+    const float majorant = *std::max_element(file.extinction.begin(), file.extinction.end());
+    std::vector<float> proxy(file.importance.begin(), file.importance.end());
+    std::for_each(proxy.begin(), proxy.end(), [=](float& value) { value *= majorant; });
+    return proxy;
   }
 
   double March(const std::vector<float>& extinction) const

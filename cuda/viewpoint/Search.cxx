@@ -101,6 +101,18 @@ std::vector<ScoredView> Distinct(std::vector<ScoredView> views, double separatio
   return kept;
 }
 
+/// A direction turned by an angle towards another one at right angles to it.
+Vec3 Turned(const Vec3& direction, const Vec3& towards, double angle)
+{
+  return glm::normalize(std::cos(angle) * direction + std::sin(angle) * towards);
+}
+
+/// Between slopes of which the bend of a top is taken [rad].
+constexpr double bendingAngle = 0.03;
+
+/// By how much scores of close directions may differ through the places of their rays, as a share.
+constexpr double uncertainty = 3e-4;
+
 /// One ascent on the sphere of directions.
 class Climb
 {
@@ -118,24 +130,92 @@ public:
   std::vector<ScoredView> Run(const ScoredView& sample)
   {
     std::vector<ScoredView> path{ sample };
+    Vec3 ascent{ 0.0 };
     double step = this->Options.firstStep;
     for (int i = 0; i < this->Options.largestNumberOfSteps && step > 0; ++i)
     {
       const ScoredView here = path.back();
-      ++this->Count;
-      const ViewSlope slope = this->Score.SlopeAt(this->From.At(here.direction));
-      const Vec3 ascent = slope.slope * this->From.distance; // per radian
+      ascent = this->AscentAt(here.direction).slope;
       const double steepness = glm::length(ascent);
       if (!(steepness > 0))
       {
-        break;
+        return path;
       }
       step = this->Step(here, ascent / steepness, steepness, step, path);
+    }
+    if (step <= 0)
+    {
+      this->Centre(ascent, path);
     }
     return path;
   }
 
 private:
+  /// The score and its derivative by the direction [length^2/rad].
+  ViewSlope AscentAt(const Vec3& direction)
+  {
+    ++this->Count;
+    ViewSlope slope = this->Score.SlopeAt(this->From.At(direction));
+    slope.slope *= this->From.distance;
+    return slope;
+  }
+
+  /**
+   * One step of Newton's method to the place where the slope vanishes. Near a top, scores differ by
+   * less than their rays' places make of them; the slope still tells where the middle is.
+   */
+  void Centre(const Vec3& ascent, std::vector<ScoredView>& path)
+  {
+    const ScoredView top = path.back();
+    const Vec3 right = RotationOf(AnglesOf(top.direction))[0];
+    const Vec3 ways[2] = { right, glm::cross(top.direction, right) };
+    const glm::dvec2 slope(glm::dot(ascent, ways[0]), glm::dot(ascent, ways[1]));
+    glm::dmat2 bend;
+    for (int way = 0; way < 2; ++way)
+    {
+      const Vec3 beside = Turned(top.direction, ways[way], bendingAngle);
+      const Vec3 there = this->AscentAt(beside).slope;
+      const Vec3 ahead = Turned(ways[way], -top.direction, bendingAngle);
+      const double along = glm::dot(there, ahead);
+      const double across = glm::dot(there, ways[1 - way]);
+      bend[way] = (glm::dvec2(way ? across : along, way ? along : across) - slope) / bendingAngle;
+    }
+    const double mixed = 0.5 * (bend[0][1] + bend[1][0]);
+    bend[0][1] = mixed;
+    bend[1][0] = mixed;
+    if (!(bend[0][0] < 0 && glm::determinant(bend) > 0))
+    {
+      return; // no top
+    }
+    const glm::dvec2 way = -glm::inverse(bend) * slope;
+    const double angle = glm::length(way);
+    if (!(angle > 0 && angle < this->Options.firstStep))
+    {
+      return;
+    }
+    ScoredView middle;
+    middle.direction = Turned(top.direction, (way.x * ways[0] + way.y * ways[1]) / angle, angle);
+    const ViewSlope there = this->AscentAt(middle.direction);
+    middle.score = this->ScoreAt(middle.direction);
+    middle.valid = true;
+    if (glm::length(there.slope) < glm::length(ascent) &&
+      middle.score.visible >= path.front().score.visible &&
+      middle.score.visible >= (1 - uncertainty) * top.score.visible)
+    {
+      while (path.size() > 1 && path.back().score.visible >= middle.score.visible)
+      {
+        path.pop_back();
+      }
+      path.push_back(middle);
+    }
+  }
+
+  Visible ScoreAt(const Vec3& direction)
+  {
+    ++this->Count;
+    return this->Score.At(this->From.At(direction));
+  }
+
   /// Goes up along a great circle. Returns how long the next step is to be; 0: this is the top.
   double Step(const ScoredView& here, const Vec3& along, double steepness, double length,
     std::vector<ScoredView>& path)
@@ -143,9 +223,8 @@ private:
     while (length >= this->Options.precision)
     {
       ScoredView next;
-      next.direction = glm::normalize(std::cos(length) * here.direction + std::sin(length) * along);
-      ++this->Count;
-      next.score = this->Score.At(this->From.At(next.direction));
+      next.direction = Turned(here.direction, along, length);
+      next.score = this->ScoreAt(next.direction);
       next.valid = true;
       const double gain = next.score.visible - here.score.visible;
       // The parabola with the slope at the start and the value at the end has its top there.

@@ -9,51 +9,75 @@ namespace limpid
 {
 namespace
 {
-/// A half of a layer between the clips of its ray; the ends are relative depths.
-struct ClippedPart
+LIMPID_INLINE float Least(float a, float b)
 {
-  HalfLayer<float> visible; ///< between entry and exit
-  float begin;
-  float end;
-};
-
-LIMPID_INLINE ClippedPart Part(const RayRow& rays, int half, int i)
-{
-  const Clip column{ rays.columnEntry[i], rays.columnExit[i] };
-  const float entry = column.entry > rays.row.entry ? column.entry : rays.row.entry;
-  const float exit = column.exit < rays.row.exit ? column.exit : rays.row.exit;
-  const float first = rays.layer.front + halfRanges[half].begin * rays.layer.thickness;
-  const float last = rays.layer.front + halfRanges[half].end * rays.layer.thickness;
-  const float begin = entry > first ? (entry < last ? entry : last) : first;
-  const float limit = exit < last ? exit : last;
-  return { ClippedHalf<float>(rays.layer, halfRanges[half], rays.length[i],
-             rays.extinction[half][i], rays.importance[half][i], column, rays.row),
-    begin, limit > begin ? limit : begin };
+  return a < b ? a : b;
 }
 
-/// Where a ray comes into the box.
-struct Entry
+LIMPID_INLINE float Most(float a, float b)
 {
-  float depth;      ///< relative
-  float extinction; ///< there [1/length]
-  bool here;        ///< in this layer
+  return a > b ? a : b;
+}
+
+/// The straight line through the samples at the two Gauss points of a layer.
+struct Line
+{
+  float origin; ///< at depth 0 from the front of the layer
+  float slope;  ///< [1/index]
+
+  LIMPID_INLINE Line(const Layer& layer, float first, float second)
+    : slope((second - first) / (float(gaussPoints[1] - gaussPoints[0]) * layer.thickness))
+  {
+    this->origin = first - this->slope * (float(gaussPoints[0]) * layer.thickness);
+  }
+
+  LIMPID_INLINE float At(float depth) const { return this->origin + depth * this->slope; }
 };
 
-LIMPID_INLINE Entry EntryOf(const RayRow& rays, float front, int i)
+/// Between two depths from the front of a layer.
+struct Stretch
 {
-  const float side = rays.columnEntry[i] > rays.row.entry ? rays.columnEntry[i] : rays.row.entry;
-  const float depth = side > front ? side : front;
-  const float back = rays.layer.front + rays.layer.thickness;
-  const float way = (depth - rays.layer.front) / rays.layer.thickness;
-  const float line = rays.extinction[0][i] +
-    (way - float(gaussPoints[0])) * float(1 / (gaussPoints[1] - gaussPoints[0])) *
-      (rays.extinction[1][i] - rays.extinction[0][i]);
-  return { depth, line > 0.0f ? line : 0.0f, depth >= rays.layer.front && depth < back };
+  float begin;
+  float end;
+
+  LIMPID_INLINE float Length() const { return this->end - this->begin; }
+  LIMPID_INLINE float Middle() const { return 0.5f * (this->begin + this->end); }
+};
+
+LIMPID_INLINE Stretch Clipped(const Stretch& inside, float begin, float end)
+{
+  const float first = Least(Most(inside.begin, begin), end);
+  return { first, Most(first, Least(inside.end, end)) };
+}
+
+/// One half of a layer with its samples; if the ray enters or leaves within, with those in the
+/// middle of what is inside.
+LIMPID_INLINE HalfLayer<float> HalfOf(const RayRow& rays, int half, const Stretch& stretch,
+  const Line& extinction, const Line& importance, int i)
+{
+  const float whole = 0.4999f * rays.layer.thickness;
+  const bool cut = stretch.Length() < whole;
+  const float mu = cut ? Most(extinction.At(stretch.Middle()), 0.0f) : rays.extinction[half][i];
+  const float g =
+    cut ? Most(Least(importance.At(stretch.Middle()), 1.0f), 0.0f) : rays.importance[half][i];
+  const float widening = (rays.layer.backScale - rays.layer.frontScale) / rays.layer.thickness;
+  return HalfLayer<float>(rays.length[i] * stretch.Length(), mu, g,
+    rays.layer.frontScale + widening * stretch.begin,
+    rays.layer.frontScale + widening * stretch.end);
+}
+
+/// Where light is stopped in a half of the optical depth x, as a share of it: at the Gauss point if
+/// x is small, at the front if it is large (HalfLayer.h).
+LIMPID_INLINE float StopShare(int half, float x)
+{
+  constexpr float gauss[2] = { float(2 * gaussPoints[0]), float(2 * gaussPoints[1] - 1) };
+  return gauss[half] * 2.0f / (2.0f + x * (1.0f / 3 + x * (1.0f / 18)));
 }
 
 struct TurnColumn
 {
   RayRow rays;
+  RowSlopes slopes;
   EyeDistance eye;
   EyeMove moves[2];
   double* opticalDepth;
@@ -62,104 +86,106 @@ struct TurnColumn
 
   LIMPID_INLINE void operator()(int i) const
   {
-    const ClippedPart parts[2] = { Part(this->rays, 0, i), Part(this->rays, 1, i) };
+    const Layer& layer = this->rays.layer;
     const float length = this->rays.length[i];
+    const float side = Most(this->rays.columnEntry[i], this->rays.row.entry);
+    const float entry = Most(side, this->eye.front);
+    const Stretch inside{ entry - layer.front,
+      Least(this->rays.columnExit[i], this->rays.row.exit) - layer.front };
+    const Stretch halves[2] = { Clipped(inside, 0, 0.5f * layer.thickness),
+      Clipped(inside, 0.5f * layer.thickness, layer.thickness) };
+    const Line extinction(layer, this->rays.extinction[0][i], this->rays.extinction[1][i]);
+    const Line importance(layer, this->rays.importance[0][i], this->rays.importance[1][i]);
+    const HalfLayer<float> parts[2] = { HalfOf(this->rays, 0, halves[0], extinction, importance, i),
+      HalfOf(this->rays, 1, halves[1], extinction, importance, i) };
     const float tau = static_cast<float>(this->opticalDepth[i]);
-    const float front = Attenuate(tau);
-    const float transmittance[2] = { front, front * parts[0].visible.Passed() };
-    const float gained[2] = { transmittance[0] * parts[0].visible.visible,
-      transmittance[1] * parts[1].visible.visible };
+    const float transmittance = Attenuate(tau);
+    const float gained[2] = { transmittance * parts[0].visible,
+      transmittance * parts[0].Passed() * parts[1].visible };
     this->visible[i] += gained[0] + gained[1];
-    this->plain[i] += parts[0].visible.plain + parts[1].visible.plain;
+    this->plain[i] += parts[0].plain + parts[1].plain;
 
-    const Entry entry = EntryOf(this->rays, this->eye.front, i);
-    const bool side = this->rays.columnEntry[i] > this->rays.row.entry;
-    for (int m = 0; m < 2; ++m)
+    // Where light is stopped in the halves, and the same for all moves.
+    float stop[2];
+    float deepened[2];
+    float inverse[2];
+    const Stretch whole = Clipped(inside, 0, layer.thickness);
+    const float begin = whole.begin;
+    for (int half = 0; half < 2; ++half)
     {
-      const EyeMove& move = this->moves[m];
-      const float through = entry.depth > this->eye.front
-        ? (side ? move.side[i] : move.row * length)
+      const Stretch& stretch = halves[half];
+      stop[half] =
+        stretch.begin + StopShare(half, parts[half].opticalDepth) * stretch.Length() - begin;
+      deepened[half] =
+        tau + length * stop[half] * (extinction.At(begin) + 0.5f * stop[half] * extinction.slope);
+      const float distance = layer.front + begin + stop[half] + this->eye.depth; // 0 at the eye
+      inverse[half] =
+        this->eye.parallel ? length * this->eye.inverse : 1.0f / Most(distance, 1e-6f);
+    }
+    const bool enters = inside.begin >= 0.0f && inside.begin < layer.thickness;
+    const float step = enters ? Most(extinction.At(inside.begin), 0.0f) : 0.0f;
+    const float way = whole.Length();
+    for (const EyeMove& move : this->moves)
+    {
+      const float across = move.across - this->eye.slope[i] * move.depth;
+      const Line slope(layer,
+        length * (across * this->slopes.across[0][i] + move.down * this->slopes.down[0][i]),
+        length * (across * this->slopes.across[1][i] + move.down * this->slopes.down[1][i]));
+      const float through = side > this->eye.front
+        ? (this->rays.columnEntry[i] > this->rays.row.entry ? move.side[i] : move.row * length)
         : move.front * length;
-      const float step = entry.here ? entry.extinction * through : 0.0f;
-      float push = move.push[i] + step;
-      float moment = move.moment[i] + step * entry.depth;
-      float before = tau;
+      const float push = move.push[i] + step * through;
+      const float moment = move.moment[i] + step * through * entry;
+      const float first = slope.At(begin);
+      const float at = layer.front + begin;
       float gain = 0;
       for (int half = 0; half < 2; ++half)
       {
-        const float begin = parts[half].begin;
-        const float depth = parts[half].end - begin;
-        const float x = parts[half].visible.opticalDepth;
-        // Where light is stopped, as a share of the half's depth (HalfLayer.h).
-        const float centre = 1.0f / (2.0f + x * (1.0f / 3 + x * (1.0f / 18)));
-        const float slope = move.slope[half][i] * length * depth;
-        const float at = begin + centre * depth;
-        const float change = at * (push + centre * slope) -
-          (moment + centre * slope * (begin + 0.5f * centre * depth)) -
-          move.along[i] * (before + centre * x);
-        const float distance = at + this->eye.depth; // 0 for a half that is clipped at the eye
-        const float inverse = this->eye.parallel ? length * this->eye.inverse
-                                                 : 1.0f / (distance > 1e-6f ? distance : 1e-6f);
-        gain += gained[half] * change * inverse;
-        push += slope;
-        moment += slope * (begin + 0.5f * depth);
-        before += x;
+        const float s = stop[half];
+        const float change = (at + s) * push - moment +
+          s * s * (0.5f * first + (1.0f / 6) * s * slope.slope) - move.along[i] * deepened[half];
+        gain += gained[half] > 0.0f ? gained[half] * change * inverse[half] : 0.0f;
       }
+      const float pushed = way * (first + 0.5f * way * slope.slope);
       move.gain[i] += gain;
-      move.push[i] = push;
-      move.moment[i] = moment;
+      move.push[i] = push + pushed;
+      move.moment[i] =
+        moment + at * pushed + way * way * (0.5f * first + (1.0f / 3) * way * slope.slope);
     }
     // Behind the exit nothing is visible, so what is deepened there does not matter.
-    this->opticalDepth[i] += parts[0].visible.LimitedDepth() + parts[1].visible.LimitedDepth();
+    this->opticalDepth[i] += parts[0].LimitedDepth() + parts[1].LimitedDepth();
   }
 };
 }
 
 LIMPID_MULTIVERSION
-void DifferFourRows(const float* const rows[2][2], float across, float along, const RowMove& move,
-  int begin, int end, float* __restrict out)
+void AddRow(const float* __restrict front, const float* __restrict back, float along, float factor,
+  bool first, int begin, int end, float* __restrict out)
 {
-  const float* __restrict front0 = rows[0][0];
-  const float* __restrict front1 = rows[0][1];
-  const float* __restrict back0 = rows[1][0];
-  const float* __restrict back1 = rows[1][1];
-  const RowMove by = move;
   for (int u = begin; u < end; ++u)
   {
-    const float front = front1[u] - front0[u];
-    const float back = back1[u] - back0[u];
-    const float first = back0[u] - front0[u];
-    out[u] =
-      by.across * (front + along * (back - front)) + by.along * (first + across * (back - front));
+    out[u] = (first ? 0.0f : out[u]) + factor * (front[u] + along * (back[u] - front[u]));
   }
 }
 
 LIMPID_MULTIVERSION
-void DifferRow(const float* __restrict row, int begin, int end, float* __restrict out)
+void DifferRow(
+  const float* __restrict samples, float factor, const Interval& columns, float* __restrict out)
 {
-  for (int u = begin; u + 1 < end; ++u)
-  {
-    out[u] = row[u + 1] - row[u];
-  }
-  out[end - 1] = 0;
-}
-
-LIMPID_MULTIVERSION
-void AddSteps(const LinearMap& map, const float* __restrict steps, float factor,
-  const Interval& columns, float* __restrict values)
-{
-  const int* __restrict index = map.index.data();
   for (int i = columns.begin; i < columns.end; ++i)
   {
-    values[i] += factor * steps[index[i]];
+    out[i] = factor *
+      (stencilWeights[0] * samples[i] + stencilWeights[1] * samples[i + 1] +
+        stencilWeights[2] * samples[i + 2] + stencilWeights[3] * samples[i + 3]);
   }
 }
 
 LIMPID_MULTIVERSION
-void ForwardTurnRow(const RayRow& rays, const EyeDistance& eye, const EyeMove moves[2],
-  double* opticalDepth, float* visible, float* plain)
+void ForwardTurnRow(const RayRow& rays, const RowSlopes& slopes, const EyeDistance& eye,
+  const EyeMove moves[2], double* opticalDepth, float* visible, float* plain)
 {
-  const TurnColumn column{ rays, eye, { moves[0], moves[1] }, opticalDepth, visible, plain };
+  const TurnColumn column{ rays, slopes, eye, { moves[0], moves[1] }, opticalDepth, visible,
+    plain };
 #pragma GCC ivdep
   for (int i = rays.work.begin; i < rays.work.end; ++i)
   {

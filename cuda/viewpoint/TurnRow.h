@@ -7,15 +7,18 @@
 #define limpid_viewpoint_TurnRow_h
 
 #include "sweep/Rows.h"
+#include "viewpoint/TurnPlanes.h"
 
 namespace limpid
 {
 /**
  * What a move of the eye by e does to the rays of a row in one layer.
  *
- * A point x at depth D stays where it is; its optical depth changes by
+ * Moving the eye along a ray changes nothing on it. So e is moved along every ray into the plane of
+ * the eye across the depth axis, e' = e - e_w (a, b, 1) with the ray's slopes a and b. A point x at
+ * depth D stays where it is; its optical depth changes by
  *
- *   d tau = (D P - M - c tau) / R,   P = int e . grad mu ds,   M = int D' e . grad mu ds
+ *   d tau = (D P - M - c tau) / R,   P = int e' . grad mu ds,   M = int D' e' . grad mu ds
  *
  * over the medium in front of it, at depths D'. R is D for a point eye; for a parallel one, which
  * turns about a point, it is the distance to that over the length of a ray per unit of depth. c
@@ -23,45 +26,47 @@ namespace limpid
  */
 struct EyeMove
 {
-  const float* slope[2]; ///< e . grad mu at the Gauss points [1/length]
-  const float* along;    ///< c, per column
-  const float* side;     ///< P of a step of 1 through the sides that face u, per column
-  float row;             ///< ... through those that face v, over the length per depth
-  float front;           ///< ... through the front, over the length per depth; 0 at the eye
-  float* push;           ///< P so far
-  float* moment;         ///< M so far
-  float* gain;           ///< minus the derivative of the visible importance so far
+  float across;       ///< e along the columns [index]
+  float down;         ///< e' along the rows [index]
+  float depth;        ///< e along the depth axis [index]
+  const float* along; ///< c, per column
+  const float* side;  ///< P of a step of 1 through the sides that face u, per column
+  float row;          ///< ... through those that face v, over the length per depth
+  float front;        ///< ... through the front, over the length per depth: 0 but at the eye
+  float* push;        ///< P so far
+  float* moment;      ///< M so far
+  float* gain;        ///< minus the derivative of the visible importance so far
+};
+
+/// The derivatives of extinction across a row of rays at the Gauss points [1/length/index].
+struct RowSlopes
+{
+  const float* across[2]; ///< along the columns, per column
+  const float* down[2];   ///< along the rows, per column
 };
 
 /// Where the rays of all layers come from.
 struct EyeDistance
 {
   bool parallel;
-  float front;   ///< relative depth where rays begin that do not enter through a side
-  float depth;   ///< point eye: depth of relative depth 0 [index]
-  float inverse; ///< parallel eye: 1 / distance to the point about which it turns [1/length]
+  const float* slope; ///< a, per column
+  float front;        ///< relative depth where rays begin that do not enter through a side
+  float depth;        ///< point eye: depth of relative depth 0 [index]
+  float inverse;      ///< parallel eye: 1 / distance to the point about which it turns [1/length]
 };
 
-/// What a move does to the samples of a plane: along its rows and in depth, for the columns [begin,
-/// end) of four rows [slice][row] with the weights of BlendFourRows.
-struct RowMove
-{
-  float across; ///< e along the second index of the rows [index]
-  float along;  ///< e in depth [index]
-};
-void DifferFourRows(const float* const rows[2][2], float across, float along, const RowMove& move,
-  int begin, int end, float* out);
+/// out = (0 or out) + factor (front + along (back - front)), columns [begin, end).
+void AddRow(const float* front, const float* back, float along, float factor, bool first, int begin,
+  int end, float* out);
 
-/// out[i] = row[i + 1] - row[i], and 0 at end - 1.
-void DifferRow(const float* row, int begin, int end, float* out);
+/// out[i] = factor times the derivative by the step of samples[i], ..., samples[i + 3], which lie
+/// 3/2 and 1/2 steps before and behind.
+void DifferRow(const float* samples, float factor, const Interval& columns, float* out);
 
-/// values[i] += factor steps[index[i]].
-void AddSteps(
-  const LinearMap& map, const float* steps, float factor, const Interval& columns, float* values);
-
-/// Like ForwardRow, and what two moves of the eye do to the visible importance.
-void ForwardTurnRow(const RayRow& rays, const EyeDistance& eye, const EyeMove moves[2],
-  double* opticalDepth, float* visible, float* plain);
+/// The visible importance of a layer added to `visible` and `plain`, and what two moves of the eye
+/// do to it.
+void ForwardTurnRow(const RayRow& rays, const RowSlopes& slopes, const EyeDistance& eye,
+  const EyeMove moves[2], double* opticalDepth, float* visible, float* plain);
 }
 
 #endif

@@ -32,6 +32,9 @@ public:
   /// Both fields: grid.NodeCount() values; they are copied.
   ViewFields(const Grid& grid, const float* extinction, const float* importance);
 
+  /// Nodes of the box of what is not empty, along each axis; 0 if all is.
+  const Int3& Nodes() const { return this->Straight.grid.nodes; }
+
   /// A family of rays and the fields that it runs through.
   struct Part
   {

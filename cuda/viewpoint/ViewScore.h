@@ -21,8 +21,7 @@ struct ViewSlope
  * the volume counts, in view or not.
  *
  * The fields, grid.NodeCount() values each, are copied: extinction >= 0 [1/length], importance
- * [0, 1]. `rayDensity`: rays per voxel and axis, at
- * least; small grids get more.
+ * [0, 1]. `rayDensity`: rays per voxel and axis, at least; what is small gets more.
  */
 class ViewScore
 {
@@ -32,8 +31,8 @@ public:
   /// S of Eq. 32 and its bound. May be called by several threads.
   Visible At(const Camera& camera) const;
 
-  /// The same and its derivative by the camera's position, from one sweep
-  /// (Documentation/Method.md, section on viewpoints).
+  /// The same, from more samples at a `rayDensity` of two and more, and its derivative by the
+  /// camera's position, from one sweep (Documentation/Method.md, section on viewpoints).
   ViewSlope SlopeAt(const Camera& camera) const;
 
 private:

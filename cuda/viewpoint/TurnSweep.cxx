@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "viewpoint/TurnSweep.h"
+
+#include "backend/Backend.h"
+#include "viewpoint/TurnRow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpid
+{
+namespace
+{
+/// What travels with the rays for one move of the eye, one value per ray, and its constants.
+struct TurnImages
+{
+  Vec3 move; ///< along u, v, depth [index]
+  std::vector<float> side;
+  std::vector<float> along;
+  std::vector<float> push;
+  std::vector<float> moment;
+  std::vector<float> gain;
+};
+
+class TurnVisitor
+{
+public:
+  TurnVisitor(const ViewFields::Part& part, const Vec3 moves[2], double distance, double rayDensity)
+    : Source(part.pyramid)
+    , Planes(
+        part.pyramid, part.eye, rayDensity, std::max(1, static_cast<int>(std::lround(rayDensity))))
+    , Images(part.pyramid)
+    , Extinction(part.pyramid, part.fields->grid, part.fields->extinction.data())
+    , Importance(part.pyramid, part.fields->grid, part.fields->importance.data())
+  {
+    const Pyramid& pyramid = part.pyramid;
+    this->ColumnSlopes.assign(pyramid.columnAxis.slope.begin(), pyramid.columnAxis.slope.end());
+    const Station& first = pyramid.stations[std::size_t(pyramid.FirstSlice())];
+    this->Distance.parallel = part.eye.parallel;
+    this->Distance.slope = this->ColumnSlopes.data();
+    this->Distance.front = pyramid.FrontDepth();
+    this->Distance.depth = static_cast<float>(first.depth);
+    this->Distance.inverse = static_cast<float>(1 / distance);
+    const int* slices = pyramid.stations.front().planes[0].slices;
+    const double sign = slices[1] - slices[0]; // whether depth grows with the index
+    for (int m = 0; m < 2; ++m)
+    {
+      const Vec3 move = part.fields->grid.DirectionToIndex(moves[m]);
+      this->Place(
+        { move[pyramid.axisU], move[pyramid.axisV], sign * move[pyramid.axisW] }, this->Turns[m]);
+    }
+  }
+
+  void Load(const Slab& slab)
+  {
+    this->Extinction.Load(slab, 1);
+    this->Importance.Load(slab, 1);
+  }
+
+  void Row(const Slab& slab, int row)
+  {
+    const std::size_t first = std::size_t(row) * this->Source.columns;
+    EyeMove moves[2] = { this->MoveOf(0, row), this->MoveOf(1, row) };
+    float* memory = ThreadScratch(SampleCount * this->Pitch() + 2 * ScratchSize(this->Source));
+    for (int s = slab.begin; s < std::min(slab.end, this->Source.LastStation()); ++s)
+    {
+      RayRow rays = RaysOf(this->Source, this->Images, s, row);
+      if (rays.work.Empty())
+      {
+        continue;
+      }
+      const Layer whole = rays.layer;
+      for (int part = 0; part < this->Planes.Parts(); ++part)
+      {
+        rays.layer = PartOf(whole, part, this->Planes.Parts());
+        const RowSlopes slopes = this->Sample(s, part, row, memory, rays);
+        ForwardTurnRow(rays, slopes, this->Distance, moves,
+          this->Images.opticalDepth.data() + first, this->Images.behind.data() + first,
+          this->Images.plain.data() + first);
+      }
+    }
+  }
+
+  TurnResult Result() const
+  {
+    TurnResult result;
+    result.score = { SumOfRays(this->Source, this->Images, this->Images.behind.data()),
+      SumOfRays(this->Source, this->Images, this->Images.plain.data()) };
+    for (int m = 0; m < 2; ++m)
+    {
+      result.slope[m] = -SumOfRays(this->Source, this->Images, this->Turns[m].gain.data());
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::size_t SampleCount = 9; // rows of samples of a layer
+
+  /// Values per row of samples: also of those between the rays.
+  std::size_t Pitch() const { return std::size_t(this->Source.columns) + 3; }
+
+  static Layer PartOf(const Layer& whole, int part, int parts)
+  {
+    const float share = 1.0f / static_cast<float>(parts);
+    const float before = share * static_cast<float>(part);
+    const float widening = whole.backScale - whole.frontScale;
+    return { whole.front + before * whole.thickness, share * whole.thickness,
+      whole.frontScale + before * widening, whole.frontScale + (before + share) * widening };
+  }
+
+  void Place(const Vec3& move, TurnImages& turn) const
+  {
+    turn.move = move;
+    const auto count = std::size_t(this->Source.RayCount());
+    for (std::vector<float>* image :
+      { &turn.side, &turn.along, &turn.push, &turn.moment, &turn.gain })
+    {
+      image->assign(count, 0.0f);
+    }
+    const Vec3& h = this->Source.spacing;
+    for (std::size_t ray = 0; ray < count; ++ray)
+    {
+      const double a = this->Source.columnAxis.slope[ray % std::size_t(this->Source.columns)];
+      const double b = this->Source.rowAxis.slope[ray / std::size_t(this->Source.columns)];
+      const double u = move.x - a * move.z;
+      const double v = move.y - b * move.z;
+      const double length = this->Images.length[ray];
+      turn.side[ray] = a != 0 ? static_cast<float>(u / a * length) : 0.0f;
+      turn.along[ray] =
+        static_cast<float>((a * h.x * u * h.x + b * h.y * v * h.y) / (length * length));
+    }
+  }
+
+  EyeMove MoveOf(int m, int row)
+  {
+    TurnImages& turn = this->Turns[m];
+    const std::size_t first = std::size_t(row) * this->Source.columns;
+    const double slope = this->Source.rowAxis.slope[std::size_t(row)];
+    const double down = turn.move.y - slope * turn.move.z;
+    const bool atEye = this->Source.stations.front().slice < 0;
+    EyeMove move{};
+    move.across = static_cast<float>(turn.move.x);
+    move.down = static_cast<float>(down);
+    move.depth = static_cast<float>(turn.move.z);
+    move.along = turn.along.data() + first;
+    move.side = turn.side.data() + first;
+    move.row = slope != 0 ? static_cast<float>(down / slope) : 0.0f;
+    // An eye in the medium that moves on along a ray leaves some of it behind.
+    move.front = atEye ? static_cast<float>(-turn.move.z) : 0.0f;
+    move.push = turn.push.data() + first;
+    move.moment = turn.moment.data() + first;
+    move.gain = turn.gain.data() + first;
+    return move;
+  }
+
+  /// Samples a part of the layer behind station `s`.
+  RowSlopes Sample(int s, int part, int row, float* memory, RayRow& rays)
+  {
+    RowSlopes slopes{};
+    const std::size_t pitch = this->Pitch();
+    float* scratch = memory + SampleCount * pitch;
+    for (int half = 0; half < 2; ++half)
+    {
+      const TurnPlane& plane = this->Planes.At(s, part, half);
+      float* extinction = memory + std::size_t(half) * pitch;
+      float* importance = memory + std::size_t(half + 2) * pitch;
+      float* across = memory + std::size_t(half + 4) * pitch;
+      float* down = memory + std::size_t(half + 6) * pitch;
+      float* between = memory + 8 * pitch;
+      const Interval read = this->ReadBy(plane, rays.work);
+      this->Blend(this->Importance, plane, row, read, scratch);
+      InterpolateRow(scratch, plane.columns, rays.work, importance);
+      this->Blend(this->Extinction, plane, row, read, scratch);
+      InterpolateRow(scratch, plane.columns, rays.work, extinction);
+      InterpolateRow(scratch, plane.between, { rays.work.begin, rays.work.end + 3 }, between);
+      DifferRow(between, 1 / plane.columnStep, rays.work, across);
+      this->Differ(this->Extinction, plane, row, read, scratch);
+      InterpolateRow(scratch, plane.columns, rays.work, down);
+      rays.extinction[half] = extinction;
+      rays.importance[half] = importance;
+      slopes.across[half] = across;
+      slopes.down[half] = down;
+    }
+    return slopes;
+  }
+
+  /// Voxel columns that rays and the places between them read.
+  Interval ReadBy(const TurnPlane& plane, const Interval& columns)
+  {
+    const std::vector<int>& index = plane.between.index;
+    return FilledRegisters(
+      { index[std::size_t(columns.begin)], index[std::size_t(columns.end) + 2] + 2 },
+      { 0, this->Extinction.ColumnCount() });
+  }
+
+  void Blend(
+    SliceWindow& field, const TurnPlane& plane, int row, const Interval& read, float* out) const
+  {
+    const double position = plane.firstRow + row * plane.rowStep;
+    const int v = NodeBefore(position, this->Source.nodesV);
+    const float* rows[2][2] = { { field.Row(plane.slices[0], v),
+                                  field.Row(plane.slices[0], v + 1) },
+      { field.Row(plane.slices[1], v), field.Row(plane.slices[1], v + 1) } };
+    BlendFourRows(
+      rows, static_cast<float>(position - v), plane.fraction, read.begin, read.end, out);
+  }
+
+  /// The derivative across the rows, of voxel columns.
+  void Differ(
+    SliceWindow& field, const TurnPlane& plane, int row, const Interval& read, float* out) const
+  {
+    const RowStencil stencil = StencilOf(plane, row, this->Source.nodesV);
+    for (int v = stencil.row[0]; v <= stencil.row[3] + 1; ++v)
+    {
+      AddRow(field.Row(plane.slices[0], v), field.Row(plane.slices[1], v), plane.fraction,
+        stencil.FactorOf(v), v == stencil.row[0], read.begin, read.end, out);
+    }
+  }
+
+  const Pyramid& Source;
+  TurnPlanes Planes;
+  RayImages Images;
+  SliceWindow Extinction;
+  SliceWindow Importance;
+  std::vector<float> ColumnSlopes;
+  EyeDistance Distance{};
+  TurnImages Turns[2];
+};
+}
+
+TurnResult SweepTurning(
+  const ViewFields::Part& part, const Vec3 moves[2], double distance, double rayDensity)
+{
+  constexpr Index rowsPerTask = 4;
+  TurnVisitor visitor(part, moves, distance, rayDensity);
+  for (const Slab& slab : SlabsOf(part.pyramid))
+  {
+    visitor.Load(slab);
+    ParallelFor(part.pyramid.rows, rowsPerTask, [&](Index row) { visitor.Row(slab, int(row)); });
+  }
+  return visitor.Result();
+}
+}
