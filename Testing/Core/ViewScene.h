@@ -24,8 +24,10 @@ inline std::vector<Vec3> RandomDirections(int count)
   std::vector<Vec3> directions;
   for (int i = 0; i < count; ++i)
   {
-    directions.push_back(
-      glm::normalize(Vec3(normal(generator), normal(generator), normal(generator))));
+    const double x = normal(generator);
+    const double y = normal(generator);
+    const double z = normal(generator);
+    directions.push_back(glm::normalize(Vec3(x, y, z)));
   }
   return directions;
 }

@@ -3,96 +3,57 @@
 
 #include "optimize/Policy.h"
 
+#include "optimize/PolicyIterations.h"
 #include "optimize/PolicySweep.h"
 #include "optimize/Terms.h"
-
-#include <algorithm>
-#include <array>
 
 namespace limpid
 {
 namespace
 {
-class Policy : public Minimizer
+class PolicyOnCpu
 {
 public:
-  Policy(const Problem& problem, std::vector<float>&& start, bool warm)
-    : Task(problem)
+  using Field = std::vector<float>;
+
+  explicit PolicyOnCpu(const Problem& problem)
+    : Work(&problem)
     , Seen(problem)
-    , Warm(warm)
   {
-    this->Iterates[0] = std::move(start);
   }
 
-  IterationRecord Start() override
-  {
-    const IterationRecord record = this->Seen.Measure(this->Task, this->Iterates[0]);
-    this->BestEnergy = record.energy.Total();
-    return record;
-  }
+  const Problem& Task() const { return *this->Work; }
+  bool IsEmpty(const Field& field) const { return field.empty(); }
+  Field CopyOf(const Field& field) const { return field; }
+  const std::vector<float>& Read(const Field& field) const { return field; }
+  std::vector<float> Take(Field&& field) const { return std::move(field); }
 
-  IterationRecord Iterate() override
+  IterationRecord Measure(const Field& now, const Field* before)
   {
-    const std::size_t last = this->Now;
-    const std::size_t next = this->FreeIterate();
-    this->Sweep(this->Iterates[last], this->Iterates[next]);
-    ++this->Count;
-    this->Now = next;
-    IterationRecord record = this->Seen.Measure(this->Task, this->Iterates[next]);
-    this->Change = this->Task.MeanChange(
-      this->Iterates[last], this->Iterates[next], this->Task.occupancy->FilledVoxels());
-    record.meanChange = this->Change;
-    if (record.energy.Total() < this->BestEnergy)
+    IterationRecord record = this->Seen.Measure(*this->Work, now);
+    if (before)
     {
-      this->BestEnergy = record.energy.Total();
-      this->BestOf = next;
+      record.meanChange =
+        this->Work->MeanChange(*before, now, this->Work->occupancy->FilledVoxels());
     }
     return record;
   }
 
-  bool Converged() const override
+  void Sweep(const Field& last, Field& next, bool trust)
   {
-    return this->Count > 0 && this->Change < this->Task.settings.tolerance;
-  }
-
-  int IterationLimit() const override { return this->Task.settings.maximumIterations; }
-
-  const std::vector<float>& Best() const override { return this->Iterates[this->BestOf]; }
-
-  std::vector<float> TakeBest() override { return std::move(this->Iterates[this->BestOf]); }
-
-private:
-  /// A place for the next iterate that overwrites neither the last nor the best.
-  std::size_t FreeIterate()
-  {
-    std::size_t free = 0;
-    while (free == this->Now || free == this->BestOf)
-    {
-      ++free;
-    }
-    if (this->Iterates[free].empty())
-    {
-      this->Iterates[free] = this->Iterates[this->Now]; // empty voxels are not visited
-    }
-    return free;
-  }
-
-  void Sweep(const std::vector<float>& last, std::vector<float>& next)
-  {
-    const Weights& weights = this->Task.settings.weights;
+    const Problem& problem = *this->Work;
+    const Weights& weights = problem.settings.weights;
     VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
-    const bool trust = this->Warm || this->Count > 0;
     const bool joint = this->Seen.camera && this->Seen.light;
     if (trust && joint)
     {
       this->Lagged.assign(last.size(), 0.0f);
-      this->Seen.light->AddGradient(
-        { last.data(), this->Task.importance, this->Task.nodeImportance },
-        this->Task.settings.derivative, 1.0f, this->Lagged.data());
+      this->Seen.light->AddGradient({ last.data(), problem.importance, problem.nodeImportance },
+        problem.settings.derivative, 1.0f, this->Lagged.data());
     }
     const bool useLagged = !this->Lagged.empty();
-    PolicyTask task = TaskOf(this->Task, this->Seen.camera ? weights.view : weights.light,
-      useLagged ? weights.light : 0.0);
+    PolicyTask task = TaskOf(
+      problem, this->Seen.camera ? weights.view : weights.light, useLagged ? weights.light : 0.0);
     task.fields.extinction = last.data();
     task.fields.lagged = useLagged ? this->Lagged.data() : nullptr;
     task.fields.next = next.data();
@@ -103,21 +64,16 @@ private:
     }
   }
 
-  const Problem& Task;
+private:
+  const Problem* Work;
   Terms Seen;
-  bool Warm;
-  int Count = 0;
-  double Change = 0;
-  double BestEnergy = 0;
-  std::array<std::vector<float>, 3> Iterates; ///< filled as needed
-  std::size_t Now = 0;                        ///< the last iterate
-  std::size_t BestOf = 0;                     ///< the best
-  std::vector<float> Lagged;                  ///< T_L (V_L - g) of the last iterate; empty: none
+  std::vector<float> Lagged; ///< T_L (V_L - g) of the last iterate; empty: none
 };
 }
 
 std::unique_ptr<Minimizer> MakePolicy(const Problem& problem, std::vector<float>&& start, bool warm)
 {
-  return std::make_unique<Policy>(problem, std::move(start), warm);
+  return std::make_unique<PolicyIterations<PolicyOnCpu>>(
+    PolicyOnCpu(problem), std::move(start), warm);
 }
 }

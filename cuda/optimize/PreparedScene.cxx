@@ -124,6 +124,7 @@ Problem PreparedScene::ProblemFor(
   task.importance = scene.importance;
   task.nodeImportance = this->Important.data();
   task.occupancy = this->Filled;
+  task.resident = this->Kept;
   task.majorant = this->LargestExtinction;
   task.camera = EyeOfCamera(camera, scene.grid, settings.restrictToView);
   task.light = EyeOfLight(light, scene.grid);

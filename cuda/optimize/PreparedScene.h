@@ -45,6 +45,7 @@ private:
   bool SomethingImportant = false;
   std::vector<float> Important;            ///< see NodeImportanceOfFilled; made when first needed
   std::shared_ptr<const Occupancy> Filled; ///< made when first needed
+  std::shared_ptr<Resident> Kept = std::make_shared<Resident>();
 };
 }
 

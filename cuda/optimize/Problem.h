@@ -14,6 +14,12 @@
 
 namespace limpid
 {
+/// What an engine keeps for all problems of a scene, of a type that only the engine knows.
+struct Resident
+{
+  std::shared_ptr<void> fields;
+};
+
 /// What is to be minimised: Eq. 21 for one extinction field. The fields belong to the caller.
 struct Problem
 {
@@ -22,6 +28,7 @@ struct Problem
   const float* importance = nullptr;          ///< [0, 1]
   const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
+  std::shared_ptr<Resident> resident;         ///< null: nothing can be kept
   float majorant = 0;                         ///< upper bound of the extinction [1/length]
   Eye camera;
   Eye light;

@@ -95,7 +95,11 @@ struct HalfRange
   float begin;
   float end;
 };
-constexpr HalfRange halfRanges[2] = { { 0.0f, 0.5f }, { 0.5f, 1.0f } };
+
+LIMPID_HD LIMPID_INLINE HalfRange HalfRangeOf(int half)
+{
+  return half == 0 ? HalfRange{ 0.0f, 0.5f } : HalfRange{ 0.5f, 1.0f };
+}
 
 /// A half of a layer that the ray crosses inside the box from front to back. `length`: world
 /// length of the ray per unit of depth.

@@ -4,6 +4,7 @@
 #include "sweep/Rows.h"
 
 #include "backend/Gather.h"
+#include "sweep/RayLayer.h"
 
 namespace limpid
 {
@@ -11,37 +12,15 @@ namespace
 {
 LIMPID_INLINE HalfLayer<float> Whole(const RayRow& rays, int half, int i)
 {
-  return WholeHalf<float>(rays.layer, halfRanges[half], rays.length[i], rays.extinction[half][i],
+  return WholeHalf<float>(rays.layer, HalfRangeOf(half), rays.length[i], rays.extinction[half][i],
     rays.importance[half][i]);
 }
-
-/// Which ends of a ray's stay in the box cut a half off.
-enum class Cut
-{
-  Entry,
-  Exit,
-  Both
-};
 
 template <Cut cut>
 LIMPID_INLINE HalfLayer<float> Clipped(const RayRow& rays, int half, int i)
 {
-  constexpr float always = 1e30f;
-  Clip column{ rays.columnEntry[i], rays.columnExit[i] };
-  Clip row = rays.row;
-  if (cut == Cut::Entry)
-  {
-    column.exit = row.exit = always;
-  }
-  if (cut == Cut::Exit)
-  {
-    const float entry = column.entry > row.entry ? column.entry : row.entry;
-    const float exit = column.exit < row.exit ? column.exit : row.exit;
-    row.exit = entry < exit ? row.exit : -always; // a ray that misses the box meets nothing
-    column.entry = row.entry = -always;
-  }
-  return ClippedHalf<float>(rays.layer, halfRanges[half], rays.length[i], rays.extinction[half][i],
-    rays.importance[half][i], column, row);
+  return CutHalf<cut>(rays.layer, half, rays.length[i], rays.extinction[half][i],
+    rays.importance[half][i], { rays.columnEntry[i], rays.columnExit[i] }, rays.row);
 }
 
 /// The columns of a row in three parts: clipped, whole, clipped.
@@ -160,12 +139,6 @@ struct Unwind
       Whole(this->rays, 0, i).LimitedDepth() + Whole(this->rays, 1, i).LimitedDepth();
   }
 };
-
-/// What comes from the back of a layer to its middle and on to its front.
-LIMPID_INLINE float Carried(const HalfLayer<float>& half, float behind)
-{
-  return half.visible + half.Passed() * behind;
-}
 
 struct BackwardWhole
 {
@@ -342,8 +315,7 @@ void TransmitRow(
 {
   for (int i = columns.begin; i < columns.end; ++i)
   {
-    const float depth = static_cast<float>(opticalDepth[i]);
-    transmittance[i] = Attenuate(depth > 0.0f ? depth : 0.0f); // rounding leaves traces below 0
+    transmittance[i] = Transmitted(static_cast<float>(opticalDepth[i]));
   }
 }
 
@@ -353,14 +325,10 @@ void DensifyRow(const DensityRow& row, const Interval& columns, float* __restric
   const DensityRow rays = row;
   for (int i = columns.begin; i < columns.end; ++i)
   {
-    constexpr float tooClose = 0.01f; // to the entry, to divide by the distance [index]
     const float entry = rays.entry > rays.columnEntry[i] ? rays.entry : rays.columnEntry[i];
-    const float distance = rays.depth - entry;
-    const bool close = distance < tooClose && (!rays.unwound || distance > -tooClose);
     const float here = rays.extinction ? rays.extinction[i] * rays.length[i] : 0.0f;
-    const float depth = static_cast<float>(rays.opticalDepth[i]);
-    const float mean = (depth < rays.limit ? depth : rays.limit) / (close ? tooClose : distance);
-    density[i] = close ? here : mean;
+    density[i] = Densified(
+      static_cast<float>(rays.opticalDepth[i]), rays.depth - entry, here, rays.unwound, rays.limit);
   }
 }
 
@@ -371,8 +339,7 @@ void TransmitVoxelRow(float depth, float rowEntry, const float* __restrict colum
   for (int u = columns.begin; u < columns.end; ++u)
   {
     const float entry = rowEntry > columnEntry[u] ? rowEntry : columnEntry[u];
-    const float opticalDepth = densityToTransmittance[u] * (depth - entry);
-    densityToTransmittance[u] = Attenuate(opticalDepth > 0.0f ? opticalDepth : 0.0f);
+    densityToTransmittance[u] = Transmitted(densityToTransmittance[u] * (depth - entry));
   }
 }
 

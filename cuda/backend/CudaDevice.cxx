@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "backend/CudaDevice.h"
+
+#include "math/Require.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+void detail::RequireCuda(cudaError_t status, const char* call)
+{
+  if (status == cudaSuccess)
+  {
+    return;
+  }
+  cudaGetLastError(); // it is told here, once
+  LIMPID_REQUIRE(false,
+    "CUDA says \"" << cudaGetErrorString(status) << "\" (" << call
+                   << "; the result would be wrong). Use the backend CPU, and report this if it "
+                      "happens again.");
+}
+
+CudaDevice::CudaDevice(int number)
+  : Number(number)
+{
+  cudaDeviceProp properties{};
+  LIMPID_CUDA(cudaSetDevice(number));
+  LIMPID_CUDA(cudaGetDeviceProperties(&properties, number));
+  LIMPID_REQUIRE(properties.cooperativeLaunch && properties.memoryPoolsSupported,
+    "The GPU " << properties.name
+               << " cannot start kernels that wait for each other (slices are swept in one "
+                  "launch). Use the backend CPU.");
+  this->Title = std::string("CUDA, ") + properties.name;
+  this->Processors = properties.multiProcessorCount;
+  this->MostBlocks = Index(this->Processors) * 16;
+  LIMPID_CUDA(cudaStreamCreateWithFlags(&this->Stream, cudaStreamNonBlocking));
+  cudaMemPool_t pool{};
+  LIMPID_CUDA(cudaDeviceGetDefaultMemPool(&pool, number));
+  std::uint64_t keep = UINT64_MAX; // until the device is given up
+  LIMPID_CUDA(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &keep));
+}
+
+CudaDevice::~CudaDevice()
+{
+  cudaSetDevice(this->Number);
+  cudaStreamSynchronize(this->Stream);
+  cudaStreamDestroy(this->Stream);
+  cudaMemPool_t pool{};
+  if (cudaDeviceGetDefaultMemPool(&pool, this->Number) == cudaSuccess)
+  {
+    cudaMemPoolTrimTo(pool, 0);
+  }
+}
+
+void* CudaDevice::Allocate(std::size_t bytes, const char* what)
+{
+  void* memory = nullptr;
+  LIMPID_CUDA(cudaSetDevice(this->Number));
+  const cudaError_t status =
+    cudaMallocAsync(&memory, std::max<std::size_t>(bytes, 1), this->Stream);
+  if (status == cudaErrorMemoryAllocation)
+  {
+    cudaGetLastError();
+    std::size_t free = 0;
+    std::size_t total = 0;
+    LIMPID_CUDA(cudaMemGetInfo(&free, &total));
+    LIMPID_REQUIRE(false,
+      "The GPU has no " << bytes / 1000000 << " MB left for " << what << " (" << free / 1000000
+                        << " of " << total / 1000000
+                        << " MB are free). Use a smaller volume or the backend CPU.");
+  }
+  LIMPID_CUDA(status);
+  this->Allocated += bytes;
+  this->Peak = std::max(this->Peak, this->Allocated);
+  return memory;
+}
+
+void CudaDevice::Free(void* memory, std::size_t bytes) noexcept
+{
+  cudaFreeAsync(memory, this->Stream);
+  this->Allocated -= bytes;
+}
+
+void CudaDevice::Upload(void* to, const void* from, std::size_t bytes)
+{
+  LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, this->Stream));
+}
+
+void CudaDevice::Download(void* to, const void* from, std::size_t bytes)
+{
+  LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, this->Stream));
+  this->Wait();
+}
+
+void CudaDevice::Copy(void* to, const void* from, std::size_t bytes)
+{
+  LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, this->Stream));
+}
+
+void CudaDevice::SetZero(void* memory, std::size_t bytes)
+{
+  LIMPID_CUDA(cudaMemsetAsync(memory, 0, bytes, this->Stream));
+}
+
+void CudaDevice::Wait()
+{
+  LIMPID_CUDA(cudaStreamSynchronize(this->Stream));
+}
+}

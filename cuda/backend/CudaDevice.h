@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// For the CUDA compiler only.
+
+#ifndef limpid_backend_CudaDevice_h
+#define limpid_backend_CudaDevice_h
+
+#include "backend/Extent.h"
+#include "math/Vec.h"
+
+#include <cooperative_groups.h>
+#include <cuda_runtime.h>
+
+#include <cstddef>
+#include <string>
+
+namespace limpid
+{
+namespace detail
+{
+/// Throws limpid::Error unless a call of the CUDA runtime has succeeded.
+void RequireCuda(cudaError_t status, const char* call);
+
+template <class Body>
+__global__ void VisitEach(const Extent extent, const Body body)
+{
+  const int column = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+  const int row = static_cast<int>(blockIdx.y * blockDim.y + threadIdx.y);
+  if (column < extent.columns && row < extent.rows)
+  {
+    body(column, row);
+  }
+}
+
+template <class Body>
+__global__ void VisitIndices(const Index count, const Body body)
+{
+  const Index step = Index(gridDim.x) * blockDim.x;
+  for (Index index = Index(blockIdx.x) * blockDim.x + threadIdx.x; index < count; index += step)
+  {
+    body(index);
+  }
+}
+
+template <class Body>
+__global__ void VisitPhases(const int phases, const Body body)
+{
+  const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
+  for (int phase = 0; phase < phases; ++phase)
+  {
+    const Extent extent = body.ExtentOf(phase);
+    const int across =
+      (extent.columns + static_cast<int>(blockDim.x) - 1) / static_cast<int>(blockDim.x);
+    const int down =
+      (extent.rows + static_cast<int>(blockDim.y) - 1) / static_cast<int>(blockDim.y);
+    for (int tile = static_cast<int>(blockIdx.x); tile < across * down;
+         tile += static_cast<int>(gridDim.x))
+    {
+      const int column =
+        tile % across * static_cast<int>(blockDim.x) + static_cast<int>(threadIdx.x);
+      const int row = tile / across * static_cast<int>(blockDim.y) + static_cast<int>(threadIdx.y);
+      if (column < extent.columns && row < extent.rows)
+      {
+        body(phase, column, row);
+      }
+    }
+    grid.sync();
+  }
+}
+}
+
+#define LIMPID_CUDA(call) ::limpid::detail::RequireCuda((call), #call)
+
+/// A GPU and one stream of work for it. Everything happens in order; nothing but Download waits.
+class CudaDevice
+{
+public:
+  /// Throws limpid::Error if there is no such device. `number`: as CUDA counts them.
+  explicit CudaDevice(int number);
+  ~CudaDevice();
+  CudaDevice(const CudaDevice&) = delete;
+  CudaDevice& operator=(const CudaDevice&) = delete;
+
+  std::string Name() const { return this->Title; }
+
+  /// Throws limpid::Error if there is not enough memory. `what`: for the message.
+  void* Allocate(std::size_t bytes, const char* what);
+  void Free(void* memory, std::size_t bytes) noexcept;
+
+  void Upload(void* to, const void* from, std::size_t bytes);
+  void Download(void* to, const void* from, std::size_t bytes);
+  void Copy(void* to, const void* from, std::size_t bytes);
+  void SetZero(void* memory, std::size_t bytes);
+
+  /// Waits until all work is done.
+  void Wait();
+
+  /// Bytes that are allocated now.
+  std::size_t Bytes() const { return this->Allocated; }
+
+  /// Most bytes that were allocated at a time.
+  std::size_t PeakBytes() const { return this->Peak; }
+
+  /// body(column, row) for every element of an extent, in any order. `label`: for profilers.
+  template <class Body>
+  void ForEach(const char* label, const Extent& extent, const Body& body)
+  {
+    if (extent.columns <= 0 || extent.rows <= 0)
+    {
+      return;
+    }
+    const dim3 block = BlockOf();
+    const dim3 grid(
+      (extent.columns + block.x - 1) / block.x, (extent.rows + block.y - 1) / block.y);
+    detail::VisitEach<<<grid, block, 0, this->Stream>>>(extent, body);
+    detail::RequireCuda(cudaGetLastError(), label);
+  }
+
+  /// body(index) for every index in [0, count), in any order.
+  template <class Body>
+  void ForIndices(const char* label, Index count, const Body& body)
+  {
+    if (count <= 0)
+    {
+      return;
+    }
+    constexpr unsigned threads = 256;
+    const Index wanted = (count + threads - 1) / threads;
+    const auto blocks =
+      static_cast<unsigned>(wanted < this->MostBlocks ? wanted : this->MostBlocks);
+    detail::VisitIndices<<<blocks, threads, 0, this->Stream>>>(count, body);
+    detail::RequireCuda(cudaGetLastError(), label);
+  }
+
+  /// Phases in order, each like ForEach over body.ExtentOf(phase) of body(phase, column, row). A
+  /// phase sees all that the phases before it have written. One launch: a grid that is resident as
+  /// a whole waits for itself between phases.
+  template <class Body>
+  void ForPhases(const char* label, int phases, const Body& body)
+  {
+    const dim3 block = BlockOf();
+    int blocksPerProcessor = 0;
+    LIMPID_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
+      &blocksPerProcessor, detail::VisitPhases<Body>, static_cast<int>(block.x * block.y), 0));
+    const dim3 grid(static_cast<unsigned>(blocksPerProcessor * this->Processors));
+    int count = phases;
+    Body copy = body;
+    void* arguments[] = { &count, &copy };
+    detail::RequireCuda(
+      cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(&detail::VisitPhases<Body>), grid,
+        block, arguments, 0, this->Stream),
+      label);
+  }
+
+private:
+  static dim3 BlockOf() { return dim3(32, 4); }
+
+  std::string Title;
+  cudaStream_t Stream = nullptr;
+  int Number = 0;
+  int Processors = 1;
+  Index MostBlocks = 1;
+  std::size_t Allocated = 0;
+  std::size_t Peak = 0;
+};
+}
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_backend_DeviceArray_h
+#define limpid_backend_DeviceArray_h
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace limpid
+{
+/// Values in the memory of a device, which lives at least as long.
+template <class Device, class Value>
+class DeviceArray
+{
+  static_assert(std::is_trivially_copyable<Value>::value, "is moved as bytes");
+
+public:
+  DeviceArray() = default;
+
+  /// Room for `count` values, not set. `what`: for the message if there is not enough memory.
+  DeviceArray(std::shared_ptr<Device> device, std::size_t count, const char* what)
+    : Home(std::move(device))
+    , Memory(static_cast<Value*>(this->Home->Allocate(count * sizeof(Value), what)))
+    , Count(count)
+  {
+  }
+
+  DeviceArray(
+    std::shared_ptr<Device> device, const Value* values, std::size_t count, const char* what)
+    : DeviceArray(std::move(device), count, what)
+  {
+    this->Upload(values);
+  }
+
+  DeviceArray(std::shared_ptr<Device> device, const std::vector<Value>& values, const char* what)
+    : DeviceArray(std::move(device), values.data(), values.size(), what)
+  {
+  }
+
+  ~DeviceArray() { this->Release(); }
+
+  DeviceArray(DeviceArray&& other) noexcept { this->Swap(other); }
+
+  DeviceArray& operator=(DeviceArray&& other) noexcept
+  {
+    DeviceArray moved(std::move(other));
+    this->Swap(moved);
+    return *this;
+  }
+
+  Value* Data() { return this->Memory; }
+  const Value* Data() const { return this->Memory; }
+  std::size_t Size() const { return this->Count; }
+  bool Empty() const { return this->Count == 0; }
+
+  void Upload(const Value* values)
+  {
+    this->Home->Upload(this->Memory, values, this->Count * sizeof(Value));
+  }
+
+  void Download(Value* values) const
+  {
+    this->Home->Download(values, this->Memory, this->Count * sizeof(Value));
+  }
+
+  /// Of the same size.
+  void CopyFrom(const DeviceArray& other)
+  {
+    this->Home->Copy(this->Memory, other.Memory, this->Count * sizeof(Value));
+  }
+
+  void SetZero() { this->Home->SetZero(this->Memory, this->Count * sizeof(Value)); }
+
+private:
+  void Swap(DeviceArray& other) noexcept
+  {
+    std::swap(this->Home, other.Home);
+    std::swap(this->Memory, other.Memory);
+    std::swap(this->Count, other.Count);
+  }
+
+  void Release() noexcept
+  {
+    if (this->Home)
+    {
+      this->Home->Free(this->Memory, this->Count * sizeof(Value));
+    }
+  }
+
+  std::shared_ptr<Device> Home;
+  Value* Memory = nullptr;
+  std::size_t Count = 0;
+};
+}
+
+#endif

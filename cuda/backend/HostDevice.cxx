@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "backend/HostDevice.h"
+
+#include "math/Require.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace limpid
+{
+void* HostDevice::Allocate(std::size_t bytes, const char* what)
+{
+  void* memory = std::malloc(std::max<std::size_t>(bytes, 1));
+  LIMPID_REQUIRE(memory != nullptr,
+    "There are no " << bytes / 1000000 << " MB of memory for " << what
+                    << " (the optimisation needs them). Use a smaller volume.");
+  this->Allocated += bytes;
+  this->Peak = std::max(this->Peak, this->Allocated);
+  return memory;
+}
+
+void HostDevice::Free(void* memory, std::size_t bytes) noexcept
+{
+  std::free(memory);
+  this->Allocated -= bytes;
+}
+
+void HostDevice::Upload(void* to, const void* from, std::size_t bytes)
+{
+  std::memcpy(to, from, bytes);
+}
+
+void HostDevice::Download(void* to, const void* from, std::size_t bytes)
+{
+  std::memcpy(to, from, bytes);
+}
+
+void HostDevice::Copy(void* to, const void* from, std::size_t bytes)
+{
+  std::memcpy(to, from, bytes);
+}
+
+void HostDevice::SetZero(void* memory, std::size_t bytes)
+{
+  std::memset(memory, 0, bytes);
+}
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_TermOnDevice_h
+#define limpid_energy_TermOnDevice_h
+
+#include "backend/SumOnDevice.h"
+#include "energy/TermBodies.h"
+#include "energy/VisibilityTerm.h"
+#include "sweep/PyramidOnDevice.h"
+
+#include <memory>
+#include <vector>
+
+namespace limpid
+{
+/// The rays of one pyramid on a device.
+template <class Device>
+class RaysOnDevice
+{
+public:
+  RaysOnDevice(const std::shared_ptr<Device>& device, const Pyramid& pyramid, const Grid& grid,
+    const Occupancy& occupancy);
+
+  const PyramidOnDevice<Device>& Plan() const { return this->Tables; }
+  RayStates States();
+
+  /// As at the back of the volume: nothing is behind. Optical depths stay.
+  void Reset();
+
+private:
+  std::shared_ptr<Device> Home;
+  PyramidOnDevice<Device> Tables;
+  DeviceArray<Device, double> OpticalDepth;
+  DeviceArray<Device, float> Others; ///< the other states, one behind another
+};
+
+/// VisibilityTerm on a device: the fields are addresses there. Nothing waits.
+template <class Device>
+class TermOnDevice
+{
+public:
+  TermOnDevice(std::shared_ptr<Device> device, const Grid& grid, const Occupancy& occupancy,
+    const Eye& eye, double rayDensity);
+
+  /// Integral of g mu T and its bound into `sums` (2 values on the device), and the optical depth
+  /// of all rays for what follows.
+  void Forward(const float* extinction, const float* importance, double* sums);
+
+  /// Adds `weight` times the derivative to `gradient` [1]. Call after Forward with the same fields.
+  void AddGradient(const TermFields& fields, Derivative derivative, float weight, float* gradient);
+
+  std::vector<RaysOnDevice<Device>>& Pyramids() { return this->Rays; }
+
+private:
+  std::size_t MostRays() const;
+
+  std::shared_ptr<Device> Home;
+  std::vector<RaysOnDevice<Device>> Rays;
+  SumOnDevice<Device> Sum;
+  DeviceArray<Device, float> Gathered; ///< of all pyramids: visible importance, and its bound
+  DeviceArray<Device, double> Shares;  ///< of all pyramids, see PyramidView
+  DeviceArray<Device, float> Images;   ///< see BackwardRay; made when first needed
+};
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_FieldsOnDevice_h
+#define limpid_optimize_FieldsOnDevice_h
+
+#include "backend/CompiledDevice.h"
+#include "backend/SumOnDevice.h"
+#include "energy/TermOnDevice.h"
+#include "optimize/Problem.h"
+
+#include <memory>
+#include <optional>
+
+namespace limpid
+{
+/// What stays on a device as long as a scene does: its fields.
+template <class Device>
+struct FieldsOnDevice
+{
+  using Field = DeviceArray<Device, float>;
+
+  FieldsOnDevice(std::shared_ptr<Device> device, const Problem& problem);
+
+  std::shared_ptr<Device> device;
+  Field base;
+  Field importance;
+  Field nodeImportance;
+
+  /// Those of a problem, which are moved to the device when first asked for.
+  static std::shared_ptr<FieldsOnDevice> Of(
+    const std::shared_ptr<Device>& device, const Problem& problem);
+};
+
+/// The visibility terms of a problem on a device, see Terms, and what is measured there.
+template <class Device>
+class TermsOnDevice
+{
+public:
+  using Field = DeviceArray<Device, float>;
+
+  TermsOnDevice(std::shared_ptr<FieldsOnDevice<Device>> fields, const Problem& problem);
+
+  /// Energy and score of an extinction, and its mean change unless `before` is null. Waits.
+  IterationRecord Measure(const Problem& problem, const Field& now, const Field* before);
+
+  FieldsOnDevice<Device>& Fields() const { return *this->Resident; }
+
+  std::optional<TermOnDevice<Device>> camera;
+  std::optional<TermOnDevice<Device>> light;
+
+private:
+  std::shared_ptr<FieldsOnDevice<Device>> Resident;
+  SumOnDevice<Device> Sum;
+  DeviceArray<Device, double> Sums;
+};
+}
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_PolicyIterations_h
+#define limpid_optimize_PolicyIterations_h
+
+#include "optimize/Problem.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace limpid
+{
+/**
+ * The iterations of the policy method, whatever computes them.
+ *
+ * An engine has a type Field, an extinction at all nodes that can be moved, and
+ *
+ *   bool IsEmpty(const Field&);                  whether it has no memory yet
+ *   Field CopyOf(const Field&);
+ *   IterationRecord Measure(const Field& now, const Field* before);   with the mean change
+ *   void Sweep(const Field& last, Field& next, bool trust);           one policy sweep
+ *   const std::vector<float>& Read(const Field&);                     on the host
+ *   std::vector<float> Take(Field&&);                                 likewise, given away
+ *   const Problem& Task();
+ */
+template <class Engine>
+class PolicyIterations : public Minimizer
+{
+public:
+  using Field = typename Engine::Field;
+
+  /// `start`: first iterate [1/length]; `warm`: its transmittance can be trusted.
+  PolicyIterations(Engine&& engine, Field&& start, bool warm)
+    : Computer(std::move(engine))
+    , Warm(warm)
+  {
+    this->Iterates[0] = std::move(start);
+  }
+
+  IterationRecord Start() override
+  {
+    const IterationRecord record = this->Computer.Measure(this->Iterates[0], nullptr);
+    this->BestEnergy = record.energy.Total();
+    return record;
+  }
+
+  IterationRecord Iterate() override
+  {
+    const std::size_t last = this->Now;
+    const std::size_t next = this->FreeIterate();
+    this->Computer.Sweep(this->Iterates[last], this->Iterates[next], this->Warm || this->Count > 0);
+    ++this->Count;
+    this->Now = next;
+    const IterationRecord record =
+      this->Computer.Measure(this->Iterates[next], &this->Iterates[last]);
+    this->Change = record.meanChange;
+    if (record.energy.Total() < this->BestEnergy)
+    {
+      this->BestEnergy = record.energy.Total();
+      this->BestOf = next;
+    }
+    return record;
+  }
+
+  bool Converged() const override
+  {
+    return this->Count > 0 && this->Change < this->Computer.Task().settings.tolerance;
+  }
+
+  int IterationLimit() const override { return this->Computer.Task().settings.maximumIterations; }
+
+  const std::vector<float>& Best() const override
+  {
+    return this->Computer.Read(this->Iterates[this->BestOf]);
+  }
+
+  std::vector<float> TakeBest() override
+  {
+    return this->Computer.Take(std::move(this->Iterates[this->BestOf]));
+  }
+
+private:
+  /// A place for the next iterate that overwrites neither the last nor the best.
+  std::size_t FreeIterate()
+  {
+    std::size_t free = 0;
+    while (free == this->Now || free == this->BestOf)
+    {
+      ++free;
+    }
+    if (this->Computer.IsEmpty(this->Iterates[free]))
+    {
+      // Empty voxels are not visited.
+      this->Iterates[free] = this->Computer.CopyOf(this->Iterates[this->Now]);
+    }
+    return free;
+  }
+
+  Engine Computer;
+  bool Warm;
+  int Count = 0;
+  double Change = 0;
+  double BestEnergy = 0;
+  std::array<Field, 3> Iterates; ///< filled as needed
+  std::size_t Now = 0;           ///< the last iterate
+  std::size_t BestOf = 0;        ///< the best
+};
+}
+
+#endif

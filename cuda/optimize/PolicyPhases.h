@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The policy sweep of one pyramid on a device: PolicySweep.cxx, ray by ray and voxel by voxel.
+
+#ifndef limpid_optimize_PolicyPhases_h
+#define limpid_optimize_PolicyPhases_h
+
+#include "energy/TermBodies.h"
+#include "optimize/PolicyVoxel.h"
+
+namespace limpid
+{
+/**
+ * Back to front, two phases per slice: first all rays move to it through the voxels behind, which
+ * are final, then its own voxels are found. See PolicyFields for the arrays.
+ */
+struct PolicyPhases
+{
+  PyramidView rays;
+  RayStates states;
+  PolicyVoxel<float> policy;
+  bool trust;  ///< whether the transmittance of the last iterate is believed in
+  bool widens; ///< whether rays carry the weight of Deviation D1
+  const float* base;
+  const float* importance;
+  const float* nodeImportance;
+  const float* extinction;
+  const float* lagged; ///< null: none
+  float* next;
+
+  int PhaseCount() const { return 2 * (this->rays.lastStation + 1 - this->rays.firstSlice); }
+
+  LIMPID_HD LIMPID_INLINE Extent ExtentOf(int phase) const
+  {
+    if (IsOfRays(phase))
+    {
+      return { this->rays.columns, this->rays.rows };
+    }
+    const StationView& station = this->rays.stations[this->StationOf(phase)];
+    return { station.ownedColumns.end - station.ownedColumns.begin,
+      station.ownedRows.end - station.ownedRows.begin };
+  }
+
+  LIMPID_HD LIMPID_INLINE void operator()(int phase, int column, int row) const
+  {
+    const int s = this->StationOf(phase);
+    if (IsOfRays(phase))
+    {
+      this->MoveRay(s, column, row);
+      return;
+    }
+    const StationView& station = this->rays.stations[s];
+    this->FindVoxel(s, station.ownedColumns.begin + column, station.ownedRows.begin + row);
+  }
+
+private:
+  LIMPID_HD static LIMPID_INLINE bool IsOfRays(int phase) { return phase % 2 == 0; }
+
+  LIMPID_HD LIMPID_INLINE int StationOf(int phase) const
+  {
+    return this->rays.lastStation - phase / 2;
+  }
+
+  LIMPID_HD LIMPID_INLINE LayerOfRay LayerAt(int s, int i, int j) const
+  {
+    LayerOfRay layer(this->rays, s, i, j);
+    if (!this->widens)
+    {
+      layer.layer.frontScale = layer.layer.backScale = 1;
+    }
+    return layer;
+  }
+
+  LIMPID_HD LIMPID_INLINE void MoveRay(int s, int i, int j) const
+  {
+    const Index ray = this->rays.RayAt(i, j);
+    const int last = this->rays.lastStation;
+    float behind = this->states.behind[ray];
+    if (s + 1 < last && this->rays.Works(s + 1, i, j))
+    {
+      LayerOfRay layer = this->LayerAt(s + 1, i, j);
+      layer.Sample(this->rays, this->next, this->importance, s + 1, i, j);
+      behind = layer.Carry(behind);
+      this->states.behind[ray] = behind;
+    }
+    if (!this->rays.Works(s, i, j))
+    {
+      return;
+    }
+    LayerOfRay layer = this->LayerAt(s, i, j);
+    if (s < last)
+    {
+      // The rear half is taken to be as opaque as the slice behind it, as the slice in front is not
+      // known yet.
+      layer.extinction[1] = this->rays.SampleRear(this->next, s, 1, i, j);
+      layer.importance[1] =
+        this->rays.Seen(i, j) * this->rays.SamplePlane(this->importance, s, 1, i, j);
+      this->states.ahead[ray] = Carried(layer.Half<Cut::Exit>(1), behind);
+    }
+    if (!this->trust)
+    {
+      return;
+    }
+    double depth = this->states.opticalDepth[ray];
+    layer.extinction[0] = layer.extinction[1] = 0;
+    if (s < last)
+    {
+      layer.extinction[0] = this->rays.SamplePlane(this->extinction, s, 0, i, j);
+      layer.extinction[1] = this->rays.SamplePlane(this->extinction, s, 1, i, j);
+      depth -= layer.WholeDepth();
+      this->states.opticalDepth[ray] = depth;
+    }
+    TransmitRay(this->rays, s, i, j, depth, layer.extinction[0], this->states.transmittance[ray],
+      this->states.density[ray]);
+  }
+
+  LIMPID_HD LIMPID_INLINE void FindVoxel(int s, int u, int v) const
+  {
+    const Index line = Index(s) * this->rays.nodesV + v;
+    const Interval& filled = this->rays.voxelFilled[line];
+    if (u < filled.begin || u >= filled.end)
+    {
+      return;
+    }
+    const StationView& station = this->rays.stations[s];
+    const Index voxel = this->rays.VoxelAt(station.slice, u, v);
+    const float elsewhere = this->lagged ? this->lagged[voxel] : 0.0f;
+    const Interval& work = this->rays.voxelWork[line];
+    float slope = 0;
+    if (u >= work.begin && u < work.end)
+    {
+      const TransmittanceImages images{ this->states.transmittance, this->states.density };
+      const float transmittance = this->trust ? images(this->rays, s, u, v) : 1.0f;
+      const float seen =
+        this->rays.inView ? this->rays.SampleRays(this->rays.inView, s, u, v) : 1.0f;
+      const GradientVoxel<float> derivative{ 1.0f /
+        (this->widens ? station.scale * station.scale : 1.0f) };
+      slope = derivative(transmittance, this->rays.SampleRays(this->states.ahead, s, u, v),
+        seen * this->nodeImportance[voxel]);
+    }
+    this->next[voxel] = this->policy(this->base[voxel], slope, elsewhere);
+  }
+};
+}
+
+#endif

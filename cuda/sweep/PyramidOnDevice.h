@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_PyramidOnDevice_h
+#define limpid_sweep_PyramidOnDevice_h
+
+#include "backend/CompiledDevice.h"
+#include "scene/Grid.h"
+#include "sweep/Plan.h"
+#include "sweep/PyramidView.h"
+
+#include <memory>
+
+namespace limpid
+{
+/// The tables of a pyramid in the memory of a device.
+template <class Device>
+class PyramidOnDevice
+{
+public:
+  /// `grid`, `occupancy`: those that the pyramid was planned with.
+  PyramidOnDevice(std::shared_ptr<Device> device, const Pyramid& pyramid, const Grid& grid,
+    const Occupancy& occupancy);
+
+  const PyramidView& View() const { return this->Addresses; }
+  Extent Rays() const { return { this->Addresses.columns, this->Addresses.rows }; }
+
+  std::size_t RayCount() const
+  {
+    return std::size_t(this->Addresses.columns) * std::size_t(this->Addresses.rows);
+  }
+
+private:
+  PyramidView Addresses;
+  DeviceArray<Device, unsigned char> Tables;
+};
+}
+
+#endif

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A pyramid as the rays and voxels of a device read it: numbers and addresses, nothing else.
+
+#ifndef limpid_sweep_PyramidView_h
+#define limpid_sweep_PyramidView_h
+
+#include "math/Vec.h"
+#include "sweep/Interval.h"
+#include "sweep/RayLayer.h"
+
+namespace limpid
+{
+/// A station and the layer behind it, see Station.
+struct StationView
+{
+  int slice;
+  float scale;
+  Layer layer; ///< its front is the station's relative depth
+  int slices[2];
+  float fractions[2]; ///< of the planes at the two Gauss points
+  Interval ownedColumns;
+  Interval ownedRows;
+};
+
+/// Linear interpolation at the targets of one row of a table: LinearMap, one after another.
+struct MapView
+{
+  const int* index;
+  const float* weight;
+};
+
+/// See Pyramid. Tables have one row per station, planes two.
+struct PyramidView
+{
+  int nodesU;
+  int nodesV;
+  Index strideU; ///< of the fields along u, v, w
+  Index strideV;
+  Index strideW;
+  int columns;
+  int rows;
+  int lastStation;
+  int firstSlice;
+  float frontDepth;
+  Interval frontColumns;
+  Interval frontRows;
+
+  const StationView* stations;
+  MapView planeColumns;          ///< [2 station + half][columns]
+  MapView planeRows;             ///< [2 station + half][rows]
+  MapView voxelColumns;          ///< [station][nodesU]
+  MapView voxelRows;             ///< [station][nodesV]
+  const float* voxelColumnEntry; ///< [station][nodesU]
+  const float* voxelRowEntry;    ///< [station][nodesV]
+  const Interval* work;          ///< [station][rows]: columns of rays
+  const Interval* voxelWork;     ///< [station][nodesV]: voxel columns whose rays matter
+  const Interval* voxelFilled;   ///< [station][nodesV]: voxel columns that may change
+  const Clip* columnClips;
+  const Clip* rowClips;
+  const float* length;  ///< per ray: world length per unit of depth
+  const double* shares; ///< per ray: what it stands for in an integral over the domain, SumOfRays
+  const float* inView;  ///< per ray; null: all are
+
+  LIMPID_HD LIMPID_INLINE Index RayAt(int column, int row) const
+  {
+    return Index(row) * this->columns + column;
+  }
+
+  /// Whether a ray has to be visited in the layer behind station `s`.
+  LIMPID_HD LIMPID_INLINE bool Works(int s, int column, int row) const
+  {
+    const Interval& span = this->work[Index(s) * this->rows + row];
+    return column >= span.begin && column < span.end;
+  }
+
+  LIMPID_HD LIMPID_INLINE Index VoxelAt(int slice, int u, int v) const
+  {
+    return this->strideW * slice + this->strideV * v + this->strideU * u;
+  }
+
+  /// A field where a ray meets the plane at Gauss point `half` of the layer behind station `s`.
+  LIMPID_HD LIMPID_INLINE float SamplePlane(
+    const float* field, int s, int half, int column, int row) const
+  {
+    const StationView& station = this->stations[s];
+    const Corner corner = this->CornerOf(s, half, column, row);
+    const float* front = field + this->strideW * station.slices[0] + corner.offset;
+    const float* back = field + this->strideW * station.slices[1] + corner.offset;
+    const float along = station.fractions[half];
+    const auto column0 = [&](const float* f, const float* b)
+    {
+      const float first = f[0] + along * (b[0] - f[0]);
+      const float second = f[this->strideV] + along * (b[this->strideV] - f[this->strideV]);
+      return first + corner.across * (second - first);
+    };
+    const float left = column0(front, back);
+    const float right = column0(front + this->strideU, back + this->strideU);
+    return left + corner.sideways * (right - left);
+  }
+
+  /// The same on the slice behind the layer.
+  LIMPID_HD LIMPID_INLINE float SampleRear(
+    const float* field, int s, int half, int column, int row) const
+  {
+    const Corner corner = this->CornerOf(s, half, column, row);
+    const float* back = field + this->strideW * this->stations[s].slices[1] + corner.offset;
+    const float left = back[0] + corner.across * (back[this->strideV] - back[0]);
+    const float* other = back + this->strideU;
+    const float right = other[0] + corner.across * (other[this->strideV] - other[0]);
+    return left + corner.sideways * (right - left);
+  }
+
+  /// An image of the rays at a voxel of station `s`.
+  LIMPID_HD LIMPID_INLINE float SampleRays(const float* image, int s, int u, int v) const
+  {
+    const Index column = Index(s) * this->nodesU + u;
+    const Index row = Index(s) * this->nodesV + v;
+    const float* first =
+      image + this->RayAt(this->voxelColumns.index[column], this->voxelRows.index[row]);
+    const float* second = first + this->columns;
+    const float across = this->voxelRows.weight[row];
+    const float left = first[0] + across * (second[0] - first[0]);
+    const float right = first[1] + across * (second[1] - first[1]);
+    return left + this->voxelColumns.weight[column] * (right - left);
+  }
+
+  LIMPID_HD LIMPID_INLINE float Seen(int column, int row) const
+  {
+    return this->inView ? this->inView[this->RayAt(column, row)] : 1.0f;
+  }
+
+private:
+  struct Corner
+  {
+    Index offset;   ///< of the first of four nodes in a slice
+    float sideways; ///< weight of the second one along u
+    float across;   ///< ... along v
+  };
+
+  LIMPID_HD LIMPID_INLINE Corner CornerOf(int s, int half, int column, int row) const
+  {
+    const Index plane = 2 * Index(s) + half;
+    const Index atColumn = plane * this->columns + column;
+    const Index atRow = plane * this->rows + row;
+    return { this->strideU * this->planeColumns.index[atColumn] +
+        this->strideV * this->planeRows.index[atRow],
+      this->planeColumns.weight[atColumn], this->planeRows.weight[atRow] };
+  }
+};
+
+/// What an entry ahead or behind makes of the transmittance between rays, see SampleTransmittance.
+struct TransmittanceImages
+{
+  const float* transmittance;
+  const float* density;
+
+  /// Transmittance at a voxel of station `s` [0, 1].
+  LIMPID_HD LIMPID_INLINE float operator()(const PyramidView& rays, int s, int u, int v) const
+  {
+    const Index column = Index(s) * rays.nodesU + u;
+    const Index row = Index(s) * rays.nodesV + v;
+    const int rayColumn = rays.voxelColumns.index[column];
+    const int rayRow = rays.voxelRows.index[row];
+    if (rayColumn >= rays.frontColumns.begin && rayColumn + 1 < rays.frontColumns.end &&
+      rayRow >= rays.frontRows.begin && rayRow + 1 < rays.frontRows.end)
+    {
+      return rays.SampleRays(this->transmittance, s, u, v);
+    }
+    const float inRow =
+      rays.voxelRowEntry[row] > rays.frontDepth ? rays.voxelRowEntry[row] : rays.frontDepth;
+    const float inColumn = rays.voxelColumnEntry[column];
+    const float entry = inRow > inColumn ? inRow : inColumn;
+    return Transmitted(
+      rays.SampleRays(this->density, s, u, v) * (rays.stations[s].layer.front - entry));
+  }
+};
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a ray does in a layer that it may enter or leave, the same for all backends.
+
+#ifndef limpid_sweep_RayLayer_h
+#define limpid_sweep_RayLayer_h
+
+#include "sweep/HalfLayer.h"
+
+namespace limpid
+{
+/// Which ends of a ray's stay in the box cut a half off.
+enum class Cut
+{
+  Entry,
+  Exit,
+  Both
+};
+
+/// A half of a layer less what is cut off.
+template <Cut cut>
+LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, float length,
+  float extinction, float importance, Clip column, Clip row)
+{
+  constexpr float always = 1e30f;
+  if (cut == Cut::Entry)
+  {
+    column.exit = row.exit = always;
+  }
+  if (cut == Cut::Exit)
+  {
+    const float entry = column.entry > row.entry ? column.entry : row.entry;
+    const float exit = column.exit < row.exit ? column.exit : row.exit;
+    row.exit = entry < exit ? row.exit : -always; // a ray that misses the box meets nothing
+    column.entry = row.entry = -always;
+  }
+  return ClippedHalf<float>(layer, HalfRangeOf(half), length, extinction, importance, column, row);
+}
+
+/// Visible importance behind a half, carried from its back to its front.
+LIMPID_HD LIMPID_INLINE float Carried(const HalfLayer<float>& half, float behind)
+{
+  return half.visible + half.Passed() * behind;
+}
+
+/**
+ * Optical depth per unit of depth since a ray's entry into the box. It is as smooth as the
+ * extinction even where the entry has a kink or lies ahead.
+ *
+ * `distance`: depth less the depth of the entry [index]; `justBehind`: extinction there times the
+ * ray's length per unit of depth; `unwound`: whether the optical depth is known, and negative,
+ * ahead of the entry; `limit`: to optical depths, lest cubics swing beside them.
+ */
+LIMPID_HD LIMPID_INLINE float Densified(
+  float opticalDepth, float distance, float justBehind, bool unwound, float limit)
+{
+  constexpr float tooClose = 0.01f; // to the entry, to divide by the distance [index]
+  const bool close = distance < tooClose && (!unwound || distance > -tooClose);
+  const float mean = (opticalDepth < limit ? opticalDepth : limit) / (close ? tooClose : distance);
+  return close ? justBehind : mean;
+}
+
+/// exp(-depth), 1 where rounding leaves traces below 0.
+LIMPID_HD LIMPID_INLINE float Transmitted(float opticalDepth)
+{
+  return Attenuate(opticalDepth > 0.0f ? opticalDepth : 0.0f);
+}
+}
+
+#endif
