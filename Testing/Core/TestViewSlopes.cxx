@@ -179,7 +179,7 @@ TEST_P(TurnedScene, ChangesAsTheMarchSaysWhenTheCameraMoves)
 }
 
 INSTANTIATE_TEST_SUITE_P(Long, TurnedScene,
-  ::testing::Values(TurnedCase{ "carotid_mra", false, false, 6, 12 },
+  ::testing::Values(TurnedCase{ "carotid_mra", false, false, 8, 12 },
     TurnedCase{ "isabel_wind", false, false, 4, 12 }, TurnedCase{ "isabel_wind", true, false, 4, 12 },
     TurnedCase{ "visible_male", false, false, 2, 3 }),
   ::testing::PrintToStringParamName());

@@ -3,9 +3,11 @@
 
 #include "backend/CudaDevice.h"
 
+#include "backend/Choice.h"
 #include "math/Require.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace limpid
 {
@@ -22,16 +24,26 @@ void detail::RequireCuda(cudaError_t status, const char* call)
                       "happens again.");
 }
 
+std::shared_ptr<CudaDevice> CudaDevice::Shared()
+{
+  static std::mutex mutex;
+  static std::weak_ptr<CudaDevice> shared;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<CudaDevice> device = shared.lock();
+  if (!device)
+  {
+    device = std::make_shared<CudaDevice>(FindCuda().device);
+    shared = device;
+  }
+  return device;
+}
+
 CudaDevice::CudaDevice(int number)
   : Number(number)
 {
   cudaDeviceProp properties{};
   LIMPID_CUDA(cudaSetDevice(number));
   LIMPID_CUDA(cudaGetDeviceProperties(&properties, number));
-  LIMPID_REQUIRE(properties.cooperativeLaunch && properties.memoryPoolsSupported,
-    "The GPU " << properties.name
-               << " cannot start kernels that wait for each other (slices are swept in one "
-                  "launch). Use the backend CPU.");
   this->Title = std::string("CUDA, ") + properties.name;
   this->Processors = properties.multiProcessorCount;
   this->MostBlocks = Index(this->Processors) * 16;
@@ -54,10 +66,15 @@ CudaDevice::~CudaDevice()
   }
 }
 
+void CudaDevice::Use() const
+{
+  LIMPID_CUDA(cudaSetDevice(this->Number));
+}
+
 void* CudaDevice::Allocate(std::size_t bytes, const char* what)
 {
   void* memory = nullptr;
-  LIMPID_CUDA(cudaSetDevice(this->Number));
+  this->Use();
   const cudaError_t status =
     cudaMallocAsync(&memory, std::max<std::size_t>(bytes, 1), this->Stream);
   if (status == cudaErrorMemoryAllocation)
@@ -72,8 +89,11 @@ void* CudaDevice::Allocate(std::size_t bytes, const char* what)
                         << " MB are free). Use a smaller volume or the backend CPU.");
   }
   LIMPID_CUDA(status);
-  this->Allocated += bytes;
-  this->Peak = std::max(this->Peak, this->Allocated);
+  const std::size_t now = this->Allocated += bytes;
+  std::size_t peak = this->Peak;
+  while (now > peak && !this->Peak.compare_exchange_weak(peak, now))
+  {
+  }
   return memory;
 }
 
@@ -85,27 +105,46 @@ void CudaDevice::Free(void* memory, std::size_t bytes) noexcept
 
 void CudaDevice::Upload(void* to, const void* from, std::size_t bytes)
 {
+  this->Use();
+  const Timed timed(*this, "upload");
   LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, this->Stream));
 }
 
 void CudaDevice::Download(void* to, const void* from, std::size_t bytes)
 {
+  this->Use();
+  const Timed timed(*this, "download");
   LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, this->Stream));
   this->Wait();
 }
 
 void CudaDevice::Copy(void* to, const void* from, std::size_t bytes)
 {
+  this->Use();
+  const Timed timed(*this, "copy");
   LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, this->Stream));
 }
 
 void CudaDevice::SetZero(void* memory, std::size_t bytes)
 {
+  this->Use();
+  const Timed timed(*this, "set to zero");
   LIMPID_CUDA(cudaMemsetAsync(memory, 0, bytes, this->Stream));
 }
 
 void CudaDevice::Wait()
 {
   LIMPID_CUDA(cudaStreamSynchronize(this->Stream));
+}
+
+void CudaDevice::Time(LaunchTimes* times)
+{
+  this->Use();
+  if (this->Events)
+  {
+    this->Wait();
+    this->Events->Collect();
+  }
+  this->Events = times ? std::make_unique<LaunchEvents>(*times, this->Stream) : nullptr;
 }
 }

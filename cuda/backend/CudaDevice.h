@@ -7,12 +7,15 @@
 #define limpid_backend_CudaDevice_h
 
 #include "backend/Extent.h"
+#include "backend/LaunchEvents.h"
 #include "math/Vec.h"
 
 #include <cooperative_groups.h>
 #include <cuda_runtime.h>
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 namespace limpid
@@ -76,6 +79,9 @@ __global__ void VisitPhases(const int phases, const Body body)
 class CudaDevice
 {
 public:
+  /// The GPU of this process (FindCuda) for all who want it at a time.
+  static std::shared_ptr<CudaDevice> Shared();
+
   /// Throws limpid::Error if there is no such device. `number`: as CUDA counts them.
   explicit CudaDevice(int number);
   ~CudaDevice();
@@ -84,7 +90,8 @@ public:
 
   std::string Name() const { return this->Title; }
 
-  /// Throws limpid::Error if there is not enough memory. `what`: for the message.
+  /// Throws limpid::Error if there is not enough memory. `what`: for the message. This and all that
+  /// follows may be called by several threads.
   void* Allocate(std::size_t bytes, const char* what);
   void Free(void* memory, std::size_t bytes) noexcept;
 
@@ -95,6 +102,10 @@ public:
 
   /// Waits until all work is done.
   void Wait();
+
+  /// From now on adds up what everything takes on the GPU; null: no longer, and what was added up
+  /// is there when it returns. For one thread.
+  void Time(LaunchTimes* times);
 
   /// Bytes that are allocated now.
   std::size_t Bytes() const { return this->Allocated; }
@@ -110,9 +121,11 @@ public:
     {
       return;
     }
+    this->Use();
     const dim3 block = BlockOf();
     const dim3 grid(
       (extent.columns + block.x - 1) / block.x, (extent.rows + block.y - 1) / block.y);
+    const Timed timed(*this, label);
     detail::VisitEach<<<grid, block, 0, this->Stream>>>(extent, body);
     detail::RequireCuda(cudaGetLastError(), label);
   }
@@ -125,10 +138,12 @@ public:
     {
       return;
     }
+    this->Use();
     constexpr unsigned threads = 256;
     const Index wanted = (count + threads - 1) / threads;
     const auto blocks =
       static_cast<unsigned>(wanted < this->MostBlocks ? wanted : this->MostBlocks);
+    const Timed timed(*this, label);
     detail::VisitIndices<<<blocks, threads, 0, this->Stream>>>(count, body);
     detail::RequireCuda(cudaGetLastError(), label);
   }
@@ -139,6 +154,7 @@ public:
   template <class Body>
   void ForPhases(const char* label, int phases, const Body& body)
   {
+    this->Use();
     const dim3 block = BlockOf();
     int blocksPerProcessor = 0;
     LIMPID_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
@@ -147,6 +163,7 @@ public:
     int count = phases;
     Body copy = body;
     void* arguments[] = { &count, &copy };
+    const Timed timed(*this, label);
     detail::RequireCuda(
       cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(&detail::VisitPhases<Body>), grid,
         block, arguments, 0, this->Stream),
@@ -154,15 +171,47 @@ public:
   }
 
 private:
+  /// Makes it the device of the calling thread.
+  void Use() const;
+
   static dim3 BlockOf() { return dim3(32, 4); }
+
+  /// What is started while it lives is timed if that is wanted.
+  class Timed
+  {
+  public:
+    Timed(const CudaDevice& device, const char* label)
+      : Events(device.Events.get())
+    {
+      if (this->Events)
+      {
+        this->Events->Begin(label);
+      }
+    }
+
+    ~Timed()
+    {
+      if (this->Events)
+      {
+        this->Events->End();
+      }
+    }
+
+    Timed(const Timed&) = delete;
+    Timed& operator=(const Timed&) = delete;
+
+  private:
+    LaunchEvents* Events;
+  };
 
   std::string Title;
   cudaStream_t Stream = nullptr;
+  std::unique_ptr<LaunchEvents> Events; ///< null: nobody wants to know
   int Number = 0;
   int Processors = 1;
   Index MostBlocks = 1;
-  std::size_t Allocated = 0;
-  std::size_t Peak = 0;
+  std::atomic<std::size_t> Allocated{ 0 };
+  std::atomic<std::size_t> Peak{ 0 };
 };
 }
 

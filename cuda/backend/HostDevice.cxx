@@ -17,8 +17,11 @@ void* HostDevice::Allocate(std::size_t bytes, const char* what)
   LIMPID_REQUIRE(memory != nullptr,
     "There are no " << bytes / 1000000 << " MB of memory for " << what
                     << " (the optimisation needs them). Use a smaller volume.");
-  this->Allocated += bytes;
-  this->Peak = std::max(this->Peak, this->Allocated);
+  const std::size_t now = this->Allocated += bytes;
+  std::size_t peak = this->Peak;
+  while (now > peak && !this->Peak.compare_exchange_weak(peak, now))
+  {
+  }
   return memory;
 }
 
@@ -30,21 +33,25 @@ void HostDevice::Free(void* memory, std::size_t bytes) noexcept
 
 void HostDevice::Upload(void* to, const void* from, std::size_t bytes)
 {
+  const Timed timed(this->Times, "upload");
   std::memcpy(to, from, bytes);
 }
 
 void HostDevice::Download(void* to, const void* from, std::size_t bytes)
 {
+  const Timed timed(this->Times, "download");
   std::memcpy(to, from, bytes);
 }
 
 void HostDevice::Copy(void* to, const void* from, std::size_t bytes)
 {
+  const Timed timed(this->Times, "copy");
   std::memcpy(to, from, bytes);
 }
 
 void HostDevice::SetZero(void* memory, std::size_t bytes)
 {
+  const Timed timed(this->Times, "set to zero");
   std::memset(memory, 0, bytes);
 }
 }

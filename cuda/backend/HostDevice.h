@@ -6,7 +6,10 @@
 
 #include "backend/Backend.h"
 #include "backend/Extent.h"
+#include "backend/LaunchTimes.h"
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <string>
 
@@ -20,12 +23,17 @@ class HostDevice
 {
 public:
   HostDevice() = default;
+
+  /// As CudaDevice is made; there is one processor.
+  explicit HostDevice(int) {}
+
   HostDevice(const HostDevice&) = delete;
   HostDevice& operator=(const HostDevice&) = delete;
 
   std::string Name() const { return CpuName(); }
 
-  /// Throws limpid::Error if there is not enough memory. `what`: for the message.
+  /// Throws limpid::Error if there is not enough memory. `what`: for the message. This and all that
+  /// follows may be called by several threads.
   void* Allocate(std::size_t bytes, const char* what);
   void Free(void* memory, std::size_t bytes) noexcept;
 
@@ -33,6 +41,12 @@ public:
   void Download(void* to, const void* from, std::size_t bytes);
   void Copy(void* to, const void* from, std::size_t bytes);
   void SetZero(void* memory, std::size_t bytes);
+
+  /// Waits until all work is done.
+  void Wait() {}
+
+  /// From now on adds up what everything takes; null: no longer. For one thread.
+  void Time(LaunchTimes* times) { this->Times = times; }
 
   /// Bytes that are allocated now.
   std::size_t Bytes() const { return this->Allocated; }
@@ -42,7 +56,65 @@ public:
 
   /// body(column, row) for every element of an extent, in any order. `label`: for profilers.
   template <class Body>
-  void ForEach(const char*, const Extent& extent, const Body& body)
+  void ForEach(const char* label, const Extent& extent, const Body& body)
+  {
+    const Timed timed(this->Times, label);
+    Visit(extent, body);
+  }
+
+  /// body(index) for every index in [0, count), in any order.
+  template <class Body>
+  void ForIndices(const char* label, Index count, const Body& body)
+  {
+    const Timed timed(this->Times, label);
+    constexpr Index grain = 4096;
+    ParallelFor(count, grain, body);
+  }
+
+  /// Phases in order, each like ForEach over body.ExtentOf(phase) of body(phase, column, row). A
+  /// phase sees all that the phases before it have written.
+  template <class Body>
+  void ForPhases(const char* label, int phases, const Body& body)
+  {
+    const Timed timed(this->Times, label);
+    for (int phase = 0; phase < phases; ++phase)
+    {
+      Visit(body.ExtentOf(phase), [&](int column, int row) { body(phase, column, row); });
+    }
+  }
+
+private:
+  /// Adds its own lifetime.
+  class Timed
+  {
+  public:
+    Timed(LaunchTimes* times, const char* label)
+      : Times(times)
+      , Label(label)
+    {
+    }
+
+    ~Timed()
+    {
+      if (this->Times)
+      {
+        const std::chrono::duration<double> seconds = Clock::now() - this->Start;
+        this->Times->Add(this->Label, seconds.count());
+      }
+    }
+
+    Timed(const Timed&) = delete;
+    Timed& operator=(const Timed&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    LaunchTimes* Times;
+    const char* Label;
+    Clock::time_point Start = Clock::now();
+  };
+
+  template <class Body>
+  static void Visit(const Extent& extent, const Body& body)
   {
     constexpr Index grain = 4;
     ParallelFor(extent.rows, grain,
@@ -55,29 +127,9 @@ public:
       });
   }
 
-  /// body(index) for every index in [0, count), in any order.
-  template <class Body>
-  void ForIndices(const char*, Index count, const Body& body)
-  {
-    constexpr Index grain = 4096;
-    ParallelFor(count, grain, body);
-  }
-
-  /// Phases in order, each like ForEach over body.ExtentOf(phase) of body(phase, column, row). A
-  /// phase sees all that the phases before it have written.
-  template <class Body>
-  void ForPhases(const char* label, int phases, const Body& body)
-  {
-    for (int phase = 0; phase < phases; ++phase)
-    {
-      this->ForEach(
-        label, body.ExtentOf(phase), [&](int column, int row) { body(phase, column, row); });
-    }
-  }
-
-private:
-  std::size_t Allocated = 0;
-  std::size_t Peak = 0;
+  LaunchTimes* Times = nullptr; ///< null: nobody wants to know
+  std::atomic<std::size_t> Allocated{ 0 };
+  std::atomic<std::size_t> Peak{ 0 };
 };
 }
 

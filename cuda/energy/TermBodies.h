@@ -122,6 +122,18 @@ struct ForwardRay
   }
 };
 
+/// What a ray adds to an integral over the domain.
+struct WeightedRay
+{
+  const double* shares;
+  const float* values;
+
+  LIMPID_HD LIMPID_INLINE double operator()(Index ray) const
+  {
+    return this->shares[ray] * this->values[ray];
+  }
+};
+
 /// What voxels read of a ray at station `s`: transmittance, and density next to the sides.
 LIMPID_HD LIMPID_INLINE void TransmitRay(const PyramidView& rays, int s, int i, int j,
   double opticalDepth, float extinctionBehind, float& transmittance, float& density)

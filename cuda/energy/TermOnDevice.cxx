@@ -13,18 +13,6 @@ namespace
 {
 constexpr int slicesPerSlab = 16;
 
-/// What a ray adds to an integral over the domain.
-struct WeightedRay
-{
-  const double* shares;
-  const float* values;
-
-  LIMPID_HD LIMPID_INLINE double operator()(Index ray) const
-  {
-    return this->shares[ray] * this->values[ray];
-  }
-};
-
 struct SetValue
 {
   float value;

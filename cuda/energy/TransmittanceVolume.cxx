@@ -3,6 +3,7 @@
 
 #include "energy/TransmittanceVolume.h"
 
+#include "energy/EnteredRays.h"
 #include "sweep/Sweep.h"
 
 #include <algorithm>
@@ -31,23 +32,6 @@ Interval CubicTargets(const LinearMap& map, const Interval& targets, const Inter
   const auto begin = std::lower_bound(first, last, sources.begin + 1);
   const auto end = std::lower_bound(begin, last, sources.end - 2);
   return { static_cast<int>(begin - map.index.begin()), static_cast<int>(end - map.index.begin()) };
-}
-
-/// Rays, guards apart, that are in the box along one axis by the time they come to `depth`. They
-/// are neighbours.
-Interval Entered(const RayAxis& axis, float depth)
-{
-  int begin = 1;
-  int end = axis.Count() - 1;
-  while (begin < end && axis.entry[std::size_t(begin)] > depth)
-  {
-    ++begin;
-  }
-  while (begin < end && axis.entry[std::size_t(end) - 1] > depth)
-  {
-    --end;
-  }
-  return { begin, end };
 }
 
 /// The forward sweep of one pyramid that writes the transmittance of the voxels as it goes.

@@ -3,11 +3,9 @@
 
 #include "optimize/Adam.h"
 
+#include "backend/Backend.h"
 #include "energy/NodeImportance.h"
-#include "optimize/AdamVoxel.h"
 #include "optimize/Levels.h"
-#include "optimize/Sums.h"
-#include "optimize/Terms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +23,8 @@ struct Level
   std::vector<float> baseStorage; ///< empty on the full resolution
   std::vector<float> importanceStorage;
   std::vector<float> nodeImportanceStorage;
-  Terms terms;
-  std::vector<float> extinction;
-  std::vector<float> gradient;
-  std::vector<float> first;
-  std::vector<float> second;
-  Index filledVoxels = 0;
-  int count = 0;
+  std::unique_ptr<AdamLevel> state;
+  int count = 0; ///< of steps
 };
 
 /// The eye as seen from a grid over the same box with other nodes.
@@ -48,38 +41,12 @@ Eye Rescaled(const Eye& eye, const Grid& from, const Grid& to)
   return other;
 }
 
-LIMPID_MULTIVERSION
-void StepRange(const AdamVoxel<float>& body, Index begin, Index end)
-{
-  const AdamVoxel<float> voxel = body;
-#pragma GCC ivdep
-  for (Index i = begin; i < end; ++i)
-  {
-    voxel(i);
-  }
-}
-
-/// A step in [begin, end). Returns the sum of the changes [1/length].
-double StepBlock(const AdamVoxel<float>& body, Index begin, Index end)
-{
-  constexpr Index chunk = 1024;
-  float before[chunk];
-  double sum = 0;
-  for (Index first = begin; first < end; first += chunk)
-  {
-    const Index last = std::min(first + chunk, end);
-    std::copy(body.extinction + first, body.extinction + last, before);
-    StepRange(body, first, last);
-    sum += SumOfChanges(body.extinction + first, before, last - first);
-  }
-  return sum;
-}
-
 class Adam : public Minimizer
 {
 public:
-  Adam(const Problem& problem, std::vector<float> start)
+  Adam(const Problem& problem, std::vector<float> start, AdamLevelMaker maker)
     : Task(problem)
+    , Maker(std::move(maker))
     , Remaining(problem.settings.iterationsPerLevel)
     , BestIterate(std::move(start))
   {
@@ -88,9 +55,8 @@ public:
   IterationRecord Start() override
   {
     // The base is measured where the user sees it, on the full resolution.
-    std::vector<float> start = this->BestIterate;
-    this->Enter(0, std::move(start));
-    const IterationRecord record = this->Here.terms.Measure(this->Here.task, this->Here.extinction);
+    this->Enter(0, std::vector<float>(this->BestIterate));
+    const IterationRecord record = this->Here->state->Measure();
     this->BestEnergy = record.energy.Total();
     return record;
   }
@@ -98,30 +64,26 @@ public:
   IterationRecord Iterate() override
   {
     const int wanted = this->NextLevel();
-    if (wanted != this->Here.number || this->Here.gradient.empty())
+    if (wanted != this->Here->number)
     {
       this->Enter(wanted, this->ExtinctionOn(wanted));
-      this->Here.gradient.assign(this->Here.extinction.size(), 0.0f);
-      this->Here.first = this->Here.gradient;
-      this->Here.second = this->Here.gradient;
-      this->Here.terms.Measure(this->Here.task, this->Here.extinction);
     }
     --this->Remaining[std::size_t(2 - wanted)];
-    this->Step();
-    IterationRecord record = this->Here.terms.Measure(this->Here.task, this->Here.extinction);
-    record.meanChange = this->Change;
-    record.level = this->Here.number;
-    if (this->Here.number == 0 && record.energy.Total() < this->BestEnergy)
+    IterationRecord record = this->Here->state->Step(++this->Here->count);
+    this->Change = record.meanChange;
+    record.level = this->Here->number;
+    if (this->Here->number == 0 && record.energy.Total() < this->BestEnergy)
     {
       this->BestEnergy = record.energy.Total();
-      this->BestIterate = this->Here.extinction;
+      this->Here->state->KeepBest();
+      this->BestIsHere = true;
     }
     return record;
   }
 
   bool Converged() const override
   {
-    return this->Here.number == 0 && this->Here.count > 0 && this->Remaining[0] == 0 &&
+    return this->Here->number == 0 && this->Here->count > 0 && this->Remaining[0] == 0 &&
       this->Remaining[1] == 0 && this->Change < this->Task.settings.tolerance;
   }
 
@@ -131,9 +93,15 @@ public:
     return std::accumulate(limits.begin(), limits.end(), 0);
   }
 
-  const std::vector<float>& Best() const override { return this->BestIterate; }
+  const std::vector<float>& Best() const override
+  {
+    return this->BestIsHere ? this->Here->state->Best() : this->BestIterate;
+  }
 
-  std::vector<float> TakeBest() override { return std::move(this->BestIterate); }
+  std::vector<float> TakeBest() override
+  {
+    return this->BestIsHere ? this->Here->state->TakeBest() : std::move(this->BestIterate);
+  }
 
 private:
   int NextLevel() const { return this->Remaining[0] > 0 ? 2 : (this->Remaining[1] > 0 ? 1 : 0); }
@@ -142,11 +110,7 @@ private:
   {
     const Grid target =
       level == 0 ? this->Task.grid : CoarseGrid(this->Task.grid, level == 1 ? 2 : 4);
-    if (this->Here.number > level)
-    {
-      return this->FromCoarser(target);
-    }
-    return level == this->Here.number ? this->Here.extinction
+    return this->Here->number > level ? this->FromCoarser(target)
                                       : Restrict(this->Task.grid, this->BestIterate.data(), target);
   }
 
@@ -154,13 +118,12 @@ private:
   /// voxels that nothing asked to change keep their base bit by bit.
   std::vector<float> FromCoarser(const Grid& target) const
   {
-    const Level& coarse = this->Here;
-    std::vector<float> change(coarse.extinction.size());
+    const Level& coarse = *this->Here;
+    const std::vector<float> found = coarse.state->Extinction();
+    std::vector<float> change(found.size());
     ParallelFor(static_cast<Index>(change.size()), 65536,
-      [&](Index voxel)
-      {
-        change[std::size_t(voxel)] =
-          coarse.extinction[std::size_t(voxel)] - coarse.task.baseExtinction[voxel];
+      [&](Index voxel) {
+        change[std::size_t(voxel)] = found[std::size_t(voxel)] - coarse.task.baseExtinction[voxel];
       });
     std::vector<float> extinction = Prolong(coarse.task.grid, change.data(), target);
     const bool full = target.nodes == this->Task.grid.nodes;
@@ -183,14 +146,14 @@ private:
 
   void Enter(int number, std::vector<float> extinction)
   {
-    this->Here = Level();
-    Level& here = this->Here;
+    this->Here = std::make_unique<Level>();
+    Level& here = *this->Here;
     here.number = number;
     here.task = this->Task;
-    here.extinction = std::move(extinction);
     if (number > 0)
     {
       here.task.grid = CoarseGrid(this->Task.grid, number == 1 ? 2 : 4);
+      here.task.resident = nullptr; // these fields are the level's own
       here.baseStorage = Restrict(this->Task.grid, this->Task.baseExtinction, here.task.grid);
       here.importanceStorage = Restrict(this->Task.grid, this->Task.importance, here.task.grid);
       here.task.baseExtinction = here.baseStorage.data();
@@ -203,57 +166,23 @@ private:
       here.task.occupancy = std::make_shared<const Occupancy>(here.task.grid,
         here.task.baseExtinction, here.task.nodeImportance, here.task.settings.skipUnneeded);
     }
-    here.filledVoxels = here.task.occupancy->FilledVoxels();
-    here.terms = Terms(here.task);
-  }
-
-  void Step()
-  {
-    Level& here = this->Here;
-    const Settings& settings = here.task.settings;
-    const TermFields fields{ here.extinction.data(), here.task.importance,
-      here.task.nodeImportance };
-    std::fill(here.gradient.begin(), here.gradient.end(), 0.0f);
-    if (here.terms.camera)
-    {
-      here.terms.camera->AddGradient(fields, settings.derivative,
-        static_cast<float>(settings.weights.view), here.gradient.data());
-    }
-    if (here.terms.light)
-    {
-      here.terms.light->AddGradient(fields, settings.derivative,
-        static_cast<float>(settings.weights.light), here.gradient.data());
-    }
-    ++here.count;
-    AdamVoxel<float> body{};
-    body.gradient = here.gradient.data();
-    body.base = here.task.baseExtinction;
-    body.first = here.first.data();
-    body.second = here.second.data();
-    body.extinction = here.extinction.data();
-    body.regularization = static_cast<float>(here.task.RegularizationWeight());
-    body.step = static_cast<float>(
-      settings.learningRate * here.task.majorant / (1.0 - std::pow(0.9, here.count)));
-    body.secondCorrection = static_cast<float>(1.0 / (1.0 - std::pow(0.999, here.count)));
-    body.floor = static_cast<float>(1e-6 * std::max(settings.weights.view, settings.weights.light));
-    body.majorant = here.task.majorant;
-    const double sum = ParallelBlockSum(here.task.grid.NodeCount(),
-      [&](Index begin, Index end) { return StepBlock(body, begin, end); });
-    const double scale = double(std::max<Index>(here.filledVoxels, 1)) * here.task.majorant;
-    this->Change = scale > 0 ? sum / scale : 0.0;
+    here.state = this->Maker(here.task, std::move(extinction));
   }
 
   const Problem& Task;
+  AdamLevelMaker Maker;
   std::array<int, 3> Remaining; ///< iterations left: quarter, half, full
-  Level Here;
+  std::unique_ptr<Level> Here;
   double Change = 0;
   double BestEnergy = 0;
-  std::vector<float> BestIterate;
+  std::vector<float> BestIterate; ///< before there was a better one
+  bool BestIsHere = false;        ///< whether that is with the level
 };
 }
 
-std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, std::vector<float> start)
+std::unique_ptr<Minimizer> MakeAdam(
+  const Problem& problem, std::vector<float> start, const AdamLevelMaker& maker)
 {
-  return std::make_unique<Adam>(problem, std::move(start));
+  return std::make_unique<Adam>(problem, std::move(start), maker);
 }
 }

@@ -4,7 +4,7 @@
 #ifndef limpid_optimize_Adam_h
 #define limpid_optimize_Adam_h
 
-#include "optimize/Problem.h"
+#include "optimize/AdamLevel.h"
 
 #include <memory>
 
@@ -12,7 +12,8 @@ namespace limpid
 {
 /// The paper's solver (Section 3.5): projected Adam on a quarter, a half and the full resolution.
 /// `start`: first iterate [1/length].
-std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, std::vector<float> start);
+std::unique_ptr<Minimizer> MakeAdam(
+  const Problem& problem, std::vector<float> start, const AdamLevelMaker& maker = MakeAdamLevel);
 }
 
 #endif

@@ -71,9 +71,7 @@ void RequireEye(const char* what, const Eye& eye, const Grid& grid)
 void RequireSettings(const Settings& settings)
 {
   settings.Require();
-  LIMPID_REQUIRE(settings.backend != BackendKind::Cuda,
-    "CUDA was asked for, but this build has no CUDA backend (nothing would run on a GPU). Choose "
-    "the backend Auto or CPU.");
+  ChooseBackend(settings.backend, 0);
 }
 
 void RequireReach(const Problem& problem)

@@ -328,6 +328,7 @@ int Progressive::Iterations() const
 
 std::string Progressive::BackendName() const
 {
-  return CpuName();
+  const Internals& state = *this->State;
+  return state.solver ? state.solver->BackendName() : ChooseBackend(state.settings.backend, 0).name;
 }
 }

@@ -4,6 +4,8 @@
 #ifndef limpid_optimize_Settings_h
 #define limpid_optimize_Settings_h
 
+#include "backend/Choice.h"
+
 #include <array>
 #include <functional>
 #include <string>
@@ -26,13 +28,6 @@ enum class Derivative
 {
   Volume, ///< exact derivative of the volume integral
   Ray     ///< Eqs. 19-20 as printed: without the weight of the widening rays
-};
-
-enum class BackendKind
-{
-  Auto,
-  Cpu,
-  Cuda
 };
 
 /// Weights of the energy of Eq. 21, in normalised coordinates.

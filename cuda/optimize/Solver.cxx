@@ -5,10 +5,8 @@
 
 #include "backend/Backend.h"
 #include "energy/TransmittanceVolume.h"
-#include "energy/VisibilityTerm.h"
 #include "math/Require.h"
-#include "optimize/Adam.h"
-#include "optimize/Policy.h"
+#include "optimize/Engine.h"
 #include "optimize/PreparedScene.h"
 
 #include <algorithm>
@@ -25,6 +23,9 @@ using Clock = std::chrono::steady_clock;
 struct Solver::Internals
 {
   std::shared_ptr<PreparedScene> prepared;
+  std::shared_ptr<Engine> engine;
+  std::string engineName;
+  bool onGpu = false;
   SceneFields scene;
   Camera camera;
   Light light;
@@ -57,6 +58,15 @@ struct Solver::Internals
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
+    // A run on the GPU goes on there: what it holds is not free, but it is ours.
+    if (!this->engine || !this->onGpu || wanted.backend == BackendKind::Cpu)
+    {
+      const BackendChoice choice =
+        ChooseBackend(wanted.backend, CudaBytes(this->scene.grid, wanted));
+      this->engine = choice.cuda ? CudaEngine() : CpuEngine();
+      this->engineName = choice.name;
+      this->onGpu = choice.cuda;
+    }
   }
 
   /// Starts the first run.
@@ -144,9 +154,7 @@ struct Solver::Internals
       }
       return;
     }
-    this->minimizer = this->problem.settings.solver == SolverKind::Adam
-      ? MakeAdam(this->problem, std::move(start))
-      : MakePolicy(this->problem, std::move(start), this->warm);
+    this->minimizer = this->engine->MakeMinimizer(this->problem, std::move(start), this->warm);
     IterationRecord record = this->minimizer->Start();
     record.iteration = this->iterations;
     this->history.push_back(record);
@@ -161,11 +169,9 @@ struct Solver::Internals
     this->bestEnergy = record.energy;
   }
 
-  Score ScoreOf(const float* field) const
+  Score ScoreOf(const float* field)
   {
-    VisibilityTerm term(
-      this->scene.grid, *this->problem.occupancy, this->problem.camera, this->settings.rayDensity);
-    const Visible seen = term.Forward(field, this->scene.importance);
+    const Visible seen = this->engine->Score(this->problem, field);
     return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
   }
 
@@ -390,7 +396,7 @@ double Solver::Seconds() const
 
 std::string Solver::BackendName() const
 {
-  return CpuName();
+  return this->State->engineName;
 }
 
 const std::vector<IterationRecord>& Solver::History() const

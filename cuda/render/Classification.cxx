@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace limpid
 {
@@ -44,10 +45,8 @@ Classification::Classification(const TransferFunctions& functions)
 {
   Require(functions);
   const std::size_t count = functions.extinction.size();
-  this->Last = static_cast<int>(count) - 1;
-  this->LastPosition = static_cast<float>(this->Last);
   this->Low = static_cast<float>(functions.low);
-  this->Scale = static_cast<float>(this->Last / (functions.high - functions.low));
+  this->Scale = static_cast<float>(double(count - 1) / (functions.high - functions.low));
   this->LargestExtinction =
     *std::max_element(functions.extinction.begin(), functions.extinction.end());
   const float unit = this->LargestExtinction > 0 ? 1 / this->LargestExtinction : 0.0f;
@@ -60,8 +59,9 @@ Classification::Classification(const TransferFunctions& functions)
     const std::array<float, 3>& color = functions.color[entry];
     this->Values[entry] =
       Optical{ functions.extinction[entry] * unit, color[0], color[1], color[2] };
-    const Optical weighted = this->Weigh(this->Values[entry]);
-    const Optical before = entry > 0 ? this->Weigh(this->Values[entry - 1]) : weighted;
+    const Optical weighted = OpticalTable<Optical>::Weighed(this->Values[entry]);
+    const Optical before =
+      entry > 0 ? OpticalTable<Optical>::Weighed(this->Values[entry - 1]) : weighted;
     for (int channel = 0; channel < 4; ++channel)
     {
       sum[channel] += entry > 0 ? 0.5 * (double(weighted[channel]) + before[channel]) : 0.0;
@@ -69,33 +69,29 @@ Classification::Classification(const TransferFunctions& functions)
     }
   }
 
-  std::vector<float> level(count);
-  std::transform(this->Values.begin(), this->Values.end(), level.begin(),
+  std::transform(this->Values.begin(), this->Values.end(), std::back_inserter(this->Maxima),
     [](const Optical& value) { return value[0]; });
-  this->Maxima.push_back(level);
   for (std::size_t span = 1; 2 * span <= count; span *= 2)
   {
-    std::vector<float> wider(count - 2 * span + 1);
-    for (std::size_t i = 0; i < wider.size(); ++i)
+    const std::size_t level = this->Maxima.size() - count;
+    for (std::size_t i = 0; i < count; ++i)
     {
-      wider[i] = std::max(this->Maxima.back()[i], this->Maxima.back()[i + span]);
+      const std::size_t other = std::min(i + span, count - 1);
+      this->Maxima.push_back(std::max(this->Maxima[level + i], this->Maxima[level + other]));
     }
-    this->Maxima.push_back(std::move(wider));
   }
 }
 
-float Classification::LargestBetween(float from, float to) const
+OpticalTable<Optical> Classification::Table() const
 {
-  const int first = static_cast<int>(this->Inside(from));
-  const int last = static_cast<int>(std::ceil(this->Inside(to)));
-  const int count = last - first + 1;
-  std::size_t level = 0;
-  while ((2 << level) <= count)
-  {
-    ++level;
-  }
-  const std::vector<float>& maxima = this->Maxima[level];
-  return std::max(
-    maxima[std::size_t(first)], maxima[std::size_t(last + 1 - (1 << static_cast<int>(level)))]);
+  OpticalTable<Optical> table;
+  table.low = this->Low;
+  table.scale = this->Scale;
+  table.last = static_cast<int>(this->Values.size()) - 1;
+  table.lastPosition = static_cast<float>(table.last);
+  table.values = this->Values.data();
+  table.integrals = this->Integrals.data();
+  table.maxima = this->Maxima.data();
+  return table;
 }
 }

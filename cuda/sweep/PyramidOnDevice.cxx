@@ -117,13 +117,14 @@ VoxelSpans SpansAt(const Pyramid& pyramid, const Occupancy& occupancy, int s, in
 
 template <class Device>
 PyramidOnDevice<Device>::PyramidOnDevice(std::shared_ptr<Device> device, const Pyramid& pyramid,
-  const Grid& grid, const Occupancy& occupancy)
+  const Grid& grid, const Occupancy& occupancy, Readers readers)
 {
+  const bool voxels = readers == Readers::RaysAndVoxels;
   const auto count = pyramid.stations.size();
   const auto columns = std::size_t(pyramid.columns);
   const auto rows = std::size_t(pyramid.rows);
-  const auto nodesU = std::size_t(pyramid.nodesU);
-  const auto nodesV = std::size_t(pyramid.nodesV);
+  const auto nodesU = voxels ? std::size_t(pyramid.nodesU) : 0;
+  const auto nodesV = voxels ? std::size_t(pyramid.nodesV) : 0;
   Packet packet;
   const auto stations = packet.Add<StationView>(count, 1);
   const auto columnIndex = packet.Add<int>(2 * count, columns);
@@ -160,13 +161,17 @@ PyramidOnDevice<Device>::PyramidOnDevice(std::shared_ptr<Device> device, const P
         packet.Fill(rowIndex, 2 * s + half, plane.rayRows.index);
         packet.Fill(rowWeight, 2 * s + half, plane.rayRows.weight);
       }
+      packet.Fill(work, s, station.work);
+      if (!voxels)
+      {
+        return;
+      }
       packet.Fill(voxelColumnIndex, s, station.voxelColumns.index);
       packet.Fill(voxelColumnWeight, s, station.voxelColumns.weight);
       packet.Fill(voxelRowIndex, s, station.voxelRows.index);
       packet.Fill(voxelRowWeight, s, station.voxelRows.weight);
       packet.Fill(columnEntry, s, station.columnEntry);
       packet.Fill(rowEntry, s, station.rowEntry);
-      packet.Fill(work, s, station.work);
       for (int v = 0; v < pyramid.nodesV; ++v)
       {
         const VoxelSpans spans = SpansAt(pyramid, occupancy, static_cast<int>(s), v);

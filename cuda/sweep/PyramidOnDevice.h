@@ -13,6 +13,13 @@
 
 namespace limpid
 {
+/// Who will read a pyramid.
+enum class Readers
+{
+  Rays, ///< tables of voxels are left out
+  RaysAndVoxels
+};
+
 /// The tables of a pyramid in the memory of a device.
 template <class Device>
 class PyramidOnDevice
@@ -20,7 +27,7 @@ class PyramidOnDevice
 public:
   /// `grid`, `occupancy`: those that the pyramid was planned with.
   PyramidOnDevice(std::shared_ptr<Device> device, const Pyramid& pyramid, const Grid& grid,
-    const Occupancy& occupancy);
+    const Occupancy& occupancy, Readers readers = Readers::RaysAndVoxels);
 
   const PyramidView& View() const { return this->Addresses; }
   Extent Rays() const { return { this->Addresses.columns, this->Addresses.rows }; }

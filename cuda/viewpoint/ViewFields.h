@@ -35,6 +35,10 @@ public:
   /// Nodes of the box of what is not empty, along each axis; 0 if all is.
   const Int3& Nodes() const { return this->Straight.grid.nodes; }
 
+  /// Both copies.
+  const SweptFields& InOrder() const { return this->Straight; }
+  const SweptFields& WithAxesExchanged() const { return this->Exchanged; }
+
   /// A family of rays and the fields that it runs through.
   struct Part
   {

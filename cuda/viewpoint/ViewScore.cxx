@@ -25,25 +25,21 @@ double DensityOf(const Int3& nodes, double atLeast)
 }
 }
 
-ViewScore::ViewScore(
-  const Grid& grid, const float* extinction, const float* importance, double rayDensity)
-  : Fields(grid, extinction, importance)
-  , RayDensity(DensityOf(this->Fields.Nodes(), rayDensity))
+ViewScore::ViewScore(const Grid& grid, const float* extinction, const float* importance,
+  double rayDensity, BackendKind backend)
+  : Fields(std::make_unique<ViewFields>(grid, extinction, importance))
+  , RayDensity(DensityOf(this->Fields->Nodes(), rayDensity))
 {
+  // Two fields, twice; the rays of a direction take little.
+  const auto nodes = static_cast<std::size_t>(this->Fields->InOrder().grid.NodeCount());
+  const BackendChoice choice = ChooseBackend(backend, 4 * sizeof(float) * nodes);
+  this->Name = choice.name;
+  this->Scorer = choice.cuda ? CudaPartScorer(*this->Fields) : CpuPartScorer();
 }
 
 Visible ViewScore::At(const Camera& camera) const
 {
-  Visible sum;
-  for (const ViewFields::Part& part : this->Fields.PartsOf(camera, this->RayDensity))
-  {
-    RayImages images(part.pyramid);
-    const Visible score = SweepForward(part.pyramid, part.fields->grid,
-      part.fields->extinction.data(), part.fields->importance.data(), images);
-    sum.visible += score.visible;
-    sum.plain += score.plain;
-  }
-  return sum;
+  return this->Scorer->Score(this->Fields->PartsOf(camera, this->RayDensity));
 }
 
 ViewSlope ViewScore::SlopeAt(const Camera& camera) const
@@ -56,7 +52,7 @@ ViewSlope ViewScore::SlopeAt(const Camera& camera) const
   const Vec3 moves[2] = { right, glm::cross(right, forward) };
 
   ViewSlope result;
-  for (const ViewFields::Part& part : this->Fields.PartsOf(camera, this->RayDensity))
+  for (const ViewFields::Part& part : this->Fields->PartsOf(camera, this->RayDensity))
   {
     const TurnResult turn = SweepTurning(part, moves, distance, this->RayDensity);
     result.score.visible += turn.score.visible;

@@ -4,8 +4,11 @@
 #ifndef limpid_viewpoint_ViewScore_h
 #define limpid_viewpoint_ViewScore_h
 
-#include "sweep/Sweep.h"
-#include "viewpoint/ViewFields.h"
+#include "backend/Choice.h"
+#include "viewpoint/PartScorer.h"
+
+#include <memory>
+#include <string>
 
 namespace limpid
 {
@@ -20,13 +23,18 @@ struct ViewSlope
  * Scores of cameras that look at the same fields, by one sweep front to back each (Eq. 32). All of
  * the volume counts, in view or not.
  *
- * The fields, grid.NodeCount() values each, are copied: extinction >= 0 [1/length], importance
+ * `backend` as in Settings; throws limpid::Error if it cannot be had. The fields, grid.NodeCount()
+ * values each, are copied: extinction >= 0 [1/length], importance
  * [0, 1]. `rayDensity`: rays per voxel and axis, at least; what is small gets more.
  */
 class ViewScore
 {
 public:
-  ViewScore(const Grid& grid, const float* extinction, const float* importance, double rayDensity);
+  ViewScore(const Grid& grid, const float* extinction, const float* importance, double rayDensity,
+    BackendKind backend = BackendKind::Cpu);
+
+  /// What computes At, for the user; slopes are the processor's.
+  const std::string& BackendName() const { return this->Name; }
 
   /// S of Eq. 32 and its bound. May be called by several threads.
   Visible At(const Camera& camera) const;
@@ -36,8 +44,10 @@ public:
   ViewSlope SlopeAt(const Camera& camera) const;
 
 private:
-  ViewFields Fields;
+  std::unique_ptr<const ViewFields> Fields; ///< where it is, whoever owns the scores
   double RayDensity;
+  std::string Name;
+  std::unique_ptr<PartScorer> Scorer;
 };
 }
 

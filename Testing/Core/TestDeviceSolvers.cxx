@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Adam, scores of directions and the choice of a backend on devices.
+
+#include "BoxScene.h"
+#include "TestedDevice.h"
+#include "ViewScene.h"
+
+#include "math/Require.h"
+#include "optimize/Adam.h"
+#include "optimize/AdamOnDevice.h"
+#include "optimize/Engine.h"
+#include "optimize/EngineOnDevice.h"
+#include "optimize/PreparedScene.h"
+#include "viewpoint/PartScorerOnDevice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+BoxScene Onion()
+{
+  BoxScene scene({ 37, 30, 41 }, { 3, -2, 5 }, { 1.0, 1.3, 0.8 });
+  scene.FillOnion();
+  return scene;
+}
+}
+
+TEST(AdamOfDevice, IsThatOfTheProcessor)
+{
+  BoxScene scene = Onion();
+  scene.settings.solver = SolverKind::Adam;
+  scene.settings.iterationsPerLevel = { { 2, 3, 4 } };
+  PreparedScene prepared(scene.Fields());
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const std::shared_ptr<Engine> engine = EngineOn(MakeTestedDevice());
+  const auto there = engine->MakeMinimizer(problem, std::vector<float>(scene.extinction), false);
+  const auto here =
+    CpuEngine()->MakeMinimizer(problem, std::vector<float>(scene.extinction), false);
+
+  EXPECT_NEAR(there->Start().visibilityScore / here->Start().visibilityScore, 1, 1e-5);
+  for (int iteration = 0; iteration < 9; ++iteration)
+  {
+    const IterationRecord expected = here->Iterate();
+    const IterationRecord found = there->Iterate();
+    EXPECT_EQ(found.level, expected.level);
+    EXPECT_NEAR(found.energy.Total() / expected.energy.Total(), 1, 1e-5);
+    EXPECT_NEAR(found.meanChange, expected.meanChange, 1e-4 * expected.meanChange);
+  }
+  const std::vector<float> best = here->Best();
+  const std::vector<float> bestThere = there->TakeBest();
+  double squares = 0;
+  for (std::size_t voxel = 0; voxel < best.size(); ++voxel)
+  {
+    squares += std::pow(double(best[voxel]) - double(bestThere[voxel]), 2);
+  }
+  // Root mean square: where a derivative is rounding noise, Adam follows its sign.
+  EXPECT_LE(std::sqrt(squares / double(best.size())), 1e-4 * prepared.Majorant());
+}
+
+TEST(EngineOfDevice, ScoresLikeTheProcessor)
+{
+  const BoxScene scene = Onion();
+  PreparedScene prepared(scene.Fields());
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+
+  const Visible found = EngineOn(MakeTestedDevice())->Score(problem, scene.extinction.data());
+  const Visible expected = CpuEngine()->Score(problem, scene.extinction.data());
+
+  EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
+  EXPECT_NEAR(found.plain, expected.plain, 1e-5 * expected.plain);
+}
+
+class ViewsOfDevice : public ::testing::TestWithParam<Case>
+{
+};
+
+TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
+{
+  const BoxScene scene = Filled(GetParam().content);
+  const ViewFields fields(scene.grid, scene.extinction.data(), scene.importance.data());
+  const auto there = PartScorerOn(MakeTestedDevice(), fields);
+  const auto here = CpuPartScorer();
+  const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
+
+  for (const Vec3& direction : RandomDirections(10))
+  {
+    const std::vector<ViewFields::Part> parts = fields.PartsOf(orbit.At(direction), 2);
+    const Visible expected = here->Score(parts);
+    const Visible found = there->Score(parts);
+    EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
+    EXPECT_NEAR(found.plain, expected.plain, 1e-5 * expected.plain);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Boxes, ViewsOfDevice,
+  ::testing::Values(Case{ "Onion", Content::Onion, false },
+    Case{ "Borders", Content::Borders, false }, Case{ "ParallelWaves", Content::Waves, true }),
+  ::testing::PrintToStringParamName());
+
+TEST(BackendChoice, SaysWhatItIsAndWhy)
+{
+  EXPECT_FALSE(ChooseBackend(BackendKind::Cpu, 0).cuda);
+  const BackendChoice choice = ChooseBackend(BackendKind::Auto, 0);
+  EXPECT_EQ(choice.cuda, FindCuda().usable);
+  if (FindCuda().usable)
+  {
+    EXPECT_NE(choice.name.find(FindCuda().name), std::string::npos);
+    EXPECT_TRUE(ChooseBackend(BackendKind::Cuda, 0).cuda);
+  }
+  else
+  {
+    EXPECT_NE(choice.name.find("no CUDA: " + FindCuda().reason), std::string::npos) << choice.name;
+    EXPECT_THROW(ChooseBackend(BackendKind::Cuda, 0), Error);
+  }
+}
+
+TEST(BackendChoice, RefusesWhatDoesNotFit)
+{
+  constexpr std::size_t tooMuch = std::size_t(1) << 50;
+  const BackendChoice choice = ChooseBackend(BackendKind::Auto, tooMuch);
+  EXPECT_FALSE(choice.cuda);
+  EXPECT_NE(choice.name.find("no CUDA"), std::string::npos) << choice.name;
+  EXPECT_THROW(ChooseBackend(BackendKind::Cuda, tooMuch), Error);
+}

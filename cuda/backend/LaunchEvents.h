@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// For the CUDA compiler only.
+
+#ifndef limpid_backend_LaunchEvents_h
+#define limpid_backend_LaunchEvents_h
+
+#include "backend/LaunchTimes.h"
+
+#include <cuda_runtime.h>
+
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+/// Marks in a stream of work for a GPU, before and after everything that is timed.
+class LaunchEvents
+{
+public:
+  /// Both live at least as long.
+  LaunchEvents(LaunchTimes& times, cudaStream_t stream)
+    : Times(&times)
+    , Stream(stream)
+  {
+  }
+  ~LaunchEvents();
+  LaunchEvents(const LaunchEvents&) = delete;
+  LaunchEvents& operator=(const LaunchEvents&) = delete;
+
+  void Begin(const char* label);
+  void End();
+
+  /// Adds up what lies between the marks. All work in the stream has to be done.
+  void Collect();
+
+private:
+  struct Span
+  {
+    std::string label;
+    cudaEvent_t begin = nullptr;
+    cudaEvent_t end = nullptr;
+  };
+
+  LaunchTimes* Times;
+  cudaStream_t Stream;
+  std::vector<Span> Spans;
+};
+}
+
+#endif

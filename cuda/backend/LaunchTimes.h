@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_backend_LaunchTimes_h
+#define limpid_backend_LaunchTimes_h
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+/// How long what a device did took, label by label, while it was told to keep the time
+/// (HostDevice::Time, CudaDevice::Time). For benchmarks.
+class LaunchTimes
+{
+public:
+  struct Entry
+  {
+    std::string label;
+    int count = 0;      ///< launches, or copies
+    double seconds = 0; ///< of all of them
+  };
+
+  void Add(const std::string& label, double seconds)
+  {
+    const auto found = std::find_if(this->Labels.begin(), this->Labels.end(),
+      [&](const Entry& entry) { return entry.label == label; });
+    Entry& entry =
+      found == this->Labels.end() ? this->Labels.emplace_back(Entry{ label, 0, 0 }) : *found;
+    ++entry.count;
+    entry.seconds += seconds;
+  }
+
+  /// In the order in which they came first.
+  const std::vector<Entry>& Entries() const { return this->Labels; }
+
+private:
+  std::vector<Entry> Labels;
+};
+}
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// In place of FindCuda.cxx where there is no CUDA compiler.
+
+#include "backend/Choice.h"
+
+namespace limpid
+{
+const CudaState& FindCuda()
+{
+  static const CudaState state{ false, 0, "", "this build has no CUDA backend" };
+  return state;
+}
+
+std::size_t FreeCudaBytes()
+{
+  return 0;
+}
+}

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The rays of a picture, the same for all backends.
+
+#ifndef limpid_render_Ray_h
+#define limpid_render_Ray_h
+
+#include "backend/Simd.h"
+#include "math/Vec.h"
+#include "render/Renderer.h"
+
+#include <cmath>
+
+namespace limpid
+{
+/// One ray, by the number of the sample from its entry into the box on.
+struct Ray
+{
+  float entry[3] = { 0, 0, 0 };      ///< where it enters [index]
+  float step[3] = { 0, 0, 0 };       ///< from sample to sample [index]
+  float lightEntry[3] = { 0, 0, 0 }; ///< the same from the middle of the box [radii, world]
+  float lightStep[3] = { 0, 0, 0 };
+  float toViewer[3] = { 0, 0, 0 }; ///< unit vector, world
+  float length = 0;                ///< samples from entry to exit
+  float shift = 0;                 ///< the first sample is that far before the entry [samples]
+  int segments = 0;
+
+  /// Distance of sample `k` from the entry [samples].
+  LIMPID_HD LIMPID_INLINE float At(int k) const
+  {
+    const float distance = static_cast<float>(k) - this->shift;
+    const float behindEntry = distance > 0.0f ? distance : 0.0f;
+    return behindEntry < this->length ? behindEntry : this->length;
+  }
+};
+
+/// Makes the rays of a view through the box of a grid.
+class RayMaker
+{
+public:
+  /// `stepLength`: between samples [length].
+  RayMaker(const Grid& grid, double stepLength, const View& view);
+
+  /// The ray of a pixel up to clip z = `end`; false: it misses the box.
+  LIMPID_HD bool Make(int column, int row, double end, Ray& ray) const
+  {
+    const double x = 2 * (column + 0.5) / this->Width - 1;
+    const double y = 2 * (row + 0.5) / this->Height - 1;
+    const Vec3 from = this->Point(x, y, -1);
+    const Vec3 way = this->Point(x, y, end) - from;
+    double first = 0;
+    double last = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double far = this->LastNode[axis];
+      if (way[axis] != 0)
+      {
+        const double one = -from[axis] / way[axis];
+        const double other = (far - from[axis]) / way[axis];
+        const double in = one < other ? one : other;
+        const double out = one < other ? other : one;
+        first = first < in ? in : first;
+        last = out < last ? out : last;
+      }
+      else if (from[axis] < 0 || from[axis] > far)
+      {
+        return false;
+      }
+    }
+    if (!(last > first))
+    {
+      return false;
+    }
+    this->Describe(from, way, first, last, ray);
+    ray.shift = this->Jitter ? Noise(column, row) : 0.0f;
+    ray.segments = static_cast<int>(std::ceil(ray.length + ray.shift));
+    return ray.segments > 0;
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE Vec3 Point(double x, double y, double z) const
+  {
+    const glm::dvec4 point = this->ClipToIndex * glm::dvec4(x, y, z, 1.0);
+    return Vec3(point) / point.w;
+  }
+
+  /// The part of a way [index] between two shares of it.
+  LIMPID_HD LIMPID_INLINE void Describe(
+    const Vec3& from, const Vec3& way, double first, double last, Ray& ray) const
+  {
+    const Vec3 worldWay = this->Direction * (way * this->Spacing);
+    const double wayLength = std::sqrt(glm::dot(worldWay, worldWay));
+    const double step = this->StepLength / wayLength; // in units of the way
+    const Vec3 entry = from + first * way;
+    const Vec3 world = this->Origin + this->Direction * (entry * this->Spacing);
+    const Vec3 lightEntry = (world - this->Centre) / this->Radius;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ray.entry[axis] = static_cast<float>(entry[axis]);
+      ray.step[axis] = static_cast<float>(step * way[axis]);
+      ray.lightEntry[axis] = static_cast<float>(lightEntry[axis]);
+      ray.lightStep[axis] = static_cast<float>(step * worldWay[axis] / this->Radius);
+      ray.toViewer[axis] = static_cast<float>(-worldWay[axis] / wayLength);
+    }
+    ray.length = static_cast<float>((last - first) / step);
+  }
+
+  /// A number in [0, 1) that neighbouring pixels do not share: interleaved gradient noise [Jim14].
+  LIMPID_HD static LIMPID_INLINE float Noise(int column, int row)
+  {
+    const double inner = 0.06711056 * column + 0.00583715 * row;
+    const double outer = 52.9829189 * (inner - std::floor(inner));
+    return static_cast<float>(outer - std::floor(outer));
+  }
+
+  glm::dmat4 ClipToIndex;
+  Mat3 Direction;
+  Vec3 Spacing;
+  Vec3 Origin;
+  Vec3 Centre;
+  Vec3 LastNode;
+  double Radius;
+  double StepLength;
+  int Width;
+  int Height;
+  bool Jitter;
+};
+}
+
+#endif
