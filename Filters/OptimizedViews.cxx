@@ -5,6 +5,7 @@
 
 #include "ScenePlacement.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace limpid
@@ -13,12 +14,6 @@ namespace
 {
 // Rounds of a climb: each is a solver run, and moves the camera as far as one extinction leads.
 constexpr int LargestNumberOfRounds = 4;
-
-SearchSettings Unrefined(SearchSettings settings)
-{
-  settings.refine = false;
-  return settings;
-}
 }
 
 OptimizedViews::OptimizedViews(
@@ -97,33 +92,22 @@ Index OptimizedViews::Climb(
 SearchResult OptimizedViews::Find(const std::vector<ScoredView>& samples,
   const SearchSettings& settings, const SearchProgress& progress) const
 {
-  // What has been scored needs no field to be ranked.
-  const SceneFields& scene = this->Scene->Arrays();
-  const ViewScore unused(
-    scene.grid, scene.baseExtinction, scene.importance, this->Options.rayDensity);
-  SearchResult result = FindViewpoints(unused, this->From, samples, Unrefined(settings), {});
-  if (!settings.refine)
-  {
-    return result;
-  }
-
+  SearchResult result;
+  result.evaluations = std::count_if(
+    samples.begin(), samples.end(), [](const ScoredView& view) { return view.valid; });
+  const std::vector<ScoredView> starts = RankedViews(samples, settings);
   std::vector<ScoredView> candidates = samples;
-  const std::vector<ScoredView> starts = result.viewpoints;
-  Index evaluations = result.evaluations;
-  std::vector<std::vector<ScoredView>> paths;
-  for (std::size_t i = 0; i < starts.size(); ++i)
+  for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
   {
     if (!progress(double(i) / double(starts.size())))
     {
       break;
     }
-    paths.emplace_back();
-    evaluations += this->Climb(starts[i], settings, paths.back());
-    candidates.push_back(paths.back().back());
+    result.paths.emplace_back();
+    result.evaluations += this->Climb(starts[i], settings, result.paths.back());
+    candidates.push_back(result.paths.back().back());
   }
-  result = FindViewpoints(unused, this->From, candidates, Unrefined(settings), {});
-  result.evaluations = evaluations;
-  result.paths = std::move(paths);
+  result.viewpoints = RankedViews(std::move(candidates), settings);
   return result;
 }
 }

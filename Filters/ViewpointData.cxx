@@ -168,7 +168,7 @@ void FillSphere(const FoundViews& found, vtkPolyData* output)
   points->SetDataTypeToDouble();
   for (const Vec3& direction : found.sphere.directions)
   {
-    const Vec3 point = found.orbit.centre + found.sphereRadius * direction;
+    const Vec3 point = found.sphereCentre + found.sphereRadius * direction;
     points->InsertNextPoint(&point.x);
   }
   output->SetPoints(points);

@@ -21,6 +21,7 @@ namespace limpid
 struct FoundViews
 {
   DirectionSphere sphere;
+  Vec3 sphereCentre{ 0.0 };
   double sphereRadius = 1; ///< [length]
   Orbit orbit;
   std::vector<ScoredView> samples; ///< one per direction of the sphere

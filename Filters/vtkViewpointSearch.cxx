@@ -108,6 +108,9 @@ void vtkViewpointSearch::PrintSelf(ostream& os, vtkIndent indent)
   print("Field", this->Field);
   print("Sampling", this->Sampling);
   print("NumberOfDirections", this->NumberOfDirections);
+  print("UseFocalPoint", this->UseFocalPoint);
+  os << indent << "CameraFocalPoint: " << this->CameraFocalPoint[0] << " "
+     << this->CameraFocalPoint[1] << " " << this->CameraFocalPoint[2] << "\n";
   print("CameraDistance", this->CameraDistance);
   print("CameraViewAngle", this->CameraViewAngle);
   print("CameraParallelProjection", this->CameraParallelProjection);

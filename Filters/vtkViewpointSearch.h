@@ -7,8 +7,8 @@
  *
  * Scores views from all around an image by S of Eq. (32) in [HG24], climbs from the best of them
  * along its derivative (Eqs. 29-31), and ranks what is reached. The cameras stand on a sphere round
- * the centre of the image and look at it, upright by Eq. (10). All of the image counts, whatever
- * part of it a picture would show; light plays no part.
+ * the centre of the image, or round another point, and look at it, upright by Eq. (10). All of the
+ * image counts, whatever part of it a picture would show; light plays no part.
  *
  * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; array 2, an extinction, with
  * ExtinctionSource ARRAY or Field EXTINCTION_ARRAY.
@@ -18,7 +18,7 @@
  *   "VisibilityScore" S [length^2], "VisibleFraction" [0, 1],
  *   "NormalizedScore" 0 worst, 1 best of the directions (all the same: 1, or 0 if S is 0),
  *   "Azimuth", "Polar" the angles of Eq. (10) [degrees],
- *   "ViewDirection"   unit vector from the centre to the camera, R (0, 0, 1) of Eq. (10),
+ *   "ViewDirection"   unit vector from the focal point to the camera, R (0, 0, 1) of Eq. (10),
  *   "CameraPosition", "CameraFocalPoint", "CameraViewUp",
  *   "Rank"            1 is the best direction,
  *   "Valid"           1: it was scored; 0: there was an abort before; its scores and rank are 0.
@@ -114,8 +114,26 @@ public:
 
   ///@{
   /**
-   * Distance of the cameras from the centre of the image, in radii of the sphere round its box; not
-   * below 1. Default is 3.
+   * Whether the cameras look at CameraFocalPoint; else at the centre of the image. Default is off.
+   */
+  vtkSetMacro(UseFocalPoint, vtkTypeBool);
+  vtkGetMacro(UseFocalPoint, vtkTypeBool);
+  vtkBooleanMacro(UseFocalPoint, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * What the cameras look at, and the centre of the sphere that they stand on, with UseFocalPoint.
+   * The S-sphere stays round the image. Default is (0, 0, 0).
+   */
+  vtkSetVector3Macro(CameraFocalPoint, double);
+  vtkGetVector3Macro(CameraFocalPoint, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the cameras from what they look at, in radii of the sphere round the image's box;
+   * not below 1, and so that all of them stand outside that sphere. Default is 3.
    */
   vtkSetMacro(CameraDistance, double);
   vtkGetMacro(CameraDistance, double);
@@ -197,6 +215,8 @@ private:
   int Field = IMPORTANCE_PROXY;
   int Sampling = ICOSPHERE;
   int NumberOfDirections = 642;
+  vtkTypeBool UseFocalPoint = 0;
+  double CameraFocalPoint[3] = { 0, 0, 0 };
   double CameraDistance = 3;
   double CameraViewAngle = 30;
   vtkTypeBool CameraParallelProjection = 0;

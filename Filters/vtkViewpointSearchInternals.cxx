@@ -98,6 +98,7 @@ void vtkViewpointSearch::Internals::Search(
   found.orbit = this->MakeOrbit(image.grid);
   found.sphere = limpid::MakeDirectionSphere(
     static_cast<limpid::Sampling>(this->Self->Sampling), this->Self->NumberOfDirections);
+  found.sphereCentre = image.grid.Centre();
   found.sphereRadius = this->Self->SphereRadius * image.grid.Radius();
   found.unitDistance = image.unitDistance;
   found.backend = limpid::CpuName();
@@ -246,10 +247,31 @@ void vtkViewpointSearch::Internals::WarnOfSceneWithoutScore(
   }
 }
 
+limpid::Vec3 vtkViewpointSearch::Internals::FocalPoint(const limpid::Grid& grid) const
+{
+  if (!this->Self->UseFocalPoint)
+  {
+    return grid.Centre();
+  }
+  const double* point = this->Self->CameraFocalPoint;
+  const limpid::Vec3 focalPoint(point[0], point[1], point[2]);
+  const double offset = glm::distance(focalPoint, grid.Centre()) / grid.Radius();
+  if (!(this->Self->CameraDistance >= 1 + offset))
+  {
+    limpid::Refuse("CameraFocalPoint is ", point[0], " ", point[1], " ", point[2], ", ", offset,
+      " radii of the sphere round the image from its centre, and CameraDistance is ",
+      this->Self->CameraDistance,
+      " radii (some of the cameras would stand inside the image, and what is behind them could not "
+      "be seen). Move the focal point closer to the centre, or set CameraDistance to ",
+      1 + offset, " or more.");
+  }
+  return focalPoint;
+}
+
 limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid) const
 {
   limpid::Orbit orbit;
-  orbit.centre = grid.Centre();
+  orbit.centre = this->FocalPoint(grid);
   orbit.distance = this->Self->CameraDistance * grid.Radius();
   orbit.viewAngle = this->Self->CameraViewAngle;
   orbit.parallel = this->Self->CameraParallelProjection != 0;

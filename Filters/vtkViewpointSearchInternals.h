@@ -32,6 +32,7 @@ struct vtkViewpointSearch::Internals
 
   void RequirePossibleSettings() const;
   void WarnOfSceneWithoutScore(const limpid::PreparedScene& scene) const;
+  limpid::Vec3 FocalPoint(const limpid::Grid& grid) const;
   limpid::Orbit MakeOrbit(const limpid::Grid& grid) const;
   limpid::Settings MakeSettings() const;
   limpid::SearchSettings MakeSearchSettings(double spacing) const;

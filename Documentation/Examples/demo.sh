@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Installs what is missing, builds the plugin and shows what it does.
-#   bash Documentation/Examples/demo.sh [OUTDIR] [--scene FILE.scene.json]...
+#   bash Documentation/Examples/demo.sh [OUTDIR] [--directions N] [--scene FILE.scene.json]...
 # OUTDIR (demo-output) gets, per scene: before.png, after.png, result.vti, convergence.csv and
 # report.md; and s-sphere.vtp, s-sphere.png, the best and the worst view before and after,
-# viewpoints.md and camera files. Without --scene the scene is the embedded phantom of a head; with several scenes each
-# has a folder of its own and there is a contact sheet of all.
+# viewpoints.md and camera files. Without --scene the scene is the embedded phantom of a head; with
+# several scenes each has a folder of its own and there are contact sheets of all. N (642) is the
+# number of directions of the S-sphere.
 
 set -euo pipefail
 
@@ -15,6 +16,7 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 examples="$root/Documentation/Examples"
 output=demo-output
 scenes=()
+directions=642
 while (($# > 0)); do
   case "$1" in
     --scene)
@@ -25,8 +27,17 @@ while (($# > 0)); do
       scenes+=("$2")
       shift 2
       ;;
+    --directions)
+      if (($# < 2)); then
+        echo "--directions has no number behind it. Say how many, for instance 2562." >&2
+        exit 2
+      fi
+      directions="$2"
+      shift 2
+      ;;
     -*)
-      echo "$1 is no option of this script. Use: demo.sh [OUTDIR] [--scene FILE.scene.json]..." >&2
+      echo "$1 is no option of this script." \
+        "Use: demo.sh [OUTDIR] [--directions N] [--scene FILE.scene.json]..." >&2
       exit 2
       ;;
     *)
@@ -48,7 +59,8 @@ plugin="$(tail -1 "$output/build.log")"
 show() {
   bash "$root/Testing/with-display.sh" pvpython "$examples/optimize_scene.py" \
     --plugin "$plugin" "$@"
-  bash "$root/Testing/with-display.sh" pvpython "$examples/viewpoints.py" --plugin "$plugin" "$@"
+  bash "$root/Testing/with-display.sh" pvpython "$examples/viewpoints.py" \
+    --plugin "$plugin" --directions "$directions" "$@"
 }
 
 case ${#scenes[@]} in
@@ -62,5 +74,6 @@ case ${#scenes[@]} in
       folders+=("$folder")
     done
     /usr/bin/python3 "$examples/contact_sheet.py" "$output/contact-sheet.png" "${folders[@]}"
+    /usr/bin/python3 "$examples/sphere_sheet.py" "$output/s-spheres.png" "${folders[@]}"
     ;;
 esac

@@ -24,7 +24,7 @@ def score_colors():
 
 class Hemispheres:
     """Both halves of an S-sphere as maps that keep areas: left seen from +y, right from -y, with z
-    downwards in both; lines of equal score."""
+    upwards in both; lines of equal score."""
 
     CENTRE = 1.5  # of the right map, whose radius is the square root of 2
 
@@ -41,7 +41,7 @@ class Hemispheres:
         spread = "sqrt(2/(1+{}*ViewDirection_Y))".format(side)
         return simple.Calculator(
             Input=source, AttributeType="Point Data", CoordinateResults=1,
-            Function="({0}*ViewDirection_X*{1}-{0}*{2})*iHat-ViewDirection_Z*{1}*jHat"
+            Function="(-{0}*ViewDirection_X*{1}-{0}*{2})*iHat+ViewDirection_Z*{1}*jHat"
                      "+{3}*kHat".format(side, spread, self.CENTRE, height))
 
     def half(self, side):
@@ -70,7 +70,7 @@ class Hemispheres:
         x, y, z = back / np.linalg.norm(back)
         side = 1 if y >= 0 else -1
         spread = np.sqrt(2 / (1 + side * y))
-        place = [side * (x * spread - self.CENTRE), -z * spread]
+        place = [-side * (x * spread + self.CENTRE), z * spread]
         for height, radius, fill in ((0.2, 1.3 * size, [1 - part for part in color]),
                                      (0.4, size, color)):
             self.draw(simple.Sphere(Center=place + [height], Radius=radius, ThetaResolution=32,
@@ -86,8 +86,9 @@ class Hemispheres:
         for rank, viewpoint in reversed(list(enumerate(ranked))):
             self.mark(viewpoint, [1.0, 1.0, 1.0], 0.025 if rank else 0.045)
         self.mark(worst, [0.0, 0.0, 0.0], 0.045)
-        for text, place in (("from +y", [0.01, 0.02]), ("from -y", [0.91, 0.02]),
-                            ("blue: best (white)    red: worst (black)", [0.35, 0.94])):
+        for text, place in (("from +y, z up", [0.01, 0.02]), ("from -y, z up", [0.87, 0.02]),
+                            ("blue: much of it is seen, red: little", [0.01, 0.94]),
+                            ("white: best views, black: worst", [0.73, 0.94])):
             display = simple.Show(simple.Text(Text=text), self.view)
             display.WindowLocation = "Any Location"
             display.Position = place

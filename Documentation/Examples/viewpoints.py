@@ -14,6 +14,7 @@ or, in a script, with any source of image data,
 """
 
 import argparse
+import math
 import os
 import sys
 import tempfile
@@ -168,6 +169,11 @@ def draw_views(scene, named, output):
     return view
 
 
+def whole_angle(distance):
+    """The view angle of a picture that shows the volume from every side; a distance in radii."""
+    return math.degrees(2 * math.asin(1 / distance))
+
+
 def search_scene(scene, directions):
     search = simple.ViewpointSearch(Input=scene.source)
     search.ImportanceArray = ["POINTS", scene.importance_array]
@@ -176,7 +182,7 @@ def search_scene(scene, directions):
         search.ImportanceFunction.Points = optimize_scene.piecewise(scene.importance)
     search.ExtinctionSource = "Array"
     search.ExtinctionArray = ["POINTS", scene.extinction_array]
-    search.CameraViewAngle = scene.view_angle
+    search.CameraViewAngle = max(scene.view_angle, whole_angle(search.CameraDistance))
     search.NumberOfDirections = directions
     return executed(search)
 

@@ -19,7 +19,8 @@ namespace
 const char* const usage =
   "PROGRAM [--output FILE] [--repeats N] [--threads N] [NAME.scene.json ...]\n"
   "limpid_bench_solvers also [--parts quality,time,paper,memory] [--march-rays PER_VOXEL]\n"
-  "                     [--paper-samples PER_VOXEL] [--paper-iterations N] [--paper-seconds S]\n";
+  "                     [--paper-samples PER_VOXEL] [--paper-iterations N] [--paper-seconds S]\n"
+  "limpid_bench_viewpoints also [--march-rays PER_VOXEL]\n";
 
 std::vector<std::string> TestScenes()
 {

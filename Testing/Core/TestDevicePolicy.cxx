@@ -5,9 +5,9 @@
 // launch by launch; Testing/Gpu runs the same on a GPU.
 
 #include "BoxScene.h"
+#include "TestedDevice.h"
 #include "Tolerance.h"
 
-#include "backend/HostDevice.h"
 #include "optimize/Policy.h"
 #include "optimize/PolicyOnDevice.h"
 #include "optimize/PreparedScene.h"
@@ -49,7 +49,7 @@ TEST_P(PolicyOfDevice, IsThatOfTheProcessor)
   GetParam().change(scene);
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
-  const auto device = std::make_shared<HostDevice>();
+  const auto device = MakeTestedDevice();
   std::vector<float> start = scene.extinction;
   const std::unique_ptr<Minimizer> there =
     MakePolicyOnDevice(device, problem, scene.extinction, false);
@@ -112,16 +112,3 @@ INSTANTIATE_TEST_SUITE_P(Views, PolicyOfDevice,
         scene.grid.direction = Mat3(c, s, 0, -s, c, 0, 0, 0, 1);
       } }),
   ::testing::PrintToStringParamName());
-
-TEST(HostDevice, FreesWhatItAllocates)
-{
-  const auto device = std::make_shared<HostDevice>();
-  {
-    DeviceArray<HostDevice, float> one(device, 100, "a test");
-    DeviceArray<HostDevice, float> other = std::move(one);
-    one = DeviceArray<HostDevice, float>(device, 50, "a test");
-    EXPECT_EQ(other.Size(), 100u);
-  }
-  EXPECT_EQ(device->PeakBytes(), 600u);
-  EXPECT_EQ(device->Bytes(), 0u);
-}

@@ -73,11 +73,38 @@ TEST(EngineOfDevice, ScoresLikeTheProcessor)
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
 
-  const Visible found = EngineOn(MakeTestedDevice())->Score(problem, scene.extinction.data());
-  const Visible expected = CpuEngine()->Score(problem, scene.extinction.data());
+  const Visible found =
+    EngineOn(MakeTestedDevice())->Look(problem, problem.camera)->Score(scene.extinction.data());
+  const Visible expected =
+    CpuEngine()->Look(problem, problem.camera)->Score(scene.extinction.data());
 
   EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
   EXPECT_NEAR(found.plain, expected.plain, 1e-5 * expected.plain);
+}
+
+TEST(EngineOfDevice, MakesTheSameFirstPassAndTransmittance)
+{
+  const BoxScene scene = Onion();
+  PreparedScene prepared(scene.Fields());
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const std::shared_ptr<Engine> engines[2] = { CpuEngine(), EngineOn(MakeTestedDevice()) };
+  std::vector<float> extinction[2];
+  std::vector<float> transmittance[2];
+
+  for (int i = 0; i < 2; ++i)
+  {
+    extinction[i] = scene.extinction;
+    transmittance[i].resize(scene.extinction.size());
+    engines[i]->Look(problem, problem.light)->Pass(1, extinction[i]);
+    engines[i]->Transmittance(
+      problem, problem.camera, 2, extinction[0].data(), transmittance[i].data());
+  }
+
+  for (std::size_t voxel = 0; voxel < scene.extinction.size(); ++voxel)
+  {
+    ASSERT_NEAR(extinction[0][voxel], extinction[1][voxel], 1e-4 * prepared.Majorant());
+    ASSERT_NEAR(transmittance[0][voxel], transmittance[1][voxel], 1e-4);
+  }
 }
 
 class ViewsOfDevice : public ::testing::TestWithParam<Case>

@@ -391,7 +391,15 @@ TEST(Progressive, RejectsScenesThatASolverRejects)
   scene.extinction[5] = 1;
   scene.importance[5] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(Progressive(scene.Fields(), scene.settings), Error);
-  scene.importance[5] = 0;
+}
+
+TEST(Progressive, RefusesCudaWhereThereIsNone)
+{
+  if (FindCuda().usable)
+  {
+    GTEST_SKIP() << "there is a GPU";
+  }
+  BoxScene scene = Onion(9);
   scene.settings.backend = BackendKind::Cuda;
   EXPECT_THROW(Progressive(scene.Fields(), scene.settings), Error);
 }

@@ -174,6 +174,10 @@ TEST(SolverModes, KeepsTheBaseForTheLightWhenStoppedBeforeItsRun)
 
 TEST(SolverModes, RefusesCudaWhenItStartsAgain)
 {
+  if (FindCuda().usable)
+  {
+    GTEST_SKIP() << "there is a GPU";
+  }
   BoxScene scene = Onion();
   Solver solver = scene.MakeSolver();
   scene.settings.backend = BackendKind::Cuda;

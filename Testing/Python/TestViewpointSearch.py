@@ -186,7 +186,7 @@ class TestSphere(SearchTest):
 
     def test_has_no_boundary_and_no_edge_of_more_than_two_triangles(self):
         for sampling in SAMPLINGS:
-            output = self.run_filter(phantom(8), Sampling=sampling).GetOutput()
+            output = self.run_filter(phantom(8), Sampling=sampling, Refine=0).GetOutput()
             edges = vtkFeatureEdges()
             edges.SetInputData(output)
             edges.BoundaryEdgesOn()
@@ -246,7 +246,8 @@ class TestArrays(SearchTest):
 
     def test_angles_give_directions_and_cameras_by_eq_10(self):
         for sampling in SAMPLINGS:
-            output = self.run_filter(phantom(8), Sampling=sampling, CameraDistance=2).GetOutput()
+            output = self.run_filter(phantom(8), Sampling=sampling, CameraDistance=2,
+                                     Refine=0).GetOutput()
             centre, radius = np.zeros(3), np.sqrt(3)
             for i in range(output.GetNumberOfPoints()):
                 matrix = rotation(values(output, "Azimuth")[i], values(output, "Polar")[i])
@@ -317,6 +318,23 @@ class TestScores(SearchTest):
                                     field(expected, "BaseVisibilityScore") - 1), 5e-3)
                 self.assertLess(abs(values(output, "VisibleFraction")[i] -
                                     field(expected, "BaseVisibleFraction")), 5e-3)
+
+    def test_round_a_focal_point_are_those_of_the_optimizer_too(self):
+        image, point = phantom(32), (0.3, -0.4, 0.2)
+        output = self.run_filter(image, Field=BASE, Sampling=FIBONACCI, NumberOfDirections=8,
+                                 UseFocalPoint=1, CameraFocalPoint=point).GetOutput()
+
+        np.testing.assert_array_equal(values(output, "CameraFocalPoint"), 8 * [point])
+        np.testing.assert_allclose(
+            values(output, "CameraPosition"),
+            point + 3 * np.sqrt(3) * values(output, "ViewDirection"), rtol=1e-12)
+        np.testing.assert_allclose(np.linalg.norm(points_of(output), axis=1), 1.1 * np.sqrt(3),
+                                   rtol=1e-12)  # still round the data
+        for i in range(8):
+            expected = self.optimizer_at(image, output, i, MaximumIterations=0, RayDensity=3)
+            # Both are quadratures of the same integral, with rays at different places.
+            self.assertLess(abs(values(output, "VisibilityScore")[i] /
+                                field(expected, "BaseVisibilityScore") - 1), 5e-3)
 
     def test_of_the_proxy_are_those_of_the_largest_extinction_times_importance(self):
         image = phantom(24)
@@ -427,7 +445,8 @@ class TestViewpoints(SearchTest):
     def test_the_refined_best_is_never_below_the_best_direction(self):
         for field_ in FIELDS:
             for scene in range(3):
-                result = self.run_filter(phantom(16, scene), Field=field_, NumberOfDirections=12)
+                result = self.run_filter(phantom(16, scene), Field=field_, NumberOfDirections=12,
+                                         NumberOfViewpoints=2)
 
                 best = values(result.GetOutput(), "VisibilityScore").max()
                 self.assertGreaterEqual(field(result.GetOutput(), "BestVisibilityScore"), best)
@@ -587,10 +606,18 @@ class TestDegenerateInput(SearchTest):
         self.assert_refuses("CameraDistance", "0.9", "inside",
                             filter_=search(phantom(8), CameraDistance=0.9))
 
+    def test_a_focal_point_round_which_cameras_come_inside_is_refused(self):
+        image = phantom(8)
+        for point in ((9.5, 0, 0), (0, 0, np.nan)):
+            self.assert_refuses("CameraFocalPoint", "inside", str(point[0]), filter_=search(
+                image, UseFocalPoint=1, CameraFocalPoint=point))
+        self.run_filter(image, CameraFocalPoint=(9.5, 0, 0))  # not used
+        self.run_filter(image, UseFocalPoint=1, CameraFocalPoint=(9.5, 0, 0), CameraDistance=7)
+
     def test_a_camera_on_the_sphere_round_the_box_or_far_away_will_do(self):
         for distance in (1, 1.001, 1e3, 1e6):
             result = self.run_filter(phantom(12), CameraDistance=distance,
-                                     Sampling=LATITUDE_LONGITUDE)
+                                     Sampling=LATITUDE_LONGITUDE, NumberOfViewpoints=1)
             self.assertGreater(values(result.GetOutput(), "VisibilityScore").min(), 0)
 
     def test_a_camera_that_is_too_far_away_is_refused(self):
@@ -635,7 +662,7 @@ class TestDegenerateInput(SearchTest):
             image = phantom(12)
             values(image, "Importance")[:] = constant
             for field_ in FIELDS:
-                result = self.run_filter(image, Field=field_)
+                result = self.run_filter(image, Field=field_, Refine=0)
                 self.assertGreater(values(result.GetOutput(), "VisibilityScore").min(), 0)
 
     def test_nan_and_infinity_are_empty_and_reported_once(self):

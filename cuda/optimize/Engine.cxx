@@ -3,16 +3,48 @@
 
 #include "optimize/Engine.h"
 
+#include "energy/TransmittanceVolume.h"
 #include "optimize/Adam.h"
 #include "optimize/Policy.h"
+#include "optimize/PolicySweep.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace limpid
 {
 namespace
 {
+class ProcessorSweeps : public EyeSweeps
+{
+public:
+  ProcessorSweeps(const Problem& problem, const Eye& eye)
+    : Task(problem)
+    , Term(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity)
+  {
+  }
+
+  Visible Score(const float* extinction) override
+  {
+    return this->Term.Forward(extinction, this->Task.importance);
+  }
+
+  void Pass(double weight, std::vector<float>& found) override
+  {
+    PolicyTask task = TaskOf(this->Task, weight, 0.0);
+    task.fields.extinction = this->Task.baseExtinction; // not read
+    task.fields.next = found.data();
+    task.trust = Trust::Clear;
+    for (std::size_t index = 0; index < this->Term.PyramidCount(); ++index)
+    {
+      SweepPolicy(this->Term.PyramidAt(index), task, this->Term.ImagesAt(index));
+    }
+  }
+
+private:
+  const Problem& Task;
+  VisibilityTerm Term;
+};
+
 class ProcessorEngine : public Engine
 {
 public:
@@ -24,11 +56,15 @@ public:
       : MakePolicy(problem, std::move(start), warm);
   }
 
-  Visible Score(const Problem& problem, const float* extinction) override
+  std::unique_ptr<EyeSweeps> Look(const Problem& problem, const Eye& eye) override
   {
-    VisibilityTerm term(
-      problem.grid, *problem.occupancy, problem.camera, problem.settings.rayDensity);
-    return term.Forward(extinction, problem.importance);
+    return std::make_unique<ProcessorSweeps>(problem, eye);
+  }
+
+  void Transmittance(const Problem& problem, const Eye& eye, double rayDensity,
+    const float* extinction, float* transmittance) override
+  {
+    FillTransmittance(problem.grid, extinction, eye, rayDensity, transmittance);
   }
 };
 }
@@ -36,6 +72,18 @@ public:
 std::shared_ptr<Engine> CpuEngine()
 {
   return std::make_shared<ProcessorEngine>();
+}
+
+void EngineChoice::Choose(const Settings& settings, const Grid& grid)
+{
+  if (this->Chosen && this->OnGpu && settings.backend != BackendKind::Cpu)
+  {
+    return;
+  }
+  const BackendChoice choice = ChooseBackend(settings.backend, CudaBytes(grid, settings));
+  this->Chosen = choice.cuda ? CudaEngine() : CpuEngine();
+  this->Line = choice.name;
+  this->OnGpu = choice.cuda;
 }
 
 std::size_t CudaBytes(const Grid& grid, const Settings& settings)

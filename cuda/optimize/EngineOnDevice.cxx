@@ -5,15 +5,63 @@
 
 #include "optimize/EngineOnDevice.h"
 
+#include "energy/TransmittanceVolumeOnDevice.h"
 #include "optimize/Adam.h"
 #include "optimize/AdamOnDevice.h"
 #include "optimize/FieldsOnDevice.h"
 #include "optimize/PolicyOnDevice.h"
+#include "optimize/PolicySweep.h"
 
 namespace limpid
 {
 namespace
 {
+template <class Device>
+class DeviceSweeps : public EyeSweeps
+{
+public:
+  using Field = DeviceArray<Device, float>;
+
+  DeviceSweeps(const std::shared_ptr<Device>& device, const Problem& problem, const Eye& eye)
+    : Task(problem)
+    , Home(device)
+    , Fields(FieldsOnDevice<Device>::Of(device, problem))
+    , Term(device, problem.grid, *problem.occupancy, eye, problem.settings.rayDensity)
+    , Sums(device, 2, "sums")
+  {
+  }
+
+  Visible Score(const float* extinction) override
+  {
+    const Field field(
+      this->Home, extinction, std::size_t(this->Task.grid.NodeCount()), "the extinction");
+    this->Term.Forward(field.Data(), this->Fields->importance.Data(), this->Sums.Data());
+    double values[2];
+    this->Sums.Download(values);
+    Visible seen;
+    seen.visible = values[0];
+    seen.plain = values[1];
+    return seen;
+  }
+
+  void Pass(double weight, std::vector<float>& found) override
+  {
+    Field next(this->Home, found, "the extinction");
+    PolicyTask task = TaskOf(this->Task, weight, 0.0);
+    task.fields.next = next.Data();
+    task.trust = Trust::Clear;
+    SweepPolicyOnDevice(*this->Home, this->Term, *this->Fields, task);
+    next.Download(found.data());
+  }
+
+private:
+  const Problem& Task;
+  std::shared_ptr<Device> Home;
+  std::shared_ptr<FieldsOnDevice<Device>> Fields;
+  TermOnDevice<Device> Term;
+  DeviceArray<Device, double> Sums;
+};
+
 template <class Device>
 class DeviceEngine : public Engine
 {
@@ -35,21 +83,21 @@ public:
       { return MakeAdamLevelOnDevice(home, level, first); });
   }
 
-  Visible Score(const Problem& problem, const float* extinction) override
+  std::unique_ptr<EyeSweeps> Look(const Problem& problem, const Eye& eye) override
   {
-    const auto fields = FieldsOnDevice<Device>::Of(this->Home, problem);
+    return std::make_unique<DeviceSweeps<Device>>(this->Home, problem, eye);
+  }
+
+  void Transmittance(const Problem& problem, const Eye& eye, double rayDensity,
+    const float* extinction, float* transmittance) override
+  {
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
     const DeviceArray<Device, float> field(this->Home, extinction, count, "the extinction");
-    TermOnDevice<Device> term(
-      this->Home, problem.grid, *problem.occupancy, problem.camera, problem.settings.rayDensity);
-    DeviceArray<Device, double> sums(this->Home, 2, "sums");
-    term.Forward(field.Data(), fields->importance.Data(), sums.Data());
-    Visible seen;
-    double values[2];
-    sums.Download(values);
-    seen.visible = values[0];
-    seen.plain = values[1];
-    return seen;
+    DeviceArray<Device, float> result(this->Home, count, "the transmittance");
+    const Occupancy occupancy(problem.grid, extinction, extinction, true);
+    TransmittanceVolumeOnDevice<Device>(this->Home, problem.grid, occupancy, eye, rayDensity)
+      .Fill(field.Data(), result.Data());
+    result.Download(transmittance);
   }
 
 private:

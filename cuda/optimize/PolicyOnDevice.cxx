@@ -5,13 +5,26 @@
 
 #include "optimize/PolicyOnDevice.h"
 
-#include "optimize/FieldsOnDevice.h"
 #include "optimize/PolicyIterations.h"
 #include "optimize/PolicyPhases.h"
-#include "optimize/PolicySweep.h"
 
 namespace limpid
 {
+template <class Device>
+void SweepPolicyOnDevice(Device& device, TermOnDevice<Device>& term,
+  const FieldsOnDevice<Device>& scene, const PolicyTask& task)
+{
+  for (RaysOnDevice<Device>& rays : term.Pyramids())
+  {
+    rays.Reset();
+    const PolicyPhases phases{ rays.Plan().View(), rays.States(), task.voxel,
+      task.trust == Trust::LastIterate, task.derivative == Derivative::Volume, scene.base.Data(),
+      scene.importance.Data(), scene.nodeImportance.Data(), task.fields.extinction,
+      task.fields.lagged, task.fields.next };
+    device.ForPhases("policy sweep", phases.PhaseCount(), phases);
+  }
+}
+
 namespace
 {
 template <class Device>
@@ -79,18 +92,14 @@ public:
         problem.settings.derivative, 1.0f, this->Lagged.Data());
     }
     const bool useLagged = !this->Lagged.Empty();
-    const PolicyTask task = TaskOf(
+    PolicyTask task = TaskOf(
       problem, this->Seen.camera ? weights.view : weights.light, useLagged ? weights.light : 0.0);
-    TermOnDevice<Device>& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
-    for (RaysOnDevice<Device>& rays : swept.Pyramids())
-    {
-      rays.Reset();
-      const PolicyPhases phases{ rays.Plan().View(), rays.States(), task.voxel, trust,
-        task.derivative == Derivative::Volume, fields.base.Data(), fields.importance.Data(),
-        fields.nodeImportance.Data(), last.Data(), useLagged ? this->Lagged.Data() : nullptr,
-        next.Data() };
-      this->Home->ForPhases("policy sweep", phases.PhaseCount(), phases);
-    }
+    task.fields.extinction = last.Data();
+    task.fields.lagged = useLagged ? this->Lagged.Data() : nullptr;
+    task.fields.next = next.Data();
+    task.trust = trust ? Trust::LastIterate : Trust::Clear;
+    SweepPolicyOnDevice(
+      *this->Home, this->Seen.camera ? *this->Seen.camera : *this->Seen.light, fields, task);
   }
 
 private:
@@ -112,6 +121,8 @@ std::unique_ptr<Minimizer> MakePolicyOnDevice(const std::shared_ptr<Device>& dev
     Engine(device, problem), typename Engine::Field(device, start, "an iterate"), warm);
 }
 
+template void SweepPolicyOnDevice(CompiledDevice&, TermOnDevice<CompiledDevice>&,
+  const FieldsOnDevice<CompiledDevice>&, const PolicyTask&);
 template std::unique_ptr<Minimizer> MakePolicyOnDevice(
   const std::shared_ptr<CompiledDevice>&, const Problem&, const std::vector<float>&, bool);
 }

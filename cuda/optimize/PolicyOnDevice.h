@@ -4,14 +4,20 @@
 #ifndef limpid_optimize_PolicyOnDevice_h
 #define limpid_optimize_PolicyOnDevice_h
 
-#include "backend/CompiledDevice.h"
-#include "optimize/Problem.h"
+#include "optimize/FieldsOnDevice.h"
+#include "optimize/PolicySweep.h"
 
 #include <memory>
 #include <vector>
 
 namespace limpid
 {
+/// SweepPolicy on a device through all pyramids of a term. The fields of `task` are addresses
+/// there; those of the scene are taken from `scene`.
+template <class Device>
+void SweepPolicyOnDevice(Device& device, TermOnDevice<Device>& term,
+  const FieldsOnDevice<Device>& scene, const PolicyTask& task);
+
 /// MakePolicy on a device.
 template <class Device>
 std::unique_ptr<Minimizer> MakePolicyOnDevice(const std::shared_ptr<Device>& device,

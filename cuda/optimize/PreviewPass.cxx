@@ -3,34 +3,26 @@
 
 #include "optimize/PreviewPass.h"
 
-#include "optimize/PolicySweep.h"
-
 namespace limpid
 {
 namespace
 {
 /// One sweep for a term of weight `weight`; `found` is written where anything may change.
-void Sweep(const Problem& problem, VisibilityTerm& term, double weight, std::vector<float>& found)
+void Sweep(const Problem& problem, EyeSweeps& eye, double weight, std::vector<float>& found)
 {
   if (found.empty())
   {
     found.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
   }
-  PolicyTask task = TaskOf(problem, weight, 0.0);
-  task.fields.extinction = problem.baseExtinction; // not read
-  task.fields.next = found.data();
-  task.trust = Trust::Clear;
-  for (std::size_t index = 0; index < term.PyramidCount(); ++index)
-  {
-    SweepPolicy(term.PyramidAt(index), task, term.ImagesAt(index));
-  }
+  eye.Pass(weight, found);
 }
 }
 
 void PreviewPass::Make(const Camera& camera, const Light& light, const Settings& settings)
 {
-  this->Task = this->Scene->ProblemFor(camera, light, settings);
   this->Seen.reset();
+  this->Task = this->Scene->ProblemFor(camera, light, settings);
+  this->Computer.Choose(settings, this->Task.grid);
   this->Before.reset();
   this->After.reset();
   const Weights& weights = settings.weights;
@@ -40,14 +32,12 @@ void PreviewPass::Make(const Camera& camera, const Light& light, const Settings&
   const bool forLight = toSee && weights.light > 0 && (separate || !forCamera);
   if (forCamera)
   {
-    Sweep(this->Task, this->CameraTerm(), weights.view, this->ForCamera);
+    Sweep(this->Task, this->CameraSweeps(), weights.view, this->ForCamera);
   }
   std::vector<float>& lit = separate ? this->ForLight : this->ForCamera;
   if (forLight)
   {
-    const Problem& task = this->Task;
-    VisibilityTerm term(task.grid, *task.occupancy, task.light, settings.rayDensity);
-    Sweep(task, term, weights.light, lit);
+    Sweep(this->Task, *this->Computer->Look(this->Task, this->Task.light), weights.light, lit);
   }
   if (!forLight)
   {
@@ -84,19 +74,18 @@ Score PreviewPass::BestScore()
   return *this->After;
 }
 
-VisibilityTerm& PreviewPass::CameraTerm()
+EyeSweeps& PreviewPass::CameraSweeps()
 {
   if (!this->Seen)
   {
-    const Problem& task = this->Task;
-    this->Seen.emplace(task.grid, *task.occupancy, task.camera, task.settings.rayDensity);
+    this->Seen = this->Computer->Look(this->Task, this->Task.camera);
   }
   return *this->Seen;
 }
 
 Score PreviewPass::ScoreOf(const float* extinction)
 {
-  const Visible seen = this->CameraTerm().Forward(extinction, this->Task.importance);
+  const Visible seen = this->CameraSweeps().Score(extinction);
   return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
 }
 }

@@ -4,7 +4,7 @@
 #ifndef limpid_optimize_PreviewPass_h
 #define limpid_optimize_PreviewPass_h
 
-#include "energy/VisibilityTerm.h"
+#include "optimize/Engine.h"
 #include "optimize/PreparedScene.h"
 
 #include <memory>
@@ -30,6 +30,9 @@ public:
   /// Frees the extinctions that passes have made.
   void Forget();
 
+  /// What has computed the last pass, one line for the user.
+  const std::string& BackendName() const { return this->Computer.Name(); }
+
   PreparedScene& Prepared() const { return *this->Scene; }
   const Grid& Nodes() const { return this->Scene->Nodes(); }
   const float* Base() const { return this->Scene->Arrays().baseExtinction; }
@@ -54,13 +57,14 @@ private:
     return found.empty() ? this->Base() : found.data();
   }
 
-  VisibilityTerm& CameraTerm();
+  EyeSweeps& CameraSweeps();
   Score ScoreOf(const float* extinction);
 
   std::shared_ptr<PreparedScene> Scene;
-  Problem Task;                       ///< of the last pass
-  std::optional<VisibilityTerm> Seen; ///< by the camera; made when first needed
-  std::vector<float> ForCamera;       ///< empty: the base extinction
+  EngineChoice Computer;
+  Problem Task;                    ///< of the last pass
+  std::unique_ptr<EyeSweeps> Seen; ///< by the camera; made when first needed
+  std::vector<float> ForCamera;    ///< empty: the base extinction
   std::vector<float> ForLight;
   std::optional<Score> Before;
   std::optional<Score> After;

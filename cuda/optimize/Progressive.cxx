@@ -312,10 +312,12 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
   PreparedScene& scene =
     state.shown == Shown::Preview ? state.LastPreview().Prepared() : *state.scene;
   const Problem problem = scene.ProblemFor(camera, state.light, state.settings);
-  VisibilityTerm term(problem.grid, *problem.occupancy, problem.camera, state.settings.rayDensity);
+  EngineChoice engine;
+  engine.Choose(state.settings, problem.grid);
+  const std::unique_ptr<EyeSweeps> eye = engine->Look(problem, problem.camera);
   const auto scoreOf = [&](const float* extinction) -> Score
   {
-    const Visible seen = term.Forward(extinction, problem.importance);
+    const Visible seen = eye->Score(extinction);
     return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
   };
   return { scoreOf(this->BaseExtinction()), scoreOf(this->Extinction()) };

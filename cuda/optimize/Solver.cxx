@@ -23,9 +23,7 @@ using Clock = std::chrono::steady_clock;
 struct Solver::Internals
 {
   std::shared_ptr<PreparedScene> prepared;
-  std::shared_ptr<Engine> engine;
-  std::string engineName;
-  bool onGpu = false;
+  EngineChoice engine;
   SceneFields scene;
   Camera camera;
   Light light;
@@ -58,15 +56,7 @@ struct Solver::Internals
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
-    // A run on the GPU goes on there: what it holds is not free, but it is ours.
-    if (!this->engine || !this->onGpu || wanted.backend == BackendKind::Cpu)
-    {
-      const BackendChoice choice =
-        ChooseBackend(wanted.backend, CudaBytes(this->scene.grid, wanted));
-      this->engine = choice.cuda ? CudaEngine() : CpuEngine();
-      this->engineName = choice.name;
-      this->onGpu = choice.cuda;
-    }
+    this->engine.Choose(wanted, this->scene.grid);
   }
 
   /// Starts the first run.
@@ -171,7 +161,7 @@ struct Solver::Internals
 
   Score ScoreOf(const float* field)
   {
-    const Visible seen = this->engine->Score(this->problem, field);
+    const Visible seen = this->engine->Look(this->problem, this->problem.camera)->Score(field);
     return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
   }
 
@@ -396,7 +386,7 @@ double Solver::Seconds() const
 
 std::string Solver::BackendName() const
 {
-  return this->State->engineName;
+  return this->State->engine.Name();
 }
 
 const std::vector<IterationRecord>& Solver::History() const
@@ -407,8 +397,9 @@ const std::vector<IterationRecord>& Solver::History() const
 void Solver::Transmittance(float* transmittance) const
 {
   const Internals& state = *this->State;
-  FillTransmittance(state.scene.grid, this->Extinction().data(), state.problem.camera,
-    std::max(state.settings.rayDensity, transmittanceRayDensity), transmittance);
+  state.engine->Transmittance(state.problem, state.problem.camera,
+    std::max(state.settings.rayDensity, transmittanceRayDensity), this->Extinction().data(),
+    transmittance);
 }
 
 void Solver::LightTransmittance(float* transmittance) const
@@ -416,7 +407,7 @@ void Solver::LightTransmittance(float* transmittance) const
   const Internals& state = *this->State;
   const bool separate = state.settings.mode == Mode::Separate;
   const std::vector<float>& extinction = separate ? this->LightExtinction() : this->Extinction();
-  FillTransmittance(state.scene.grid, extinction.data(), state.problem.light,
-    std::max(state.settings.rayDensity, transmittanceRayDensity), transmittance);
+  state.engine->Transmittance(state.problem, state.problem.light,
+    std::max(state.settings.rayDensity, transmittanceRayDensity), extinction.data(), transmittance);
 }
 }

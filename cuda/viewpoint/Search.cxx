@@ -83,24 +83,6 @@ bool IsBetter(const ScoredView& a, const ScoredView& b)
   return a.score.visible > b.score.visible;
 }
 
-/// The best views of which no two are closer to each other than `separation`.
-std::vector<ScoredView> Distinct(std::vector<ScoredView> views, double separation, int count)
-{
-  std::stable_sort(views.begin(), views.end(), IsBetter);
-  std::vector<ScoredView> kept;
-  for (const ScoredView& view : views)
-  {
-    const bool isNew = std::all_of(kept.begin(), kept.end(),
-      [&](const ScoredView& other)
-      { return AngleBetween(view.direction, other.direction) >= separation; });
-    if (view.valid && isNew && static_cast<int>(kept.size()) < count)
-    {
-      kept.push_back(view);
-    }
-  }
-  return kept;
-}
-
 /// A direction turned by an angle towards another one at right angles to it.
 Vec3 Turned(const Vec3& direction, const Vec3& towards, double angle)
 {
@@ -247,14 +229,30 @@ private:
 };
 }
 
+std::vector<ScoredView> RankedViews(std::vector<ScoredView> views, const SearchSettings& settings)
+{
+  std::stable_sort(views.begin(), views.end(), IsBetter);
+  std::vector<ScoredView> kept;
+  for (const ScoredView& view : views)
+  {
+    const bool isNew = std::all_of(kept.begin(), kept.end(),
+      [&](const ScoredView& other)
+      { return AngleBetween(view.direction, other.direction) >= settings.separation; });
+    if (view.valid && isNew && static_cast<int>(kept.size()) < settings.viewpoints)
+    {
+      kept.push_back(view);
+    }
+  }
+  return kept;
+}
+
 SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
   const std::vector<ScoredView>& samples, const SearchSettings& settings,
   const SearchProgress& progress)
 {
   SearchResult result;
   std::vector<ScoredView> candidates = samples;
-  const std::vector<ScoredView> starts =
-    Distinct(samples, settings.separation, settings.viewpoints);
+  const std::vector<ScoredView> starts = RankedViews(samples, settings);
   result.evaluations = std::count_if(
     samples.begin(), samples.end(), [](const ScoredView& view) { return view.valid; });
   for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
@@ -268,7 +266,7 @@ SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
     result.evaluations += climb.Evaluations();
     candidates.push_back(result.paths.back().back());
   }
-  result.viewpoints = Distinct(candidates, settings.separation, settings.viewpoints);
+  result.viewpoints = RankedViews(candidates, settings);
   return result;
 }
 }

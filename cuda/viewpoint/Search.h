@@ -73,6 +73,10 @@ using SearchProgress = std::function<bool(double share)>;
 std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress);
 
+/// The best of the views that were evaluated, best first: as many as the settings want, no two
+/// closer to each other than the separation.
+std::vector<ScoredView> RankedViews(std::vector<ScoredView> views, const SearchSettings& settings);
+
 /// Climbs from the best samples and ranks what is reached.
 SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
   const std::vector<ScoredView>& samples, const SearchSettings& settings,

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What all devices do, whatever runs on them.
+
+#include "BoxScene.h"
+#include "TestedDevice.h"
+
+#include "backend/SumOnDevice.h"
+#include "optimize/EngineOnDevice.h"
+#include "optimize/PreparedScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+std::vector<float> Counted(std::size_t count)
+{
+  std::vector<float> values(count);
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    values[n] = static_cast<float>(n);
+  }
+  return values;
+}
+
+/// The best extinction after some iterations, and their energies.
+std::vector<float> Optimized(Engine& engine, const Problem& problem, std::vector<double>& energies)
+{
+  const float* base = problem.baseExtinction;
+  const auto run =
+    engine.MakeMinimizer(problem, std::vector<float>(base, base + problem.grid.NodeCount()), false);
+  energies.push_back(run->Start().energy.Total());
+  for (int iteration = 0; iteration < 4; ++iteration)
+  {
+    energies.push_back(run->Iterate().energy.Total());
+  }
+  return run->TakeBest();
+}
+}
+
+TEST(Device, FreesWhatItAllocates)
+{
+  const auto device = MakeTestedDevice();
+  {
+    DeviceArray<TestedDevice, float> one(device, 100, "a test");
+    DeviceArray<TestedDevice, float> other = std::move(one);
+    one = DeviceArray<TestedDevice, float>(device, 50, "a test");
+    EXPECT_EQ(other.Size(), 100u);
+  }
+  EXPECT_EQ(device->PeakBytes(), 600u);
+  EXPECT_EQ(device->Bytes(), 0u);
+}
+
+TEST(Device, KeepsWhatItIsGiven)
+{
+  const auto device = MakeTestedDevice();
+  const std::vector<float> values = Counted(100003);
+  const DeviceArray<TestedDevice, float> there(device, values, "a test");
+  DeviceArray<TestedDevice, float> copy(device, values.size(), "a test");
+  std::vector<float> back(values.size());
+
+  copy.CopyFrom(there);
+  copy.Download(back.data());
+  EXPECT_EQ(back, values);
+
+  copy.SetZero();
+  copy.Download(back.data());
+  EXPECT_EQ(back, std::vector<float>(values.size(), 0.0f));
+}
+
+TEST(Device, TimesWhatItIsToldTo)
+{
+  const auto device = MakeTestedDevice();
+  const std::vector<float> values = Counted(1000);
+  DeviceArray<TestedDevice, float> there(device, values, "a test");
+  LaunchTimes times;
+
+  device->Time(&times);
+  there.SetZero();
+  there.SetZero();
+  there.Upload(values.data());
+  device->Time(nullptr);
+  there.SetZero();
+  device->Wait();
+
+  ASSERT_EQ(times.Entries().size(), 2u);
+  EXPECT_EQ(times.Entries()[0].count, 2);
+  EXPECT_EQ(times.Entries()[1].label, "upload");
+  EXPECT_EQ(times.Entries()[1].count, 1);
+  for (const LaunchTimes::Entry& entry : times.Entries())
+  {
+    EXPECT_GE(entry.seconds, 0) << entry.label;
+    EXPECT_LT(entry.seconds, 60) << entry.label;
+  }
+}
+
+class RunsOfDevice : public ::testing::TestWithParam<SolverKind>
+{
+protected:
+  void SetUp() override
+  {
+    this->Scene.FillOnion();
+    this->Scene.settings.solver = GetParam();
+    this->Scene.settings.iterationsPerLevel = { { 1, 1, 2 } };
+  }
+
+  BoxScene Scene{ { 37, 30, 41 }, { 3, -2, 5 }, { 1.0, 1.3, 0.8 } };
+};
+
+TEST_P(RunsOfDevice, GivesTheSameBitsTwice)
+{
+  PreparedScene prepared(this->Scene.Fields());
+  const Problem problem =
+    prepared.ProblemFor(this->Scene.camera, this->Scene.light, this->Scene.settings);
+  const std::shared_ptr<Engine> engine = EngineOn(MakeTestedDevice());
+  std::vector<double> energies;
+  const std::vector<float> once = Optimized(*engine, problem, energies);
+
+  for (int run = 0; run < 5; ++run)
+  {
+    std::vector<double> others;
+    EXPECT_EQ(Optimized(*engine, problem, others), once);
+    EXPECT_EQ(others, energies);
+  }
+}
+
+TEST_P(RunsOfDevice, LeavesNothingBehind)
+{
+  const auto device = MakeTestedDevice();
+  {
+    PreparedScene prepared(this->Scene.Fields());
+    const Problem problem =
+      prepared.ProblemFor(this->Scene.camera, this->Scene.light, this->Scene.settings);
+    std::vector<double> energies;
+    Optimized(*EngineOn(device), problem, energies);
+    EXPECT_GT(device->Bytes(), 0u) << "the fields stay as long as the scene";
+  }
+  EXPECT_EQ(device->Bytes(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, RunsOfDevice,
+  ::testing::Values(SolverKind::Policy, SolverKind::Adam),
+  [](const ::testing::TestParamInfo<SolverKind>& info)
+  { return std::string(info.param == SolverKind::Policy ? "Policy" : "Adam"); });

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is written for devices on real scenes, against the processor's own sweeps.
+
+#include "LoadedScene.h"
+#include "TestedDevice.h"
+
+#include "optimize/Engine.h"
+#include "optimize/EngineOnDevice.h"
+#include "optimize/PreparedScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+double LargestDifference(const std::vector<float>& a, const std::vector<float>& b)
+{
+  double largest = 0;
+  for (std::size_t voxel = 0; voxel < a.size(); ++voxel)
+  {
+    largest = std::max(largest, std::abs(double(a[voxel]) - double(b[voxel])));
+  }
+  return largest;
+}
+
+struct Outputs
+{
+  IterationRecord record;
+  std::vector<float> extinction;
+  std::vector<float> transmittance;
+  std::vector<float> lightTransmittance;
+};
+
+/// What there is after `iterations`.
+Outputs Optimize(Engine& engine, const Problem& problem, int iterations)
+{
+  const float* base = problem.baseExtinction;
+  const Index count = problem.grid.NodeCount();
+  const auto run = engine.MakeMinimizer(problem, std::vector<float>(base, base + count), false);
+  Outputs outputs;
+  outputs.record = run->Start();
+  for (int i = 0; i < iterations && !run->Converged(); ++i)
+  {
+    outputs.record = run->Iterate();
+  }
+  outputs.extinction = run->TakeBest();
+  outputs.transmittance.resize(outputs.extinction.size());
+  outputs.lightTransmittance.resize(outputs.extinction.size());
+  engine.Transmittance(
+    problem, problem.camera, 2, outputs.extinction.data(), outputs.transmittance.data());
+  engine.Transmittance(
+    problem, problem.light, 2, outputs.extinction.data(), outputs.lightTransmittance.data());
+  return outputs;
+}
+}
+
+class SceneOnDevice : public RealScene
+{
+};
+
+TEST_P(SceneOnDevice, HasTheOutputsOfTheProcessor)
+{
+  const LoadedScene scene(GetParam().name);
+  PreparedScene prepared(
+    { scene.grid, scene.file.extinction.data(), scene.file.importance.data() });
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const std::shared_ptr<Engine> device = EngineOn(MakeTestedDevice());
+
+  const Outputs expected = Optimize(*CpuEngine(), problem, 1);
+  const Outputs found = Optimize(*device, problem, 1);
+
+  const double extinction =
+    LargestDifference(found.extinction, expected.extinction) / prepared.Majorant();
+  const double transmittance =
+    std::max(LargestDifference(found.transmittance, expected.transmittance),
+      LargestDifference(found.lightTransmittance, expected.lightTransmittance));
+  const double score = std::abs(found.record.visibilityScore / expected.record.visibilityScore - 1);
+  std::cout << GetParam().name << " after one iteration: extinction " << extinction
+            << " of the majorant, transmittances " << transmittance << ", score " << score << '\n';
+  EXPECT_LE(extinction, 1e-4);
+  EXPECT_LE(transmittance, 1e-4);
+  EXPECT_LE(score, 1e-4);
+
+  const int all = scene.settings.maximumIterations;
+  const double optimized = Optimize(*CpuEngine(), problem, all).record.visibilityScore;
+  const double onDevice = Optimize(*device, problem, all).record.visibilityScore;
+  std::cout << GetParam().name << " optimised: score off by " << std::abs(onDevice / optimized - 1)
+            << '\n';
+  EXPECT_LE(std::abs(onDevice / optimized - 1), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Quick, SceneOnDevice,
+  ::testing::Values(Bars{ "carotid_mra", 0, 0 }, Bars{ "isabel_wind", 0, 0 }),
+  ::testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(Long, SceneOnDevice,
+  ::testing::Values(
+    Bars{ "visible_male", 0, 0 }, Bars{ "engine", 0, 0 }, Bars{ "vortex_rings", 0, 0 }),
+  ::testing::PrintToStringParamName());
