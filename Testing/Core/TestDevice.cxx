@@ -149,5 +149,5 @@ TEST_P(RunsOfDevice, LeavesNothingBehind)
 
 INSTANTIATE_TEST_SUITE_P(Solvers, RunsOfDevice,
   ::testing::Values(SolverKind::Policy, SolverKind::Adam),
-  [](const ::testing::TestParamInfo<SolverKind>& info)
-  { return std::string(info.param == SolverKind::Policy ? "Policy" : "Adam"); });
+  [](const ::testing::TestParamInfo<SolverKind>& solver)
+  { return std::string(solver.param == SolverKind::Policy ? "Policy" : "Adam"); });

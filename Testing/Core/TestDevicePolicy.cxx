@@ -86,7 +86,8 @@ TEST_P(PolicyOfDevice, IsThatOfTheProcessor)
 
 INSTANTIATE_TEST_SUITE_P(Views, PolicyOfDevice,
   ::testing::Values(View{ "Outside", [](BoxScene&) {} },
-    View{ "Inside", [](BoxScene& scene) { scene.camera.position = scene.grid.Centre() + Vec3(2, 1, -3); } },
+    View{ "Inside",
+      [](BoxScene& scene) { scene.camera.position = scene.grid.Centre() + Vec3(2, 1, -3); } },
     View{ "AlongX",
       [](BoxScene& scene)
       { scene.camera.position = scene.grid.Centre() + scene.grid.Radius() * Vec3(-3, 0.2, 0.1); } },

@@ -5,9 +5,9 @@
 // against the march.
 
 #include "BoxScene.h"
+#include "TestedDevice.h"
 #include "Tolerance.h"
 
-#include "backend/HostDevice.h"
 #include "energy/TransmittanceVolume.h"
 #include "energy/TransmittanceVolumeOnDevice.h"
 
@@ -66,10 +66,10 @@ BoxScene Scene(const Lamp& lamp)
 std::vector<float> FillThere(
   const BoxScene& scene, double rayDensity, const std::vector<float>& planned)
 {
-  const auto device = std::make_shared<HostDevice>();
-  const DeviceArray<HostDevice, float> extinction(device, scene.extinction, "a test");
-  DeviceArray<HostDevice, float> transmittance(device, scene.extinction.size(), "a test");
-  TransmittanceVolumeOnDevice<HostDevice> volume(device, scene.grid,
+  const auto device = MakeTestedDevice();
+  const DeviceArray<TestedDevice, float> extinction(device, scene.extinction, "a test");
+  DeviceArray<TestedDevice, float> transmittance(device, scene.extinction.size(), "a test");
+  TransmittanceVolumeOnDevice<TestedDevice> volume(device, scene.grid,
     Occupancy(scene.grid, planned.data(), planned.data(), true),
     EyeOfLight(scene.light, scene.grid), rayDensity);
   volume.Fill(extinction.Data(), transmittance.Data());

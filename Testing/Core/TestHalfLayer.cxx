@@ -109,7 +109,7 @@ TEST(HalfLayer, IntegratesCubicProductsInThinMediaExactly)
   double opticalDepth = 0;
   for (int half = 0; half < 2; ++half)
   {
-    const HalfLayer<double> part = WholeHalf<double>(layer, halfRanges[half], length,
+    const HalfLayer<double> part = WholeHalf<double>(layer, HalfRangeOf(half), length,
       extinctionAt(gaussPoints[half]), importanceAt(gaussPoints[half]));
     visible += part.visible;
     opticalDepth += part.opticalDepth;
@@ -135,9 +135,10 @@ TEST(HalfLayer, ClippedHalvesAddUpToTheWayInside)
       SCOPED_TRACE(::testing::Message()
         << column.entry << ' ' << column.exit << ' ' << row.entry << ' ' << row.exit);
       double opticalDepth = 0;
-      for (const HalfRange& half : halfRanges)
+      for (const int half : { 0, 1 })
       {
-        opticalDepth += ClippedHalf<double>(layer, half, 2.0, 0.5, 1.0, column, row).opticalDepth;
+        opticalDepth +=
+          ClippedHalf<double>(layer, HalfRangeOf(half), 2.0, 0.5, 1.0, column, row).opticalDepth;
       }
 
       const double entry = std::max({ 10.0, double(column.entry), double(row.entry) });

@@ -6,43 +6,14 @@
 #include "backend/Backend.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace limpid
 {
 namespace
 {
-constexpr int farthest = 255; // what fits in a byte
-
-/// Calls use(i, j, k) for the box of nodes from `first` to `last`.
-template <class Use>
-void ForNodes(const Int3& nodes, const Int3& first, const Int3& last, const Use& use)
-{
-  for (int k = first.z; k <= last.z; ++k)
-  {
-    for (int j = first.y; j <= last.y; ++j)
-    {
-      const Index row = nodes.x * (j + Index(nodes.y) * k);
-      for (int i = first.x; i <= last.x; ++i)
-      {
-        use(row + i);
-      }
-    }
-  }
-}
-
-/// Nodes of a coarse grid over the same box whose interpolation a range of
-/// cells reads.
-void CoarseRange(int nodes, int coarseNodes, int& first, int& last)
-{
-  const double scale = double(coarseNodes - 1) / std::max(nodes - 1, 1);
-  first = std::clamp(int(std::floor(first * scale - 1e-6)), 0, coarseNodes - 1);
-  last = std::clamp(int(std::ceil(last * scale + 1e-6)), 0, coarseNodes - 1);
-}
-
 std::uint8_t Next(int distance)
 {
-  return static_cast<std::uint8_t>(std::min(distance + 1, farthest));
+  return static_cast<std::uint8_t>(std::min(distance + 1, farthestBrick));
 }
 
 /// Chebyshev distances to the nearest zero among what a pass has met: the last slice, the last row,
@@ -97,7 +68,7 @@ private:
   std::uint8_t* TakeRows(int j, int k, int side)
   {
     std::uint8_t* least = this->Least.data() + 1; // with a brick beyond each end
-    std::fill(this->Least.begin(), this->Least.end(), std::uint8_t(farthest));
+    std::fill(this->Least.begin(), this->Least.end(), std::uint8_t(farthestBrick));
     this->TakeRow(j + side, k, least);
     for (int other = j - 1; other <= j + 1; ++other)
     {
@@ -148,15 +119,11 @@ Bricks::Bricks(const ScalarField& scalars)
     {
       for (int i = 0; i < this->Count.x; ++i)
       {
-        const Int3 first = size * Int3(i, int(row % this->Count.y), int(row / this->Count.y));
-        const Int3 last = glm::min(first + size, this->Nodes - 1);
-        Range range{ 3.4e38f, -3.4e38f };
-        ForNodes(this->Nodes, first, last,
-          [&](Index node)
-          {
-            range.least = std::min(range.least, scalars.values[node]);
-            range.most = std::max(range.most, scalars.values[node]);
-          });
+        const BrickNodes box = BrickNodes::Of(i, int(row % this->Count.y), int(row / this->Count.y),
+          this->Nodes.x, this->Nodes.y, this->Nodes.z);
+        ScalarRange range;
+        box.ForEach(this->Nodes.x, this->Nodes.y,
+          [&range, values = scalars.values](Index node) { range.Include(values[node]); });
         this->Ranges[std::size_t(row * this->Count.x + i)] = range;
       }
     });
@@ -165,37 +132,37 @@ Bricks::Bricks(const ScalarField& scalars)
 void Bricks::Classify(const Classification& classification, const MediumField& medium)
 {
   this->Distance.resize(this->Ranges.size());
+  const OpticalTable<FourFloats> table = classification.Table();
   ParallelFor(Index(this->Count.y) * this->Count.z,
     [&](Index row)
     {
       for (int i = 0; i < this->Count.x; ++i)
       {
         const Index brick = row * this->Count.x + i;
-        const Range& range = this->Ranges[std::size_t(brick)];
-        float largest = classification.LargestBetween(
-          classification.Position(range.least), classification.Position(range.most));
+        const ScalarRange& range = this->Ranges[std::size_t(brick)];
+        float largest =
+          table.LargestBetween(table.Position(range.least), table.Position(range.most));
         if (medium.changed)
         {
-          Int3 first = size * Int3(i, int(row % this->Count.y), int(row / this->Count.y));
-          Int3 last = glm::min(first + size, this->Nodes - 1);
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            CoarseRange(this->Nodes[axis], medium.nodes[axis], first[axis], last[axis]);
-          }
-          int kept = 0;
-          int added = 0;
-          ForNodes(medium.nodes, first, last,
-            [&](Index node)
-            {
-              kept = std::max<int>(kept, medium.packed[std::size_t(4 * node)]);
-              added = std::max<int>(added, medium.packed[std::size_t(4 * node + 1)]);
-            });
-          largest = largest * static_cast<float>(kept) + static_cast<float>(added);
+          const BrickNodes box = BrickNodes::Of(i, int(row % this->Count.y),
+            int(row / this->Count.y), this->Nodes.x, this->Nodes.y, this->Nodes.z)
+                                   .On(this->Nodes.x, medium.nodes.x, 0)
+                                   .On(this->Nodes.y, medium.nodes.y, 1)
+                                   .On(this->Nodes.z, medium.nodes.z, 2);
+          LargestChange most;
+          box.ForEach(medium.nodes.x, medium.nodes.y,
+            [&](Index node) { most.Include(medium.packed.data() + 4 * node); });
+          largest = most.Of(largest);
         }
-        this->Distance[std::size_t(brick)] = largest > 0 ? 0 : farthest;
+        this->Distance[std::size_t(brick)] = largest > 0 ? 0 : farthestBrick;
       }
     });
   SpreadDistances(this->Count, this->Distance);
+}
+
+BrickDistances Bricks::Distances() const
+{
+  return BrickDistances::Of(this->Nodes, this->Distance.data());
 }
 
 double Bricks::EmptyShare() const

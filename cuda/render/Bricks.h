@@ -4,6 +4,7 @@
 #ifndef limpid_render_Bricks_h
 #define limpid_render_Bricks_h
 
+#include "render/BrickNodes.h"
 #include "render/Fields.h"
 
 #include <vector>
@@ -20,7 +21,7 @@ namespace limpid
 class Bricks
 {
 public:
-  static constexpr int size = 4; ///< cells
+  static constexpr int size = BrickDistances::size; ///< cells
 
   Bricks() = default;
 
@@ -30,27 +31,15 @@ public:
   /// Finds the empty bricks, and how far around each all are empty.
   void Classify(const Classification& classification, const MediumField& medium);
 
-  /// Number of bricks that one can move along each axis, from a cell on, such that all on the way
-  /// are empty; 0: the brick of this cell is not.
-  LIMPID_INLINE int EmptyAround(int x, int y, int z) const
-  {
-    return this->Distance[std::size_t(
-      x / size + this->Count.x * (y / size + Index(this->Count.y) * (z / size)))];
-  }
+  BrickDistances Distances() const;
 
   /// Share of the bricks that are empty [0, 1].
   double EmptyShare() const;
 
 private:
-  struct Range
-  {
-    float least;
-    float most;
-  };
-
   Int3 Nodes{ 0 };
   Int3 Count{ 0 };
-  std::vector<Range> Ranges;
+  std::vector<ScalarRange> Ranges;
   std::vector<std::uint8_t> Distance;
 };
 }

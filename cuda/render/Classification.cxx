@@ -58,10 +58,10 @@ Classification::Classification(const TransferFunctions& functions)
   {
     const std::array<float, 3>& color = functions.color[entry];
     this->Values[entry] =
-      Optical{ functions.extinction[entry] * unit, color[0], color[1], color[2] };
-    const Optical weighted = OpticalTable<Optical>::Weighed(this->Values[entry]);
-    const Optical before =
-      entry > 0 ? OpticalTable<Optical>::Weighed(this->Values[entry - 1]) : weighted;
+      FourFloats{ functions.extinction[entry] * unit, color[0], color[1], color[2] };
+    const FourFloats weighted = OpticalTable<FourFloats>::Weighed(this->Values[entry]);
+    const FourFloats before =
+      entry > 0 ? OpticalTable<FourFloats>::Weighed(this->Values[entry - 1]) : weighted;
     for (int channel = 0; channel < 4; ++channel)
     {
       sum[channel] += entry > 0 ? 0.5 * (double(weighted[channel]) + before[channel]) : 0.0;
@@ -70,7 +70,7 @@ Classification::Classification(const TransferFunctions& functions)
   }
 
   std::transform(this->Values.begin(), this->Values.end(), std::back_inserter(this->Maxima),
-    [](const Optical& value) { return value[0]; });
+    [](const FourFloats& value) { return value[0]; });
   for (std::size_t span = 1; 2 * span <= count; span *= 2)
   {
     const std::size_t level = this->Maxima.size() - count;
@@ -82,9 +82,9 @@ Classification::Classification(const TransferFunctions& functions)
   }
 }
 
-OpticalTable<Optical> Classification::Table() const
+OpticalTable<FourFloats> Classification::Table() const
 {
-  OpticalTable<Optical> table;
+  OpticalTable<FourFloats> table;
   table.low = this->Low;
   table.scale = this->Scale;
   table.last = static_cast<int>(this->Values.size()) - 1;

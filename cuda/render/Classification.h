@@ -13,9 +13,6 @@
 
 namespace limpid
 {
-/// Extinction and colour, in one register: extinction, red, green, blue.
-using Optical = float __attribute__((vector_size(16)));
-
 /// Transfer functions as rays read them, see OpticalTable.
 class Classification
 {
@@ -24,21 +21,21 @@ public:
   explicit Classification(const TransferFunctions& functions);
 
   /// Numbers and addresses, which hold as long as this object stays where it is.
-  OpticalTable<Optical> Table() const;
+  OpticalTable<FourFloats> Table() const;
 
   float Majorant() const { return this->LargestExtinction; } ///< [1/length]
   bool Empty() const { return this->Values.empty(); }
 
-  const std::vector<Optical>& Entries() const { return this->Values; }
-  const std::vector<Optical>& IntegralsOfEntries() const { return this->Integrals; }
+  const std::vector<FourFloats>& Entries() const { return this->Values; }
+  const std::vector<FourFloats>& IntegralsOfEntries() const { return this->Integrals; }
   const std::vector<float>& LargestOfEntries() const { return this->Maxima; }
 
 private:
   float Low = 0;
   float Scale = 1;
   float LargestExtinction = 0;
-  std::vector<Optical> Values;
-  std::vector<Optical> Integrals;
+  std::vector<FourFloats> Values; ///< extinction [majorant], red, green, blue
+  std::vector<FourFloats> Integrals;
   std::vector<float> Maxima; ///< see OpticalTable
 };
 }

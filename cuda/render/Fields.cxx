@@ -5,6 +5,7 @@
 
 #include "backend/Backend.h"
 #include "math/Require.h"
+#include "render/Gradient.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,8 @@ float NeighbourMean(const Int3& nodes, const float* values, const Int3& at, floa
 }
 
 /// Extinction of a slice of nodes [majorant].
-void ClassifySlice(const ScalarField& scalars, const Classification& table, int k, float* slice)
+void ClassifySlice(
+  const ScalarField& scalars, const OpticalTable<FourFloats>& table, int k, float* slice)
 {
   const Index size = Index(scalars.grid.nodes.x) * scalars.grid.nodes.y;
   const float* values = scalars.values + k * size;
@@ -49,23 +51,9 @@ void ClassifySlice(const ScalarField& scalars, const Classification& table, int 
   }
 }
 
-/// Differences of neighbours along an axis, over their distance in nodes.
-struct Neighbours
-{
-  int before;
-  int after;
-
-  Neighbours(int at, int count)
-    : before(std::max(at - 1, 0))
-    , after(std::min(at + 1, count - 1))
-  {
-  }
-  float Share() const { return after > before ? 1.0f / float(after - before) : 0.0f; }
-};
-
 /// World gradient at every node of slice `k`; `slices`: the extinctions before, at and behind it.
 void DifferentiateSlice(
-  const Grid& grid, int k, const float* const slices[3], std::vector<std::array<float, 3>>& out)
+  const Grid& grid, int k, const float* const slices[3], std::vector<GradientVector>& out)
 {
   const Mat3 toWorld = grid.direction;
   const Neighbours along(k, grid.nodes.z);
@@ -84,20 +72,14 @@ void DifferentiateSlice(
           slices[1][Index(grid.nodes.x) * rows.before + i]) *
           rows.Share(),
         (after[row + i] - before[row + i]) * along.Share());
-      const Vec3 gradient = toWorld * (steps / grid.spacing);
-      out[std::size_t(row + i)] = { { float(gradient.x), float(gradient.y), float(gradient.z) } };
+      out[std::size_t(row + i)] = GradientOf(steps, toWorld, grid.spacing);
     }
   }
 }
 
-float SquaredLength(const std::array<float, 3>& vector)
-{
-  return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
-}
-
 /// Calls use(k, gradients) for every slice, in parallel; the gradients are of [majorant/length].
 template <class Use>
-void ForGradients(const ScalarField& scalars, const Classification& table, const Use& use)
+void ForGradients(const ScalarField& scalars, const OpticalTable<FourFloats>& table, const Use& use)
 {
   const Grid& grid = scalars.grid;
   const Index size = Index(grid.nodes.x) * grid.nodes.y;
@@ -107,7 +89,7 @@ void ForGradients(const ScalarField& scalars, const Classification& table, const
     [&](Index task)
     {
       std::vector<float> memory(std::size_t(3 * size));
-      std::vector<std::array<float, 3>> gradients(static_cast<std::size_t>(size));
+      std::vector<GradientVector> gradients(static_cast<std::size_t>(size));
       const int begin = int(task) * slicesPerTask;
       const int end = std::min(begin + slicesPerTask, grid.nodes.z);
       const auto place = [&](int k) { return memory.data() + (k + 3) % 3 * size; };
@@ -180,30 +162,29 @@ GradientField PackGradient(const ScalarField& scalars, const Classification& cla
 {
   const Index size = Index(scalars.grid.nodes.x) * scalars.grid.nodes.y;
   std::vector<float> largest(std::size_t(scalars.grid.nodes.z), 0.0f);
-  ForGradients(scalars, classification,
-    [&](int k, const std::vector<std::array<float, 3>>& gradients)
+  ForGradients(scalars, classification.Table(),
+    [&](int k, const std::vector<GradientVector>& gradients)
     {
       float most = 0;
-      for (const std::array<float, 3>& gradient : gradients)
+      for (const GradientVector& gradient : gradients)
       {
-        most = std::max(most, SquaredLength(gradient));
+        most = std::max(most, gradient.SquaredLength());
       }
       largest[std::size_t(k)] = most;
     });
-  const float most = std::sqrt(*std::max_element(largest.begin(), largest.end()));
-  const float unit = most > 0 ? packedOne / most : 0.0f;
+  const float unit = GradientUnit(*std::max_element(largest.begin(), largest.end()));
 
   GradientField field;
   field.packed.resize(std::size_t(4 * scalars.grid.NodeCount()));
-  ForGradients(scalars, classification,
-    [&](int k, const std::vector<std::array<float, 3>>& gradients)
+  ForGradients(scalars, classification.Table(),
+    [&](int k, const std::vector<GradientVector>& gradients)
     {
       std::int16_t* out = field.packed.data() + 4 * size * k;
-      for (const std::array<float, 3>& gradient : gradients)
+      for (const GradientVector& gradient : gradients)
       {
         for (int axis = 0; axis < 3; ++axis)
         {
-          out[axis] = static_cast<std::int16_t>(std::lrint(gradient[std::size_t(axis)] * unit));
+          out[axis] = static_cast<std::int16_t>(std::lrint(gradient.values[axis] * unit));
         }
         out[3] = 0;
         out += 4;

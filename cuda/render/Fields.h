@@ -8,15 +8,13 @@
 #define limpid_render_Fields_h
 
 #include "render/Classification.h"
+#include "render/RayLight.h"
 #include "scene/Grid.h"
 
 #include <vector>
 
 namespace limpid
 {
-/// Largest absolute value of a packed number; it stands for 1.
-constexpr float packedOne = 32767.0f;
-
 /// The scalars of a volume and the nodes where there are none.
 struct ScalarField
 {

@@ -4,6 +4,7 @@
 #include "render/Medium.h"
 
 #include "backend/Backend.h"
+#include "render/MediumNode.h"
 #include "render/RaySamples.h"
 
 #include <algorithm>
@@ -16,56 +17,6 @@ namespace
 {
 constexpr Index nodesPerTask = 32768;
 
-std::int16_t Pack(float value)
-{
-  return static_cast<std::int16_t>(std::clamp(value, 0.0f, 1.0f) * packedOne + 0.5f);
-}
-
-/// Share of the base extinction that is kept at a node; where there is none,
-/// the mean of the neighbours that have some.
-class KeptShare
-{
-public:
-  KeptShare(const Int3& nodes, const float* base, const float* extinction)
-    : Nodes(nodes)
-    , Base(base)
-    , Extinction(extinction)
-  {
-  }
-
-  float At(Index node, const Int3& at) const
-  {
-    if (this->Base[node] > 0)
-    {
-      return this->Of(node);
-    }
-    float sum = 0;
-    int count = 0;
-    Index stride = 1;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (const int side : { -1, 1 })
-      {
-        const int neighbour = at[axis] + side;
-        if (neighbour >= 0 && neighbour < this->Nodes[axis] && this->Base[node + side * stride] > 0)
-        {
-          sum += this->Of(node + side * stride);
-          ++count;
-        }
-      }
-      stride *= this->Nodes[axis];
-    }
-    return count > 0 ? sum / float(count) : 1.0f;
-  }
-
-private:
-  float Of(Index node) const { return std::min(this->Extinction[node] / this->Base[node], 1.0f); }
-
-  Int3 Nodes;
-  const float* Base;
-  const float* Extinction;
-};
-
 /// Where the nodes of an axis lie between those of another one over the same length.
 struct AxisMap
 {
@@ -75,12 +26,11 @@ struct AxisMap
   AxisMap(int from, int to)
     : last(from - 1)
   {
-    const double ratio = double(from - 1) / std::max(to - 1, 1);
     for (int node = 0; node < to; ++node)
     {
-      const int first = std::min(static_cast<int>(node * ratio), std::max(from - 2, 0));
-      this->before.push_back(first);
-      this->share.push_back(static_cast<float>(node * ratio - first));
+      const AxisPlace place = AxisPlace::Of(node, from, to);
+      this->before.push_back(place.before);
+      this->share.push_back(place.share);
     }
   }
 
@@ -157,29 +107,19 @@ void Medium::MoveTo(
   }
   this->Place = grid;
   this->Unit = unit;
-  const float perUnit = unit > 0 ? 1 / unit : 0.0f;
-  const float part = static_cast<float>(share);
-  const float units[2] = { 1, rescale };
-  const KeptShare kept(grid.nodes, base, extinction);
+  const MediumNode body{ { grid.nodes.x, grid.nodes.y, grid.nodes.z }, base, extinction,
+    unit > 0 ? 1 / unit : 0.0f, static_cast<float>(share), rescale, this->Packed.packed.data() };
   std::atomic<bool> changed{ false };
   ParallelFor(Index(grid.nodes.y) * grid.nodes.z, 16,
     [&](Index row)
     {
+      const MediumNode node = body; // a copy: nothing that is written below can be part of it
+      const int j = int(row % grid.nodes.y);
+      const int k = int(row / grid.nodes.y);
       bool any = false;
       for (int i = 0; i < grid.nodes.x; ++i)
       {
-        const Index node = row * grid.nodes.x + i;
-        const Int3 at(i, int(row % grid.nodes.y), int(row / grid.nodes.y));
-        std::int16_t* packed = this->Packed.packed.data() + 4 * node;
-        const float goals[2] = { float(Pack(kept.At(node, at))),
-          float(Pack((extinction[node] - base[node]) * perUnit)) };
-        for (int number = 0; number < 2; ++number)
-        {
-          const float now = std::min(packed[number] * units[number], packedOne);
-          const float next = now + part * (goals[number] - now);
-          packed[number] = static_cast<std::int16_t>(next + 0.5f);
-        }
-        any |= packed[0] != std::int16_t(packedOne) || packed[1] != 0;
+        any |= node.Move(row * grid.nodes.x + i, i, j, k);
       }
       if (any)
       {
@@ -205,7 +145,7 @@ void Medium::SetShadow(const Int3& nodes, const float* transmittance)
   if (nodes == to)
   {
     ParallelFor(this->Place.NodeCount(), nodesPerTask,
-      [&](Index node) { packed[4 * node + 2] = Pack(transmittance[node]); });
+      [&](Index node) { packed[4 * node + 2] = PackShare(transmittance[node]); });
     return;
   }
   const AxisMap columns(nodes.x, to.x);
@@ -235,7 +175,8 @@ void Medium::SetShadow(const Int3& nodes, const float* transmittance)
         for (int i = 0; i < to.x; ++i)
         {
           const float* left = line.data() + columns.before[std::size_t(i)];
-          out[4 * Index(i)] = Pack(left[0] + columns.share[std::size_t(i)] * (left[1] - left[0]));
+          out[4 * Index(i)] =
+            PackShare(left[0] + columns.share[std::size_t(i)] * (left[1] - left[0]));
         }
       }
     });
@@ -247,10 +188,7 @@ std::vector<float> Medium::ShownExtinction(const float* base) const
   const std::int16_t* packed = this->Packed.packed.data();
   ParallelFor(this->Place.NodeCount(), nodesPerTask,
     [&](Index node)
-    {
-      const float kept = base[node] * (packed[4 * node] / packedOne);
-      shown[std::size_t(node)] = kept + this->Unit * (packed[4 * node + 1] / packedOne);
-    });
+    { shown[std::size_t(node)] = ShownExtinctionOf(base[node], packed + 4 * node, this->Unit); });
   return shown;
 }
 } // namespace limpid

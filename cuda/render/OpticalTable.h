@@ -35,6 +35,16 @@ struct OpticalTable
   const Optical* integrals = nullptr; ///< of Weighed values from the start, last + 1
   const float* maxima = nullptr;      ///< [level][last + 1]: largest of 2^level entries from i on
 
+  /// The same table in other registers.
+  template <class Register>
+  OpticalTable<Register> As() const
+  {
+    static_assert(sizeof(Register) == sizeof(Optical), "the same four floats");
+    return { this->low, this->scale, this->last, this->lastPosition,
+      reinterpret_cast<const Register*>(this->values),
+      reinterpret_cast<const Register*>(this->integrals), this->maxima };
+  }
+
   /// Position of a scalar in the table; may be outside of it.
   LIMPID_HD LIMPID_INLINE float Position(float scalar) const
   {

@@ -58,7 +58,7 @@ public:
       {
         const double one = -from[axis] / way[axis];
         const double other = (far - from[axis]) / way[axis];
-        const double in = one < other ? one : other;
+        const double in = other < one ? other : one;
         const double out = one < other ? other : one;
         first = first < in ? in : first;
         last = out < last ? out : last;

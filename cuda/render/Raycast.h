@@ -9,9 +9,9 @@
 
 namespace limpid
 {
-/// Casts a ray through every pixel of a view.
-void Raycast(const RayScene& scene, const View& view, const std::array<float, 3>& lightColor,
-  Picture& picture);
+/// Casts a ray through every pixel of a view. `maker`: of its rays.
+void Raycast(const RayScene& scene, const RayMaker& maker, const View& view,
+  const std::array<float, 3>& lightColor, Picture& picture);
 }
 
 #endif

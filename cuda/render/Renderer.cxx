@@ -3,12 +3,11 @@
 
 #include "render/Renderer.h"
 
-#include "backend/Backend.h"
 #include "energy/TransmittanceVolume.h"
 #include "math/Require.h"
 #include "optimize/Levels.h"
-#include "render/Medium.h"
-#include "render/Raycast.h"
+#include "render/PictureEngine.h"
+#include "render/RayScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,21 +86,21 @@ void RequireSameBox(const Grid& scalars, const Grid& extinction)
 
 struct Renderer::Internals
 {
-  ScalarField scalars;
-  Classification classification;
-  GradientField gradient;
-  Bricks bricks;
-  Medium medium;
+  explicit Internals(std::unique_ptr<PictureEngine> pictures)
+    : engine(std::move(pictures))
+  {
+  }
+
+  std::unique_ptr<PictureEngine> engine;
+  Grid grid; ///< of the scalars
+  bool hasScalars = false;
+  bool hasFunctions = false;
+  float majorant = 0; ///< of the transfer functions [1/length]
   Lighting lighting;
   double shadowRayDensity = transmittanceRayDensity;
   int shadowCoarseness = 1;
-  std::vector<float> coarseExtinction; ///< casts the shadows; empty: not current, or not coarse
-
-  // What was given as the extinction; the arrays belong to the caller.
   Grid extinctionGrid;
-  const float* base = nullptr;
-  const float* lightExtinction = nullptr; ///< null: what is shown
-  std::vector<float> ownBase;             ///< of the transfer function, when nothing was given
+  bool usesTransferFunction = false; ///< as the extinction, when none was given
 
   bool gradientIsCurrent = false;
   bool bricksAreCurrent = false;
@@ -110,34 +109,17 @@ struct Renderer::Internals
   /// Without any extinction given, the transfer function's casts the shadows.
   void UseTransferFunction()
   {
-    const Index count = this->scalars.grid.NodeCount();
-    this->ownBase.resize(std::size_t(count));
-    ParallelFor(count, 32768,
-      [this](Index node)
-      {
-        const float scalar = this->classification.Position(this->scalars.values[node]);
-        const float filled =
-          this->scalars.filled.empty() ? 1.0f : this->scalars.filled[std::size_t(node)];
-        this->ownBase[std::size_t(node)] =
-          this->classification.At(scalar)[0] * filled * this->classification.Majorant();
-      });
-    this->extinctionGrid = CoarseGrid(this->scalars.grid, this->shadowCoarseness);
-    if (this->shadowCoarseness > 1)
-    {
-      this->ownBase = Restrict(this->scalars.grid, this->ownBase.data(), this->extinctionGrid);
-    }
-    this->base = this->ownBase.data();
-    this->medium.MoveTo(
-      this->extinctionGrid, this->base, this->base, this->classification.Majorant(), 1);
+    this->extinctionGrid = CoarseGrid(this->grid, this->shadowCoarseness);
+    this->usesTransferFunction = true;
+    this->engine->UseTransferFunction(this->extinctionGrid);
   }
 
-  void ForgetOwnBase()
+  void ForgetTransferFunction()
   {
-    if (!this->ownBase.empty())
+    if (this->usesTransferFunction)
     {
-      this->ownBase.clear();
-      this->coarseExtinction.clear();
-      this->medium.Clear();
+      this->usesTransferFunction = false;
+      this->engine->ClearExtinction();
       this->shadowIsCurrent = false;
     }
   }
@@ -145,188 +127,111 @@ struct Renderer::Internals
   /// The grid of the shadows.
   Grid ShadowGrid() const
   {
-    return this->ownBase.empty() ? CoarseGrid(this->extinctionGrid, this->shadowCoarseness)
-                                 : this->extinctionGrid;
+    return this->usesTransferFunction ? this->extinctionGrid
+                                      : CoarseGrid(this->extinctionGrid, this->shadowCoarseness);
   }
 
-  /// What casts the shadows, at the nodes of their grid. `memory` is for what is not kept.
-  const float* ShadowExtinction(const Grid& grid, std::vector<float>& memory)
-  {
-    if (!this->coarseExtinction.empty())
-    {
-      return this->coarseExtinction.data();
-    }
-    const float* extinction = this->lightExtinction;
-    if (!extinction)
-    {
-      memory = this->medium.ShownExtinction(this->base);
-      extinction = memory.data();
-    }
-    if (grid.nodes == this->extinctionGrid.nodes)
-    {
-      return extinction;
-    }
-    this->coarseExtinction = Restrict(this->extinctionGrid, extinction, grid);
-    return this->coarseExtinction.data();
-  }
+  bool HasScene() const { return this->hasScalars && this->grid.HasVolume() && this->hasFunctions; }
 
-  bool HasScene() const
+  /// Makes way for a given extinction. Returns whether there is one.
+  bool WillShow(const Grid& nodes, const float* base, const float* extinction, double share)
   {
-    return this->scalars.values && this->scalars.grid.HasVolume() && !this->classification.Empty();
+    this->bricksAreCurrent = false;
+    this->shadowIsCurrent = false;
+    this->ForgetTransferFunction();
+    this->extinctionGrid = nodes;
+    if (!base || !extinction)
+    {
+      this->engine->ClearExtinction();
+      return false;
+    }
+    LIMPID_REQUIRE(share > 0 && share <= 1,
+      "The share is " << share
+                      << " (the picture moves that far towards the new extinction). Keep it above "
+                         "0 and at most 1.");
+    LIMPID_REQUIRE(this->hasFunctions,
+      "The extinction was given before the transfer functions (they have its unit). Set them "
+      "first.");
+    return true;
   }
 
   /// Returns whether there was anything to do.
   bool UpdateShadow()
   {
     const bool wanted = this->lighting.enabled && this->lighting.shadows;
-    if (this->shadowIsCurrent || (this->medium.Empty() && !wanted))
+    if (this->shadowIsCurrent || (this->engine->HasNoExtinction() && !wanted))
     {
       return false;
     }
     this->shadowIsCurrent = true;
-    if (this->medium.Empty())
+    if (this->engine->HasNoExtinction())
     {
       this->UseTransferFunction();
     }
     if (!wanted)
     {
-      this->medium.ClearShadow();
+      this->engine->ClearShadows();
       return true;
     }
-    const Grid grid = this->ShadowGrid();
-    std::vector<float> memory;
-    const float* extinction = this->ShadowExtinction(grid, memory);
-    std::vector<float> transmittance(static_cast<std::size_t>(grid.NodeCount()));
-    FillTransmittance(grid, extinction, EyeOfLight(this->lighting.light, grid),
-      this->shadowRayDensity, transmittance.data());
-    this->medium.SetShadow(grid.nodes, transmittance.data());
+    const Grid nodes = this->ShadowGrid();
+    this->engine->CastShadows(
+      nodes, EyeOfLight(this->lighting.light, nodes), this->shadowRayDensity);
     return true;
-  }
-
-  /// Direction of travel of the light in the middle of the volume, and its
-  /// place.
-  void PlaceLight(RayLight& target, Vec3& travel) const
-  {
-    const Light& light = this->lighting.light;
-    const Grid& grid = this->scalars.grid;
-    const Vec3 place = (light.position - grid.Centre()) / grid.Radius();
-    // From so far away, light is directional to single precision.
-    const bool point = light.type == LightType::Point && glm::length(place) < 1e6;
-    travel = light.type == LightType::Point ? -place : light.focalPoint - light.position;
-    const double length = glm::length(travel);
-    travel = length > 0 ? travel / length : Vec3(0, 0, -1);
-    target.isPoint = point ? 1.0f : 0.0f;
-    const Vec3 origin = point ? place : -travel;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      target.origin[axis] = static_cast<float>(origin[axis]);
-    }
-  }
-
-  /// Direction to the viewer from the middle of the volume. It does not depend on where the camera
-  /// looks, unless that is all that there is to know.
-  Vec3 ToViewer(const View& view) const
-  {
-    const Grid& grid = this->scalars.grid;
-    const glm::dvec4 eye = view.clipToWorld * glm::dvec4(0, 0, 1, 0);
-    const Vec3 way = Vec3(eye) / eye.w - grid.Centre();
-    const double distance = glm::length(way);
-    if (distance > 1e-6 * grid.Radius() && distance < 1e9 * grid.Radius())
-    {
-      return way / distance;
-    }
-    const glm::dvec4 front = view.clipToWorld * glm::dvec4(0, 0, -1, 1);
-    const glm::dvec4 back = view.clipToWorld * glm::dvec4(0, 0, 1, 1);
-    const Vec3 along = Vec3(front) / front.w - Vec3(back) / back.w;
-    return along / glm::length(along);
-  }
-
-  RayLight MakeLight(const View& view) const
-  {
-    const Lighting& settings = this->lighting;
-    RayLight light;
-    Vec3 travel;
-    this->PlaceLight(light, travel);
-    const double middle =
-      HenyeyGreenstein(settings.anisotropy, glm::dot(travel, this->ToViewer(view)));
-    light.ambient = static_cast<float>(settings.ambient);
-    // In a dense medium that is lit from the viewer's side, light and view fade alike: what arrives
-    // from optical depth d is exp(-2 d), half of all. That half is to keep its colour.
-    const double shadow = settings.shadows ? settings.shadowStrength : 0.0;
-    const double exposure = settings.intensity / (1 - 0.5 * shadow);
-    light.diffuse = static_cast<float>((1 - settings.ambient) * exposure);
-    light.anisotropy = static_cast<float>(settings.anisotropy);
-    light.phaseUnit = static_cast<float>(1 / middle);
-    light.surface = static_cast<float>(settings.surface);
-    light.shadow = static_cast<float>(shadow);
-    light.lobe.factor = static_cast<float>(BlinnPhongNormalization(settings.specularPower));
-    light.lobe.power = static_cast<float>(settings.specularPower);
-    return light;
   }
 
   /// Makes what rays read and is not current.
   void Prepare()
   {
-    const Grid& grid = this->scalars.grid;
-    if (!this->medium.Empty())
+    if (!this->engine->HasNoExtinction())
     {
-      RequireSameBox(grid, this->extinctionGrid);
+      RequireSameBox(this->grid, this->extinctionGrid);
     }
     if (this->lighting.enabled)
     {
-      EyeOfLight(this->lighting.light, grid); // says what is wrong with a light, if anything is
+      EyeOfLight(this->lighting.light, this->grid); // says what is wrong with a light, if anything
     }
     this->UpdateShadow();
     if (this->lighting.enabled && !this->gradientIsCurrent)
     {
-      this->gradient = PackGradient(this->scalars, this->classification);
+      this->engine->FindGradient();
       this->gradientIsCurrent = true;
     }
     if (!this->bricksAreCurrent)
     {
-      this->bricks.Classify(this->classification, this->medium.Field());
+      this->engine->FindEmptyBricks();
       this->bricksAreCurrent = true;
     }
   }
 
-  RayScene MakeScene(const View& view)
+  Casting CastingOf(const View& view) const
   {
-    this->Prepare();
-    const Grid& grid = this->scalars.grid;
-    RayScene scene;
-    scene.scalars = &this->scalars;
-    scene.classification = &this->classification;
-    scene.majorant = this->classification.Majorant();
-    scene.opaqueBelow = static_cast<float>(view.opaqueBelow);
-    scene.stepLength = static_cast<float>(
-      view.sampleDistance * std::min({ grid.spacing.x, grid.spacing.y, grid.spacing.z }));
-    const MediumField& field = this->medium.Field();
-    if (!this->medium.Empty() && (field.changed || (field.shadowed && this->lighting.enabled)))
+    const Vec3& spacing = this->grid.spacing;
+    Casting casting;
+    casting.opaqueBelow = static_cast<float>(view.opaqueBelow);
+    casting.stepLength =
+      static_cast<float>(view.sampleDistance * std::min({ spacing.x, spacing.y, spacing.z }));
+    casting.lit = this->lighting.enabled;
+    if (casting.lit)
     {
-      scene.medium = &field;
-      scene.addedUnit = this->medium.Majorant() / scene.majorant;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        scene.mediumScale[axis] =
-          float(field.nodes[axis] - 1) / float(std::max(grid.nodes[axis] - 1, 1));
-      }
-    }
-    if (this->lighting.enabled)
-    {
-      scene.gradient = &this->gradient;
-      scene.light = this->MakeLight(view);
+      casting.light = MakeRayLight(this->lighting, this->grid, view);
+      casting.lightColor = this->lighting.color;
     }
     // Farther samples could step over a brick.
-    const bool skips = view.skipEmpty && view.sampleDistance <= Bricks::size;
-    scene.bricks = skips ? &this->bricks : nullptr;
-    return scene;
+    casting.skipEmpty = view.skipEmpty && view.sampleDistance <= BrickDistances::size;
+    return casting;
   }
 };
 
 Renderer::Renderer()
-  : State(std::make_unique<Internals>())
+  : Renderer(CpuPictures())
 {
 }
+
+Renderer::Renderer(std::unique_ptr<PictureEngine> engine)
+  : State(std::make_unique<Internals>(std::move(engine)))
+{
+}
+
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -337,18 +242,22 @@ void Renderer::SetScalars(const Grid& grid, const float* scalars)
   LIMPID_REQUIRE(
     scalars != nullptr, "There are no scalars (nothing tells what is where). Give an array.");
   Internals& state = *this->State;
-  state.scalars = ScalarField(grid, scalars);
-  state.bricks = grid.HasVolume() ? Bricks(state.scalars) : Bricks();
+  state.engine->SetScalars(grid, scalars);
+  state.grid = grid;
+  state.hasScalars = true;
   state.bricksAreCurrent = false;
   state.gradientIsCurrent = false;
-  state.ForgetOwnBase();
+  state.ForgetTransferFunction();
 }
 
 void Renderer::SetTransferFunctions(const TransferFunctions& functions)
 {
   Internals& state = *this->State;
-  state.classification = Classification(functions);
-  state.ForgetOwnBase();
+  const Classification classification(functions);
+  state.engine->SetTransferFunctions(classification);
+  state.majorant = classification.Majorant();
+  state.hasFunctions = true;
+  state.ForgetTransferFunction();
   state.bricksAreCurrent = false;
   state.gradientIsCurrent = false;
 }
@@ -356,28 +265,19 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
 void Renderer::SetExtinction(const Grid& grid, const float* base, const float* extinction,
   double share, const float* lightExtinction)
 {
-  Internals& state = *this->State;
-  state.bricksAreCurrent = false;
-  state.shadowIsCurrent = false;
-  state.base = base;
-  state.lightExtinction = lightExtinction;
-  state.extinctionGrid = grid;
-  state.coarseExtinction.clear();
-  state.ForgetOwnBase();
-  if (!base || !extinction)
+  if (this->State->WillShow(grid, base, extinction, share))
   {
-    state.medium.Clear();
-    return;
+    this->State->engine->SetExtinction(grid, base, extinction, share, lightExtinction);
   }
-  LIMPID_REQUIRE(share > 0 && share <= 1,
-    "The share is " << share
-                    << " (the picture moves that far towards the "
-                       "new extinction). Keep it "
-                    << "above 0 and at most 1.");
-  LIMPID_REQUIRE(!state.classification.Empty(),
-    "The extinction was given before the transfer functions (they "
-    "have its unit). Set them first.");
-  state.medium.MoveTo(grid, base, extinction, state.classification.Majorant(), share);
+}
+
+void Renderer::ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
+  const float* lightExtinction)
+{
+  if (this->State->WillShow(grid, base, extinction, share))
+  {
+    this->State->engine->ShowThere(grid, base, extinction, share, lightExtinction);
+  }
 }
 
 void Renderer::SetLighting(const Lighting& lighting)
@@ -411,8 +311,7 @@ void Renderer::SetShadowCoarseness(int factor)
   Internals& state = *this->State;
   if (factor != state.shadowCoarseness)
   {
-    state.ForgetOwnBase();
-    state.coarseExtinction.clear();
+    state.ForgetTransferFunction();
     state.shadowIsCurrent = false;
     state.shadowCoarseness = factor;
   }
@@ -425,7 +324,7 @@ bool Renderer::UpdateShadows()
 
 void Renderer::Prepare()
 {
-  if (this->State->HasScene() && this->State->classification.Majorant() > 0)
+  if (this->State->HasScene() && this->State->majorant > 0)
   {
     this->State->Prepare();
   }
@@ -437,37 +336,35 @@ void Renderer::Render(const View& view, Picture& picture)
   picture.width = std::max(view.width, 0);
   picture.height = std::max(view.height, 0);
   picture.rgba.assign(std::size_t(4) * std::size_t(picture.width) * std::size_t(picture.height), 0);
-  LIMPID_REQUIRE(state.scalars.values && !state.classification.Empty(),
+  LIMPID_REQUIRE(state.hasScalars && state.hasFunctions,
     "There are no scalars or no transfer functions (nothing can "
     "be drawn). Set both.");
-  if (picture.rgba.empty() || !state.scalars.grid.HasVolume() ||
-    !(state.classification.Majorant() > 0))
+  if (picture.rgba.empty() || !state.grid.HasVolume() || !(state.majorant > 0))
   {
     return; // an empty picture
   }
   RequireView(view);
-  Raycast(state.MakeScene(view), view,
-    state.lighting.enabled ? state.lighting.color : Lighting().color, picture);
+  state.Prepare();
+  state.engine->Cast(state.CastingOf(view), view, picture);
 }
 
 double Renderer::LightTransmittanceAt(const Vec3& world)
 {
   this->UpdateShadows();
   const Internals& state = *this->State;
-  const MediumField& field = state.medium.Field();
-  if (state.medium.Empty() || !field.shadowed)
+  const bool wanted = state.lighting.enabled && state.lighting.shadows;
+  if (state.engine->HasNoExtinction() || !wanted || !state.shadowIsCurrent)
   {
     return 1;
   }
-  const Vec3 index = state.medium.Nodes().PointToIndex(world);
+  const Vec3 index = state.extinctionGrid.PointToIndex(world);
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (index[axis] < 0 || index[axis] > field.nodes[axis] - 1)
+    if (index[axis] < 0 || index[axis] > state.extinctionGrid.nodes[axis] - 1)
     {
       return 1;
     }
   }
-  const float position[3] = { float(index.x), float(index.y), float(index.z) };
-  return InterpolateMedium(field, position)[2] / packedOne;
+  return state.engine->LightTransmittanceAt(index);
 }
 } // namespace limpid

@@ -13,6 +13,8 @@
 
 namespace limpid
 {
+class PictureEngine;
+
 /// Transfer functions of a scalar, sampled at equal steps from `low` to `high`, constant outside.
 struct TransferFunctions
 {
@@ -84,7 +86,12 @@ struct Picture
 class Renderer
 {
 public:
+  /// Draws with the processor.
   Renderer();
+
+  /// Draws with what is given.
+  explicit Renderer(std::unique_ptr<PictureEngine> engine);
+
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -104,6 +111,11 @@ public:
    * `lightExtinction`: what casts the shadows, if that is another extinction.
    */
   void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share = 1,
+    const float* lightExtinction = nullptr);
+
+  /// SetExtinction with arrays in the memory of the device that draws, which may go after the call;
+  /// with the processor, the arrays are the caller's and stay, as above.
+  void ShowThere(const Grid& grid, const float* base, const float* extinction, double share = 1,
     const float* lightExtinction = nullptr);
 
   /// Light for the following pictures. Shadows are computed when they are needed next.

@@ -4,11 +4,55 @@
 #include "sweep/Lateral.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace limpid
 {
+namespace
+{
+/// Rays across a side per voxel of its depth, at least.
+constexpr double facePart = 0.25;
+
+/// Parts between two coordinates: as many as `perUnit` says, and `fewest` at least.
+void AddParts(double begin, double end, double perUnit, double fewest, std::vector<double>& edges)
+{
+  constexpr double most = 1e6;
+  const double wanted = std::max(std::ceil((end - begin) * perUnit - 1e-9), fewest);
+  const int parts = static_cast<int>(std::min(std::max(wanted, 1.0), most));
+  for (int part = 1; part < parts; ++part)
+  {
+    edges.push_back(begin + (end - begin) * part / parts);
+  }
+  edges.push_back(end);
+}
+}
+
+double Lateral::Edge(int ray) const
+{
+  const std::size_t last = this->Edges.size() - 1;
+  if (ray < 1)
+  {
+    return this->Edges[0] + (ray - 1) * (this->Edges[1] - this->Edges[0]);
+  }
+  const auto index = std::size_t(ray - 1);
+  return index <= last
+    ? this->Edges[index]
+    : this->Edges[last] + double(index - last) * (this->Edges[last] - this->Edges[last - 1]);
+}
+
+void Lateral::PutBetween(std::vector<double> edges)
+{
+  this->Edges = std::move(edges);
+  this->count = static_cast<int>(this->Edges.size()) + 1;
+  this->Middles.clear();
+  for (int ray = 0; ray < this->count; ++ray)
+  {
+    this->Middles.push_back(0.5 * (this->Edge(ray) + this->Edge(ray + 1)));
+  }
+}
+
 void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placement placement)
 {
   const double last = this->nodes - 1;
@@ -16,50 +60,55 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
   if (this->parallel && placement == Placement::ForNodes &&
     std::abs(this->shear) * (farDepth - nearDepth) < straight)
   {
-    this->step = 1;
-    this->first = -1;
-    this->count = this->nodes + 2;
+    std::vector<double> edges;
+    for (int node = 0; node <= this->nodes; ++node)
+    {
+      edges.push_back(node - 0.5);
+    }
+    this->PutBetween(std::move(edges));
     return;
   }
-  double low;
-  double high;
-  if (this->parallel)
+  // The outlines of the faces: where rays run through the sides at the near and the far depth.
+  std::array<double, 4> outlines{};
+  for (int i = 0; i < 4; ++i)
   {
-    low = std::min(-this->shear * nearDepth, -this->shear * farDepth);
-    high = last + std::max(-this->shear * nearDepth, -this->shear * farDepth);
+    const double depth = i % 2 ? farDepth : nearDepth;
+    const double side = i < 2 ? 0 : last;
+    const double distance = side - this->eye;
+    const double sign = distance > 0 ? 1.0 : (distance < 0 ? -1.0 : 0.0);
+    const double slope = depth > 0 ? distance / depth : sign;
+    outlines[std::size_t(i)] =
+      this->parallel ? side - this->shear * depth : std::min(std::max(slope, -1.0), 1.0);
   }
-  else
-  {
-    // Slopes to the box's faces: extreme at the near or at the far depth.
-    const auto slope = [&](double distance, bool lowest)
-    {
-      const double atFar = distance / farDepth;
-      if (nearDepth <= 0)
-      {
-        const double infinity = std::numeric_limits<double>::infinity();
-        const double atNear = distance < 0 ? -infinity : (distance > 0 ? infinity : 0.0);
-        return lowest ? std::min(atNear, atFar) : std::max(atNear, atFar);
-      }
-      const double atNear = distance / nearDepth;
-      return lowest ? std::min(atNear, atFar) : std::max(atNear, atFar);
-    };
-    low = slope(-this->eye, true);
-    high = slope(last - this->eye, false);
-    low = std::max(low, -1.0);
-    high = std::min(high, 1.0);
-  }
-  if (!(high > low))
+  std::sort(outlines.begin(), outlines.end());
+  const double size = outlines.back() - outlines.front();
+  if (!(size > 0))
   {
     this->count = 0;
     return;
   }
   constexpr double fewest = 16; // even across a single voxel, for the sake of the integrals
-  const double scale = this->parallel ? 1.0 : farDepth;
-  const double wanted = std::ceil((high - low) * scale * rayDensity - 1e-9);
-  const int cells = static_cast<int>(std::min(std::max(wanted, fewest), 1e6));
-  this->step = (high - low) / cells;
-  this->first = low - 0.5 * this->step;
-  this->count = cells + 2;
+  const double perUnit =
+    std::max(rayDensity * (this->parallel ? 1.0 : farDepth), (fewest - 1e-6) / size);
+  std::vector<double> edges{ outlines.front() };
+  if (placement == Placement::ForNodes)
+  {
+    AddParts(outlines.front(), outlines.back(), perUnit, 1, edges);
+  }
+  else
+  {
+    // A side that is seen at a grazing angle is a thin strip: rays enough for all its depth.
+    const double alongSide = facePart * rayDensity * (farDepth - nearDepth);
+    for (std::size_t i = 0; i + 1 < outlines.size(); ++i)
+    {
+      if (outlines[i + 1] - outlines[i] > 1e-9 * size)
+      {
+        AddParts(outlines[i], outlines[i + 1], perUnit, alongSide, edges);
+      }
+    }
+    edges.back() = outlines.back();
+  }
+  this->PutBetween(std::move(edges));
 }
 
 LinearMap Lateral::RayMap(double depth) const
@@ -97,13 +146,18 @@ LinearMap Lateral::VoxelMap(double depth) const
   LinearMap map;
   map.index.resize(std::size_t(this->nodes));
   map.weight.resize(std::size_t(this->nodes));
+  int ray = 0;
   for (int node = 0; node < this->nodes; ++node)
   {
-    const double position = (this->Ray(node, depth) - this->first) / this->step;
-    const double inside = std::min(std::max(position, 0.0), double(this->count - 1));
-    const int ray = std::max(0, std::min(static_cast<int>(inside), this->count - 2));
+    const double wanted = this->Ray(node, depth);
+    while (ray + 2 < this->count && this->Coordinate(ray + 1) <= wanted)
+    {
+      ++ray;
+    }
+    const double gap = this->Coordinate(ray + 1) - this->Coordinate(ray);
+    const double share = (wanted - this->Coordinate(ray)) / gap;
     map.index[std::size_t(node)] = ray;
-    map.weight[std::size_t(node)] = static_cast<float>(inside - ray);
+    map.weight[std::size_t(node)] = static_cast<float>(std::min(std::max(share, 0.0), 1.0));
   }
   return map;
 }

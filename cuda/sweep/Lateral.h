@@ -22,8 +22,8 @@ struct LinearMap
 /// Where rays lie best.
 enum class Placement
 {
-  ForIntegrals, ///< in the middle of equal parts of the box
-  ForNodes      ///< on the nodes, where rays run along them; else as for integrals
+  ForIntegrals, ///< in the middle of parts of the box, which end where the outlines of its faces do
+  ForNodes      ///< on the nodes, where rays run along them; else in the middle of equal parts
 };
 
 /**
@@ -40,12 +40,20 @@ public:
   double shear = 0; ///< parallel eye: lateral step per slice [index]
   int nodes = 0;    ///< voxels along the axis
 
-  int count = 0;    ///< rays, with one guard on either side that only serves interpolation
-  double first = 0; ///< coordinate of ray 0
-  double step = 0;  ///< between neighbouring rays
+  int count = 0; ///< rays, with one guard on either side that only serves interpolation
 
-  double Coordinate(int ray) const { return this->first + ray * this->step; }
+  double Coordinate(int ray) const { return this->Middles[std::size_t(ray)]; }
   double Slope(int ray) const { return this->parallel ? this->shear : this->Coordinate(ray); }
+
+  /// Where the part of the box that ray `ray` stands for begins: half way to the ray before. The
+  /// rays -1 and `count` and one more are as far away as their neighbours are from each other.
+  double Edge(int ray) const;
+
+  /// Size of the part of the box that a ray stands for; 0 for guards.
+  double Width(int ray) const
+  {
+    return ray > 0 && ray + 1 < this->count ? this->Edge(ray + 1) - this->Edge(ray) : 0.0;
+  }
 
   /// Chooses the rays that see the box between two depths; none if it is out of reach.
   void Fit(double nearDepth, double farDepth, double rayDensity, Placement placement);
@@ -70,6 +78,9 @@ public:
   Interval Owned(double depth, bool closed) const;
 
 private:
+  /// Puts rays in the middle of the parts between edges.
+  void PutBetween(std::vector<double> edges);
+
   Clip ClipRay(double coordinate, double base) const;
 
   double Position(double ray, double depth) const
@@ -81,6 +92,9 @@ private:
   {
     return this->parallel ? position - this->shear * depth : (position - this->eye) / depth;
   }
+
+  std::vector<double> Edges; ///< of the rays but the guards
+  std::vector<double> Middles;
 };
 }
 

@@ -164,15 +164,15 @@ double PlaceStations(Pyramid& pyramid, const DepthAxis& depth)
 }
 
 /// What is known of the rays along one lateral axis. A guard that does not enter the slab of the
-/// box before `back` runs along its border all the way.
-void DescribeRays(const Lateral& lateral, double base, float back, RayAxis& axis)
+/// box before `back` runs along its border all the way. `scale`: width of a unit of the rays'
+/// coordinate at the far depth [index].
+void DescribeRays(const Lateral& lateral, double base, float back, double scale, RayAxis& axis)
 {
   constexpr Clip everywhere{ -1e30f, 1e30f };
   const auto count = static_cast<std::size_t>(lateral.count);
-  axis.share.assign(count, 1.0f);
-  axis.share.front() = axis.share.back() = 0.0f;
   for (std::size_t ray = 0; ray < count; ++ray)
   {
+    axis.share.push_back(static_cast<float>(lateral.Width(static_cast<int>(ray)) * scale));
     Clip clip = lateral.ClipOf(static_cast<int>(ray), base);
     const bool misses = clip.entry >= back || clip.exit <= 0 || clip.entry >= clip.exit;
     clip = misses && axis.share[ray] == 0 ? everywhere : clip;
@@ -259,12 +259,12 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
   const Lateral& v = laterals[1];
   pyramid.columns = u.count;
   pyramid.rows = v.count;
-  pyramid.cellMeasure =
-    grid.CellVolume() * u.step * v.step * (eye.parallel ? 1.0 : depth.Far() * depth.Far());
+  pyramid.cellMeasure = grid.CellVolume();
+  const double scale = eye.parallel ? 1.0 : depth.Far();
   const double base = PlaceStations(pyramid, depth);
   const float back = pyramid.stations.back().relativeDepth;
-  DescribeRays(u, base, back, pyramid.columnAxis);
-  DescribeRays(v, base, back, pyramid.rowAxis);
+  DescribeRays(u, base, back, scale, pyramid.columnAxis);
+  DescribeRays(v, base, back, scale, pyramid.rowAxis);
   pyramid.frontColumns = RaysThatEnterInFront(pyramid.columnAxis, pyramid.FrontDepth());
   pyramid.frontRows = RaysThatEnterInFront(pyramid.rowAxis, pyramid.FrontDepth());
   PlaceMaps(pyramid, sign, base, u, v);

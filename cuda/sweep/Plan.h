@@ -53,7 +53,7 @@ struct RayAxis
   std::vector<float> entry;  ///< relative depth at which the ray enters the box in this axis
   std::vector<float> exit;   ///< ... and leaves it
   std::vector<double> slope; ///< lateral step per unit of depth [index]
-  std::vector<float> share;  ///< 1, or 0 for guards that only serve interpolation
+  std::vector<float> share;  ///< width at the far depth [index]; 0: a guard, for interpolation only
 
   int Count() const { return static_cast<int>(this->entry.size()); }
 };

@@ -32,50 +32,105 @@ Lateral LateralOf(const Pyramid& pyramid, const Eye& eye, int axis, int nodes, d
   return lateral;
 }
 
-/// Position of a ray, or of a place between rays, in a plane [index].
-double PositionAt(const Lateral& lateral, double ray, double depth)
+/// Where a ray coordinate is in a plane [index].
+double PositionAt(const Lateral& lateral, double coordinate, double depth)
 {
-  const double coordinate = lateral.first + ray * lateral.step;
   return lateral.parallel ? coordinate + lateral.shear * depth : lateral.eye + coordinate * depth;
 }
 
-/// Voxel columns of `count` places, one per ray, the first at `start` rays.
-LinearMap MapOf(const Lateral& lateral, double start, int count, double depth)
+/// Voxel columns of places with these coordinates.
+LinearMap MapOf(const Lateral& lateral, const std::vector<double>& coordinates, double depth)
 {
   LinearMap map;
-  map.index.resize(std::size_t(count));
-  map.weight.resize(std::size_t(count));
-  for (int i = 0; i < count; ++i)
+  for (const double coordinate : coordinates)
   {
-    const double position = PositionAt(lateral, start + i, depth);
+    const double position = PositionAt(lateral, coordinate, depth);
     const int node = NodeBefore(position, lateral.nodes);
-    map.index[std::size_t(i)] = node;
-    map.weight[std::size_t(i)] = static_cast<float>(position - node);
+    map.index.push_back(node);
+    map.weight.push_back(static_cast<float>(position - node));
   }
   return map;
 }
+
+/// Weights of the values at four places in the derivative at another one: that of the cubic through
+/// them.
+std::array<double, 4> DerivativeWeights(const std::array<double, 4>& places, double at)
+{
+  std::array<double, 4> weights{};
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    double scale = 1;
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      if (k == i)
+      {
+        continue;
+      }
+      scale /= places[i] - places[k];
+      double product = 1;
+      for (std::size_t m = 0; m < 4; ++m)
+      {
+        product *= m == i || m == k ? 1.0 : at - places[m];
+      }
+      sum += product;
+    }
+    weights[i] = scale * sum;
+  }
+  return weights;
+}
 }
 
-RowStencil StencilOf(const TurnPlane& plane, int row, int voxelRows)
+TurnAxis::TurnAxis(const Lateral& lateral)
+  : Rays(lateral)
 {
+  for (int ray = 0; ray < lateral.count; ++ray)
+  {
+    this->Middles.push_back(lateral.Coordinate(ray));
+    const std::array<double, 4> weights =
+      DerivativeWeights({ { lateral.Edge(ray - 1), lateral.Edge(ray), lateral.Edge(ray + 1),
+                          lateral.Edge(ray + 2) } },
+        lateral.Coordinate(ray));
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      this->Weights[k].push_back(static_cast<float>(weights[k]));
+    }
+  }
+  for (int edge = -1; edge < lateral.count + 2; ++edge)
+  {
+    this->Edges.push_back(lateral.Edge(edge));
+  }
+}
+
+RowStencil TurnPlanes::StencilOf(const TurnPlane& plane, int row) const
+{
+  const Lateral& lateral = this->V.Rays;
   RowStencil stencil{};
   for (int k = 0; k < 4; ++k)
   {
-    const double position = plane.firstRow + (row + k - 1.5) * plane.rowStep;
-    stencil.row[k] = NodeBefore(position, voxelRows);
+    const double position = PositionAt(lateral, this->V.Edges[std::size_t(row + k)], plane.depth);
+    stencil.row[k] = NodeBefore(position, lateral.nodes);
     stencil.weight[k] = static_cast<float>(position - stencil.row[k]);
-    stencil.factor[k] = stencilWeights[k] / static_cast<float>(plane.rowStep);
+    stencil.factor[k] = this->V.Weights[std::size_t(k)][std::size_t(row)] * plane.perIndex;
   }
   return stencil;
 }
 
+RowPlace TurnPlanes::RowAt(const TurnPlane& plane, int row) const
+{
+  const Lateral& lateral = this->V.Rays;
+  const double position = PositionAt(lateral, lateral.Coordinate(row), plane.depth);
+  const int node = NodeBefore(position, lateral.nodes);
+  return { node, static_cast<float>(position - node) };
+}
+
 TurnPlanes::TurnPlanes(const Pyramid& pyramid, const Eye& eye, double rayDensity, int parts)
   : PartCount(parts)
+  , U(LateralOf(pyramid, eye, pyramid.axisU, pyramid.nodesU, rayDensity))
+  , V(LateralOf(pyramid, eye, pyramid.axisV, pyramid.nodesV, rayDensity))
   , Planes(std::size_t(pyramid.LastStation()) * 2 * std::size_t(parts))
 {
-  const Lateral u = LateralOf(pyramid, eye, pyramid.axisU, pyramid.nodesU, rayDensity);
-  const Lateral v = LateralOf(pyramid, eye, pyramid.axisV, pyramid.nodesV, rayDensity);
-  LIMPID_EXPECT(u.count == pyramid.columns && v.count == pyramid.rows);
+  LIMPID_EXPECT(this->U.Rays.count == pyramid.columns && this->V.Rays.count == pyramid.rows);
   const std::vector<Station>& stations = pyramid.stations;
   ParallelFor(static_cast<Index>(this->Planes.size()), 8,
     [&](Index index)
@@ -88,11 +143,10 @@ TurnPlanes::TurnPlanes(const Pyramid& pyramid, const Eye& eye, double rayDensity
       TurnPlane& plane = this->Planes[std::size_t(index)];
       std::copy_n(stations[s].planes[0].slices, 2, plane.slices);
       plane.fraction = static_cast<float>(1.0 - (back.depth - depth));
-      plane.columns = MapOf(u, 0, u.count, depth);
-      plane.between = MapOf(u, -1.5, u.count + 3, depth);
-      plane.columnStep = static_cast<float>(u.step * (u.parallel ? 1.0 : depth));
-      plane.firstRow = PositionAt(v, 0, depth);
-      plane.rowStep = v.step * (v.parallel ? 1.0 : depth);
+      plane.depth = depth;
+      plane.perIndex = this->U.Rays.parallel ? 1.0f : static_cast<float>(1 / depth);
+      plane.columns = MapOf(this->U.Rays, this->U.Middles, depth);
+      plane.between = MapOf(this->U.Rays, this->U.Edges, depth);
     });
 }
 }

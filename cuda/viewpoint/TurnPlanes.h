@@ -8,6 +8,7 @@
 
 #include "sweep/Plan.h"
 
+#include <array>
 #include <vector>
 
 namespace limpid
@@ -22,11 +23,10 @@ struct TurnPlane
 {
   int slices[2] = { 0, 0 }; ///< node indices along the depth axis
   float fraction = 0;       ///< weight of the second slice [0, 1]
+  double depth = 0;         ///< from the eye [index]
+  float perIndex = 0;       ///< units of the rays' coordinates per index
   LinearMap columns;        ///< ray column -> voxel column
-  LinearMap between;        ///< likewise 3/2 and 1/2 before column 0, 1/2 behind it, and so on
-  double firstRow = 0;      ///< voxel row of ray row 0 [index]
-  double rowStep = 0;       ///< ... of neighbouring ray rows, beyond each other
-  float columnStep = 0;     ///< distance of neighbouring ray columns [index]
+  LinearMap between;        ///< likewise of the edges of the columns (TurnAxis)
 };
 
 /// Four samples across the rows of rays; their sum times `factor` is a derivative.
@@ -50,15 +50,23 @@ struct RowStencil
   }
 };
 
-/// Weights of the samples at -3/2, -1/2, 1/2, 3/2 steps in the derivative by the step: its mean
-/// over the step, sharpened to fourth order.
-constexpr float stencilWeights[4] = { 1.0f / 24, -27.0f / 24, 27.0f / 24, -1.0f / 24 };
+/// The rays along a lateral axis and what the derivative across them is made of.
+struct TurnAxis
+{
+  explicit TurnAxis(const Lateral& lateral);
 
-/// The node before a position, not the last one: where beyond the nodes to go on from.
-int NodeBefore(double position, int nodes);
+  Lateral Rays;
+  std::vector<double> Middles;               ///< coordinates of the rays
+  std::vector<double> Edges;                 ///< two before the first ray, ..., two behind the last
+  std::array<std::vector<float>, 4> Weights; ///< per ray, of the values at the edges [ray, ray + 4)
+};
 
-/// The derivative across the rows of rays at row `row` of a plane.
-RowStencil StencilOf(const TurnPlane& plane, int row, int voxelRows);
+/// A voxel row and the weight of the one behind it.
+struct RowPlace
+{
+  int row;
+  float weight;
+};
 
 /// The samples of all layers, each cut into `parts` of the same thickness, front to back; two
 /// planes each.
@@ -69,6 +77,14 @@ public:
 
   int Parts() const { return this->PartCount; }
 
+  /// The derivative across the rows of rays at row `row` of a plane.
+  RowStencil StencilOf(const TurnPlane& plane, int row) const;
+
+  /// Where row `row` of the rays is.
+  RowPlace RowAt(const TurnPlane& plane, int row) const;
+
+  const TurnAxis& Columns() const { return this->U; }
+
   /// Plane `half` in part `part` of the layer behind station `s`.
   const TurnPlane& At(int s, int part, int half) const
   {
@@ -77,6 +93,8 @@ public:
 
 private:
   int PartCount;
+  TurnAxis U;
+  TurnAxis V;
   std::vector<TurnPlane> Planes;
 };
 }

@@ -122,7 +122,7 @@ struct TurnColumn
       inverse[half] =
         this->eye.parallel ? length * this->eye.inverse : 1.0f / Most(distance, 1e-6f);
     }
-    const bool enters = inside.begin >= 0.0f && inside.begin < layer.thickness;
+    const bool enters = entry >= layer.front && entry < layer.front + layer.thickness;
     const float step = enters ? Most(extinction.At(inside.begin), 0.0f) : 0.0f;
     const float way = whole.Length();
     for (const EyeMove& move : this->moves)
@@ -169,14 +169,18 @@ void AddRow(const float* __restrict front, const float* __restrict back, float a
 }
 
 LIMPID_MULTIVERSION
-void DifferRow(
-  const float* __restrict samples, float factor, const Interval& columns, float* __restrict out)
+void DifferRow(const float* __restrict samples, const float* const weights[4], float factor,
+  const Interval& columns, float* __restrict out)
 {
+  const float* __restrict first = weights[0];
+  const float* __restrict second = weights[1];
+  const float* __restrict third = weights[2];
+  const float* __restrict fourth = weights[3];
   for (int i = columns.begin; i < columns.end; ++i)
   {
     out[i] = factor *
-      (stencilWeights[0] * samples[i] + stencilWeights[1] * samples[i + 1] +
-        stencilWeights[2] * samples[i + 2] + stencilWeights[3] * samples[i + 3]);
+      (first[i] * samples[i] + second[i] * samples[i + 1] + third[i] * samples[i + 2] +
+        fourth[i] * samples[i + 3]);
   }
 }
 

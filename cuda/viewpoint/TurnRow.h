@@ -59,9 +59,10 @@ struct EyeDistance
 void AddRow(const float* front, const float* back, float along, float factor, bool first, int begin,
   int end, float* out);
 
-/// out[i] = factor times the derivative by the step of samples[i], ..., samples[i + 3], which lie
-/// 3/2 and 1/2 steps before and behind.
-void DifferRow(const float* samples, float factor, const Interval& columns, float* out);
+/// out[i] = factor times the sum of samples[i], ..., samples[i + 3], each with its weight of column
+/// i.
+void DifferRow(const float* samples, const float* const weights[4], float factor,
+  const Interval& columns, float* out);
 
 /// The visible importance of a layer added to `visible` and `plain`, and what two moves of the eye
 /// do to it.

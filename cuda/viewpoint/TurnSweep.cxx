@@ -101,13 +101,22 @@ private:
   /// Values per row of samples: also of those between the rays.
   std::size_t Pitch() const { return std::size_t(this->Source.columns) + 3; }
 
+  /// A part ends with the very number that the next one begins with: a ray that enters the box
+  /// between two parts would else enter neither, or both.
   static Layer PartOf(const Layer& whole, int part, int parts)
   {
+    const auto depthOf = [&](int number)
+    {
+      const float share = static_cast<float>(number) / static_cast<float>(parts);
+      return number == parts ? whole.front + whole.thickness
+                             : whole.front + share * whole.thickness;
+    };
     const float share = 1.0f / static_cast<float>(parts);
     const float before = share * static_cast<float>(part);
     const float widening = whole.backScale - whole.frontScale;
-    return { whole.front + before * whole.thickness, share * whole.thickness,
-      whole.frontScale + before * widening, whole.frontScale + (before + share) * widening };
+    const float front = depthOf(part);
+    return { front, depthOf(part + 1) - front, whole.frontScale + before * widening,
+      whole.frontScale + (before + share) * widening };
   }
 
   void Place(const Vec3& move, TurnImages& turn) const
@@ -175,7 +184,10 @@ private:
       this->Blend(this->Extinction, plane, row, read, scratch);
       InterpolateRow(scratch, plane.columns, rays.work, extinction);
       InterpolateRow(scratch, plane.between, { rays.work.begin, rays.work.end + 3 }, between);
-      DifferRow(between, 1 / plane.columnStep, rays.work, across);
+      const std::array<std::vector<float>, 4>& weights = this->Planes.Columns().Weights;
+      const float* perColumn[4] = { weights[0].data(), weights[1].data(), weights[2].data(),
+        weights[3].data() };
+      DifferRow(between, perColumn, plane.perIndex, rays.work, across);
       this->Differ(this->Extinction, plane, row, read, scratch);
       InterpolateRow(scratch, plane.columns, rays.work, down);
       rays.extinction[half] = extinction;
@@ -198,20 +210,19 @@ private:
   void Blend(
     SliceWindow& field, const TurnPlane& plane, int row, const Interval& read, float* out) const
   {
-    const double position = plane.firstRow + row * plane.rowStep;
-    const int v = NodeBefore(position, this->Source.nodesV);
+    const RowPlace place = this->Planes.RowAt(plane, row);
+    const int v = place.row;
     const float* rows[2][2] = { { field.Row(plane.slices[0], v),
                                   field.Row(plane.slices[0], v + 1) },
       { field.Row(plane.slices[1], v), field.Row(plane.slices[1], v + 1) } };
-    BlendFourRows(
-      rows, static_cast<float>(position - v), plane.fraction, read.begin, read.end, out);
+    BlendFourRows(rows, place.weight, plane.fraction, read.begin, read.end, out);
   }
 
   /// The derivative across the rows, of voxel columns.
   void Differ(
     SliceWindow& field, const TurnPlane& plane, int row, const Interval& read, float* out) const
   {
-    const RowStencil stencil = StencilOf(plane, row, this->Source.nodesV);
+    const RowStencil stencil = this->Planes.StencilOf(plane, row);
     for (int v = stencil.row[0]; v <= stencil.row[3] + 1; ++v)
     {
       AddRow(field.Row(plane.slices[0], v), field.Row(plane.slices[1], v), plane.fraction,

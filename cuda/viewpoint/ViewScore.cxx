@@ -14,7 +14,7 @@ namespace
 {
 /// Rays through the smallest side of what is not empty, at least. S is an integral over a picture;
 /// few rays miss the outlines of what is in it, and by how much changes with every direction.
-constexpr double fewestRays = 128.0 * 128.0;
+constexpr double fewestRays = 96.0 * 96.0;
 constexpr double largestDensity = 16;
 
 double DensityOf(const Int3& nodes, double atLeast)

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What only a GPU can show: which one it is, that work for it runs on it, and what happens when its
+// memory is full.
+
+#include "BoxScene.h"
+#include "TestedDevice.h"
+
+#include "math/Require.h"
+#include "optimize/EngineOnDevice.h"
+#include "optimize/PreparedScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+using Bytes = DeviceArray<TestedDevice, unsigned char>;
+
+/// Writes 2 index + 1.
+struct OddNumber
+{
+  int* out;
+  LIMPID_HD void operator()(Index index) const
+  {
+    this->out[index] = static_cast<int>(2 * index + 1);
+  }
+};
+
+void ExpectItCounts(const std::shared_ptr<TestedDevice>& device)
+{
+  constexpr int count = 100003;
+  DeviceArray<TestedDevice, int> numbers(device, count, "a test");
+  device->ForIndices("odd numbers", count, OddNumber{ numbers.Data() });
+  std::vector<int> found(count);
+  numbers.Download(found.data());
+  for (int n = 0; n < count; ++n)
+  {
+    ASSERT_EQ(found[std::size_t(n)], 2 * n + 1);
+  }
+}
+
+std::string MessageOf(const std::shared_ptr<TestedDevice>& device, std::size_t bytes)
+{
+  try
+  {
+    const Bytes tooMuch(device, bytes, "a test");
+    return {};
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+}
+
+/// All that can be had, in pieces down to a megabyte.
+std::vector<Bytes> TakeAll(const std::shared_ptr<TestedDevice>& device)
+{
+  constexpr std::size_t least = 1 << 20;
+  std::vector<Bytes> pieces;
+  for (std::size_t piece = FreeCudaBytes(); piece >= least;)
+  {
+    try
+    {
+      pieces.emplace_back(device, piece, "a test");
+    }
+    catch (const Error&)
+    {
+      piece /= 2;
+    }
+  }
+  return pieces;
+}
+}
+
+TEST(CudaDevice, HasTheNameThatFindCudaGives)
+{
+  EXPECT_FALSE(FindCuda().name.empty());
+  EXPECT_TRUE(FindCuda().reason.empty()) << FindCuda().reason;
+  EXPECT_GT(FreeCudaBytes(), 0u);
+  EXPECT_EQ(MakeTestedDevice()->Name(), "CUDA, " + FindCuda().name);
+}
+
+TEST(CudaDevice, RunsWhatItIsGiven)
+{
+  ExpectItCounts(MakeTestedDevice());
+}
+
+TEST(CudaDevice, WorksForSeveralThreads)
+{
+  const auto device = MakeTestedDevice();
+  std::vector<std::thread> threads;
+  for (int n = 0; n < 4; ++n)
+  {
+    threads.emplace_back([&] { ExpectItCounts(device); });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(device->Bytes(), 0u);
+}
+
+TEST(CudaDevice, WorksBesideAnother)
+{
+  const auto one = MakeTestedDevice();
+  const auto other = MakeTestedDevice();
+  const DeviceArray<TestedDevice, float> kept(one, std::vector<float>(1000, 3.0f), "a test");
+
+  ExpectItCounts(one);
+  ExpectItCounts(other);
+
+  std::vector<float> back(1000);
+  kept.Download(back.data());
+  EXPECT_EQ(back, std::vector<float>(1000, 3.0f));
+}
+
+TEST(CudaDevice, SaysWhatDoesNotFit)
+{
+  const auto device = MakeTestedDevice();
+  const std::size_t tooMuch = std::size_t(1) << 42;
+
+  const std::string message = MessageOf(device, tooMuch);
+
+  EXPECT_NE(message.find(std::to_string(tooMuch / 1000000) + " MB"), std::string::npos) << message;
+  EXPECT_NE(message.find("a test"), std::string::npos) << message;
+  EXPECT_NE(message.find("MB are free"), std::string::npos) << message;
+  EXPECT_EQ(device->Bytes(), 0u);
+  ExpectItCounts(device);
+}
+
+TEST(CudaDevice, SurvivesAnOptimizationThatDoesNotFit)
+{
+  BoxScene scene = BoxScene::Cube(96);
+  scene.FillOnion();
+  PreparedScene prepared(scene.Fields());
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const auto device = MakeTestedDevice();
+  const std::shared_ptr<Engine> engine = EngineOn(device);
+  const auto begin = [&]
+  { return engine->MakeMinimizer(problem, std::vector<float>(scene.extinction), false); };
+  {
+    const std::vector<Bytes> all = TakeAll(device);
+    const std::size_t taken = device->Bytes();
+    EXPECT_THROW(begin(), Error);
+    EXPECT_EQ(device->Bytes(), taken) << "half an optimisation is left";
+  }
+  EXPECT_EQ(device->Bytes(), 0u);
+  EXPECT_LT(begin()->Start().energy.Total(), 0) << "there is room again";
+}
+
+TEST(CudaDevice, GivesItsMemoryBack)
+{
+  constexpr std::size_t much = std::size_t(1) << 28;
+  ExpectItCounts(MakeTestedDevice()); // whatever CUDA itself needs
+  const std::size_t before = FreeCudaBytes();
+  for (int n = 0; n < 3; ++n)
+  {
+    const Bytes used(MakeTestedDevice(), much, "a test");
+  }
+  EXPECT_NEAR(double(FreeCudaBytes()), double(before), double(much) / 4);
+}

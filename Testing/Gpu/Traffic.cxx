@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Traffic.h"
+
+#include "sweep/Plan.h"
+
+namespace limpid::benchmark
+{
+namespace
+{
+/// What things are counted in [bytes].
+struct Sizes
+{
+  double all = 0;    ///< one field at all nodes
+  double filled = 0; ///< ... at those that are not empty
+  double camera = 0; ///< one value per ray and slice
+  double light = 0;
+};
+
+double RaysOf(const Problem& problem, const Eye& eye)
+{
+  double rays = 0;
+  for (const Pyramid& pyramid :
+    PlanSweep(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity))
+  {
+    rays += double(pyramid.RayCount()) * double(pyramid.stations.size());
+  }
+  return rays;
+}
+
+Sizes SizesOf(const Problem& problem)
+{
+  return { 4.0 * double(problem.grid.NodeCount()), 4.0 * double(problem.occupancy->FilledVoxels()),
+    4 * RaysOf(problem, problem.camera), 4 * RaysOf(problem, problem.light) };
+}
+
+/// Both terms, and the sums over all nodes.
+void AddMeasurement(Traffic& bytes, const Sizes& size)
+{
+  bytes["forward sweep"] = 2 * 2 * size.filled; // extinction, importance
+  bytes["regularization"] = 2 * size.all;       // extinction, base
+  bytes["change"] = 2 * size.all;               // extinction, last
+}
+
+/// The derivative of one term; `rays`: its values per ray and slice.
+void AddDerivative(Traffic& bytes, const Sizes& size, double rays)
+{
+  bytes["backward sweep"] += 2 * size.filled + 3 * rays; // extinction, importance; images
+  bytes["derivative"] += 3 * size.filled + 3 * rays;     // importance, derivative twice; images
+}
+}
+
+Traffic PolicyTraffic(const Problem& problem)
+{
+  const Sizes size = SizesOf(problem);
+  Traffic bytes;
+  bytes["set to zero"] = size.all;
+  AddDerivative(bytes, size, size.light);
+  // Base, importance twice, last, derivative of the light; next is written and read.
+  bytes["policy sweep"] = 7 * size.filled;
+  AddMeasurement(bytes, size);
+  return bytes;
+}
+
+Traffic AdamTraffic(const Problem& problem)
+{
+  const Sizes size = SizesOf(problem);
+  Traffic bytes;
+  bytes["set to zero"] = size.all;
+  AddDerivative(bytes, size, size.camera);
+  AddDerivative(bytes, size, size.light);
+  bytes["copy"] = 4 * size.all; // of the last extinction, and of the best
+  // Derivative and base are read; both means and the extinction are read and written.
+  bytes["Adam"] = 8 * size.all;
+  AddMeasurement(bytes, size);
+  return bytes;
+}
+}

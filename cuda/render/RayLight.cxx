@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "render/RayLight.h"
+
+namespace limpid
+{
+namespace
+{
+/// Direction of travel of the light in the middle of the volume, and its
+/// place.
+void PlaceLight(const Light& light, const Grid& grid, RayLight& target, Vec3& travel)
+{
+  const Vec3 place = (light.position - grid.Centre()) / grid.Radius();
+  // From so far away, light is directional to single precision.
+  const bool point = light.type == LightType::Point && glm::length(place) < 1e6;
+  travel = light.type == LightType::Point ? -place : light.focalPoint - light.position;
+  const double length = glm::length(travel);
+  travel = length > 0 ? travel / length : Vec3(0, 0, -1);
+  target.isPoint = point ? 1.0f : 0.0f;
+  const Vec3 origin = point ? place : -travel;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    target.origin[axis] = static_cast<float>(origin[axis]);
+  }
+}
+
+/// Direction to the viewer from the middle of the volume. It does not depend on where the camera
+/// looks, unless that is all that there is to know.
+Vec3 ToViewer(const Grid& grid, const View& view)
+{
+  const glm::dvec4 eye = view.clipToWorld * glm::dvec4(0, 0, 1, 0);
+  const Vec3 way = Vec3(eye) / eye.w - grid.Centre();
+  const double distance = glm::length(way);
+  if (distance > 1e-6 * grid.Radius() && distance < 1e9 * grid.Radius())
+  {
+    return way / distance;
+  }
+  const glm::dvec4 front = view.clipToWorld * glm::dvec4(0, 0, -1, 1);
+  const glm::dvec4 back = view.clipToWorld * glm::dvec4(0, 0, 1, 1);
+  const Vec3 along = Vec3(front) / front.w - Vec3(back) / back.w;
+  return along / glm::length(along);
+}
+}
+
+RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& view)
+{
+  RayLight light;
+  Vec3 travel;
+  PlaceLight(settings.light, grid, light, travel);
+  const double middle =
+    HenyeyGreenstein(settings.anisotropy, glm::dot(travel, ToViewer(grid, view)));
+  light.ambient = static_cast<float>(settings.ambient);
+  // In a dense medium that is lit from the viewer's side, light and view fade alike: what arrives
+  // from optical depth d is exp(-2 d), half of all. That half is to keep its colour.
+  const double shadow = settings.shadows ? settings.shadowStrength : 0.0;
+  const double exposure = settings.intensity / (1 - 0.5 * shadow);
+  light.diffuse = static_cast<float>((1 - settings.ambient) * exposure);
+  light.anisotropy = static_cast<float>(settings.anisotropy);
+  light.phaseUnit = static_cast<float>(1 / middle);
+  light.surface = static_cast<float>(settings.surface);
+  light.shadow = static_cast<float>(shadow);
+  light.lobe.factor = static_cast<float>(BlinnPhongNormalization(settings.specularPower));
+  light.lobe.power = static_cast<float>(settings.specularPower);
+  return light;
+}
+}

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How a sample is lit, the same for all backends.
+
+#ifndef limpid_render_RayLight_h
+#define limpid_render_RayLight_h
+
+#include "math/Exp.h"
+#include "render/PhaseFunction.h"
+#include "render/Ray.h"
+
+#include <cmath>
+
+namespace limpid
+{
+/// Largest absolute value of a packed number; it stands for 1.
+constexpr float packedOne = 32767.0f;
+
+/// factor x^power for x in [0, 1].
+struct Lobe
+{
+  float factor = 0;
+  float power = 0;
+
+  LIMPID_HD LIMPID_INLINE float At(float x) const
+  {
+    const float base = x > 1e-30f ? x : 1e-30f;
+    const float depth = -this->power * Logarithm(base);
+    return this->factor * Attenuate(depth > 0.0f ? depth : 0.0f);
+  }
+};
+
+/// The light and how it is scattered, for all rays of a picture; directions in the world.
+struct RayLight
+{
+  float origin[3] = { 0, 0, 0 }; ///< point light: its place [radii]; else against its way
+  float isPoint = 0;             ///< 1 or 0
+  float ambient = 1;
+  float diffuse = 0;    ///< share of direct light, times its intensity
+  float anisotropy = 0; ///< a of Henyey and Greenstein
+  float phaseUnit = 0;  ///< 1 / f_v in the middle of the volume [steradian]
+  float surface = 0;    ///< k_s
+  float shadow = 0;     ///< shadow strength
+  Lobe lobe;            ///< of Blinn and Phong, normalised [1/steradian]
+};
+
+/// The light of a picture. `grid`: of the scalars.
+RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& view);
+
+/// The light as the samples of one ray meet it.
+struct LightOnRay
+{
+  float entryX; ///< its way to the ray's entry, and what is added from sample to sample [radii]
+  float entryY;
+  float entryZ;
+  float stepX;
+  float stepY;
+  float stepZ;
+  float viewX; ///< to the viewer
+  float viewY;
+  float viewZ;
+
+  LIMPID_HD LIMPID_INLINE LightOnRay(const RayLight& light, const Ray& ray)
+    : entryX(light.isPoint * ray.lightEntry[0] - light.origin[0])
+    , entryY(light.isPoint * ray.lightEntry[1] - light.origin[1])
+    , entryZ(light.isPoint * ray.lightEntry[2] - light.origin[2])
+    , stepX(light.isPoint * ray.lightStep[0])
+    , stepY(light.isPoint * ray.lightStep[1])
+    , stepZ(light.isPoint * ray.lightStep[2])
+    , viewX(ray.toViewer[0])
+    , viewY(ray.toViewer[1])
+    , viewZ(ray.toViewer[2])
+  {
+  }
+
+  /// Eq. 6 and the light of Eq. 4: the share of its colour that the sample at `distance` [samples]
+  /// sends to the viewer. Documentation/Method.md, "Light". Gradient and `shadow`: [packedOne].
+  LIMPID_HD LIMPID_INLINE float Sent(const RayLight& light, float distance, float packedX,
+    float packedY, float packedZ, float shadow) const
+  {
+    // Direction of travel of the light.
+    float x = this->entryX + distance * this->stepX;
+    float y = this->entryY + distance * this->stepY;
+    float z = this->entryZ + distance * this->stepZ;
+    const float perLength = 1.0f / std::sqrt(x * x + y * y + z * z + 1e-30f);
+    x *= perLength;
+    y *= perLength;
+    z *= perLength;
+    const float cosine = x * this->viewX + y * this->viewY + z * this->viewZ;
+
+    // The gradient's length is k_s, relative to its largest; its direction the normal, which points
+    // into the medium, while the halfway vector points out of it.
+    const float gradientX = packedX * (1 / packedOne);
+    const float gradientY = packedY * (1 / packedOne);
+    const float gradientZ = packedZ * (1 / packedOne);
+    const float squared =
+      gradientX * gradientX + gradientY * gradientY + gradientZ * gradientZ + 1e-20f;
+    const float facing = x * gradientX + y * gradientY + z * gradientZ; // k_s (w_L . n)
+    const float halfX = x - this->viewX;
+    const float halfY = y - this->viewY;
+    const float halfZ = z - this->viewZ;
+    const float across = halfX * gradientX + halfY * gradientY + halfZ * gradientZ;
+    const float halfSquared = halfX * halfX + halfY * halfY + halfZ * halfZ + 1e-20f;
+    const float halfway = across / std::sqrt(squared * halfSquared);
+    const float lobe = light.lobe.At(halfway > 0.0f ? halfway : 0.0f);
+
+    const float scattered = HenyeyGreenstein(light.anisotropy, cosine) * light.phaseUnit;
+    const float reflected =
+      light.surface * float(pi) * SurfaceScattering(lobe) * (facing > 0.0f ? facing : 0.0f);
+    const float steepness = light.surface * std::sqrt(squared); // k_s, with k_v = 1
+    const float sent = (scattered + reflected) / (1.0f + steepness);
+    const float arriving = 1.0f - light.shadow * (1.0f - shadow * (1 / packedOne));
+    return light.ambient + light.diffuse * arriving * sent;
+  }
+};
+}
+
+#endif
