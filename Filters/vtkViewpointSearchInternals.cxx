@@ -14,7 +14,7 @@
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 
-#include "backend/Backend.h"
+#include "backend/Choice.h"
 #include "optimize/PreparedScene.h"
 #include "viewpoint/Search.h"
 
@@ -101,7 +101,6 @@ void vtkViewpointSearch::Internals::Search(
   found.sphereCentre = image.grid.Centre();
   found.sphereRadius = this->Self->SphereRadius * image.grid.Radius();
   found.unitDistance = image.unitDistance;
-  found.backend = limpid::CpuName();
   if (this->Self->Field == OPTIMIZE_PER_VIEW)
   {
     this->SearchOptimizedFields(scene, found);
@@ -129,7 +128,9 @@ void vtkViewpointSearch::Internals::SearchOneField(
     ? ProxyOf(fields, scene.Majorant())
     : std::vector<float>();
   const limpid::ViewScore score(fields.grid, proxy.empty() ? fields.baseExtinction : proxy.data(),
-    fields.importance, this->Self->RayDensity);
+    fields.importance, this->Self->RayDensity,
+    static_cast<limpid::BackendKind>(this->Self->Backend));
+  found.backend = score.BackendName();
   this->ScoreAndFind([&](const limpid::SearchProgress& progress)
     { return limpid::ScoreViews(score, found.orbit, found.sphere.directions, progress); },
     [&](const limpid::SearchSettings& search, const limpid::SearchProgress& progress)
@@ -141,6 +142,7 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
   const std::shared_ptr<limpid::PreparedScene>& scene, limpid::FoundViews& found) const
 {
   const limpid::OptimizedViews views(scene, found.orbit, this->MakeSettings());
+  found.backend = limpid::ChooseBackend(this->MakeSettings().backend, 0).name;
   const Clock::time_point start = Clock::now();
   const std::size_t count = found.sphere.directions.size();
   bool isFirst = true;

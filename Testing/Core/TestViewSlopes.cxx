@@ -183,7 +183,7 @@ TEST_P(TurnedScene, ChangesAsTheMarchSaysWhenTheCameraMoves)
 }
 
 INSTANTIATE_TEST_SUITE_P(Long, TurnedScene,
-  ::testing::Values(TurnedCase{ "carotid_mra", false, false, 4, 12 },
+  ::testing::Values(TurnedCase{ "carotid_mra", false, false, 4, 16 },
     TurnedCase{ "carotid_mra", true, false, 4, 12 },
     TurnedCase{ "isabel_wind", false, false, 4, 12 },
     TurnedCase{ "isabel_wind", true, false, 4, 12 },

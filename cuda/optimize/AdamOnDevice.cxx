@@ -11,6 +11,20 @@ namespace limpid
 {
 namespace
 {
+/// A step at every voxel that leaves the change in place of the derivative.
+struct StepAndChange
+{
+  AdamVoxel<float> step;
+  float* gradient;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
+  {
+    const float before = this->step.extinction[voxel];
+    this->step(voxel);
+    this->gradient[voxel] = this->step.extinction[voxel] - before;
+  }
+};
+
 template <class Device>
 class LevelOnDevice : public AdamLevel
 {
@@ -26,7 +40,7 @@ public:
   {
   }
 
-  IterationRecord Measure() override { return this->Seen.Measure(this->Task, this->Now, nullptr); }
+  IterationRecord Measure() override { return this->Seen.Measure(this->Task, this->Now); }
 
   IterationRecord Step(int count) override
   {
@@ -35,21 +49,21 @@ public:
       this->Gradient = Field(this->Home, this->Now.Size(), "the derivative");
       this->First = Field(this->Home, this->Now.Size(), "the mean derivative");
       this->Second = Field(this->Home, this->Now.Size(), "the mean square of the derivative");
-      this->Before = Field(this->Home, this->Now.Size(), "the last extinction");
       this->First.SetZero();
       this->Second.SetZero();
       this->Measure(); // the optical depths of all rays
     }
     this->FindGradient();
-    this->Before.CopyFrom(this->Now);
     AdamVoxel<float> body = AdamStep(this->Task, count);
     body.gradient = this->Gradient.Data();
     body.base = this->Seen.Fields().base.Data();
     body.first = this->First.Data();
     body.second = this->Second.Data();
     body.extinction = this->Now.Data();
-    this->Home->ForIndices("Adam", this->Task.grid.NodeCount(), body);
-    return this->Seen.Measure(this->Task, this->Now, &this->Before);
+    float* gradient = this->Gradient.Data();
+    this->Home->ForIndices("Adam", this->Task.grid.NodeCount(), StepAndChange{ body, gradient });
+    const ChangeOnDevice change{ gradient, nullptr };
+    return this->Seen.Measure(this->Task, this->Now, &change);
   }
 
   std::vector<float> Extinction() override { return OnHost(this->Now); }
@@ -110,7 +124,6 @@ private:
   std::shared_ptr<Device> Home;
   TermsOnDevice<Device> Seen;
   Field Now;
-  Field Before;
   Field Kept;
   Field Gradient; ///< empty: there was no step yet
   Field First;

@@ -51,6 +51,7 @@ public:
   std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, std::vector<float>&& start, bool warm) override
   {
+    StartFromBase(problem, start);
     return problem.settings.solver == SolverKind::Adam
       ? MakeAdam(problem, std::move(start))
       : MakePolicy(problem, std::move(start), warm);
@@ -86,11 +87,19 @@ void EngineChoice::Choose(const Settings& settings, const Grid& grid)
   this->OnGpu = choice.cuda;
 }
 
+void StartFromBase(const Problem& problem, std::vector<float>& start)
+{
+  if (start.empty())
+  {
+    start.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
+  }
+}
+
 std::size_t CudaBytes(const Grid& grid, const Settings& settings)
 {
   // Fields: base, importance and that of nodes; policy: three iterates and the light's derivative;
-  // Adam: extinction, last, best, derivative and its two means.
-  const double fields = settings.solver == SolverKind::Policy ? 7 : 9;
+  // Adam: extinction, best, derivative and its two means.
+  const double fields = settings.solver == SolverKind::Policy ? 7 : 8;
   const double nodes = double(grid.NodeCount());
   // Rays of two eyes, with images of them on a slab of slices.
   const double across =

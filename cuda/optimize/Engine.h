@@ -33,8 +33,8 @@ class Engine
 public:
   virtual ~Engine() = default;
 
-  /// A method for a problem from a first iterate [1/length]. `warm` tells that it is near the
-  /// optimum.
+  /// A method for a problem from a first iterate [1/length]; empty: from the base extinction.
+  /// `warm` tells that it is near the optimum.
   virtual std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, std::vector<float>&& start, bool warm) = 0;
 
@@ -44,6 +44,9 @@ public:
   virtual void Transmittance(const Problem& problem, const Eye& eye, double rayDensity,
     const float* extinction, float* transmittance) = 0;
 };
+
+/// Makes an empty first iterate the base extinction.
+void StartFromBase(const Problem& problem, std::vector<float>& start);
 
 std::shared_ptr<Engine> CpuEngine();
 

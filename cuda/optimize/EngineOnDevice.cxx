@@ -78,6 +78,7 @@ public:
     {
       return MakePolicyOnDevice(this->Home, problem, start, warm);
     }
+    StartFromBase(problem, start);
     return MakeAdam(problem, std::move(start),
       [home = this->Home](const Problem& level, std::vector<float>&& first)
       { return MakeAdamLevelOnDevice(home, level, first); });

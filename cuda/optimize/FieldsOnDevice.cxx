@@ -35,14 +35,14 @@ struct SquaredDifference
   }
 };
 
-struct AbsoluteDifference
+struct AbsoluteChange
 {
-  const float* a;
-  const float* b;
+  ChangeOnDevice change;
 
   LIMPID_HD LIMPID_INLINE double operator()(Index voxel) const
   {
-    return std::abs(double(this->a[voxel]) - double(this->b[voxel]));
+    const double before = this->change.before ? double(this->change.before[voxel]) : 0.0;
+    return std::abs(double(this->change.after[voxel]) - before);
   }
 };
 }
@@ -65,6 +65,7 @@ std::shared_ptr<FieldsOnDevice<Device>> FieldsOnDevice<Device>::Of(
   {
     return std::make_shared<FieldsOnDevice>(device, problem);
   }
+  const std::lock_guard<std::mutex> lock(problem.resident->access);
   auto fields = std::static_pointer_cast<FieldsOnDevice>(problem.resident->fields);
   if (!fields)
   {
@@ -96,7 +97,7 @@ TermsOnDevice<Device>::TermsOnDevice(
 
 template <class Device>
 IterationRecord TermsOnDevice<Device>::Measure(
-  const Problem& problem, const Field& now, const Field* before)
+  const Problem& problem, const Field& now, const ChangeOnDevice* change)
 {
   double* sums = this->Sums.Data();
   const float* importance = this->Resident->importance.Data();
@@ -112,9 +113,9 @@ IterationRecord TermsOnDevice<Device>::Measure(
   }
   this->Sum("regularization", count, SquaredDifference{ now.Data(), this->Resident->base.Data() },
     sums + Squares);
-  if (before)
+  if (change)
   {
-    this->Sum("change", count, AbsoluteDifference{ now.Data(), before->Data() }, sums + Changes);
+    this->Sum("change", count, AbsoluteChange{ *change }, sums + Changes);
   }
   double values[SumCount];
   this->Sums.Download(values);

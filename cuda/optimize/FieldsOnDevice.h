@@ -32,6 +32,13 @@ struct FieldsOnDevice
     const std::shared_ptr<Device>& device, const Problem& problem);
 };
 
+/// What an iteration has changed, on a device.
+struct ChangeOnDevice
+{
+  const float* after;
+  const float* before; ///< null: `after` is the difference itself
+};
+
 /// The visibility terms of a problem on a device, see Terms, and what is measured there.
 template <class Device>
 class TermsOnDevice
@@ -41,8 +48,9 @@ public:
 
   TermsOnDevice(std::shared_ptr<FieldsOnDevice<Device>> fields, const Problem& problem);
 
-  /// Energy and score of an extinction, and its mean change unless `before` is null. Waits.
-  IterationRecord Measure(const Problem& problem, const Field& now, const Field* before);
+  /// Energy and score of an extinction, and the mean change unless it is null. Waits.
+  IterationRecord Measure(
+    const Problem& problem, const Field& now, const ChangeOnDevice* change = nullptr);
 
   FieldsOnDevice<Device>& Fields() const { return *this->Resident; }
 

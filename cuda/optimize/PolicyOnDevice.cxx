@@ -70,7 +70,12 @@ public:
 
   IterationRecord Measure(const Field& now, const Field* before)
   {
-    return this->Seen.Measure(*this->Work, now, before);
+    if (!before)
+    {
+      return this->Seen.Measure(*this->Work, now);
+    }
+    const ChangeOnDevice change{ now.Data(), before->Data() };
+    return this->Seen.Measure(*this->Work, now, &change);
   }
 
   void Sweep(const Field& last, Field& next, bool trust)
@@ -117,8 +122,11 @@ std::unique_ptr<Minimizer> MakePolicyOnDevice(const std::shared_ptr<Device>& dev
   const Problem& problem, const std::vector<float>& start, bool warm)
 {
   using Engine = PolicyEngine<Device>;
-  return std::make_unique<PolicyIterations<Engine>>(
-    Engine(device, problem), typename Engine::Field(device, start, "an iterate"), warm);
+  Engine engine(device, problem);
+  typename Engine::Field first = start.empty()
+    ? engine.CopyOf(FieldsOnDevice<Device>::Of(device, problem)->base)
+    : typename Engine::Field(device, start, "an iterate");
+  return std::make_unique<PolicyIterations<Engine>>(std::move(engine), std::move(first), warm);
 }
 
 template void SweepPolicyOnDevice(CompiledDevice&, TermOnDevice<CompiledDevice>&,

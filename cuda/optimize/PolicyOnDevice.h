@@ -18,7 +18,7 @@ template <class Device>
 void SweepPolicyOnDevice(Device& device, TermOnDevice<Device>& term,
   const FieldsOnDevice<Device>& scene, const PolicyTask& task);
 
-/// MakePolicy on a device.
+/// MakePolicy on a device. `start`: empty, the base extinction, which is there already.
 template <class Device>
 std::unique_ptr<Minimizer> MakePolicyOnDevice(const std::shared_ptr<Device>& device,
   const Problem& problem, const std::vector<float>& start, bool warm);

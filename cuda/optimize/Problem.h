@@ -10,6 +10,7 @@
 #include "sweep/Plan.h"
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace limpid
@@ -17,6 +18,7 @@ namespace limpid
 /// What an engine keeps for all problems of a scene, of a type that only the engine knows.
 struct Resident
 {
+  std::mutex access;
   std::shared_ptr<void> fields;
 };
 

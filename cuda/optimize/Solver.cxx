@@ -99,24 +99,21 @@ struct Solver::Internals
     field.assign(baseField, baseField + this->scene.grid.NodeCount());
   }
 
+  /// Empty: the base extinction.
   std::vector<float> FirstIterate() const
   {
-    const Index count = this->scene.grid.NodeCount();
+    std::vector<float> start = this->initial;
     const float* baseField = this->scene.baseExtinction;
-    std::vector<float> start(baseField, baseField + count);
-    if (!this->initial.empty())
-    {
-      const float* wish = this->initial.data();
-      const float* importance = this->scene.importance;
-      const float most = this->prepared->Majorant();
-      ParallelFor(count, 65536,
-        [&](Index voxel)
-        {
-          const bool empty = !(baseField[voxel] > 0) && !(importance[voxel] > 0);
-          const float value = wish[voxel] > 0 ? std::min(wish[voxel], most) : 0.0f;
-          start[std::size_t(voxel)] = empty ? 0.0f : value;
-        });
-    }
+    const float* importance = this->scene.importance;
+    const float most = this->prepared->Majorant();
+    ParallelFor(static_cast<Index>(start.size()), 65536,
+      [&](Index voxel)
+      {
+        float& value = start[std::size_t(voxel)];
+        const bool empty = !(baseField[voxel] > 0) && !(importance[voxel] > 0);
+        const float inRange = value > 0 ? std::min(value, most) : 0.0f;
+        value = empty ? 0.0f : inRange;
+      });
     return start;
   }
 
