@@ -5,6 +5,8 @@
 
 #include "ScenePlacement.h"
 
+#include "render/PictureEngine.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -143,6 +145,22 @@ double VolumeView::SecondsInFrame() const
 bool VolumeView::IsStill(const FrameSettings& frame) const
 {
   return !frame.adaptive || this->Target->GetRenderWindow()->GetDesiredUpdateRate() < 1;
+}
+
+void VolumeView::ChoosePictures(const FrameSettings& frame, const Grid& grid)
+{
+  const BackendKind wish = frame.solver.backend;
+  if (this->PicturesFor == wish)
+  {
+    return;
+  }
+  // Who asks for CUDA where there is none is told by the optimisation, and sees a picture.
+  constexpr std::size_t bytesPerNode = 32;
+  const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
+  const bool cuda = wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
+  this->Release();
+  this->Caster = cuda ? Renderer(CudaPictures()) : Renderer();
+  this->PicturesFor = wish;
 }
 
 void VolumeView::UpdateRenderer(const VolumeData& data)
@@ -434,6 +452,7 @@ FrameResult VolumeView::Draw(const FrameSettings& frame, const VolumeData& data,
     this->LastResult.converged = true;
     return this->LastResult;
   }
+  this->ChoosePictures(frame, data.Nodes());
   this->UpdateRenderer(data);
   const ChosenLight light = this->ChooseLight(frame);
   if (!light.found && (frame.lit || frame.optimize))
@@ -489,6 +508,7 @@ void VolumeView::Release()
 {
   this->Optimizer.reset();
   this->Caster = Renderer();
+  this->PicturesFor.reset();
   this->ScalarsVersion = 0;
   this->FunctionsVersion = 0;
   this->ShowsBase = true;

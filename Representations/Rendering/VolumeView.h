@@ -103,6 +103,7 @@ private:
 
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
   bool IsStill(const FrameSettings& frame) const;
+  void ChoosePictures(const FrameSettings& frame, const Grid& grid);
   void UpdateRenderer(const VolumeData& data);
   ChosenLight ChooseLight(const FrameSettings& frame) const;
   void SetLight(const FrameSettings& frame, const ChosenLight& light);
@@ -124,6 +125,7 @@ private:
   vtkNew<vtkCallbackCommand> Observer;
 
   Renderer Caster;
+  std::optional<BackendKind> PicturesFor; ///< for which wish it was chosen what makes pictures
   std::uint64_t ScalarsVersion = 0;
   std::uint64_t FunctionsVersion = 0;
 

@@ -4,6 +4,7 @@
 #include "sweep/Rows.h"
 
 #include "backend/Gather.h"
+#include "sweep/Cubic.h"
 #include "sweep/RayLayer.h"
 
 namespace limpid
@@ -222,14 +223,9 @@ void BlendCubic(const float* const rows[4], float across, int begin, int end, fl
   const float* __restrict first = rows[1];
   const float* __restrict second = rows[2];
   const float* __restrict after = rows[3];
-  const float bend = 0.5f * across * (1 - across);
   for (int i = begin; i < end; ++i)
   {
-    // The straight line less what it curves at its ends: exact where nothing changes.
-    const float slope = second[i] - first[i];
-    const float atFirst = (before[i] - first[i]) + slope;
-    const float atSecond = (after[i] - second[i]) - slope;
-    out[i] = first[i] + across * slope - bend * (atFirst + across * (atSecond - atFirst));
+    out[i] = CubicBetween(before[i], first[i], second[i], after[i], across);
   }
 }
 
@@ -238,7 +234,7 @@ void Curve(const float* __restrict row, int begin, int end, float* __restrict ou
 {
   for (int i = begin; i < end; ++i)
   {
-    out[i] = (row[i - 1] - row[i]) + (row[i + 1] - row[i]);
+    out[i] = Curvature(row[i - 1], row[i], row[i + 1]);
   }
 }
 
@@ -249,8 +245,7 @@ void BendRow(const LinearMap& map, const float* __restrict curvature, const Inte
   const float* __restrict fractions = map.weight.data();
   for (int i = columns.begin; i < columns.end; ++i)
   {
-    const float x = fractions[i];
-    values[i] -= 0.5f * x * (1 - x) * curvature[i];
+    values[i] = Bent(values[i], curvature[i], fractions[i]);
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include "sweep/Sweep.h"
 
+#include "sweep/Cubic.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -105,13 +107,12 @@ void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& column
 {
   const std::size_t first = std::size_t(row) * pyramid.columns;
   const Station& station = pyramid.stations[std::size_t(s)];
-  constexpr float opaque = 12; // T below 1e-5
   const double* opticalDepth = images.opticalDepth.data() + first;
   TransmitRow(opticalDepth, columns, images.transmittance.data() + first);
   const DensityRow rays{ station.relativeDepth,
     std::max(pyramid.rowAxis.entry[std::size_t(row)], pyramid.FrontDepth()),
     pyramid.columnAxis.entry.data(), opticalDepth, images.length.data() + first, extinction,
-    depths == Depths::Unwound, depths == Depths::Unwound ? 1e30f : opaque };
+    depths == Depths::Unwound, depths == Depths::Unwound ? 1e30f : mostDepthBetweenRays };
   float* density = images.density.data() + first;
   // Of the rays that enter in front, a voxel beside one that does not reads up to three.
   constexpr int reach = 3;
