@@ -108,7 +108,8 @@ RowStencil TurnPlanes::StencilOf(const TurnPlane& plane, int row) const
   RowStencil stencil{};
   for (int k = 0; k < 4; ++k)
   {
-    const double position = PositionAt(lateral, this->V.Edges[std::size_t(row + k)], plane.depth);
+    const double position =
+      PositionAt(lateral, this->V.Edges[std::size_t(row) + std::size_t(k)], plane.depth);
     stencil.row[k] = NodeBefore(position, lateral.nodes);
     stencil.weight[k] = static_cast<float>(position - stencil.row[k]);
     stencil.factor[k] = this->V.Weights[std::size_t(k)][std::size_t(row)] * plane.perIndex;

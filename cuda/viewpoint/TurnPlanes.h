@@ -88,7 +88,8 @@ public:
   /// Plane `half` in part `part` of the layer behind station `s`.
   const TurnPlane& At(int s, int part, int half) const
   {
-    return this->Planes[std::size_t((s * this->PartCount + part) * 2 + half)];
+    return this->Planes[(std::size_t(s) * std::size_t(this->PartCount) + std::size_t(part)) * 2 +
+      std::size_t(half)];
   }
 
 private:
