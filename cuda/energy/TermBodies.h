@@ -141,11 +141,7 @@ LIMPID_HD LIMPID_INLINE void TransmitRay(const PyramidView& rays, int s, int i, 
   constexpr float unlimited = 1e30f;
   const float depth = static_cast<float>(opticalDepth);
   transmittance = Transmitted(depth);
-  const float inRow =
-    rays.rowClips[j].entry > rays.frontDepth ? rays.rowClips[j].entry : rays.frontDepth;
-  const float inColumn = rays.columnClips[i].entry;
-  const float entry = inRow > inColumn ? inRow : inColumn;
-  density = Densified(depth, rays.stations[s].layer.front - entry,
+  density = Densified(depth, rays.stations[s].layer.front - rays.EntryOfRay(i, j),
     extinctionBehind * rays.length[rays.RayAt(i, j)], true, unlimited);
 }
 
@@ -225,12 +221,11 @@ struct GradientOfVoxel
     const StationView& station = this->rays.stations[s];
     const TransmittanceImages transmittance{ image + count, image + 2 * count };
     const Index voxel = this->rays.VoxelAt(station.slice, u, v);
-    const float seen = this->rays.inView ? this->rays.SampleRays(this->rays.inView, s, u, v) : 1.0f;
     const float area = this->widens ? station.scale * station.scale : 1.0f;
     const GradientVoxel<float> derivative{ 1.0f / area };
     this->gradient[voxel] += this->weight *
       derivative(transmittance(this->rays, s, u, v), this->rays.SampleRays(image, s, u, v),
-        seen * this->nodeImportance[voxel]);
+        this->rays.VoxelSeen(s, u, v) * this->nodeImportance[voxel]);
   }
 };
 }

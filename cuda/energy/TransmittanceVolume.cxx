@@ -97,9 +97,9 @@ public:
     // Ahead of its entry into the box a ray says nothing that four rays could bend by.
     const LinearMap& map = station.voxelColumns;
     const int row = station.voxelRows.index[std::size_t(v)];
-    const Interval rows = Entered(this->Source.rowAxis, station.relativeDepth);
+    const Interval rows = RaysEnteredBy(this->Source.rowAxis, station.relativeDepth);
     const Interval cubic = row > rows.begin && row + 2 < rows.end
-      ? CubicTargets(map, owned, Entered(this->Source.columnAxis, station.relativeDepth))
+      ? CubicTargets(map, owned, RaysEnteredBy(this->Source.columnAxis, station.relativeDepth))
       : Interval{};
     if (cubic.Empty())
     {

@@ -45,7 +45,7 @@ struct TransmittanceRay
       }
       if (reads.density)
       {
-        image[count] = this->Density(here, depth);
+        image[count] = this->Density(here, i, j, depth);
       }
       if (meets)
       {
@@ -74,12 +74,9 @@ private:
         j >= rows.end - reach };
   }
 
-  LIMPID_HD LIMPID_INLINE float Density(const LayerOfRay& here, double depth) const
+  LIMPID_HD LIMPID_INLINE float Density(const LayerOfRay& here, int i, int j, double depth) const
   {
-    const float inRow =
-      here.row.entry > this->rays.frontDepth ? here.row.entry : this->rays.frontDepth;
-    const float entry = inRow > here.column.entry ? inRow : here.column.entry;
-    return Densified(static_cast<float>(depth), here.layer.front - entry,
+    return Densified(static_cast<float>(depth), here.layer.front - this->rays.EntryOfRay(i, j),
       here.extinction[0] * here.length, false, mostDepthBetweenRays);
   }
 };
@@ -127,12 +124,8 @@ private:
       const float atLeast = value > 0.0f ? value : 0.0f;
       return atLeast < 1.0f ? atLeast : 1.0f;
     }
-    const float inRow = this->rays.voxelRowEntry[Index(s) * this->rays.nodesV + v];
-    const float behindFront = inRow > this->rays.frontDepth ? inRow : this->rays.frontDepth;
-    const float inColumn = this->rays.voxelColumnEntry[Index(s) * this->rays.nodesU + u];
-    const float entry = behindFront > inColumn ? behindFront : inColumn;
-    return Transmitted(
-      this->SampleCubic(densities, s, u, v) * (this->rays.stations[s].layer.front - entry));
+    return Transmitted(this->SampleCubic(densities, s, u, v) *
+      (this->rays.stations[s].layer.front - this->rays.EntryOfVoxel(s, u, v)));
   }
 
   /// Whether a cubic between `index` and the next one has its four rays.

@@ -29,8 +29,8 @@ std::vector<EnteredRays> EnteredOf(const Pyramid& pyramid)
   entered.reserve(pyramid.stations.size());
   for (const Station& station : pyramid.stations)
   {
-    entered.push_back({ Entered(pyramid.columnAxis, station.relativeDepth),
-      Entered(pyramid.rowAxis, station.relativeDepth) });
+    entered.push_back({ RaysEnteredBy(pyramid.columnAxis, station.relativeDepth),
+      RaysEnteredBy(pyramid.rowAxis, station.relativeDepth) });
   }
   return entered;
 }

@@ -3,15 +3,14 @@
 
 // In place of CudaEngine.cxx where there is no CUDA compiler.
 
-#include "math/Require.h"
+#include "backend/Choice.h"
 #include "optimize/Engine.h"
 
 namespace limpid
 {
 std::shared_ptr<Engine> CudaEngine()
 {
-  LIMPID_REQUIRE(false,
-    "This build has no CUDA backend (nothing would run on a GPU). Choose the backend Auto or CPU.");
+  ChooseBackend(BackendKind::Cuda, 0); // says why not
   return nullptr;
 }
 }

@@ -132,12 +132,10 @@ private:
     {
       const TransmittanceImages images{ this->states.transmittance, this->states.density };
       const float transmittance = this->trust ? images(this->rays, s, u, v) : 1.0f;
-      const float seen =
-        this->rays.inView ? this->rays.SampleRays(this->rays.inView, s, u, v) : 1.0f;
       const GradientVoxel<float> derivative{ 1.0f /
         (this->widens ? station.scale * station.scale : 1.0f) };
       slope = derivative(transmittance, this->rays.SampleRays(this->states.ahead, s, u, v),
-        seen * this->nodeImportance[voxel]);
+        this->rays.VoxelSeen(s, u, v) * this->nodeImportance[voxel]);
     }
     this->next[voxel] = this->policy(this->base[voxel], slope, elsewhere);
   }

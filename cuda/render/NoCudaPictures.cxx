@@ -3,15 +3,14 @@
 
 // In place of CudaPictures.cxx where there is no CUDA compiler.
 
-#include "math/Require.h"
+#include "backend/Choice.h"
 #include "render/PictureEngine.h"
 
 namespace limpid
 {
 std::unique_ptr<PictureEngine> CudaPictures()
 {
-  LIMPID_REQUIRE(false,
-    "This build has no CUDA backend (nothing would run on a GPU). Choose the backend Auto or CPU.");
+  ChooseBackend(BackendKind::Cuda, 0); // says why not
   return nullptr;
 }
 }

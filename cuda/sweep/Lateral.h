@@ -77,16 +77,17 @@ public:
   /// Voxels at `depth` whose distance from the eye is at most (closed) or below (open) the depth.
   Interval Owned(double depth, bool closed) const;
 
+  /// Where a coordinate is at a depth [index].
+  double Position(double coordinate, double depth) const
+  {
+    return this->parallel ? coordinate + this->shear * depth : this->eye + coordinate * depth;
+  }
+
 private:
   /// Puts rays in the middle of the parts between edges.
   void PutBetween(std::vector<double> edges);
 
   Clip ClipRay(double coordinate, double base) const;
-
-  double Position(double ray, double depth) const
-  {
-    return this->parallel ? ray + this->shear * depth : this->eye + ray * depth;
-  }
 
   double Ray(double position, double depth) const
   {

@@ -182,21 +182,6 @@ void DescribeRays(const Lateral& lateral, double base, float back, double scale,
   }
 }
 
-/// Rays, guards apart, that enter the slab of the box no later than at `front`. They are
-/// neighbours.
-Interval RaysThatEnterInFront(const RayAxis& axis, float front)
-{
-  Interval rays;
-  for (int ray = 0; ray < axis.Count(); ++ray)
-  {
-    if (axis.share[std::size_t(ray)] > 0 && axis.entry[std::size_t(ray)] <= front)
-    {
-      rays = Hull(rays, { ray, ray + 1 });
-    }
-  }
-  return rays;
-}
-
 /// How rays and voxels of every slice read each other.
 void PlaceMaps(Pyramid& pyramid, double sign, double base, const Lateral& u, const Lateral& v)
 {
@@ -255,8 +240,10 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
       return pyramid;
     }
   }
-  const Lateral& u = laterals[0];
-  const Lateral& v = laterals[1];
+  pyramid.lateralU = laterals[0];
+  pyramid.lateralV = laterals[1];
+  const Lateral& u = pyramid.lateralU;
+  const Lateral& v = pyramid.lateralV;
   pyramid.columns = u.count;
   pyramid.rows = v.count;
   pyramid.cellMeasure = grid.CellVolume();
@@ -265,13 +252,28 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
   const float back = pyramid.stations.back().relativeDepth;
   DescribeRays(u, base, back, scale, pyramid.columnAxis);
   DescribeRays(v, base, back, scale, pyramid.rowAxis);
-  pyramid.frontColumns = RaysThatEnterInFront(pyramid.columnAxis, pyramid.FrontDepth());
-  pyramid.frontRows = RaysThatEnterInFront(pyramid.rowAxis, pyramid.FrontDepth());
+  pyramid.frontColumns = RaysEnteredBy(pyramid.columnAxis, pyramid.FrontDepth());
+  pyramid.frontRows = RaysEnteredBy(pyramid.rowAxis, pyramid.FrontDepth());
   PlaceMaps(pyramid, sign, base, u, v);
   FindWork(pyramid, occupancy, u, v);
   pyramid.inView = FindInView(pyramid, eye, u, v, sign, depth.origin);
   return pyramid;
 }
+}
+
+Interval RaysEnteredBy(const RayAxis& axis, float depth)
+{
+  int begin = 1;
+  int end = axis.Count() - 1;
+  while (begin < end && axis.entry[std::size_t(begin)] > depth)
+  {
+    ++begin;
+  }
+  while (begin < end && axis.entry[std::size_t(end) - 1] > depth)
+  {
+    --end;
+  }
+  return { begin, end };
 }
 
 const Occupancy::Spans& SpansOf(

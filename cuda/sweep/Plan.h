@@ -78,6 +78,8 @@ struct Pyramid
   int rows = 0;                  ///< rays along v
   std::vector<Station> stations; ///< front to back
 
+  Lateral lateralU; ///< where the columns are
+  Lateral lateralV; ///< where the rows are
   RayAxis columnAxis;
   RayAxis rowAxis;
   Interval frontColumns; ///< columns that enter the box in its front, not later through a side
@@ -106,6 +108,10 @@ struct Pyramid
   /// World length of ray (i, j) per unit of depth.
   float RayLength(int column, int row) const;
 };
+
+/// Rays, guards apart, that are in the slab of the box along one axis by the time they come to a
+/// relative depth. They are neighbours.
+Interval RaysEnteredBy(const RayAxis& axis, float depth);
 
 /// The spans of voxel row `v` on a slice of a pyramid.
 const Occupancy::Spans& SpansOf(

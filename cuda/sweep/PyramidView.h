@@ -75,6 +75,25 @@ struct PyramidView
     return column >= span.begin && column < span.end;
   }
 
+  /// Relative depth where a ray begins: where it enters the box, or at the front.
+  LIMPID_HD LIMPID_INLINE float EntryOfRay(int column, int row) const
+  {
+    return this->Entry(this->columnClips[column].entry, this->rowClips[row].entry);
+  }
+
+  /// The same of the ray through a voxel of station `s`.
+  LIMPID_HD LIMPID_INLINE float EntryOfVoxel(int s, int u, int v) const
+  {
+    return this->Entry(this->voxelColumnEntry[Index(s) * this->nodesU + u],
+      this->voxelRowEntry[Index(s) * this->nodesV + v]);
+  }
+
+  /// How much of a voxel of station `s` the picture shows [0, 1].
+  LIMPID_HD LIMPID_INLINE float VoxelSeen(int s, int u, int v) const
+  {
+    return this->inView ? this->SampleRays(this->inView, s, u, v) : 1.0f;
+  }
+
   LIMPID_HD LIMPID_INLINE Index VoxelAt(int slice, int u, int v) const
   {
     return this->strideW * slice + this->strideV * v + this->strideU * u;
@@ -132,6 +151,12 @@ struct PyramidView
   }
 
 private:
+  LIMPID_HD LIMPID_INLINE float Entry(float inColumn, float inRow) const
+  {
+    const float behindFront = inRow > this->frontDepth ? inRow : this->frontDepth;
+    return behindFront > inColumn ? behindFront : inColumn;
+  }
+
   struct Corner
   {
     Index offset;   ///< of the first of four nodes in a slice
@@ -168,12 +193,8 @@ struct TransmittanceImages
     {
       return rays.SampleRays(this->transmittance, s, u, v);
     }
-    const float inRow =
-      rays.voxelRowEntry[row] > rays.frontDepth ? rays.voxelRowEntry[row] : rays.frontDepth;
-    const float inColumn = rays.voxelColumnEntry[column];
-    const float entry = inRow > inColumn ? inRow : inColumn;
-    return Transmitted(
-      rays.SampleRays(this->density, s, u, v) * (rays.stations[s].layer.front - entry));
+    return Transmitted(rays.SampleRays(this->density, s, u, v) *
+      (rays.stations[s].layer.front - rays.EntryOfVoxel(s, u, v)));
   }
 };
 }

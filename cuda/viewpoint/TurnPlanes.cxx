@@ -4,7 +4,6 @@
 #include "viewpoint/TurnPlanes.h"
 
 #include "backend/Backend.h"
-#include "math/Require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,32 +18,13 @@ int NodeBefore(double position, int nodes)
 
 namespace
 {
-/// The rays of a pyramid along one lateral axis, as its plan has placed them.
-Lateral LateralOf(const Pyramid& pyramid, const Eye& eye, int axis, int nodes, double rayDensity)
-{
-  Lateral lateral;
-  lateral.parallel = eye.parallel;
-  lateral.eye = eye.origin[axis];
-  lateral.shear = eye.parallel ? eye.direction[axis] / std::abs(eye.direction[pyramid.axisW]) : 0.0;
-  lateral.nodes = nodes;
-  lateral.Fit(std::max(0.0, pyramid.stations.front().depth), pyramid.stations.back().depth,
-    rayDensity, Placement::ForIntegrals);
-  return lateral;
-}
-
-/// Where a ray coordinate is in a plane [index].
-double PositionAt(const Lateral& lateral, double coordinate, double depth)
-{
-  return lateral.parallel ? coordinate + lateral.shear * depth : lateral.eye + coordinate * depth;
-}
-
 /// Voxel columns of places with these coordinates.
 LinearMap MapOf(const Lateral& lateral, const std::vector<double>& coordinates, double depth)
 {
   LinearMap map;
   for (const double coordinate : coordinates)
   {
-    const double position = PositionAt(lateral, coordinate, depth);
+    const double position = lateral.Position(coordinate, depth);
     const int node = NodeBefore(position, lateral.nodes);
     map.index.push_back(node);
     map.weight.push_back(static_cast<float>(position - node));
@@ -109,7 +89,7 @@ RowStencil TurnPlanes::StencilOf(const TurnPlane& plane, int row) const
   for (int k = 0; k < 4; ++k)
   {
     const double position =
-      PositionAt(lateral, this->V.Edges[std::size_t(row) + std::size_t(k)], plane.depth);
+      lateral.Position(this->V.Edges[std::size_t(row) + std::size_t(k)], plane.depth);
     stencil.row[k] = NodeBefore(position, lateral.nodes);
     stencil.weight[k] = static_cast<float>(position - stencil.row[k]);
     stencil.factor[k] = this->V.Weights[std::size_t(k)][std::size_t(row)] * plane.perIndex;
@@ -120,18 +100,17 @@ RowStencil TurnPlanes::StencilOf(const TurnPlane& plane, int row) const
 RowPlace TurnPlanes::RowAt(const TurnPlane& plane, int row) const
 {
   const Lateral& lateral = this->V.Rays;
-  const double position = PositionAt(lateral, lateral.Coordinate(row), plane.depth);
+  const double position = lateral.Position(lateral.Coordinate(row), plane.depth);
   const int node = NodeBefore(position, lateral.nodes);
   return { node, static_cast<float>(position - node) };
 }
 
-TurnPlanes::TurnPlanes(const Pyramid& pyramid, const Eye& eye, double rayDensity, int parts)
+TurnPlanes::TurnPlanes(const Pyramid& pyramid, int parts)
   : PartCount(parts)
-  , U(LateralOf(pyramid, eye, pyramid.axisU, pyramid.nodesU, rayDensity))
-  , V(LateralOf(pyramid, eye, pyramid.axisV, pyramid.nodesV, rayDensity))
+  , U(pyramid.lateralU)
+  , V(pyramid.lateralV)
   , Planes(std::size_t(pyramid.LastStation()) * 2 * std::size_t(parts))
 {
-  LIMPID_EXPECT(this->U.Rays.count == pyramid.columns && this->V.Rays.count == pyramid.rows);
   const std::vector<Station>& stations = pyramid.stations;
   ParallelFor(static_cast<Index>(this->Planes.size()), 8,
     [&](Index index)

@@ -73,7 +73,7 @@ struct RowPlace
 class TurnPlanes
 {
 public:
-  TurnPlanes(const Pyramid& pyramid, const Eye& eye, double rayDensity, int parts);
+  TurnPlanes(const Pyramid& pyramid, int parts);
 
   int Parts() const { return this->PartCount; }
 

@@ -29,8 +29,7 @@ class TurnVisitor
 public:
   TurnVisitor(const ViewFields::Part& part, const Vec3 moves[2], double distance, double rayDensity)
     : Source(part.pyramid)
-    , Planes(
-        part.pyramid, part.eye, rayDensity, std::max(1, static_cast<int>(std::lround(rayDensity))))
+    , Planes(part.pyramid, std::max(1, static_cast<int>(std::lround(rayDensity))))
     , Images(part.pyramid)
     , Extinction(part.pyramid, part.fields->grid, part.fields->extinction.data())
     , Importance(part.pyramid, part.fields->grid, part.fields->importance.data())
