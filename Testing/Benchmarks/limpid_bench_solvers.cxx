@@ -4,21 +4,16 @@
 // How good, how fast and how large: the solvers on scene files, as one Markdown page.
 
 #include "AgainstPaper.h"
-#include "Machine.h"
 #include "Memory.h"
-#include "Options.h"
+#include "Program.h"
 #include "Quality.h"
 #include "Scene.h"
 #include "Time.h"
 
 #include "backend/Backend.h"
-#include "math/Require.h"
 
-#include <exception>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -99,39 +94,10 @@ void Write(std::ostream& stream, const Results& results, const Options& options)
     WriteMemory(stream, results.memory);
   }
 }
-
-/// Now rather than after minutes of measuring.
-void RequireWritable(const std::string& path)
-{
-  LIMPID_REQUIRE(path.empty() || std::ofstream(path, std::ios::app).good(),
-    "The file " << path << " cannot be written (the results would be lost). Choose another.");
-}
 }
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    const double load = LoadAverage();
-    const Options options = ParseOptions(std::vector<std::string>(argv + 1, argv + argc));
-    RequireWritable(options.output);
-    const Results results = Measure(options);
-    const ThreadLimit limit(options.threads > 0 ? options.threads : ThreadCount());
-    std::ostringstream page;
-    page << "# Solvers\n\nWhat the tables mean is in [README.md](README.md).\n\n";
-    WriteMachine(page, std::vector<std::string>(argv, argv + argc), load);
-    Write(page, results, options);
-    std::ofstream file;
-    if (!options.output.empty())
-    {
-      file.open(options.output);
-    }
-    (options.output.empty() ? std::cout : file) << page.str() << std::flush;
-    return 0;
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
+  return RunProgram(argc, argv, "Solvers",
+    [](const Options& options, std::ostream& tables) { Write(tables, Measure(options), options); });
 }
