@@ -5,12 +5,11 @@
 
 #include "Bundles.h"
 #include "CellMarch.h"
+#include "Parallel.h"
 #include "Rays.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 namespace truth
@@ -94,17 +93,13 @@ double VisibilityScore(const Volume<Value>& volume, const Source& source, const 
   const GaussRule rule(sampling.samplesPerVoxel);
   const March<Value> march{ volume, rule, !source.parallel };
   const Vector eye = source.parallel ? Vector{ { 0, 0, 0 } } : lattice.Index(source.position);
-  const unsigned threads =
-    sampling.threads ? sampling.threads : std::max(1u, std::thread::hardware_concurrency());
 
   double score = 0;
   for (const Bundle& bundle : Bundles(lattice, source, sampling))
   {
     std::vector<double> rowSums(bundle.rows.size(), 0.0);
-    std::atomic<std::size_t> nextRow{ 0 };
-    const auto work = [&]()
-    {
-      for (std::size_t row = nextRow++; row < bundle.rows.size(); row = nextRow++)
+    ForEachRow(bundle.rows.size(), sampling.threads,
+      [&](std::size_t row)
       {
         for (const Stripe& column : bundle.columns)
         {
@@ -120,18 +115,7 @@ double VisibilityScore(const Volume<Value>& volume, const Source& source, const 
             rowSums[row] += gathered.visible * column.width * bundle.rows[row].width;
           }
         }
-      }
-    };
-    std::vector<std::thread> others;
-    for (unsigned thread = 1; thread < threads; ++thread)
-    {
-      others.emplace_back(work);
-    }
-    work();
-    for (std::thread& other : others)
-    {
-      other.join();
-    }
+      });
     for (double rowSum : rowSums)
     {
       score += rowSum;

@@ -4,13 +4,12 @@
 #include "TurnedMarch.h"
 
 #include "CellMarch.h"
+#include "Parallel.h"
 #include "Rays.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 namespace truth
@@ -110,12 +109,11 @@ TurnedScore ScoreTurned(
   };
 
   std::vector<Scores> rows(squares.count[1], Scores{});
-  std::atomic<int> nextRow{ 0 };
-  const auto work = [&]()
-  {
-    for (int row = nextRow++; row < squares.count[1]; row = nextRow++)
+  ForEachRow(rows.size(), sampling.threads,
+    [&](std::size_t row)
     {
-      const Vector line = Along(viewer.centre, squares.Middle(1, row), viewer.ways[1]);
+      const double middle = squares.Middle(1, static_cast<int>(row));
+      const Vector line = Along(viewer.centre, middle, viewer.ways[1]);
       for (int column = 0; column < squares.count[0]; ++column)
       {
         const Vector point = Along(line, squares.Middle(0, column), viewer.ways[0]);
@@ -124,20 +122,7 @@ TurnedScore ScoreTurned(
           rows[row][eye] += scoreOf(eyes[eye], point);
         }
       }
-    }
-  };
-  const unsigned threads =
-    sampling.threads ? sampling.threads : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::thread> others;
-  for (unsigned thread = 1; thread < threads; ++thread)
-  {
-    others.emplace_back(work);
-  }
-  work();
-  for (std::thread& other : others)
-  {
-    other.join();
-  }
+    });
 
   Scores total{};
   for (const Scores& row : rows)
