@@ -89,18 +89,14 @@ void* CudaDevice::Allocate(std::size_t bytes, const char* what)
                         << " MB are free). Use a smaller volume or the backend CPU.");
   }
   LIMPID_CUDA(status);
-  const std::size_t now = this->Allocated += bytes;
-  std::size_t peak = this->Peak;
-  while (now > peak && !this->Peak.compare_exchange_weak(peak, now))
-  {
-  }
+  this->Memory.Add(bytes);
   return memory;
 }
 
 void CudaDevice::Free(void* memory, std::size_t bytes) noexcept
 {
   cudaFreeAsync(memory, this->Stream);
-  this->Allocated -= bytes;
+  this->Memory.Remove(bytes);
 }
 
 void CudaDevice::Upload(void* to, const void* from, std::size_t bytes)

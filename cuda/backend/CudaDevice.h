@@ -8,12 +8,12 @@
 
 #include "backend/Extent.h"
 #include "backend/LaunchEvents.h"
+#include "backend/MemoryCount.h"
 #include "math/Vec.h"
 
 #include <cooperative_groups.h>
 #include <cuda_runtime.h>
 
-#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -108,10 +108,10 @@ public:
   void Time(LaunchTimes* times);
 
   /// Bytes that are allocated now.
-  std::size_t Bytes() const { return this->Allocated; }
+  std::size_t Bytes() const { return this->Memory.Bytes(); }
 
   /// Most bytes that were allocated at a time.
-  std::size_t PeakBytes() const { return this->Peak; }
+  std::size_t PeakBytes() const { return this->Memory.Peak(); }
 
   /// body(column, row) for every element of an extent, in any order. `label`: for profilers.
   template <class Body>
@@ -210,8 +210,7 @@ private:
   int Number = 0;
   int Processors = 1;
   Index MostBlocks = 1;
-  std::atomic<std::size_t> Allocated{ 0 };
-  std::atomic<std::size_t> Peak{ 0 };
+  MemoryCount Memory;
 };
 }
 

@@ -17,18 +17,14 @@ void* HostDevice::Allocate(std::size_t bytes, const char* what)
   LIMPID_REQUIRE(memory != nullptr,
     "There are no " << bytes / 1000000 << " MB of memory for " << what
                     << " (the optimisation needs them). Use a smaller volume.");
-  const std::size_t now = this->Allocated += bytes;
-  std::size_t peak = this->Peak;
-  while (now > peak && !this->Peak.compare_exchange_weak(peak, now))
-  {
-  }
+  this->Memory.Add(bytes);
   return memory;
 }
 
 void HostDevice::Free(void* memory, std::size_t bytes) noexcept
 {
   std::free(memory);
-  this->Allocated -= bytes;
+  this->Memory.Remove(bytes);
 }
 
 void HostDevice::Upload(void* to, const void* from, std::size_t bytes)

@@ -7,8 +7,8 @@
 #include "backend/Backend.h"
 #include "backend/Extent.h"
 #include "backend/LaunchTimes.h"
+#include "backend/MemoryCount.h"
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <string>
@@ -49,10 +49,10 @@ public:
   void Time(LaunchTimes* times) { this->Times = times; }
 
   /// Bytes that are allocated now.
-  std::size_t Bytes() const { return this->Allocated; }
+  std::size_t Bytes() const { return this->Memory.Bytes(); }
 
   /// Most bytes that were allocated at a time.
-  std::size_t PeakBytes() const { return this->Peak; }
+  std::size_t PeakBytes() const { return this->Memory.Peak(); }
 
   /// body(column, row) for every element of an extent, in any order. `label`: for profilers.
   template <class Body>
@@ -128,8 +128,7 @@ private:
   }
 
   LaunchTimes* Times = nullptr; ///< null: nobody wants to know
-  std::atomic<std::size_t> Allocated{ 0 };
-  std::atomic<std::size_t> Peak{ 0 };
+  MemoryCount Memory;
 };
 }
 
