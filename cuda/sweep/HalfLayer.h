@@ -62,7 +62,7 @@ struct HalfLayer
     const Real meanArea =
       frontScale * frontScale + widening * (frontScale + (Real(1) / 3) * widening);
     this->opticalDepth = x;
-    this->stopped = Stopped(x);
+    this->stopped = Stop(x);
     this->visible = importance * (this->stopped * area);
     this->plain = importance * (x * meanArea);
   }
@@ -73,19 +73,6 @@ struct HalfLayer
   LIMPID_HD LIMPID_INLINE Real LimitedDepth() const
   {
     return this->opticalDepth < Real(1e4) ? this->opticalDepth : Real(1e4);
-  }
-
-private:
-  /// 1 - e^-x; by its series below 1/4, where the difference cancels. The first term left out is
-  /// below 6e-8 of the result.
-  LIMPID_HD static LIMPID_INLINE Real Stopped(Real x)
-  {
-    const Real series = x *
-      (Real(1) -
-        x *
-          (Real(1) / 2 -
-            x * (Real(1) / 6 - x * (Real(1) / 24 - x * (Real(1) / 120 - x * (Real(1) / 720))))));
-    return x < Real(0.25) ? series : Real(1) - Attenuate(x);
   }
 };
 
