@@ -107,6 +107,8 @@ public:
     {
       return;
     }
+    this->NodeImportance.Prefetch(station.slice, v + 1, columns);
+    this->Gradient.Prefetch(station.slice, v + 1, columns);
     const auto nodes = std::size_t(this->Source.nodesU);
     float* memory = ThreadScratch(3 * nodes + ScratchSize(this->Source));
     float* transmittance = memory;

@@ -138,6 +138,7 @@ public:
     {
       return;
     }
+    this->Prefetch(station.slice, v + 1, owned);
     const Interval columns =
       FilledRegisters(Intersection(this->Source.VoxelColumns(station, v), owned), owned);
     PolicyRowArrays arrays{};
@@ -179,6 +180,18 @@ public:
   }
 
 private:
+  LIMPID_INLINE void Prefetch(int slice, int v, const Interval& columns)
+  {
+    for (SliceWindow* field : { &this->Base, &this->NodeImportance, &this->Next })
+    {
+      field->Prefetch(slice, v, columns);
+    }
+    if (this->HasLagged)
+    {
+      this->Lagged.Prefetch(slice, v, columns);
+    }
+  }
+
   limpid::RayRow Rays(int s, int row) const
   {
     limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);

@@ -4,6 +4,7 @@
 #ifndef limpid_sweep_Slices_h
 #define limpid_sweep_Slices_h
 
+#include "backend/Simd.h"
 #include "scene/Grid.h"
 #include "sweep/Plan.h"
 
@@ -53,6 +54,13 @@ public:
     return this->Transposed
       ? this->Buffer.data() + (std::size_t(slice - this->First) * this->Rows + v) * this->Columns
       : this->Field + this->StrideW * slice + this->StrideV * v;
+  }
+
+  /// Row `v` of the slice will be read soon, or the last one.
+  LIMPID_INLINE void Prefetch(int slice, int v, const Interval& columns)
+  {
+    const float* row = this->Row(slice, v < this->Rows ? v : this->Rows - 1);
+    limpid::Prefetch(row + columns.begin, row + columns.end);
   }
 
 private:

@@ -69,6 +69,9 @@ void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices sl
     FilledRegisters({ plane.rayColumns.index[std::size_t(columns.begin)],
                       plane.rayColumns.index[std::size_t(columns.end) - 1] + 2 },
       { 0, field.ColumnCount() });
+  const int soon = plane.rayRows.index[std::min(r + 2, plane.rayRows.index.size() - 1)] + 1;
+  field.Prefetch(plane.slices[0], soon, read);
+  field.Prefetch(plane.slices[1], soon, read);
   const float* back[2] = { field.Row(plane.slices[1], v), field.Row(plane.slices[1], v + 1) };
   if (slices == Slices::Rear)
   {
