@@ -155,8 +155,10 @@ TEST_P(ProgressiveWays, MeasuresWhatAnotherCameraSees)
   EXPECT_EQ(seen.best.visibility, there.BestScore().visibility);
   EXPECT_EQ(seen.best.fraction, there.BestScore().fraction);
   EXPECT_NE(seen.best.visibility, progressive.BestScore().visibility);
-  EXPECT_EQ(
-    progressive.ScoresFrom(scene.camera).best.visibility, progressive.BestScore().visibility);
+  // One is summed from the front to the back of a ray, the other from the back to the front.
+  const double best = progressive.BestScore().visibility;
+  EXPECT_WITHIN(
+    progressive.ScoresFrom(scene.camera).best.visibility, best, Roundoff<float>(100, best));
 }
 
 TEST_P(ProgressiveWays, ForgetsWhatWasShownBefore)

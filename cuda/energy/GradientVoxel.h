@@ -28,6 +28,19 @@ struct GradientVoxel
     return transmittance * (behind * this->inverseArea - importance);
   }
 };
+
+/// Where derivatives go: field = kept field + weight derivative.
+struct GradientTarget
+{
+  float kept;
+  float weight;
+  float* field;
+
+  LIMPID_HD LIMPID_INLINE float Of(float before, float derivative) const
+  {
+    return this->kept * before + this->weight * derivative;
+  }
+};
 }
 
 #endif

@@ -18,9 +18,40 @@ struct RayStates
 {
   double* opticalDepth; ///< from the eye to the station that the sweep has reached
   float* behind;        ///< visible importance behind, times scale^2
+  float* visible;       ///< ... from the entry into the box on, see FromEntry
+  float* plain;         ///< the same without attenuation
   float* transmittance; ///< from the eye to the station [0, 1]
   float* density;       ///< near the sides, see Densified
   float* ahead;         ///< what `behind` is half way to the station behind
+  double* collected;    ///< optical depth of the layers that a sweep from the back has passed
+};
+
+/// What a ray carries from the back to the front, see RaysBehind.
+struct RayBehind
+{
+  float behind;
+  float visible;
+  float plain;
+
+  LIMPID_HD LIMPID_INLINE RayBehind(const RayStates& states, Index ray)
+    : behind(states.behind[ray])
+    , visible(states.visible[ray])
+    , plain(states.plain[ray])
+  {
+  }
+
+  LIMPID_HD LIMPID_INLINE void Store(const RayStates& states, Index ray) const
+  {
+    states.behind[ray] = this->behind;
+    states.visible[ray] = this->visible;
+    states.plain[ray] = this->plain;
+  }
+
+  /// Of the whole ray, when it is through.
+  LIMPID_HD LIMPID_INLINE float Visible() const
+  {
+    return this->visible < 0 ? this->behind : this->visible;
+  }
 };
 
 /// A ray in the layer behind a station: what is sampled at both Gauss points.
@@ -43,15 +74,36 @@ struct LayerOfRay
   {
   }
 
-  LIMPID_HD LIMPID_INLINE void Sample(const PyramidView& rays, const float* extinctions,
-    const float* importances, int s, int i, int j)
+  LIMPID_HD LIMPID_INLINE void SampleExtinction(
+    const PyramidView& rays, const float* extinctions, int s, int i, int j)
   {
-    const float seen = rays.Seen(i, j);
     for (int half = 0; half < 2; ++half)
     {
       this->extinction[half] = rays.SamplePlane(extinctions, s, half, i, j);
+    }
+  }
+
+  LIMPID_HD LIMPID_INLINE void Sample(const PyramidView& rays, const float* extinctions,
+    const float* importances, int s, int i, int j)
+  {
+    this->SampleExtinction(rays, extinctions, s, i, j);
+    const float seen = rays.Seen(i, j);
+    for (int half = 0; half < 2; ++half)
+    {
       this->importance[half] = seen * rays.SamplePlane(importances, s, half, i, j);
     }
+  }
+
+  LIMPID_HD LIMPID_INLINE float Entry() const
+  {
+    return this->column.entry > this->row.entry ? this->column.entry : this->row.entry;
+  }
+
+  /// Whether the ray is in the box from the front of the layer to its back.
+  LIMPID_HD LIMPID_INLINE bool IsInside() const
+  {
+    const float exit = this->column.exit < this->row.exit ? this->column.exit : this->row.exit;
+    return this->Entry() <= this->layer.front && exit >= this->layer.front + this->layer.thickness;
   }
 
   template <Cut cut>
@@ -64,22 +116,45 @@ struct LayerOfRay
   /// Optical depth of the whole layer, whether the ray is in the box or not.
   LIMPID_HD LIMPID_INLINE float WholeDepth() const
   {
-    float sum = 0;
-    for (int half = 0; half < 2; ++half)
-    {
-      sum +=
-        WholeHalf<float>(this->layer, HalfRangeOf(half), this->length, this->extinction[half], 0.0f)
-          .LimitedDepth();
-    }
-    return sum;
+    return DepthOf(this->Whole(0), this->Whole(1));
   }
 
-  /// Visible importance carried from the back of the layer to its front.
-  LIMPID_HD LIMPID_INLINE float Carry(float behind) const
+  /// Optical depth from the entry into the box on.
+  LIMPID_HD LIMPID_INLINE float DepthFromEntry() const
   {
-    const float middle = Carried(this->Half<Cut::Exit>(1), behind);
-    return Carried(this->Half<Cut::Exit>(0), middle);
+    return DepthOf(this->Half<Cut::Entry>(0), this->Half<Cut::Entry>(1));
   }
+
+  /// Carries visible importance from the back of the layer to its front.
+  LIMPID_HD LIMPID_INLINE void Carry(RayBehind& state) const
+  {
+    const bool inside = this->IsInside();
+    const HalfLayer<float> front = inside ? this->Whole(0) : this->Half<Cut::Both>(0);
+    const HalfLayer<float> rear = inside ? this->Whole(1) : this->Half<Cut::Both>(1);
+    state.plain += front.plain + rear.plain;
+    const float carried = Carried(front, rear, state.behind);
+    if (inside)
+    {
+      state.behind = carried;
+      return;
+    }
+    state.visible = FromEntry(state.visible, this->Entry(), this->layer, carried);
+    state.behind = Carried(this->Half<Cut::Exit>(0), this->Half<Cut::Exit>(1), state.behind);
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE HalfLayer<float> Whole(int half) const
+  {
+    return WholeHalf<float>(
+      this->layer, HalfRangeOf(half), this->length, this->extinction[half], this->importance[half]);
+  }
+};
+
+/// What rays add up to all through the volume, one value each.
+struct RayTotals
+{
+  float* visible;
+  float* plain;
 };
 
 /// From the front to the back of the volume.
@@ -89,8 +164,7 @@ struct ForwardRay
   const float* extinction;
   const float* importance;
   double* opticalDepth; ///< out, per ray; null: not wanted
-  float* visible;       ///< out, per ray
-  float* plain;         ///< out, per ray
+  RayTotals totals;     ///< out
 
   LIMPID_HD void operator()(int i, int j) const
   {
@@ -110,15 +184,38 @@ struct ForwardRay
       seen +=
         Attenuate(static_cast<float>(depth)) * (front.visible + front.Passed() * rear.visible);
       all += front.plain + rear.plain;
-      depth += here.Half<Cut::Entry>(0).LimitedDepth() + here.Half<Cut::Entry>(1).LimitedDepth();
+      depth += here.DepthFromEntry();
     }
     const Index ray = this->rays.RayAt(i, j);
     if (this->opticalDepth)
     {
       this->opticalDepth[ray] = depth;
     }
-    this->visible[ray] = seen;
-    this->plain[ray] = all;
+    this->totals.visible[ray] = seen;
+    this->totals.plain[ray] = all;
+  }
+};
+
+/// The same for the optical depth alone.
+struct DepthRay
+{
+  PyramidView rays;
+  const float* extinction;
+  double* opticalDepth; ///< out, per ray
+
+  LIMPID_HD void operator()(int i, int j) const
+  {
+    double depth = 0;
+    for (int s = 0; s < this->rays.lastStation; ++s)
+    {
+      if (this->rays.Works(s, i, j))
+      {
+        LayerOfRay here(this->rays, s, i, j);
+        here.SampleExtinction(this->rays, this->extinction, s, i, j);
+        depth += here.DepthFromEntry();
+      }
+    }
+    this->opticalDepth[this->rays.RayAt(i, j)] = depth;
   }
 };
 
@@ -156,14 +253,15 @@ struct BackwardRay
   int begin;   ///< stations
   int end;
   RayStates states;
-  float* images; ///< per station: behind, transmittance, density, one value per ray each
+  float* images;    ///< per station: behind, transmittance, density, one value per ray each
+  RayTotals totals; ///< out, when the sweep comes to the front
 
   LIMPID_HD void operator()(int i, int j) const
   {
     const Index ray = this->rays.RayAt(i, j);
     const Index count = Index(this->rays.columns) * this->rays.rows;
     double depth = this->states.opticalDepth[ray];
-    float behind = this->states.behind[ray];
+    RayBehind state(this->states, ray);
     float transmittance = this->states.transmittance[ray];
     float density = this->states.density[ray];
     for (int s = this->end - 1; s >= this->begin; --s)
@@ -173,25 +271,51 @@ struct BackwardRay
         LayerOfRay here(this->rays, s, i, j);
         if (s < this->rays.lastStation)
         {
-          here.Sample(this->rays, this->extinction, this->importance, s, i, j);
-          if (!this->widens)
-          {
-            here.layer.frontScale = here.layer.backScale = 1;
-          }
-          behind = here.Carry(behind);
+          this->Carry(s, i, j, here, state);
           depth -= here.WholeDepth();
         }
         TransmitRay(this->rays, s, i, j, depth, here.extinction[0], transmittance, density);
       }
       float* image = this->images + 3 * count * (s - this->begin) + ray;
-      image[0] = behind;
+      image[0] = state.behind;
       image[count] = transmittance;
       image[2 * count] = density;
     }
+    if (this->begin == this->rays.firstSlice)
+    {
+      this->Leave(i, j, state);
+    }
     this->states.opticalDepth[ray] = depth;
-    this->states.behind[ray] = behind;
+    state.Store(this->states, ray);
     this->states.transmittance[ray] = transmittance;
     this->states.density[ray] = density;
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE void Carry(int s, int i, int j, LayerOfRay& here, RayBehind& state) const
+  {
+    here.Sample(this->rays, this->extinction, this->importance, s, i, j);
+    if (!this->widens)
+    {
+      here.layer.frontScale = here.layer.backScale = 1;
+    }
+    here.Carry(state);
+  }
+
+  /// From the first slice of voxels to the eye.
+  LIMPID_HD LIMPID_INLINE void Leave(int i, int j, RayBehind& state) const
+  {
+    for (int s = this->rays.firstSlice; s-- > 0;)
+    {
+      if (this->rays.Works(s, i, j))
+      {
+        LayerOfRay here(this->rays, s, i, j);
+        this->Carry(s, i, j, here, state);
+      }
+    }
+    const Index ray = this->rays.RayAt(i, j);
+    this->totals.visible[ray] = state.Visible();
+    this->totals.plain[ray] = state.plain;
   }
 };
 
@@ -203,8 +327,7 @@ struct GradientOfVoxel
   int begin; ///< stations
   const float* images;
   const float* nodeImportance;
-  float weight;
-  float* gradient;
+  GradientTarget target;
 
   /// `row`: slice by slice, nodesV each.
   LIMPID_HD void operator()(int u, int row) const
@@ -223,9 +346,10 @@ struct GradientOfVoxel
     const Index voxel = this->rays.VoxelAt(station.slice, u, v);
     const float area = this->widens ? station.scale * station.scale : 1.0f;
     const GradientVoxel<float> derivative{ 1.0f / area };
-    this->gradient[voxel] += this->weight *
+    float& here = this->target.field[voxel];
+    here = this->target.Of(here,
       derivative(transmittance(this->rays, s, u, v), this->rays.SampleRays(image, s, u, v),
-        this->rays.VoxelSeen(s, u, v) * this->nodeImportance[voxel]);
+        this->rays.VoxelSeen(s, u, v) * this->nodeImportance[voxel]));
   }
 };
 }

@@ -14,11 +14,20 @@ namespace
 /// So few that the images of the rays stay in the cache of a large GPU: 30 MB at 256^3.
 constexpr int slicesPerSlab = 8;
 
-struct SetValue
+struct ClearRay
 {
-  float value;
-  float* out;
-  LIMPID_HD LIMPID_INLINE void operator()(Index index) const { this->out[index] = this->value; }
+  RayStates states;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index ray) const
+  {
+    this->states.behind[ray] = 0;
+    this->states.visible[ray] = -1;
+    this->states.plain[ray] = 0;
+    this->states.transmittance[ray] = 1;
+    this->states.density[ray] = 0;
+    this->states.ahead[ray] = 0;
+    this->states.collected[ray] = 0;
+  }
 };
 }
 
@@ -27,8 +36,8 @@ RaysOnDevice<Device>::RaysOnDevice(const std::shared_ptr<Device>& device, const 
   const Grid& grid, const Occupancy& occupancy)
   : Home(device)
   , Tables(device, pyramid, grid, occupancy)
-  , OpticalDepth(device, this->Tables.RayCount(), "optical depths")
-  , Others(device, 4 * this->Tables.RayCount(), "rays")
+  , OpticalDepths(device, 2 * this->Tables.RayCount(), "optical depths")
+  , Others(device, 6 * this->Tables.RayCount(), "rays")
 {
 }
 
@@ -36,17 +45,18 @@ template <class Device>
 RayStates RaysOnDevice<Device>::States()
 {
   const std::size_t count = this->Tables.RayCount();
+  double* depths = this->OpticalDepths.Data();
   float* others = this->Others.Data();
-  return { this->OpticalDepth.Data(), others, others + count, others + 2 * count,
-    others + 3 * count };
+  return { depths + (this->Swapped ? count : 0), others, others + count, others + 2 * count,
+    others + 3 * count, others + 4 * count, others + 5 * count,
+    depths + (this->Swapped ? 0 : count) };
 }
 
 template <class Device>
 void RaysOnDevice<Device>::Reset()
 {
-  this->Others.SetZero();
-  this->Home->ForIndices("clear rays", static_cast<Index>(this->Tables.RayCount()),
-    SetValue{ 1.0f, this->States().transmittance });
+  this->Home->ForIndices(
+    "clear rays", static_cast<Index>(this->Tables.RayCount()), ClearRay{ this->States() });
 }
 
 template <class Device>
@@ -59,61 +69,86 @@ TermOnDevice<Device>::TermOnDevice(std::shared_ptr<Device> device, const Grid& g
   for (const Pyramid& pyramid : PlanSweep(grid, occupancy, eye, rayDensity))
   {
     this->Rays.emplace_back(this->Home, pyramid, grid, occupancy);
+    this->First.push_back(count);
     count += this->Rays.back().Plan().RayCount();
   }
   this->Gathered = { this->Home, 2 * count, "rays" };
   this->Shares = { this->Home, count, "rays" };
-  std::size_t first = 0;
-  for (RaysOnDevice<Device>& rays : this->Rays)
+  for (std::size_t index = 0; index < this->Rays.size(); ++index)
   {
-    const std::size_t here = rays.Plan().RayCount();
-    this->Home->Copy(this->Shares.Data() + first, rays.Plan().View().shares, here * sizeof(double));
-    first += here;
+    const PyramidOnDevice<Device>& plan = this->Rays[index].Plan();
+    this->Home->Copy(this->Shares.Data() + this->First[index], plan.View().shares,
+      plan.RayCount() * sizeof(double));
   }
+}
+
+template <class Device>
+RayTotals TermOnDevice<Device>::TotalsOf(std::size_t pyramid)
+{
+  float* visible = this->Gathered.Data() + this->First[pyramid];
+  return { visible, visible + this->Shares.Size() };
+}
+
+template <class Device>
+void TermOnDevice<Device>::SumTotals(double* sums)
+{
+  const auto count = static_cast<Index>(this->Shares.Size());
+  const double* shares = this->Shares.Data();
+  const float* visible = this->Gathered.Data();
+  this->Sum("visible importance", count, WeightedRay{ shares, visible }, sums);
+  this->Sum("importance", count, WeightedRay{ shares, visible + count }, sums + 1);
 }
 
 template <class Device>
 void TermOnDevice<Device>::Forward(const float* extinction, const float* importance, double* sums)
 {
-  const std::size_t count = this->Shares.Size();
-  float* visible = this->Gathered.Data();
-  float* plain = visible + count;
-  std::size_t first = 0;
-  for (RaysOnDevice<Device>& rays : this->Rays)
+  for (std::size_t index = 0; index < this->Rays.size(); ++index)
   {
+    RaysOnDevice<Device>& rays = this->Rays[index];
     this->Home->ForEach("forward sweep", rays.Plan().Rays(),
       ForwardRay{ rays.Plan().View(), extinction, importance, rays.States().opticalDepth,
-        visible + first, plain + first });
-    first += rays.Plan().RayCount();
+        this->TotalsOf(index) });
   }
-  const double* shares = this->Shares.Data();
-  this->Sum("visible importance", static_cast<Index>(count), WeightedRay{ shares, visible }, sums);
-  this->Sum("importance", static_cast<Index>(count), WeightedRay{ shares, plain }, sums + 1);
+  this->SumTotals(sums);
 }
 
 template <class Device>
-void TermOnDevice<Device>::AddGradient(
-  const TermFields& fields, Derivative derivative, float weight, float* gradient)
+void TermOnDevice<Device>::Differentiate(
+  const TermFields& fields, Derivative derivative, const GradientTarget& target, double* sums)
 {
   if (this->Images.Empty())
   {
     this->Images = { this->Home, 3 * slicesPerSlab * this->MostRays(), "images of rays" };
   }
+  // Without the weight of the rays, what they carry is not the score.
   const bool widens = derivative == Derivative::Volume;
-  for (RaysOnDevice<Device>& rays : this->Rays)
+  if (!widens)
   {
+    this->Forward(fields.extinction, fields.importance, sums);
+  }
+  for (std::size_t index = 0; index < this->Rays.size(); ++index)
+  {
+    RaysOnDevice<Device>& rays = this->Rays[index];
     const PyramidView& view = rays.Plan().View();
+    if (widens)
+    {
+      this->Home->ForEach("optical depths", rays.Plan().Rays(),
+        DepthRay{ view, fields.extinction, rays.States().opticalDepth });
+    }
     rays.Reset();
     for (int end = view.lastStation + 1; end > view.firstSlice; end -= slicesPerSlab)
     {
       const int begin = std::max(view.firstSlice, end - slicesPerSlab);
       this->Home->ForEach("backward sweep", rays.Plan().Rays(),
         BackwardRay{ view, fields.extinction, fields.importance, widens, begin, end, rays.States(),
-          this->Images.Data() });
+          this->Images.Data(), this->TotalsOf(index) });
       this->Home->ForEach("derivative", { view.nodesU, view.nodesV * (end - begin) },
-        GradientOfVoxel{
-          view, widens, begin, this->Images.Data(), fields.nodeImportance, weight, gradient });
+        GradientOfVoxel{ view, widens, begin, this->Images.Data(), fields.nodeImportance, target });
     }
+  }
+  if (widens)
+  {
+    this->SumTotals(sums);
   }
 }
 

@@ -28,11 +28,15 @@ public:
   /// As at the back of the volume: nothing is behind. Optical depths stay.
   void Reset();
 
+  /// Makes what was collected the optical depths.
+  void KeepCollected() { this->Swapped = !this->Swapped; }
+
 private:
   std::shared_ptr<Device> Home;
   PyramidOnDevice<Device> Tables;
-  DeviceArray<Device, double> OpticalDepth;
-  DeviceArray<Device, float> Others; ///< the other states, one behind another
+  DeviceArray<Device, double> OpticalDepths; ///< two images
+  DeviceArray<Device, float> Others;         ///< the other states, one behind another
+  bool Swapped = false;                      ///< whether the second image has the optical depths
 };
 
 /// VisibilityTerm on a device: the fields are addresses there. Nothing waits.
@@ -43,14 +47,21 @@ public:
   TermOnDevice(std::shared_ptr<Device> device, const Grid& grid, const Occupancy& occupancy,
     const Eye& eye, double rayDensity);
 
-  /// Integral of g mu T and its bound into `sums` (2 values on the device), and the optical depth
-  /// of all rays for what follows.
+  /// Integral of g mu T and its bound into `sums` (2 values on the device); leaves the optical
+  /// depths of all rays.
   void Forward(const float* extinction, const float* importance, double* sums);
 
-  /// Adds `weight` times the derivative to `gradient` [1]. Call after Forward with the same fields.
-  void AddGradient(const TermFields& fields, Derivative derivative, float weight, float* gradient);
+  /// The same; also finds the derivative. Leaves no optical depths.
+  void Differentiate(
+    const TermFields& fields, Derivative derivative, const GradientTarget& target, double* sums);
 
   std::vector<RaysOnDevice<Device>>& Pyramids() { return this->Rays; }
+
+  /// Where the rays of a pyramid tell what they have added up to.
+  RayTotals TotalsOf(std::size_t pyramid);
+
+  /// Integral of g mu T and its bound, from the totals of all rays.
+  void SumTotals(double* sums);
 
 private:
   std::size_t MostRays() const;
@@ -58,6 +69,7 @@ private:
   std::shared_ptr<Device> Home;
   std::vector<RaysOnDevice<Device>> Rays;
   SumOnDevice<Device> Sum;
+  std::vector<std::size_t> First;      ///< of each pyramid, in what is gathered
   DeviceArray<Device, float> Gathered; ///< of all pyramids: visible importance, and its bound
   DeviceArray<Device, double> Shares;  ///< of all pyramids, see PyramidView
   DeviceArray<Device, float> Images;   ///< see BackwardRay; made when first needed

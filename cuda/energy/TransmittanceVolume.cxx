@@ -69,13 +69,7 @@ public:
     if (meets)
     {
       rays = RaysOf(this->Source, this->Images, s, row);
-      for (int half = 0; half < 2; ++half)
-      {
-        float* samples = memory + std::size_t(half) * columns;
-        SamplePlane(station.planes[std::size_t(half)], row, work, Slices::Both, this->Extinction,
-          memory + 4 * columns, samples);
-        rays.extinction[half] = rays.importance[half] = samples; // importance is not used
-      }
+      SampleExtinction(this->Source, s, row, this->Extinction, memory, rays);
     }
     this->Tell(station, s, row, meets ? work : Interval{}, memory);
     if (meets)

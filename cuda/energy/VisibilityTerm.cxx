@@ -12,14 +12,15 @@ namespace limpid
 namespace
 {
 LIMPID_MULTIVERSION
-void GradientRow(const GradientVoxel<float>& body, float weight,
+void GradientRow(const GradientVoxel<float>& body, const GradientTarget& target,
   const float* __restrict transmittance, const float* __restrict behind,
   const float* __restrict importance, const Interval& columns, float* __restrict gradient)
 {
   const GradientVoxel<float> voxel = body;
+  const GradientTarget sum = target;
   for (int u = columns.begin; u < columns.end; ++u)
   {
-    gradient[u] += weight * voxel(transmittance[u], behind[u], importance[u]);
+    gradient[u] = sum.Of(gradient[u], voxel(transmittance[u], behind[u], importance[u]));
   }
 }
 
@@ -35,7 +36,7 @@ public:
     , Extinction(pyramid, grid, extinction)
     , Importance(pyramid, grid, importance)
   {
-    std::fill(images.behind.begin(), images.behind.end(), 0.0f);
+    StartBehind(images);
     std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
   }
 
@@ -48,22 +49,23 @@ public:
   /// Moves a row of rays to station `s`.
   void RayRow(int s, int row)
   {
-    const std::size_t first = std::size_t(row) * this->Source.columns;
     float* memory = ThreadScratch(LayerMemory(this->Source));
     const bool last = s == this->Source.LastStation();
     if (!last)
     {
-      limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);
-      if (!this->Widens)
-      {
-        rays.layer.frontScale = rays.layer.backScale = 1;
-      }
-      SampleLayer(this->Source, s, row, this->Extinction, this->Importance, memory, rays);
-      BackwardRow(rays, this->Images.behind.data() + first);
-      UnwindRow(rays, this->Images.opticalDepth.data() + first);
+      this->Carry(s, row, memory);
     }
     TransmitRays(this->Source, s, row, this->Source.stations[std::size_t(s)].work[std::size_t(row)],
       last ? nullptr : memory, Depths::Unwound, this->Images);
+  }
+
+  /// Moves a row of rays from the first slice of voxels to the eye.
+  void Leave(int row)
+  {
+    for (int s = this->Source.FirstSlice(); s-- > 0;)
+    {
+      this->Carry(s, row, ThreadScratch(LayerMemory(this->Source)));
+    }
   }
 
   float AreaOf(const Station& station) const
@@ -76,17 +78,30 @@ public:
   bool Widens; ///< whether rays carry the weight of Deviation D1
   SliceWindow Extinction;
   SliceWindow Importance;
+
+private:
+  /// From the back of the layer behind station `s` to its front.
+  void Carry(int s, int row, float* memory)
+  {
+    limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);
+    if (!this->Widens)
+    {
+      rays.layer.frontScale = rays.layer.backScale = 1;
+    }
+    SampleLayer(this->Source, s, row, this->Extinction, this->Importance, memory, rays);
+    BackwardRow(rays, this->Images.Behind(this->Source, row));
+  }
 };
 
 class GradientVisitor : public RayCarrier
 {
 public:
   GradientVisitor(const RayCarrier& rays, const Grid& grid, const float* nodeImportance,
-    float weight, float* gradient)
+    const GradientTarget& target)
     : RayCarrier(rays)
-    , Weight(weight)
+    , Target(target)
     , NodeImportance(rays.Source, grid, nodeImportance)
-    , Gradient(rays.Source, grid, gradient)
+    , Gradient(rays.Source, grid, target.field)
   {
   }
 
@@ -124,14 +139,14 @@ public:
       MultiplyRow(importance, source, columns);
       source = importance;
     }
-    GradientRow({ 1.0f / this->AreaOf(station) }, this->Weight, transmittance, behind, source,
+    GradientRow({ 1.0f / this->AreaOf(station) }, this->Target, transmittance, behind, source,
       columns, this->Gradient.Row(station.slice, v));
   }
 
   void Store(const Slab& slab) { this->Gradient.Store(slab); }
 
 private:
-  float Weight;
+  GradientTarget Target;
   SliceWindow NodeImportance;
   SliceWindow Gradient;
 };
@@ -154,23 +169,48 @@ Visible VisibilityTerm::Forward(const float* extinction, const float* importance
   Visible sum;
   for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
   {
-    const Visible part =
+    sum +=
       SweepForward(this->Pyramids[index], this->Nodes, extinction, importance, this->Images[index]);
-    sum.visible += part.visible;
-    sum.plain += part.plain;
   }
   return sum;
 }
 
-void VisibilityTerm::AddGradient(
+Visible VisibilityTerm::AddGradient(
   const TermFields& fields, Derivative derivative, float weight, float* gradient)
 {
+  return this->Differentiate(fields, derivative, { 1.0f, weight, gradient });
+}
+
+Visible VisibilityTerm::SetGradient(
+  const TermFields& fields, Derivative derivative, float* gradient)
+{
+  return this->Differentiate(fields, derivative, { 0.0f, 1.0f, gradient });
+}
+
+Visible VisibilityTerm::Differentiate(
+  const TermFields& fields, Derivative derivative, const GradientTarget& target)
+{
+  // Without the weight of the rays, what they carry is not the score.
+  const bool carriesScore = derivative == Derivative::Volume;
+  Visible sum;
+  if (!carriesScore)
+  {
+    sum = this->Forward(fields.extinction, fields.importance);
+  }
   for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
   {
-    const RayCarrier rays(this->Pyramids[index], this->Nodes, fields.extinction, fields.importance,
-      derivative, this->Images[index]);
-    GradientVisitor visitor(rays, this->Nodes, fields.nodeImportance, weight, gradient);
-    SweepBackward(this->Pyramids[index], visitor);
+    const Pyramid& pyramid = this->Pyramids[index];
+    RayImages& images = this->Images[index];
+    if (carriesScore)
+    {
+      SweepDepths(pyramid, this->Nodes, fields.extinction, images);
+    }
+    const RayCarrier rays(
+      pyramid, this->Nodes, fields.extinction, fields.importance, derivative, images);
+    GradientVisitor visitor(rays, this->Nodes, fields.nodeImportance, target);
+    SweepBackward(pyramid, visitor);
+    sum += carriesScore ? SumBehind(pyramid, images) : Visible{};
   }
+  return sum;
 }
 }

@@ -4,6 +4,7 @@
 #ifndef limpid_energy_VisibilityTerm_h
 #define limpid_energy_VisibilityTerm_h
 
+#include "energy/GradientVoxel.h"
 #include "optimize/Settings.h"
 #include "sweep/Sweep.h"
 
@@ -29,17 +30,25 @@ class VisibilityTerm
 public:
   VisibilityTerm(const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity);
 
-  /// Integral of g mu T and its bound, and the optical depth of all rays for what follows.
+  /// Integral of g mu T and its bound; leaves the optical depths of all rays in their images.
   Visible Forward(const float* extinction, const float* importance);
 
-  /// Adds `weight` times the derivative to `gradient` [1]. Call after Forward with the same fields.
-  void AddGradient(const TermFields& fields, Derivative derivative, float weight, float* gradient);
+  /// The same; also adds `weight` times the derivative to `gradient` [1]. Leaves no optical depths.
+  Visible AddGradient(
+    const TermFields& fields, Derivative derivative, float weight, float* gradient);
+
+  /// The same, but sets the derivative. Only voxels that the term depends on are written, which are
+  /// always the same ones.
+  Visible SetGradient(const TermFields& fields, Derivative derivative, float* gradient);
 
   std::size_t PyramidCount() const { return this->Pyramids.size(); }
   const Pyramid& PyramidAt(std::size_t index) const { return this->Pyramids[index]; }
   RayImages& ImagesAt(std::size_t index) { return this->Images[index]; }
 
 private:
+  Visible Differentiate(
+    const TermFields& fields, Derivative derivative, const GradientTarget& target);
+
   Grid Nodes;
   std::vector<Pyramid> Pyramids;
   std::vector<RayImages> Images;

@@ -73,9 +73,8 @@ public:
       this->Gradient.resize(this->Now.size());
       this->First.assign(this->Now.size(), 0.0f);
       this->Second.assign(this->Now.size(), 0.0f);
-      this->Measure(); // the optical depths of all rays
+      this->FindGradient();
     }
-    this->FindGradient();
     AdamVoxel<float> body = AdamStep(this->Task, count);
     body.gradient = this->Gradient.data();
     body.base = this->Task.baseExtinction;
@@ -85,7 +84,7 @@ public:
     const double sum = ParallelBlockSum(this->Task.grid.NodeCount(),
       [&](Index begin, Index end) { return StepBlock(body, begin, end); });
     const auto filled = double(std::max<Index>(this->Task.occupancy->FilledVoxels(), 1));
-    IterationRecord record = this->Measure();
+    IterationRecord record = this->FindGradient();
     record.meanChange = this->Task.majorant > 0 ? sum / (filled * this->Task.majorant) : 0.0;
     return record;
   }
@@ -96,21 +95,11 @@ public:
   std::vector<float> TakeBest() override { return std::move(this->Kept); }
 
 private:
-  void FindGradient()
+  /// For the next step, along with the record of the present extinction.
+  IterationRecord FindGradient()
   {
-    const Settings& settings = this->Task.settings;
-    const TermFields fields{ this->Now.data(), this->Task.importance, this->Task.nodeImportance };
     std::fill(this->Gradient.begin(), this->Gradient.end(), 0.0f);
-    if (this->Seen.camera)
-    {
-      this->Seen.camera->AddGradient(fields, settings.derivative,
-        static_cast<float>(settings.weights.view), this->Gradient.data());
-    }
-    if (this->Seen.light)
-    {
-      this->Seen.light->AddGradient(fields, settings.derivative,
-        static_cast<float>(settings.weights.light), this->Gradient.data());
-    }
+    return this->Seen.AddGradient(this->Task, this->Now, this->Gradient);
   }
 
   const Problem& Task;

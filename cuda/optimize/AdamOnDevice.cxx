@@ -51,9 +51,8 @@ public:
       this->Second = Field(this->Home, this->Now.Size(), "the mean square of the derivative");
       this->First.SetZero();
       this->Second.SetZero();
-      this->Measure(); // the optical depths of all rays
+      this->FindGradient();
     }
-    this->FindGradient();
     AdamVoxel<float> body = AdamStep(this->Task, count);
     body.gradient = this->Gradient.Data();
     body.base = this->Seen.Fields().base.Data();
@@ -62,8 +61,9 @@ public:
     body.extinction = this->Now.Data();
     float* gradient = this->Gradient.Data();
     this->Home->ForIndices("Adam", this->Task.grid.NodeCount(), StepAndChange{ body, gradient });
-    const ChangeOnDevice change{ gradient, nullptr };
-    return this->Seen.Measure(this->Task, this->Now, &change);
+    this->Seen.SumChanges({ gradient, nullptr });
+    this->FindGradient();
+    return this->Seen.RecordOf(this->Task, this->Now);
   }
 
   std::vector<float> Extinction() override { return OnHost(this->Now); }
@@ -101,6 +101,7 @@ private:
     return values;
   }
 
+  /// For the next step; the terms see the present extinction along the way.
   void FindGradient()
   {
     const Settings& settings = this->Task.settings;
@@ -110,13 +111,15 @@ private:
     this->Gradient.SetZero();
     if (this->Seen.camera)
     {
-      this->Seen.camera->AddGradient(fields, settings.derivative,
-        static_cast<float>(settings.weights.view), this->Gradient.Data());
+      this->Seen.camera->Differentiate(fields, settings.derivative,
+        { 1.0f, static_cast<float>(settings.weights.view), this->Gradient.Data() },
+        this->Seen.SumsOfCamera());
     }
     if (this->Seen.light)
     {
-      this->Seen.light->AddGradient(fields, settings.derivative,
-        static_cast<float>(settings.weights.light), this->Gradient.Data());
+      this->Seen.light->Differentiate(fields, settings.derivative,
+        { 1.0f, static_cast<float>(settings.weights.light), this->Gradient.Data() },
+        this->Seen.SumsOfLight());
     }
   }
 

@@ -11,18 +11,6 @@ namespace limpid
 {
 namespace
 {
-/// Where the sums of a measurement are.
-enum SumOf : int
-{
-  SeenByCamera,
-  ThereForCamera,
-  SeenByLight,
-  ThereForLight,
-  Squares,
-  Changes,
-  SumCount
-};
-
 struct SquaredDifference
 {
   const float* a;
@@ -82,6 +70,7 @@ TermsOnDevice<Device>::TermsOnDevice(
   , Sum(this->Resident->device)
   , Sums(this->Resident->device, SumCount, "sums")
 {
+  this->Sums.SetZero(); // what a missing term sees
   const Settings& settings = problem.settings;
   if (settings.weights.view > 0)
   {
@@ -96,27 +85,34 @@ TermsOnDevice<Device>::TermsOnDevice(
 }
 
 template <class Device>
-IterationRecord TermsOnDevice<Device>::Measure(
-  const Problem& problem, const Field& now, const ChangeOnDevice* change)
+IterationRecord TermsOnDevice<Device>::Measure(const Problem& problem, const Field& now)
 {
-  double* sums = this->Sums.Data();
   const float* importance = this->Resident->importance.Data();
-  const Index count = problem.grid.NodeCount();
-  this->Sums.SetZero();
   if (this->camera)
   {
-    this->camera->Forward(now.Data(), importance, sums + SeenByCamera);
+    this->camera->Forward(now.Data(), importance, this->SumsOfCamera());
   }
   if (this->light)
   {
-    this->light->Forward(now.Data(), importance, sums + SeenByLight);
+    this->light->Forward(now.Data(), importance, this->SumsOfLight());
   }
+  return this->RecordOf(problem, now);
+}
+
+template <class Device>
+void TermsOnDevice<Device>::SumChanges(const ChangeOnDevice& change)
+{
+  this->Sum("change", static_cast<Index>(this->Resident->base.Size()), AbsoluteChange{ change },
+    this->Sums.Data() + Changes);
+}
+
+template <class Device>
+IterationRecord TermsOnDevice<Device>::RecordOf(const Problem& problem, const Field& now)
+{
+  double* sums = this->Sums.Data();
+  const Index count = problem.grid.NodeCount();
   this->Sum("regularization", count, SquaredDifference{ now.Data(), this->Resident->base.Data() },
     sums + Squares);
-  if (change)
-  {
-    this->Sum("change", count, AbsoluteChange{ *change }, sums + Changes);
-  }
   double values[SumCount];
   this->Sums.Download(values);
 

@@ -48,9 +48,18 @@ public:
 
   TermsOnDevice(std::shared_ptr<FieldsOnDevice<Device>> fields, const Problem& problem);
 
-  /// Energy and score of an extinction, and the mean change unless it is null. Waits.
-  IterationRecord Measure(
-    const Problem& problem, const Field& now, const ChangeOnDevice* change = nullptr);
+  /// Where a sweep that sees an extinction puts its sums, for the next record.
+  double* SumsOfCamera() { return this->Sums.Data() + SeenByCamera; }
+  double* SumsOfLight() { return this->Sums.Data() + SeenByLight; }
+
+  /// Sums what an iteration has changed, for the next record.
+  void SumChanges(const ChangeOnDevice& change);
+
+  /// Energy and score of an extinction that all terms have seen. Waits.
+  IterationRecord RecordOf(const Problem& problem, const Field& now);
+
+  /// The same, after all terms have looked; leaves the optical depths of all rays in the terms.
+  IterationRecord Measure(const Problem& problem, const Field& now);
 
   FieldsOnDevice<Device>& Fields() const { return *this->Resident; }
 
@@ -58,6 +67,18 @@ public:
   std::optional<TermOnDevice<Device>> light;
 
 private:
+  /// Where the sums of a record are.
+  enum SumOf : int
+  {
+    SeenByCamera,
+    ThereForCamera,
+    SeenByLight,
+    ThereForLight,
+    Squares,
+    Changes,
+    SumCount
+  };
+
   std::shared_ptr<FieldsOnDevice<Device>> Resident;
   SumOnDevice<Device> Sum;
   DeviceArray<Device, double> Sums;

@@ -28,29 +28,37 @@ public:
   const std::vector<float>& Read(const Field& field) const { return field; }
   std::vector<float> Take(Field&& field) const { return std::move(field); }
 
-  IterationRecord Measure(const Field& now, const Field* before)
+  IterationRecord Start(const Field& first) { return this->Seen.Measure(*this->Work, first); }
+
+  IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again)
   {
-    IterationRecord record = this->Seen.Measure(*this->Work, now);
-    if (before)
+    const Problem& problem = *this->Work;
+    if (trust && this->Joint() && !this->LagIsFresh)
     {
-      record.meanChange =
-        this->Work->MeanChange(*before, now, this->Work->occupancy->FilledVoxels());
+      this->FindLagged(last);
     }
+    limpid::Seen seen;
+    (this->Seen.camera ? seen.byCamera : seen.byLight) = this->SweepOnce(last, next, trust);
+    const double change = problem.MeanChange(last, next, problem.occupancy->FilledVoxels());
+    this->LagIsFresh = this->Joint() && again && !(change < problem.settings.tolerance);
+    if (this->Joint())
+    {
+      seen.byLight = this->LagIsFresh ? this->FindLagged(next)
+                                      : this->Seen.light->Forward(next.data(), problem.importance);
+    }
+    IterationRecord record = RecordOf(problem, next, seen);
+    record.meanChange = change;
     return record;
   }
 
-  void Sweep(const Field& last, Field& next, bool trust)
+private:
+  bool Joint() const { return this->Seen.camera && this->Seen.light; }
+
+  /// The policy sweep itself, of the camera or, without one, of the light.
+  Visible SweepOnce(const Field& last, Field& next, bool trust)
   {
     const Problem& problem = *this->Work;
     const Weights& weights = problem.settings.weights;
-    VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
-    const bool joint = this->Seen.camera && this->Seen.light;
-    if (trust && joint)
-    {
-      this->Lagged.assign(last.size(), 0.0f);
-      this->Seen.light->AddGradient({ last.data(), problem.importance, problem.nodeImportance },
-        problem.settings.derivative, 1.0f, this->Lagged.data());
-    }
     const bool useLagged = !this->Lagged.empty();
     PolicyTask task = TaskOf(
       problem, this->Seen.camera ? weights.view : weights.light, useLagged ? weights.light : 0.0);
@@ -58,16 +66,33 @@ public:
     task.fields.lagged = useLagged ? this->Lagged.data() : nullptr;
     task.fields.next = next.data();
     task.trust = trust ? Trust::LastIterate : Trust::Clear;
+    VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
+    Visible seen;
     for (std::size_t index = 0; index < swept.PyramidCount(); ++index)
     {
-      SweepPolicy(swept.PyramidAt(index), task, swept.ImagesAt(index));
+      seen += SweepPolicy(swept.PyramidAt(index), task, swept.ImagesAt(index));
     }
+    return problem.settings.derivative == Derivative::Volume
+      ? seen
+      : swept.Forward(next.data(), problem.importance);
   }
 
-private:
+  Visible FindLagged(const Field& extinction)
+  {
+    const Problem& problem = *this->Work;
+    if (this->Lagged.empty())
+    {
+      this->Lagged.assign(extinction.size(), 0.0f);
+    }
+    return this->Seen.light->SetGradient(
+      { extinction.data(), problem.importance, problem.nodeImportance },
+      problem.settings.derivative, this->Lagged.data());
+  }
+
   const Problem* Work;
   Terms Seen;
-  std::vector<float> Lagged; ///< T_L (V_L - g) of the last iterate; empty: none
+  std::vector<float> Lagged; ///< T_L (V_L - g) of an iterate; empty: none
+  bool LagIsFresh = false;   ///< whether that is the last iterate
 };
 }
 

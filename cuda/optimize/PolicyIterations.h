@@ -19,8 +19,10 @@ namespace limpid
  *
  *   bool IsEmpty(const Field&);                  whether it has no memory yet
  *   Field CopyOf(const Field&);
- *   IterationRecord Measure(const Field& now, const Field* before);   with the mean change
- *   void Sweep(const Field& last, Field& next, bool trust);           one policy sweep
+ *   IterationRecord Start(const Field& first);
+ *   IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again);
+ *       one policy sweep and what it leads to; `trust`: in the transmittance of the last iterate;
+ *       `again`: whether another one is to be expected, which the engine may prepare
  *   const std::vector<float>& Read(const Field&);                     on the host
  *   std::vector<float> Take(Field&&);                                 likewise, given away
  *   const Problem& Task();
@@ -41,7 +43,7 @@ public:
 
   IterationRecord Start() override
   {
-    const IterationRecord record = this->Computer.Measure(this->Iterates[0], nullptr);
+    const IterationRecord record = this->Computer.Start(this->Iterates[0]);
     this->BestEnergy = record.energy.Total();
     return record;
   }
@@ -50,11 +52,12 @@ public:
   {
     const std::size_t last = this->Now;
     const std::size_t next = this->FreeIterate();
-    this->Computer.Sweep(this->Iterates[last], this->Iterates[next], this->Warm || this->Count > 0);
+    const bool trust = this->Warm || this->Count > 0;
     ++this->Count;
-    this->Now = next;
+    const bool again = this->Count < this->IterationLimit();
     const IterationRecord record =
-      this->Computer.Measure(this->Iterates[next], &this->Iterates[last]);
+      this->Computer.Sweep(this->Iterates[last], this->Iterates[next], trust, again);
+    this->Now = next;
     this->Change = record.meanChange;
     if (record.energy.Total() < this->BestEnergy)
     {

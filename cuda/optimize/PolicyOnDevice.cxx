@@ -14,14 +14,16 @@ template <class Device>
 void SweepPolicyOnDevice(Device& device, TermOnDevice<Device>& term,
   const FieldsOnDevice<Device>& scene, const PolicyTask& task)
 {
-  for (RaysOnDevice<Device>& rays : term.Pyramids())
+  for (std::size_t index = 0; index < term.Pyramids().size(); ++index)
   {
+    RaysOnDevice<Device>& rays = term.Pyramids()[index];
     rays.Reset();
     const PolicyPhases phases{ rays.Plan().View(), rays.States(), task.voxel,
       task.trust == Trust::LastIterate, task.derivative == Derivative::Volume, scene.base.Data(),
       scene.importance.Data(), scene.nodeImportance.Data(), task.fields.extinction,
-      task.fields.lagged, task.fields.next };
+      task.fields.lagged, task.fields.next, term.TotalsOf(index) };
     device.ForPhases("policy sweep", phases.PhaseCount(), phases);
+    rays.KeepCollected();
   }
 }
 
@@ -68,34 +70,39 @@ public:
     return std::move(this->OnHost);
   }
 
-  IterationRecord Measure(const Field& now, const Field* before)
+  IterationRecord Start(const Field& first) { return this->Seen.Measure(*this->Work, first); }
+
+  IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again)
   {
-    if (!before)
+    this->Readable = nullptr;
+    if (trust && this->Joint() && !this->LagIsFresh)
     {
-      return this->Seen.Measure(*this->Work, now);
+      this->FindLagged(last);
     }
-    const ChangeOnDevice change{ now.Data(), before->Data() };
-    return this->Seen.Measure(*this->Work, now, &change);
+    this->SweepOnce(last, next, trust);
+    this->Seen.SumChanges({ next.Data(), last.Data() });
+    this->LagIsFresh = this->Joint() && again;
+    if (this->LagIsFresh)
+    {
+      this->FindLagged(next);
+    }
+    else if (this->Joint())
+    {
+      this->Seen.light->Forward(
+        next.Data(), this->Seen.Fields().importance.Data(), this->Seen.SumsOfLight());
+    }
+    return this->Seen.RecordOf(*this->Work, next);
   }
 
-  void Sweep(const Field& last, Field& next, bool trust)
+private:
+  bool Joint() const { return this->Seen.camera && this->Seen.light; }
+
+  /// The policy sweep itself, of the camera or, without one, of the light.
+  void SweepOnce(const Field& last, Field& next, bool trust)
   {
     const Problem& problem = *this->Work;
     const FieldsOnDevice<Device>& fields = this->Seen.Fields();
     const Weights& weights = problem.settings.weights;
-    const bool joint = this->Seen.camera && this->Seen.light;
-    this->Readable = nullptr;
-    if (trust && joint)
-    {
-      if (this->Lagged.Empty())
-      {
-        this->Lagged = Field(this->Home, last.Size(), "the light's derivative");
-      }
-      this->Lagged.SetZero();
-      this->Seen.light->AddGradient(
-        { last.Data(), fields.importance.Data(), fields.nodeImportance.Data() },
-        problem.settings.derivative, 1.0f, this->Lagged.Data());
-    }
     const bool useLagged = !this->Lagged.Empty();
     PolicyTask task = TaskOf(
       problem, this->Seen.camera ? weights.view : weights.light, useLagged ? weights.light : 0.0);
@@ -103,15 +110,38 @@ public:
     task.fields.lagged = useLagged ? this->Lagged.Data() : nullptr;
     task.fields.next = next.Data();
     task.trust = trust ? Trust::LastIterate : Trust::Clear;
-    SweepPolicyOnDevice(
-      *this->Home, this->Seen.camera ? *this->Seen.camera : *this->Seen.light, fields, task);
+    TermOnDevice<Device>& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
+    double* sums = this->Seen.camera ? this->Seen.SumsOfCamera() : this->Seen.SumsOfLight();
+    SweepPolicyOnDevice(*this->Home, swept, fields, task);
+    if (problem.settings.derivative == Derivative::Volume)
+    {
+      swept.SumTotals(sums);
+    }
+    else
+    {
+      swept.Forward(next.Data(), fields.importance.Data(), sums);
+    }
   }
 
-private:
+  void FindLagged(const Field& extinction)
+  {
+    const FieldsOnDevice<Device>& fields = this->Seen.Fields();
+    if (this->Lagged.Empty())
+    {
+      this->Lagged = Field(this->Home, extinction.Size(), "the light's derivative");
+      this->Lagged.SetZero();
+    }
+    this->Seen.light->Differentiate(
+      { extinction.Data(), fields.importance.Data(), fields.nodeImportance.Data() },
+      this->Work->settings.derivative, { 0.0f, 1.0f, this->Lagged.Data() },
+      this->Seen.SumsOfLight());
+  }
+
   const Problem* Work;
   std::shared_ptr<Device> Home;
   TermsOnDevice<Device> Seen;
-  Field Lagged;                            ///< T_L (V_L - g) of the last iterate; empty: none
+  Field Lagged;                            ///< T_L (V_L - g) of an iterate; empty: none
+  bool LagIsFresh = false;                 ///< whether that is the last iterate
   mutable std::vector<float> OnHost;       ///< what was read last
   mutable const float* Readable = nullptr; ///< ... of which field; null: of none
 };

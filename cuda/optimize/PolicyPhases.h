@@ -13,7 +13,8 @@ namespace limpid
 {
 /**
  * Back to front, two phases per slice: first all rays move to it through the voxels behind, which
- * are final, then its own voxels are found. See PolicyFields for the arrays.
+ * are final, then its own voxels are found. In a last phase the rays leave the volume. See
+ * PolicyFields for the arrays.
  */
 struct PolicyPhases
 {
@@ -28,8 +29,9 @@ struct PolicyPhases
   const float* extinction;
   const float* lagged; ///< null: none
   float* next;
+  RayTotals totals; ///< out
 
-  int PhaseCount() const { return 2 * (this->rays.lastStation + 1 - this->rays.firstSlice); }
+  int PhaseCount() const { return 2 * (this->rays.lastStation + 1 - this->rays.firstSlice) + 1; }
 
   LIMPID_HD LIMPID_INLINE Extent ExtentOf(int phase) const
   {
@@ -45,6 +47,11 @@ struct PolicyPhases
   LIMPID_HD LIMPID_INLINE void operator()(int phase, int column, int row) const
   {
     const int s = this->StationOf(phase);
+    if (s < this->rays.firstSlice)
+    {
+      this->Leave(column, row);
+      return;
+    }
     if (IsOfRays(phase))
     {
       this->MoveRay(s, column, row);
@@ -76,13 +83,11 @@ private:
   {
     const Index ray = this->rays.RayAt(i, j);
     const int last = this->rays.lastStation;
-    float behind = this->states.behind[ray];
     if (s + 1 < last && this->rays.Works(s + 1, i, j))
     {
-      LayerOfRay layer = this->LayerAt(s + 1, i, j);
-      layer.Sample(this->rays, this->next, this->importance, s + 1, i, j);
-      behind = layer.Carry(behind);
-      this->states.behind[ray] = behind;
+      RayBehind state(this->states, ray);
+      this->Carry(s + 1, i, j, state);
+      state.Store(this->states, ray);
     }
     if (!this->rays.Works(s, i, j))
     {
@@ -96,7 +101,7 @@ private:
       layer.extinction[1] = this->rays.SampleRear(this->next, s, 1, i, j);
       layer.importance[1] =
         this->rays.Seen(i, j) * this->rays.SamplePlane(this->importance, s, 1, i, j);
-      this->states.ahead[ray] = Carried(layer.Half<Cut::Exit>(1), behind);
+      this->states.ahead[ray] = Carried(layer.Half<Cut::Exit>(1), this->states.behind[ray]);
     }
     if (!this->trust)
     {
@@ -113,6 +118,31 @@ private:
     }
     TransmitRay(this->rays, s, i, j, depth, layer.extinction[0], this->states.transmittance[ray],
       this->states.density[ray]);
+  }
+
+  /// Through a layer whose voxels are final.
+  LIMPID_HD LIMPID_INLINE void Carry(int s, int i, int j, RayBehind& state) const
+  {
+    LayerOfRay layer = this->LayerAt(s, i, j);
+    layer.Sample(this->rays, this->next, this->importance, s, i, j);
+    layer.Carry(state);
+    this->states.collected[this->rays.RayAt(i, j)] += layer.DepthFromEntry();
+  }
+
+  /// From the first slice of voxels out of the volume.
+  LIMPID_HD LIMPID_INLINE void Leave(int i, int j) const
+  {
+    const Index ray = this->rays.RayAt(i, j);
+    RayBehind state(this->states, ray);
+    for (int s = this->rays.firstSlice; s >= 0; --s)
+    {
+      if (s < this->rays.lastStation && this->rays.Works(s, i, j))
+      {
+        this->Carry(s, i, j, state);
+      }
+    }
+    this->totals.visible[ray] = state.Visible();
+    this->totals.plain[ray] = state.plain;
   }
 
   LIMPID_HD LIMPID_INLINE void FindVoxel(int s, int u, int v) const

@@ -85,8 +85,10 @@ public:
     , Lagged(pyramid, *task.grid, task.fields.lagged)
     , Next(pyramid, *task.grid, task.fields.next)
     , Ahead(images.behind.size(), 0.0f)
+    , RearImportance(images.behind.size(), 0.0f)
+    , Collected(images.opticalDepth.size(), 0.0)
   {
-    std::fill(images.behind.begin(), images.behind.end(), 0.0f);
+    StartBehind(images);
     std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
   }
 
@@ -126,6 +128,23 @@ public:
     {
       this->UnwindTransmittance(s, row, memory);
     }
+  }
+
+  /// Moves a row of rays from the first slice of voxels out of the volume.
+  void Leave(int row)
+  {
+    for (int s = std::min(this->Source.FirstSlice(), this->Source.LastStation() - 1); s >= 0; --s)
+    {
+      this->CarryThroughLayer(s, row, ThreadScratch(LayerMemory(this->Source)));
+    }
+  }
+
+  /// When the sweep is through: the score of what it found, whose optical depths are left in the
+  /// images.
+  Visible Finish()
+  {
+    this->Images.opticalDepth.swap(this->Collected);
+    return SumBehind(this->Source, this->Images);
   }
 
   void VoxelRow(int s, int v)
@@ -210,9 +229,22 @@ private:
   /// Visible importance of a row of rays from the back of layer `s` to its front.
   void CarryThroughLayer(int s, int row, float* memory)
   {
+    const auto columns = std::size_t(this->Source.columns);
+    float* scratch = memory + 4 * columns;
     limpid::RayRow rays = this->Rays(s, row);
-    SampleLayer(this->Source, s, row, this->Next, this->Importance, memory, rays);
-    BackwardRow(rays, this->Images.behind.data() + std::size_t(row) * this->Source.columns);
+    SampleExtinction(this->Source, s, row, this->Next, memory, rays);
+    float* front = memory + 2 * columns;
+    float* rear = this->RearImportance.data() + std::size_t(row) * columns;
+    this->SampleImportance(this->PlaneAt(s, 0), row, rays.work, scratch, front);
+    if (s < this->Source.FirstSlice()) // elsewhere LookAhead has done it
+    {
+      this->SampleImportance(this->PlaneAt(s, 1), row, rays.work, scratch, rear);
+    }
+    rays.importance[0] = front;
+    rays.importance[1] = rear;
+    RaysBehind state = this->Images.Behind(this->Source, row);
+    state.opticalDepth = this->Collected.data() + std::size_t(row) * columns;
+    CollectRow(rays, state);
   }
 
   /// Visible importance in the middle of layer `s`. The rear half of the layer is taken to be as
@@ -222,16 +254,21 @@ private:
     const std::size_t columns = std::size_t(this->Source.columns);
     float* scratch = memory + 4 * columns;
     limpid::RayRow rays = this->Rays(s, row);
-    float* extinction = memory;
-    float* importance = memory + columns;
     const Plane& plane = this->PlaneAt(s, 1);
-    SamplePlane(plane, row, rays.work, Slices::Rear, this->Next, scratch, extinction);
-    SamplePlane(plane, row, rays.work, Slices::Both, this->Importance, scratch, importance);
-    HideOutOfView(this->Source, row, rays.work, importance);
-    rays.extinction[0] = rays.extinction[1] = extinction;
+    SamplePlane(plane, row, rays.work, Slices::Rear, this->Next, scratch, memory);
+    float* importance = this->RearImportance.data() + std::size_t(row) * columns;
+    this->SampleImportance(plane, row, rays.work, scratch, importance);
+    rays.extinction[0] = rays.extinction[1] = memory;
     rays.importance[0] = rays.importance[1] = importance;
     RearHalfRow(rays, this->Images.behind.data() + std::size_t(row) * columns,
       this->Ahead.data() + std::size_t(row) * columns);
+  }
+
+  void SampleImportance(
+    const Plane& plane, int row, const Interval& columns, float* scratch, float* out)
+  {
+    SamplePlane(plane, row, columns, Slices::Both, this->Importance, scratch, out);
+    HideOutOfView(this->Source, row, columns, out);
   }
 
   /// Transmittance on station `s` through the last iterate.
@@ -243,13 +280,7 @@ private:
     if (!last)
     {
       limpid::RayRow rays = this->Rays(s, row);
-      for (int half = 0; half < 2; ++half)
-      {
-        float* extinction = memory + std::size_t(half) * columns;
-        SamplePlane(this->PlaneAt(s, half), row, rays.work, Slices::Both, this->Extinction,
-          memory + 4 * columns, extinction);
-        rays.extinction[half] = rays.importance[half] = extinction; // importance is not used
-      }
+      SampleExtinction(this->Source, s, row, this->Extinction, memory, rays);
       UnwindRow(rays, opticalDepth);
     }
     TransmitRays(this->Source, s, row, this->Source.stations[std::size_t(s)].work[std::size_t(row)],
@@ -269,7 +300,9 @@ private:
   SliceWindow Extinction;
   SliceWindow Lagged;
   SliceWindow Next;
-  std::vector<float> Ahead; ///< visible importance half way to the station behind
+  std::vector<float> Ahead;          ///< visible importance half way to the station behind
+  std::vector<float> RearImportance; ///< sampled by LookAhead for CarryThroughLayer
+  std::vector<double> Collected;     ///< optical depth of the layers carried through
 };
 }
 
@@ -291,9 +324,10 @@ PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight)
   return task;
 }
 
-void SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
+Visible SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
 {
   PolicyVisitor visitor(pyramid, task, images);
   SweepBackward(pyramid, visitor);
+  return visitor.Finish();
 }
 }

@@ -43,8 +43,9 @@ struct PolicyTask
 /// `weight`: that of the term that is swept; `lagWeight`: that of the other one.
 PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight);
 
-/// One backward policy sweep: finds the next iterate in all voxels of a pyramid.
-void SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images);
+/// One backward policy sweep: finds the next iterate in all voxels of a pyramid and leaves its
+/// optical depths in the images. Returns its score, which means nothing with Derivative::Ray.
+Visible SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images);
 }
 
 #endif

@@ -20,21 +20,48 @@ Terms::Terms(const Problem& problem)
 
 IterationRecord Terms::Measure(const Problem& problem, const std::vector<float>& extinction)
 {
-  const Weights& weights = problem.settings.weights;
-  IterationRecord record;
-  record.energy.regularization = problem.Regularization(extinction);
+  Seen seen;
   if (this->camera)
   {
-    const Visible seen = this->camera->Forward(extinction.data(), problem.importance);
-    record.visibilityScore = seen.visible;
-    record.visibleFraction = seen.plain > 0 ? seen.visible / seen.plain : 0.0;
-    record.energy.view = -weights.view * seen.visible;
+    seen.byCamera = this->camera->Forward(extinction.data(), problem.importance);
   }
   if (this->light)
   {
-    const Visible lit = this->light->Forward(extinction.data(), problem.importance);
-    record.energy.light = -weights.light * lit.visible;
+    seen.byLight = this->light->Forward(extinction.data(), problem.importance);
   }
+  return RecordOf(problem, extinction, seen);
+}
+
+IterationRecord Terms::AddGradient(
+  const Problem& problem, const std::vector<float>& extinction, std::vector<float>& gradient)
+{
+  const Settings& settings = problem.settings;
+  const TermFields fields{ extinction.data(), problem.importance, problem.nodeImportance };
+  Seen seen;
+  if (this->camera)
+  {
+    seen.byCamera = this->camera->AddGradient(
+      fields, settings.derivative, static_cast<float>(settings.weights.view), gradient.data());
+  }
+  if (this->light)
+  {
+    seen.byLight = this->light->AddGradient(
+      fields, settings.derivative, static_cast<float>(settings.weights.light), gradient.data());
+  }
+  return RecordOf(problem, extinction, seen);
+}
+
+IterationRecord RecordOf(
+  const Problem& problem, const std::vector<float>& extinction, const Seen& seen)
+{
+  const Weights& weights = problem.settings.weights;
+  IterationRecord record;
+  record.energy.regularization = problem.Regularization(extinction);
+  record.visibilityScore = seen.byCamera.visible;
+  record.visibleFraction =
+    seen.byCamera.plain > 0 ? seen.byCamera.visible / seen.byCamera.plain : 0.0;
+  record.energy.view = -weights.view * seen.byCamera.visible;
+  record.energy.light = -weights.light * seen.byLight.visible;
   return record;
 }
 }

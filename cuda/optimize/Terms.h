@@ -11,6 +11,17 @@
 
 namespace limpid
 {
+/// What the terms of a problem see of an extinction; zero where there is no such term.
+struct Seen
+{
+  Visible byCamera;
+  Visible byLight;
+};
+
+/// Energy and score of an extinction that the terms have seen.
+IterationRecord RecordOf(
+  const Problem& problem, const std::vector<float>& extinction, const Seen& seen);
+
 /// The visibility terms of a problem; a term of weight zero is not there and costs nothing.
 struct Terms
 {
@@ -19,6 +30,10 @@ struct Terms
 
   /// Energy and score of an extinction; leaves the optical depths of all rays in the terms.
   IterationRecord Measure(const Problem& problem, const std::vector<float>& extinction);
+
+  /// Adds the weighted derivative of all terms to `gradient`, and measures along the way.
+  IterationRecord AddGradient(
+    const Problem& problem, const std::vector<float>& extinction, std::vector<float>& gradient);
 
   std::optional<VisibilityTerm> camera;
   std::optional<VisibilityTerm> light;

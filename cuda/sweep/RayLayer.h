@@ -44,6 +44,28 @@ LIMPID_HD LIMPID_INLINE float Carried(const HalfLayer<float>& half, float behind
   return half.visible + half.Passed() * behind;
 }
 
+/// The same through a whole layer.
+LIMPID_HD LIMPID_INLINE float Carried(
+  const HalfLayer<float>& front, const HalfLayer<float>& rear, float behind)
+{
+  return Carried(front, Carried(rear, behind));
+}
+
+LIMPID_HD LIMPID_INLINE float DepthOf(const HalfLayer<float>& front, const HalfLayer<float>& rear)
+{
+  return front.LimitedDepth() + rear.LimitedDepth();
+}
+
+/// Visible importance of a ray from its entry into the box on, which is final as soon as a sweep
+/// from the back has come to the layer `layer` of its entry, or to one ahead. `visible`: what it
+/// was so far, negative: not there yet; `carried`: that at the front of the layer, less what is cut
+/// off.
+LIMPID_HD LIMPID_INLINE float FromEntry(
+  float visible, float entry, const Layer& layer, float carried)
+{
+  return visible < 0 && entry >= layer.front ? carried : visible;
+}
+
 /**
  * Optical depth per unit of depth since a ray's entry into the box. It is as smooth as the
  * extinction even where the entry has a kink or lies ahead.

@@ -81,7 +81,7 @@ struct ForwardColumn
   LIMPID_INLINE void Deepen(
     int i, const HalfLayer<float>& front, const HalfLayer<float>& rear) const
   {
-    this->opticalDepth[i] += front.LimitedDepth() + rear.LimitedDepth();
+    this->opticalDepth[i] += DepthOf(front, rear);
   }
 };
 
@@ -112,8 +112,7 @@ struct DeepenWhole
 
   LIMPID_INLINE void operator()(int i) const
   {
-    this->opticalDepth[i] +=
-      Whole(this->rays, 0, i).LimitedDepth() + Whole(this->rays, 1, i).LimitedDepth();
+    this->opticalDepth[i] += DepthOf(Whole(this->rays, 0, i), Whole(this->rays, 1, i));
   }
 };
 
@@ -124,8 +123,8 @@ struct DeepenClipped
 
   LIMPID_INLINE void operator()(int i) const
   {
-    this->opticalDepth[i] += Clipped<Cut::Entry>(this->rays, 0, i).LimitedDepth() +
-      Clipped<Cut::Entry>(this->rays, 1, i).LimitedDepth();
+    this->opticalDepth[i] +=
+      DepthOf(Clipped<Cut::Entry>(this->rays, 0, i), Clipped<Cut::Entry>(this->rays, 1, i));
   }
 };
 
@@ -136,32 +135,55 @@ struct Unwind
 
   LIMPID_INLINE void operator()(int i) const
   {
-    this->opticalDepth[i] -=
-      Whole(this->rays, 0, i).LimitedDepth() + Whole(this->rays, 1, i).LimitedDepth();
+    this->opticalDepth[i] -= DepthOf(Whole(this->rays, 0, i), Whole(this->rays, 1, i));
   }
 };
 
+/// Whether a backward sweep takes the layer off the optical depths or adds it.
+enum class Depth
+{
+  Unwound,
+  Collected
+};
+
+template <Depth depth>
 struct BackwardWhole
 {
   RayRow rays;
-  float* behind;
+  RaysBehind state;
 
   LIMPID_INLINE void operator()(int i) const
   {
-    const float middle = Carried(Whole(this->rays, 1, i), this->behind[i]);
-    this->behind[i] = Carried(Whole(this->rays, 0, i), middle);
+    const HalfLayer<float> front = Whole(this->rays, 0, i);
+    const HalfLayer<float> rear = Whole(this->rays, 1, i);
+    this->state.behind[i] = Carried(front, rear, this->state.behind[i]);
+    this->state.plain[i] += front.plain + rear.plain;
+    const float layer = DepthOf(front, rear);
+    this->state.opticalDepth[i] += depth == Depth::Collected ? layer : -layer;
   }
 };
 
+template <Depth depth>
 struct BackwardClipped
 {
   RayRow rays;
-  float* behind;
+  RaysBehind state;
 
   LIMPID_INLINE void operator()(int i) const
   {
-    const float middle = Carried(Clipped<Cut::Exit>(this->rays, 1, i), this->behind[i]);
-    this->behind[i] = Carried(Clipped<Cut::Exit>(this->rays, 0, i), middle);
+    const float behind = this->state.behind[i];
+    const HalfLayer<float> front = Clipped<Cut::Both>(this->rays, 0, i);
+    const HalfLayer<float> rear = Clipped<Cut::Both>(this->rays, 1, i);
+    this->state.plain[i] += front.plain + rear.plain;
+    const float columnEntry = this->rays.columnEntry[i];
+    const float entry = this->rays.row.entry > columnEntry ? this->rays.row.entry : columnEntry;
+    this->state.visible[i] =
+      FromEntry(this->state.visible[i], entry, this->rays.layer, Carried(front, rear, behind));
+    this->state.behind[i] =
+      Carried(Clipped<Cut::Exit>(this->rays, 0, i), Clipped<Cut::Exit>(this->rays, 1, i), behind);
+    this->state.opticalDepth[i] += depth == Depth::Collected
+      ? DepthOf(Clipped<Cut::Entry>(this->rays, 0, i), Clipped<Cut::Entry>(this->rays, 1, i))
+      : -DepthOf(Whole(this->rays, 0, i), Whole(this->rays, 1, i));
   }
 };
 
@@ -293,9 +315,17 @@ void UnwindRow(const RayRow& rays, double* opticalDepth)
 }
 
 LIMPID_MULTIVERSION
-void BackwardRow(const RayRow& rays, float* behind)
+void BackwardRow(const RayRow& rays, const RaysBehind& state)
 {
-  Visit(rays, BackwardWhole{ rays, behind }, BackwardClipped{ rays, behind });
+  constexpr Depth depth = Depth::Unwound;
+  Visit(rays, BackwardWhole<depth>{ rays, state }, BackwardClipped<depth>{ rays, state });
+}
+
+LIMPID_MULTIVERSION
+void CollectRow(const RayRow& rays, const RaysBehind& state)
+{
+  constexpr Depth depth = Depth::Collected;
+  Visit(rays, BackwardWhole<depth>{ rays, state }, BackwardClipped<depth>{ rays, state });
 }
 
 LIMPID_MULTIVERSION

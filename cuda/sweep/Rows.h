@@ -64,9 +64,21 @@ void DeepenRow(const RayRow& rays, double* opticalDepth);
 /// Back to front: `opticalDepth` shrinks to that at the front of the layer.
 void UnwindRow(const RayRow& rays, double* opticalDepth);
 
-/// Back to front: `behind`, the visible importance behind, times scale^2, is carried from the back
-/// of the layer to its front.
-void BackwardRow(const RayRow& rays, float* behind);
+/// What a row of rays carries from the back of the volume to its front.
+struct RaysBehind
+{
+  float* behind;  ///< visible importance behind, times scale^2; goes on ahead of the entry
+  float* visible; ///< the same from the entry into the box on; negative: not there yet
+  float* plain;   ///< the same without attenuation, inside the box
+  double* opticalDepth;
+};
+
+/// Back to front: visible importance is carried from the back of the layer to its front, and
+/// `opticalDepth` shrinks to that at the front, as in UnwindRow.
+void BackwardRow(const RayRow& rays, const RaysBehind& state);
+
+/// Back to front, likewise, but `opticalDepth` grows by that of the layer, as in DeepenRow.
+void CollectRow(const RayRow& rays, const RaysBehind& state);
 
 /// `ahead`: what `behind` becomes in the middle of the layer.
 void RearHalfRow(const RayRow& rays, const float* behind, float* ahead);

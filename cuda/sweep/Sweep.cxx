@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace limpid
 {
@@ -23,9 +24,17 @@ RayImages::RayImages(const Pyramid& pyramid)
   }
   this->opticalDepth.resize(count);
   this->behind.resize(count);
+  this->visible.resize(count);
   this->plain.resize(count);
   this->transmittance.resize(count);
   this->density.resize(count);
+}
+
+RaysBehind RayImages::Behind(const Pyramid& pyramid, int row)
+{
+  const std::size_t first = std::size_t(row) * pyramid.columns;
+  return { this->behind.data() + first, this->visible.data() + first, this->plain.data() + first,
+    this->opticalDepth.data() + first };
 }
 
 Layer LayerOf(const Pyramid& pyramid, int front)
@@ -172,21 +181,31 @@ std::size_t LayerMemory(const Pyramid& pyramid)
   return 4 * std::size_t(pyramid.columns) + ScratchSize(pyramid);
 }
 
+void SampleExtinction(
+  const Pyramid& pyramid, int s, int row, SliceWindow& extinction, float* memory, RayRow& rays)
+{
+  const auto columns = std::size_t(pyramid.columns);
+  for (int half = 0; half < 2; ++half)
+  {
+    const Plane& plane = pyramid.stations[std::size_t(s)].planes[std::size_t(half)];
+    float* samples = memory + std::size_t(half) * columns;
+    SamplePlane(plane, row, rays.work, Slices::Both, extinction, memory + 4 * columns, samples);
+    rays.extinction[half] = rays.importance[half] = samples;
+  }
+}
+
 void SampleLayer(const Pyramid& pyramid, int s, int row, SliceWindow& extinction,
   SliceWindow& importance, float* memory, RayRow& rays)
 {
   const auto columns = std::size_t(pyramid.columns);
-  float* scratch = memory + 4 * columns;
+  SampleExtinction(pyramid, s, row, extinction, memory, rays);
   for (int half = 0; half < 2; ++half)
   {
     const Plane& plane = pyramid.stations[std::size_t(s)].planes[std::size_t(half)];
-    float* extinctions = memory + std::size_t(half) * columns;
-    float* importances = memory + std::size_t(half + 2) * columns;
-    SamplePlane(plane, row, rays.work, Slices::Both, extinction, scratch, extinctions);
-    SamplePlane(plane, row, rays.work, Slices::Both, importance, scratch, importances);
-    HideOutOfView(pyramid, row, rays.work, importances);
-    rays.extinction[half] = extinctions;
-    rays.importance[half] = importances;
+    float* samples = memory + std::size_t(half + 2) * columns;
+    SamplePlane(plane, row, rays.work, Slices::Both, importance, memory + 4 * columns, samples);
+    HideOutOfView(pyramid, row, rays.work, samples);
+    rays.importance[half] = samples;
   }
 }
 
@@ -196,41 +215,63 @@ namespace
 class ForwardVisitor
 {
 public:
+  /// `importance`: null: optical depths are all that is wanted.
   ForwardVisitor(const Pyramid& pyramid, const Grid& grid, const float* extinction,
     const float* importance, RayImages& images)
     : Source(pyramid)
     , Images(images)
+    , Scores(importance != nullptr)
     , Extinction(pyramid, grid, extinction)
     , Importance(pyramid, grid, importance)
   {
     std::fill(images.opticalDepth.begin(), images.opticalDepth.end(), 0.0);
-    std::fill(images.behind.begin(), images.behind.end(), 0.0f);
-    std::fill(images.plain.begin(), images.plain.end(), 0.0f);
-  }
-
-  void Load(const Slab& slab)
-  {
-    this->Extinction.Load(slab, 1);
-    this->Importance.Load(slab, 1);
-  }
-
-  void Row(const Slab& slab, int row)
-  {
-    const std::size_t columns = std::size_t(this->Source.columns);
-    const std::size_t first = std::size_t(row) * columns;
-    float* memory = ThreadScratch(LayerMemory(this->Source));
-    for (int s = slab.begin; s < std::min(slab.end, this->Source.LastStation()); ++s)
+    if (this->Scores)
     {
-      RayRow rays = RaysOf(this->Source, this->Images, s, row);
-      SampleLayer(this->Source, s, row, this->Extinction, this->Importance, memory, rays);
-      ForwardRow(rays, this->Images.opticalDepth.data() + first, this->Images.behind.data() + first,
-        this->Images.plain.data() + first);
+      std::fill(images.behind.begin(), images.behind.end(), 0.0f);
+      std::fill(images.plain.begin(), images.plain.end(), 0.0f);
+    }
+  }
+
+  void Sweep()
+  {
+    constexpr Index rowsPerTask = 4;
+    for (const Slab& slab : SlabsOf(this->Source))
+    {
+      this->Extinction.Load(slab, 1);
+      if (this->Scores)
+      {
+        this->Importance.Load(slab, 1);
+      }
+      ParallelFor(this->Source.rows, rowsPerTask, [&](Index row) { this->Row(slab, int(row)); });
     }
   }
 
 private:
+  void Row(const Slab& slab, int row)
+  {
+    const std::size_t first = std::size_t(row) * this->Source.columns;
+    double* opticalDepth = this->Images.opticalDepth.data() + first;
+    float* memory = ThreadScratch(LayerMemory(this->Source));
+    for (int s = slab.begin; s < std::min(slab.end, this->Source.LastStation()); ++s)
+    {
+      RayRow rays = RaysOf(this->Source, this->Images, s, row);
+      if (this->Scores)
+      {
+        SampleLayer(this->Source, s, row, this->Extinction, this->Importance, memory, rays);
+        ForwardRow(rays, opticalDepth, this->Images.behind.data() + first,
+          this->Images.plain.data() + first);
+      }
+      else
+      {
+        SampleExtinction(this->Source, s, row, this->Extinction, memory, rays);
+        DeepenRow(rays, opticalDepth);
+      }
+    }
+  }
+
   const Pyramid& Source;
   RayImages& Images;
+  bool Scores;
   SliceWindow Extinction;
   SliceWindow Importance;
 };
@@ -238,32 +279,52 @@ private:
 
 double SumOfRays(const Pyramid& pyramid, const RayImages& images, const float* values)
 {
-  double sum = 0;
-  for (int row = 0; row < pyramid.rows; ++row)
-  {
-    double part = 0;
-    for (int column = 0; column < pyramid.columns; ++column)
+  constexpr Index rowsPerTask = 16;
+  std::vector<double> rows(std::size_t(pyramid.rows));
+  ParallelFor(pyramid.rows, rowsPerTask,
+    [&](Index row)
     {
-      const std::size_t ray = std::size_t(row) * pyramid.columns + column;
-      part +=
-        pyramid.columnAxis.share[std::size_t(column)] / double(images.length[ray]) * values[ray];
-    }
-    sum += part * pyramid.rowAxis.share[std::size_t(row)];
-  }
-  return sum * pyramid.cellMeasure;
+      double part = 0;
+      for (int column = 0; column < pyramid.columns; ++column)
+      {
+        const std::size_t ray = std::size_t(row) * pyramid.columns + column;
+        part +=
+          pyramid.columnAxis.share[std::size_t(column)] / double(images.length[ray]) * values[ray];
+      }
+      rows[std::size_t(row)] = part * pyramid.rowAxis.share[std::size_t(row)];
+    });
+  return pyramid.cellMeasure * std::accumulate(rows.begin(), rows.end(), 0.0);
 }
 
 Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
   const float* importance, RayImages& images)
 {
-  constexpr Index rowsPerTask = 4;
-  ForwardVisitor visitor(pyramid, grid, extinction, importance, images);
-  for (const Slab& slab : SlabsOf(pyramid))
-  {
-    visitor.Load(slab);
-    ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.Row(slab, int(row)); });
-  }
+  ForwardVisitor(pyramid, grid, extinction, importance, images).Sweep();
   return { SumOfRays(pyramid, images, images.behind.data()),
+    SumOfRays(pyramid, images, images.plain.data()) };
+}
+
+void SweepDepths(
+  const Pyramid& pyramid, const Grid& grid, const float* extinction, RayImages& images)
+{
+  ForwardVisitor(pyramid, grid, extinction, nullptr, images).Sweep();
+}
+
+void StartBehind(RayImages& images)
+{
+  std::fill(images.behind.begin(), images.behind.end(), 0.0f);
+  std::fill(images.visible.begin(), images.visible.end(), -1.0f);
+  std::fill(images.plain.begin(), images.plain.end(), 0.0f);
+}
+
+Visible SumBehind(const Pyramid& pyramid, RayImages& images)
+{
+  for (std::size_t ray = 0; ray < images.visible.size(); ++ray)
+  {
+    const bool inFront = images.visible[ray] < 0; // where the ray enters the volume
+    images.visible[ray] = inFront ? images.behind[ray] : images.visible[ray];
+  }
+  return { SumOfRays(pyramid, images, images.visible.data()),
     SumOfRays(pyramid, images, images.plain.data()) };
 }
 }

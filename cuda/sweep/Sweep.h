@@ -20,9 +20,13 @@ struct RayImages
 {
   explicit RayImages(const Pyramid& pyramid);
 
+  /// What a backward sweep carries of a row.
+  RaysBehind Behind(const Pyramid& pyramid, int row);
+
   std::vector<float> length;        ///< world length per unit of depth [length]
   std::vector<double> opticalDepth; ///< from the eye to the station that the sweep has reached
   std::vector<float> behind;        ///< visible importance behind, times scale^2
+  std::vector<float> visible;       ///< ... from the entry into the box on, see RaysBehind
   std::vector<float> plain;         ///< the same without attenuation
   std::vector<float> transmittance; ///< from the eye to the station [0, 1]
   std::vector<float> density;       ///< near the sides: see DensifyRow
@@ -33,6 +37,13 @@ struct Visible
 {
   double visible = 0; ///< S of Eq. 32 [length^2]
   double plain = 0;   ///< its upper bound [length^2]
+
+  Visible& operator+=(const Visible& other)
+  {
+    this->visible += other.visible;
+    this->plain += other.plain;
+    return *this;
+  }
 };
 
 /// Sum of one value per ray, for an integral over the domain of what these are integrals of along
@@ -83,8 +94,13 @@ void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& column
 void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
   const Interval& columns, const RayImages& images, float* scratch, float* out);
 
-/// Samples a row of rays at both Gauss points of the layer behind station `s` and lets `rays` point
-/// to the samples. `memory`: LayerMemory(pyramid) values.
+/// Samples the extinction of a row of rays at both Gauss points of the layer behind station `s` and
+/// lets `rays` point to the samples, for its importance, too, which is not to be used. `memory`:
+/// LayerMemory(pyramid) values, the front samples first.
+void SampleExtinction(
+  const Pyramid& pyramid, int s, int row, SliceWindow& extinction, float* memory, RayRow& rays);
+
+/// The same of extinction and importance.
 void SampleLayer(const Pyramid& pyramid, int s, int row, SliceWindow& extinction,
   SliceWindow& importance, float* memory, RayRow& rays);
 
@@ -101,6 +117,16 @@ void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, flo
  */
 Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
   const float* importance, RayImages& images);
+
+/// Front to back over all slices: leaves the optical depths alone in `images`.
+void SweepDepths(
+  const Pyramid& pyramid, const Grid& grid, const float* extinction, RayImages& images);
+
+/// Prepares the images for a sweep from the back, where nothing is behind. Optical depths stay.
+void StartBehind(RayImages& images);
+
+/// The score of a pyramid when a sweep from the back has come to its front.
+Visible SumBehind(const Pyramid& pyramid, RayImages& images);
 
 /**
  * Front to back over all slices, the eye's own included. On each slice the visitor first lets the
@@ -129,7 +155,8 @@ void SweepFrontToBack(const Pyramid& pyramid, Visitor& visitor)
 /**
  * Back to front over all slices of voxels. On each slice the visitor first moves all rays to it
  * (RayRow) and then does its work on the voxels of the slice (VoxelRow), which may depend on the
- * rays of the whole slice. Load and Store tell it which slices come next.
+ * rays of the whole slice; in the end it moves all rays out of the volume (Leave). Load and Store
+ * tell it which slices come next.
  */
 template <class Visitor>
 void SweepBackward(const Pyramid& pyramid, Visitor& visitor)
@@ -146,6 +173,10 @@ void SweepBackward(const Pyramid& pyramid, Visitor& visitor)
       ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.RayRow(s, int(row)); });
       ParallelFor(rows.end - rows.begin, rowsPerTask,
         [&](Index v) { visitor.VoxelRow(s, rows.begin + int(v)); });
+    }
+    if (index == 0)
+    {
+      ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.Leave(int(row)); });
     }
     visitor.Store(slab);
   }

@@ -42,7 +42,7 @@ public:
       float* plain = visible + count;
       this->Home->ForEach("score", plan.Rays(),
         ForwardRay{ plan.View(), fields.extinction.Data(), fields.importance.Data(), nullptr,
-          visible, plain });
+          { visible, plain } });
       const double* shares = plan.View().shares;
       add("score", static_cast<Index>(count), WeightedRay{ shares, visible }, sums.Data());
       add("score", static_cast<Index>(count), WeightedRay{ shares, plain }, sums.Data() + 1);
