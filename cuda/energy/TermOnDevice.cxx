@@ -104,12 +104,19 @@ void TermOnDevice<Device>::Forward(const float* extinction, const float* importa
 {
   for (std::size_t index = 0; index < this->Rays.size(); ++index)
   {
-    RaysOnDevice<Device>& rays = this->Rays[index];
-    this->Home->ForEach("forward sweep", rays.Plan().Rays(),
-      ForwardRay{ rays.Plan().View(), extinction, importance, rays.States().opticalDepth,
-        this->TotalsOf(index) });
+    this->ForwardAt(index, extinction, importance);
   }
   this->SumTotals(sums);
+}
+
+template <class Device>
+void TermOnDevice<Device>::ForwardAt(
+  std::size_t pyramid, const float* extinction, const float* importance)
+{
+  RaysOnDevice<Device>& rays = this->Rays[pyramid];
+  this->Home->ForEach("forward sweep", rays.Plan().Rays(),
+    ForwardRay{ rays.Plan().View(), extinction, importance, rays.States().opticalDepth,
+      this->TotalsOf(pyramid) });
 }
 
 template <class Device>

@@ -51,6 +51,9 @@ public:
   /// depths of all rays.
   void Forward(const float* extinction, const float* importance, double* sums);
 
+  /// The same of the rays of one pyramid, as far as their totals.
+  void ForwardAt(std::size_t pyramid, const float* extinction, const float* importance);
+
   /// The same; also finds the derivative. Leaves no optical depths.
   void Differentiate(
     const TermFields& fields, Derivative derivative, const GradientTarget& target, double* sums);

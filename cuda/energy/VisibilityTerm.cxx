@@ -169,10 +169,16 @@ Visible VisibilityTerm::Forward(const float* extinction, const float* importance
   Visible sum;
   for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
   {
-    sum +=
-      SweepForward(this->Pyramids[index], this->Nodes, extinction, importance, this->Images[index]);
+    sum += this->ForwardAt(index, extinction, importance);
   }
   return sum;
+}
+
+Visible VisibilityTerm::ForwardAt(
+  std::size_t index, const float* extinction, const float* importance)
+{
+  return SweepForward(
+    this->Pyramids[index], this->Nodes, extinction, importance, this->Images[index]);
 }
 
 Visible VisibilityTerm::AddGradient(

@@ -33,6 +33,9 @@ public:
   /// Integral of g mu T and its bound; leaves the optical depths of all rays in their images.
   Visible Forward(const float* extinction, const float* importance);
 
+  /// The same of the rays of one pyramid.
+  Visible ForwardAt(std::size_t index, const float* extinction, const float* importance);
+
   /// The same; also adds `weight` times the derivative to `gradient` [1]. Leaves no optical depths.
   Visible AddGradient(
     const TermFields& fields, Derivative derivative, float weight, float* gradient);

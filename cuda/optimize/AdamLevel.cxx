@@ -83,9 +83,8 @@ public:
     body.extinction = this->Now.data();
     const double sum = ParallelBlockSum(this->Task.grid.NodeCount(),
       [&](Index begin, Index end) { return StepBlock(body, begin, end); });
-    const auto filled = double(std::max<Index>(this->Task.occupancy->FilledVoxels(), 1));
     IterationRecord record = this->FindGradient();
-    record.meanChange = this->Task.majorant > 0 ? sum / (filled * this->Task.majorant) : 0.0;
+    record.meanChange = this->Task.MeanChange(sum);
     return record;
   }
 

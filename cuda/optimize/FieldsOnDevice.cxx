@@ -117,17 +117,14 @@ IterationRecord TermsOnDevice<Device>::RecordOf(const Problem& problem, const Fi
   this->Sums.Download(values);
 
   const Weights& weights = problem.settings.weights;
-  const double filled = double(problem.occupancy->FilledVoxels());
   IterationRecord record;
-  record.energy.regularization =
-    0.5 * problem.RegularizationWeight() * problem.grid.CellVolume() * values[Squares];
+  record.energy.regularization = problem.Regularization(values[Squares]);
   record.visibilityScore = values[SeenByCamera];
   record.visibleFraction =
     values[ThereForCamera] > 0 ? values[SeenByCamera] / values[ThereForCamera] : 0.0;
   record.energy.view = -weights.view * values[SeenByCamera];
   record.energy.light = -weights.light * values[SeenByLight];
-  record.meanChange =
-    filled > 0 && problem.majorant > 0 ? values[Changes] / filled / problem.majorant : 0.0;
+  record.meanChange = problem.MeanChange(values[Changes]);
   return record;
 }
 

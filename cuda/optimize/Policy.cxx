@@ -37,16 +37,17 @@ public:
     {
       this->FindLagged(last);
     }
+    const PolicyFound found = this->SweepOnce(last, next, trust);
     limpid::Seen seen;
-    (this->Seen.camera ? seen.byCamera : seen.byLight) = this->SweepOnce(last, next, trust);
-    const double change = problem.MeanChange(last, next, problem.occupancy->FilledVoxels());
+    (this->Seen.camera ? seen.byCamera : seen.byLight) = found.met;
+    const double change = problem.MeanChange(found.moved.changes);
     this->LagIsFresh = this->Joint() && again && !(change < problem.settings.tolerance);
     if (this->Joint())
     {
       seen.byLight = this->LagIsFresh ? this->FindLagged(next)
                                       : this->Seen.light->Forward(next.data(), problem.importance);
     }
-    IterationRecord record = RecordOf(problem, next, seen);
+    IterationRecord record = RecordOf(problem, problem.Regularization(found.moved.squares), seen);
     record.meanChange = change;
     return record;
   }
@@ -55,7 +56,7 @@ private:
   bool Joint() const { return this->Seen.camera && this->Seen.light; }
 
   /// The policy sweep itself, of the camera or, without one, of the light.
-  Visible SweepOnce(const Field& last, Field& next, bool trust)
+  PolicyFound SweepOnce(const Field& last, Field& next, bool trust)
   {
     const Problem& problem = *this->Work;
     const Weights& weights = problem.settings.weights;
@@ -67,14 +68,25 @@ private:
     task.fields.next = next.data();
     task.trust = trust ? Trust::LastIterate : Trust::Clear;
     VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
-    Visible seen;
-    for (std::size_t index = 0; index < swept.PyramidCount(); ++index)
+    const std::size_t pyramids = swept.PyramidCount();
+    PolicyFound sum;
+    for (std::size_t index = 0; index < pyramids; ++index)
     {
-      seen += SweepPolicy(swept.PyramidAt(index), task, swept.ImagesAt(index));
+      const PolicyFound found = SweepPolicy(swept.PyramidAt(index), task, swept.ImagesAt(index));
+      sum.moved += found.moved;
+      if (MetNextIterate(index, pyramids, task.derivative))
+      {
+        sum.met += found.met;
+      }
     }
-    return problem.settings.derivative == Derivative::Volume
-      ? seen
-      : swept.Forward(next.data(), problem.importance);
+    for (std::size_t index = 0; index < pyramids; ++index)
+    {
+      if (!MetNextIterate(index, pyramids, task.derivative))
+      {
+        sum.met += swept.ForwardAt(index, next.data(), problem.importance);
+      }
+    }
+    return sum;
   }
 
   Visible FindLagged(const Field& extinction)

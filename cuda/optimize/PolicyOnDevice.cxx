@@ -113,14 +113,15 @@ private:
     TermOnDevice<Device>& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
     double* sums = this->Seen.camera ? this->Seen.SumsOfCamera() : this->Seen.SumsOfLight();
     SweepPolicyOnDevice(*this->Home, swept, fields, task);
-    if (problem.settings.derivative == Derivative::Volume)
+    const std::size_t pyramids = swept.Pyramids().size();
+    for (std::size_t index = 0; index < pyramids; ++index)
     {
-      swept.SumTotals(sums);
+      if (!MetNextIterate(index, pyramids, task.derivative))
+      {
+        swept.ForwardAt(index, next.Data(), fields.importance.Data());
+      }
     }
-    else
-    {
-      swept.Forward(next.Data(), fields.importance.Data(), sums);
-    }
+    swept.SumTotals(sums);
   }
 
   void FindLagged(const Field& extinction)

@@ -87,6 +87,7 @@ public:
     , Ahead(images.behind.size(), 0.0f)
     , RearImportance(images.behind.size(), 0.0f)
     , Collected(images.opticalDepth.size(), 0.0)
+    , Moved(std::size_t(pyramid.nodesV))
   {
     StartBehind(images);
     std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
@@ -98,10 +99,7 @@ public:
     this->NodeImportance.Load(slab, 0);
     this->Importance.Load(slab, 2);
     this->Next.Load(slab, 2);
-    if (this->TrustTransmittance)
-    {
-      this->Extinction.Load(slab, 1);
-    }
+    this->Extinction.Load(slab, 1);
     if (this->HasLagged)
     {
       this->Lagged.Load(slab, 0);
@@ -139,12 +137,16 @@ public:
     }
   }
 
-  /// When the sweep is through: the score of what it found, whose optical depths are left in the
-  /// images.
-  Visible Finish()
+  /// When the sweep is through.
+  PolicyFound Finish()
   {
     this->Images.opticalDepth.swap(this->Collected);
-    return SumBehind(this->Source, this->Images);
+    PolicyFound found{ SumBehind(this->Source, this->Images), {} };
+    for (const Differences& row : this->Moved)
+    {
+      found.moved += row;
+    }
+    return found;
   }
 
   void VoxelRow(int s, int v)
@@ -158,6 +160,20 @@ public:
       return;
     }
     this->Prefetch(station.slice, v + 1, owned);
+    this->FindVoxels(s, v, owned);
+    // While they are at hand: the energy and the change need not read them again.
+    const float* next = this->Next.Row(station.slice, v) + owned.begin;
+    const float* base = this->Base.Row(station.slice, v) + owned.begin;
+    const float* last = this->Extinction.Row(station.slice, v) + owned.begin;
+    const Index count = owned.end - owned.begin;
+    this->Moved[std::size_t(v)] +=
+      { SumOfSquares(next, base, count), SumOfChanges(next, last, count) };
+  }
+
+private:
+  void FindVoxels(int s, int v, const Interval& owned)
+  {
+    const Station& station = this->Source.stations[std::size_t(s)];
     const Interval columns =
       FilledRegisters(Intersection(this->Source.VoxelColumns(station, v), owned), owned);
     PolicyRowArrays arrays{};
@@ -198,7 +214,6 @@ public:
     PolicyRow(this->Voxel, { 1.0f / area }, arrays, columns);
   }
 
-private:
   LIMPID_INLINE void Prefetch(int slice, int v, const Interval& columns)
   {
     for (SliceWindow* field : { &this->Base, &this->NodeImportance, &this->Next })
@@ -303,6 +318,7 @@ private:
   std::vector<float> Ahead;          ///< visible importance half way to the station behind
   std::vector<float> RearImportance; ///< sampled by LookAhead for CarryThroughLayer
   std::vector<double> Collected;     ///< optical depth of the layers carried through
+  std::vector<Differences> Moved;    ///< per voxel row, of all slices
 };
 }
 
@@ -324,7 +340,7 @@ PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight)
   return task;
 }
 
-Visible SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
+PolicyFound SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
 {
   PolicyVisitor visitor(pyramid, task, images);
   SweepBackward(pyramid, visitor);

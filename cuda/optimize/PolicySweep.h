@@ -6,6 +6,7 @@
 
 #include "optimize/PolicyVoxel.h"
 #include "optimize/Problem.h"
+#include "optimize/Sums.h"
 #include "sweep/Sweep.h"
 
 namespace limpid
@@ -43,9 +44,24 @@ struct PolicyTask
 /// `weight`: that of the term that is swept; `lagWeight`: that of the other one.
 PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight);
 
-/// One backward policy sweep: finds the next iterate in all voxels of a pyramid and leaves its
-/// optical depths in the images. Returns its score, which means nothing with Derivative::Ray.
-Visible SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images);
+/// What a policy sweep of a pyramid has found.
+struct PolicyFound
+{
+  Visible met;       ///< score of what its rays have met, see MetNextIterate
+  Differences moved; ///< of its voxels
+};
+
+/// One backward policy sweep: finds the next iterate in all voxels of a pyramid. Leaves the optical
+/// depths of what its rays have met in the images.
+PolicyFound SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images);
+
+/// Whether what the rays of a pyramid have met in their policy sweep was the next iterate, whose
+/// score and optical depths are known then: not the voxels of a pyramid that is swept later. With
+/// Derivative::Ray what rays carry is not the score.
+inline bool MetNextIterate(std::size_t pyramid, std::size_t pyramids, Derivative derivative)
+{
+  return pyramid + 1 == pyramids && derivative == Derivative::Volume;
+}
 }
 
 #endif

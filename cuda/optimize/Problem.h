@@ -45,9 +45,11 @@ struct Problem
   /// F_p of Eq. 22 in world units [length^2].
   double Regularization(const std::vector<float>& extinction) const;
 
-  /// Mean change from one extinction to another over the voxels that may change [majorant].
-  double MeanChange(
-    const std::vector<float>& from, const std::vector<float>& to, Index filledVoxels) const;
+  /// The same from the sum over all voxels of (mu - mu-bar)^2.
+  double Regularization(double squares) const;
+
+  /// Mean change over the voxels that may change [majorant], from the sum of all changes.
+  double MeanChange(double changes) const;
 };
 
 /// An iterative method for a problem.

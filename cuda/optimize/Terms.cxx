@@ -29,7 +29,7 @@ IterationRecord Terms::Measure(const Problem& problem, const std::vector<float>&
   {
     seen.byLight = this->light->Forward(extinction.data(), problem.importance);
   }
-  return RecordOf(problem, extinction, seen);
+  return RecordOf(problem, problem.Regularization(extinction), seen);
 }
 
 IterationRecord Terms::AddGradient(
@@ -48,15 +48,14 @@ IterationRecord Terms::AddGradient(
     seen.byLight = this->light->AddGradient(
       fields, settings.derivative, static_cast<float>(settings.weights.light), gradient.data());
   }
-  return RecordOf(problem, extinction, seen);
+  return RecordOf(problem, problem.Regularization(extinction), seen);
 }
 
-IterationRecord RecordOf(
-  const Problem& problem, const std::vector<float>& extinction, const Seen& seen)
+IterationRecord RecordOf(const Problem& problem, double regularization, const Seen& seen)
 {
   const Weights& weights = problem.settings.weights;
   IterationRecord record;
-  record.energy.regularization = problem.Regularization(extinction);
+  record.energy.regularization = regularization;
   record.visibilityScore = seen.byCamera.visible;
   record.visibleFraction =
     seen.byCamera.plain > 0 ? seen.byCamera.visible / seen.byCamera.plain : 0.0;

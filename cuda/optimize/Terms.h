@@ -18,9 +18,8 @@ struct Seen
   Visible byLight;
 };
 
-/// Energy and score of an extinction that the terms have seen.
-IterationRecord RecordOf(
-  const Problem& problem, const std::vector<float>& extinction, const Seen& seen);
+/// Energy and score of an extinction with that F_p, which the terms have seen.
+IterationRecord RecordOf(const Problem& problem, double regularization, const Seen& seen);
 
 /// The visibility terms of a problem; a term of weight zero is not there and costs nothing.
 struct Terms

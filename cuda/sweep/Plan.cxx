@@ -316,6 +316,13 @@ std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, con
       }
     }
   }
+  // A policy sweep gains most if the largest comes last, see MetNextIterate.
+  std::stable_sort(pyramids.begin(), pyramids.end(),
+    [](const Pyramid& one, const Pyramid& other)
+    {
+      return Index(one.RayCount()) * one.LastStation() <
+        Index(other.RayCount()) * other.LastStation();
+    });
   return pyramids;
 }
 }

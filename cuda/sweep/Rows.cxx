@@ -239,6 +239,29 @@ void BlendFourRows(const float* const rows[2][2], float across, float along, int
 }
 
 LIMPID_MULTIVERSION
+void BlendFourRowsTwice(const float* const rows[2][2], const float across[2], const float along[2],
+  int begin, int end, float* __restrict first, float* __restrict second)
+{
+  const float* __restrict front0 = rows[0][0];
+  const float* __restrict front1 = rows[0][1];
+  const float* __restrict back0 = rows[1][0];
+  const float* __restrict back1 = rows[1][1];
+  const float across0 = across[0];
+  const float across1 = across[1];
+  const float along0 = along[0];
+  const float along1 = along[1];
+  for (int u = begin; u < end; ++u)
+  {
+    const float step0 = back0[u] - front0[u];
+    const float step1 = back1[u] - front1[u];
+    const float low0 = front0[u] + along0 * step0;
+    const float low1 = front0[u] + along1 * step0;
+    first[u] = low0 + across0 * ((front1[u] + along0 * step1) - low0);
+    second[u] = low1 + across1 * ((front1[u] + along1 * step1) - low1);
+  }
+}
+
+LIMPID_MULTIVERSION
 void BlendCubic(const float* const rows[4], float across, int begin, int end, float* __restrict out)
 {
   const float* __restrict before = rows[0];

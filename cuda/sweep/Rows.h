@@ -35,6 +35,10 @@ void BlendRows(
 void BlendFourRows(
   const float* const rows[2][2], float across, float along, int begin, int end, float* out);
 
+/// Two such blends of the same rows.
+void BlendFourRowsTwice(const float* const rows[2][2], const float across[2], const float along[2],
+  int begin, int end, float* first, float* second);
+
 /// The cubic blend of four rows of samples at -1, 0, 1, 2 between the second and the third
 /// (Catmull-Rom); `across`: fraction of the way. Columns [begin, end).
 void BlendCubic(const float* const rows[4], float across, int begin, int end, float* out);

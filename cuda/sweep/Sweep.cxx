@@ -58,10 +58,55 @@ RayRow RaysOf(const Pyramid& pyramid, const RayImages& images, int front, int ro
   return rays;
 }
 
-std::size_t ScratchSize(const Pyramid& pyramid)
+namespace
+{
+/// Values that a row of samples takes.
+std::size_t RowScratch(int columns)
 {
   constexpr std::size_t readBeyond = 32; // see InterpolateRow
-  return std::size_t(std::max(pyramid.nodesU, pyramid.columns)) + readBeyond;
+  return std::size_t(columns) + readBeyond;
+}
+}
+
+std::size_t ScratchSize(const Pyramid& pyramid)
+{
+  return RowScratch(std::max(pyramid.nodesU, pyramid.columns));
+}
+
+namespace
+{
+/// Columns of a field that a row of rays is interpolated from.
+Interval ColumnsRead(const Plane& plane, const Interval& rays, const SliceWindow& field)
+{
+  return FilledRegisters({ plane.rayColumns.index[std::size_t(rays.begin)],
+                           plane.rayColumns.index[std::size_t(rays.end) - 1] + 2 },
+    { 0, field.ColumnCount() });
+}
+
+/// The two rows of voxels on both slices of a plane that a row of rays is interpolated from.
+struct FourRows
+{
+  const float* rows[2][2];
+
+  FourRows(const Plane& plane, int v, SliceWindow& field)
+  {
+    for (int slice = 0; slice < 2; ++slice)
+    {
+      this->rows[slice][0] = field.Row(plane.slices[slice], v);
+      this->rows[slice][1] = field.Row(plane.slices[slice], v + 1);
+    }
+  }
+};
+
+/// Brings what a later row of rays will read.
+LIMPID_INLINE void PrefetchPlane(
+  const Plane& plane, int row, const Interval& columns, SliceWindow& field)
+{
+  const auto later = std::min(std::size_t(row) + 2, plane.rayRows.index.size() - 1);
+  const int soon = plane.rayRows.index[later] + 1;
+  field.Prefetch(plane.slices[0], soon, columns);
+  field.Prefetch(plane.slices[1], soon, columns);
+}
 }
 
 void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices slices,
@@ -71,29 +116,42 @@ void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices sl
   {
     return;
   }
-  const auto r = std::size_t(row);
-  const int v = plane.rayRows.index[r];
-  const float across = plane.rayRows.weight[r];
-  const Interval read =
-    FilledRegisters({ plane.rayColumns.index[std::size_t(columns.begin)],
-                      plane.rayColumns.index[std::size_t(columns.end) - 1] + 2 },
-      { 0, field.ColumnCount() });
-  const int soon = plane.rayRows.index[std::min(r + 2, plane.rayRows.index.size() - 1)] + 1;
-  field.Prefetch(plane.slices[0], soon, read);
-  field.Prefetch(plane.slices[1], soon, read);
-  const float* back[2] = { field.Row(plane.slices[1], v), field.Row(plane.slices[1], v + 1) };
+  const Interval read = ColumnsRead(plane, columns, field);
+  PrefetchPlane(plane, row, read, field);
+  const float across = plane.rayRows.weight[std::size_t(row)];
+  const FourRows four(plane, plane.rayRows.index[std::size_t(row)], field);
   if (slices == Slices::Rear)
   {
-    BlendRows(back[0], back[1], across, read.begin, read.end, scratch);
+    BlendRows(four.rows[1][0], four.rows[1][1], across, read.begin, read.end, scratch);
   }
   else
   {
-    const float* rows[2][2] = {
-      { field.Row(plane.slices[0], v), field.Row(plane.slices[0], v + 1) }, { back[0], back[1] }
-    };
-    BlendFourRows(rows, across, plane.fraction, read.begin, read.end, scratch);
+    BlendFourRows(four.rows, across, plane.fraction, read.begin, read.end, scratch);
   }
   InterpolateRow(scratch, plane.rayColumns, columns, out);
+}
+
+void SamplePlanes(const std::array<Plane, 2>& planes, int row, const Interval& columns,
+  SliceWindow& field, float* scratch, float* const out[2])
+{
+  const auto r = std::size_t(row);
+  const int v = planes[0].rayRows.index[r];
+  if (columns.Empty() || v != planes[1].rayRows.index[r])
+  {
+    SamplePlane(planes[0], row, columns, Slices::Both, field, scratch, out[0]);
+    SamplePlane(planes[1], row, columns, Slices::Both, field, scratch, out[1]);
+    return;
+  }
+  const Interval read =
+    Hull(ColumnsRead(planes[0], columns, field), ColumnsRead(planes[1], columns, field));
+  PrefetchPlane(planes[0], row, read, field);
+  const float across[2] = { planes[0].rayRows.weight[r], planes[1].rayRows.weight[r] };
+  const float along[2] = { planes[0].fraction, planes[1].fraction };
+  const FourRows four(planes[0], v, field);
+  float* second = scratch + RowScratch(field.ColumnCount());
+  BlendFourRowsTwice(four.rows, across, along, read.begin, read.end, scratch, second);
+  InterpolateRow(scratch, planes[0].rayColumns, columns, out[0]);
+  InterpolateRow(second, planes[1].rayColumns, columns, out[1]);
 }
 
 void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
@@ -178,19 +236,19 @@ void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, flo
 
 std::size_t LayerMemory(const Pyramid& pyramid)
 {
-  return 4 * std::size_t(pyramid.columns) + ScratchSize(pyramid);
+  return 4 * std::size_t(pyramid.columns) + 2 * ScratchSize(pyramid);
 }
 
 void SampleExtinction(
   const Pyramid& pyramid, int s, int row, SliceWindow& extinction, float* memory, RayRow& rays)
 {
   const auto columns = std::size_t(pyramid.columns);
+  float* const samples[2] = { memory, memory + columns };
+  SamplePlanes(pyramid.stations[std::size_t(s)].planes, row, rays.work, extinction,
+    memory + 4 * columns, samples);
   for (int half = 0; half < 2; ++half)
   {
-    const Plane& plane = pyramid.stations[std::size_t(s)].planes[std::size_t(half)];
-    float* samples = memory + std::size_t(half) * columns;
-    SamplePlane(plane, row, rays.work, Slices::Both, extinction, memory + 4 * columns, samples);
-    rays.extinction[half] = rays.importance[half] = samples;
+    rays.extinction[half] = rays.importance[half] = samples[half];
   }
 }
 
@@ -199,13 +257,13 @@ void SampleLayer(const Pyramid& pyramid, int s, int row, SliceWindow& extinction
 {
   const auto columns = std::size_t(pyramid.columns);
   SampleExtinction(pyramid, s, row, extinction, memory, rays);
+  float* const samples[2] = { memory + 2 * columns, memory + 3 * columns };
+  SamplePlanes(pyramid.stations[std::size_t(s)].planes, row, rays.work, importance,
+    memory + 4 * columns, samples);
   for (int half = 0; half < 2; ++half)
   {
-    const Plane& plane = pyramid.stations[std::size_t(s)].planes[std::size_t(half)];
-    float* samples = memory + std::size_t(half + 2) * columns;
-    SamplePlane(plane, row, rays.work, Slices::Both, importance, memory + 4 * columns, samples);
-    HideOutOfView(pyramid, row, rays.work, samples);
-    rays.importance[half] = samples;
+    HideOutOfView(pyramid, row, rays.work, samples[half]);
+    rays.importance[half] = samples[half];
   }
 }
 

@@ -67,6 +67,11 @@ enum class Slices
 void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices slices,
   SliceWindow& field, float* scratch, float* out);
 
+/// Samples both planes of a layer at `columns` of a row of rays, from both slices. `scratch`: twice
+/// ScratchSize(pyramid) values.
+void SamplePlanes(const std::array<Plane, 2>& planes, int row, const Interval& columns,
+  SliceWindow& field, float* scratch, float* const out[2]);
+
 /// Number of values that sampling needs as scratch.
 std::size_t ScratchSize(const Pyramid& pyramid);
 

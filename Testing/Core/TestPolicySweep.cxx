@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What sweeps from the back leave behind beside extinction and derivative, against a forward sweep.
+
+#include "BoxScene.h"
+#include "Tolerance.h"
+
+#include "optimize/PolicySweep.h"
+#include "optimize/PreparedScene.h"
+#include "optimize/Terms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+struct View
+{
+  const char* name;
+  std::function<void(BoxScene&)> change;
+};
+
+std::ostream& operator<<(std::ostream& stream, const View& view)
+{
+  return stream << view.name;
+}
+
+/// A filled box, importance up to its faces: nothing is zero where rays enter and leave.
+BoxScene FilledScene(const View& view)
+{
+  BoxScene scene({ 29, 24, 33 }, { 3, -2, 5 }, { 1.0, 1.3, 0.8 });
+  scene.ForEachNode(
+    [&](std::size_t node, int i, int j, int k)
+    {
+      scene.extinction[node] = 0.02f + 0.05f * static_cast<float>((3 * i + 5 * j + 7 * k) % 11);
+      scene.importance[node] = 0.1f * static_cast<float>((2 * i + j + 3 * k) % 9);
+    });
+  view.change(scene);
+  return scene;
+}
+
+/// Sums of about a hundred layers in float, in another order.
+Tolerance Reordered(double value)
+{
+  return Roundoff<float>(100, value);
+}
+}
+
+class SweepFromTheBack : public ::testing::TestWithParam<View>
+{
+};
+
+TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
+{
+  BoxScene scene = FilledScene(GetParam());
+  PreparedScene prepared(scene.Fields());
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  Terms terms(problem);
+  Terms others(problem);
+  std::vector<float> next = scene.extinction;
+  PolicyTask task = TaskOf(problem, problem.settings.weights.view, 0);
+  task.fields.extinction = scene.extinction.data();
+  task.fields.next = next.data();
+  task.trust = Trust::Clear;
+  const std::size_t pyramids = terms.camera->PyramidCount();
+  std::vector<PolicyFound> found;
+
+  for (std::size_t index = 0; index < pyramids; ++index)
+  {
+    found.push_back(
+      SweepPolicy(terms.camera->PyramidAt(index), task, terms.camera->ImagesAt(index)));
+  }
+
+  Differences moved;
+  int known = 0;
+  for (std::size_t index = 0; index < pyramids; ++index)
+  {
+    moved += found[index].moved;
+    const Visible truth = others.camera->ForwardAt(index, next.data(), problem.importance);
+    if (!MetNextIterate(index, pyramids, task.derivative))
+    {
+      continue;
+    }
+    ++known;
+    EXPECT_WITHIN(found[index].met.visible, truth.visible, Reordered(truth.visible));
+    EXPECT_WITHIN(found[index].met.plain, truth.plain, Reordered(truth.plain));
+    const std::vector<double>& depths = others.camera->ImagesAt(index).opticalDepth;
+    const std::vector<double>& collected = terms.camera->ImagesAt(index).opticalDepth;
+    const double deepest = *std::max_element(depths.begin(), depths.end());
+    for (std::size_t ray = 0; ray < depths.size(); ++ray)
+    {
+      ASSERT_WITHIN(collected[ray], depths[ray], Roundoff<double>(300, deepest)) << ray;
+    }
+  }
+  EXPECT_EQ(known, 1) << "the largest pyramid, which comes last";
+  double squares = 0;
+  double changes = 0;
+  for (std::size_t node = 0; node < next.size(); ++node)
+  {
+    const double difference = double(next[node]) - double(scene.extinction[node]);
+    squares += difference * difference;
+    changes += std::abs(difference);
+  }
+  EXPECT_WITHIN(moved.squares, squares, Roundoff<double>(1e5, squares));
+  EXPECT_WITHIN(moved.changes, changes, Roundoff<double>(1e5, changes));
+}
+
+TEST_P(SweepFromTheBack, FindsTheScoreAlongWithTheDerivative)
+{
+  BoxScene scene = FilledScene(GetParam());
+  PreparedScene prepared(scene.Fields());
+  for (const Derivative derivative : { Derivative::Volume, Derivative::Ray })
+  {
+    const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+    Terms terms(problem);
+    const TermFields fields{ scene.extinction.data(), problem.importance, problem.nodeImportance };
+    const Visible truth = terms.camera->Forward(fields.extinction, fields.importance);
+    std::vector<float> added(scene.extinction.size(), 1.0f);
+    std::vector<float> set(scene.extinction.size(), 0.0f);
+
+    const Visible seen = terms.camera->AddGradient(fields, derivative, 2.0f, added.data());
+    const Visible again = terms.camera->SetGradient(fields, derivative, set.data());
+
+    EXPECT_WITHIN(seen.visible, truth.visible, Reordered(truth.visible));
+    EXPECT_WITHIN(seen.plain, truth.plain, Reordered(truth.plain));
+    EXPECT_EQ(again.visible, seen.visible);
+    for (std::size_t node = 0; node < set.size(); ++node)
+    {
+      ASSERT_WITHIN(added[node], 1 + 2 * double(set[node]),
+        Roundoff<float>(4, 1 + 2 * std::abs(double(set[node]))));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, SweepFromTheBack,
+  ::testing::Values(View{ "Outside", [](BoxScene&) {} },
+    View{ "Oblique",
+      [](BoxScene& scene) {
+        scene.camera.position = scene.grid.Centre() + scene.grid.Radius() * Vec3(1.1, -1.2, 1.3);
+      } },
+    View{ "Inside",
+      [](BoxScene& scene) { scene.camera.position = scene.grid.Centre() + Vec3(2, 1, -3); } },
+    View{ "OnAFace",
+      [](BoxScene& scene)
+      { scene.camera.position = scene.grid.PointToWorld(Vec3(0, 11.3, 15.1)); } },
+    View{ "AlongX",
+      [](BoxScene& scene)
+      { scene.camera.position = scene.grid.Centre() + scene.grid.Radius() * Vec3(-3, 0.2, 0.1); } },
+    View{ "Parallel", [](BoxScene& scene) { scene.camera.parallel = true; } },
+    View{ "InView",
+      [](BoxScene& scene)
+      {
+        scene.settings.restrictToView = true;
+        scene.camera.viewAngle = 12;
+      } },
+    View{ "WithoutSkips", [](BoxScene& scene) { scene.settings.skipUnneeded = false; } }),
+  ::testing::PrintToStringParamName());
