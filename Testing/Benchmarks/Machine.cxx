@@ -61,13 +61,20 @@ double LoadAverage()
   return file >> load ? load : -1;
 }
 
+MachineFacts FactsOfMachine()
+{
+  return { ProcessorModel(), static_cast<int>(std::thread::hardware_concurrency()), ThreadCount(),
+    LIMPID_COMPILER, LIMPID_BUILD_TYPE, Today() };
+}
+
 void WriteMachine(std::ostream& stream, const std::vector<std::string>& command, double loadBefore)
 {
+  const MachineFacts machine = FactsOfMachine();
   stream << "    " << Text(command) << "\n\n"
-         << "* processor: " << ProcessorModel() << ", " << std::thread::hardware_concurrency()
-         << " cores visible, " << ThreadCount() << " threads used\n"
-         << "* compiler: " << LIMPID_COMPILER << ", build type " << LIMPID_BUILD_TYPE << "\n"
-         << "* date: " << Today() << "\n"
+         << "* processor: " << machine.processor << ", " << machine.cores << " cores visible, "
+         << machine.threads << " threads used\n"
+         << "* compiler: " << machine.compiler << ", build type " << machine.buildType << "\n"
+         << "* date: " << machine.date << "\n"
          << "* load average before the start: "
          << (loadBefore < 0 ? std::string("unknown") : Fixed(loadBefore, 2)) << "\n";
   if (loadBefore > 0.5)

@@ -14,6 +14,19 @@ namespace limpid::benchmark
 /// if the system does not tell.
 double LoadAverage();
 
+/// What numbers are measured on and with.
+struct MachineFacts
+{
+  std::string processor;
+  int cores = 0;   ///< visible ones
+  int threads = 0; ///< used ones
+  std::string compiler;
+  std::string buildType;
+  std::string date; ///< year-month-day
+};
+
+MachineFacts FactsOfMachine();
+
 /// What the numbers were measured on and with, without any names of places: processor, threads,
 /// compiler, build type, date, load before the start, and the command.
 void WriteMachine(std::ostream& stream, const std::vector<std::string>& command, double loadBefore);

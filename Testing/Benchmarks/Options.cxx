@@ -20,7 +20,10 @@ const char* const usage =
   "PROGRAM [--output FILE] [--repeats N] [--threads N] [NAME.scene.json ...]\n"
   "limpid_bench_solvers also [--parts quality,time,paper,memory] [--march-rays PER_VOXEL]\n"
   "                     [--paper-samples PER_VOXEL] [--paper-iterations N] [--paper-seconds S]\n"
-  "limpid_bench_viewpoints also [--march-rays PER_VOXEL]\n";
+  "limpid_bench_viewpoints also [--march-rays PER_VOXEL]\n"
+  "limpid_bench_scaling also [--json FILE] [--parts memory,sizes,threads,skips] [--largest NODES]\n"
+  "limpid_bench_kernels also [--json FILE] [--quick] [--largest NODES]\n"
+  "limpid_bench_error also [--json FILE] [--quick] [--grid-seconds S] [--grid-gigabytes GB]\n";
 
 std::vector<std::string> TestScenes()
 {
@@ -94,6 +97,12 @@ Options ParseOptions(const std::vector<std::string>& arguments)
       [&](Text name, Text text) { options.paperIterations = PositiveCount(name, text); } },
     { "--paper-seconds",
       [&](Text name, Text text) { options.paperSeconds = PositiveNumber(name, text); } },
+    { "--largest", [&](Text name, Text text) { options.largest = PositiveCount(name, text); } },
+    { "--json", [&](Text, Text text) { options.json = text; } },
+    { "--grid-seconds",
+      [&](Text name, Text text) { options.gridSeconds = PositiveNumber(name, text); } },
+    { "--grid-gigabytes",
+      [&](Text name, Text text) { options.gridGigabytes = PositiveNumber(name, text); } },
   };
   for (std::size_t at = 0; at < arguments.size(); ++at)
   {
@@ -101,6 +110,11 @@ Options ParseOptions(const std::vector<std::string>& arguments)
     if (argument.rfind("--", 0) != 0)
     {
       options.scenes.push_back(argument);
+      continue;
+    }
+    if (argument == "--quick")
+    {
+      options.quick = true;
       continue;
     }
     const auto option = known.find(argument);

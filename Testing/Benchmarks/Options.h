@@ -12,7 +12,8 @@ namespace limpid::benchmark
 struct Options
 {
   std::vector<std::string> scenes; ///< paths of scene files
-  std::vector<std::string> parts{ "quality", "time", "paper", "memory" };
+  std::vector<std::string> parts{ "quality", "time", "paper", "memory", "sizes", "threads",
+    "skips" }; ///< those that a program has
   std::string output;       ///< empty: standard output
   int repeats = 5;          ///< of a timed run
   int threads = 0;          ///< zero: all
@@ -20,6 +21,11 @@ struct Options
   double paperSamples = 2;  ///< samples per voxel and axis of the paper's grids
   int paperIterations = 12; ///< timed Adam iterations of the paper's scheme, at most
   double paperSeconds = 20; ///< no further iteration of it after, but at least three [s]
+  std::string json;         ///< numbers for plots; empty: none
+  bool quick = false;       ///< fewer settings and repeats
+  double gridSeconds = 100; ///< limit of the paper's grids, per scene [s]
+  double gridGigabytes = 8; ///< ... and of their memory
+  int largest = 512;        ///< nodes along each axis of the largest procedural volume
 
   bool Wants(const std::string& part) const;
 };

@@ -23,6 +23,12 @@ public:
     return seconds.count();
   }
 
+  /// Seconds since the last lap, which goes on.
+  double Elapsed() const
+  {
+    return std::chrono::duration<double>(Clock::now() - this->Start).count();
+  }
+
 private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point Start = Clock::now();

@@ -35,31 +35,33 @@ Sizes SizesOf(const Problem& problem)
     4 * RaysOf(problem, problem.camera), 4 * RaysOf(problem, problem.light) };
 }
 
-/// Both terms, and the sums over all nodes.
-void AddMeasurement(Traffic& bytes, const Sizes& size)
+void AddSums(Traffic& bytes, const Sizes& size)
 {
-  bytes["forward sweep"] = 2 * 2 * size.filled; // extinction, importance
-  bytes["regularization"] = 2 * size.all;       // extinction, base
-  bytes["change"] = 2 * size.all;               // extinction, last
+  bytes["regularization"] = 2 * size.all; // extinction, base
+  bytes["change"] = 2 * size.all;         // extinction, last
 }
 
 /// The derivative of one term; `rays`: its values per ray and slice.
 void AddDerivative(Traffic& bytes, const Sizes& size, double rays)
 {
+  bytes["optical depths"] += size.filled;                // extinction
   bytes["backward sweep"] += 2 * size.filled + 3 * rays; // extinction, importance; images
   bytes["derivative"] += 3 * size.filled + 3 * rays;     // importance, derivative twice; images
 }
 }
 
-Traffic PolicyTraffic(const Problem& problem)
+Traffic PolicyTraffic(const Problem& problem, Runner runner)
 {
   const Sizes size = SizesOf(problem);
+  const bool onDevice = runner == Runner::Device;
   Traffic bytes;
-  bytes["set to zero"] = size.all;
-  AddDerivative(bytes, size, size.light);
   // Base, importance twice, last, derivative of the light; next is written and read.
   bytes["policy sweep"] = 7 * size.filled;
-  AddMeasurement(bytes, size);
+  AddDerivative(bytes, size, onDevice ? size.light : 0.0);
+  if (onDevice)
+  {
+    AddSums(bytes, size);
+  }
   return bytes;
 }
 
@@ -70,10 +72,12 @@ Traffic AdamTraffic(const Problem& problem)
   bytes["set to zero"] = size.all;
   AddDerivative(bytes, size, size.camera);
   AddDerivative(bytes, size, size.light);
-  bytes["copy"] = 4 * size.all; // of the last extinction, and of the best
-  // Derivative and base are read; both means and the extinction are read and written.
-  bytes["Adam"] = 8 * size.all;
-  AddMeasurement(bytes, size);
+  bytes["copy"] = 2 * size.all; // of the best extinction
+  // Base is read; derivative, which becomes the change, both means and the extinction are read and
+  // written.
+  bytes["Adam"] = 9 * size.all;
+  AddSums(bytes, size);
+  bytes["change"] = size.all; // it is a field already
   return bytes;
 }
 }
