@@ -5,8 +5,11 @@
 
 #include "backend/Backend.h"
 #include "backend/Simd.h"
+#include "sweep/Interval.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace limpid
 {
@@ -58,57 +61,179 @@ void WeighAlongRow(const float* __restrict row, int count, float* __restrict out
   out[0] = first.own * row[0] + (count > 1 ? first.above * row[1] : 0.0f);
   out[count - 1] = count > 1 ? last.own * row[count - 1] + last.below * row[count - 2] : out[0];
 }
+
+/// Clears what belongs to nodes that have neither extinction nor importance.
+LIMPID_MULTIVERSION
+void ClearEmpty(const float* __restrict baseExtinction, const float* __restrict importance,
+  int count, float* __restrict mean)
+{
+  for (int x = 0; x < count; ++x)
+  {
+    const bool filled = (baseExtinction[x] > 0) | (importance[x] > 0);
+    mean[x] = filled ? mean[x] : 0.0f;
+  }
+}
+
+LIMPID_MULTIVERSION
+bool IsZero(const float* __restrict row, int count)
+{
+  int other = 0;
+  for (int x = 0; x < count; ++x)
+  {
+    other |= row[x] != 0 ? 1 : 0;
+  }
+  return !other;
+}
+
+constexpr int rowsPerTile = 32;
+constexpr int slicesPerTile = 16;
+
+/// A part of the grid whose slices stay in a near cache.
+struct Tile
+{
+  Interval rows;
+  Interval slices;
+};
+
+/// Means along x and y of the rows of a tile on one slice.
+struct SliceMean
+{
+  float* values = nullptr;
+  std::array<bool, rowsPerTile> zero{}; ///< per row: nothing but zeros
+};
+
+class TileMean
+{
+public:
+  TileMean(const Grid& grid, const float* baseExtinction, const float* importance, float* mean)
+    : Nodes(grid.nodes)
+    , BaseExtinction(baseExtinction)
+    , Importance(importance)
+    , Mean(mean)
+  {
+  }
+
+  void Fill(const Tile& tile) const
+  {
+    const std::size_t nx = std::size_t(this->Nodes.x);
+    float* memory = ThreadScratch((3 * rowsPerTile + 1) * nx);
+    SliceMean slices[3];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      slices[i].values = memory + (1 + i * rowsPerTile) * nx;
+    }
+    SliceMean* below = slices;
+    SliceMean* own = slices + 1;
+    SliceMean* above = slices + 2;
+    this->FindMeanAcross(std::max(tile.slices.begin - 1, 0), tile.rows, memory, *below);
+    this->FindMeanAcross(tile.slices.begin, tile.rows, memory, *own);
+    for (int z = tile.slices.begin; z < tile.slices.end; ++z)
+    {
+      this->FindMeanAcross(std::min(z + 1, this->Nodes.z - 1), tile.rows, memory, *above);
+      this->FindMean(z, tile.rows, *below, *own, *above);
+      std::swap(below, own);
+      std::swap(own, above);
+    }
+  }
+
+private:
+  Index RowAt(int y, int z) const { return (Index(z) * this->Nodes.y + y) * this->Nodes.x; }
+
+  /// The mean along x and y. `blended`: memory for a row.
+  void FindMeanAcross(int z, const Interval& rows, float* blended, SliceMean& mean) const
+  {
+    const int nx = this->Nodes.x;
+    const int ny = this->Nodes.y;
+    const float* slice = this->Importance + this->RowAt(0, z);
+    const auto rowAt = [&](int y) { return slice + Index(std::min(std::max(y, 0), ny - 1)) * nx; };
+    bool zeroBefore = IsZero(rowAt(rows.begin - 1), nx);
+    bool zero = IsZero(rowAt(rows.begin), nx);
+    for (int y = rows.begin; y < rows.end; ++y)
+    {
+      const bool zeroBehind = IsZero(rowAt(y + 1), nx);
+      const int row = y - rows.begin;
+      float* values = mean.values + Index(row) * nx;
+      mean.zero[std::size_t(row)] = zeroBefore && zero && zeroBehind;
+      if (mean.zero[std::size_t(row)])
+      {
+        std::fill_n(values, nx, 0.0f);
+      }
+      else
+      {
+        WeighRows(rowAt(y - 1), rowAt(y), rowAt(y + 1), TapsOf(y, ny), nx, blended);
+        WeighAlongRow(blended, nx, values);
+      }
+      zeroBefore = zero;
+      zero = zeroBehind;
+    }
+  }
+
+  /// The mean along z of those of a slice and its neighbours.
+  void FindMean(int z, const Interval& rows, const SliceMean& below, const SliceMean& own,
+    const SliceMean& above) const
+  {
+    const int nx = this->Nodes.x;
+    const Taps taps = TapsOf(z, this->Nodes.z);
+    for (int y = rows.begin; y < rows.end; ++y)
+    {
+      const auto row = std::size_t(y - rows.begin);
+      if (below.zero[row] && own.zero[row] && above.zero[row])
+      {
+        continue;
+      }
+      const Index first = this->RowAt(y, z);
+      const Index at = Index(row) * nx;
+      float* mean = this->Mean + first;
+      WeighRows(below.values + at, own.values + at, above.values + at, taps, nx, mean);
+      if (this->BaseExtinction)
+      {
+        ClearEmpty(this->BaseExtinction + first, this->Importance + first, nx, mean);
+      }
+    }
+  }
+
+  Int3 Nodes;
+  const float* BaseExtinction; ///< null: no node counts as empty
+  const float* Importance;
+  float* Mean;
+};
+
+/// In place of zeros.
+void FillMean(const Grid& grid, const float* baseExtinction, const float* importance, float* mean)
+{
+  const Int3& nodes = grid.nodes;
+  const Index across = (nodes.y + rowsPerTile - 1) / rowsPerTile;
+  const Index along = (nodes.z + slicesPerTile - 1) / slicesPerTile;
+  const TileMean body(grid, baseExtinction, importance, mean);
+  ParallelFor(across * along,
+    [&](Index index)
+    {
+      const int y = static_cast<int>(index % across) * rowsPerTile;
+      const int z = static_cast<int>(index / across) * slicesPerTile;
+      body.Fill(
+        { { y, std::min(y + rowsPerTile, nodes.y) }, { z, std::min(z + slicesPerTile, nodes.z) } });
+    });
+}
 }
 
 std::vector<float> NodeImportance(const Grid& grid, const float* importance)
 {
-  const int nx = grid.nodes.x;
-  const int ny = grid.nodes.y;
-  const int nz = grid.nodes.z;
-  const Index slice = Index(nx) * ny;
   std::vector<float> mean(static_cast<std::size_t>(grid.NodeCount()));
-  ParallelFor(nz,
-    [&](Index z)
-    {
-      float* blended = ThreadScratch(std::size_t(nx));
-      const float* source = importance + z * slice;
-      for (int y = 0; y < ny; ++y)
-      {
-        const float* row = source + Index(y) * nx;
-        WeighRows(
-          y > 0 ? row - nx : row, row, y + 1 < ny ? row + nx : row, TapsOf(y, ny), nx, blended);
-        WeighAlongRow(blended, nx, mean.data() + z * slice + Index(y) * nx);
-      }
-    });
-  ParallelFor(ny,
-    [&](Index y)
-    {
-      float* below = ThreadScratch(2 * std::size_t(nx));
-      float* own = below + nx;
-      float* row = mean.data() + y * nx;
-      std::copy_n(row, nx, below);
-      for (int z = 0; z < nz; ++z, row += slice)
-      {
-        std::copy_n(row, nx, own);
-        WeighRows(below, own, z + 1 < nz ? row + slice : own, TapsOf(z, nz), nx, row);
-        std::swap(below, own);
-      }
-    });
+  FillMean(grid, nullptr, importance, mean.data());
   return mean;
 }
 
 std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance)
 {
-  std::vector<float> mean = NodeImportance(grid, importance);
-  ParallelFor(grid.NodeCount(), 65536,
-    [&](Index node)
-    {
-      if (!(baseExtinction[node] > 0) && !(importance[node] > 0))
-      {
-        mean[std::size_t(node)] = 0;
-      }
-    });
+  std::vector<float> mean(static_cast<std::size_t>(grid.NodeCount()));
+  FillMean(grid, baseExtinction, importance, mean.data());
   return mean;
+}
+
+void FillNodeImportanceOfFilled(
+  const Grid& grid, const float* baseExtinction, const float* importance, float* zeros)
+{
+  FillMean(grid, baseExtinction, importance, zeros);
 }
 }

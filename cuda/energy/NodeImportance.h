@@ -25,6 +25,10 @@ std::vector<float> NodeImportance(const Grid& grid, const float* importance);
 /// The same, 0 at nodes that have neither extinction nor importance: they are no one's concern.
 std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance);
+
+/// The same, in place of grid.NodeCount() zeros. What is not important is not written.
+void FillNodeImportanceOfFilled(
+  const Grid& grid, const float* baseExtinction, const float* importance, float* zeros);
 }
 
 #endif

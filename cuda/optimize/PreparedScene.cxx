@@ -4,6 +4,7 @@
 #include "optimize/PreparedScene.h"
 
 #include "backend/Backend.h"
+#include "backend/Simd.h"
 #include "energy/NodeImportance.h"
 #include "math/Require.h"
 
@@ -22,40 +23,74 @@ void RequireFields(const SceneFields& scene)
     "There is no importance (nothing tells what is to be seen). Give an array.");
 }
 
+/// What the values of a field are.
+struct Range
+{
+  float largest = 0;
+  bool valid = true; ///< whether all are in [0, most]
+};
+
+LIMPID_MULTIVERSION
+Range RangeOf(const float* __restrict field, Index count, float most)
+{
+  constexpr int lanes = 16;
+  float largest[lanes] = {};
+  int invalid[lanes] = {};
+  for (Index first = 0; first < count; first += lanes)
+  {
+    const int width = static_cast<int>(count - first < lanes ? count - first : lanes);
+    const float* __restrict values = field + first;
+    for (int i = 0; i < width; ++i)
+    {
+      invalid[i] |= !(values[i] >= 0) | !(values[i] <= most);
+      largest[i] = values[i] > largest[i] ? values[i] : largest[i];
+    }
+  }
+  Range range;
+  for (int i = 0; i < lanes; ++i)
+  {
+    range.largest = largest[i] > range.largest ? largest[i] : range.largest;
+    range.valid = range.valid && !invalid[i];
+  }
+  return range;
+}
+
+/// A field, what it is called, and what its values may be.
+struct CheckedField
+{
+  const float* values;
+  float most;
+  const char* name;
+  const char* range;
+};
+
 /// Checks all values of a field and returns the largest.
-template <class Valid>
-float LargestValue(
-  Index count, const float* field, const char* name, const char* range, const Valid& valid)
+float LargestValue(Index count, const CheckedField& field)
 {
   constexpr Index blockSize = 65536;
   const Index blocks = (count + blockSize - 1) / blockSize;
-  std::vector<float> largest(static_cast<std::size_t>(blocks), 0.0f);
-  std::vector<Index> bad(static_cast<std::size_t>(blocks), -1);
+  std::vector<Range> ranges(static_cast<std::size_t>(blocks));
   ParallelFor(blocks,
     [&](Index block)
     {
-      const Index end = std::min(count, (block + 1) * blockSize);
-      float most = 0;
-      bool allValid = true;
-      for (Index voxel = block * blockSize; voxel < end; ++voxel)
-      {
-        allValid &= valid(field[voxel]);
-        most = field[voxel] > most ? field[voxel] : most;
-      }
-      largest[std::size_t(block)] = most;
-      for (Index voxel = block * blockSize; voxel < end && !allValid; ++voxel)
-      {
-        allValid = !valid(field[voxel]);
-        bad[std::size_t(block)] = voxel;
-      }
+      const Index first = block * blockSize;
+      ranges[std::size_t(block)] =
+        RangeOf(field.values + first, std::min(blockSize, count - first), field.most);
     });
-  for (const Index voxel : bad)
+  float largest = 0;
+  for (const Range& range : ranges)
   {
-    LIMPID_REQUIRE(voxel < 0,
-      "The " << name << " of voxel " << voxel << " is " << field[voxel]
-             << " (the energy of Eq. 21 is not defined there). Keep it " << range << '.');
+    Index voxel = (&range - ranges.data()) * blockSize;
+    while (!range.valid && field.values[voxel] >= 0 && field.values[voxel] <= field.most)
+    {
+      ++voxel;
+    }
+    LIMPID_REQUIRE(range.valid,
+      "The " << field.name << " of voxel " << voxel << " is " << field.values[voxel]
+             << " (the energy of Eq. 21 is not defined there). Keep it " << field.range << '.');
+    largest = std::max(largest, range.largest);
   }
-  return *std::max_element(largest.begin(), largest.end());
+  return largest;
 }
 
 void RequireEye(const char* what, const Eye& eye, const Grid& grid)
@@ -92,10 +127,10 @@ PreparedScene::PreparedScene(const SceneFields& scene)
 {
   RequireFields(scene);
   const Index count = scene.grid.NodeCount();
-  this->LargestExtinction = LargestValue(count, scene.baseExtinction, "base extinction",
-    "finite and not negative", [](float value) { return (value >= 0) & (value < 3e38f); });
-  this->SomethingImportant = LargestValue(count, scene.importance, "importance", "between 0 and 1",
-                               [](float value) { return (value >= 0) & (value <= 1); }) > 0;
+  this->LargestExtinction = LargestValue(
+    count, { scene.baseExtinction, 3e38f, "base extinction", "finite and not negative" });
+  this->SomethingImportant =
+    LargestValue(count, { scene.importance, 1, "importance", "between 0 and 1" }) > 0;
 }
 
 bool PreparedScene::SomethingToSee() const
@@ -107,20 +142,22 @@ Problem PreparedScene::ProblemFor(
   const Camera& camera, const Light& light, const Settings& settings)
 {
   const SceneFields& scene = this->Fields;
-  if (this->Important.empty())
+  if (this->Important.Empty())
   {
-    this->Important = NodeImportanceOfFilled(scene.grid, scene.baseExtinction, scene.importance);
+    this->Important = NodeValues(scene.grid.NodeCount());
+    FillNodeImportanceOfFilled(
+      scene.grid, scene.baseExtinction, scene.importance, this->Important.Data());
   }
   if (!this->Filled || this->Filled->Skips() != settings.skipUnneeded)
   {
     this->Filled = std::make_shared<const Occupancy>(
-      scene.grid, scene.baseExtinction, this->Important.data(), settings.skipUnneeded);
+      scene.grid, scene.baseExtinction, this->Important.Data(), settings.skipUnneeded);
   }
   Problem task;
   task.grid = scene.grid;
   task.baseExtinction = scene.baseExtinction;
   task.importance = scene.importance;
-  task.nodeImportance = this->Important.data();
+  task.nodeImportance = this->Important.Data();
   task.occupancy = this->Filled;
   task.resident = this->Kept;
   task.majorant = this->LargestExtinction;

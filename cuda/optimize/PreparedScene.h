@@ -6,6 +6,7 @@
 
 #include "optimize/Problem.h"
 #include "optimize/Solver.h"
+#include "scene/NodeValues.h"
 
 namespace limpid
 {
@@ -43,7 +44,7 @@ private:
   SceneFields Fields;
   float LargestExtinction = 0;
   bool SomethingImportant = false;
-  std::vector<float> Important;            ///< see NodeImportanceOfFilled; made when first needed
+  NodeValues Important;                    ///< see NodeImportanceOfFilled; made when first needed
   std::shared_ptr<const Occupancy> Filled; ///< made when first needed
   std::shared_ptr<Resident> Kept = std::make_shared<Resident>();
 };

@@ -3,6 +3,8 @@
 
 #include "sweep/Lateral.h"
 
+#include "backend/Simd.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,6 +28,134 @@ void AddParts(double begin, double end, double perUnit, double fewest, std::vect
     edges.push_back(begin + (end - begin) * part / parts);
   }
   edges.push_back(end);
+}
+
+/// Places along the axis at a depth: offset + coordinate * factor.
+struct Line
+{
+  double offset;
+  double factor;
+};
+
+Line LineAt(const Lateral& lateral, double depth)
+{
+  return lateral.parallel ? Line{ lateral.shear * depth, 1.0 } : Line{ lateral.eye, depth };
+}
+
+/// For every coordinate the cell of the box at its place, or next to it, and where in it.
+LIMPID_MULTIVERSION
+void FindCells(const double* __restrict coordinates, int count, const Line& line, int nodes,
+  int* __restrict index, float* __restrict weight)
+{
+  const Line at = line;
+  const double last = nodes - 1;
+  const int lastCell = nodes - 2;
+  for (int i = 0; i < count; ++i)
+  {
+    const double position = at.offset + coordinates[i] * at.factor;
+    const double behindFirst = position < 0.0 ? 0.0 : position;
+    const double inside = last < behindFirst ? last : behindFirst;
+    const int node = static_cast<int>(inside);
+    const int cell = lastCell < node ? lastCell : node;
+    index[i] = cell;
+    weight[i] = static_cast<float>(inside - cell);
+  }
+}
+
+LIMPID_MULTIVERSION
+void FindFloors(const double* __restrict coordinates, int count, const Line& line, int nodes,
+  int* __restrict floors)
+{
+  const Line at = line;
+  const double least = -3.0;
+  const double most = nodes + 2.0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double position = at.offset + coordinates[i] * at.factor;
+    const double notBefore = position < least ? least : position;
+    const double near = most < notBefore ? most : notBefore;
+    const int towardsZero = static_cast<int>(near);
+    floors[i] = towardsZero - (near < towardsZero ? 1 : 0);
+  }
+}
+
+/// Coordinates of the rays through voxels begin, begin + 1, ... at a depth.
+LIMPID_MULTIVERSION
+void FindCoordinates(
+  int begin, int count, const Line& line, bool parallel, double* __restrict coordinates)
+{
+  const Line at = line;
+  for (int i = 0; i < count; ++i)
+  {
+    const double distance = begin + i - at.offset;
+    coordinates[i] = parallel ? distance : distance / at.factor;
+  }
+}
+
+/// Where between the coordinates index[i] and index[i] + 1 each wanted one lies.
+LIMPID_MULTIVERSION
+void FindWeights(const double* __restrict coordinates, const double* __restrict wanted,
+  const int* __restrict index, int count, float* __restrict weight)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const double before = coordinates[index[i]];
+    const double gap = coordinates[index[i] + 1] - before;
+    const double share = (wanted[i] - before) / gap;
+    const double positive = share < 0.0 ? 0.0 : share;
+    weight[i] = static_cast<float>(1.0 < positive ? 1.0 : positive);
+  }
+}
+
+/// Depths at which a line with a start at depth 0 and a slope is in [0, last], less `base`.
+LIMPID_INLINE Clip ClipLine(double start, double slope, double last, double base)
+{
+  const double never = 1e30;
+  const bool crosses = slope != 0;
+  const bool beside = (start < 0) | (start > last);
+  const double atZero = (0 - start) / slope;
+  const double atLast = (last - start) / slope;
+  const double nearer = atLast < atZero ? atLast : atZero;
+  const double farther = atZero < atLast ? atLast : atZero;
+  const double low = crosses ? nearer - base : (beside ? never : -never);
+  const double high = crosses ? farther - base : (beside ? -never : never);
+  const double entry = low < -never ? -never : low;
+  const double exit = high < -never ? -never : high;
+  return { static_cast<float>(never < entry ? never : entry),
+    static_cast<float>(never < exit ? never : exit) };
+}
+
+/// Depths at which the rays with these coordinates enter the slab of the box.
+LIMPID_MULTIVERSION
+void FindEntries(const Lateral& lateral, const double* __restrict coordinates, int count,
+  double base, float* __restrict entries)
+{
+  const bool parallel = lateral.parallel;
+  const double eye = lateral.eye;
+  const double shear = lateral.shear;
+  const double last = lateral.nodes - 1;
+  for (int i = 0; i < count; ++i)
+  {
+    entries[i] =
+      ClipLine(parallel ? coordinates[i] : eye, parallel ? shear : coordinates[i], last, base)
+        .entry;
+  }
+}
+
+/// Calls visit(voxels, coordinates of the rays through them) for all voxels at a depth, ascending
+/// and some at a time.
+template <class Visit>
+void VisitVoxels(const Lateral& lateral, double depth, Visit&& visit)
+{
+  constexpr int most = 256;
+  double coordinates[most];
+  for (int begin = 0; begin < lateral.nodes; begin += most)
+  {
+    const Interval voxels{ begin, std::min(begin + most, lateral.nodes) };
+    FindCoordinates(
+      begin, voxels.end - begin, LineAt(lateral, depth), lateral.parallel, coordinates);
+    visit(voxels, coordinates);
+  }
 }
 }
 
@@ -116,29 +246,14 @@ LinearMap Lateral::RayMap(double depth) const
   LinearMap map;
   map.index.resize(std::size_t(this->count));
   map.weight.resize(std::size_t(this->count));
-  const double last = this->nodes - 1;
-  for (int ray = 0; ray < this->count; ++ray)
-  {
-    const double position = this->Position(this->Coordinate(ray), depth);
-    const double inside = std::min(std::max(position, 0.0), last);
-    const int node = std::min(static_cast<int>(inside), this->nodes - 2);
-    map.index[std::size_t(ray)] = node;
-    map.weight[std::size_t(ray)] = static_cast<float>(inside - node);
-  }
+  FindCells(this->Middles.data(), this->count, LineAt(*this, depth), this->nodes, map.index.data(),
+    map.weight.data());
   return map;
 }
 
-std::vector<int> Lateral::RayNodes(double depth) const
+void Lateral::FindRayNodes(double depth, int* floors) const
 {
-  std::vector<int> floors(std::size_t(this->count));
-  const double last = this->nodes - 1;
-  for (int ray = 0; ray < this->count; ++ray)
-  {
-    const double position = this->Position(this->Coordinate(ray), depth);
-    floors[std::size_t(ray)] =
-      static_cast<int>(std::floor(std::min(std::max(position, -3.0), last + 3.0)));
-  }
-  return floors;
+  FindFloors(this->Middles.data(), this->count, LineAt(*this, depth), this->nodes, floors);
 }
 
 LinearMap Lateral::VoxelMap(double depth) const
@@ -146,53 +261,41 @@ LinearMap Lateral::VoxelMap(double depth) const
   LinearMap map;
   map.index.resize(std::size_t(this->nodes));
   map.weight.resize(std::size_t(this->nodes));
-  int ray = 0;
-  for (int node = 0; node < this->nodes; ++node)
-  {
-    const double wanted = this->Ray(node, depth);
-    while (ray + 2 < this->count && this->Coordinate(ray + 1) <= wanted)
+  VisitVoxels(*this, depth,
+    [&, ray = 0](const Interval& voxels, const double* wanted) mutable
     {
-      ++ray;
-    }
-    const double gap = this->Coordinate(ray + 1) - this->Coordinate(ray);
-    const double share = (wanted - this->Coordinate(ray)) / gap;
-    map.index[std::size_t(node)] = ray;
-    map.weight[std::size_t(node)] = static_cast<float>(std::min(std::max(share, 0.0), 1.0));
-  }
+      int* index = map.index.data() + voxels.begin;
+      const int number = voxels.end - voxels.begin;
+      for (int i = 0; i < number; ++i)
+      {
+        while (ray + 2 < this->count && this->Middles[std::size_t(ray) + 1] <= wanted[i])
+        {
+          ++ray;
+        }
+        index[i] = ray;
+      }
+      FindWeights(this->Middles.data(), wanted, index, number, map.weight.data() + voxels.begin);
+    });
   return map;
 }
 
-Clip Lateral::ClipRay(double coordinate, double base) const
+Clip Lateral::ClipOf(int ray, double base) const
 {
-  constexpr double never = 1e30;
+  const double coordinate = this->Coordinate(ray);
   const double last = this->nodes - 1;
-  const double slope = this->parallel ? this->shear : coordinate;
-  const double start = this->parallel ? coordinate : this->eye;
-  double low = -never;
-  double high = never;
-  if (slope != 0)
-  {
-    const double atZero = (0 - start) / slope;
-    const double atLast = (last - start) / slope;
-    low = std::min(atZero, atLast) - base;
-    high = std::max(atZero, atLast) - base;
-  }
-  else if (start < 0 || start > last)
-  {
-    low = never;
-    high = -never;
-  }
-  return { static_cast<float>(std::min(std::max(low, -never), never)),
-    static_cast<float>(std::min(std::max(high, -never), never)) };
+  return this->parallel ? ClipLine(coordinate, this->shear, last, base)
+                        : ClipLine(this->eye, coordinate, last, base);
 }
 
 std::vector<float> Lateral::VoxelEntries(double depth, double base) const
 {
   std::vector<float> entries(std::size_t(this->nodes));
-  for (int node = 0; node < this->nodes; ++node)
-  {
-    entries[std::size_t(node)] = this->ClipRay(this->Ray(node, depth), base).entry;
-  }
+  VisitVoxels(*this, depth,
+    [&](const Interval& voxels, const double* coordinates)
+    {
+      const int number = voxels.end - voxels.begin;
+      FindEntries(*this, coordinates, number, base, entries.data() + voxels.begin);
+    });
   return entries;
 }
 

@@ -61,15 +61,16 @@ public:
   /// Voxel column and weight of every ray at `depth`; on the border where it is outside the box.
   LinearMap RayMap(double depth) const;
 
-  /// Floor of the voxel column of every ray at `depth`, also outside the box.
-  std::vector<int> RayNodes(double depth) const;
+  /// Floor of the voxel column of every ray at `depth`, ascending; outside the box up to three
+  /// voxels beside it. `floors`: `count` values.
+  void FindRayNodes(double depth, int* floors) const;
 
   /// Ray column and weight of every voxel on the slice at `depth`, a positive depth. Voxels beyond
   /// the outermost rays take the value of these.
   LinearMap VoxelMap(double depth) const;
 
   /// Depths at which a ray enters and leaves the slab of the box, relative to `base`.
-  Clip ClipOf(int ray, double base) const { return this->ClipRay(this->Coordinate(ray), base); }
+  Clip ClipOf(int ray, double base) const;
 
   /// Depths at which the rays through every voxel on the slice at `depth` enter the slab.
   std::vector<float> VoxelEntries(double depth, double base) const;
@@ -86,13 +87,6 @@ public:
 private:
   /// Puts rays in the middle of the parts between edges.
   void PutBetween(std::vector<double> edges);
-
-  Clip ClipRay(double coordinate, double base) const;
-
-  double Ray(double position, double depth) const
-  {
-    return this->parallel ? position - this->shear * depth : (position - this->eye) / depth;
-  }
 
   std::vector<double> Edges; ///< of the rays but the guards
   std::vector<double> Middles;

@@ -20,17 +20,17 @@ struct ColumnEnds
   int* importantEnd;
 };
 
-/// Extends the spans of the columns by row `y`. Returns the number of filled voxels in the row.
+/// Extends the spans of the columns by row `y`, which is empty but in `span`.
 LIMPID_MULTIVERSION
-int MarkColumns(const float* __restrict extinction, const float* __restrict importance, int count,
-  int y, const ColumnEnds& ends)
+void MarkColumns(const float* __restrict extinction, const float* __restrict importance,
+  const Interval& span, int y, const ColumnEnds& ends)
 {
   int* __restrict filledBegin = ends.filledBegin;
   int* __restrict filledEnd = ends.filledEnd;
   int* __restrict importantBegin = ends.importantBegin;
   int* __restrict importantEnd = ends.importantEnd;
-  int sum = 0;
-  for (int x = 0; x < count; ++x)
+  const Interval columns = span;
+  for (int x = columns.begin; x < columns.end; ++x)
   {
     const bool important = importance[x] > 0;
     const bool filled = important | (extinction[x] > 0);
@@ -39,26 +39,43 @@ int MarkColumns(const float* __restrict extinction, const float* __restrict impo
     filledEnd[x] = filled ? y + 1 : filledEnd[x];
     importantBegin[x] = important & (importantEnd[x] == 0) ? y : importantBegin[x];
     importantEnd[x] = important ? y + 1 : importantEnd[x];
-    sum += filled ? 1 : 0;
   }
-  return sum;
 }
 
-/// From the first to the last index that is marked.
-template <class Marked>
-Interval SpanOf(int count, const Marked& marked)
+/// Where a row of voxels is filled and important, and how many of them are filled.
+struct RowContent
 {
-  int begin = 0;
-  while (begin < count && !marked(begin))
+  Occupancy::Spans spans;
+  int filled;
+};
+
+LIMPID_MULTIVERSION
+RowContent ContentOf(
+  const float* __restrict extinction, const float* __restrict importance, int count)
+{
+  int filledBegin = count;
+  int filledLast = -1;
+  int importantBegin = count;
+  int importantLast = -1;
+  int sum = 0;
+  for (int x = 0; x < count; ++x)
   {
-    ++begin;
+    const bool important = importance[x] > 0;
+    const bool filled = important | (extinction[x] > 0);
+    const int firstFilled = filled ? x : count;
+    const int lastFilled = filled ? x : -1;
+    const int firstImportant = important ? x : count;
+    const int lastImportant = important ? x : -1;
+    filledBegin = firstFilled < filledBegin ? firstFilled : filledBegin;
+    filledLast = lastFilled > filledLast ? lastFilled : filledLast;
+    importantBegin = firstImportant < importantBegin ? firstImportant : importantBegin;
+    importantLast = lastImportant > importantLast ? lastImportant : importantLast;
+    sum += filled ? 1 : 0;
   }
-  int end = count;
-  while (end > begin && !marked(end - 1))
-  {
-    --end;
-  }
-  return begin < end ? Interval{ begin, end } : Interval{};
+  const Interval filled{ filledBegin, filledLast + 1 };
+  const Interval important{ importantBegin, importantLast + 1 };
+  return { { filled.Empty() ? Interval{} : filled, important.Empty() ? Interval{} : important },
+    sum };
 }
 }
 
@@ -85,11 +102,10 @@ Occupancy::Occupancy(
         const Index first = (z * ny + y) * nx;
         const float* extinctionRow = baseExtinction + first;
         const float* importanceRow = importance + first;
-        filled[std::size_t(z)] += MarkColumns(extinctionRow, importanceRow, nx, y, columns);
-        Spans& row = this->AlongX[std::size_t(z) * ny + y];
-        row.filled =
-          SpanOf(nx, [=](int x) { return extinctionRow[x] > 0 || importanceRow[x] > 0; });
-        row.important = SpanOf(nx, [=](int x) { return importanceRow[x] > 0; });
+        const RowContent row = ContentOf(extinctionRow, importanceRow, nx);
+        filled[std::size_t(z)] += row.filled;
+        this->AlongX[std::size_t(z) * ny + y] = row.spans;
+        MarkColumns(extinctionRow, importanceRow, row.spans.filled, y, columns);
       }
       for (int x = 0; x < nx; ++x)
       {

@@ -36,6 +36,9 @@ public:
                           : this->AlongY[std::size_t(second) * this->Nodes.x + first];
   }
 
+  /// How far rows with neighbouring indices along the last axis lie apart.
+  Index RowStride(int alongAxis) const { return alongAxis == 0 ? this->Nodes.y : this->Nodes.x; }
+
   bool Skips() const { return this->Skip; }
   Index FilledVoxels() const { return this->Filled; } ///< number of voxels that may change
 

@@ -255,7 +255,7 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
   pyramid.frontColumns = RaysEnteredBy(pyramid.columnAxis, pyramid.FrontDepth());
   pyramid.frontRows = RaysEnteredBy(pyramid.rowAxis, pyramid.FrontDepth());
   PlaceMaps(pyramid, sign, base, u, v);
-  FindWork(pyramid, occupancy, u, v);
+  FindWork(pyramid, occupancy);
   pyramid.inView = FindInView(pyramid, eye, u, v, sign, depth.origin);
   return pyramid;
 }
@@ -276,11 +276,14 @@ Interval RaysEnteredBy(const RayAxis& axis, float depth)
   return { begin, end };
 }
 
-const Occupancy::Spans& SpansOf(
-  const Pyramid& pyramid, const Occupancy& occupancy, int slice, int v)
+SpanRows SpansOf(const Pyramid& pyramid, const Occupancy& occupancy, int slice)
 {
-  return pyramid.axisV < pyramid.axisW ? occupancy.Row(pyramid.axisU, v, slice)
-                                       : occupancy.Row(pyramid.axisU, slice, v);
+  // Rows along x lie [z][y], those along y [z][x].
+  const bool neighbours = pyramid.axisV < pyramid.axisW;
+  const int first = neighbours ? 0 : slice;
+  const int second = neighbours ? slice : 0;
+  return { &occupancy.Row(pyramid.axisU, first, second),
+    neighbours ? 1 : occupancy.RowStride(pyramid.axisU) };
 }
 
 std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, const Eye& eye,

@@ -113,9 +113,23 @@ struct Pyramid
 /// relative depth. They are neighbours.
 Interval RaysEnteredBy(const RayAxis& axis, float depth);
 
+/// The spans of all voxel rows on a slice of a pyramid.
+struct SpanRows
+{
+  const Occupancy::Spans* first;
+  Index stride;
+
+  const Occupancy::Spans& operator[](int v) const { return this->first[v * this->stride]; }
+};
+
+SpanRows SpansOf(const Pyramid& pyramid, const Occupancy& occupancy, int slice);
+
 /// The spans of voxel row `v` on a slice of a pyramid.
-const Occupancy::Spans& SpansOf(
-  const Pyramid& pyramid, const Occupancy& occupancy, int slice, int v);
+inline const Occupancy::Spans& SpansOf(
+  const Pyramid& pyramid, const Occupancy& occupancy, int slice, int v)
+{
+  return SpansOf(pyramid, occupancy, slice)[v];
+}
 
 /// The pyramids that cover a grid as seen from an eye; none if the grid has no volume. `depthAxes`:
 /// which grid axes may be the depth axis of one; the others are left out.

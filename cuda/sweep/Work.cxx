@@ -4,87 +4,258 @@
 #include "sweep/Work.h"
 
 #include "backend/Backend.h"
+#include "backend/Simd.h"
+#include "sweep/OccupiedRays.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace limpid
 {
 namespace
 {
-/// Rays that voxels in `voxels` are interpolated from, or that touch these voxels anywhere in the
-/// layers on both sides of a slice, where no ray moves by more than one voxel. `nodes`: floor of
-/// the rays' positions on the slice, ascending.
-Interval RaysThatTouch(const Interval& voxels, const std::vector<int>& nodes)
+/// Extends spans of columns by those on another slice.
+LIMPID_MULTIVERSION
+void ExtendRows(const ColumnSpans& by, int count, const ColumnSpans& spans)
 {
-  if (voxels.Empty())
+  const int* __restrict otherBegins = by.begins;
+  const int* __restrict otherEnds = by.ends;
+  int* __restrict begins = spans.begins;
+  int* __restrict ends = spans.ends;
+  for (int i = 0; i < count; ++i)
   {
-    return {};
+    begins[i] = otherBegins[i] < begins[i] ? otherBegins[i] : begins[i];
+    ends[i] = otherEnds[i] > ends[i] ? otherEnds[i] : ends[i];
   }
-  const auto begin = std::lower_bound(nodes.begin(), nodes.end(), voxels.begin - 2);
-  const auto end = std::upper_bound(nodes.begin(), nodes.end(), voxels.end);
-  const int first = static_cast<int>(begin - nodes.begin()) - 1;
-  const int last = static_cast<int>(end - nodes.begin()) + 1;
-  return { std::max(0, first), std::min(static_cast<int>(nodes.size()), last) };
+}
+
+/// One ray more on every side: voxels there read these rays, too. `spans`: those of the row in
+/// front come first.
+LIMPID_MULTIVERSION
+void WidenRows(const ColumnSpans& spans, int count, int columns, Interval* __restrict wider)
+{
+  const int* __restrict begins = spans.begins;
+  const int* __restrict ends = spans.ends;
+  for (int i = 0; i < count; ++i)
+  {
+    const int sideBegin = begins[i] < begins[i + 2] ? begins[i] : begins[i + 2];
+    const int begin = begins[i + 1] < sideBegin ? begins[i + 1] : sideBegin;
+    const int sideEnd = ends[i] > ends[i + 2] ? ends[i] : ends[i + 2];
+    const int end = ends[i + 1] > sideEnd ? ends[i + 1] : sideEnd;
+    wider[i].begin = begin > 0 ? begin - 1 : 0;
+    wider[i].end = end < columns ? end + 1 : columns;
+  }
+}
+
+/// Rays that have not entered the box at a depth.
+struct Outside
+{
+  Interval columns;        ///< these columns of all rows
+  const float* rowEntries; ///< and all columns of rows that enter behind the depth
+  float depth;
+};
+
+/// Extends `needed` by what has been carried here and carries on what is still outside.
+LIMPID_MULTIVERSION
+void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans& carried,
+  Interval* __restrict needed)
+{
+  int* __restrict begins = carried.begins;
+  int* __restrict ends = carried.ends;
+  const float* __restrict entries = outside.rowEntries;
+  const float depth = outside.depth;
+  const Interval some = outside.columns;
+  for (int i = 0; i < count; ++i)
+  {
+    const int begin = needed[i].begin < begins[i] ? needed[i].begin : begins[i];
+    const int end = needed[i].end > ends[i] ? needed[i].end : ends[i];
+    needed[i].begin = begin;
+    needed[i].end = end;
+    const bool all = entries[i] > depth;
+    const int low = all ? 0 : some.begin;
+    const int high = all ? columns : some.end;
+    const int first = begin > low ? begin : low;
+    const int last = end < high ? end : high;
+    begins[i] = first < last ? first : noColumn;
+    ends[i] = first < last ? last : -noColumn;
+  }
+}
+
+/// What is needed of the columns that touch filled voxels in front of a layer or behind it.
+LIMPID_MULTIVERSION
+void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count, const Interval& columns,
+  Interval* __restrict work)
+{
+  const int* __restrict frontBegins = front.begins;
+  const int* __restrict frontEnds = front.ends;
+  const int* __restrict backBegins = back.begins;
+  const int* __restrict backEnds = back.ends;
+  const Interval all = columns;
+  for (int i = 0; i < count; ++i)
+  {
+    const int begin = frontBegins[i] < backBegins[i] ? frontBegins[i] : backBegins[i];
+    const int end = frontEnds[i] > backEnds[i] ? frontEnds[i] : backEnds[i];
+    const Interval both = Intersection(work[i], { begin, end });
+    const Interval whole = FilledRegisters(both, all);
+    work[i].begin = both.Empty() ? 0 : whole.begin;
+    work[i].end = both.Empty() ? 0 : whole.end;
+  }
+}
+
+/// What rows of rays have to visit in all.
+struct VisitedRays
+{
+  Interval columns;
+  Interval rows;
+};
+
+LIMPID_MULTIVERSION
+VisitedRays ExtentOf(const Interval* work, int count)
+{
+  int begin = noColumn;
+  int end = -noColumn;
+  int firstRow = noColumn;
+  int lastRow = -noColumn;
+  for (int i = 0; i < count; ++i)
+  {
+    const bool some = work[i].begin < work[i].end;
+    const int first = some ? work[i].begin : noColumn;
+    const int last = some ? work[i].end : -noColumn;
+    const int early = some ? i : noColumn;
+    const int late = some ? i : -noColumn;
+    begin = first < begin ? first : begin;
+    end = last > end ? last : end;
+    firstRow = early < firstRow ? early : firstRow;
+    lastRow = late > lastRow ? late : lastRow;
+  }
+  return { { begin, end }, { firstRow, lastRow + 1 } };
 }
 
 /// Finds what the rays of a pyramid have to visit, see Station::work.
 class WorkFinder
 {
 public:
-  WorkFinder(Pyramid& pyramid, const Occupancy& occupancy, const Lateral& u, const Lateral& v)
+  WorkFinder(Pyramid& pyramid, const Occupancy& occupancy)
     : Target(pyramid)
-    , Source(occupancy)
-    , Columns(u)
-    , RowsOfRays(v)
-    , Rows(std::size_t(pyramid.rows))
+    , Skips(occupancy.Skips())
+    , Stations(static_cast<int>(pyramid.stations.size()))
+    , Occupied(pyramid, occupancy)
+    , Outsides(this->FindOutsides())
+    , Blocks((pyramid.rows + rowsPerBlock - 1) / rowsPerBlock)
+    , Extents(std::size_t(this->Blocks) * pyramid.stations.size())
   {
+    for (Station& station : pyramid.stations)
+    {
+      station.work.resize(std::size_t(pyramid.rows));
+    }
   }
 
   void Find()
   {
-    const std::size_t count = this->Target.stations.size();
-    std::vector<std::vector<Interval>> filled(count, std::vector<Interval>(this->Rows));
-    std::vector<std::vector<Interval>> needed(count, std::vector<Interval>(this->Rows));
-    ParallelFor(static_cast<Index>(count),
-      [&](Index station)
+    ParallelFor(this->Blocks,
+      [&](Index block)
       {
-        this->FindOccupied(
-          std::size_t(station), filled[std::size_t(station)], needed[std::size_t(station)]);
+        const int first = static_cast<int>(block) * rowsPerBlock;
+        const Interval rows{ first, std::min(first + rowsPerBlock, this->Target.rows) };
+        this->FollowToFront(rows);
+        this->FollowToBack(rows, this->Extents.data() + block * this->Stations);
       });
-    const Interval all{ 0, this->Target.columns };
-    if (!this->Source.Skips())
-    {
-      for (std::vector<Interval>& rows : needed)
-      {
-        std::fill(rows.begin(), rows.end(), all);
-      }
-    }
-    else
-    {
-      FollowToFront(needed);
-      for (std::vector<Interval>& rows : needed)
-      {
-        rows = this->Widened(rows);
-      }
-      this->FollowToEntry(needed);
-    }
-    for (std::size_t s = 0; s < count; ++s)
-    {
-      Station& station = this->Target.stations[s];
-      station.work.resize(this->Rows);
-      for (std::size_t row = 0; row < this->Rows; ++row)
-      {
-        const Interval touched =
-          s + 1 < count ? Hull(filled[s][row], filled[s + 1][row]) : filled[s][row];
-        station.work[row] = FilledRegisters(Intersection(needed[s][row], touched), all);
-      }
-    }
     this->FindTouched();
   }
 
 private:
+  static constexpr int rowsPerBlock = 64;
+
+  /// Columns of rays that enter the box in u behind each station. They are neighbours, as these
+  /// rays all come from the same side.
+  std::vector<Interval> FindOutsides() const
+  {
+    const std::vector<float>& entry = this->Target.columnAxis.entry;
+    std::vector<Interval> outsides;
+    Interval outside{ 0, this->Target.columns };
+    for (const Station& station : this->Target.stations)
+    {
+      const auto inside = [&](int column)
+      { return !(entry[std::size_t(column)] > station.relativeDepth); };
+      while (!outside.Empty() && inside(outside.begin))
+      {
+        ++outside.begin;
+      }
+      while (!outside.Empty() && inside(outside.end - 1))
+      {
+        --outside.end;
+      }
+      outsides.push_back(outside);
+    }
+    return outsides;
+  }
+
+  Interval* WorkOf(int s, int row)
+  {
+    return this->Target.stations[std::size_t(s)].work.data() + row;
+  }
+
+  static ColumnSpans From(const ColumnSpans& spans, int row)
+  {
+    return { spans.begins + row, spans.ends + row };
+  }
+
+  /// What is important on a slice is at stake on all slices in front of it.
+  void FollowToFront(const Interval& rows)
+  {
+    const int count = rows.end - rows.begin;
+    if (!this->Skips)
+    {
+      for (int s = 0; s < this->Stations; ++s)
+      {
+        std::fill_n(this->WorkOf(s, rows.begin), count, Interval{ 0, this->Target.columns });
+      }
+      return;
+    }
+    int begins[rowsPerBlock + 2];
+    int ends[rowsPerBlock + 2];
+    std::fill_n(begins, rowsPerBlock + 2, noColumn);
+    std::fill_n(ends, rowsPerBlock + 2, -noColumn);
+    const ColumnSpans needed{ begins, ends };
+    const int first = std::max(rows.begin - 1, 0);
+    const int last = std::min(rows.end + 1, this->Target.rows);
+    for (int s = this->Stations - 1; s >= 0; --s)
+    {
+      ExtendRows(From(this->Occupied.Important(s), first), last - first,
+        From(needed, first - (rows.begin - 1)));
+      WidenRows(needed, count, this->Target.columns, this->WorkOf(s, rows.begin));
+    }
+  }
+
+  /// A ray that is needed before it has entered the box is needed until it has: its optical depth
+  /// there is counted from the entry (Rows.h). `extents`: per station.
+  void FollowToBack(const Interval& rows, VisitedRays* extents)
+  {
+    const int count = rows.end - rows.begin;
+    const Interval columns{ 0, this->Target.columns };
+    int begins[rowsPerBlock];
+    int ends[rowsPerBlock];
+    std::fill_n(begins, rowsPerBlock, noColumn);
+    std::fill_n(ends, rowsPerBlock, -noColumn);
+    const ColumnSpans carried{ begins, ends };
+    for (int s = 0; s < this->Stations; ++s)
+    {
+      Interval* work = this->WorkOf(s, rows.begin);
+      const int next = std::min(s + 1, this->Stations - 1);
+      const Outside outside{ this->Outsides[std::size_t(next)],
+        this->Target.rowAxis.entry.data() + rows.begin,
+        this->Target.stations[std::size_t(next)].relativeDepth };
+      CarryRows(outside, count, columns.end, carried, work);
+      CutRows(From(this->Occupied.Filled(s), rows.begin),
+        From(this->Occupied.Filled(next), rows.begin), count, columns, work);
+      const VisitedRays extent = ExtentOf(work, count);
+      extents[s] = { extent.columns,
+        { rows.begin + extent.rows.begin, rows.begin + extent.rows.end } };
+    }
+  }
+
   /// Voxels that a sweep reads or writes on each slice.
-  void FindTouched() const
+  void FindTouched()
   {
     std::vector<Station>& stations = this->Target.stations;
     for (Station& station : stations)
@@ -96,11 +267,11 @@ private:
     {
       Interval rows;
       Interval columns;
-      for (int row = 0; row < this->Target.rows; ++row)
+      for (Index block = 0; block < this->Blocks; ++block)
       {
-        const Interval& work = stations[s].work[std::size_t(row)];
-        columns = Hull(columns, work);
-        rows = work.Empty() ? rows : Hull(rows, { row, row + 1 });
+        const VisitedRays& extent = this->Extents[std::size_t(block * this->Stations) + s];
+        columns = Hull(columns, extent.columns);
+        rows = Hull(rows, extent.rows);
       }
       for (const Plane& plane : stations[s].planes)
       {
@@ -122,109 +293,18 @@ private:
                                map.index[std::size_t(targets.end) - 1] + 2 };
   }
 
-  void FindOccupied(
-    std::size_t s, std::vector<Interval>& filled, std::vector<Interval>& important) const
-  {
-    const Station& station = this->Target.stations[s];
-    if (station.slice < 0)
-    {
-      // All rays start in the eye's cell; whatever it holds, the piece is short.
-      std::fill(filled.begin(), filled.end(), Interval{ 0, this->Target.columns });
-      return;
-    }
-    const std::vector<int> nodes = this->RowsOfRays.RayNodes(station.depth);
-    const std::vector<int> columnNodes = this->Columns.RayNodes(station.depth);
-    const int rowCount = this->Target.rows;
-    const int lastVoxel = this->Target.nodesV - 1;
-    for (int row = 0; row < rowCount; ++row)
-    {
-      const int low = row > 0 ? nodes[std::size_t(row - 1)] - 1 : 0;
-      const int high = row + 1 < rowCount ? nodes[std::size_t(row) + 1] + 2 : lastVoxel;
-      Interval filledVoxels;
-      Interval importantVoxels;
-      for (int v = std::max(low, 0); v <= std::min(high, lastVoxel); ++v)
-      {
-        const Occupancy::Spans& spans = SpansOf(this->Target, this->Source, station.slice, v);
-        filledVoxels = Hull(filledVoxels, spans.filled);
-        importantVoxels = Hull(importantVoxels, spans.important);
-      }
-      filled[std::size_t(row)] = RaysThatTouch(filledVoxels, columnNodes);
-      important[std::size_t(row)] = RaysThatTouch(importantVoxels, columnNodes);
-    }
-  }
-
-  /// What is important on a slice is at stake on all slices in front of it.
-  static void FollowToFront(std::vector<std::vector<Interval>>& needed)
-  {
-    for (std::size_t s = needed.size(); s-- > 1;)
-    {
-      for (std::size_t row = 0; row < needed[s].size(); ++row)
-      {
-        needed[s - 1][row] = Hull(needed[s - 1][row], needed[s][row]);
-      }
-    }
-  }
-
-  /// A ray that is needed before it has entered the box is needed until it has: its optical depth
-  /// there is counted from the entry (Rows.h).
-  void FollowToEntry(std::vector<std::vector<Interval>>& needed) const
-  {
-    for (std::size_t s = 0; s + 1 < needed.size(); ++s)
-    {
-      const float depth = this->Target.stations[s + 1].relativeDepth;
-      const Interval outside = this->ColumnsOutside(depth);
-      for (std::size_t row = 0; row < this->Rows; ++row)
-      {
-        const Interval columns = needed[s][row];
-        const bool rowOutside = this->Target.rowAxis.entry[row] > depth;
-        needed[s + 1][row] =
-          Hull(needed[s + 1][row], rowOutside ? columns : Intersection(columns, outside));
-      }
-    }
-  }
-
-  /// Columns of rays that enter the box in u behind a depth. They are neighbours, as these rays all
-  /// come from the same side.
-  Interval ColumnsOutside(float depth) const
-  {
-    const std::vector<float>& entry = this->Target.columnAxis.entry;
-    Interval outside;
-    for (int column = 0; column < this->Target.columns; ++column)
-    {
-      outside =
-        entry[std::size_t(column)] > depth ? Hull(outside, { column, column + 1 }) : outside;
-    }
-    return outside;
-  }
-
-  /// One ray more on every side: voxels there read these rays, too.
-  std::vector<Interval> Widened(const std::vector<Interval>& rows) const
-  {
-    std::vector<Interval> wider(rows.size());
-    for (std::size_t row = 0; row < rows.size(); ++row)
-    {
-      Interval hull = rows[row];
-      hull = row > 0 ? Hull(hull, rows[row - 1]) : hull;
-      hull = row + 1 < rows.size() ? Hull(hull, rows[row + 1]) : hull;
-      if (!hull.Empty())
-      {
-        hull = { std::max(hull.begin - 1, 0), std::min(hull.end + 1, this->Target.columns) };
-      }
-      wider[row] = hull;
-    }
-    return wider;
-  }
-
   Pyramid& Target;
-  const Occupancy& Source;
-  const Lateral& Columns;
-  const Lateral& RowsOfRays;
-  std::size_t Rows;
+  bool Skips;
+  int Stations;
+  OccupiedRays Occupied;
+  std::vector<Interval> Outsides; ///< per station
+  Index Blocks;
+  std::vector<VisitedRays> Extents; ///< [block][station]
 };
 }
 
-void FindWork(Pyramid& pyramid, const Occupancy& occupancy, const Lateral& u, const Lateral& v)
+void FindWork(Pyramid& pyramid, const Occupancy& occupancy)
 {
-  WorkFinder(pyramid, occupancy, u, v).Find();
+  WorkFinder(pyramid, occupancy).Find();
 }
 }

@@ -8,9 +8,9 @@
 
 namespace limpid
 {
-/// Fills in Station::work: of every row of rays in every layer, the columns that can matter. `u`
-/// and `v`: the rays along the pyramid's lateral axes.
-void FindWork(Pyramid& pyramid, const Occupancy& occupancy, const Lateral& u, const Lateral& v);
+/// Fills in Station::work, of every row of rays in every layer the columns that can matter, and
+/// what they touch. All else of the pyramid's stations has to be there.
+void FindWork(Pyramid& pyramid, const Occupancy& occupancy);
 }
 
 #endif

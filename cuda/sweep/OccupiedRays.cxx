@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/OccupiedRays.h"
+
+#include "backend/Backend.h"
+#include "backend/Simd.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+/// The spans of columns of rays that touch the filled and the important voxels of a row of voxels,
+/// as numbers whose minima make the hull of two rows: both begins, and both ends negative.
+struct Reach
+{
+  int least[4];
+};
+
+constexpr Reach outOfReach{ { noColumn, noColumn, noColumn, noColumn } };
+
+/// Voxel rows in front of the first and behind the last one that rays may look for, see
+/// Lateral::FindRayNodes.
+constexpr int rowsBefore = 4;
+constexpr int rowsBehind = 8;
+
+/// Hulls of four neighbouring rows each, in place of the first of them. `rows`: `count` and three
+/// more.
+LIMPID_MULTIVERSION
+void JoinFours(int count, Reach* rows)
+{
+  int* values = rows->least;
+  for (int i = 0; i < 4 * count; ++i)
+  {
+    const int first = values[i + 4] < values[i] ? values[i + 4] : values[i];
+    const int second = values[i + 12] < values[i + 8] ? values[i + 12] : values[i + 8];
+    values[i] = second < first ? second : first;
+  }
+}
+
+/// Hull of the voxel rows from `low` to `high`, four at least. `fours`: see JoinFours.
+LIMPID_INLINE Reach HullOf(const Reach* fours, int low, int high)
+{
+  Reach hull = fours[high - 3];
+  for (int v = low; v < high - 3; v += 4)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      hull.least[k] = fours[v].least[k] < hull.least[k] ? fours[v].least[k] : hull.least[k];
+    }
+  }
+  return hull;
+}
+
+/// Rows of rays look at the voxel rows from one before the row of rays in front to two behind the
+/// next one. `nodes`: floor of the rows' positions; `lastVoxel`: last row of voxels.
+LIMPID_MULTIVERSION
+void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
+  const ColumnSpans& filled, const ColumnSpans& important)
+{
+  for (int row = 0; row < rows; ++row)
+  {
+    const int from = row > 0 ? nodes[row - 1] - 1 : 0;
+    const int to = row + 1 < rows ? nodes[row + 1] + 2 : lastVoxel;
+    // The first and the last row look to the border; behind it there is nothing.
+    const int low = row > 0 || from < to - 3 ? from : to - 3;
+    const int high = row + 1 < rows || to > low + 3 ? to : low + 3;
+    const Reach hull = HullOf(fours, low, high);
+    filled.begins[row] = hull.least[0];
+    filled.ends[row] = -hull.least[1];
+    important.begins[row] = hull.least[2];
+    important.ends[row] = -hull.least[3];
+  }
+}
+}
+
+/// What finding the spans of a station needs.
+struct OccupiedRays::Memory
+{
+  explicit Memory(const Pyramid& pyramid)
+    : columnNodes(std::size_t(pyramid.columns))
+    , rowNodes(std::size_t(pyramid.rows))
+    , columnsUpTo(std::size_t(pyramid.nodesU) + 6)
+    , reaches(std::size_t(pyramid.nodesV) + rowsBefore + rowsBehind)
+  {
+  }
+
+  std::vector<int> columnNodes; ///< floor of the rays' positions
+  std::vector<int> rowNodes;
+  std::vector<int> columnsUpTo; ///< per voxel column, from -3 on: rays whose floor is not beyond
+  std::vector<Reach> reaches;   ///< per voxel row, from -rowsBefore on
+
+  void CountColumns()
+  {
+    std::fill(this->columnsUpTo.begin(), this->columnsUpTo.end(), 0);
+    for (std::size_t ray = 0; ray < this->columnNodes.size(); ++ray)
+    {
+      this->columnsUpTo[std::size_t(this->columnNodes[ray] + 3)] = static_cast<int>(ray) + 1;
+    }
+    int most = 0;
+    for (int& count : this->columnsUpTo)
+    {
+      most = std::max(most, count);
+      count = most;
+    }
+  }
+
+  /// First and minus last column of rays whose floors reach from two voxels before a span of voxels
+  /// to one behind it, and one more on either side.
+  void Put(const Interval& voxels, int* least) const
+  {
+    if (!voxels.Empty())
+    {
+      const int columns = static_cast<int>(this->columnNodes.size());
+      least[0] = std::max(this->columnsUpTo[std::size_t(voxels.begin)] - 1, 0);
+      least[1] = -std::min(this->columnsUpTo[std::size_t(voxels.end) + 3] + 1, columns);
+    }
+  }
+};
+
+OccupiedRays::OccupiedRays(const Pyramid& pyramid, const Occupancy& occupancy)
+  : Rows(pyramid.rows)
+  , Spans(new int[pyramid.stations.size() * 4 * std::size_t(pyramid.rows)])
+{
+  constexpr int stationsPerTask = 8;
+  const int stations = static_cast<int>(pyramid.stations.size());
+  ParallelFor((stations + stationsPerTask - 1) / stationsPerTask,
+    [&](Index task)
+    {
+      Memory memory(pyramid);
+      const int begin = static_cast<int>(task) * stationsPerTask;
+      for (int station = begin; station < std::min(begin + stationsPerTask, stations); ++station)
+      {
+        pyramid.stations[std::size_t(station)].slice < 0
+          ? this->FindAtEye(station, pyramid.columns)
+          : this->FindOnSlice(pyramid, occupancy, station, memory);
+      }
+    });
+}
+
+/// All rays start in the eye's cell; whatever it holds, the piece is short.
+void OccupiedRays::FindAtEye(int station, int columns)
+{
+  std::fill_n(this->Filled(station).begins, this->Rows, 0);
+  std::fill_n(this->Filled(station).ends, this->Rows, columns);
+  std::fill_n(this->Important(station).begins, this->Rows, noColumn);
+  std::fill_n(this->Important(station).ends, this->Rows, -noColumn);
+}
+
+void OccupiedRays::FindOnSlice(
+  const Pyramid& pyramid, const Occupancy& occupancy, int s, Memory& memory)
+{
+  const Station& station = pyramid.stations[std::size_t(s)];
+  pyramid.lateralU.FindRayNodes(station.depth, memory.columnNodes.data());
+  pyramid.lateralV.FindRayNodes(station.depth, memory.rowNodes.data());
+  memory.CountColumns();
+  const SpanRows spans = SpansOf(pyramid, occupancy, station.slice);
+  std::fill(memory.reaches.begin(), memory.reaches.end(), outOfReach);
+  Reach* reaches = memory.reaches.data() + rowsBefore;
+  for (int v = 0; v < pyramid.nodesV; ++v)
+  {
+    memory.Put(spans[v].filled, reaches[v].least);
+    memory.Put(spans[v].important, reaches[v].least + 2);
+  }
+  JoinFours(static_cast<int>(memory.reaches.size()) - 3, memory.reaches.data());
+  FindReaches(reaches, memory.rowNodes.data(), pyramid.rows, pyramid.nodesV - 1, this->Filled(s),
+    this->Important(s));
+}
+}
