@@ -5,7 +5,6 @@
 
 #include "backend/Backend.h"
 #include "backend/Simd.h"
-#include "sweep/Interval.h"
 
 #include <algorithm>
 #include <array>
@@ -113,7 +112,7 @@ public:
   {
   }
 
-  void Fill(const Tile& tile) const
+  void Fill(const Tile& tile, const MeanRows& done) const
   {
     const std::size_t nx = std::size_t(this->Nodes.x);
     float* memory = ThreadScratch((3 * rowsPerTile + 1) * nx);
@@ -131,6 +130,7 @@ public:
     {
       this->FindMeanAcross(std::min(z + 1, this->Nodes.z - 1), tile.rows, memory, *above);
       this->FindMean(z, tile.rows, *below, *own, *above);
+      done(z, tile.rows);
       std::swap(below, own);
       std::swap(own, above);
     }
@@ -198,28 +198,31 @@ private:
   float* Mean;
 };
 
-/// In place of zeros.
-void FillMean(const Grid& grid, const float* baseExtinction, const float* importance, float* mean)
+/// In place of zeros, see FillNodeImportanceOfFilled.
+void FillMean(const Grid& grid, const float* baseExtinction, const float* importance, float* mean,
+  const MeanRows& done)
 {
   const Int3& nodes = grid.nodes;
-  const Index across = (nodes.y + rowsPerTile - 1) / rowsPerTile;
-  const Index along = (nodes.z + slicesPerTile - 1) / slicesPerTile;
   const TileMean body(grid, baseExtinction, importance, mean);
-  ParallelFor(across * along,
-    [&](Index index)
+  ParallelFor((nodes.z + slicesPerTile - 1) / slicesPerTile,
+    [&](Index slab)
     {
-      const int y = static_cast<int>(index % across) * rowsPerTile;
-      const int z = static_cast<int>(index / across) * slicesPerTile;
-      body.Fill(
-        { { y, std::min(y + rowsPerTile, nodes.y) }, { z, std::min(z + slicesPerTile, nodes.z) } });
+      const int z = static_cast<int>(slab) * slicesPerTile;
+      const Interval slices{ z, std::min(z + slicesPerTile, nodes.z) };
+      for (int y = 0; y < nodes.y; y += rowsPerTile)
+      {
+        body.Fill({ { y, std::min(y + rowsPerTile, nodes.y) }, slices }, done);
+      }
     });
 }
+
+void TellNobody(int, const Interval&) {}
 }
 
 std::vector<float> NodeImportance(const Grid& grid, const float* importance)
 {
   std::vector<float> mean(static_cast<std::size_t>(grid.NodeCount()));
-  FillMean(grid, nullptr, importance, mean.data());
+  FillMean(grid, nullptr, importance, mean.data(), TellNobody);
   return mean;
 }
 
@@ -227,13 +230,13 @@ std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance)
 {
   std::vector<float> mean(static_cast<std::size_t>(grid.NodeCount()));
-  FillMean(grid, baseExtinction, importance, mean.data());
+  FillMean(grid, baseExtinction, importance, mean.data(), TellNobody);
   return mean;
 }
 
-void FillNodeImportanceOfFilled(
-  const Grid& grid, const float* baseExtinction, const float* importance, float* zeros)
+void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
+  const float* importance, float* zeros, const MeanRows& done)
 {
-  FillMean(grid, baseExtinction, importance, zeros);
+  FillMean(grid, baseExtinction, importance, zeros, done);
 }
 }

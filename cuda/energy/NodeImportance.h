@@ -5,7 +5,9 @@
 #define limpid_energy_NodeImportance_h
 
 #include "scene/Grid.h"
+#include "sweep/Interval.h"
 
+#include <functional>
 #include <vector>
 
 namespace limpid
@@ -26,9 +28,13 @@ std::vector<float> NodeImportance(const Grid& grid, const float* importance);
 std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance);
 
-/// The same, in place of grid.NodeCount() zeros. What is not important is not written.
-void FillNodeImportanceOfFilled(
-  const Grid& grid, const float* baseExtinction, const float* importance, float* zeros);
+/// Is told that some rows of a slice are complete.
+using MeanRows = std::function<void(int slice, const Interval& rows)>;
+
+/// The same, in place of grid.NodeCount() zeros. What is not important is not written. Tells `done`
+/// of all rows: of slices in parallel, of the rows of one in order.
+void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
+  const float* importance, float* zeros, const MeanRows& done);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "optimize/Adam.h"
 #include "optimize/Policy.h"
 #include "optimize/PolicySweep.h"
+#include "scene/LargePages.h"
 
 #include <algorithm>
 
@@ -91,6 +92,8 @@ void StartFromBase(const Problem& problem, std::vector<float>& start)
 {
   if (start.empty())
   {
+    start.reserve(std::size_t(problem.grid.NodeCount()));
+    UseLargePages(start.data(), start.capacity() * sizeof(float));
     start.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
   }
 }

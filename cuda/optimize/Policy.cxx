@@ -6,6 +6,8 @@
 #include "optimize/PolicyIterations.h"
 #include "optimize/PolicySweep.h"
 #include "optimize/Terms.h"
+#include "scene/LargePages.h"
+#include "scene/NodeValues.h"
 
 namespace limpid
 {
@@ -24,7 +26,16 @@ public:
 
   const Problem& Task() const { return *this->Work; }
   bool IsEmpty(const Field& field) const { return field.empty(); }
-  Field CopyOf(const Field& field) const { return field; }
+
+  Field CopyOf(const Field& field) const
+  {
+    Field copy;
+    copy.reserve(field.size());
+    UseLargePages(copy.data(), field.size() * sizeof(float));
+    copy.assign(field.begin(), field.end());
+    return copy;
+  }
+
   const std::vector<float>& Read(const Field& field) const { return field; }
   std::vector<float> Take(Field&& field) const { return std::move(field); }
 
@@ -60,11 +71,11 @@ private:
   {
     const Problem& problem = *this->Work;
     const Weights& weights = problem.settings.weights;
-    const bool useLagged = !this->Lagged.empty();
+    const bool useLagged = !this->Lagged.Empty();
     PolicyTask task = TaskOf(
       problem, this->Seen.camera ? weights.view : weights.light, useLagged ? weights.light : 0.0);
     task.fields.extinction = last.data();
-    task.fields.lagged = useLagged ? this->Lagged.data() : nullptr;
+    task.fields.lagged = useLagged ? this->Lagged.Data() : nullptr;
     task.fields.next = next.data();
     task.trust = trust ? Trust::LastIterate : Trust::Clear;
     VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
@@ -92,19 +103,19 @@ private:
   Visible FindLagged(const Field& extinction)
   {
     const Problem& problem = *this->Work;
-    if (this->Lagged.empty())
+    if (this->Lagged.Empty())
     {
-      this->Lagged.assign(extinction.size(), 0.0f);
+      this->Lagged = NodeValues(problem.grid.NodeCount());
     }
     return this->Seen.light->SetGradient(
       { extinction.data(), problem.importance, problem.nodeImportance },
-      problem.settings.derivative, this->Lagged.data());
+      problem.settings.derivative, this->Lagged.Data());
   }
 
   const Problem* Work;
   Terms Seen;
-  std::vector<float> Lagged; ///< T_L (V_L - g) of an iterate; empty: none
-  bool LagIsFresh = false;   ///< whether that is the last iterate
+  NodeValues Lagged;       ///< T_L (V_L - g) of an iterate; empty: none
+  bool LagIsFresh = false; ///< whether that is the last iterate
 };
 }
 

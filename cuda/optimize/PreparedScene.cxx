@@ -3,12 +3,10 @@
 
 #include "optimize/PreparedScene.h"
 
-#include "backend/Backend.h"
-#include "backend/Simd.h"
-#include "energy/NodeImportance.h"
+#include "energy/SceneSurvey.h"
 #include "math/Require.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace limpid
 {
@@ -23,38 +21,6 @@ void RequireFields(const SceneFields& scene)
     "There is no importance (nothing tells what is to be seen). Give an array.");
 }
 
-/// What the values of a field are.
-struct Range
-{
-  float largest = 0;
-  bool valid = true; ///< whether all are in [0, most]
-};
-
-LIMPID_MULTIVERSION
-Range RangeOf(const float* __restrict field, Index count, float most)
-{
-  constexpr int lanes = 16;
-  float largest[lanes] = {};
-  int invalid[lanes] = {};
-  for (Index first = 0; first < count; first += lanes)
-  {
-    const int width = static_cast<int>(count - first < lanes ? count - first : lanes);
-    const float* __restrict values = field + first;
-    for (int i = 0; i < width; ++i)
-    {
-      invalid[i] |= !(values[i] >= 0) | !(values[i] <= most);
-      largest[i] = values[i] > largest[i] ? values[i] : largest[i];
-    }
-  }
-  Range range;
-  for (int i = 0; i < lanes; ++i)
-  {
-    range.largest = largest[i] > range.largest ? largest[i] : range.largest;
-    range.valid = range.valid && !invalid[i];
-  }
-  return range;
-}
-
 /// A field, what it is called, and what its values may be.
 struct CheckedField
 {
@@ -64,33 +30,16 @@ struct CheckedField
   const char* range;
 };
 
-/// Checks all values of a field and returns the largest.
-float LargestValue(Index count, const CheckedField& field)
+void RequireRange(const CheckedField& field, const FieldRange& found)
 {
-  constexpr Index blockSize = 65536;
-  const Index blocks = (count + blockSize - 1) / blockSize;
-  std::vector<Range> ranges(static_cast<std::size_t>(blocks));
-  ParallelFor(blocks,
-    [&](Index block)
-    {
-      const Index first = block * blockSize;
-      ranges[std::size_t(block)] =
-        RangeOf(field.values + first, std::min(blockSize, count - first), field.most);
-    });
-  float largest = 0;
-  for (const Range& range : ranges)
+  Index voxel = 0;
+  while (!found.valid && field.values[voxel] >= 0 && field.values[voxel] <= field.most)
   {
-    Index voxel = (&range - ranges.data()) * blockSize;
-    while (!range.valid && field.values[voxel] >= 0 && field.values[voxel] <= field.most)
-    {
-      ++voxel;
-    }
-    LIMPID_REQUIRE(range.valid,
-      "The " << field.name << " of voxel " << voxel << " is " << field.values[voxel]
-             << " (the energy of Eq. 21 is not defined there). Keep it " << field.range << '.');
-    largest = std::max(largest, range.largest);
+    ++voxel;
   }
-  return largest;
+  LIMPID_REQUIRE(found.valid,
+    "The " << field.name << " of voxel " << voxel << " is " << field.values[voxel]
+           << " (the energy of Eq. 21 is not defined there). Keep it " << field.range << '.');
 }
 
 void RequireEye(const char* what, const Eye& eye, const Grid& grid)
@@ -126,11 +75,17 @@ PreparedScene::PreparedScene(const SceneFields& scene)
   : Fields(scene)
 {
   RequireFields(scene);
-  const Index count = scene.grid.NodeCount();
-  this->LargestExtinction = LargestValue(
-    count, { scene.baseExtinction, 3e38f, "base extinction", "finite and not negative" });
-  this->SomethingImportant =
-    LargestValue(count, { scene.importance, 1, "importance", "between 0 and 1" }) > 0;
+  const CheckedField extinction{ scene.baseExtinction, 3e38f, "base extinction",
+    "finite and not negative" };
+  const CheckedField importance{ scene.importance, 1, "importance", "between 0 and 1" };
+  SceneSurvey found =
+    SurveyScene(scene.grid, extinction.values, extinction.most, importance.values, importance.most);
+  RequireRange(extinction, found.extinction);
+  RequireRange(importance, found.importance);
+  this->LargestExtinction = found.extinction.largest;
+  this->SomethingImportant = found.importance.largest > 0;
+  this->Important = std::move(found.nodeImportance);
+  this->Filled = std::move(found.occupancy);
 }
 
 bool PreparedScene::SomethingToSee() const
@@ -142,13 +97,7 @@ Problem PreparedScene::ProblemFor(
   const Camera& camera, const Light& light, const Settings& settings)
 {
   const SceneFields& scene = this->Fields;
-  if (this->Important.Empty())
-  {
-    this->Important = NodeValues(scene.grid.NodeCount());
-    FillNodeImportanceOfFilled(
-      scene.grid, scene.baseExtinction, scene.importance, this->Important.Data());
-  }
-  if (!this->Filled || this->Filled->Skips() != settings.skipUnneeded)
+  if (this->Filled->Skips() != settings.skipUnneeded)
   {
     this->Filled = std::make_shared<const Occupancy>(
       scene.grid, scene.baseExtinction, this->Important.Data(), settings.skipUnneeded);

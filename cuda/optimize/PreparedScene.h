@@ -44,8 +44,8 @@ private:
   SceneFields Fields;
   float LargestExtinction = 0;
   bool SomethingImportant = false;
-  NodeValues Important;                    ///< see NodeImportanceOfFilled; made when first needed
-  std::shared_ptr<const Occupancy> Filled; ///< made when first needed
+  NodeValues Important; ///< see NodeImportanceOfFilled
+  std::shared_ptr<const Occupancy> Filled;
   std::shared_ptr<Resident> Kept = std::make_shared<Resident>();
 };
 }

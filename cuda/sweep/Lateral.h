@@ -43,6 +43,7 @@ public:
   int count = 0; ///< rays, with one guard on either side that only serves interpolation
 
   double Coordinate(int ray) const { return this->Middles[std::size_t(ray)]; }
+  const std::vector<double>& Coordinates() const { return this->Middles; }
   double Slope(int ray) const { return this->parallel ? this->shear : this->Coordinate(ray); }
 
   /// Where the part of the box that ray `ray` stands for begins: half way to the ray before. The

@@ -7,12 +7,14 @@
 #include "backend/Simd.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limpid
 {
 namespace
 {
-struct ColumnEnds
+/// Per column of a slice.
+struct ColumnSpanEnds
 {
   int* filledBegin;
   int* filledEnd;
@@ -23,7 +25,7 @@ struct ColumnEnds
 /// Extends the spans of the columns by row `y`, which is empty but in `span`.
 LIMPID_MULTIVERSION
 void MarkColumns(const float* __restrict extinction, const float* __restrict importance,
-  const Interval& span, int y, const ColumnEnds& ends)
+  const Interval& span, int y, const ColumnSpanEnds& ends)
 {
   int* __restrict filledBegin = ends.filledBegin;
   int* __restrict filledEnd = ends.filledEnd;
@@ -79,48 +81,83 @@ RowContent ContentOf(
 }
 }
 
+Occupancy::Occupancy(const Grid& grid)
+  : Nodes(grid.nodes)
+  , AlongX(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z))
+  , AlongY(std::size_t(grid.nodes.x) * std::size_t(grid.nodes.z))
+{
+}
+
 Occupancy::Occupancy(
   const Grid& grid, const float* baseExtinction, const float* importance, bool skip)
-  : Nodes(grid.nodes)
-  , Skip(skip)
+  : Occupancy(grid)
 {
-  const int nx = grid.nodes.x;
-  const int ny = grid.nodes.y;
-  const int nz = grid.nodes.z;
-  this->AlongX.resize(std::size_t(ny) * nz);
-  this->AlongY.resize(std::size_t(nx) * nz);
-  std::vector<Index> filled(std::size_t(nz), 0);
-  ParallelFor(nz,
+  OccupancyBuilder builder(grid);
+  const Index slice = Index(grid.nodes.x) * grid.nodes.y;
+  ParallelFor(grid.nodes.z,
     [&](Index z)
     {
-      // Ends of the columns' spans, apart from each other for the sake of vector units.
-      std::vector<int> ends(4 * std::size_t(nx), 0);
-      const ColumnEnds columns{ ends.data(), ends.data() + nx, ends.data() + 2 * nx,
-        ends.data() + 3 * nx };
-      for (int y = 0; y < ny; ++y)
-      {
-        const Index first = (z * ny + y) * nx;
-        const float* extinctionRow = baseExtinction + first;
-        const float* importanceRow = importance + first;
-        const RowContent row = ContentOf(extinctionRow, importanceRow, nx);
-        filled[std::size_t(z)] += row.filled;
-        this->AlongX[std::size_t(z) * ny + y] = row.spans;
-        MarkColumns(extinctionRow, importanceRow, row.spans.filled, y, columns);
-      }
-      for (int x = 0; x < nx; ++x)
-      {
-        this->AlongY[std::size_t(z) * nx + x] = { { columns.filledBegin[x], columns.filledEnd[x] },
-          { columns.importantBegin[x], columns.importantEnd[x] } };
-      }
+      builder.Add(static_cast<int>(z), { 0, grid.nodes.y }, baseExtinction + z * slice,
+        importance + z * slice);
     });
+  *this = builder.Take(skip);
+}
+
+OccupancyBuilder::OccupancyBuilder(const Grid& grid)
+  : Made(grid)
+  , ColumnEnds(std::size_t(grid.nodes.z))
+  , Filled(std::size_t(grid.nodes.z), 0)
+{
+}
+
+void OccupancyBuilder::Add(
+  int slice, const Interval& rows, const float* extinction, const float* importance)
+{
+  const int nx = this->Made.Nodes.x;
+  const int ny = this->Made.Nodes.y;
+  const auto z = std::size_t(slice);
+  std::vector<int>& ends = this->ColumnEnds[z];
+  if (rows.begin == 0)
+  {
+    ends.assign(4 * std::size_t(nx), 0);
+  }
+  // Ends of the columns' spans, apart from each other for the sake of vector units.
+  const ColumnSpanEnds columns{ ends.data(), ends.data() + nx, ends.data() + 2 * nx,
+    ends.data() + 3 * nx };
+  for (int y = rows.begin; y < rows.end; ++y, extinction += nx, importance += nx)
+  {
+    const RowContent row = ContentOf(extinction, importance, nx);
+    this->Filled[z] += row.filled;
+    this->Made.AlongX[z * std::size_t(ny) + std::size_t(y)] = row.spans;
+    MarkColumns(extinction, importance, row.spans.filled, y, columns);
+  }
+  if (rows.end < ny)
+  {
+    return;
+  }
+  for (int x = 0; x < nx; ++x)
+  {
+    this->Made.AlongY[z * std::size_t(nx) + std::size_t(x)] = { { columns.filledBegin[x],
+                                                                  columns.filledEnd[x] },
+      { columns.importantBegin[x], columns.importantEnd[x] } };
+  }
+  ends = {};
+}
+
+Occupancy OccupancyBuilder::Take(bool skip)
+{
+  for (const Index count : this->Filled)
+  {
+    this->Made.Filled += count;
+  }
+  this->Made.Skip = skip;
   if (!skip)
   {
-    std::fill(this->AlongX.begin(), this->AlongX.end(), Spans{ { 0, nx }, { 0, nx } });
-    std::fill(this->AlongY.begin(), this->AlongY.end(), Spans{ { 0, ny }, { 0, ny } });
+    const Interval x{ 0, this->Made.Nodes.x };
+    const Interval y{ 0, this->Made.Nodes.y };
+    std::fill(this->Made.AlongX.begin(), this->Made.AlongX.end(), Occupancy::Spans{ x, x });
+    std::fill(this->Made.AlongY.begin(), this->Made.AlongY.end(), Occupancy::Spans{ y, y });
   }
-  for (const Index count : filled)
-  {
-    this->Filled += count;
-  }
+  return std::move(this->Made);
 }
 }

@@ -43,11 +43,34 @@ public:
   Index FilledVoxels() const { return this->Filled; } ///< number of voxels that may change
 
 private:
+  friend class OccupancyBuilder;
+
+  explicit Occupancy(const Grid& grid);
+
   Int3 Nodes;
-  bool Skip;
+  bool Skip = true;
   Index Filled = 0;
   std::vector<Spans> AlongX; ///< [z][y]
   std::vector<Spans> AlongY; ///< [z][x]
+};
+
+/// Makes an Occupancy of voxels as they come.
+class OccupancyBuilder
+{
+public:
+  explicit OccupancyBuilder(const Grid& grid);
+
+  /// Adds rows of a slice, which the two fields begin with. Slices may come in parallel, but the
+  /// rows of one have to come in order.
+  void Add(int slice, const Interval& rows, const float* extinction, const float* importance);
+
+  /// When all rows have come. With `skip` off every voxel counts as occupied.
+  Occupancy Take(bool skip);
+
+private:
+  Occupancy Made;
+  std::vector<std::vector<int>> ColumnEnds; ///< of slices that are not complete
+  std::vector<Index> Filled;                ///< per slice
 };
 }
 

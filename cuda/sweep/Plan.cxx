@@ -5,6 +5,7 @@
 
 #include "backend/Backend.h"
 #include "sweep/HalfLayer.h"
+#include "sweep/RayGeometry.h"
 #include "sweep/Work.h"
 
 #include <algorithm>
@@ -12,13 +13,6 @@
 
 namespace limpid
 {
-float Pyramid::RayLength(int column, int row) const
-{
-  const Vec3 step(this->columnAxis.slope[std::size_t(column)] * this->spacing.x,
-    this->rowAxis.slope[std::size_t(row)] * this->spacing.y, this->spacing.z);
-  return static_cast<float>(glm::length(step));
-}
-
 Interval Pyramid::VoxelColumns(const Station& station, int v) const
 {
   const auto row = std::size_t(station.voxelRows.index[std::size_t(v)]);
@@ -53,35 +47,6 @@ struct DepthAxis
   double Near() const { return std::max(0.0, this->Of(this->sign > 0 ? 0 : this->nodes - 1)); }
 };
 
-/// Which rays of a pyramid the picture shows.
-std::vector<float> FindInView(const Pyramid& pyramid, const Eye& eye, const Lateral& u,
-  const Lateral& v, double sign, double originW)
-{
-  std::vector<float> inView;
-  if (eye.frustum.empty())
-  {
-    return inView;
-  }
-  inView.resize(std::size_t(pyramid.RayCount()));
-  for (int row = 0; row < pyramid.rows; ++row)
-  {
-    for (int column = 0; column < pyramid.columns; ++column)
-    {
-      Vec3 ray(0.0);
-      ray[pyramid.axisU] = u.Coordinate(column);
-      ray[pyramid.axisV] = v.Coordinate(row);
-      ray[pyramid.axisW] = eye.parallel ? originW : sign;
-      bool seen = true;
-      for (const Eye::Plane& plane : eye.frustum)
-      {
-        seen = seen && glm::dot(plane.normal, ray) + plane.offset >= 0;
-      }
-      inView[std::size_t(row) * pyramid.columns + column] = seen ? 1.0f : 0.0f;
-    }
-  }
-  return inView;
-}
-
 /// Places the Gauss points of the layer between two stations. In front of the first slice behind
 /// the eye the layer is a part of a cell.
 void PlacePlanes(
@@ -98,23 +63,6 @@ void PlacePlanes(
     plane.rayColumns = u.RayMap(depth);
     plane.rayRows = v.RayMap(depth);
   }
-}
-
-/// Columns, guards apart, that are inside the box in u all the way between two depths. They are
-/// neighbours, as the rays' order along u never changes.
-Interval InsideColumns(const Pyramid& pyramid, float front, float back)
-{
-  Interval inside;
-  for (int column = 0; column < pyramid.columns; ++column)
-  {
-    const auto i = std::size_t(column);
-    const bool guard = pyramid.columnAxis.share[i] == 0;
-    if (!guard && pyramid.columnAxis.entry[i] <= front && pyramid.columnAxis.exit[i] >= back)
-    {
-      inside = Hull(inside, { column, column + 1 });
-    }
-  }
-  return inside;
 }
 
 /// Columns along the first free axis; along x if possible, as rows of memory run along x.
@@ -256,7 +204,7 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
   pyramid.frontRows = RaysEnteredBy(pyramid.rowAxis, pyramid.FrontDepth());
   PlaceMaps(pyramid, sign, base, u, v);
   FindWork(pyramid, occupancy);
-  pyramid.inView = FindInView(pyramid, eye, u, v, sign, depth.origin);
+  pyramid.inView = FindInView(pyramid, eye, eye.parallel ? depth.origin : sign);
   return pyramid;
 }
 }

@@ -107,6 +107,9 @@ struct Pyramid
 
   /// World length of ray (i, j) per unit of depth.
   float RayLength(int column, int row) const;
+
+  /// The same of all rays of a row. `lengths`: `columns` values.
+  void FindRayLengths(int row, float* lengths) const;
 };
 
 /// Rays, guards apart, that are in the slab of the box along one axis by the time they come to a

@@ -180,15 +180,15 @@ PyramidOnDevice<Device>::PyramidOnDevice(std::shared_ptr<Device> device, const P
       }
     });
   ParallelFor(pyramid.rows, 16,
-    [&](Index row)
+    [&](Index index)
     {
-      for (int column = 0; column < pyramid.columns; ++column)
+      const auto row = std::size_t(index);
+      const float* lengths = packet.Row(length, row);
+      pyramid.FindRayLengths(static_cast<int>(row), packet.Row(length, row));
+      for (std::size_t column = 0; column < columns; ++column)
       {
-        const float rayLength = pyramid.RayLength(column, static_cast<int>(row));
-        packet.Row(length, std::size_t(row))[column] = rayLength;
-        packet.Row(shares, std::size_t(row))[column] = pyramid.cellMeasure *
-          pyramid.columnAxis.share[std::size_t(column)] * pyramid.rowAxis.share[std::size_t(row)] /
-          double(rayLength);
+        packet.Row(shares, row)[column] = pyramid.cellMeasure * pyramid.columnAxis.share[column] *
+          pyramid.rowAxis.share[row] / double(lengths[column]);
       }
     });
   packet.Fill(columnClips, 0, ClipsOf(pyramid.columnAxis));
