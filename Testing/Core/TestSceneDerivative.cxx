@@ -74,7 +74,6 @@ TEST_P(RealDerivative, IsThatOfTheMarch)
   const Occupancy everything(scene.grid, file.extinction.data(), file.importance.data(), false);
   VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(file.extinction.size(), 0.0f);
-  term.Forward(file.extinction.data(), file.importance.data());
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, file.importance.data());
   term.AddGradient({ file.extinction.data(), file.importance.data(), nodeImportance.data() },
     Derivative::Volume, 1.0f, gradient.data());

@@ -95,7 +95,6 @@ double FromGradient(const BoxScene& scene, const Field& direction, Derivative de
   VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false),
     scene.settings.rayDensity);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
-  term.Forward(scene.extinction.data(), scene.importance.data());
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
   term.AddGradient({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
     derivative, 1.0f, gradient.data());
@@ -230,7 +229,6 @@ TEST(VisibilityTerm, CarriesTheVisibleImportanceOfTheReferenceToEveryVoxel)
   {
     VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
     std::vector<float> gradient(scene.extinction.size(), 0.0f);
-    term.Forward(scene.extinction.data(), scene.importance.data());
     // At a point, as the march computes it, it is g at the point that counts.
     term.AddGradient(
       { scene.extinction.data(), scene.importance.data(), scene.importance.data() }, derivative,

@@ -53,7 +53,6 @@ SampledTransmittance TransmittanceOf(
   {
     const float* extinction = truth.Extinction(which).data();
     std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
-    term.Forward(extinction, none.data());
     term.AddGradient(
       { extinction, none.data(), ones.data() }, Derivative::Volume, -1.0f, swept.gradient.data());
     for (const std::size_t voxel : truth.Voxels())
@@ -70,7 +69,6 @@ double SlopeError(Swept& swept, const Truth& truth, VisibilityTerm& camera, Deri
   const TermFields fields{ scene.file.extinction.data(), scene.file.importance.data(),
     swept.nodeImportance.data() };
   std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
-  camera.Forward(fields.extinction, fields.importance);
   camera.AddGradient(fields, derivative, -1.0f, swept.gradient.data()); // F_q is -q S
   std::array<double, directionCount> slopes{};
   for (int which = 0; which < directionCount; ++which)

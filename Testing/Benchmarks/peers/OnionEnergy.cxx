@@ -64,21 +64,14 @@ Evaluation OnionEnergy::Value()
 Evaluation OnionEnergy::ValueAndGradient()
 {
   this->RequirePlan();
-  const Settings& settings = this->Task.settings;
-  const TermFields fields{ this->Extinction.data(), this->Task.importance,
-    this->Task.nodeImportance };
   const auto weight = static_cast<float>(this->Task.RegularizationWeight());
   float* gradient = this->Gradient.data();
 
   Stopwatch watch;
-  const Energy energy = this->Both.Measure(this->Task, this->Extinction).energy;
   ParallelFor(this->Scene.grid.NodeCount(), 65536,
     [&](Index node)
-    { gradient[node] = weight * (fields.extinction[node] - this->Task.baseExtinction[node]); });
-  this->Both.camera->AddGradient(
-    fields, settings.derivative, static_cast<float>(settings.weights.view), gradient);
-  this->Both.light->AddGradient(
-    fields, settings.derivative, static_cast<float>(settings.weights.light), gradient);
+    { gradient[node] = weight * (this->Extinction[node] - this->Task.baseExtinction[node]); });
+  const Energy energy = this->Both.AddGradient(this->Task, this->Extinction, this->Gradient).energy;
   return { energy, watch.Lap() };
 }
 
