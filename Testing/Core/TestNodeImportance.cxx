@@ -4,11 +4,11 @@
 #include "Tolerance.h"
 
 #include "energy/NodeImportance.h"
-#include "scene/NodeValues.h"
+#include "energy/SceneSurvey.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -116,14 +116,72 @@ TEST_P(NodeImportanceOf, IsZeroWhereThereIsNothingAndElseTheSame)
   const std::vector<float> ofFilled =
     NodeImportanceOfFilled(fields.grid, fields.extinction.data(), fields.importance.data());
   NodeValues filled(fields.grid.NodeCount());
-  FillNodeImportanceOfFilled(
-    fields.grid, fields.extinction.data(), fields.importance.data(), filled.Data());
+  std::vector<int> rowsDone(std::size_t(fields.grid.nodes.z), 0);
+  FillNodeImportanceOfFilled(fields.grid, fields.extinction.data(), fields.importance.data(),
+    filled.Data(),
+    [&](int slice, const Interval& rows)
+    {
+      EXPECT_EQ(rows.begin, rowsDone[std::size_t(slice)]);
+      rowsDone[std::size_t(slice)] = rows.end;
+    });
 
   for (std::size_t node = 0; node < mean.size(); ++node)
   {
     const bool empty = fields.extinction[node] <= 0 && fields.importance[node] <= 0;
     ASSERT_EQ(ofFilled[node], empty ? 0.0f : mean[node]) << "at node " << node;
     ASSERT_EQ(filled.Data()[node], ofFilled[node]) << "at node " << node;
+  }
+  EXPECT_EQ(rowsDone, std::vector<int>(rowsDone.size(), fields.grid.nodes.y));
+}
+
+TEST_P(NodeImportanceOf, IsSurveyedTogetherWithSpansAndRanges)
+{
+  const Fields fields = Blobs(GetParam());
+  const std::vector<float> mean =
+    NodeImportanceOfFilled(fields.grid, fields.extinction.data(), fields.importance.data());
+  const Occupancy occupancy(fields.grid, fields.extinction.data(), mean.data(), true);
+
+  const SceneSurvey survey =
+    SurveyScene(fields.grid, fields.extinction.data(), 2.0f, fields.importance.data(), 1.0f);
+
+  EXPECT_TRUE(std::equal(mean.begin(), mean.end(), survey.nodeImportance.Data()));
+  EXPECT_EQ(survey.occupancy->FilledVoxels(), occupancy.FilledVoxels());
+  EXPECT_TRUE(survey.occupancy->Skips());
+  for (int z = 0; z < fields.grid.nodes.z; ++z)
+  {
+    for (int y = 0; y < fields.grid.nodes.y; ++y)
+    {
+      EXPECT_EQ(survey.occupancy->Row(0, y, z).filled.begin, occupancy.Row(0, y, z).filled.begin);
+      EXPECT_EQ(survey.occupancy->Row(0, y, z).filled.end, occupancy.Row(0, y, z).filled.end);
+    }
+    for (int x = 0; x < fields.grid.nodes.x; ++x)
+    {
+      const Interval& important = survey.occupancy->Row(1, x, z).important;
+      EXPECT_EQ(important.begin, occupancy.Row(1, x, z).important.begin);
+      EXPECT_EQ(important.end, occupancy.Row(1, x, z).important.end);
+    }
+  }
+  EXPECT_TRUE(survey.extinction.valid && survey.importance.valid);
+  EXPECT_EQ(survey.extinction.largest,
+    *std::max_element(fields.extinction.begin(), fields.extinction.end()));
+  EXPECT_EQ(survey.importance.largest,
+    *std::max_element(fields.importance.begin(), fields.importance.end()));
+}
+
+TEST(SceneSurvey, FindsAWrongValueWhereverItIs)
+{
+  const Fields fields = Blobs(Int3(37, 33, 17));
+  for (std::size_t node = 0; node < fields.importance.size(); node += 997)
+  {
+    for (const float wrong : { -1e-30f, 2.5f, std::nanf("") })
+    {
+      Fields other = fields;
+      other.extinction[node] = wrong;
+      const SceneSurvey survey =
+        SurveyScene(other.grid, other.extinction.data(), 2.0f, other.importance.data(), 1.0f);
+      EXPECT_FALSE(survey.extinction.valid) << wrong << " at " << node;
+      EXPECT_TRUE(survey.importance.valid) << wrong << " at " << node;
+    }
   }
 }
 
