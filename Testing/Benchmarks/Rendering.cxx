@@ -244,7 +244,7 @@ FewRaysTimes TimeFewRays(const Drawable& drawable, int repeats)
     {
       RayImages images(pyramid);
       Stopwatch watch;
-      SweepForward(pyramid, scene.grid, extinction, extinction, images);
+      SweepForward(pyramid, { &scene.grid, &occupancy, extinction, extinction }, images);
       seconds += watch.Lap();
       times.rays += pyramid.RayCount();
     }

@@ -28,13 +28,13 @@ void GradientRow(const GradientVoxel<float>& body, const GradientTarget& target,
 class RayCarrier
 {
 public:
-  RayCarrier(const Pyramid& pyramid, const Grid& grid, const float* extinction,
-    const float* importance, Derivative derivative, RayImages& images)
+  RayCarrier(
+    const Pyramid& pyramid, const RayFields& fields, Derivative derivative, RayImages& images)
     : Source(pyramid)
     , Images(images)
     , Widens(derivative == Derivative::Volume)
-    , Extinction(pyramid, grid, extinction)
-    , Importance(pyramid, grid, importance)
+    , Extinction(pyramid, *fields.grid, fields.extinction, fields.occupancy)
+    , Importance(pyramid, *fields.grid, fields.importance, fields.occupancy)
   {
     StartBehind(images);
     std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
@@ -49,14 +49,19 @@ public:
   /// Moves a row of rays to station `s`.
   void RayRow(int s, int row)
   {
+    const Interval& work = this->Source.stations[std::size_t(s)].work[std::size_t(row)];
+    if (work.Empty())
+    {
+      return;
+    }
     float* memory = ThreadScratch(LayerMemory(this->Source));
     const bool last = s == this->Source.LastStation();
     if (!last)
     {
       this->Carry(s, row, memory);
     }
-    TransmitRays(this->Source, s, row, this->Source.stations[std::size_t(s)].work[std::size_t(row)],
-      last ? nullptr : memory, Depths::Unwound, this->Images);
+    TransmitRays(
+      this->Source, s, row, work, last ? nullptr : memory, Depths::Unwound, this->Images);
   }
 
   /// Moves a row of rays from the first slice of voxels to the eye.
@@ -96,12 +101,12 @@ private:
 class GradientVisitor : public RayCarrier
 {
 public:
-  GradientVisitor(const RayCarrier& rays, const Grid& grid, const float* nodeImportance,
+  GradientVisitor(const RayCarrier& rays, const RayFields& fields, const float* nodeImportance,
     const GradientTarget& target)
     : RayCarrier(rays)
     , Target(target)
-    , NodeImportance(rays.Source, grid, nodeImportance)
-    , Gradient(rays.Source, grid, target.field)
+    , NodeImportance(rays.Source, *fields.grid, nodeImportance, fields.occupancy)
+    , Gradient(rays.Source, *fields.grid, target.field, fields.occupancy)
   {
   }
 
@@ -155,6 +160,7 @@ private:
 VisibilityTerm::VisibilityTerm(
   const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity)
   : Nodes(grid)
+  , Occupied(&occupancy)
   , Pyramids(PlanSweep(grid, occupancy, eye, rayDensity))
 {
   this->Images.reserve(this->Pyramids.size());
@@ -177,8 +183,8 @@ Visible VisibilityTerm::Forward(const float* extinction, const float* importance
 Visible VisibilityTerm::ForwardAt(
   std::size_t index, const float* extinction, const float* importance)
 {
-  return SweepForward(
-    this->Pyramids[index], this->Nodes, extinction, importance, this->Images[index]);
+  return SweepForward(this->Pyramids[index],
+    { &this->Nodes, this->Occupied, extinction, importance }, this->Images[index]);
 }
 
 Visible VisibilityTerm::AddGradient(
@@ -198,6 +204,7 @@ Visible VisibilityTerm::Differentiate(
 {
   // Without the weight of the rays, what they carry is not the score.
   const bool carriesScore = derivative == Derivative::Volume;
+  const RayFields swept{ &this->Nodes, this->Occupied, fields.extinction, fields.importance };
   Visible sum;
   if (!carriesScore)
   {
@@ -209,11 +216,10 @@ Visible VisibilityTerm::Differentiate(
     RayImages& images = this->Images[index];
     if (carriesScore)
     {
-      SweepDepths(pyramid, this->Nodes, fields.extinction, images);
+      SweepDepths(pyramid, swept, images);
     }
-    const RayCarrier rays(
-      pyramid, this->Nodes, fields.extinction, fields.importance, derivative, images);
-    GradientVisitor visitor(rays, this->Nodes, fields.nodeImportance, target);
+    const RayCarrier rays(pyramid, swept, derivative, images);
+    GradientVisitor visitor(rays, swept, fields.nodeImportance, target);
     SweepBackward(pyramid, visitor);
     sum += carriesScore ? SumBehind(pyramid, images) : Visible{};
   }

@@ -23,7 +23,8 @@ struct TermFields
 /**
  * One of the two visibility terms of the energy, Eq. (23) or (24): what a camera or a light sees.
  *
- * Holds the rays; the fields stay with the caller, grid.NodeCount() values each.
+ * Holds the rays; the fields stay with the caller, grid.NodeCount() values each. So does the
+ * occupancy; extinctions and importances are 0 where it is not filled.
  */
 class VisibilityTerm
 {
@@ -53,6 +54,7 @@ private:
     const TermFields& fields, Derivative derivative, const GradientTarget& target);
 
   Grid Nodes;
+  const Occupancy* Occupied;
   std::vector<Pyramid> Pyramids;
   std::vector<RayImages> Images;
 };

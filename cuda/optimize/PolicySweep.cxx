@@ -78,12 +78,12 @@ public:
     , TrustTransmittance(task.trust == Trust::LastIterate)
     , Widens(task.derivative == Derivative::Volume)
     , HasLagged(task.fields.lagged != nullptr)
-    , Base(pyramid, *task.grid, task.fields.base)
-    , Importance(pyramid, *task.grid, task.fields.importance)
-    , NodeImportance(pyramid, *task.grid, task.fields.nodeImportance)
-    , Extinction(pyramid, *task.grid, task.fields.extinction)
-    , Lagged(pyramid, *task.grid, task.fields.lagged)
-    , Next(pyramid, *task.grid, task.fields.next)
+    , Base(pyramid, *task.grid, task.fields.base, task.occupancy)
+    , Importance(pyramid, *task.grid, task.fields.importance, task.occupancy)
+    , NodeImportance(pyramid, *task.grid, task.fields.nodeImportance, task.occupancy)
+    , Extinction(pyramid, *task.grid, task.fields.extinction, task.occupancy)
+    , Lagged(pyramid, *task.grid, task.fields.lagged, task.occupancy)
+    , Next(pyramid, *task.grid, task.fields.next, task.occupancy)
     , Ahead(images.behind.size(), 0.0f)
     , RearImportance(images.behind.size(), 0.0f)
     , Collected(images.opticalDepth.size(), 0.0)
@@ -247,6 +247,10 @@ private:
     const auto columns = std::size_t(this->Source.columns);
     float* scratch = memory + 4 * columns;
     limpid::RayRow rays = this->Rays(s, row);
+    if (rays.work.Empty())
+    {
+      return;
+    }
     SampleExtinction(this->Source, s, row, this->Next, memory, rays);
     float* front = memory + 2 * columns;
     float* rear = this->RearImportance.data() + std::size_t(row) * columns;
@@ -269,6 +273,10 @@ private:
     const std::size_t columns = std::size_t(this->Source.columns);
     float* scratch = memory + 4 * columns;
     limpid::RayRow rays = this->Rays(s, row);
+    if (rays.work.Empty())
+    {
+      return;
+    }
     const Plane& plane = this->PlaneAt(s, 1);
     SamplePlane(plane, row, rays.work, Slices::Rear, this->Next, scratch, memory);
     float* importance = this->RearImportance.data() + std::size_t(row) * columns;
@@ -289,6 +297,11 @@ private:
   /// Transmittance on station `s` through the last iterate.
   void UnwindTransmittance(int s, int row, float* memory)
   {
+    const Interval& work = this->Source.stations[std::size_t(s)].work[std::size_t(row)];
+    if (work.Empty())
+    {
+      return;
+    }
     const std::size_t columns = std::size_t(this->Source.columns);
     double* opticalDepth = this->Images.opticalDepth.data() + std::size_t(row) * columns;
     const bool last = s == this->Source.LastStation();
@@ -298,8 +311,8 @@ private:
       SampleExtinction(this->Source, s, row, this->Extinction, memory, rays);
       UnwindRow(rays, opticalDepth);
     }
-    TransmitRays(this->Source, s, row, this->Source.stations[std::size_t(s)].work[std::size_t(row)],
-      last ? nullptr : memory, Depths::Unwound, this->Images);
+    TransmitRays(
+      this->Source, s, row, work, last ? nullptr : memory, Depths::Unwound, this->Images);
   }
 
   const Pyramid& Source;

@@ -42,8 +42,10 @@ std::vector<Slab> SlabsOf(const Pyramid& pyramid)
   return slabs;
 }
 
-SliceWindow::SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field)
+SliceWindow::SliceWindow(
+  const Pyramid& pyramid, const Grid& grid, float* field, const Occupancy* occupancy)
   : Source(&pyramid)
+  , Occupied(occupancy)
   , Field(field)
   , Transposed(pyramid.axisW == 0)
   , Columns(pyramid.nodesU)
@@ -78,6 +80,22 @@ Interval SliceWindow::HullOf(int begin, int end, Interval Station::*part) const
   return hull;
 }
 
+/// Of `columns` of row `v` those that are not known to be 0 on all slices in a range.
+Interval SliceWindow::FilledIn(const Range& slices, int v, const Interval& columns) const
+{
+  if (!this->Occupied)
+  {
+    return columns;
+  }
+  Interval hull;
+  for (int k = 0; k < slices.count; ++k)
+  {
+    hull = Hull(hull, SpansOf(*this->Source, *this->Occupied, slices.first + k, v).filled);
+  }
+  const Interval filled = Intersection(hull, columns);
+  return filled.Empty() ? Interval{ columns.begin, columns.begin } : filled;
+}
+
 void SliceWindow::Load(const Slab& slab, int behind)
 {
   if (!this->Transposed)
@@ -99,9 +117,15 @@ void SliceWindow::Load(const Slab& slab, int behind)
       const Index v = rows.begin + row;
       const float* source = this->Field + this->StrideV * v + range.first;
       float* target = this->Buffer.data() + v * this->Columns;
-      for (int tile = columns.begin; tile < columns.end; tile += columnsPerTile)
+      const Interval filled = this->FilledIn(range, static_cast<int>(v), columns);
+      for (int k = 0; k < range.count; ++k)
       {
-        const int last = std::min(tile + columnsPerTile, columns.end);
+        std::fill(target + k * slice + columns.begin, target + k * slice + filled.begin, 0.0f);
+        std::fill(target + k * slice + filled.end, target + k * slice + columns.end, 0.0f);
+      }
+      for (int tile = filled.begin; tile < filled.end; tile += columnsPerTile)
+      {
+        const int last = std::min(tile + columnsPerTile, filled.end);
         for (int k = 0; k < range.count; ++k)
         {
           for (int u = tile; u < last; ++u)
@@ -131,7 +155,8 @@ void SliceWindow::Store(const Slab& slab)
       float* target = this->Field + this->StrideV * v + range.first;
       const float* source =
         this->Buffer.data() + (range.first - this->First) * slice + v * this->Columns;
-      for (int u = columns.begin; u < columns.end; ++u)
+      const Interval filled = this->FilledIn(range, static_cast<int>(v), columns);
+      for (int u = filled.begin; u < filled.end; ++u)
       {
         for (int k = 0; k < range.count; ++k)
         {

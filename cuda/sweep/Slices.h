@@ -33,9 +33,12 @@ class SliceWindow
 {
 public:
   /// `field`: grid.NodeCount() values; written only by Store, or through Row where not transposed.
-  SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field);
-  SliceWindow(const Pyramid& pyramid, const Grid& grid, const float* field)
-    : SliceWindow(pyramid, grid, const_cast<float*>(field))
+  /// `occupancy`: where it is not filled the field is known to be 0; null: nothing is known.
+  SliceWindow(
+    const Pyramid& pyramid, const Grid& grid, float* field, const Occupancy* occupancy = nullptr);
+  SliceWindow(const Pyramid& pyramid, const Grid& grid, const float* field,
+    const Occupancy* occupancy = nullptr)
+    : SliceWindow(pyramid, grid, const_cast<float*>(field), occupancy)
   {
   }
 
@@ -71,8 +74,10 @@ private:
   };
   Range SlicesOf(int begin, int end) const;
   Interval HullOf(int begin, int end, Interval Station::*part) const;
+  Interval FilledIn(const Range& slices, int v, const Interval& columns) const;
 
   const Pyramid* Source;
+  const Occupancy* Occupied;
   float* Field;
   bool Transposed;
   int Columns;

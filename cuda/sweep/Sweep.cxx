@@ -105,7 +105,6 @@ LIMPID_INLINE void PrefetchPlane(
   const auto later = std::min(std::size_t(row) + 2, plane.rayRows.index.size() - 1);
   const int soon = plane.rayRows.index[later] + 1;
   field.Prefetch(plane.slices[0], soon, columns);
-  field.Prefetch(plane.slices[1], soon, columns);
 }
 }
 
@@ -273,14 +272,13 @@ namespace
 class ForwardVisitor
 {
 public:
-  /// `importance`: null: optical depths are all that is wanted.
-  ForwardVisitor(const Pyramid& pyramid, const Grid& grid, const float* extinction,
-    const float* importance, RayImages& images)
+  /// `scores`: or optical depths are all that is wanted.
+  ForwardVisitor(const Pyramid& pyramid, const RayFields& fields, bool scores, RayImages& images)
     : Source(pyramid)
     , Images(images)
-    , Scores(importance != nullptr)
-    , Extinction(pyramid, grid, extinction)
-    , Importance(pyramid, grid, importance)
+    , Scores(scores)
+    , Extinction(pyramid, *fields.grid, fields.extinction, fields.occupancy)
+    , Importance(pyramid, *fields.grid, fields.importance, fields.occupancy)
   {
     std::fill(images.opticalDepth.begin(), images.opticalDepth.end(), 0.0);
     if (this->Scores)
@@ -313,6 +311,10 @@ private:
     for (int s = slab.begin; s < std::min(slab.end, this->Source.LastStation()); ++s)
     {
       RayRow rays = RaysOf(this->Source, this->Images, s, row);
+      if (rays.work.Empty())
+      {
+        continue;
+      }
       if (this->Scores)
       {
         SampleLayer(this->Source, s, row, this->Extinction, this->Importance, memory, rays);
@@ -354,18 +356,16 @@ double SumOfRays(const Pyramid& pyramid, const RayImages& images, const float* v
   return pyramid.cellMeasure * std::accumulate(rows.begin(), rows.end(), 0.0);
 }
 
-Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
-  const float* importance, RayImages& images)
+Visible SweepForward(const Pyramid& pyramid, const RayFields& fields, RayImages& images)
 {
-  ForwardVisitor(pyramid, grid, extinction, importance, images).Sweep();
+  ForwardVisitor(pyramid, fields, true, images).Sweep();
   return { SumOfRays(pyramid, images, images.behind.data()),
     SumOfRays(pyramid, images, images.plain.data()) };
 }
 
-void SweepDepths(
-  const Pyramid& pyramid, const Grid& grid, const float* extinction, RayImages& images)
+void SweepDepths(const Pyramid& pyramid, const RayFields& fields, RayImages& images)
 {
-  ForwardVisitor(pyramid, grid, extinction, nullptr, images).Sweep();
+  ForwardVisitor(pyramid, fields, false, images).Sweep();
 }
 
 void StartBehind(RayImages& images)

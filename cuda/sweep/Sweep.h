@@ -46,6 +46,15 @@ struct Visible
   }
 };
 
+/// Fields that rays go through, grid.NodeCount() values each.
+struct RayFields
+{
+  const Grid* grid;
+  const Occupancy* occupancy; ///< see SliceWindow; null: nothing is known
+  const float* extinction;    ///< [1/length]
+  const float* importance;    ///< [0, 1]
+};
+
 /// Sum of one value per ray, for an integral over the domain of what these are integrals of along
 /// their rays times scale^2; in a fixed order.
 double SumOfRays(const Pyramid& pyramid, const RayImages& images, const float* values);
@@ -120,12 +129,11 @@ void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, flo
  * Front to back over all slices: leaves in `images` the optical depth of every ray through
  * the layers in its `work`, and returns the score of the pyramid.
  */
-Visible SweepForward(const Pyramid& pyramid, const Grid& grid, const float* extinction,
-  const float* importance, RayImages& images);
+Visible SweepForward(const Pyramid& pyramid, const RayFields& fields, RayImages& images);
 
-/// Front to back over all slices: leaves the optical depths alone in `images`.
-void SweepDepths(
-  const Pyramid& pyramid, const Grid& grid, const float* extinction, RayImages& images);
+/// Front to back over all slices: leaves the optical depths alone in `images`. The importance is
+/// not read.
+void SweepDepths(const Pyramid& pyramid, const RayFields& fields, RayImages& images);
 
 /// Prepares the images for a sweep from the back, where nothing is behind. Optical depths stay.
 void StartBehind(RayImages& images);

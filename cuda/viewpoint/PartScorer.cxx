@@ -16,8 +16,11 @@ public:
     for (const ViewFields::Part& part : parts)
     {
       RayImages images(part.pyramid);
-      const Visible score = SweepForward(part.pyramid, part.fields->grid,
-        part.fields->extinction.data(), part.fields->importance.data(), images);
+      const SweptFields& fields = *part.fields;
+      const Visible score = SweepForward(part.pyramid,
+        { &fields.grid, fields.occupancy.get(), fields.extinction.data(),
+          fields.importance.data() },
+        images);
       sum.visible += score.visible;
       sum.plain += score.plain;
     }
