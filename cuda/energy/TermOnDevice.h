@@ -59,6 +59,7 @@ public:
     const TermFields& fields, Derivative derivative, const GradientTarget& target, double* sums);
 
   std::vector<RaysOnDevice<Device>>& Pyramids() { return this->Rays; }
+  std::size_t PyramidCount() const { return this->Rays.size(); }
 
   /// Where the rays of a pyramid tell what they have added up to.
   RayTotals TotalsOf(std::size_t pyramid);

@@ -64,7 +64,7 @@ public:
   {
   }
 
-  IterationRecord Measure() override { return this->Seen.Measure(this->Task, this->Now); }
+  IterationRecord Measure() override { return this->Seen.Measure(this->Task, this->Now.data()); }
 
   IterationRecord Step(int count) override
   {

@@ -7,6 +7,7 @@
 #include "optimize/Adam.h"
 #include "optimize/Policy.h"
 #include "optimize/PolicySweep.h"
+#include "optimize/Reordered.h"
 #include "scene/LargePages.h"
 
 #include <algorithm>
@@ -52,10 +53,16 @@ public:
   std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, std::vector<float>&& start, bool warm) override
   {
-    StartFromBase(problem, start);
-    return problem.settings.solver == SolverKind::Adam
-      ? MakeAdam(problem, std::move(start))
-      : MakePolicy(problem, std::move(start), warm);
+    return MakeReordered(problem, std::move(start),
+      [warm](const Problem& task, std::vector<float>&& first)
+      {
+        if (task.settings.solver == SolverKind::Policy)
+        {
+          return MakePolicy(task, std::move(first), warm);
+        }
+        StartFromBase(task, first);
+        return MakeAdam(task, std::move(first));
+      });
   }
 
   std::unique_ptr<EyeSweeps> Look(const Problem& problem, const Eye& eye) override

@@ -3,20 +3,52 @@
 
 #include "optimize/Policy.h"
 
+#include "backend/Backend.h"
 #include "optimize/PolicyIterations.h"
 #include "optimize/PolicySweep.h"
 #include "optimize/Terms.h"
 #include "scene/LargePages.h"
 #include "scene/NodeValues.h"
 
+#include <algorithm>
+
 namespace limpid
 {
 namespace
 {
+/// An iterate: the caller's values, which stay as they are, or values of its own.
+class CpuIterate
+{
+public:
+  CpuIterate() = default;
+  explicit CpuIterate(const float* values)
+    : Values(values)
+  {
+  }
+  explicit CpuIterate(std::vector<float>&& values)
+    : Given(std::move(values))
+    , Values(this->Given.data())
+  {
+  }
+  explicit CpuIterate(NodeValues&& values)
+    : Own(std::move(values))
+    , Values(this->Own.Data())
+  {
+  }
+
+  const float* Data() const { return this->Values; }
+  float* Room() { return this->Own.Data(); } ///< null: these are not to be overwritten
+
+private:
+  std::vector<float> Given;
+  NodeValues Own;
+  const float* Values = nullptr;
+};
+
 class PolicyOnCpu
 {
 public:
-  using Field = std::vector<float>;
+  using Field = CpuIterate;
 
   explicit PolicyOnCpu(const Problem& problem)
     : Work(&problem)
@@ -25,21 +57,46 @@ public:
   }
 
   const Problem& Task() const { return *this->Work; }
-  bool IsEmpty(const Field& field) const { return field.empty(); }
 
-  Field CopyOf(const Field& field) const
+  /// Makes room for an iterate. Where sweeps do not come, and for rays of a pyramid that meet
+  /// voxels of one that is swept later, it has the values of the last one.
+  void Prepare(Field& next, const Field& last) const
   {
-    Field copy;
-    copy.reserve(field.size());
-    UseLargePages(copy.data(), field.size() * sizeof(float));
-    copy.assign(field.begin(), field.end());
-    return copy;
+    const bool fresh = !next.Room();
+    if (fresh)
+    {
+      next = Field(NodeValues(this->Work->grid.NodeCount()));
+    }
+    if (fresh || this->PyramidCount() > 1)
+    {
+      this->CopyFilled(last.Data(), next.Room());
+    }
   }
 
-  const std::vector<float>& Read(const Field& field) const { return field; }
-  std::vector<float> Take(Field&& field) const { return std::move(field); }
+  const float* Values(const Field& field) const { return field.Data(); }
 
-  IterationRecord Start(const Field& first) { return this->Seen.Measure(*this->Work, first); }
+  const std::vector<float>& Read(const Field& field) const
+  {
+    const Index count = this->Work->grid.NodeCount();
+    if (this->OnHost.empty())
+    {
+      this->OnHost.reserve(std::size_t(count));
+      UseLargePages(this->OnHost.data(), std::size_t(count) * sizeof(float));
+    }
+    this->OnHost.assign(field.Data(), field.Data() + count);
+    return this->OnHost;
+  }
+
+  std::vector<float> Take(Field&& field) const
+  {
+    this->Read(field);
+    return std::move(this->OnHost);
+  }
+
+  IterationRecord Start(const Field& first)
+  {
+    return this->Seen.Measure(*this->Work, first.Data());
+  }
 
   IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again)
   {
@@ -56,7 +113,7 @@ public:
     if (this->Joint())
     {
       seen.byLight = this->LagIsFresh ? this->FindLagged(next)
-                                      : this->Seen.light->Forward(next.data(), problem.importance);
+                                      : this->Seen.light->Forward(next.Data(), problem.importance);
     }
     IterationRecord record = RecordOf(problem, problem.Regularization(found.moved.squares), seen);
     record.meanChange = change;
@@ -66,6 +123,25 @@ public:
 private:
   bool Joint() const { return this->Seen.camera && this->Seen.light; }
 
+  std::size_t PyramidCount() const
+  {
+    return (this->Seen.camera ? this->Seen.camera : this->Seen.light)->PyramidCount();
+  }
+
+  void CopyFilled(const float* from, float* to) const
+  {
+    const Int3& nodes = this->Work->grid.nodes;
+    ParallelFor(Index(nodes.y) * nodes.z, 16,
+      [&](Index row)
+      {
+        const auto y = static_cast<int>(row % nodes.y);
+        const auto z = static_cast<int>(row / nodes.y);
+        const Interval filled = this->Work->occupancy->Row(0, y, z).filled;
+        std::copy_n(from + row * nodes.x + filled.begin, std::max(filled.end - filled.begin, 0),
+          to + row * nodes.x + filled.begin);
+      });
+  }
+
   /// The policy sweep itself, of the camera or, without one, of the light.
   PolicyFound SweepOnce(const Field& last, Field& next, bool trust)
   {
@@ -74,9 +150,9 @@ private:
     const bool useLagged = !this->Lagged.Empty();
     PolicyTask task = TaskOf(
       problem, this->Seen.camera ? weights.view : weights.light, useLagged ? weights.light : 0.0);
-    task.fields.extinction = last.data();
+    task.fields.extinction = last.Data();
     task.fields.lagged = useLagged ? this->Lagged.Data() : nullptr;
-    task.fields.next = next.data();
+    task.fields.next = next.Room();
     task.trust = trust ? Trust::LastIterate : Trust::Clear;
     VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
     const std::size_t pyramids = swept.PyramidCount();
@@ -94,7 +170,7 @@ private:
     {
       if (!MetNextIterate(index, pyramids, task.derivative))
       {
-        sum.met += swept.ForwardAt(index, next.data(), problem.importance);
+        sum.met += swept.ForwardAt(index, next.Data(), problem.importance);
       }
     }
     return sum;
@@ -108,20 +184,23 @@ private:
       this->Lagged = NodeValues(problem.grid.NodeCount());
     }
     return this->Seen.light->SetGradient(
-      { extinction.data(), problem.importance, problem.nodeImportance },
+      { extinction.Data(), problem.importance, problem.nodeImportance },
       problem.settings.derivative, this->Lagged.Data());
   }
 
   const Problem* Work;
   Terms Seen;
-  NodeValues Lagged;       ///< T_L (V_L - g) of an iterate; empty: none
-  bool LagIsFresh = false; ///< whether that is the last iterate
+  NodeValues Lagged;                 ///< T_L (V_L - g) of an iterate; empty: none
+  bool LagIsFresh = false;           ///< whether that is the last iterate
+  mutable std::vector<float> OnHost; ///< what was read last
 };
 }
 
 std::unique_ptr<Minimizer> MakePolicy(const Problem& problem, std::vector<float>&& start, bool warm)
 {
+  CpuIterate first =
+    start.empty() ? CpuIterate(problem.baseExtinction) : CpuIterate(std::move(start));
   return std::make_unique<PolicyIterations<PolicyOnCpu>>(
-    PolicyOnCpu(problem), std::move(start), warm);
+    PolicyOnCpu(problem), std::move(first), warm);
 }
 }

@@ -11,8 +11,9 @@
 namespace limpid
 {
 /// Policy sweeps (Documentation/Method.md): each iteration is one backward sweep that finds, slice
-/// by slice, the best extinction given what lies behind. `start`: first iterate [1/length]; `warm`
-/// tells that it is near the optimum, so that its transmittance can be trusted.
+/// by slice, the best extinction given what lies behind. `start`: first iterate [1/length]; empty:
+/// the base extinction. `warm` tells that it is near the optimum, so that its transmittance can be
+/// trusted.
 std::unique_ptr<Minimizer> MakePolicy(
   const Problem& problem, std::vector<float>&& start, bool warm);
 }

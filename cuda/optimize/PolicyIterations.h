@@ -17,13 +17,15 @@ namespace limpid
  *
  * An engine has a type Field, an extinction at all nodes that can be moved, and
  *
- *   bool IsEmpty(const Field&);                  whether it has no memory yet
- *   Field CopyOf(const Field&);
+ *   void Prepare(Field& next, const Field& last);
+ *       makes sure that it can be overwritten; where sweeps do not come, and for rays of a pyramid
+ *       that meet voxels of one that is swept later, it gets the values of the last iterate
  *   IterationRecord Start(const Field& first);
  *   IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again);
  *       one policy sweep and what it leads to; `trust`: in the transmittance of the last iterate;
  *       `again`: whether another one is to be expected, which the engine may prepare
- *   const std::vector<float>& Read(const Field&);                     on the host
+ *   const float* Values(const Field&);                                on the host
+ *   const std::vector<float>& Read(const Field&);                     likewise
  *   std::vector<float> Take(Field&&);                                 likewise, given away
  *   const Problem& Task();
  */
@@ -74,6 +76,11 @@ public:
 
   int IterationLimit() const override { return this->Computer.Task().settings.maximumIterations; }
 
+  const float* BestValues() const override
+  {
+    return this->Computer.Values(this->Iterates[this->BestOf]);
+  }
+
   const std::vector<float>& Best() const override
   {
     return this->Computer.Read(this->Iterates[this->BestOf]);
@@ -93,11 +100,7 @@ private:
     {
       ++free;
     }
-    if (this->Computer.IsEmpty(this->Iterates[free]))
-    {
-      // Empty voxels are not visited.
-      this->Iterates[free] = this->Computer.CopyOf(this->Iterates[this->Now]);
-    }
+    this->Computer.Prepare(this->Iterates[free], this->Iterates[this->Now]);
     return free;
   }
 

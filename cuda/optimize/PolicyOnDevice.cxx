@@ -43,7 +43,17 @@ public:
   }
 
   const Problem& Task() const { return *this->Work; }
-  bool IsEmpty(const Field& field) const { return field.Empty(); }
+  void Prepare(Field& next, const Field& last) const
+  {
+    if (next.Empty())
+    {
+      next = this->CopyOf(last);
+    }
+    else if (this->PyramidCount() > 1)
+    {
+      next.CopyFrom(last);
+    }
+  }
 
   Field CopyOf(const Field& field) const
   {
@@ -51,6 +61,8 @@ public:
     copy.CopyFrom(field);
     return copy;
   }
+
+  const float* Values(const Field& field) const { return this->Read(field).data(); }
 
   const std::vector<float>& Read(const Field& field) const
   {
@@ -96,6 +108,11 @@ public:
 
 private:
   bool Joint() const { return this->Seen.camera && this->Seen.light; }
+
+  std::size_t PyramidCount() const
+  {
+    return (this->Seen.camera ? this->Seen.camera : this->Seen.light)->PyramidCount();
+  }
 
   /// The policy sweep itself, of the camera or, without one, of the light.
   void SweepOnce(const Field& last, Field& next, bool trust)

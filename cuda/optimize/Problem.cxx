@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-double Problem::Regularization(const std::vector<float>& extinction) const
+double Problem::Regularization(const float* extinction) const
 {
   // What is empty stays as it is in the base, see Solver's first iterate.
   const Int3& rows = this->grid.nodes;
@@ -23,8 +23,8 @@ double Problem::Regularization(const std::vector<float>& extinction) const
       {
         const Interval filled = this->occupancy->Row(0, y, int(z)).filled;
         const Index first = (z * rows.y + y) * rows.x + filled.begin;
-        slices[std::size_t(z)] += SumOfSquares(extinction.data() + first,
-          this->baseExtinction + first, std::max(filled.end - filled.begin, 0));
+        slices[std::size_t(z)] += SumOfSquares(
+          extinction + first, this->baseExtinction + first, std::max(filled.end - filled.begin, 0));
       }
     });
   return this->Regularization(std::accumulate(slices.begin(), slices.end(), 0.0));

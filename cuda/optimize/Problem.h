@@ -15,11 +15,14 @@
 
 namespace limpid
 {
-/// What an engine keeps for all problems of a scene, of a type that only the engine knows.
+struct ReorderedFields;
+
+/// What engines keep for all problems of a scene.
 struct Resident
 {
   std::mutex access;
-  std::shared_ptr<void> fields;
+  std::shared_ptr<void> fields;                     ///< of a type that only the GPU's engine knows
+  std::shared_ptr<const ReorderedFields> reordered; ///< of the processor's
 };
 
 /// What is to be minimised: Eq. 21 for one extinction field. The fields belong to the caller.
@@ -43,7 +46,7 @@ struct Problem
   }
 
   /// F_p of Eq. 22 in world units [length^2].
-  double Regularization(const std::vector<float>& extinction) const;
+  double Regularization(const float* extinction) const;
 
   /// The same from the sum over all voxels of (mu - mu-bar)^2.
   double Regularization(double squares) const;
@@ -71,6 +74,9 @@ public:
 
   /// Best iterate so far [1/length].
   virtual const std::vector<float>& Best() const = 0;
+
+  /// Its values, which may be there without a copy; until the next iteration.
+  virtual const float* BestValues() const { return this->Best().data(); }
 
   /// The same, given away: nothing else can be asked any more.
   virtual std::vector<float> TakeBest() = 0;

@@ -18,16 +18,16 @@ Terms::Terms(const Problem& problem)
   }
 }
 
-IterationRecord Terms::Measure(const Problem& problem, const std::vector<float>& extinction)
+IterationRecord Terms::Measure(const Problem& problem, const float* extinction)
 {
   Seen seen;
   if (this->camera)
   {
-    seen.byCamera = this->camera->Forward(extinction.data(), problem.importance);
+    seen.byCamera = this->camera->Forward(extinction, problem.importance);
   }
   if (this->light)
   {
-    seen.byLight = this->light->Forward(extinction.data(), problem.importance);
+    seen.byLight = this->light->Forward(extinction, problem.importance);
   }
   return RecordOf(problem, problem.Regularization(extinction), seen);
 }
@@ -48,7 +48,7 @@ IterationRecord Terms::AddGradient(
     seen.byLight = this->light->AddGradient(
       fields, settings.derivative, static_cast<float>(settings.weights.light), gradient.data());
   }
-  return RecordOf(problem, problem.Regularization(extinction), seen);
+  return RecordOf(problem, problem.Regularization(extinction.data()), seen);
 }
 
 IterationRecord RecordOf(const Problem& problem, double regularization, const Seen& seen)

@@ -28,7 +28,7 @@ struct Terms
   explicit Terms(const Problem& problem);
 
   /// Energy and score of an extinction; leaves the optical depths of all rays in the terms.
-  IterationRecord Measure(const Problem& problem, const std::vector<float>& extinction);
+  IterationRecord Measure(const Problem& problem, const float* extinction);
 
   /// Adds the weighted derivative of all terms to `gradient`, and measures along the way.
   IterationRecord AddGradient(

@@ -57,7 +57,7 @@ Evaluation OnionEnergy::Value()
 {
   this->RequirePlan();
   Stopwatch watch;
-  const Energy energy = this->Both.Measure(this->Task, this->Extinction).energy;
+  const Energy energy = this->Both.Measure(this->Task, this->Extinction.data()).energy;
   return { energy, watch.Lap() };
 }
 
