@@ -12,7 +12,10 @@ namespace limpid
 /**
  * Derivative of a visibility term at one voxel, Eq. (27) or (28) without its weight:
  *
- *   T (V - g),   V = G / T the visible importance behind per unit of transmittance.
+ *   T (V - g) = G - g T,   V = G / T the visible importance behind per unit of transmittance.
+ *
+ * The extinction of a voxel acts on its neighbourhood: G, T and g are means over its hat function
+ * (deviation D8), G and T of the rays that pass there.
  *
  * Deviation D1: V carries the weight t'^2 / t^2 of the widening rays, so that this is the
  * derivative of the volume integral, unless the sweep was made with Derivative::Ray.
@@ -22,10 +25,11 @@ struct GradientVoxel
 {
   Real inverseArea; ///< 1 / scale^2 of the slice
 
-  /// `transmittance` [0, 1], `behind` [scale^2], `importance` [0, 1]: all at the voxel.
-  LIMPID_HD LIMPID_INLINE Real operator()(Real transmittance, Real behind, Real importance) const
+  /// `transmittance` [0, 1], `seenBehind` G [scale^2], `importance` [0, 1].
+  LIMPID_HD LIMPID_INLINE Real operator()(
+    Real transmittance, Real seenBehind, Real importance) const
   {
-    return transmittance * (behind * this->inverseArea - importance);
+    return seenBehind * this->inverseArea - transmittance * importance;
   }
 };
 

@@ -22,7 +22,7 @@ struct RayStates
   float* plain;         ///< the same without attenuation
   float* transmittance; ///< from the eye to the station [0, 1]
   float* density;       ///< near the sides, see Densified
-  float* ahead;         ///< what `behind` is half way to the station behind
+  float* ahead;         ///< what `behind` is half way to the station behind, times transmittance
   double* collected;    ///< optical depth of the layers that a sweep from the back has passed
 };
 
@@ -253,7 +253,8 @@ struct BackwardRay
   int begin;   ///< stations
   int end;
   RayStates states;
-  float* images;    ///< per station: behind, transmittance, density, one value per ray each
+  float* images;    ///< per station: what transmittance leaves of what is behind, transmittance,
+                    ///< density, one value per ray each
   RayTotals totals; ///< out, when the sweep comes to the front
 
   LIMPID_HD void operator()(int i, int j) const
@@ -277,7 +278,7 @@ struct BackwardRay
         TransmitRay(this->rays, s, i, j, depth, here.extinction[0], transmittance, density);
       }
       float* image = this->images + 3 * count * (s - this->begin) + ray;
-      image[0] = state.behind;
+      image[0] = transmittance * state.behind;
       image[count] = transmittance;
       image[2 * count] = density;
     }
@@ -347,8 +348,9 @@ struct GradientOfVoxel
     const float area = this->widens ? station.scale * station.scale : 1.0f;
     const GradientVoxel<float> derivative{ 1.0f / area };
     float& here = this->target.field[voxel];
+    const SeenAtVoxel seen = transmittance.Average(this->rays, image, s, u, v);
     here = this->target.Of(here,
-      derivative(transmittance(this->rays, s, u, v), this->rays.SampleRays(image, s, u, v),
+      derivative(seen.transmittance, seen.behind,
         this->rays.VoxelSeen(s, u, v) * this->nodeImportance[voxel]));
   }
 };

@@ -4,6 +4,7 @@
 #include "energy/VisibilityTerm.h"
 
 #include "energy/GradientVoxel.h"
+#include "sweep/RayMeans.h"
 
 #include <algorithm>
 
@@ -130,13 +131,13 @@ public:
     this->NodeImportance.Prefetch(station.slice, v + 1, columns);
     this->Gradient.Prefetch(station.slice, v + 1, columns);
     const auto nodes = std::size_t(this->Source.nodesU);
-    float* memory = ThreadScratch(3 * nodes + ScratchSize(this->Source));
+    float* memory = ThreadScratch(3 * nodes + MeanScratch(this->Source));
     float* transmittance = memory;
     float* behind = memory + nodes;
     float* importance = memory + 2 * nodes;
     float* scratch = memory + 3 * nodes;
-    SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, transmittance);
-    SampleRays(this->Source, station, v, columns, this->Images.behind, scratch, behind);
+    AverageSeen(this->Source, station, v, columns, this->Images, this->Images.behind, scratch,
+      { transmittance, behind });
     const float* source = this->NodeImportance.Row(station.slice, v);
     if (!this->Source.inView.empty())
     {

@@ -118,6 +118,7 @@ private:
     }
     TransmitRay(this->rays, s, i, j, depth, layer.extinction[0], this->states.transmittance[ray],
       this->states.density[ray]);
+    this->states.ahead[ray] *= this->states.transmittance[ray];
   }
 
   /// Through a layer whose voxels are final.
@@ -161,10 +162,12 @@ private:
     if (u >= work.begin && u < work.end)
     {
       const TransmittanceImages images{ this->states.transmittance, this->states.density };
-      const float transmittance = this->trust ? images(this->rays, s, u, v) : 1.0f;
+      const SeenAtVoxel seen = this->trust
+        ? images.Average(this->rays, this->states.ahead, s, u, v)
+        : SeenAtVoxel{ 1.0f, this->rays.AverageRays(this->states.ahead, s, u, v) };
       const GradientVoxel<float> derivative{ 1.0f /
         (this->widens ? station.scale * station.scale : 1.0f) };
-      slope = derivative(transmittance, this->rays.SampleRays(this->states.ahead, s, u, v),
+      slope = derivative(seen.transmittance, seen.behind,
         this->rays.VoxelSeen(s, u, v) * this->nodeImportance[voxel]);
     }
     this->next[voxel] = this->policy(this->base[voxel], slope, elsewhere);

@@ -4,6 +4,7 @@
 #include "optimize/PolicySweep.h"
 
 #include "energy/GradientVoxel.h"
+#include "sweep/RayMeans.h"
 
 #include <algorithm>
 
@@ -15,7 +16,7 @@ namespace
 struct PolicyRowArrays
 {
   const float* transmittance; ///< [0, 1]
-  const float* behind;        ///< [scale^2]
+  const float* behind;        ///< what transmittance leaves of it [scale^2]
   const float* importance;    ///< [0, 1]
   const float* base;          ///< [1/length]
   const float* lagged;        ///< T (V - g) of the other term; null: none
@@ -91,6 +92,7 @@ public:
   {
     StartBehind(images);
     std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
+    std::fill(images.density.begin(), images.density.end(), 0.0f);
   }
 
   void Load(const Slab& slab)
@@ -189,17 +191,10 @@ private:
     LaggedRow(this->Voxel, arrays, { columns.end, owned.end });
 
     const auto nodes = std::size_t(this->Source.nodesU);
-    float* memory = ThreadScratch(3 * nodes + ScratchSize(this->Source));
+    float* memory = ThreadScratch(3 * nodes + MeanScratch(this->Source));
     float* scratch = memory + 3 * nodes;
-    if (this->TrustTransmittance)
-    {
-      SampleTransmittance(this->Source, station, v, columns, this->Images, scratch, memory);
-    }
-    else
-    {
-      std::fill(memory + columns.begin, memory + columns.end, 1.0f);
-    }
-    SampleRays(this->Source, station, v, columns, this->Ahead, scratch, memory + nodes);
+    AverageSeen(this->Source, station, v, columns, this->Images, this->Ahead, scratch,
+      { memory, memory + nodes });
     arrays.transmittance = memory;
     arrays.behind = memory + nodes;
     arrays.importance = this->NodeImportance.Row(station.slice, v);

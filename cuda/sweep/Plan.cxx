@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "sweep/HalfLayer.h"
 #include "sweep/RayGeometry.h"
+#include "sweep/RayMeans.h"
 #include "sweep/Work.h"
 
 #include <algorithm>
@@ -15,17 +16,22 @@ namespace limpid
 {
 Interval Pyramid::VoxelColumns(const Station& station, int v) const
 {
-  const auto row = std::size_t(station.voxelRows.index[std::size_t(v)]);
-  const Interval rays = Hull(station.work[row], station.work[row + 1]);
+  Interval rays;
+  for (const int neighbour : { std::max(v - 1, 0), v, std::min(v + 1, this->nodesV - 1) })
+  {
+    const auto row = std::size_t(station.voxelRows.index[std::size_t(neighbour)]);
+    rays = Hull(rays, Hull(station.work[row], station.work[row + 1]));
+  }
   if (rays.Empty())
   {
     return {};
   }
-  // Voxel u reads the rays index[u] and index[u] + 1, ascending in u.
+  // Voxel u is interpolated from the rays index[u] and index[u] + 1, ascending in u.
   const std::vector<int>& index = station.voxelColumns.index;
   const auto begin = std::lower_bound(index.begin(), index.end(), rays.begin - 1);
   const auto end = std::lower_bound(index.begin(), index.end(), rays.end);
-  return { static_cast<int>(begin - index.begin()), static_cast<int>(end - index.begin()) };
+  return { std::max(static_cast<int>(begin - index.begin()) - 1, 0),
+    std::min(static_cast<int>(end - index.begin()) + 1, this->nodesU) };
 }
 
 namespace
@@ -150,6 +156,8 @@ void PlaceMaps(Pyramid& pyramid, double sign, double base, const Lateral& u, con
       {
         station.voxelColumns = u.VoxelMap(station.depth);
         station.voxelRows = v.VoxelMap(station.depth);
+        station.columnSides = SideWeights(u, station.voxelColumns, station.depth);
+        station.rowSides = SideWeights(v, station.voxelRows, station.depth);
         station.columnEntry = u.VoxelEntries(station.depth, base);
         station.rowEntry = v.VoxelEntries(station.depth, base);
         station.ownedColumns = u.Owned(station.depth, closedU);

@@ -32,9 +32,11 @@ struct Station
   float relativeDepth = 0; ///< depth less the depth of the first slice [index]
   float scale = 1;         ///< depth / far depth: width of a ray; 1 if parallel
 
-  LinearMap voxelColumns; ///< voxel column -> ray column
-  LinearMap voxelRows;    ///< voxel row -> ray row
-  Interval ownedColumns;  ///< voxels of this slice that belong to this pyramid
+  LinearMap voxelColumns;         ///< voxel column -> ray column
+  LinearMap voxelRows;            ///< voxel row -> ray row
+  std::vector<float> columnSides; ///< per voxel column: SideWeight, for means across the rays
+  std::vector<float> rowSides;    ///< per voxel row
+  Interval ownedColumns;          ///< voxels of this slice that belong to this pyramid
   Interval ownedRows;
   Interval touchedColumns; ///< voxels of this slice that rays read, and the owned ones
   Interval touchedRows;
@@ -102,7 +104,7 @@ struct Pyramid
   int FirstSlice() const { return this->stations.front().slice < 0 ? 1 : 0; }
 
   /// Voxel columns of row `v` on a station whose transmittance and importance behind can matter:
-  /// those that read a ray in `work`.
+  /// those that read a ray in `work`, be it through a neighbour (AverageSeen).
   Interval VoxelColumns(const Station& station, int v) const;
 
   /// World length of ray (i, j) per unit of depth.

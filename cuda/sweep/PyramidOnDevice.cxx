@@ -135,6 +135,8 @@ PyramidOnDevice<Device>::PyramidOnDevice(std::shared_ptr<Device> device, const P
   const auto voxelColumnWeight = packet.Add<float>(count, nodesU);
   const auto voxelRowIndex = packet.Add<int>(count, nodesV);
   const auto voxelRowWeight = packet.Add<float>(count, nodesV);
+  const auto voxelColumnSides = packet.Add<float>(count, nodesU);
+  const auto voxelRowSides = packet.Add<float>(count, nodesV);
   const auto columnEntry = packet.Add<float>(count, nodesU);
   const auto rowEntry = packet.Add<float>(count, nodesV);
   const auto work = packet.Add<Interval>(count, rows);
@@ -170,6 +172,8 @@ PyramidOnDevice<Device>::PyramidOnDevice(std::shared_ptr<Device> device, const P
       packet.Fill(voxelColumnWeight, s, station.voxelColumns.weight);
       packet.Fill(voxelRowIndex, s, station.voxelRows.index);
       packet.Fill(voxelRowWeight, s, station.voxelRows.weight);
+      packet.Fill(voxelColumnSides, s, station.columnSides);
+      packet.Fill(voxelRowSides, s, station.rowSides);
       packet.Fill(columnEntry, s, station.columnEntry);
       packet.Fill(rowEntry, s, station.rowEntry);
       for (int v = 0; v < pyramid.nodesV; ++v)
@@ -222,6 +226,8 @@ PyramidOnDevice<Device>::PyramidOnDevice(std::shared_ptr<Device> device, const P
   view.planeRows = { at(rowIndex), at(rowWeight) };
   view.voxelColumns = { at(voxelColumnIndex), at(voxelColumnWeight) };
   view.voxelRows = { at(voxelRowIndex), at(voxelRowWeight) };
+  view.voxelColumnSides = at(voxelColumnSides);
+  view.voxelRowSides = at(voxelRowSides);
   view.voxelColumnEntry = at(columnEntry);
   view.voxelRowEntry = at(rowEntry);
   view.work = at(work);

@@ -7,6 +7,7 @@
 #define limpid_sweep_PyramidView_h
 
 #include "math/Vec.h"
+#include "sweep/HatMean.h"
 #include "sweep/Interval.h"
 #include "sweep/RayLayer.h"
 
@@ -52,6 +53,8 @@ struct PyramidView
   MapView planeRows;             ///< [2 station + half][rows]
   MapView voxelColumns;          ///< [station][nodesU]
   MapView voxelRows;             ///< [station][nodesV]
+  const float* voxelColumnSides; ///< [station][nodesU]: SideWeight
+  const float* voxelRowSides;    ///< [station][nodesV]
   const float* voxelColumnEntry; ///< [station][nodesU]
   const float* voxelRowEntry;    ///< [station][nodesV]
   const Interval* work;          ///< [station][rows]: columns of rays
@@ -145,12 +148,39 @@ struct PyramidView
     return left + this->voxelColumns.weight[column] * (right - left);
   }
 
+  /// The mean of an image of the rays over the hat function of a voxel, across the rays.
+  LIMPID_HD LIMPID_INLINE float AverageRays(const float* image, int s, int u, int v) const
+  {
+    const float side = this->voxelRowSides[Index(s) * this->nodesV + v];
+    const float own = this->AverageAlongRow(image, s, u, v);
+    if (side == 0)
+    {
+      return own;
+    }
+    const float before = v > 0 ? this->AverageAlongRow(image, s, u, v - 1) : own;
+    const float behind = v + 1 < this->nodesV ? this->AverageAlongRow(image, s, u, v + 1) : own;
+    return HatMean(before, own, behind, side);
+  }
+
   LIMPID_HD LIMPID_INLINE float Seen(int column, int row) const
   {
     return this->inView ? this->inView[this->RayAt(column, row)] : 1.0f;
   }
 
 private:
+  LIMPID_HD LIMPID_INLINE float AverageAlongRow(const float* image, int s, int u, int v) const
+  {
+    const float side = this->voxelColumnSides[Index(s) * this->nodesU + u];
+    const float own = this->SampleRays(image, s, u, v);
+    if (side == 0)
+    {
+      return own;
+    }
+    const float before = u > 0 ? this->SampleRays(image, s, u - 1, v) : own;
+    const float behind = u + 1 < this->nodesU ? this->SampleRays(image, s, u + 1, v) : own;
+    return HatMean(before, own, behind, side);
+  }
+
   LIMPID_HD LIMPID_INLINE float Entry(float inColumn, float inRow) const
   {
     const float behindFront = inRow > this->frontDepth ? inRow : this->frontDepth;
@@ -175,6 +205,13 @@ private:
   }
 };
 
+/// Means of transmittance, and of what it leaves of the importance behind, [0, 1] and [scale^2].
+struct SeenAtVoxel
+{
+  float transmittance;
+  float behind;
+};
+
 /// What an entry ahead or behind makes of the transmittance between rays, see SampleTransmittance.
 struct TransmittanceImages
 {
@@ -184,15 +221,36 @@ struct TransmittanceImages
   /// Transmittance at a voxel of station `s` [0, 1].
   LIMPID_HD LIMPID_INLINE float operator()(const PyramidView& rays, int s, int u, int v) const
   {
-    const Index column = Index(s) * rays.nodesU + u;
-    const Index row = Index(s) * rays.nodesV + v;
-    const int rayColumn = rays.voxelColumns.index[column];
-    const int rayRow = rays.voxelRows.index[row];
-    if (rayColumn >= rays.frontColumns.begin && rayColumn + 1 < rays.frontColumns.end &&
-      rayRow >= rays.frontRows.begin && rayRow + 1 < rays.frontRows.end)
+    return IsBetweenFrontRays(rays, s, u, v) ? rays.SampleRays(this->transmittance, s, u, v)
+                                             : this->FromSide(rays, s, u, v);
+  }
+
+  /// What voxels of station `s` see, see AverageSeen. `seenBehind`: of the rays.
+  LIMPID_HD LIMPID_INLINE SeenAtVoxel Average(
+    const PyramidView& rays, const float* seenBehind, int s, int u, int v) const
+  {
+    const SeenAtVoxel mean{ rays.AverageRays(this->transmittance, s, u, v),
+      rays.AverageRays(seenBehind, s, u, v) };
+    if (IsBetweenFrontRays(rays, s, u, v))
     {
-      return rays.SampleRays(this->transmittance, s, u, v);
+      return mean;
     }
+    const float here = this->FromSide(rays, s, u, v);
+    return { here, Exchanged(mean.behind, mean.transmittance, here) };
+  }
+
+private:
+  LIMPID_HD static LIMPID_INLINE bool IsBetweenFrontRays(
+    const PyramidView& rays, int s, int u, int v)
+  {
+    const int column = rays.voxelColumns.index[Index(s) * rays.nodesU + u];
+    const int row = rays.voxelRows.index[Index(s) * rays.nodesV + v];
+    return column >= rays.frontColumns.begin && column + 1 < rays.frontColumns.end &&
+      row >= rays.frontRows.begin && row + 1 < rays.frontRows.end;
+  }
+
+  LIMPID_HD LIMPID_INLINE float FromSide(const PyramidView& rays, int s, int u, int v) const
+  {
     return Transmitted(rays.SampleRays(this->density, s, u, v) *
       (rays.stations[s].layer.front - rays.EntryOfVoxel(s, u, v)));
   }

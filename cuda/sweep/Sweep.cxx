@@ -197,16 +197,9 @@ void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& column
   DensifyRow(rays, Intersection(columns, { front.end, columns.end }), density);
 }
 
-void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
-  const Interval& columns, const RayImages& images, float* scratch, float* out)
+Interval ColumnsBetweenFrontRays(
+  const Pyramid& pyramid, const Station& station, int v, const Interval& columns)
 {
-  const auto fromSide = [&](const Interval& side)
-  {
-    SampleRays(pyramid, station, v, side, images.density, scratch, out);
-    TransmitVoxelRow(station.relativeDepth,
-      std::max(station.rowEntry[std::size_t(v)], pyramid.FrontDepth()), station.columnEntry.data(),
-      side, out);
-  };
   const int row = station.voxelRows.index[std::size_t(v)];
   const std::vector<int>& index = station.voxelColumns.index;
   // Voxels both of whose rays enter in front read index and index + 1.
@@ -215,14 +208,25 @@ void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
   const Interval front = Intersection(
     columns, { static_cast<int>(begin - index.begin()), static_cast<int>(end - index.begin()) });
   const bool rowInFront = row >= pyramid.frontRows.begin && row + 1 < pyramid.frontRows.end;
-  if (!rowInFront || front.Empty())
-  {
-    fromSide(columns);
-    return;
-  }
-  fromSide({ columns.begin, front.begin });
+  return rowInFront && !front.Empty() ? front : Interval{ columns.end, columns.end };
+}
+
+void TransmitFromSide(const Pyramid& pyramid, const Station& station, int v,
+  const Interval& columns, const RayImages& images, float* scratch, float* out)
+{
+  SampleRays(pyramid, station, v, columns, images.density, scratch, out);
+  TransmitVoxelRow(station.relativeDepth,
+    std::max(station.rowEntry[std::size_t(v)], pyramid.FrontDepth()), station.columnEntry.data(),
+    columns, out);
+}
+
+void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
+  const Interval& columns, const RayImages& images, float* scratch, float* out)
+{
+  const Interval front = ColumnsBetweenFrontRays(pyramid, station, v, columns);
+  TransmitFromSide(pyramid, station, v, { columns.begin, front.begin }, images, scratch, out);
   SampleRays(pyramid, station, v, front, images.transmittance, scratch, out);
-  fromSide({ front.end, columns.end });
+  TransmitFromSide(pyramid, station, v, { front.end, columns.end }, images, scratch, out);
 }
 
 void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, float* importance)

@@ -103,6 +103,15 @@ enum class Depths
 void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& columns,
   const float* extinction, Depths depths, RayImages& images);
 
+/// Those of `columns` of voxel row `v` that lie between rays that enter in front; where there are
+/// none, the interval ends with `columns`.
+Interval ColumnsBetweenFrontRays(
+  const Pyramid& pyramid, const Station& station, int v, const Interval& columns);
+
+/// Transmittance at `columns` of voxel row `v`, made from the rays' density [0, 1].
+void TransmitFromSide(const Pyramid& pyramid, const Station& station, int v,
+  const Interval& columns, const RayImages& images, float* scratch, float* out);
+
 /// Transmittance at `columns` of voxel row `v` on station `s` [0, 1]. Between rays that enter
 /// through a side, it is made from their density, which knows where the voxel's own ray enters.
 void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Means of what rays carry over the hat functions of voxels.
+
+#include "Tolerance.h"
+
+#include "sweep/HatMean.h"
+#include "sweep/RayMeans.h"
+#include "sweep/Sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <ostream>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+struct Rays
+{
+  const char* name;
+  Eye eye;
+  double density;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Rays& rays)
+{
+  return stream << rays.name;
+}
+
+Eye PointAt(const Vec3& origin)
+{
+  Eye eye;
+  eye.origin = origin;
+  return eye;
+}
+
+Eye Parallel(const Vec3& direction)
+{
+  Eye eye;
+  eye.parallel = true;
+  eye.direction = direction;
+  return eye;
+}
+
+const Rays cases[] = {
+  { "Point", PointAt(Vec3(9.3, 8.1, -40)), 1 },
+  { "PointNearAFace", PointAt(Vec3(9.3, 8.1, -3)), 1.4 },
+  { "Parallel", Parallel(Vec3(0, 0, 1)), 1.2 },
+  { "ParallelDense", Parallel(Vec3(0, 0, 1)), 2.6 },
+};
+
+class MeanOf : public ::testing::TestWithParam<Rays>
+{
+protected:
+  MeanOf()
+  {
+    this->grid.nodes = Int3(24, 19, 9);
+    const std::vector<float> ones(std::size_t(this->grid.NodeCount()), 1.0f);
+    const Occupancy everything(this->grid, ones.data(), ones.data(), false);
+    this->pyramids = PlanSweep(this->grid, everything, GetParam().eye, GetParam().density);
+  }
+
+  using Field = std::function<double(double u, double v)>;
+  using Check = std::function<void(int u, int v, double transmittance, double behind, double gap)>;
+
+  /// Compares means at voxels whose neighbours all lie between rays that enter in front. The
+  /// images are these functions of the rays' place on a slice. `gap`: between rays [index].
+  void ForEachMean(const Field& transmittance, const Field& behind, const Check& check) const
+  {
+    for (const Pyramid& pyramid : this->pyramids)
+    {
+      for (const Station& station : pyramid.stations)
+      {
+        if (station.slice >= 0)
+        {
+          this->CheckSlice(pyramid, station, transmittance, behind, check);
+        }
+      }
+    }
+  }
+
+  Grid grid;
+  std::vector<Pyramid> pyramids;
+
+private:
+  static double Place(const Lateral& rays, int ray, const Station& station)
+  {
+    return rays.Position(rays.Coordinate(ray), station.depth);
+  }
+
+  /// Voxels whose neighbours, or the border, lie between the rays of an interval.
+  static Interval Between(
+    const Lateral& rays, const Interval& entered, const Station& station, int nodes)
+  {
+    Interval voxels{ 0, nodes };
+    while (
+      voxels.begin < nodes && std::max(voxels.begin - 1, 0) < Place(rays, entered.begin, station))
+    {
+      ++voxels.begin;
+    }
+    while (voxels.end > voxels.begin &&
+      std::min(voxels.end, nodes - 1) > Place(rays, entered.end - 1, station))
+    {
+      --voxels.end;
+    }
+    return voxels;
+  }
+
+  static double WidestGap(const Lateral& rays, const Station& station)
+  {
+    double gap = 0;
+    for (int ray = 0; ray + 1 < rays.count; ++ray)
+    {
+      gap = std::max(gap, Place(rays, ray + 1, station) - Place(rays, ray, station));
+    }
+    return gap;
+  }
+
+  void CheckSlice(const Pyramid& pyramid, const Station& station, const Field& transmittance,
+    const Field& behind, const Check& check) const
+  {
+    RayImages images(pyramid);
+    for (int row = 0; row < pyramid.rows; ++row)
+    {
+      for (int column = 0; column < pyramid.columns; ++column)
+      {
+        const double u = Place(pyramid.lateralU, column, station);
+        const double v = Place(pyramid.lateralV, row, station);
+        const auto ray = std::size_t(row * pyramid.columns + column);
+        images.transmittance[ray] = static_cast<float>(transmittance(u, v));
+        images.behind[ray] = static_cast<float>(behind(u, v));
+      }
+    }
+    const Interval columns =
+      Between(pyramid.lateralU, pyramid.frontColumns, station, pyramid.nodesU);
+    const Interval rows = Between(pyramid.lateralV, pyramid.frontRows, station, pyramid.nodesV);
+    const double gap =
+      std::max(WidestGap(pyramid.lateralU, station), WidestGap(pyramid.lateralV, station));
+    std::vector<float> scratch(MeanScratch(pyramid));
+    std::vector<float> means(2 * std::size_t(pyramid.nodesU));
+    for (int v = rows.begin; v < rows.end; ++v)
+    {
+      const SeenRow seen{ means.data(), means.data() + pyramid.nodesU };
+      AverageSeen(pyramid, station, v, columns, images, images.behind, scratch.data(), seen);
+      for (int u = columns.begin; u < columns.end; ++u)
+      {
+        check(u, v, seen.transmittance[u], seen.behind[u], gap);
+      }
+    }
+  }
+};
+
+/// Mean of the coordinate over the hat function of node `k`.
+double MeanPlace(int k, int nodes)
+{
+  return k + (k == 0 ? 1.0 / 3 : 0.0) - (k == nodes - 1 ? 1.0 / 3 : 0.0);
+}
+}
+
+TEST_P(MeanOf, IsExactForWhatIsLinearEvenOnTheBorder)
+{
+  const auto linear = [](double u, double v) { return 0.3 + 0.01 * u + 0.02 * v; };
+  int compared = 0;
+  this->ForEachMean(
+    linear, [](double, double) { return 0.7; },
+    [&](int u, int v, double transmittance, double behind, double)
+    {
+      const double expected =
+        linear(MeanPlace(u, this->grid.nodes.x), MeanPlace(v, this->grid.nodes.y));
+      // Interpolation and means: eleven sums of products along either axis.
+      ASSERT_WITHIN(transmittance, expected, Roundoff<float>(22, 1.0));
+      ASSERT_WITHIN(behind, 0.7 * expected, Roundoff<float>(24, 1.0));
+      ++compared;
+    });
+  EXPECT_GT(compared, this->grid.NodeCount() / 4);
+}
+
+TEST_P(MeanOf, CountsTheCurvatureOfTheProduct)
+{
+  const auto transmittance = [](double u, double) { return 0.2 + 0.03 * u; };
+  const auto behind = [](double u, double) { return 0.1 + 0.02 * u; };
+  this->ForEachMean(transmittance, behind,
+    [&](int u, int v, double, double seen, double gap)
+    {
+      if (u == 0 || v == 0 || u + 1 == this->grid.nodes.x || v + 1 == this->grid.nodes.y)
+      {
+        return;
+      }
+      // The product is a parabola, whose mean over the hat is 1/12 of the second derivative above
+      // its middle. That of the rays between which a voxel lies is up to gap^2 / 8 from those of
+      // its neighbours, which have the weight 2 / 12 at most; rays too far apart for a mean
+      // this narrow miss it by what they average too much.
+      const double curvature = 2 * 0.03 * 0.02;
+      const double expected = transmittance(u, v) * behind(u, v) + curvature / 12;
+      const double neighbours = gap * gap / 8 / 6;
+      const double tooFar = std::max(gap * gap / 8 - 1.0 / 12, 0.0);
+      ASSERT_WITHIN(seen, expected,
+        (Tolerance{ curvature * (neighbours + tooFar), "means between rays" }) +
+          Roundoff<float>(24, 1.0));
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Rays, MeanOf, ::testing::ValuesIn(cases), [](const auto& rays) { return rays.param.name; });
+
+// The rays on either side of a node, `share` of their gap away, and of its neighbours one node
+// away, whose shares are the same when the gap is that of the nodes.
+TEST(HatMean, IsThatOfAParabolaWhereverTheRaysLie)
+{
+  for (int step = 0; step <= 20; ++step)
+  {
+    const double share = step / 20.0;
+    const double excess = share * (1 - share); // of linear interpolation of x^2
+    const auto interpolated = [&](double x) { return static_cast<float>(x * x + excess); };
+
+    const float side = SideWeight(static_cast<float>(share), 1.0f);
+    const double mean = HatMean(interpolated(-1), interpolated(0), interpolated(1), side);
+
+    const double expected = std::max(1.0 / 6, excess); // farther apart than the hat is wide
+    EXPECT_GE(side, 0);
+    EXPECT_WITHIN(mean, expected, Roundoff<float>(8, 1.0)) << "share " << share;
+  }
+}
