@@ -230,9 +230,8 @@ TEST(VisibilityTerm, CarriesTheVisibleImportanceOfTheReferenceToEveryVoxel)
     VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
     std::vector<float> gradient(scene.extinction.size(), 0.0f);
     // At a point, as the march computes it, it is g at the point that counts.
-    term.AddGradient(
-      { scene.extinction.data(), scene.importance.data(), scene.importance.data() }, derivative,
-      1.0f, gradient.data());
+    term.AddGradient({ scene.extinction.data(), scene.importance.data(), scene.importance.data() },
+      derivative, 1.0f, gradient.data());
 
     double largest = 0;
     const auto widening =
