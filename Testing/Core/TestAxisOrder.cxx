@@ -5,7 +5,6 @@
 
 #include "BoxScene.h"
 
-#include "backend/Backend.h"
 #include "optimize/Engine.h"
 #include "optimize/Policy.h"
 #include "optimize/PreparedScene.h"

@@ -99,8 +99,7 @@ void StartFromBase(const Problem& problem, std::vector<float>& start)
 {
   if (start.empty())
   {
-    start.reserve(std::size_t(problem.grid.NodeCount()));
-    UseLargePages(start.data(), start.capacity() * sizeof(float));
+    start = RoomFor(problem.grid.NodeCount());
     start.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
   }
 }

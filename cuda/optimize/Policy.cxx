@@ -80,8 +80,7 @@ public:
     const Index count = this->Work->grid.NodeCount();
     if (this->OnHost.empty())
     {
-      this->OnHost.reserve(std::size_t(count));
-      UseLargePages(this->OnHost.data(), std::size_t(count) * sizeof(float));
+      this->OnHost = RoomFor(count);
     }
     this->OnHost.assign(field.Data(), field.Data() + count);
     return this->OnHost;

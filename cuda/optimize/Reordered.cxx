@@ -164,11 +164,8 @@ public:
 private:
   std::vector<float> Room() const
   {
-    const auto count = static_cast<std::size_t>(this->Nodes.NodeCount());
-    std::vector<float> values;
-    values.reserve(count);
-    UseLargePages(values.data(), count * sizeof(float));
-    values.resize(count);
+    std::vector<float> values = RoomFor(this->Nodes.NodeCount());
+    values.resize(std::size_t(this->Nodes.NodeCount()));
     return values;
   }
 

@@ -27,4 +27,12 @@ void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t b
   madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
 }
+
+std::vector<float> RoomFor(Index count)
+{
+  std::vector<float> room;
+  room.reserve(static_cast<std::size_t>(count));
+  UseLargePages(room.data(), room.capacity() * sizeof(float));
+  return room;
+}
 }

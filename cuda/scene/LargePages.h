@@ -4,7 +4,10 @@
 #ifndef limpid_scene_LargePages_h
 #define limpid_scene_LargePages_h
 
+#include "math/Vec.h"
+
 #include <cstddef>
+#include <vector>
 
 namespace limpid
 {
@@ -15,6 +18,9 @@ namespace limpid
  * Does nothing for what is small.
  */
 void UseLargePages(void* memory, std::size_t bytes);
+
+/// An empty array with room for so many values, in large pages.
+std::vector<float> RoomFor(Index count);
 }
 
 #endif
