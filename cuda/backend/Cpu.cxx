@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "backend/Backend.h"
+#include "backend/ThreadTeam.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -57,6 +58,10 @@ void detail::ParallelRanges(Index count, Index grain, RangeFunction function, co
   if (count <= grain)
   {
     function(body, 0, count);
+    return;
+  }
+  if (ThreadTeam::Run(count, grain, function, body))
+  {
     return;
   }
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, static_cast<std::size_t>(grain)),

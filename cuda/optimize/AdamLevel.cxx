@@ -4,6 +4,7 @@
 #include "optimize/AdamLevel.h"
 
 #include "backend/Backend.h"
+#include "backend/ThreadTeam.h"
 #include "optimize/Sums.h"
 #include "optimize/Terms.h"
 
@@ -68,6 +69,7 @@ public:
 
   IterationRecord Step(int count) override
   {
+    const ThreadTeam team;
     if (this->Gradient.empty())
     {
       this->Gradient.resize(this->Now.size());

@@ -4,6 +4,7 @@
 #include "optimize/Policy.h"
 
 #include "backend/Backend.h"
+#include "backend/ThreadTeam.h"
 #include "optimize/PolicyIterations.h"
 #include "optimize/PolicySweep.h"
 #include "optimize/Terms.h"
@@ -99,6 +100,7 @@ public:
 
   IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again)
   {
+    const ThreadTeam team;
     const Problem& problem = *this->Work;
     if (trust && this->Joint() && !this->LagIsFresh)
     {

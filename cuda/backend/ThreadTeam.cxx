@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "backend/ThreadTeam.h"
+
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace limpid
+{
+namespace
+{
+/// Passes a moment of waiting; after many of them others may have the processor.
+class Patience
+{
+public:
+  void Wait()
+  {
+    constexpr int momentsAwake = 2000;
+    if (++this->Moments < momentsAwake)
+    {
+#if defined(__x86_64__) && defined(__GNUC__)
+      __builtin_ia32_pause();
+#endif
+      return;
+    }
+    std::this_thread::yield();
+  }
+
+private:
+  int Moments = 0;
+};
+
+/// Indices of a loop that nobody has taken yet, [begin, end), in one word.
+struct Rest
+{
+  std::uint32_t begin;
+  std::uint32_t end;
+
+  Rest(std::uint32_t first, std::uint32_t last)
+    : begin(first)
+    , end(last)
+  {
+  }
+  explicit Rest(std::uint64_t word)
+    : begin(static_cast<std::uint32_t>(word))
+    , end(static_cast<std::uint32_t>(word >> 32))
+  {
+  }
+
+  std::uint64_t Word() const { return std::uint64_t(this->end) << 32 | this->begin; }
+  bool Empty() const { return this->begin >= this->end; }
+};
+
+constexpr std::size_t cacheLine = 64;
+
+/// The team whose owner this thread is.
+thread_local ThreadTeam* ownTeam = nullptr;
+
+/// Whether this thread works on a loop of a team, its own or another's.
+thread_local bool working = false;
+}
+
+class ThreadTeam::Members
+{
+public:
+  explicit Members(int threads)
+    : Shares(static_cast<std::size_t>(threads))
+  {
+    for (int helper = 1; helper < threads; ++helper)
+    {
+      this->Helpers.run([this, helper] { this->Help(static_cast<std::size_t>(helper)); });
+    }
+  }
+
+  ~Members()
+  {
+    this->Over.store(true, std::memory_order_relaxed);
+    this->Helpers.wait();
+  }
+
+  Members(const Members&) = delete;
+  Members& operator=(const Members&) = delete;
+
+  void Run(
+    std::uint32_t count, std::uint32_t grain, detail::RangeFunction function, const void* body)
+  {
+    working = true;
+    this->Function = function;
+    this->Body = body;
+    this->Least.store((grain + 1) / 2, std::memory_order_relaxed);
+    this->Finished.store(0, std::memory_order_relaxed);
+    const std::size_t shares = this->Shares.size();
+    for (std::size_t share = 0; share < shares; ++share)
+    {
+      const Rest rest(static_cast<std::uint32_t>(count * share / shares),
+        static_cast<std::uint32_t>(count * (share + 1) / shares));
+      this->Shares[share].open.store(rest.Word(), std::memory_order_release);
+    }
+    this->Loops.fetch_add(1, std::memory_order_release);
+    this->Work(0);
+    Patience patience;
+    while (this->Finished.load(std::memory_order_acquire) < count)
+    {
+      patience.Wait();
+    }
+    working = false;
+    if (this->Failure)
+    {
+      std::rethrow_exception(std::exchange(this->Failure, nullptr));
+    }
+  }
+
+private:
+  /// A thread's part of a loop.
+  struct alignas(cacheLine) Share
+  {
+    std::atomic<std::uint64_t> open{ 0 };
+  };
+
+  /// What another thread does as long as the team lives. One that comes here while it waits for
+  /// something else would never get it: for what the team's owner waits for, say.
+  void Help(std::size_t own)
+  {
+    if (ownTeam || working)
+    {
+      return;
+    }
+    working = true;
+    std::uint64_t seen = 0;
+    Patience patience;
+    while (!this->Over.load(std::memory_order_relaxed))
+    {
+      const std::uint64_t loops = this->Loops.load(std::memory_order_acquire);
+      if (loops == seen)
+      {
+        patience.Wait();
+        continue;
+      }
+      seen = loops;
+      patience = {};
+      this->Work(own);
+    }
+    working = false;
+  }
+
+  /// Does a thread's own share, then what is left of others. From loop to loop a thread comes to
+  /// the same rows, which its cache still holds: shares 0 and 1 are worked on from their outer
+  /// ends, and what one thread takes off the other is next to its own; so are 2 and 3, and so on.
+  void Work(std::size_t own)
+  {
+    const std::size_t shares = this->Shares.size();
+    for (std::size_t other = 0; other < shares; ++other)
+    {
+      const std::size_t share = (own ^ other) < shares ? own ^ other : other;
+      const bool fromBegin = (share % 2 == 0) == (other == 0);
+      this->WorkOn(this->Shares[share].open, other == 0, fromBegin);
+    }
+  }
+
+  /// Takes ranges of a share until none is left, large ones first. A loop cannot end before all
+  /// that was taken from it is finished, so that what describes it does not change meanwhile.
+  void WorkOn(std::atomic<std::uint64_t>& share, bool own, bool fromBegin)
+  {
+    const std::uint32_t parts = own ? 4 : 8;
+    std::uint64_t word = share.load(std::memory_order_acquire);
+    for (Rest rest(word); !rest.Empty(); rest = Rest(word))
+    {
+      const std::uint32_t left = rest.end - rest.begin;
+      const std::uint32_t least = this->Least.load(std::memory_order_relaxed);
+      const std::uint32_t taken = std::min(left, std::max(left / parts, least));
+      const Rest range =
+        fromBegin ? Rest(rest.begin, rest.begin + taken) : Rest(rest.end - taken, rest.end);
+      const Rest after = fromBegin ? Rest(range.end, rest.end) : Rest(rest.begin, range.begin);
+      if (share.compare_exchange_weak(
+            word, after.Word(), std::memory_order_acq_rel, std::memory_order_acquire))
+      {
+        this->RunRange(range.begin, range.end);
+        this->Finished.fetch_add(taken, std::memory_order_release);
+        word = share.load(std::memory_order_acquire);
+      }
+    }
+  }
+
+  void RunRange(Index begin, Index end)
+  {
+    try
+    {
+      this->Function(this->Body, begin, end);
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(this->FailureMutex);
+      this->Failure = std::current_exception();
+    }
+  }
+
+  detail::RangeFunction Function = nullptr;
+  const void* Body = nullptr;
+  std::exception_ptr Failure;
+  std::mutex FailureMutex;
+  std::atomic<bool> Over{ false };
+  std::atomic<std::uint32_t> Least{ 1 };
+  // Apart from each other: helpers that wait look at the first all the time.
+  alignas(cacheLine) std::atomic<std::uint64_t> Loops{ 0 };
+  alignas(cacheLine) std::atomic<std::uint64_t> Finished{ 0 };
+  std::vector<Share> Shares;
+  tbb::task_group Helpers;
+};
+
+ThreadTeam::ThreadTeam()
+{
+  const int threads = ThreadCount();
+  if (threads > 1 && !ownTeam && !working)
+  {
+    this->Here = std::make_unique<Members>(threads);
+    ownTeam = this;
+  }
+}
+
+ThreadTeam::~ThreadTeam()
+{
+  if (this->Here)
+  {
+    ownTeam = nullptr;
+  }
+}
+
+bool ThreadTeam::Run(Index count, Index grain, detail::RangeFunction function, const void* body)
+{
+  const bool countable = count <= Index(std::numeric_limits<std::uint32_t>::max());
+  if (working)
+  {
+    function(body, 0, count);
+    return true;
+  }
+  if (!ownTeam || !countable)
+  {
+    return false;
+  }
+  ownTeam->Here->Run(
+    static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(grain), function, body);
+  return true;
+}
+}
