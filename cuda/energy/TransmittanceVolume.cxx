@@ -42,13 +42,13 @@ public:
     float* transmittance, RayImages& images)
     : Source(pyramid)
     , Images(images)
-    , Extinction(pyramid, grid, extinction)
-    , Target(pyramid, grid, transmittance)
+    , Extinction(pyramid, grid, extinction, images.slabs)
+    , Target(pyramid, grid, transmittance, images.slabs)
     , Dimmed(std::size_t(pyramid.rows))
   {
-    std::fill(images.opticalDepth.begin(), images.opticalDepth.end(), 0.0);
-    std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
-    std::fill(images.density.begin(), images.density.end(), 0.0f);
+    FillImage(images.opticalDepth, 0.0);
+    FillImage(images.transmittance, 1.0f);
+    FillImage(images.density, 0.0f);
   }
 
   void Load(const Slab& slab)

@@ -34,11 +34,10 @@ public:
     : Source(pyramid)
     , Images(images)
     , Widens(derivative == Derivative::Volume)
-    , Extinction(pyramid, *fields.grid, fields.extinction, fields.occupancy)
-    , Importance(pyramid, *fields.grid, fields.importance, fields.occupancy)
+    , Extinction(pyramid, *fields.grid, fields.extinction, images.slabs, fields.occupancy)
+    , Importance(pyramid, *fields.grid, fields.importance, images.slabs, fields.occupancy)
   {
     StartBehind(images);
-    std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
   }
 
   void Load(const Slab& slab)
@@ -106,8 +105,9 @@ public:
     const GradientTarget& target)
     : RayCarrier(rays)
     , Target(target)
-    , NodeImportance(rays.Source, *fields.grid, nodeImportance, fields.occupancy)
-    , Gradient(rays.Source, *fields.grid, target.field, fields.occupancy)
+    , Occupied(fields.occupancy)
+    , NodeImportance(rays.Source, *fields.grid, nodeImportance, rays.Images.slabs, fields.occupancy)
+    , Gradient(rays.Source, *fields.grid, target.field, rays.Images.slabs, fields.occupancy)
   {
   }
 
@@ -121,9 +121,11 @@ public:
   void VoxelRow(int s, int v)
   {
     const Station& station = this->Source.stations[std::size_t(s)];
-    const Interval columns =
-      FilledRegisters(Intersection(this->Source.VoxelColumns(station, v), station.ownedColumns),
-        station.ownedColumns);
+    const Interval owned = station.ownedColumns;
+    const Interval filled =
+      this->Occupied ? SpansOf(this->Source, *this->Occupied, station.slice, v).filled : owned;
+    const Interval columns = FilledRegisters(
+      Intersection(this->Source.VoxelColumns(station, v), Intersection(filled, owned)), owned);
     if (columns.Empty())
     {
       return;
@@ -153,6 +155,7 @@ public:
 
 private:
   GradientTarget Target;
+  const Occupancy* Occupied; ///< where there is nothing, derivatives are of no use; null: unknown
   SliceWindow NodeImportance;
   SliceWindow Gradient;
 };

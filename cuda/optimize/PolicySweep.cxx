@@ -79,20 +79,18 @@ public:
     , TrustTransmittance(task.trust == Trust::LastIterate)
     , Widens(task.derivative == Derivative::Volume)
     , HasLagged(task.fields.lagged != nullptr)
-    , Base(pyramid, *task.grid, task.fields.base, task.occupancy)
-    , Importance(pyramid, *task.grid, task.fields.importance, task.occupancy)
-    , NodeImportance(pyramid, *task.grid, task.fields.nodeImportance, task.occupancy)
-    , Extinction(pyramid, *task.grid, task.fields.extinction, task.occupancy)
-    , Lagged(pyramid, *task.grid, task.fields.lagged, task.occupancy)
-    , Next(pyramid, *task.grid, task.fields.next, task.occupancy)
+    , Base(pyramid, *task.grid, task.fields.base, images.slabs, task.occupancy)
+    , Importance(pyramid, *task.grid, task.fields.importance, images.slabs, task.occupancy)
+    , NodeImportance(pyramid, *task.grid, task.fields.nodeImportance, images.slabs, task.occupancy)
+    , Extinction(pyramid, *task.grid, task.fields.extinction, images.slabs, task.occupancy)
+    , Lagged(pyramid, *task.grid, task.fields.lagged, images.slabs, task.occupancy)
+    , Next(pyramid, *task.grid, task.fields.next, images.slabs, task.occupancy)
     , Ahead(images.behind.size(), 0.0f)
     , RearImportance(images.behind.size(), 0.0f)
     , Collected(images.opticalDepth.size(), 0.0)
     , Moved(std::size_t(pyramid.nodesV))
   {
     StartBehind(images);
-    std::fill(images.transmittance.begin(), images.transmittance.end(), 1.0f);
-    std::fill(images.density.begin(), images.density.end(), 0.0f);
   }
 
   void Load(const Slab& slab)
@@ -167,9 +165,7 @@ public:
     const float* next = this->Next.Row(station.slice, v) + owned.begin;
     const float* base = this->Base.Row(station.slice, v) + owned.begin;
     const float* last = this->Extinction.Row(station.slice, v) + owned.begin;
-    const Index count = owned.end - owned.begin;
-    this->Moved[std::size_t(v)] +=
-      { SumOfSquares(next, base, count), SumOfChanges(next, last, count) };
+    this->Moved[std::size_t(v)] += SumOfDifferences(next, base, last, owned.end - owned.begin);
   }
 
 private:

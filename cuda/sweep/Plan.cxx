@@ -26,12 +26,10 @@ Interval Pyramid::VoxelColumns(const Station& station, int v) const
   {
     return {};
   }
-  // Voxel u is interpolated from the rays index[u] and index[u] + 1, ascending in u.
-  const std::vector<int>& index = station.voxelColumns.index;
-  const auto begin = std::lower_bound(index.begin(), index.end(), rays.begin - 1);
-  const auto end = std::lower_bound(index.begin(), index.end(), rays.end);
-  return { std::max(static_cast<int>(begin - index.begin()) - 1, 0),
-    std::min(static_cast<int>(end - index.begin()) + 1, this->nodesU) };
+  // A voxel is interpolated from two rays.
+  const int begin = station.firstVoxels[std::size_t(std::max(rays.begin - 1, 0))];
+  const int end = station.firstVoxels[std::size_t(rays.end)];
+  return { std::max(begin - 1, 0), std::min(end + 1, this->nodesU) };
 }
 
 namespace
@@ -136,6 +134,24 @@ void DescribeRays(const Lateral& lateral, double base, float back, double scale,
   }
 }
 
+/// Per ray, and one more: the first target whose first source it is, or a later one.
+std::vector<int> FirstTargets(const LinearMap& map, int sources)
+{
+  std::vector<int> first;
+  first.reserve(std::size_t(sources) + 1);
+  int target = 0;
+  const int targets = static_cast<int>(map.index.size());
+  for (int source = 0; source <= sources; ++source)
+  {
+    while (target < targets && map.index[std::size_t(target)] < source)
+    {
+      ++target;
+    }
+    first.push_back(target);
+  }
+  return first;
+}
+
 /// How rays and voxels of every slice read each other.
 void PlaceMaps(Pyramid& pyramid, double sign, double base, const Lateral& u, const Lateral& v)
 {
@@ -156,6 +172,7 @@ void PlaceMaps(Pyramid& pyramid, double sign, double base, const Lateral& u, con
       {
         station.voxelColumns = u.VoxelMap(station.depth);
         station.voxelRows = v.VoxelMap(station.depth);
+        station.firstVoxels = FirstTargets(station.voxelColumns, pyramid.columns);
         station.columnSides = SideWeights(u, station.voxelColumns, station.depth);
         station.rowSides = SideWeights(v, station.voxelRows, station.depth);
         station.columnEntry = u.VoxelEntries(station.depth, base);

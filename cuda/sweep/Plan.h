@@ -34,6 +34,7 @@ struct Station
 
   LinearMap voxelColumns;         ///< voxel column -> ray column
   LinearMap voxelRows;            ///< voxel row -> ray row
+  std::vector<int> firstVoxels;   ///< per ray column: the first voxel that reads it first, or later
   std::vector<float> columnSides; ///< per voxel column: SideWeight, for means across the rays
   std::vector<float> rowSides;    ///< per voxel row
   Interval ownedColumns;          ///< voxels of this slice that belong to this pyramid

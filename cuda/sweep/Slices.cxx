@@ -12,6 +12,7 @@ namespace limpid
 namespace
 {
 constexpr int slicesPerSlab = 16;  // floats in a cache line of 64 bytes
+constexpr int mostBehind = 2;      // stations that sweeps read behind a slab
 constexpr int columnsPerTile = 16; // cache lines that a tile of columns reads again and again
 }
 
@@ -42,14 +43,31 @@ std::vector<Slab> SlabsOf(const Pyramid& pyramid)
   return slabs;
 }
 
-SliceWindow::SliceWindow(
-  const Pyramid& pyramid, const Grid& grid, float* field, const Occupancy* occupancy)
+std::shared_ptr<SlabMemory> SlabPool::Take(const Pyramid& pyramid, int slices)
+{
+  const auto rows = static_cast<std::size_t>(pyramid.nodesV);
+  for (const std::shared_ptr<SlabMemory>& memory : this->All)
+  {
+    if (memory.use_count() == 1)
+    {
+      return memory;
+    }
+  }
+  this->All.push_back(std::make_shared<SlabMemory>());
+  this->All.back()->values = NodeValues(Index(slices) * pyramid.nodesV * pyramid.nodesU);
+  this->All.back()->rows.resize(rows);
+  return this->All.back();
+}
+
+SliceWindow::SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field, SlabPool& pool,
+  const Occupancy* occupancy)
   : Source(&pyramid)
   , Occupied(occupancy)
   , Field(field)
   , Transposed(pyramid.axisW == 0)
   , Columns(pyramid.nodesU)
   , Rows(pyramid.nodesV)
+  , Pool(&pool)
 {
   const Index strides[3] = { 1, grid.nodes.x, Index(grid.nodes.x) * grid.nodes.y };
   this->StrideV = strides[pyramid.axisV];
@@ -109,20 +127,20 @@ void SliceWindow::Load(const Slab& slab, int behind)
   const Index slice = Index(this->Rows) * this->Columns;
   const Index pitch = this->StrideV / this->Columns; // nodes along x
   this->First = range.first;
-  this->Buffer.resize(std::size_t(range.count * slice));
+  if (!this->Memory)
+  {
+    this->Memory = this->Pool->Take(*this->Source, slicesPerSlab + mostBehind);
+    this->Slices = this->Memory->values.Data();
+  }
   // Slices along x, columns along y, rows along z.
   ParallelFor(rows.end - rows.begin,
     [&](Index row)
     {
-      const Index v = rows.begin + row;
+      const int v = rows.begin + static_cast<int>(row);
       const float* source = this->Field + this->StrideV * v + range.first;
-      float* target = this->Buffer.data() + v * this->Columns;
-      const Interval filled = this->FilledIn(range, static_cast<int>(v), columns);
-      for (int k = 0; k < range.count; ++k)
-      {
-        std::fill(target + k * slice + columns.begin, target + k * slice + filled.begin, 0.0f);
-        std::fill(target + k * slice + filled.end, target + k * slice + columns.end, 0.0f);
-      }
+      float* target = this->Slices + Index(v) * this->Columns;
+      const Interval filled = this->FilledIn(range, v, columns);
+      this->ClearRow(v, filled, range.count);
       for (int tile = filled.begin; tile < filled.end; tile += columnsPerTile)
       {
         const int last = std::min(tile + columnsPerTile, filled.end);
@@ -135,6 +153,26 @@ void SliceWindow::Load(const Slab& slab, int behind)
         }
       }
     });
+}
+
+/// Makes 0 again what a row has been written in, but for `kept` of the first `slices`, which will
+/// be overwritten.
+void SliceWindow::ClearRow(int v, const Interval& kept, int slices)
+{
+  constexpr int beyond = 16; // FilledRegisters
+  SlabMemory::Written& written = this->Memory->rows[std::size_t(v)];
+  const Index slice = Index(this->Rows) * this->Columns;
+  for (int k = 0; k < written.slices; ++k)
+  {
+    float* row = this->Slices + k * slice + Index(v) * this->Columns;
+    const Interval old = written.columns;
+    const Interval stays = k < slices && !kept.Empty() ? kept : Interval{ old.end, old.end };
+    std::fill(row + old.begin, row + std::max(std::min(stays.begin, old.end), old.begin), 0.0f);
+    std::fill(row + std::min(std::max(stays.end, old.begin), old.end), row + old.end, 0.0f);
+  }
+  const Interval wide{ std::max(kept.begin - beyond, 0),
+    std::min(kept.end + beyond, this->Columns) };
+  written = kept.Empty() ? SlabMemory::Written{} : SlabMemory::Written{ wide, slices };
 }
 
 void SliceWindow::Store(const Slab& slab)
@@ -153,8 +191,7 @@ void SliceWindow::Store(const Slab& slab)
     {
       const Index v = rows.begin + row;
       float* target = this->Field + this->StrideV * v + range.first;
-      const float* source =
-        this->Buffer.data() + (range.first - this->First) * slice + v * this->Columns;
+      const float* source = this->Slices + (range.first - this->First) * slice + v * this->Columns;
       const Interval filled = this->FilledIn(range, static_cast<int>(v), columns);
       for (int u = filled.begin; u < filled.end; ++u)
       {

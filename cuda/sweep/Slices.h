@@ -6,8 +6,10 @@
 
 #include "backend/Simd.h"
 #include "scene/Grid.h"
+#include "scene/NodeValues.h"
 #include "sweep/Plan.h"
 
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -24,6 +26,34 @@ struct Slab
 std::vector<Slab> SlabsOf(const Pyramid& pyramid);
 
 /**
+ * Transposed slices of a slab. Outside the columns that a row is known to have been written in, it
+ * is 0, so that a field that is mostly empty is not filled with zeros again and again.
+ */
+struct SlabMemory
+{
+  /// Where a row may differ from 0.
+  struct Written
+  {
+    Interval columns;
+    int slices = 0;
+  };
+
+  NodeValues values; ///< [slice][row][column]
+  std::vector<Written> rows;
+};
+
+/// Keeps the memory of slabs from one sweep of a pyramid to the next.
+class SlabPool
+{
+public:
+  /// Memory for `slices` slices that nobody else holds; it goes back when the last holder lets go.
+  std::shared_ptr<SlabMemory> Take(const Pyramid& pyramid, int slices);
+
+private:
+  std::vector<std::shared_ptr<SlabMemory>> All;
+};
+
+/**
  * A field seen slice by slice along the depth axis of a pyramid, each row of voxels contiguous.
  *
  * Depth along y or z: rows of the field itself. Depth along x: a transposed copy of the slices of
@@ -33,12 +63,13 @@ class SliceWindow
 {
 public:
   /// `field`: grid.NodeCount() values; written only by Store, or through Row where not transposed.
-  /// `occupancy`: where it is not filled the field is known to be 0; null: nothing is known.
-  SliceWindow(
-    const Pyramid& pyramid, const Grid& grid, float* field, const Occupancy* occupancy = nullptr);
-  SliceWindow(const Pyramid& pyramid, const Grid& grid, const float* field,
+  /// `occupancy`: where it is not filled the field is known to be 0, and 0 is written there alone;
+  /// null: nothing is known. `pool` must outlive the window.
+  SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field, SlabPool& pool,
+    const Occupancy* occupancy = nullptr);
+  SliceWindow(const Pyramid& pyramid, const Grid& grid, const float* field, SlabPool& pool,
     const Occupancy* occupancy = nullptr)
-    : SliceWindow(pyramid, grid, const_cast<float*>(field), occupancy)
+    : SliceWindow(pyramid, grid, const_cast<float*>(field), pool, occupancy)
   {
   }
 
@@ -55,7 +86,7 @@ public:
   float* Row(int slice, int v)
   {
     return this->Transposed
-      ? this->Buffer.data() + (std::size_t(slice - this->First) * this->Rows + v) * this->Columns
+      ? this->Slices + (std::size_t(slice - this->First) * this->Rows + v) * this->Columns
       : this->Field + this->StrideW * slice + this->StrideV * v;
   }
 
@@ -75,6 +106,7 @@ private:
   Range SlicesOf(int begin, int end) const;
   Interval HullOf(int begin, int end, Interval Station::*part) const;
   Interval FilledIn(const Range& slices, int v, const Interval& columns) const;
+  void ClearRow(int v, const Interval& kept, int slices);
 
   const Pyramid* Source;
   const Occupancy* Occupied;
@@ -85,7 +117,9 @@ private:
   Index StrideV = 0;
   Index StrideW = 0;
   int First = 0;
-  std::vector<float> Buffer;
+  SlabPool* Pool;
+  std::shared_ptr<SlabMemory> Memory; ///< of transposed slices
+  float* Slices = nullptr;
 };
 }
 

@@ -75,6 +75,8 @@ std::size_t ScratchSize(const Pyramid& pyramid)
 
 namespace
 {
+constexpr Index raysPerTask = 8192;
+
 /// Columns of a field that a row of rays is interpolated from.
 Interval ColumnsRead(const Plane& plane, const Interval& rays, const SliceWindow& field)
 {
@@ -201,12 +203,10 @@ Interval ColumnsBetweenFrontRays(
   const Pyramid& pyramid, const Station& station, int v, const Interval& columns)
 {
   const int row = station.voxelRows.index[std::size_t(v)];
-  const std::vector<int>& index = station.voxelColumns.index;
-  // Voxels both of whose rays enter in front read index and index + 1.
-  const auto begin = std::lower_bound(index.begin(), index.end(), pyramid.frontColumns.begin);
-  const auto end = std::lower_bound(index.begin(), index.end(), pyramid.frontColumns.end - 1);
-  const Interval front = Intersection(
-    columns, { static_cast<int>(begin - index.begin()), static_cast<int>(end - index.begin()) });
+  // Both rays of a voxel have to.
+  const Interval front = Intersection(columns,
+    { station.firstVoxels[std::size_t(pyramid.frontColumns.begin)],
+      station.firstVoxels[std::size_t(pyramid.frontColumns.end) - 1] });
   const bool rowInFront = row >= pyramid.frontRows.begin && row + 1 < pyramid.frontRows.end;
   return rowInFront && !front.Empty() ? front : Interval{ columns.end, columns.end };
 }
@@ -281,14 +281,14 @@ public:
     : Source(pyramid)
     , Images(images)
     , Scores(scores)
-    , Extinction(pyramid, *fields.grid, fields.extinction, fields.occupancy)
-    , Importance(pyramid, *fields.grid, fields.importance, fields.occupancy)
+    , Extinction(pyramid, *fields.grid, fields.extinction, images.slabs, fields.occupancy)
+    , Importance(pyramid, *fields.grid, fields.importance, images.slabs, fields.occupancy)
   {
-    std::fill(images.opticalDepth.begin(), images.opticalDepth.end(), 0.0);
+    FillImage(images.opticalDepth, 0.0);
     if (this->Scores)
     {
-      std::fill(images.behind.begin(), images.behind.end(), 0.0f);
-      std::fill(images.plain.begin(), images.plain.end(), 0.0f);
+      FillImage(images.behind, 0.0f);
+      FillImage(images.plain, 0.0f);
     }
   }
 
@@ -374,18 +374,22 @@ void SweepDepths(const Pyramid& pyramid, const RayFields& fields, RayImages& ima
 
 void StartBehind(RayImages& images)
 {
-  std::fill(images.behind.begin(), images.behind.end(), 0.0f);
-  std::fill(images.visible.begin(), images.visible.end(), -1.0f);
-  std::fill(images.plain.begin(), images.plain.end(), 0.0f);
+  FillImage(images.behind, 0.0f);
+  FillImage(images.visible, -1.0f);
+  FillImage(images.plain, 0.0f);
+  FillImage(images.transmittance, 1.0f);
+  FillImage(images.density, 0.0f);
 }
 
 Visible SumBehind(const Pyramid& pyramid, RayImages& images)
 {
-  for (std::size_t ray = 0; ray < images.visible.size(); ++ray)
-  {
-    const bool inFront = images.visible[ray] < 0; // where the ray enters the volume
-    images.visible[ray] = inFront ? images.behind[ray] : images.visible[ray];
-  }
+  ParallelFor(Index(images.visible.size()), raysPerTask,
+    [&](Index ray)
+    {
+      const auto r = static_cast<std::size_t>(ray);
+      const bool inFront = images.visible[r] < 0; // where the ray enters the volume
+      images.visible[r] = inFront ? images.behind[r] : images.visible[r];
+    });
   return { SumOfRays(pyramid, images, images.visible.data()),
     SumOfRays(pyramid, images, images.plain.data()) };
 }

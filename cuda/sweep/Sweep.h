@@ -30,6 +30,7 @@ struct RayImages
   std::vector<float> plain;         ///< the same without attenuation
   std::vector<float> transmittance; ///< from the eye to the station [0, 1]
   std::vector<float> density;       ///< near the sides: see DensifyRow
+  SlabPool slabs;                   ///< of the fields that a sweep moves through
 };
 
 /// Integrals over the domain of importance times extinction, with and without transmittance.
@@ -143,6 +144,20 @@ Visible SweepForward(const Pyramid& pyramid, const RayFields& fields, RayImages&
 /// Front to back over all slices: leaves the optical depths alone in `images`. The importance is
 /// not read.
 void SweepDepths(const Pyramid& pyramid, const RayFields& fields, RayImages& images);
+
+/// Gives all rays the same value.
+template <class Value>
+void FillImage(std::vector<Value>& image, Value value)
+{
+  constexpr Index raysPerTask = 8192;
+  const auto count = static_cast<Index>(image.size());
+  ParallelFor((count + raysPerTask - 1) / raysPerTask,
+    [&](Index task)
+    {
+      const Index first = task * raysPerTask;
+      std::fill_n(image.data() + first, std::min(raysPerTask, count - first), value);
+    });
+}
 
 /// Prepares the images for a sweep from the back, where nothing is behind. Optical depths stay.
 void StartBehind(RayImages& images);

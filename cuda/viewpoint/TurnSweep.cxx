@@ -31,8 +31,10 @@ public:
     : Source(part.pyramid)
     , Planes(part.pyramid, std::max(1, static_cast<int>(std::lround(rayDensity))))
     , Images(part.pyramid)
-    , Extinction(part.pyramid, part.fields->grid, part.fields->extinction.data())
-    , Importance(part.pyramid, part.fields->grid, part.fields->importance.data())
+    , Extinction(
+        part.pyramid, part.fields->grid, part.fields->extinction.data(), this->Images.slabs)
+    , Importance(
+        part.pyramid, part.fields->grid, part.fields->importance.data(), this->Images.slabs)
   {
     const Pyramid& pyramid = part.pyramid;
     this->ColumnSlopes.assign(pyramid.columnAxis.slope.begin(), pyramid.columnAxis.slope.end());
