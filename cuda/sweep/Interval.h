@@ -28,11 +28,11 @@ inline Interval Hull(const Interval& a, const Interval& b)
   return { a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end };
 }
 
-/// The interval made longer, to a whole number of vector registers of 16 floats, where `bounds`
+/// The interval made longer, to a whole number of vector registers of 8 floats, where `bounds`
 /// have room for it: the rest of a row that does not fill a register would take as long as the row.
 inline Interval FilledRegisters(const Interval& interval, const Interval& bounds)
 {
-  constexpr int lanes = 16;
+  constexpr int lanes = 8;
   const int length = (interval.end - interval.begin + lanes - 1) / lanes * lanes;
   if (interval.Empty() || length > bounds.end - bounds.begin)
   {
