@@ -204,15 +204,15 @@ private:
     }
   }
 
+  // What helpers look at while they wait, and what they read next, in one cache line.
+  alignas(cacheLine) std::atomic<std::uint64_t> Loops{ 0 };
+  std::atomic<bool> Over{ false };
+  std::atomic<std::uint32_t> Least{ 1 };
   detail::RangeFunction Function = nullptr;
   const void* Body = nullptr;
   std::exception_ptr Failure;
-  std::mutex FailureMutex;
-  std::atomic<bool> Over{ false };
-  std::atomic<std::uint32_t> Least{ 1 };
-  // Apart from each other: helpers that wait look at the first all the time.
-  alignas(cacheLine) std::atomic<std::uint64_t> Loops{ 0 };
   alignas(cacheLine) std::atomic<std::uint64_t> Finished{ 0 };
+  std::mutex FailureMutex;
   std::vector<Share> Shares;
   tbb::task_group Helpers;
 };

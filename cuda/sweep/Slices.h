@@ -63,8 +63,8 @@ class SliceWindow
 {
 public:
   /// `field`: grid.NodeCount() values; written only by Store, or through Row where not transposed.
-  /// `occupancy`: where it is not filled the field is known to be 0, and 0 is written there alone;
-  /// null: nothing is known. `pool` must outlive the window.
+  /// `occupancy`: where it is not filled the field is known to be 0, and what is written there is
+  /// lost; null: nothing is known. `pool` must outlive the window.
   SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field, SlabPool& pool,
     const Occupancy* occupancy = nullptr);
   SliceWindow(const Pyramid& pyramid, const Grid& grid, const float* field, SlabPool& pool,
