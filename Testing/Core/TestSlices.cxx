@@ -129,10 +129,10 @@ TEST(Slices, TwoWindowsDoNotShareMemory)
   const SlicedScene scene(-60.0);
   const Pyramid& pyramid = scene.pyramids.front();
   SlabPool pool;
-  const std::shared_ptr<SlabMemory> first = pool.Take(pyramid, 18);
-  std::shared_ptr<SlabMemory> second = pool.Take(pyramid, 18);
+  const std::shared_ptr<SlabMemory> first = pool.Take(pyramid);
+  std::shared_ptr<SlabMemory> second = pool.Take(pyramid);
   EXPECT_NE(first, second);
   const SlabMemory* released = second.get();
   second.reset();
-  EXPECT_EQ(pool.Take(pyramid, 18).get(), released) << "is kept for the next";
+  EXPECT_EQ(pool.Take(pyramid).get(), released) << "is kept for the next";
 }

@@ -105,7 +105,7 @@ public:
     const GradientTarget& target)
     : RayCarrier(rays)
     , Target(target)
-    , Occupied(fields.occupancy)
+    , Occupied(*fields.occupancy)
     , NodeImportance(rays.Source, *fields.grid, nodeImportance, rays.Images.slabs, fields.occupancy)
     , Gradient(rays.Source, *fields.grid, target.field, rays.Images.slabs, fields.occupancy)
   {
@@ -122,8 +122,7 @@ public:
   {
     const Station& station = this->Source.stations[std::size_t(s)];
     const Interval owned = station.ownedColumns;
-    const Interval filled =
-      this->Occupied ? SpansOf(this->Source, *this->Occupied, station.slice, v).filled : owned;
+    const Interval filled = SpansOf(this->Source, this->Occupied, station.slice, v).filled;
     const Interval columns = FilledRegisters(
       Intersection(this->Source.VoxelColumns(station, v), Intersection(filled, owned)), owned);
     if (columns.Empty())
@@ -155,7 +154,7 @@ public:
 
 private:
   GradientTarget Target;
-  const Occupancy* Occupied; ///< where there is nothing, derivatives are of no use; null: unknown
+  const Occupancy& Occupied; ///< where there is nothing, derivatives are of no use
   SliceWindow NodeImportance;
   SliceWindow Gradient;
 };

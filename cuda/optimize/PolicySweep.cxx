@@ -165,7 +165,9 @@ public:
     const float* next = this->Next.Row(station.slice, v) + owned.begin;
     const float* base = this->Base.Row(station.slice, v) + owned.begin;
     const float* last = this->Extinction.Row(station.slice, v) + owned.begin;
-    this->Moved[std::size_t(v)] += SumOfDifferences(next, base, last, owned.end - owned.begin);
+    const Index count = owned.end - owned.begin;
+    this->Moved[std::size_t(v)] +=
+      { SumOfSquares(next, base, count), SumOfChanges(next, last, count) };
   }
 
 private:

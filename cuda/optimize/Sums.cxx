@@ -62,34 +62,4 @@ double SumOfChanges(const float* a, const float* b, Index count)
   }
   return sum;
 }
-
-LIMPID_MULTIVERSION
-Differences SumOfDifferences(
-  const float* iterate, const float* base, const float* last, Index count)
-{
-  double squares[lanes] = {};
-  double changes[lanes] = {};
-  Index i = 0;
-  for (; i + lanes <= count; i += lanes)
-  {
-    for (int lane = 0; lane < lanes; ++lane)
-    {
-      const double value = iterate[i + lane];
-      const double fromBase = value - double(base[i + lane]);
-      squares[lane] += fromBase * fromBase;
-      changes[lane] += std::abs(value - double(last[i + lane]));
-    }
-  }
-  Differences sum;
-  for (int lane = 0; lane < lanes; ++lane)
-  {
-    sum += { squares[lane], changes[lane] };
-  }
-  for (; i < count; ++i)
-  {
-    const double fromBase = double(iterate[i]) - base[i];
-    sum += { fromBase * fromBase, std::abs(double(iterate[i]) - last[i]) };
-  }
-  return sum;
-}
 }

@@ -27,10 +27,6 @@ struct Differences
     return *this;
   }
 };
-
-/// Both, of `count` values.
-Differences SumOfDifferences(
-  const float* iterate, const float* base, const float* last, Index count);
 }
 
 #endif

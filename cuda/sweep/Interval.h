@@ -28,12 +28,15 @@ inline Interval Hull(const Interval& a, const Interval& b)
   return { a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end };
 }
 
-/// The interval made longer, to a whole number of vector registers of 8 floats, where `bounds`
+/// Floats in a vector register.
+constexpr int registerLanes = 8;
+
+/// The interval made longer, to a whole number of vector registers, where `bounds`
 /// have room for it: the rest of a row that does not fill a register would take as long as the row.
 inline Interval FilledRegisters(const Interval& interval, const Interval& bounds)
 {
-  constexpr int lanes = 8;
-  const int length = (interval.end - interval.begin + lanes - 1) / lanes * lanes;
+  const int length =
+    (interval.end - interval.begin + registerLanes - 1) / registerLanes * registerLanes;
   if (interval.Empty() || length > bounds.end - bounds.begin)
   {
     return interval;

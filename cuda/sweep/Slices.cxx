@@ -43,9 +43,8 @@ std::vector<Slab> SlabsOf(const Pyramid& pyramid)
   return slabs;
 }
 
-std::shared_ptr<SlabMemory> SlabPool::Take(const Pyramid& pyramid, int slices)
+std::shared_ptr<SlabMemory> SlabPool::Take(const Pyramid& pyramid)
 {
-  const auto rows = static_cast<std::size_t>(pyramid.nodesV);
   for (const std::shared_ptr<SlabMemory>& memory : this->All)
   {
     if (memory.use_count() == 1)
@@ -54,8 +53,9 @@ std::shared_ptr<SlabMemory> SlabPool::Take(const Pyramid& pyramid, int slices)
     }
   }
   this->All.push_back(std::make_shared<SlabMemory>());
-  this->All.back()->values = NodeValues(Index(slices) * pyramid.nodesV * pyramid.nodesU);
-  this->All.back()->rows.resize(rows);
+  const Index slice = Index(pyramid.nodesV) * pyramid.nodesU;
+  this->All.back()->values = NodeValues((slicesPerSlab + mostBehind) * slice);
+  this->All.back()->rows.resize(std::size_t(pyramid.nodesV));
   return this->All.back();
 }
 
@@ -129,7 +129,7 @@ void SliceWindow::Load(const Slab& slab, int behind)
   this->First = range.first;
   if (!this->Memory)
   {
-    this->Memory = this->Pool->Take(*this->Source, slicesPerSlab + mostBehind);
+    this->Memory = this->Pool->Take(*this->Source);
     this->Slices = this->Memory->values.Data();
   }
   // Slices along x, columns along y, rows along z.
@@ -159,7 +159,6 @@ void SliceWindow::Load(const Slab& slab, int behind)
 /// be overwritten.
 void SliceWindow::ClearRow(int v, const Interval& kept, int slices)
 {
-  constexpr int beyond = 16; // FilledRegisters
   SlabMemory::Written& written = this->Memory->rows[std::size_t(v)];
   const Index slice = Index(this->Rows) * this->Columns;
   for (int k = 0; k < written.slices; ++k)
@@ -170,8 +169,9 @@ void SliceWindow::ClearRow(int v, const Interval& kept, int slices)
     std::fill(row + old.begin, row + std::max(std::min(stays.begin, old.end), old.begin), 0.0f);
     std::fill(row + std::min(std::max(stays.end, old.begin), old.end), row + old.end, 0.0f);
   }
-  const Interval wide{ std::max(kept.begin - beyond, 0),
-    std::min(kept.end + beyond, this->Columns) };
+  // Whole registers are written, see FilledRegisters.
+  const Interval wide{ std::max(kept.begin - registerLanes, 0),
+    std::min(kept.end + registerLanes, this->Columns) };
   written = kept.Empty() ? SlabMemory::Written{} : SlabMemory::Written{ wide, slices };
 }
 

@@ -46,8 +46,9 @@ struct SlabMemory
 class SlabPool
 {
 public:
-  /// Memory for `slices` slices that nobody else holds; it goes back when the last holder lets go.
-  std::shared_ptr<SlabMemory> Take(const Pyramid& pyramid, int slices);
+  /// Memory for a slab that nobody else holds; it goes back when the last holder lets go. All calls
+  /// are for the same pyramid.
+  std::shared_ptr<SlabMemory> Take(const Pyramid& pyramid);
 
 private:
   std::vector<std::shared_ptr<SlabMemory>> All;
@@ -74,7 +75,7 @@ public:
   }
 
   /// Makes the slices of the stations [slab.begin, slab.end) readable, and those of as many
-  /// stations as `behind` says behind them.
+  /// stations as `behind` says behind them, at most 2.
   void Load(const Slab& slab, int behind);
 
   /// Writes the slices of the slab back.

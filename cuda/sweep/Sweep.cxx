@@ -75,8 +75,6 @@ std::size_t ScratchSize(const Pyramid& pyramid)
 
 namespace
 {
-constexpr Index raysPerTask = 8192;
-
 /// Columns of a field that a row of rays is interpolated from.
 Interval ColumnsRead(const Plane& plane, const Interval& rays, const SliceWindow& field)
 {

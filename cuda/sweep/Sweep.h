@@ -145,11 +145,13 @@ Visible SweepForward(const Pyramid& pyramid, const RayFields& fields, RayImages&
 /// not read.
 void SweepDepths(const Pyramid& pyramid, const RayFields& fields, RayImages& images);
 
+/// Rays that are worth a task of their own where little is done with each.
+constexpr Index raysPerTask = 8192;
+
 /// Gives all rays the same value.
 template <class Value>
 void FillImage(std::vector<Value>& image, Value value)
 {
-  constexpr Index raysPerTask = 8192;
   const auto count = static_cast<Index>(image.size());
   ParallelFor((count + raysPerTask - 1) / raysPerTask,
     [&](Index task)
