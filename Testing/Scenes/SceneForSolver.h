@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A scene file in the terms of the core.
+
+#ifndef limpid_testing_SceneForSolver_h
+#define limpid_testing_SceneForSolver_h
+
+#include "SceneFile.h"
+
+#include "optimize/Solver.h"
+
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+inline Vec3 FromTruth(const truth::Vector& v)
+{
+  return Vec3(v[0], v[1], v[2]);
+}
+
+inline Grid FromTruth(const truth::Lattice& lattice)
+{
+  Grid grid;
+  grid.origin = FromTruth(lattice.origin);
+  grid.spacing = FromTruth(lattice.spacing);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.nodes[axis] = lattice.nodes[axis];
+    for (int row = 0; row < 3; ++row)
+    {
+      grid.direction[axis][row] = lattice.direction[3 * row + axis];
+    }
+  }
+  return grid;
+}
+
+/// What a solver needs, with arrays of its own.
+struct SceneForSolver
+{
+  std::string name;
+  Grid grid;
+  Camera camera;
+  Light light;
+  std::vector<float> extinction; ///< of the transfer function, at the nodes [1/length]
+  std::vector<float> importance; ///< at the nodes [0, 1]
+
+  SceneForSolver() = default;
+
+  explicit SceneForSolver(const truth::SceneFile& file)
+    : name(file.name)
+    , grid(FromTruth(file.lattice))
+    , extinction(file.extinction)
+    , importance(file.importance)
+  {
+    this->camera.position = FromTruth(file.cameraPosition);
+    this->camera.focalPoint = FromTruth(file.cameraFocalPoint);
+    this->camera.viewUp = FromTruth(file.cameraViewUp);
+    this->camera.viewAngle = file.cameraViewAngle;
+    this->light.position = FromTruth(file.lightPosition);
+    this->light.focalPoint = this->camera.focalPoint;
+  }
+
+  SceneFields Fields() const
+  {
+    return { this->grid, this->extinction.data(), this->importance.data() };
+  }
+
+  Solver MakeSolver(const Settings& settings) const
+  {
+    return Solver(this->Fields(), this->camera, this->light, settings);
+  }
+};
+}
+
+#endif
