@@ -123,7 +123,7 @@ DirectionSphere MakeLatitudeLongitudeSphere(int count)
   source->SetPhiResolution(rings + 2);
   source->Update();
   // The poles of the source are on the third axis and its longitudes begin at the first; those of
-  // Eq. 10 are on the second and begin at the third.
+  // Eq. (10) are on the second and begin at the third.
   return FromSurface(
     source->GetOutput(), [](const Vec3& point) { return Vec3(point.y, point.z, point.x); });
 }

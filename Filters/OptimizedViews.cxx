@@ -37,7 +37,7 @@ ScoredView OptimizedViews::At(const Vec3& direction, std::vector<float>* extinct
   ScoredView view;
   view.direction = direction;
   view.score.visible = best.visibility;
-  view.score.plain = best.fraction > 0 ? best.visibility / best.fraction : 0;
+  view.score.unattenuated = best.fraction > 0 ? best.visibility / best.fraction : 0;
   view.valid = true;
   if (extinction)
   {

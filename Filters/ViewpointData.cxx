@@ -23,7 +23,7 @@ namespace
 {
 double FractionOf(const Visible& score)
 {
-  return score.plain > 0 ? score.visible / score.plain : 0;
+  return score.unattenuated > 0 ? score.visible / score.unattenuated : 0;
 }
 
 bool IsWorse(const ScoredView& a, const ScoredView& b)
@@ -88,7 +88,7 @@ double PolarOf(const ScoredView& view)
   return vtkMath::DegreesFromRadians(AnglesOf(view.direction).polar);
 }
 
-// The angles of Eq. 10, where the camera stands and what is up in its picture.
+// The angles of Eq. (10), where the camera stands and what is up in its picture.
 void AddCameras(const Orbit& orbit, const std::vector<ScoredView>& views, vtkPolyData* output)
 {
   AddNumbers("Azimuth", views, AzimuthOf, output);

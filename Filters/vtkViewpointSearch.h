@@ -6,9 +6,9 @@
  * @brief   find from where important regions of an image can be seen best
  *
  * Scores views from all around an image by S of Eq. (32) in [HG24], climbs from the best of them
- * along its derivative (Eqs. 29-31), and ranks what is reached. The cameras stand on a sphere round
- * the centre of the image, or round another point, and look at it, upright by Eq. (10). All of the
- * image counts, whatever part of it a picture would show; light plays no part.
+ * along its derivative (Eqs. (29)-(31)), and ranks what is reached. The cameras stand on a sphere
+ * round the centre of the image, or round another point, and look at it, upright by Eq. (10). All
+ * of the image counts, whatever part of it a picture would show; light plays no part.
  *
  * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; array 2, an extinction, with
  * ExtinctionSource ARRAY or Field EXTINCTION_ARRAY.

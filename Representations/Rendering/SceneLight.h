@@ -6,7 +6,7 @@
 #ifndef limpid_SceneLight_h
 #define limpid_SceneLight_h
 
-#include "scene/Eye.h"
+#include "scene/RaySource.h"
 
 #include <array>
 #include <string>

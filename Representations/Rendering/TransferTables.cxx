@@ -21,7 +21,7 @@ namespace
 {
 constexpr int Samples = 4096;
 
-struct Interval
+struct ScalarRange
 {
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
@@ -40,9 +40,9 @@ bool IsConstantOutside(vtkColorTransferFunction* function)
 }
 
 // Where the functions are not constant; sets `constantOutside` to whether they are outside of it.
-Interval IntervalOf(vtkVolumeProperty* property, bool& constantOutside)
+ScalarRange ScalarRangeOf(vtkVolumeProperty* property, bool& constantOutside)
 {
-  Interval interval;
+  ScalarRange interval;
   interval.Include(property->GetScalarOpacity(0)->GetRange());
   constantOutside = property->GetScalarOpacity(0)->GetClamping() != 0;
   if (property->GetColorChannels(0) == 1)
@@ -59,11 +59,11 @@ Interval IntervalOf(vtkVolumeProperty* property, bool& constantOutside)
 }
 
 // An interval to be sampled: never empty, and within the data unless that makes it so.
-Interval SampledInterval(vtkVolumeProperty* property, double low, double high)
+ScalarRange SampledRange(vtkVolumeProperty* property, double low, double high)
 {
   bool constantOutside = false;
-  const Interval functions = IntervalOf(property, constantOutside);
-  Interval sampled;
+  const ScalarRange functions = ScalarRangeOf(property, constantOutside);
+  ScalarRange sampled;
   sampled.low = low;
   sampled.high = high;
   if (constantOutside && functions.low <= functions.high)
@@ -81,7 +81,7 @@ Interval SampledInterval(vtkVolumeProperty* property, double low, double high)
 
 // As GetTable, but at equal steps whatever the scale of the function.
 void SampleLogarithmicColors(
-  vtkColorTransferFunction* function, const Interval& interval, std::vector<double>& table)
+  vtkColorTransferFunction* function, const ScalarRange& interval, std::vector<double>& table)
 {
   const double* range = function->GetRange();
   for (int i = 0; i < Samples; ++i)
@@ -93,7 +93,7 @@ void SampleLogarithmicColors(
   }
 }
 
-std::vector<double> SampleColors(vtkVolumeProperty* property, const Interval& interval)
+std::vector<double> SampleColors(vtkVolumeProperty* property, const ScalarRange& interval)
 {
   std::vector<double> table(3 * Samples, 0.0);
   if (property->GetColorChannels(0) == 1)
@@ -135,7 +135,7 @@ TransferFunctions SampleFunctions(
       " (opacity is light lost on a distance). Set a length above zero.");
   }
 
-  const Interval interval = SampledInterval(property, low, high);
+  const ScalarRange interval = SampledRange(property, low, high);
   const std::vector<double> colors = SampleColors(property, interval);
   std::vector<double> opacities(Samples);
   property->GetScalarOpacity(0)->GetTable(interval.low, interval.high, Samples, opacities.data());

@@ -7,7 +7,7 @@
 #define limpid_ViewGeometry_h
 
 #include "render/Renderer.h"
-#include "scene/Eye.h"
+#include "scene/RaySource.h"
 
 #include <array>
 #include <vector>

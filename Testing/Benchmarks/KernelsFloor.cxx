@@ -59,12 +59,12 @@ private:
     task.fields.next = this->Next.data();
     task.trust = trust;
     VisibilityTerm& camera = *this->Seen.camera;
-    const std::size_t pyramids = camera.PyramidCount();
-    for (std::size_t index = 0; index < pyramids; ++index)
+    const std::size_t frusta = camera.FrustumCount();
+    for (std::size_t index = 0; index < frusta; ++index)
     {
-      SweepPolicy(camera.PyramidAt(index), task, camera.ImagesAt(index));
+      SweepPolicy(camera.FrustumAt(index), task, camera.ImagesAt(index));
     }
-    for (std::size_t index = 0; index + 1 < pyramids; ++index) // they have met the last iterate
+    for (std::size_t index = 0; index + 1 < frusta; ++index) // they have met the last iterate
     {
       camera.ForwardAt(index, this->Next.data(), this->Task.importance);
     }
@@ -107,7 +107,7 @@ double TotalOf(const Traffic& traffic)
 }
 
 // Rays read the next iterate and importance, voxels base, lagged derivative and importance; both
-// read the last iterate; the next one is written. Rays of all pyramids but the last go through
+// read the last iterate; the next one is written. Rays of all frusta but the last go through
 // extinction and importance once more.
 double BytesOfPolicy(const SweepCounts& camera, const NodeSet& filled)
 {

@@ -99,7 +99,7 @@ void AddRows(std::vector<Kernel>& kernels)
   const auto add = [&](const std::string& name, double bytes, std::function<void()> call) {
     kernels.push_back({ name, "column", 1, RowArrays::count, bytes, std::move(call) });
   };
-  const Interval all{ 0, RowArrays::count };
+  const Range<int> all{ 0, RowArrays::count };
   add("BlendFourRows", RowBytes(5, 0),
     [=]
     {
@@ -176,9 +176,9 @@ struct SweptScene
     task.fields.next = this->next.data();
     task.trust = Trust::LastIterate;
     VisibilityTerm& camera = *this->terms.camera;
-    for (std::size_t index = 0; index < camera.PyramidCount(); ++index)
+    for (std::size_t index = 0; index < camera.FrustumCount(); ++index)
     {
-      SweepPolicy(camera.PyramidAt(index), task, camera.ImagesAt(index));
+      SweepPolicy(camera.FrustumAt(index), task, camera.ImagesAt(index));
     }
   }
 

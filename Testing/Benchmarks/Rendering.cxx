@@ -10,7 +10,7 @@
 
 #include "optimize/Progressive.h"
 #include "render/Renderer.h"
-#include "scene/Eye.h"
+#include "scene/RaySource.h"
 #include "sweep/Sweep.h"
 
 #include <algorithm>
@@ -236,17 +236,17 @@ FewRaysTimes TimeFewRays(const Drawable& drawable, int repeats)
   std::vector<double> sweeps;
   for (int repeat = -1; repeat < repeats; ++repeat) // the first run warms up
   {
-    const std::vector<Pyramid> pyramids =
-      PlanSweep(scene.grid, occupancy, EyeOfCamera(scene.camera, scene.grid, true), 1);
+    const std::vector<FaceFrustum> frusta =
+      PlanSweep(scene.grid, occupancy, SourceOfCamera(scene.camera, scene.grid, true), 1);
     times.rays = 0;
     double seconds = 0;
-    for (const Pyramid& pyramid : pyramids)
+    for (const FaceFrustum& frustum : frusta)
     {
-      RayImages images(pyramid);
+      RayImages images(frustum);
       Stopwatch watch;
-      SweepForward(pyramid, { &scene.grid, &occupancy, extinction, extinction }, images);
+      SweepForward(frustum, { &scene.grid, &occupancy, extinction, extinction }, images);
       seconds += watch.Lap();
-      times.rays += pyramid.RayCount();
+      times.rays += frustum.RayCount();
     }
     if (repeat >= 0)
     {

@@ -13,20 +13,20 @@ namespace limpid::benchmark
 {
 namespace
 {
-/// A pyramid's slices and rows as nodes of the grid.
+/// A frustum's slices and rows as nodes of the grid.
 class Marker
 {
 public:
-  Marker(const Grid& grid, const Pyramid& pyramid)
-    : Source(pyramid)
+  Marker(const Grid& grid, const FaceFrustum& frustum)
+    : Source(frustum)
   {
     const Index strides[3] = { 1, grid.nodes.x, Index(grid.nodes.x) * grid.nodes.y };
-    this->StrideU = strides[pyramid.axisU];
-    this->StrideV = strides[pyramid.axisV];
-    this->StrideW = strides[pyramid.axisW];
+    this->StrideU = strides[frustum.axisU];
+    this->StrideV = strides[frustum.axisV];
+    this->StrideW = strides[frustum.axisW];
   }
 
-  void Mark(int slice, int v, const Interval& columns, NodeSet& nodes) const
+  void Mark(int slice, int v, const Range<int>& columns, NodeSet& nodes) const
   {
     for (int u = columns.begin; u < columns.end; ++u)
     {
@@ -34,45 +34,45 @@ public:
     }
   }
 
-  /// What a row of rays reads in the layer behind a station.
-  void MarkRead(const Station& station, int row, NodeSet& nodes) const
+  /// What a row of rays reads in the layer behind a slice.
+  void MarkRead(const Slice& slice, int row, NodeSet& nodes) const
   {
-    const Interval& work = station.work[std::size_t(row)];
+    const Range<int>& work = slice.work[std::size_t(row)];
     if (work.Empty())
     {
       return;
     }
-    for (const Plane& plane : station.planes)
+    for (const Plane& plane : slice.planes)
     {
       const std::vector<int>& index = plane.rayColumns.index;
-      const Interval columns{ index[std::size_t(work.begin)],
+      const Range<int> columns{ index[std::size_t(work.begin)],
         index[std::size_t(work.end) - 1] + 2 };
       const int v = plane.rayRows.index[std::size_t(row)];
-      for (const int slice : plane.slices)
+      for (const int node : plane.nodes)
       {
-        this->Mark(slice, v, columns, nodes);
-        this->Mark(slice, v + 1, columns, nodes);
+        this->Mark(node, v, columns, nodes);
+        this->Mark(node, v + 1, columns, nodes);
       }
     }
   }
 
-  void MarkUpdated(const Station& station, const Occupancy& occupancy, NodeSet& nodes) const
+  void MarkUpdated(const Slice& slice, const Occupancy& occupancy, NodeSet& nodes) const
   {
-    if (station.slice < 0)
+    if (slice.node < 0)
     {
       return;
     }
-    for (int v = station.ownedRows.begin; v < station.ownedRows.end; ++v)
+    for (int v = slice.ownedRows.begin; v < slice.ownedRows.end; ++v)
     {
-      const Interval filled = SpansOf(this->Source, occupancy, station.slice, v).filled;
-      const Interval seen = this->Source.VoxelColumns(station, v);
+      const Range<int> filled = SpansOf(this->Source, occupancy, slice.node, v).filled;
+      const Range<int> seen = this->Source.VoxelColumns(slice, v);
       this->Mark(
-        station.slice, v, Intersection(Intersection(seen, station.ownedColumns), filled), nodes);
+        slice.node, v, Intersection(Intersection(seen, slice.ownedColumns), filled), nodes);
     }
   }
 
 private:
-  const Pyramid& Source;
+  const FaceFrustum& Source;
   Index StrideU;
   Index StrideV;
   Index StrideW;
@@ -90,28 +90,28 @@ void Add(const NodeSet& more, NodeSet& nodes)
     [](unsigned char a, unsigned char b) { return static_cast<unsigned char>(a | b); });
 }
 
-SweepCounts CountSweep(const Problem& problem, const Eye& eye)
+SweepCounts CountSweep(const Problem& problem, const RaySource& eye)
 {
   const NodeSet none(std::size_t(problem.grid.NodeCount()), 0);
   SweepCounts counts{ 0, none, 0, none };
-  const std::vector<Pyramid> pyramids =
+  const std::vector<FaceFrustum> frusta =
     PlanSweep(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity);
-  for (const Pyramid& pyramid : pyramids)
+  for (const FaceFrustum& frustum : frusta)
   {
-    const Marker marker(problem.grid, pyramid);
+    const Marker marker(problem.grid, frustum);
     NodeSet read = none;
-    for (int s = 0; s <= pyramid.LastStation(); ++s)
+    for (int s = 0; s <= frustum.LastSlice(); ++s)
     {
-      const Station& station = pyramid.stations[std::size_t(s)];
-      marker.MarkUpdated(station, *problem.occupancy, counts.updated);
-      for (int row = 0; s < pyramid.LastStation() && row < pyramid.rows; ++row)
+      const Slice& slice = frustum.slices[std::size_t(s)];
+      marker.MarkUpdated(slice, *problem.occupancy, counts.updated);
+      for (int row = 0; s < frustum.LastSlice() && row < frustum.rows; ++row)
       {
-        const Interval& work = station.work[std::size_t(row)];
+        const Range<int>& work = slice.work[std::size_t(row)];
         counts.samples += std::max(0, work.end - work.begin);
-        marker.MarkRead(station, row, read);
+        marker.MarkRead(slice, row, read);
       }
     }
-    counts.readAgain += &pyramid == &pyramids.back() ? 0.0 : CountOf(read);
+    counts.readAgain += &frustum == &frusta.back() ? 0.0 : CountOf(read);
     Add(read, counts.read);
   }
   return counts;
@@ -126,7 +126,7 @@ NodeSet FilledNodes(const Problem& problem)
     {
       const auto y = static_cast<int>(line % count.y);
       const auto z = static_cast<int>(line / count.y);
-      const Interval filled = problem.occupancy->Row(0, y, z).filled;
+      const Range<int> filled = problem.occupancy->Row(0, y, z).filled;
       const auto first = nodes.begin() + line * count.x;
       std::fill(first + filled.begin, first + std::max(filled.begin, filled.end), 1);
     });

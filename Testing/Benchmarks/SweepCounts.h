@@ -23,11 +23,11 @@ struct SweepCounts
 {
   double samples = 0;   ///< rays times layers
   NodeSet read;         ///< nodes that rays are interpolated from
-  double readAgain = 0; ///< how many of them the rays of all pyramids but the last read
+  double readAgain = 0; ///< how many of them the rays of all frusta but the last read
   NodeSet updated;      ///< not empty nodes that rays are interpolated to
 };
 
-SweepCounts CountSweep(const Problem& problem, const Eye& eye);
+SweepCounts CountSweep(const Problem& problem, const RaySource& eye);
 
 /// In every row along x all nodes from the first to the last that is not empty.
 NodeSet FilledNodes(const Problem& problem);

@@ -130,7 +130,7 @@ SearchTimes TimeSearch(const Searched& searched, SearchResultTimes& result)
 
   result.evaluations = found.evaluations;
   const auto shareOf = [](const ScoredView& view)
-  { return view.score.plain > 0 ? view.score.visible / view.score.plain : 0; };
+  { return view.score.unattenuated > 0 ? view.score.visible / view.score.unattenuated : 0; };
   result.best = found.viewpoints.empty() ? 0 : shareOf(found.viewpoints.front());
   result.worst = shareOf(*std::min_element(samples.begin(), samples.end(),
     [](const ScoredView& a, const ScoredView& b) { return a.score.visible < b.score.visible; }));

@@ -13,7 +13,7 @@
 #include "optimize/Engine.h"
 #include "optimize/EngineOnDevice.h"
 #include "optimize/PreparedScene.h"
-#include "viewpoint/PartScorerOnDevice.h"
+#include "viewpoint/ScoreSweepOnDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ TEST(EngineOfDevice, ScoresLikeTheProcessor)
     CpuEngine()->Look(problem, problem.camera)->Score(scene.extinction.data());
 
   EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
-  EXPECT_NEAR(found.plain, expected.plain, 1e-5 * expected.plain);
+  EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
 }
 
 TEST(EngineOfDevice, MakesTheSameFirstPassAndTransmittance)
@@ -115,8 +115,8 @@ TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
 {
   const BoxScene scene = Filled(GetParam().content);
   const ViewFields fields(scene.grid, scene.extinction.data(), scene.importance.data());
-  const auto there = PartScorerOn(MakeTestedDevice(), fields);
-  const auto here = CpuPartScorer();
+  const auto there = ScoreSweepOn(MakeTestedDevice(), fields);
+  const auto here = CpuScoreSweep();
   const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
 
   for (const Vec3& direction : RandomDirections(10))
@@ -125,7 +125,7 @@ TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
     const Visible expected = here->Score(parts);
     const Visible found = there->Score(parts);
     EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
-    EXPECT_NEAR(found.plain, expected.plain, 1e-5 * expected.plain);
+    EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
   }
 }
 

@@ -71,7 +71,7 @@ std::vector<float> FillThere(
   DeviceArray<TestedDevice, float> transmittance(device, scene.extinction.size(), "a test");
   TransmittanceVolumeOnDevice<TestedDevice> volume(device, scene.grid,
     Occupancy(scene.grid, planned.data(), planned.data(), true),
-    EyeOfLight(scene.light, scene.grid), rayDensity);
+    SourceOfLight(scene.light, scene.grid), rayDensity);
   volume.Fill(extinction.Data(), transmittance.Data());
   std::vector<float> values(scene.extinction.size());
   transmittance.Download(values.data());
@@ -81,7 +81,7 @@ std::vector<float> FillThere(
 std::vector<float> FillHere(const BoxScene& scene, double rayDensity)
 {
   std::vector<float> transmittance(scene.extinction.size());
-  FillTransmittance(scene.grid, scene.extinction.data(), EyeOfLight(scene.light, scene.grid),
+  FillTransmittance(scene.grid, scene.extinction.data(), SourceOfLight(scene.light, scene.grid),
     rayDensity, transmittance.data());
   return transmittance;
 }

@@ -47,7 +47,7 @@ TEST(HalfLayer, StopsWhatBeersLawStops)
     EXPECT_WITHIN(half.stopped, stopped, tolerance);
     EXPECT_WITHIN(half.Passed(), 1 - stopped, tolerance + Roundoff<float>(1, 1.0));
     EXPECT_WITHIN(half.visible, 0.7 * stopped, tolerance + Roundoff<float>(8, 0.7 * stopped));
-    EXPECT_WITHIN(half.plain, 0.7 * x, Roundoff<float>(12, 0.7 * x));
+    EXPECT_WITHIN(half.unattenuated, 0.7 * x, Roundoff<float>(12, 0.7 * x));
   }
 }
 
@@ -65,7 +65,7 @@ TEST(HalfLayer, NeverShowsMoreThanThereIs)
       EXPECT_LE(half.stopped, 1.0f);
       EXPECT_GE(half.visible, half.stopped);
       EXPECT_LE(half.visible, half.stopped * back * back * (1 + 1e-6f));
-      EXPECT_LE(half.visible, half.plain * (1 + 1e-6f));
+      EXPECT_LE(half.visible, half.unattenuated * (1 + 1e-6f));
       EXPECT_LE(half.LimitedDepth(), 1e4f);
     }
   }
@@ -89,7 +89,7 @@ TEST(HalfLayer, CountsTheWideningOfRaysWhereLightIsStopped)
       Relative(3e-7, truth, "exponential of float quality");
     EXPECT_WITHIN(half.visible, truth, tolerance);
     const double meanArea = (front * front + front * back + back * back) / 3;
-    EXPECT_WITHIN(half.plain, x * meanArea, Roundoff<double>(20, x));
+    EXPECT_WITHIN(half.unattenuated, x * meanArea, Roundoff<double>(20, x));
   }
 }
 
@@ -106,7 +106,7 @@ TEST(HalfLayer, IntegratesCubicProductsInThinMediaExactly)
   double opticalDepth = 0;
   for (int half = 0; half < 2; ++half)
   {
-    const HalfLayer<double> part = WholeHalf<double>(layer, HalfRangeOf(half), length,
+    const HalfLayer<double> part = WholeHalf<double>(layer, RangeOfHalf(half), length,
       extinctionAt(gaussPoints[half]), importanceAt(gaussPoints[half]));
     visible += part.visible;
     opticalDepth += part.opticalDepth;
@@ -122,24 +122,24 @@ TEST(HalfLayer, IntegratesCubicProductsInThinMediaExactly)
 TEST(HalfLayer, ClippedHalvesAddUpToTheWayInside)
 {
   const Layer layer{ 10.0f, 1.0f, 1.0f, 1.2f };
-  const std::vector<Clip> clips{ { -1e30f, 1e30f }, { 10.2f, 1e30f }, { -1e30f, 10.7f },
+  const std::vector<Range<float>> clips{ { -1e30f, 1e30f }, { 10.2f, 1e30f }, { -1e30f, 10.7f },
     { 10.3f, 10.4f }, { 10.6f, 10.9f }, { 10.4f, 10.6f }, { 10.5f, 10.5f }, { 10.8f, 10.2f },
     { 11.5f, 12.0f }, { 3.0f, 9.0f } };
-  for (const Clip& column : clips)
+  for (const Range<float>& column : clips)
   {
-    for (const Clip& row : clips)
+    for (const Range<float>& row : clips)
     {
       SCOPED_TRACE(::testing::Message()
-        << column.entry << ' ' << column.exit << ' ' << row.entry << ' ' << row.exit);
+        << column.begin << ' ' << column.end << ' ' << row.begin << ' ' << row.end);
       double opticalDepth = 0;
       for (const int half : { 0, 1 })
       {
         opticalDepth +=
-          ClippedHalf<double>(layer, HalfRangeOf(half), 2.0, 0.5, 1.0, column, row).opticalDepth;
+          ClippedHalf<double>(layer, RangeOfHalf(half), 2.0, 0.5, 1.0, column, row).opticalDepth;
       }
 
-      const double entry = std::max({ 10.0, double(column.entry), double(row.entry) });
-      const double exit = std::min({ 11.0, double(column.exit), double(row.exit) });
+      const double entry = std::max({ 10.0, double(column.begin), double(row.begin) });
+      const double exit = std::min({ 11.0, double(column.end), double(row.end) });
       EXPECT_WITHIN(opticalDepth, std::max(0.0, exit - entry), Roundoff<float>(8, 1.0));
     }
   }

@@ -119,7 +119,7 @@ TEST_P(NodeImportanceOf, IsZeroWhereThereIsNothingAndElseTheSame)
   std::vector<int> rowsDone(std::size_t(fields.grid.nodes.z), 0);
   FillNodeImportanceOfFilled(fields.grid, fields.extinction.data(), fields.importance.data(),
     filled.Data(),
-    [&](int slice, const Interval& rows)
+    [&](int slice, const Range<int>& rows)
     {
       EXPECT_EQ(rows.begin, rowsDone[std::size_t(slice)]);
       rowsDone[std::size_t(slice)] = rows.end;
@@ -156,7 +156,7 @@ TEST_P(NodeImportanceOf, IsSurveyedTogetherWithSpansAndRanges)
     }
     for (int x = 0; x < fields.grid.nodes.x; ++x)
     {
-      const Interval& important = survey.occupancy->Row(1, x, z).important;
+      const Range<int>& important = survey.occupancy->Row(1, x, z).important;
       EXPECT_EQ(important.begin, occupancy.Row(1, x, z).important.begin);
       EXPECT_EQ(important.end, occupancy.Row(1, x, z).important.end);
     }

@@ -39,9 +39,9 @@ struct Fields
 
 /// From the first to the last of `count` voxels that is marked.
 template <class Marked>
-Interval SpanOf(int count, const Marked& marked)
+Range<int> SpanOf(int count, const Marked& marked)
 {
-  Interval span;
+  Range<int> span;
   for (int i = 0; i < count; ++i)
   {
     span = marked(i) ? Hull(span, { i, i + 1 }) : span;
@@ -49,7 +49,8 @@ Interval SpanOf(int count, const Marked& marked)
   return span;
 }
 
-void ExpectEqual(const Interval& actual, const Interval& expected, int alongAxis, const Int3& row)
+void ExpectEqual(
+  const Range<int>& actual, const Range<int>& expected, int alongAxis, const Int3& row)
 {
   EXPECT_EQ(actual.begin, expected.begin)
     << "row along " << alongAxis << " at " << row.x << ", " << row.y << ", " << row.z;
@@ -66,9 +67,9 @@ void ExpectSpans(const Fields& fields, const Occupancy& occupancy, int alongAxis
     return field[fields.At(row)];
   };
   const int count = fields.grid.nodes[alongAxis];
-  const Interval filled = SpanOf(count,
+  const Range<int> filled = SpanOf(count,
     [&](int i) { return valueAt(fields.extinction, i) > 0 || valueAt(fields.importance, i) > 0; });
-  const Interval important =
+  const Range<int> important =
     SpanOf(count, [&](int i) { return valueAt(fields.importance, i) > 0; });
   const Occupancy::Spans& spans = occupancy.Row(alongAxis, row[1 - alongAxis], row.z);
   ExpectEqual(spans.filled, filled, alongAxis, row);

@@ -95,8 +95,8 @@ truth::Source SourceAt(const Vec3& position)
 }
 }
 
-// Seen squarely from so far that the rays are parallel, Eq. 32 is A (1 - exp(-mu L)), and its left
-// Riemann sum is a geometric series: larger by x / (1 - exp(-x)), x = mu h.
+// Seen squarely from so far that the rays are parallel, Eq. (32) is A (1 - exp(-mu L)), and its
+// left Riemann sum is a geometric series: larger by x / (1 - exp(-x)), x = mu h.
 TEST(PaperScheme, ConvergesToTheScoreOfAHomogeneousBoxSeenSquarely)
 {
   const Cube cube = Cube::Homogeneous(9, 0.8f);
@@ -145,8 +145,8 @@ TEST(PaperScheme, ConvergesToTheScoreOfAHomogeneousBoxSeenObliquely)
   }
 }
 
-// Eqs. 27 and 28 from the grids against the independent march, without the weight of the widening
-// rays: each refinement by two halves the error of the left Riemann sums.
+// Eqs. (27) and (28) from the grids against the independent march, without the weight of the
+// widening rays: each refinement by two halves the error of the left Riemann sums.
 TEST(PaperScheme, ConvergesToTheRayDerivativeAtTheVoxels)
 {
   const Cube cube = Cube::Veiled(9);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Eqs. 12 and 13: the perspective map of the paper's own scheme.
+// Eqs. (12) and (13): the perspective map of the paper's own scheme.
 
 #include "Tolerance.h"
 

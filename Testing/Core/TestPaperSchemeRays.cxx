@@ -43,7 +43,7 @@ double PathOfFourRays()
 }
 }
 
-// In a homogeneous medium Eq. 17 has no discretisation error: every ray is Beer's law, and only
+// In a homogeneous medium Eq. (17) has no discretisation error: every ray is Beer's law, and only
 // rounding is allowed.
 TEST(PaperSchemeRays, FollowBeersLawInAHomogeneousMedium)
 {
@@ -73,7 +73,7 @@ TEST(PaperSchemeRays, FollowBeersLawInAHomogeneousMedium)
   }
 }
 
-// With g = 1 the sum that discretises Eq. 19 is a geometric series.
+// With g = 1 the sum that discretises Eq. (19) is a geometric series.
 TEST(PaperSchemeRays, GatherAGeometricSeriesInAHomogeneousMedium)
 {
   const int cells = 32;
@@ -130,7 +130,7 @@ public:
     this->Map.cells = { 1, 1, count };
   }
 
-  /// -q sum g mu T h: Eq. 23 along the ray, with the extinction of layer `changed` changed.
+  /// -q sum g mu T h: Eq. (23) along the ray, with the extinction of layer `changed` changed.
   double EnergyWith(int changed, double change)
   {
     const std::vector<double> kept = this->Extinction;
@@ -149,7 +149,7 @@ public:
     return energy;
   }
 
-  /// Eq. 27 at the layers.
+  /// Eq. (27) at the layers.
   std::vector<double> Gradient()
   {
     this->Update();
@@ -193,9 +193,9 @@ private:
 };
 }
 
-// Eq. 27 is the exact derivative of the discrete energy along a ray, so a central difference may
+// Eq. (27) is the exact derivative of the discrete energy along a ray, so a central difference may
 // differ by its own two errors only: truncation d^2/6 |F'''| and cancellation u |F| / d. The
-// energy is that of a sample, Eq. 27 is per length: hence the division by h.
+// energy is that of a sample, Eq. (27) is per length: hence the division by h.
 TEST(PaperSchemeRays, HaveTheDerivativeOfTheDiscreteEnergy)
 {
   OneRay ray;
@@ -220,7 +220,7 @@ TEST(PaperSchemeRays, HaveTheDerivativeOfTheDiscreteEnergy)
 }
 
 // After one step the corrected moments are the gradient and its square, so a voxel moves by the
-// step length against the sign of the gradient, and the bounds of Eq. 25 hold it.
+// step length against the sign of the gradient, and the bounds of Eq. (25) hold it.
 TEST(PaperSchemeRays, MoveByOneStepLengthAtFirstAndStayWithinTheBounds)
 {
   const std::vector<double> gradient{ 3, -0.02, 3, -3, 0 };

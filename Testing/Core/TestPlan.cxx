@@ -54,7 +54,7 @@ struct Boxes
 struct Viewing
 {
   const char* name;
-  Eye eye;
+  RaySource eye;
   double rayDensity = 1;
   Placement placement = Placement::ForIntegrals;
 };
@@ -64,16 +64,16 @@ std::ostream& operator<<(std::ostream& stream, const Viewing& viewing)
   return stream << viewing.name;
 }
 
-Eye PointAt(const Vec3& origin)
+RaySource PointAt(const Vec3& origin)
 {
-  Eye eye;
+  RaySource eye;
   eye.origin = origin;
   return eye;
 }
 
-Eye Parallel(const Vec3& direction)
+RaySource Parallel(const Vec3& direction)
 {
-  Eye eye;
+  RaySource eye;
   eye.parallel = true;
   eye.direction = direction;
   return eye;
@@ -100,13 +100,13 @@ class PlanOf : public ::testing::TestWithParam<Viewing>
 protected:
   PlanOf()
     : scene(nodes)
-    , pyramids(PlanSweep(this->scene.grid, this->scene.MakeOccupancy(), GetParam().eye,
+    , frusta(PlanSweep(this->scene.grid, this->scene.MakeOccupancy(), GetParam().eye,
         GetParam().rayDensity, GetParam().placement))
   {
   }
 
   Boxes scene;
-  std::vector<Pyramid> pyramids;
+  std::vector<FaceFrustum> frusta;
 };
 
 /// Whether a place along a lateral axis is in the box at a depth.
@@ -116,24 +116,24 @@ bool IsInside(const Lateral& lateral, int ray, double depth)
   return position >= 0 && position <= lateral.nodes - 1;
 }
 
-/// Whether a ray meets anything of a field at a Gauss point of the layer behind a station.
-bool Meets(const Boxes& scene, const std::vector<float>& field, const Pyramid& pyramid, int s,
+/// Whether a ray meets anything of a field at a Gauss point of the layer behind a slice.
+bool Meets(const Boxes& scene, const std::vector<float>& field, const FaceFrustum& frustum, int s,
   int half, int column, int row)
 {
-  const Station& station = pyramid.stations[std::size_t(s)];
-  const double thickness = pyramid.stations[std::size_t(s) + 1].depth - station.depth;
-  const double depth = station.depth + gaussPoints[half] * thickness;
-  if (!IsInside(pyramid.lateralU, column, depth) || !IsInside(pyramid.lateralV, row, depth))
+  const Slice& slice = frustum.slices[std::size_t(s)];
+  const double thickness = frustum.slices[std::size_t(s) + 1].depth - slice.depth;
+  const double depth = slice.depth + gaussPoints[half] * thickness;
+  if (!IsInside(frustum.lateralU, column, depth) || !IsInside(frustum.lateralV, row, depth))
   {
     return false;
   }
-  const Plane& plane = station.planes[std::size_t(half)];
+  const Plane& plane = slice.planes[std::size_t(half)];
   for (int corner = 0; corner < 8; ++corner)
   {
     Int3 node(0);
-    node[pyramid.axisU] = plane.rayColumns.index[std::size_t(column)] + corner % 2;
-    node[pyramid.axisV] = plane.rayRows.index[std::size_t(row)] + corner / 2 % 2;
-    node[pyramid.axisW] = plane.slices[corner / 4];
+    node[frustum.axisU] = plane.rayColumns.index[std::size_t(column)] + corner % 2;
+    node[frustum.axisV] = plane.rayRows.index[std::size_t(row)] + corner / 2 % 2;
+    node[frustum.axisW] = plane.nodes[corner / 4];
     const Int3& count = scene.grid.nodes;
     if (field[std::size_t((Index(node.z) * count.y + node.y) * count.x + node.x)] > 0)
     {
@@ -143,30 +143,30 @@ bool Meets(const Boxes& scene, const std::vector<float>& field, const Pyramid& p
   return false;
 }
 
-/// Per ray of a pyramid, whether it meets anything of a field in the layer behind a station.
+/// Per ray of a frustum, whether it meets anything of a field in the layer behind a slice.
 std::vector<bool> RaysThatMeet(
-  const Boxes& scene, const std::vector<float>& field, const Pyramid& pyramid, int s)
+  const Boxes& scene, const std::vector<float>& field, const FaceFrustum& frustum, int s)
 {
   std::vector<bool> meets;
-  for (int row = 0; row < pyramid.rows; ++row)
+  for (int row = 0; row < frustum.rows; ++row)
   {
-    for (int column = 0; column < pyramid.columns; ++column)
+    for (int column = 0; column < frustum.columns; ++column)
     {
-      meets.push_back(Meets(scene, field, pyramid, s, 0, column, row) ||
-        Meets(scene, field, pyramid, s, 1, column, row));
+      meets.push_back(Meets(scene, field, frustum, s, 0, column, row) ||
+        Meets(scene, field, frustum, s, 1, column, row));
     }
   }
   return meets;
 }
 
 /// Whether a ray or one beside it is marked.
-bool AnyNear(const Pyramid& pyramid, const std::vector<bool>& rays, int column, int row)
+bool AnyNear(const FaceFrustum& frustum, const std::vector<bool>& rays, int column, int row)
 {
-  for (int j = std::max(row - 1, 0); j <= std::min(row + 1, pyramid.rows - 1); ++j)
+  for (int j = std::max(row - 1, 0); j <= std::min(row + 1, frustum.rows - 1); ++j)
   {
-    for (int i = std::max(column - 1, 0); i <= std::min(column + 1, pyramid.columns - 1); ++i)
+    for (int i = std::max(column - 1, 0); i <= std::min(column + 1, frustum.columns - 1); ++i)
     {
-      if (rays[std::size_t(j) * std::size_t(pyramid.columns) + std::size_t(i)])
+      if (rays[std::size_t(j) * std::size_t(frustum.columns) + std::size_t(i)])
       {
         return true;
       }
@@ -180,26 +180,26 @@ bool AnyNear(const Pyramid& pyramid, const std::vector<bool>& rays, int column, 
 // itself or on one beside it, which a voxel may read together with it.
 TEST_P(PlanOf, LeavesOutNothingThatMatters)
 {
-  for (const Pyramid& pyramid : this->pyramids)
+  for (const FaceFrustum& frustum : this->frusta)
   {
-    std::vector<bool> importantBehind(std::size_t(pyramid.RayCount()), false);
-    for (int s = pyramid.LastStation() - 1; s >= 0; --s)
+    std::vector<bool> importantBehind(std::size_t(frustum.RayCount()), false);
+    for (int s = frustum.LastSlice() - 1; s >= 0; --s)
     {
       const std::vector<bool> filled =
-        RaysThatMeet(this->scene, this->scene.extinction, pyramid, s);
+        RaysThatMeet(this->scene, this->scene.extinction, frustum, s);
       const std::vector<bool> important =
-        RaysThatMeet(this->scene, this->scene.importance, pyramid, s);
+        RaysThatMeet(this->scene, this->scene.importance, frustum, s);
       std::transform(important.begin(), important.end(), importantBehind.begin(),
         importantBehind.begin(), [](bool one, bool other) { return one || other; });
-      for (int row = 0; row < pyramid.rows; ++row)
+      for (int row = 0; row < frustum.rows; ++row)
       {
-        const Interval& work = pyramid.stations[std::size_t(s)].work[std::size_t(row)];
-        for (int column = 0; column < pyramid.columns; ++column)
+        const Range<int>& work = frustum.slices[std::size_t(s)].work[std::size_t(row)];
+        for (int column = 0; column < frustum.columns; ++column)
         {
           const bool visited = column >= work.begin && column < work.end;
-          const auto ray = std::size_t(row) * std::size_t(pyramid.columns) + std::size_t(column);
-          ASSERT_TRUE(visited || !filled[ray] || !AnyNear(pyramid, importantBehind, column, row))
-            << "ray " << column << ", " << row << " at station " << s;
+          const auto ray = std::size_t(row) * std::size_t(frustum.columns) + std::size_t(column);
+          ASSERT_TRUE(visited || !filled[ray] || !AnyNear(frustum, importantBehind, column, row))
+            << "ray " << column << ", " << row << " at slice " << s;
         }
       }
     }
@@ -210,12 +210,12 @@ TEST_P(PlanOf, LeavesOutMuchOfASparseScene)
 {
   Index visited = 0;
   Index all = 0;
-  for (const Pyramid& pyramid : this->pyramids)
+  for (const FaceFrustum& frustum : this->frusta)
   {
-    all += Index(pyramid.RayCount()) * pyramid.LastStation();
-    for (const Station& station : pyramid.stations)
+    all += Index(frustum.RayCount()) * frustum.LastSlice();
+    for (const Slice& slice : frustum.slices)
     {
-      for (const Interval& work : station.work)
+      for (const Range<int>& work : slice.work)
       {
         visited += std::max(work.end - work.begin, 0);
       }
@@ -227,24 +227,24 @@ TEST_P(PlanOf, LeavesOutMuchOfASparseScene)
 
 TEST_P(PlanOf, KnowsTheVoxelsBetweenWhichEveryRayRuns)
 {
-  for (const Pyramid& pyramid : this->pyramids)
+  for (const FaceFrustum& frustum : this->frusta)
   {
-    for (int s = 0; s < pyramid.LastStation(); ++s)
+    for (int s = 0; s < frustum.LastSlice(); ++s)
     {
-      const Station& station = pyramid.stations[std::size_t(s)];
-      const double thickness = pyramid.stations[std::size_t(s) + 1].depth - station.depth;
+      const Slice& slice = frustum.slices[std::size_t(s)];
+      const double thickness = frustum.slices[std::size_t(s) + 1].depth - slice.depth;
       for (int half = 0; half < 2; ++half)
       {
-        const LinearMap& map = station.planes[std::size_t(half)].rayColumns;
-        const double depth = station.depth + gaussPoints[half] * thickness;
-        for (int column = 0; column < pyramid.columns; ++column)
+        const LinearMap& map = slice.planes[std::size_t(half)].rayColumns;
+        const double depth = slice.depth + gaussPoints[half] * thickness;
+        for (int column = 0; column < frustum.columns; ++column)
         {
           const auto ray = std::size_t(column);
           const double position =
-            pyramid.lateralU.Position(pyramid.lateralU.Coordinate(column), depth);
-          const double inside = std::min(std::max(position, 0.0), pyramid.nodesU - 1.0);
+            frustum.lateralU.Position(frustum.lateralU.Coordinate(column), depth);
+          const double inside = std::min(std::max(position, 0.0), frustum.nodesU - 1.0);
           ASSERT_GE(map.index[ray], 0);
-          ASSERT_LE(map.index[ray], pyramid.nodesU - 2);
+          ASSERT_LE(map.index[ray], frustum.nodesU - 2);
           ASSERT_WITHIN(double(map.weight[ray]) + map.index[ray], inside, Roundoff<float>(1, 1.0));
         }
       }
@@ -254,25 +254,24 @@ TEST_P(PlanOf, KnowsTheVoxelsBetweenWhichEveryRayRuns)
 
 TEST_P(PlanOf, KnowsTheRaysBetweenWhichEveryVoxelLies)
 {
-  for (const Pyramid& pyramid : this->pyramids)
+  for (const FaceFrustum& frustum : this->frusta)
   {
-    for (std::size_t s = std::size_t(pyramid.FirstSlice()); s < pyramid.stations.size(); ++s)
+    for (std::size_t s = std::size_t(frustum.FirstNodeSlice()); s < frustum.slices.size(); ++s)
     {
-      const Station& station = pyramid.stations[s];
-      const Lateral& rays = pyramid.lateralV;
-      for (int v = 0; v < pyramid.nodesV; ++v)
+      const Slice& slice = frustum.slices[s];
+      const Lateral& rays = frustum.lateralV;
+      for (int v = 0; v < frustum.nodesV; ++v)
       {
-        const int ray = station.voxelRows.index[std::size_t(v)];
-        const double weight = station.voxelRows.weight[std::size_t(v)];
+        const int ray = slice.voxelRows.index[std::size_t(v)];
+        const double weight = slice.voxelRows.weight[std::size_t(v)];
         ASSERT_GE(ray, 0);
-        ASSERT_LE(ray, pyramid.rows - 2);
-        const double before = rays.Position(rays.Coordinate(ray), station.depth);
-        const double behind = rays.Position(rays.Coordinate(ray + 1), station.depth);
-        const double first = rays.Position(rays.Coordinate(0), station.depth);
-        const double last = rays.Position(rays.Coordinate(pyramid.rows - 1), station.depth);
+        ASSERT_LE(ray, frustum.rows - 2);
+        const double before = rays.Position(rays.Coordinate(ray), slice.depth);
+        const double behind = rays.Position(rays.Coordinate(ray + 1), slice.depth);
+        const double first = rays.Position(rays.Coordinate(0), slice.depth);
+        const double last = rays.Position(rays.Coordinate(frustum.rows - 1), slice.depth);
         const double nearest = std::min(std::max(double(v), first), last);
-        const double size =
-          std::abs(rays.eye) + std::abs(rays.shear) * station.depth + last - first;
+        const double size = std::abs(rays.eye) + std::abs(rays.shear) * slice.depth + last - first;
         ASSERT_WITHIN(before + weight * (behind - before), nearest,
           Roundoff<float>(1, behind - before) + Roundoff<double>(16, size));
       }
@@ -283,27 +282,27 @@ TEST_P(PlanOf, KnowsTheRaysBetweenWhichEveryVoxelLies)
 TEST_P(PlanOf, KnowsWhereTheRaysOfVoxelsEnterTheBox)
 {
   constexpr float never = 1e30f;
-  for (const Pyramid& pyramid : this->pyramids)
+  for (const FaceFrustum& frustum : this->frusta)
   {
-    for (std::size_t s = std::size_t(pyramid.FirstSlice()); s < pyramid.stations.size(); ++s)
+    for (std::size_t s = std::size_t(frustum.FirstNodeSlice()); s < frustum.slices.size(); ++s)
     {
-      const Station& station = pyramid.stations[s];
-      const Lateral& rays = pyramid.lateralU;
-      const double base = station.depth - station.relativeDepth;
-      for (int u = 0; u < pyramid.nodesU; ++u)
+      const Slice& slice = frustum.slices[s];
+      const Lateral& rays = frustum.lateralU;
+      const double base = slice.depth - slice.relativeDepth;
+      for (int u = 0; u < frustum.nodesU; ++u)
       {
-        const float entry = station.columnEntry[std::size_t(u)];
-        const double fromEye = rays.parallel ? rays.shear : (u - rays.eye) / station.depth;
+        const float entry = slice.columnEntry[std::size_t(u)];
+        const double fromEye = rays.parallel ? rays.shear : (u - rays.eye) / slice.depth;
         if (fromEye == 0)
         {
           ASSERT_EQ(entry, -never);
           continue;
         }
         // Where the ray comes from, it passes the side that it moves away from.
-        const double side = fromEye > 0 ? 0 : pyramid.nodesU - 1;
-        const double expected = station.depth + (side - u) / fromEye - base;
-        const double size = std::abs(expected) + station.depth +
-          (std::abs(rays.eye) + pyramid.nodesU) / std::abs(fromEye);
+        const double side = fromEye > 0 ? 0 : frustum.nodesU - 1;
+        const double expected = slice.depth + (side - u) / fromEye - base;
+        const double size = std::abs(expected) + slice.depth +
+          (std::abs(rays.eye) + frustum.nodesU) / std::abs(fromEye);
         ASSERT_WITHIN(entry, std::max(expected, -1e30),
           Roundoff<float>(2, expected) + Roundoff<double>(16, size));
       }
@@ -315,19 +314,20 @@ TEST_P(PlanOf, IsTheSameOnOneThread)
 {
   const ThreadLimit one(1);
 
-  const std::vector<Pyramid> again = PlanSweep(this->scene.grid, this->scene.MakeOccupancy(),
+  const std::vector<FaceFrustum> again = PlanSweep(this->scene.grid, this->scene.MakeOccupancy(),
     GetParam().eye, GetParam().rayDensity, GetParam().placement);
 
-  ASSERT_EQ(again.size(), this->pyramids.size());
+  ASSERT_EQ(again.size(), this->frusta.size());
   for (std::size_t index = 0; index < again.size(); ++index)
   {
-    ASSERT_EQ(again[index].stations.size(), this->pyramids[index].stations.size());
-    for (std::size_t s = 0; s < again[index].stations.size(); ++s)
+    ASSERT_EQ(again[index].slices.size(), this->frusta[index].slices.size());
+    for (std::size_t s = 0; s < again[index].slices.size(); ++s)
     {
-      const Station& here = again[index].stations[s];
-      const Station& other = this->pyramids[index].stations[s];
+      const Slice& here = again[index].slices[s];
+      const Slice& other = this->frusta[index].slices[s];
       EXPECT_TRUE(std::equal(here.work.begin(), here.work.end(), other.work.begin(),
-        [](const Interval& a, const Interval& b) { return a.begin == b.begin && a.end == b.end; }));
+        [](const Range<int>& a, const Range<int>& b)
+        { return a.begin == b.begin && a.end == b.end; }));
       EXPECT_EQ(here.touchedColumns.begin, other.touchedColumns.begin);
       EXPECT_EQ(here.touchedColumns.end, other.touchedColumns.end);
       EXPECT_EQ(here.touchedRows.begin, other.touchedRows.begin);

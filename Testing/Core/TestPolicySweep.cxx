@@ -71,28 +71,28 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
   task.fields.extinction = scene.extinction.data();
   task.fields.next = next.data();
   task.trust = Trust::Clear;
-  const std::size_t pyramids = terms.camera->PyramidCount();
+  const std::size_t frusta = terms.camera->FrustumCount();
   std::vector<PolicyFound> found;
 
-  for (std::size_t index = 0; index < pyramids; ++index)
+  for (std::size_t index = 0; index < frusta; ++index)
   {
     found.push_back(
-      SweepPolicy(terms.camera->PyramidAt(index), task, terms.camera->ImagesAt(index)));
+      SweepPolicy(terms.camera->FrustumAt(index), task, terms.camera->ImagesAt(index)));
   }
 
   Differences moved;
   int known = 0;
-  for (std::size_t index = 0; index < pyramids; ++index)
+  for (std::size_t index = 0; index < frusta; ++index)
   {
     moved += found[index].moved;
     const Visible truth = others.camera->ForwardAt(index, next.data(), problem.importance);
-    if (!MetNextIterate(index, pyramids, task.derivative))
+    if (!MetNextIterate(index, frusta, task.derivative))
     {
       continue;
     }
     ++known;
     EXPECT_WITHIN(found[index].met.visible, truth.visible, Reordered(truth.visible));
-    EXPECT_WITHIN(found[index].met.plain, truth.plain, Reordered(truth.plain));
+    EXPECT_WITHIN(found[index].met.unattenuated, truth.unattenuated, Reordered(truth.unattenuated));
     const std::vector<double>& depths = others.camera->ImagesAt(index).opticalDepth;
     const std::vector<double>& collected = terms.camera->ImagesAt(index).opticalDepth;
     const double deepest = *std::max_element(depths.begin(), depths.end());
@@ -101,7 +101,7 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
       ASSERT_WITHIN(collected[ray], depths[ray], Roundoff<double>(300, deepest)) << ray;
     }
   }
-  EXPECT_EQ(known, 1) << "the largest pyramid, which comes last";
+  EXPECT_EQ(known, 1) << "the largest frustum, which comes last";
   double squares = 0;
   double changes = 0;
   for (std::size_t node = 0; node < next.size(); ++node)
@@ -131,7 +131,7 @@ TEST_P(SweepFromTheBack, FindsTheScoreAlongWithTheDerivative)
     const Visible again = terms.camera->SetGradient(fields, derivative, set.data());
 
     EXPECT_WITHIN(seen.visible, truth.visible, Reordered(truth.visible));
-    EXPECT_WITHIN(seen.plain, truth.plain, Reordered(truth.plain));
+    EXPECT_WITHIN(seen.unattenuated, truth.unattenuated, Reordered(truth.unattenuated));
     EXPECT_EQ(again.visible, seen.visible);
     for (std::size_t node = 0; node < set.size(); ++node)
     {

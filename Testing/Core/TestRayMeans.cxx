@@ -23,7 +23,7 @@ namespace
 struct Rays
 {
   const char* name;
-  Eye eye;
+  RaySource eye;
   double density;
 };
 
@@ -32,16 +32,16 @@ std::ostream& operator<<(std::ostream& stream, const Rays& rays)
   return stream << rays.name;
 }
 
-Eye PointAt(const Vec3& origin)
+RaySource PointAt(const Vec3& origin)
 {
-  Eye eye;
+  RaySource eye;
   eye.origin = origin;
   return eye;
 }
 
-Eye Parallel(const Vec3& direction)
+RaySource Parallel(const Vec3& direction)
 {
-  Eye eye;
+  RaySource eye;
   eye.parallel = true;
   eye.direction = direction;
   return eye;
@@ -62,7 +62,7 @@ protected:
     this->grid.nodes = Int3(24, 19, 9);
     const std::vector<float> ones(std::size_t(this->grid.NodeCount()), 1.0f);
     const Occupancy everything(this->grid, ones.data(), ones.data(), false);
-    this->pyramids = PlanSweep(this->grid, everything, GetParam().eye, GetParam().density);
+    this->frusta = PlanSweep(this->grid, everything, GetParam().eye, GetParam().density);
   }
 
   using Field = std::function<double(double u, double v)>;
@@ -72,81 +72,81 @@ protected:
   /// images are these functions of the rays' place on a slice. `gap`: between rays [index].
   void ForEachMean(const Field& transmittance, const Field& behind, const Check& check) const
   {
-    for (const Pyramid& pyramid : this->pyramids)
+    for (const FaceFrustum& frustum : this->frusta)
     {
-      for (const Station& station : pyramid.stations)
+      for (const Slice& slice : frustum.slices)
       {
-        if (station.slice >= 0)
+        if (slice.node >= 0)
         {
-          this->CheckSlice(pyramid, station, transmittance, behind, check);
+          this->CheckSlice(frustum, slice, transmittance, behind, check);
         }
       }
     }
   }
 
   Grid grid;
-  std::vector<Pyramid> pyramids;
+  std::vector<FaceFrustum> frusta;
 
 private:
-  static double Place(const Lateral& rays, int ray, const Station& station)
+  static double Place(const Lateral& rays, int ray, const Slice& slice)
   {
-    return rays.Position(rays.Coordinate(ray), station.depth);
+    return rays.Position(rays.Coordinate(ray), slice.depth);
   }
 
   /// Voxels whose neighbours, or the border, lie between the rays of an interval.
-  static Interval Between(
-    const Lateral& rays, const Interval& entered, const Station& station, int nodes)
+  static Range<int> Between(
+    const Lateral& rays, const Range<int>& entered, const Slice& slice, int nodes)
   {
-    Interval voxels{ 0, nodes };
+    Range<int> voxels{ 0, nodes };
     while (
-      voxels.begin < nodes && std::max(voxels.begin - 1, 0) < Place(rays, entered.begin, station))
+      voxels.begin < nodes && std::max(voxels.begin - 1, 0) < Place(rays, entered.begin, slice))
     {
       ++voxels.begin;
     }
     while (voxels.end > voxels.begin &&
-      std::min(voxels.end, nodes - 1) > Place(rays, entered.end - 1, station))
+      std::min(voxels.end, nodes - 1) > Place(rays, entered.end - 1, slice))
     {
       --voxels.end;
     }
     return voxels;
   }
 
-  static double WidestGap(const Lateral& rays, const Station& station)
+  static double WidestGap(const Lateral& rays, const Slice& slice)
   {
     double gap = 0;
     for (int ray = 0; ray + 1 < rays.count; ++ray)
     {
-      gap = std::max(gap, Place(rays, ray + 1, station) - Place(rays, ray, station));
+      gap = std::max(gap, Place(rays, ray + 1, slice) - Place(rays, ray, slice));
     }
     return gap;
   }
 
-  void CheckSlice(const Pyramid& pyramid, const Station& station, const Field& transmittance,
+  void CheckSlice(const FaceFrustum& frustum, const Slice& slice, const Field& transmittance,
     const Field& behind, const Check& check) const
   {
-    RayImages images(pyramid);
-    for (int row = 0; row < pyramid.rows; ++row)
+    RayImages images(frustum);
+    for (int row = 0; row < frustum.rows; ++row)
     {
-      for (int column = 0; column < pyramid.columns; ++column)
+      for (int column = 0; column < frustum.columns; ++column)
       {
-        const double u = Place(pyramid.lateralU, column, station);
-        const double v = Place(pyramid.lateralV, row, station);
-        const auto ray = std::size_t(row * pyramid.columns + column);
+        const double u = Place(frustum.lateralU, column, slice);
+        const double v = Place(frustum.lateralV, row, slice);
+        const auto ray = std::size_t(row * frustum.columns + column);
         images.transmittance[ray] = static_cast<float>(transmittance(u, v));
         images.behind[ray] = static_cast<float>(behind(u, v));
       }
     }
-    const Interval columns =
-      Between(pyramid.lateralU, pyramid.frontColumns, station, pyramid.nodesU);
-    const Interval rows = Between(pyramid.lateralV, pyramid.frontRows, station, pyramid.nodesV);
+    const Range<int> columns =
+      Between(frustum.lateralU, frustum.frontColumns, slice, frustum.nodesU);
+    const Range<int> rows = Between(frustum.lateralV, frustum.frontRows, slice, frustum.nodesV);
     const double gap =
-      std::max(WidestGap(pyramid.lateralU, station), WidestGap(pyramid.lateralV, station));
-    std::vector<float> scratch(MeanScratch(pyramid));
-    std::vector<float> means(2 * std::size_t(pyramid.nodesU));
+      std::max(WidestGap(frustum.lateralU, slice), WidestGap(frustum.lateralV, slice));
+    std::vector<float> scratch(MeanScratch(frustum));
+    std::vector<float> means(2 * std::size_t(frustum.nodesU));
     for (int v = rows.begin; v < rows.end; ++v)
     {
-      const SeenRow seen{ means.data(), means.data() + pyramid.nodesU };
-      AverageSeen(pyramid, station, v, columns, images, images.behind, scratch.data(), seen);
+      const SeenRow seen{ means.data(), means.data() + frustum.nodesU };
+      AverageSeen(frustum, slice, v, columns, images, images.behind, scratch.data(), seen);
       for (int u = columns.begin; u < columns.end; ++u)
       {
         check(u, v, seen.transmittance[u], seen.behind[u], gap);

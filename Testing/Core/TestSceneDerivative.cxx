@@ -72,7 +72,7 @@ TEST_P(RealDerivative, IsThatOfTheMarch)
   const LoadedScene scene(GetParam().name);
   const truth::SceneFile& file = scene.file;
   const Occupancy everything(scene.grid, file.extinction.data(), file.importance.data(), false);
-  VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
+  VisibilityTerm term(scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(file.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, file.importance.data());
   term.AddGradient({ file.extinction.data(), file.importance.data(), nodeImportance.data() },

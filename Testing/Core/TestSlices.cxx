@@ -3,6 +3,7 @@
 
 // Transposed slices: what rays read is the field, whatever was in their memory before.
 
+#include "sweep/Registers.h"
 #include "sweep/Slices.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ struct SlicedScene
 {
   Grid grid;
   std::vector<float> fields[2];
-  std::vector<Pyramid> pyramids;
+  std::vector<FaceFrustum> frusta;
 
   explicit SlicedScene(double eyeX)
   {
@@ -43,9 +44,9 @@ struct SlicedScene
         }
       }
     }
-    Eye eye;
+    RaySource eye;
     eye.origin = { eyeX, 28, 11 };
-    this->pyramids =
+    this->frusta =
       PlanSweep(this->grid, this->MakeOccupancy(), eye, 1, Placement::ForIntegrals, { { true } });
   }
 
@@ -73,29 +74,29 @@ private:
 int WrongValues(
   const SlicedScene& scene, const std::vector<float>& field, SlabPool& pool, bool scribble)
 {
-  const Pyramid& pyramid = scene.pyramids.front();
+  const FaceFrustum& frustum = scene.frusta.front();
   const Occupancy occupancy = scene.MakeOccupancy();
-  SliceWindow window(pyramid, scene.grid, field.data(), pool, &occupancy);
-  const std::vector<Slab> slabs = SlabsOf(pyramid);
+  SliceWindow window(frustum, scene.grid, field.data(), pool, &occupancy);
+  const std::vector<Range<int>> slabs = SlabsOf(frustum);
   int wrong = 0;
   for (std::size_t index = slabs.size(); index-- > 0;)
   {
-    const Slab& slab = slabs[index];
+    const Range<int>& slab = slabs[index];
     window.Load(slab, 1);
-    for (int s = slab.begin; s < std::min(slab.end + 1, pyramid.LastStation() + 1); ++s)
+    for (int s = slab.begin; s < std::min(slab.end + 1, frustum.LastSlice() + 1); ++s)
     {
-      const Station& station = pyramid.stations[std::size_t(s)];
-      for (int v = station.touchedRows.begin; v < station.touchedRows.end; ++v)
+      const Slice& slice = frustum.slices[std::size_t(s)];
+      for (int v = slice.touchedRows.begin; v < slice.touchedRows.end; ++v)
       {
-        float* row = window.Row(station.slice, v);
-        for (int u = station.touchedColumns.begin; u < station.touchedColumns.end; ++u)
+        float* row = window.Row(slice.node, v);
+        for (int u = slice.touchedColumns.begin; u < slice.touchedColumns.end; ++u)
         {
-          wrong += row[u] == field[scene.Node(station.slice, u, v)] ? 0 : 1;
+          wrong += row[u] == field[scene.Node(slice.node, u, v)] ? 0 : 1;
         }
-        const Interval owned = station.ownedColumns;
-        const Interval filled =
-          Intersection(SpansOf(pyramid, occupancy, station.slice, v).filled, owned);
-        const Interval written = FilledRegisters(filled, owned);
+        const Range<int> owned = slice.ownedColumns;
+        const Range<int> filled =
+          Intersection(SpansOf(frustum, occupancy, slice.node, v).filled, owned);
+        const Range<int> written = WholeRegisters(filled, owned);
         if (scribble && s < slab.end && !filled.Empty())
         {
           std::fill(row + written.begin, row + filled.begin, 3.0f);
@@ -113,8 +114,8 @@ TEST(Slices, AreTheFieldWhateverWasThereBefore)
   for (const double eyeX : { -60.0, 140.0 })
   {
     const SlicedScene scene(eyeX);
-    ASSERT_EQ(scene.pyramids.size(), 1u);
-    ASSERT_EQ(scene.pyramids.front().axisW, 0);
+    ASSERT_EQ(scene.frusta.size(), 1u);
+    ASSERT_EQ(scene.frusta.front().axisW, 0);
     SlabPool pool;
     for (int round = 0; round < 3; ++round)
     {
@@ -127,12 +128,12 @@ TEST(Slices, AreTheFieldWhateverWasThereBefore)
 TEST(Slices, TwoWindowsDoNotShareMemory)
 {
   const SlicedScene scene(-60.0);
-  const Pyramid& pyramid = scene.pyramids.front();
+  const FaceFrustum& frustum = scene.frusta.front();
   SlabPool pool;
-  const std::shared_ptr<SlabMemory> first = pool.Take(pyramid);
-  std::shared_ptr<SlabMemory> second = pool.Take(pyramid);
+  const std::shared_ptr<SlabMemory> first = pool.Take(frustum);
+  std::shared_ptr<SlabMemory> second = pool.Take(frustum);
   EXPECT_NE(first, second);
   const SlabMemory* released = second.get();
   second.reset();
-  EXPECT_EQ(pool.Take(pyramid).get(), released) << "is kept for the next";
+  EXPECT_EQ(pool.Take(frustum).get(), released) << "is kept for the next";
 }

@@ -67,7 +67,7 @@ std::vector<float> TransmittanceOf(const BoxScene& scene, double rayDensity)
 {
   std::vector<float> transmittance(scene.extinction.size(), -1.0f);
   FillTransmittance(scene.grid, scene.extinction.data(),
-    EyeOfCamera(scene.camera, scene.grid, false), rayDensity, transmittance.data());
+    SourceOfCamera(scene.camera, scene.grid, false), rayDensity, transmittance.data());
   return transmittance;
 }
 

@@ -130,7 +130,7 @@ void ExpectTheSameMoved(double unit, const Mat3& rotation, const Vec3& shift)
 
 const double pi = std::acos(-1.0);
 
-/// Turns by `angle` about the axis.
+/// Moves by `angle` about the axis.
 Mat3 RotationAbout(Vec3 axis, double angle)
 {
   axis = glm::normalize(axis);

@@ -260,7 +260,7 @@ TEST(SolverModes, EnergyIsMadeOfScoresAndTheDistanceFromTheBase)
   EXPECT_WITHIN(energy.view, -weights.view * truth, Relative(0.05, energy.view, coarse));
   EXPECT_WITHIN(energy.light, -weights.light * lit, Relative(0.05, energy.light, coarse));
   const double distance = weights.regularization * scene.grid.Radius() / 2 * squares *
-    scene.grid.CellVolume(); // Eq. 22 in world units
+    scene.grid.CellVolume(); // Eq. (22) in world units
   EXPECT_WITHIN(energy.regularization, distance,
     Relative(0.02, distance, "cells of nodes on the border, halved or not"));
 }

@@ -71,7 +71,7 @@ void FillClouds(BoxScene& scene, double depth)
 std::vector<float> Fill(const BoxScene& scene, double rayDensity)
 {
   std::vector<float> transmittance(scene.extinction.size());
-  FillTransmittance(scene.grid, scene.extinction.data(), EyeOfLight(scene.light, scene.grid),
+  FillTransmittance(scene.grid, scene.extinction.data(), SourceOfLight(scene.light, scene.grid),
     rayDensity, transmittance.data());
   return transmittance;
 }

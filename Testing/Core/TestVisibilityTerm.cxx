@@ -92,7 +92,7 @@ double FromGradient(const BoxScene& scene, const Field& direction, Derivative de
 {
   const Occupancy everything(
     scene.grid, scene.extinction.data(), scene.importance.data(), scene.settings.skipUnneeded);
-  VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false),
+  VisibilityTerm term(scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false),
     scene.settings.rayDensity);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
@@ -227,7 +227,8 @@ TEST(VisibilityTerm, CarriesTheVisibleImportanceOfTheReferenceToEveryVoxel)
   const Occupancy everything(scene.grid, scene.extinction.data(), scene.importance.data(), false);
   for (const Derivative derivative : { Derivative::Volume, Derivative::Ray })
   {
-    VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
+    VisibilityTerm term(
+      scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), 1.0);
     std::vector<float> gradient(scene.extinction.size(), 0.0f);
     // At a point, as the march computes it, it is g at the point that counts.
     term.AddGradient({ scene.extinction.data(), scene.importance.data(), scene.importance.data() },
@@ -298,7 +299,7 @@ TEST(ScoreDerivative, OfANodeIsTheMeanOverItsHatAndNotTheValueThere)
     scene.importance[node] = static_cast<float>(std::max(2 * Noise(node, 2) - 1, 0.0));
   }
   const Occupancy everything(scene.grid, scene.extinction.data(), scene.importance.data(), false);
-  VisibilityTerm term(scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), 1.0);
+  VisibilityTerm term(scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
   term.AddGradient({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },

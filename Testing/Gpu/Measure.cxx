@@ -133,7 +133,7 @@ void MeasureSetUp(const GpuScene& scene, const Effort& effort, SceneResult& resu
       return Repeat(effort, 1,
         [&]
         {
-          for (const Eye& eye : { problem.camera, problem.light })
+          for (const RaySource& eye : { problem.camera, problem.light })
           {
             PlanSweep(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity);
           }

@@ -18,13 +18,13 @@ struct Sizes
   double light = 0;
 };
 
-double RaysOf(const Problem& problem, const Eye& eye)
+double RaysOf(const Problem& problem, const RaySource& eye)
 {
   double rays = 0;
-  for (const Pyramid& pyramid :
+  for (const FaceFrustum& frustum :
     PlanSweep(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity))
   {
-    rays += double(pyramid.RayCount()) * double(pyramid.stations.size());
+    rays += double(frustum.RayCount()) * double(frustum.slices.size());
   }
   return rays;
 }

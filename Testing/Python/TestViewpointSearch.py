@@ -123,7 +123,7 @@ def names_of(attributes):
 
 
 def rotation(azimuth, polar):
-    """R of Eq. 10; angles in degrees."""
+    """R of Eq. (10); angles in degrees."""
     (s1, c1), (s2, c2) = ((np.sin(a), np.cos(a)) for a in np.radians((azimuth, polar)))
     return np.array([[c1, s1 * s2, s1 * c2], [0, c2, -s2], [-s1, c1 * s2, c1 * c2]])
 
@@ -291,7 +291,7 @@ class TestArrays(SearchTest):
 
 
 class TestScores(SearchTest):
-    """S is that of Eq. 32, whatever it is computed for."""
+    """S is that of Eq. (32), whatever it is computed for."""
 
     def optimizer_at(self, image, output, i, **properties):
         optimizer = vtkExtinctionOptimizer()

@@ -64,7 +64,7 @@ Bundle ParallelBundle(const Lattice& lattice, const Vector& direction, const Sam
 }
 
 /// The rays from the eye with |u| and |v| up to maximumSlope towards one side.
-Bundle PyramidBundle(const Lattice& lattice, const Vector& eye, int axis, double side,
+Bundle FrustumBundle(const Lattice& lattice, const Vector& eye, int axis, double side,
   double maximumSlope, const Sampling& sampling)
 {
   Bundle bundle{ { { 0, 0, 0 } }, (axis + 1) % 3, (axis + 2) % 3, {}, {} };
@@ -119,12 +119,12 @@ std::vector<Bundle> Bundles(const Lattice& lattice, const Source& source, const 
   }
   if (widest < 2 * nearDepth)
   {
-    return { PyramidBundle(lattice, eye, axis, centre[axis] > 0 ? 1 : -1, 2, sampling) };
+    return { FrustumBundle(lattice, eye, axis, centre[axis] > 0 ? 1 : -1, 2, sampling) };
   }
   std::vector<Bundle> bundles;
   for (int face = 0; face < 6; ++face)
   {
-    bundles.push_back(PyramidBundle(lattice, eye, face / 2, face % 2 ? 1 : -1, 1, sampling));
+    bundles.push_back(FrustumBundle(lattice, eye, face / 2, face % 2 ? 1 : -1, 1, sampling));
   }
   return bundles;
 }

@@ -29,7 +29,7 @@ struct Bundle
   std::vector<Stripe> columns, rows;
 };
 
-/// One bundle where it sees the whole box under moderate angles, otherwise six pyramids.
+/// One bundle where it sees the whole box under moderate angles, otherwise six frusta.
 std::vector<Bundle> Bundles(const Lattice& lattice, const Source& source, const Sampling& sampling);
 }
 

@@ -64,7 +64,7 @@ struct Sampling
   unsigned threads = 0;    ///< zero: as many as the machine has; the result is the same
 };
 
-/// S of Eq. 32: the integral of importance x extinction x transmittance over the whole box
+/// S of Eq. (32): the integral of importance x extinction x transmittance over the whole box
 /// [length^2].
 template <class Value>
 double VisibilityScore(const Volume<Value>& volume, const Source& source, const Sampling& sampling);
@@ -77,7 +77,7 @@ double ImportantExtinction(const Volume<Value>& volume);
 template <class Value>
 double OpticalDepth(const Volume<Value>& volume, const Source& source, const Vector& position);
 
-/// exp of minus that, Eqs. 15 and 16 [0, 1].
+/// exp of minus that, Eqs. (15) and (16) [0, 1].
 template <class Value>
 double Transmittance(const Volume<Value>& volume, const Source& source, const Vector& position);
 
@@ -85,7 +85,7 @@ double Transmittance(const Volume<Value>& volume, const Source& source, const Ve
 enum class Widening
 {
   Counted, ///< derivative of the volume integral
-  Ignored  ///< Eqs. 19 and 20 as printed
+  Ignored  ///< Eqs. (19) and (20) as printed
 };
 
 /// Visible importance behind a position, the integral of importance x extinction x transmittance

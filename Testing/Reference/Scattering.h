@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How light is scattered, Eqs. 3-6, in double precision and straight from the formulas.
+// How light is scattered, Eqs. (3)-(6), in double precision and straight from the formulas.
 
 #ifndef limpid_testing_Scattering_h
 #define limpid_testing_Scattering_h
@@ -15,7 +15,7 @@ namespace truth
 {
 const double pi = 3.14159265358979323846;
 
-/// f_v of Eq. 6 (Henyey and Greenstein, 1941) for the cosine between the ways in and out
+/// f_v of Eq. (6) (Henyey and Greenstein, 1941) for the cosine between the ways in and out
 /// [1/steradian].
 inline double HenyeyGreenstein(double anisotropy, double cosine)
 {
@@ -32,7 +32,7 @@ inline double LobeNormalization(double power)
 /// Share of the lobe in what a surface scatters.
 const double highlightShare = 0.25;
 
-/// f_s of Eq. 6: Lambert's and a normalised lobe of Blinn and Phong [1/steradian]. All unit
+/// f_s of Eq. (6): Lambert's and a normalised lobe of Blinn and Phong [1/steradian]. All unit
 /// vectors; `outward` points away from what is dense.
 inline double SurfaceScattering(
   double power, const Vector& outward, const Vector& toLight, const Vector& toViewer)

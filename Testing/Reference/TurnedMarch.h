@@ -27,7 +27,7 @@ struct Viewer
 
 struct TurnedScore
 {
-  double score = 0;           ///< S of Eq. 32 [length^2]
+  double score = 0;           ///< S of Eq. (32) [length^2]
   double slope[2] = { 0, 0 }; ///< per radian along either way [length^2]
   double bend[2] = { 0, 0 };  ///< by how much the slopes forward and backward differ [length^2]
 };

@@ -203,7 +203,7 @@ private:
       const Camera camera =
         orbit.At(glm::normalize(Vec3(std::sin(1.0 + i), std::cos(2.3 * i), std::sin(0.7 * i))));
       const Visible at = score.At(camera);
-      scores.Add(at.visible).Add(at.plain);
+      scores.Add(at.visible).Add(at.unattenuated);
       if (i > 3)
       {
         const ViewSlope slope = score.SlopeAt(camera);

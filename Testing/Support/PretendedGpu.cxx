@@ -9,7 +9,7 @@
 #include "backend/HostDevice.h"
 #include "optimize/EngineOnDevice.h"
 #include "render/RendererOnDevice.h"
-#include "viewpoint/PartScorerOnDevice.h"
+#include "viewpoint/ScoreSweepOnDevice.h"
 
 #include <memory>
 
@@ -45,8 +45,8 @@ std::unique_ptr<PictureEngine> CudaPictures()
   return PicturesOn(Shared());
 }
 
-std::unique_ptr<PartScorer> CudaPartScorer(const ViewFields& fields)
+std::unique_ptr<ScoreSweep> CudaScoreSweep(const ViewFields& fields)
 {
-  return PartScorerOn(Shared(), fields);
+  return ScoreSweepOn(Shared(), fields);
 }
 }

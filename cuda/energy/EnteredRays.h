@@ -8,11 +8,11 @@
 
 namespace limpid
 {
-/// RaysEnteredBy of a station, along both axes.
+/// RaysEnteredBy of a slice, along both axes.
 struct EnteredRays
 {
-  Interval columns;
-  Interval rows;
+  Range<int> columns;
+  Range<int> rows;
 };
 }
 

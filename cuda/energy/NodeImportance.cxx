@@ -90,8 +90,8 @@ constexpr int slicesPerTile = 16;
 /// A part of the grid whose slices stay in a near cache.
 struct Tile
 {
-  Interval rows;
-  Interval slices;
+  Range<int> rows;
+  Range<int> slices;
 };
 
 /// Means along x and y of the rows of a tile on one slice.
@@ -140,7 +140,7 @@ private:
   Index RowAt(int y, int z) const { return (Index(z) * this->Nodes.y + y) * this->Nodes.x; }
 
   /// The mean along x and y. `blended`: memory for a row.
-  void FindMeanAcross(int z, const Interval& rows, float* blended, SliceMean& mean) const
+  void FindMeanAcross(int z, const Range<int>& rows, float* blended, SliceMean& mean) const
   {
     const int nx = this->Nodes.x;
     const int ny = this->Nodes.y;
@@ -169,7 +169,7 @@ private:
   }
 
   /// The mean along z of those of a slice and its neighbours.
-  void FindMean(int z, const Interval& rows, const SliceMean& below, const SliceMean& own,
+  void FindMean(int z, const Range<int>& rows, const SliceMean& below, const SliceMean& own,
     const SliceMean& above) const
   {
     const int nx = this->Nodes.x;
@@ -208,7 +208,7 @@ void FillMean(const Grid& grid, const float* baseExtinction, const float* import
     [&](Index slab)
     {
       const int z = static_cast<int>(slab) * slicesPerTile;
-      const Interval slices{ z, std::min(z + slicesPerTile, nodes.z) };
+      const Range<int> slices{ z, std::min(z + slicesPerTile, nodes.z) };
       for (int y = 0; y < nodes.y; y += rowsPerTile)
       {
         body.Fill({ { y, std::min(y + rowsPerTile, nodes.y) }, slices }, done);
@@ -216,7 +216,7 @@ void FillMean(const Grid& grid, const float* baseExtinction, const float* import
     });
 }
 
-void TellNobody(int, const Interval&) {}
+void TellNobody(int, const Range<int>&) {}
 }
 
 std::vector<float> NodeImportance(const Grid& grid, const float* importance)

@@ -4,8 +4,8 @@
 #ifndef limpid_energy_NodeImportance_h
 #define limpid_energy_NodeImportance_h
 
+#include "math/Range.h"
 #include "scene/Grid.h"
-#include "sweep/Interval.h"
 
 #include <functional>
 #include <vector>
@@ -29,7 +29,7 @@ std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance);
 
 /// Is told that some rows of a slice are complete.
-using MeanRows = std::function<void(int slice, const Interval& rows)>;
+using MeanRows = std::function<void(int slice, const Range<int>& rows)>;
 
 /// The same, in place of grid.NodeCount() zeros. What is not important is not written. Tells `done`
 /// of all rows: of slices in parallel, of the rows of one in order.

@@ -66,7 +66,7 @@ SceneSurvey SurveyScene(const Grid& grid, const float* baseExtinction, float mos
   survey.nodeImportance = NodeValues(grid.NodeCount());
   const float* mean = survey.nodeImportance.Data();
   FillNodeImportanceOfFilled(grid, baseExtinction, importance, survey.nodeImportance.Data(),
-    [&](int slice, const Interval& rows)
+    [&](int slice, const Range<int>& rows)
     {
       const Index first = (Index(slice) * grid.nodes.y + rows.begin) * grid.nodes.x;
       const Index count = Index(rows.end - rows.begin) * grid.nodes.x;

@@ -22,7 +22,7 @@ struct ClearRay
   {
     this->states.behind[ray] = 0;
     this->states.visible[ray] = -1;
-    this->states.plain[ray] = 0;
+    this->states.unattenuated[ray] = 0;
     this->states.transmittance[ray] = 1;
     this->states.density[ray] = 0;
     this->states.ahead[ray] = 0;
@@ -32,10 +32,10 @@ struct ClearRay
 }
 
 template <class Device>
-RaysOnDevice<Device>::RaysOnDevice(const std::shared_ptr<Device>& device, const Pyramid& pyramid,
-  const Grid& grid, const Occupancy& occupancy)
+RaysOnDevice<Device>::RaysOnDevice(const std::shared_ptr<Device>& device,
+  const FaceFrustum& frustum, const Grid& grid, const Occupancy& occupancy)
   : Home(device)
-  , Tables(device, pyramid, grid, occupancy)
+  , Tables(device, frustum, grid, occupancy)
   , OpticalDepths(device, 2 * this->Tables.RayCount(), "optical depths")
   , Others(device, 6 * this->Tables.RayCount(), "rays")
 {
@@ -61,14 +61,14 @@ void RaysOnDevice<Device>::Reset()
 
 template <class Device>
 TermOnDevice<Device>::TermOnDevice(std::shared_ptr<Device> device, const Grid& grid,
-  const Occupancy& occupancy, const Eye& eye, double rayDensity)
+  const Occupancy& occupancy, const RaySource& eye, double rayDensity)
   : Home(std::move(device))
   , Sum(this->Home)
 {
   std::size_t count = 0;
-  for (const Pyramid& pyramid : PlanSweep(grid, occupancy, eye, rayDensity))
+  for (const FaceFrustum& frustum : PlanSweep(grid, occupancy, eye, rayDensity))
   {
-    this->Rays.emplace_back(this->Home, pyramid, grid, occupancy);
+    this->Rays.emplace_back(this->Home, frustum, grid, occupancy);
     this->First.push_back(count);
     count += this->Rays.back().Plan().RayCount();
   }
@@ -76,16 +76,16 @@ TermOnDevice<Device>::TermOnDevice(std::shared_ptr<Device> device, const Grid& g
   this->Shares = { this->Home, count, "rays" };
   for (std::size_t index = 0; index < this->Rays.size(); ++index)
   {
-    const PyramidOnDevice<Device>& plan = this->Rays[index].Plan();
+    const FrustumOnDevice<Device>& plan = this->Rays[index].Plan();
     this->Home->Copy(this->Shares.Data() + this->First[index], plan.View().shares,
       plan.RayCount() * sizeof(double));
   }
 }
 
 template <class Device>
-RayTotals TermOnDevice<Device>::TotalsOf(std::size_t pyramid)
+RayTotals TermOnDevice<Device>::TotalsOf(std::size_t frustum)
 {
-  float* visible = this->Gathered.Data() + this->First[pyramid];
+  float* visible = this->Gathered.Data() + this->First[frustum];
   return { visible, visible + this->Shares.Size() };
 }
 
@@ -111,12 +111,12 @@ void TermOnDevice<Device>::Forward(const float* extinction, const float* importa
 
 template <class Device>
 void TermOnDevice<Device>::ForwardAt(
-  std::size_t pyramid, const float* extinction, const float* importance)
+  std::size_t frustum, const float* extinction, const float* importance)
 {
-  RaysOnDevice<Device>& rays = this->Rays[pyramid];
+  RaysOnDevice<Device>& rays = this->Rays[frustum];
   this->Home->ForEach("forward sweep", rays.Plan().Rays(),
     ForwardRay{ rays.Plan().View(), extinction, importance, rays.States().opticalDepth,
-      this->TotalsOf(pyramid) });
+      this->TotalsOf(frustum) });
 }
 
 template <class Device>
@@ -136,16 +136,16 @@ void TermOnDevice<Device>::Differentiate(
   for (std::size_t index = 0; index < this->Rays.size(); ++index)
   {
     RaysOnDevice<Device>& rays = this->Rays[index];
-    const PyramidView& view = rays.Plan().View();
+    const FrustumView& view = rays.Plan().View();
     if (widens)
     {
       this->Home->ForEach("optical depths", rays.Plan().Rays(),
         DepthRay{ view, fields.extinction, rays.States().opticalDepth });
     }
     rays.Reset();
-    for (int end = view.lastStation + 1; end > view.firstSlice; end -= slicesPerSlab)
+    for (int end = view.lastSlice + 1; end > view.firstNodeSlice; end -= slicesPerSlab)
     {
-      const int begin = std::max(view.firstSlice, end - slicesPerSlab);
+      const int begin = std::max(view.firstNodeSlice, end - slicesPerSlab);
       this->Home->ForEach("backward sweep", rays.Plan().Rays(),
         BackwardRay{ view, fields.extinction, fields.importance, widens, begin, end, rays.States(),
           this->Images.Data(), this->TotalsOf(index) });

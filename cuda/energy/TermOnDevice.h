@@ -5,24 +5,24 @@
 #define limpid_energy_TermOnDevice_h
 
 #include "backend/SumOnDevice.h"
-#include "energy/TermBodies.h"
+#include "energy/TermKernels.h"
 #include "energy/VisibilityTerm.h"
-#include "sweep/PyramidOnDevice.h"
+#include "sweep/FrustumOnDevice.h"
 
 #include <memory>
 #include <vector>
 
 namespace limpid
 {
-/// The rays of one pyramid on a device.
+/// The rays of one frustum on a device.
 template <class Device>
 class RaysOnDevice
 {
 public:
-  RaysOnDevice(const std::shared_ptr<Device>& device, const Pyramid& pyramid, const Grid& grid,
+  RaysOnDevice(const std::shared_ptr<Device>& device, const FaceFrustum& frustum, const Grid& grid,
     const Occupancy& occupancy);
 
-  const PyramidOnDevice<Device>& Plan() const { return this->Tables; }
+  const FrustumOnDevice<Device>& Plan() const { return this->Tables; }
   RayStates States();
 
   /// As at the back of the volume: nothing is behind. Optical depths stay.
@@ -33,7 +33,7 @@ public:
 
 private:
   std::shared_ptr<Device> Home;
-  PyramidOnDevice<Device> Tables;
+  FrustumOnDevice<Device> Tables;
   DeviceArray<Device, double> OpticalDepths; ///< two images
   DeviceArray<Device, float> Others;         ///< the other states, one behind another
   bool Swapped = false;                      ///< whether the second image has the optical depths
@@ -45,24 +45,24 @@ class TermOnDevice
 {
 public:
   TermOnDevice(std::shared_ptr<Device> device, const Grid& grid, const Occupancy& occupancy,
-    const Eye& eye, double rayDensity);
+    const RaySource& eye, double rayDensity);
 
   /// Integral of g mu T and its bound into `sums` (2 values on the device); leaves the optical
   /// depths of all rays.
   void Forward(const float* extinction, const float* importance, double* sums);
 
-  /// The same of the rays of one pyramid, as far as their totals.
-  void ForwardAt(std::size_t pyramid, const float* extinction, const float* importance);
+  /// The same of the rays of one frustum, as far as their totals.
+  void ForwardAt(std::size_t frustum, const float* extinction, const float* importance);
 
   /// The same; also finds the derivative. Leaves no optical depths.
   void Differentiate(
     const TermFields& fields, Derivative derivative, const GradientTarget& target, double* sums);
 
-  std::vector<RaysOnDevice<Device>>& Pyramids() { return this->Rays; }
-  std::size_t PyramidCount() const { return this->Rays.size(); }
+  std::vector<RaysOnDevice<Device>>& Frusta() { return this->Rays; }
+  std::size_t FrustumCount() const { return this->Rays.size(); }
 
-  /// Where the rays of a pyramid tell what they have added up to.
-  RayTotals TotalsOf(std::size_t pyramid);
+  /// Where the rays of a frustum tell what they have added up to.
+  RayTotals TotalsOf(std::size_t frustum);
 
   /// Integral of g mu T and its bound, from the totals of all rays.
   void SumTotals(double* sums);
@@ -73,9 +73,9 @@ private:
   std::shared_ptr<Device> Home;
   std::vector<RaysOnDevice<Device>> Rays;
   SumOnDevice<Device> Sum;
-  std::vector<std::size_t> First;      ///< of each pyramid, in what is gathered
-  DeviceArray<Device, float> Gathered; ///< of all pyramids: visible importance, and its bound
-  DeviceArray<Device, double> Shares;  ///< of all pyramids, see PyramidView
+  std::vector<std::size_t> First;      ///< of each frustum, in what is gathered
+  DeviceArray<Device, float> Gathered; ///< of all frusta: visible importance, and its bound
+  DeviceArray<Device, double> Shares;  ///< of all frusta, see FrustumView
   DeviceArray<Device, float> Images;   ///< see BackwardRay; made when first needed
 };
 }

@@ -4,8 +4,8 @@
 #ifndef limpid_energy_TransmittanceVolume_h
 #define limpid_energy_TransmittanceVolume_h
 
-#include "scene/Eye.h"
 #include "scene/Grid.h"
+#include "scene/RaySource.h"
 
 namespace limpid
 {
@@ -14,13 +14,14 @@ namespace limpid
 constexpr double transmittanceRayDensity = 3;
 
 /**
- * Transmittance from an eye to every node of a grid, Eqs. 15 and 16, by one sweep front to back.
+ * Transmittance from an eye to every node of a grid, Eqs. (15) and (16), by one sweep front to
+ * back.
  *
  * `extinction`: grid.NodeCount() values >= 0 [1/length]; `rayDensity`: rays per voxel and axis;
  * `transmittance`: room for grid.NodeCount() values in [0, 1].
  */
-void FillTransmittance(const Grid& grid, const float* extinction, const Eye& eye, double rayDensity,
-  float* transmittance);
+void FillTransmittance(const Grid& grid, const float* extinction, const RaySource& eye,
+  double rayDensity, float* transmittance);
 }
 
 #endif

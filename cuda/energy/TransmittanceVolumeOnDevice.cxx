@@ -5,7 +5,7 @@
 
 #include "energy/TransmittanceVolumeOnDevice.h"
 
-#include "energy/TransmittanceVolumeBodies.h"
+#include "energy/TransmittanceVolumeKernels.h"
 
 #include <algorithm>
 
@@ -23,14 +23,14 @@ struct ClearNode
   LIMPID_HD LIMPID_INLINE void operator()(Index node) const { this->transmittance[node] = 1; }
 };
 
-std::vector<EnteredRays> EnteredOf(const Pyramid& pyramid)
+std::vector<EnteredRays> EnteredOf(const FaceFrustum& frustum)
 {
   std::vector<EnteredRays> entered;
-  entered.reserve(pyramid.stations.size());
-  for (const Station& station : pyramid.stations)
+  entered.reserve(frustum.slices.size());
+  for (const Slice& slice : frustum.slices)
   {
-    entered.push_back({ RaysEnteredBy(pyramid.columnAxis, station.relativeDepth),
-      RaysEnteredBy(pyramid.rowAxis, station.relativeDepth) });
+    entered.push_back({ RaysEnteredBy(frustum.columnAxis, slice.relativeDepth),
+      RaysEnteredBy(frustum.rowAxis, slice.relativeDepth) });
   }
   return entered;
 }
@@ -38,16 +38,17 @@ std::vector<EnteredRays> EnteredOf(const Pyramid& pyramid)
 
 template <class Device>
 TransmittanceVolumeOnDevice<Device>::TransmittanceVolumeOnDevice(std::shared_ptr<Device> device,
-  const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity)
+  const Grid& grid, const Occupancy& occupancy, const RaySource& eye, double rayDensity)
   : Home(std::move(device))
   , Nodes(grid.NodeCount())
 {
   std::size_t most = 0;
-  for (const Pyramid& pyramid : PlanSweep(grid, occupancy, eye, rayDensity, Placement::ForNodes))
+  for (const FaceFrustum& frustum :
+    PlanSweep(grid, occupancy, eye, rayDensity, Placement::ForNodes))
   {
-    this->Pyramids.push_back({ { this->Home, pyramid, grid, occupancy },
-      { this->Home, EnteredOf(pyramid), "the plan of a sweep" } });
-    most = std::max(most, this->Pyramids.back().rays.RayCount());
+    this->Frusta.push_back({ { this->Home, frustum, grid, occupancy },
+      { this->Home, EnteredOf(frustum), "the plan of a sweep" } });
+    most = std::max(most, this->Frusta.back().rays.RayCount());
   }
   this->OpticalDepth = { this->Home, most, "optical depths" };
   this->Images = { this->Home, 2 * slicesPerSlab * most, "images of rays" };
@@ -57,27 +58,27 @@ template <class Device>
 void TransmittanceVolumeOnDevice<Device>::Fill(const float* extinction, float* transmittance)
 {
   this->Home->ForIndices("clear transmittance", this->Nodes, ClearNode{ transmittance });
-  for (const PyramidOfNodes& pyramid : this->Pyramids)
+  for (const FrustumOfNodes& frustum : this->Frusta)
   {
-    this->Sweep(pyramid, extinction, transmittance);
+    this->Sweep(frustum, extinction, transmittance);
   }
 }
 
 template <class Device>
 void TransmittanceVolumeOnDevice<Device>::Sweep(
-  const PyramidOfNodes& pyramid, const float* extinction, float* transmittance)
+  const FrustumOfNodes& frustum, const float* extinction, float* transmittance)
 {
-  const PyramidView& view = pyramid.rays.View();
+  const FrustumView& view = frustum.rays.View();
   this->OpticalDepth.SetZero();
-  for (int begin = 0; begin <= view.lastStation; begin += slicesPerSlab)
+  for (int begin = 0; begin <= view.lastSlice; begin += slicesPerSlab)
   {
-    const int end = std::min(begin + slicesPerSlab, view.lastStation + 1);
-    this->Home->ForEach("transmittance of rays", pyramid.rays.Rays(),
+    const int end = std::min(begin + slicesPerSlab, view.lastSlice + 1);
+    this->Home->ForEach("transmittance of rays", frustum.rays.Rays(),
       TransmittanceRay{
         view, extinction, begin, end, this->OpticalDepth.Data(), this->Images.Data() });
     this->Home->ForEach("transmittance", { view.nodesU, view.nodesV * (end - begin) },
       TransmittanceVoxel{
-        view, begin, pyramid.entered.Data(), this->Images.Data(), transmittance });
+        view, begin, frustum.entered.Data(), this->Images.Data(), transmittance });
   }
 }
 

@@ -5,7 +5,7 @@
 #define limpid_energy_TransmittanceVolumeOnDevice_h
 
 #include "energy/EnteredRays.h"
-#include "sweep/PyramidOnDevice.h"
+#include "sweep/FrustumOnDevice.h"
 
 #include <memory>
 #include <vector>
@@ -30,24 +30,24 @@ public:
   /// `occupancy`: Occupancy(grid, extinction, extinction, true) for any extinction that is filled
   /// wherever others may be.
   TransmittanceVolumeOnDevice(std::shared_ptr<Device> device, const Grid& grid,
-    const Occupancy& occupancy, const Eye& eye, double rayDensity);
+    const Occupancy& occupancy, const RaySource& eye, double rayDensity);
 
   /// The arrays of FillTransmittance, on the device. Does not wait.
   void Fill(const float* extinction, float* transmittance);
 
 private:
-  struct PyramidOfNodes
+  struct FrustumOfNodes
   {
-    PyramidOnDevice<Device> rays;
-    DeviceArray<Device, EnteredRays> entered; ///< per station
+    FrustumOnDevice<Device> rays;
+    DeviceArray<Device, EnteredRays> entered; ///< per slice
   };
 
-  void Sweep(const PyramidOfNodes& pyramid, const float* extinction, float* transmittance);
+  void Sweep(const FrustumOfNodes& frustum, const float* extinction, float* transmittance);
 
   std::shared_ptr<Device> Home;
   Index Nodes = 0;
-  std::vector<PyramidOfNodes> Pyramids;
-  DeviceArray<Device, double> OpticalDepth; ///< of the rays of one pyramid at a time
+  std::vector<FrustumOfNodes> Frusta;
+  DeviceArray<Device, double> OpticalDepth; ///< of the rays of one frustum at a time
   DeviceArray<Device, float> Images;        ///< see TransmittanceRay
 };
 }

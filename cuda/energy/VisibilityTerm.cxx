@@ -5,6 +5,7 @@
 
 #include "energy/GradientVoxel.h"
 #include "sweep/RayMeans.h"
+#include "sweep/Registers.h"
 
 #include <algorithm>
 
@@ -15,7 +16,7 @@ namespace
 LIMPID_MULTIVERSION
 void GradientRow(const GradientVoxel<float>& body, const GradientTarget& target,
   const float* __restrict transmittance, const float* __restrict behind,
-  const float* __restrict importance, const Interval& columns, float* __restrict gradient)
+  const float* __restrict importance, const Range<int>& columns, float* __restrict gradient)
 {
   const GradientVoxel<float> voxel = body;
   const GradientTarget sum = target;
@@ -30,32 +31,32 @@ class RayCarrier
 {
 public:
   RayCarrier(
-    const Pyramid& pyramid, const RayFields& fields, Derivative derivative, RayImages& images)
-    : Source(pyramid)
+    const FaceFrustum& frustum, const RayFields& fields, Derivative derivative, RayImages& images)
+    : Source(frustum)
     , Images(images)
     , Widens(derivative == Derivative::Volume)
-    , Extinction(pyramid, *fields.grid, fields.extinction, images.slabs, fields.occupancy)
-    , Importance(pyramid, *fields.grid, fields.importance, images.slabs, fields.occupancy)
+    , Extinction(frustum, *fields.grid, fields.extinction, images.slabs, fields.occupancy)
+    , Importance(frustum, *fields.grid, fields.importance, images.slabs, fields.occupancy)
   {
     StartBehind(images);
   }
 
-  void Load(const Slab& slab)
+  void Load(const Range<int>& slab)
   {
     this->Extinction.Load(slab, 1);
     this->Importance.Load(slab, 1);
   }
 
-  /// Moves a row of rays to station `s`.
+  /// Moves a row of rays to slice `s`.
   void RayRow(int s, int row)
   {
-    const Interval& work = this->Source.stations[std::size_t(s)].work[std::size_t(row)];
+    const Range<int>& work = this->Source.slices[std::size_t(s)].work[std::size_t(row)];
     if (work.Empty())
     {
       return;
     }
     float* memory = ThreadScratch(LayerMemory(this->Source));
-    const bool last = s == this->Source.LastStation();
+    const bool last = s == this->Source.LastSlice();
     if (!last)
     {
       this->Carry(s, row, memory);
@@ -67,25 +68,22 @@ public:
   /// Moves a row of rays from the first slice of voxels to the eye.
   void Leave(int row)
   {
-    for (int s = this->Source.FirstSlice(); s-- > 0;)
+    for (int s = this->Source.FirstNodeSlice(); s-- > 0;)
     {
       this->Carry(s, row, ThreadScratch(LayerMemory(this->Source)));
     }
   }
 
-  float AreaOf(const Station& station) const
-  {
-    return this->Widens ? station.scale * station.scale : 1.0f;
-  }
+  float AreaOf(const Slice& slice) const { return this->Widens ? slice.scale * slice.scale : 1.0f; }
 
-  const Pyramid& Source;
+  const FaceFrustum& Source;
   RayImages& Images;
   bool Widens; ///< whether rays carry the weight of Deviation D1
   SliceWindow Extinction;
   SliceWindow Importance;
 
 private:
-  /// From the back of the layer behind station `s` to its front.
+  /// From the back of the layer behind slice `s` to its front.
   void Carry(int s, int row, float* memory)
   {
     limpid::RayRow rays = RaysOf(this->Source, this->Images, s, row);
@@ -111,7 +109,7 @@ public:
   {
   }
 
-  void Load(const Slab& slab)
+  void Load(const Range<int>& slab)
   {
     this->RayCarrier::Load(slab);
     this->NodeImportance.Load(slab, 0);
@@ -120,37 +118,37 @@ public:
 
   void VoxelRow(int s, int v)
   {
-    const Station& station = this->Source.stations[std::size_t(s)];
-    const Interval owned = station.ownedColumns;
-    const Interval filled = SpansOf(this->Source, this->Occupied, station.slice, v).filled;
-    const Interval columns = FilledRegisters(
-      Intersection(this->Source.VoxelColumns(station, v), Intersection(filled, owned)), owned);
+    const Slice& slice = this->Source.slices[std::size_t(s)];
+    const Range<int> owned = slice.ownedColumns;
+    const Range<int> filled = SpansOf(this->Source, this->Occupied, slice.node, v).filled;
+    const Range<int> columns = WholeRegisters(
+      Intersection(this->Source.VoxelColumns(slice, v), Intersection(filled, owned)), owned);
     if (columns.Empty())
     {
       return;
     }
-    this->NodeImportance.Prefetch(station.slice, v + 1, columns);
-    this->Gradient.Prefetch(station.slice, v + 1, columns);
+    this->NodeImportance.Prefetch(slice.node, v + 1, columns);
+    this->Gradient.Prefetch(slice.node, v + 1, columns);
     const auto nodes = std::size_t(this->Source.nodesU);
     float* memory = ThreadScratch(3 * nodes + MeanScratch(this->Source));
     float* transmittance = memory;
     float* behind = memory + nodes;
     float* importance = memory + 2 * nodes;
     float* scratch = memory + 3 * nodes;
-    AverageSeen(this->Source, station, v, columns, this->Images, this->Images.behind, scratch,
+    AverageSeen(this->Source, slice, v, columns, this->Images, this->Images.behind, scratch,
       { transmittance, behind });
-    const float* source = this->NodeImportance.Row(station.slice, v);
+    const float* source = this->NodeImportance.Row(slice.node, v);
     if (!this->Source.inView.empty())
     {
-      SampleRays(this->Source, station, v, columns, this->Source.inView, scratch, importance);
+      SampleRays(this->Source, slice, v, columns, this->Source.inView, scratch, importance);
       MultiplyRow(importance, source, columns);
       source = importance;
     }
-    GradientRow({ 1.0f / this->AreaOf(station) }, this->Target, transmittance, behind, source,
-      columns, this->Gradient.Row(station.slice, v));
+    GradientRow({ 1.0f / this->AreaOf(slice) }, this->Target, transmittance, behind, source,
+      columns, this->Gradient.Row(slice.node, v));
   }
 
-  void Store(const Slab& slab) { this->Gradient.Store(slab); }
+  void Store(const Range<int>& slab) { this->Gradient.Store(slab); }
 
 private:
   GradientTarget Target;
@@ -161,22 +159,22 @@ private:
 }
 
 VisibilityTerm::VisibilityTerm(
-  const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity)
+  const Grid& grid, const Occupancy& occupancy, const RaySource& eye, double rayDensity)
   : Nodes(grid)
   , Occupied(&occupancy)
-  , Pyramids(PlanSweep(grid, occupancy, eye, rayDensity))
+  , Frusta(PlanSweep(grid, occupancy, eye, rayDensity))
 {
-  this->Images.reserve(this->Pyramids.size());
-  for (const Pyramid& pyramid : this->Pyramids)
+  this->Images.reserve(this->Frusta.size());
+  for (const FaceFrustum& frustum : this->Frusta)
   {
-    this->Images.emplace_back(pyramid);
+    this->Images.emplace_back(frustum);
   }
 }
 
 Visible VisibilityTerm::Forward(const float* extinction, const float* importance)
 {
   Visible sum;
-  for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
+  for (std::size_t index = 0; index < this->Frusta.size(); ++index)
   {
     sum += this->ForwardAt(index, extinction, importance);
   }
@@ -186,8 +184,8 @@ Visible VisibilityTerm::Forward(const float* extinction, const float* importance
 Visible VisibilityTerm::ForwardAt(
   std::size_t index, const float* extinction, const float* importance)
 {
-  return SweepForward(this->Pyramids[index],
-    { &this->Nodes, this->Occupied, extinction, importance }, this->Images[index]);
+  return SweepForward(this->Frusta[index], { &this->Nodes, this->Occupied, extinction, importance },
+    this->Images[index]);
 }
 
 Visible VisibilityTerm::AddGradient(
@@ -213,18 +211,18 @@ Visible VisibilityTerm::Differentiate(
   {
     sum = this->Forward(fields.extinction, fields.importance);
   }
-  for (std::size_t index = 0; index < this->Pyramids.size(); ++index)
+  for (std::size_t index = 0; index < this->Frusta.size(); ++index)
   {
-    const Pyramid& pyramid = this->Pyramids[index];
+    const FaceFrustum& frustum = this->Frusta[index];
     RayImages& images = this->Images[index];
     if (carriesScore)
     {
-      SweepDepths(pyramid, swept, images);
+      SweepDepths(frustum, swept, images);
     }
-    const RayCarrier rays(pyramid, swept, derivative, images);
+    const RayCarrier rays(frustum, swept, derivative, images);
     GradientVisitor visitor(rays, swept, fields.nodeImportance, target);
-    SweepBackward(pyramid, visitor);
-    sum += carriesScore ? SumBehind(pyramid, images) : Visible{};
+    SweepBackward(frustum, visitor);
+    sum += carriesScore ? SumBehind(frustum, images) : Visible{};
   }
   return sum;
 }

@@ -29,12 +29,13 @@ struct TermFields
 class VisibilityTerm
 {
 public:
-  VisibilityTerm(const Grid& grid, const Occupancy& occupancy, const Eye& eye, double rayDensity);
+  VisibilityTerm(
+    const Grid& grid, const Occupancy& occupancy, const RaySource& eye, double rayDensity);
 
   /// Integral of g mu T and its bound; leaves the optical depths of all rays in their images.
   Visible Forward(const float* extinction, const float* importance);
 
-  /// The same of the rays of one pyramid.
+  /// The same of the rays of one frustum.
   Visible ForwardAt(std::size_t index, const float* extinction, const float* importance);
 
   /// The same; also adds `weight` times the derivative to `gradient` [1]. Leaves no optical depths.
@@ -45,8 +46,8 @@ public:
   /// always the same ones.
   Visible SetGradient(const TermFields& fields, Derivative derivative, float* gradient);
 
-  std::size_t PyramidCount() const { return this->Pyramids.size(); }
-  const Pyramid& PyramidAt(std::size_t index) const { return this->Pyramids[index]; }
+  std::size_t FrustumCount() const { return this->Frusta.size(); }
+  const FaceFrustum& FrustumAt(std::size_t index) const { return this->Frusta[index]; }
   RayImages& ImagesAt(std::size_t index) { return this->Images[index]; }
 
 private:
@@ -55,7 +56,7 @@ private:
 
   Grid Nodes;
   const Occupancy* Occupied;
-  std::vector<Pyramid> Pyramids;
+  std::vector<FaceFrustum> Frusta;
   std::vector<RayImages> Images;
 };
 }

@@ -28,13 +28,13 @@ struct Level
 };
 
 /// The eye as seen from a grid over the same box with other nodes.
-Eye Rescaled(const Eye& eye, const Grid& from, const Grid& to)
+RaySource Rescaled(const RaySource& eye, const Grid& from, const Grid& to)
 {
-  Eye other = eye;
+  RaySource other = eye;
   const Vec3 scale = from.spacing / to.spacing;
   other.origin = eye.origin * scale;
   other.direction = eye.direction * scale;
-  for (Eye::Plane& plane : other.frustum)
+  for (RaySource::Plane& plane : other.viewPlanes)
   {
     plane.normal = plane.normal / scale;
   }

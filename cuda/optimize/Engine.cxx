@@ -5,9 +5,9 @@
 
 #include "energy/TransmittanceVolume.h"
 #include "optimize/Adam.h"
+#include "optimize/Permuted.h"
 #include "optimize/Policy.h"
 #include "optimize/PolicySweep.h"
-#include "optimize/Reordered.h"
 #include "scene/LargePages.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace
 class ProcessorSweeps : public EyeSweeps
 {
 public:
-  ProcessorSweeps(const Problem& problem, const Eye& eye)
+  ProcessorSweeps(const Problem& problem, const RaySource& eye)
     : Task(problem)
     , Term(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity)
   {
@@ -36,9 +36,9 @@ public:
     task.fields.extinction = this->Task.baseExtinction; // not read
     task.fields.next = found.data();
     task.trust = Trust::Clear;
-    for (std::size_t index = 0; index < this->Term.PyramidCount(); ++index)
+    for (std::size_t index = 0; index < this->Term.FrustumCount(); ++index)
     {
-      SweepPolicy(this->Term.PyramidAt(index), task, this->Term.ImagesAt(index));
+      SweepPolicy(this->Term.FrustumAt(index), task, this->Term.ImagesAt(index));
     }
   }
 
@@ -53,7 +53,7 @@ public:
   std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, std::vector<float>&& start, bool warm) override
   {
-    return MakeReordered(problem, std::move(start),
+    return MakePermuted(problem, std::move(start),
       [warm](const Problem& task, std::vector<float>&& first)
       {
         if (task.settings.solver == SolverKind::Policy)
@@ -65,12 +65,12 @@ public:
       });
   }
 
-  std::unique_ptr<EyeSweeps> Look(const Problem& problem, const Eye& eye) override
+  std::unique_ptr<EyeSweeps> Look(const Problem& problem, const RaySource& eye) override
   {
     return std::make_unique<ProcessorSweeps>(problem, eye);
   }
 
-  void Transmittance(const Problem& problem, const Eye& eye, double rayDensity,
+  void Transmittance(const Problem& problem, const RaySource& eye, double rayDensity,
     const float* extinction, float* transmittance) override
   {
     FillTransmittance(problem.grid, extinction, eye, rayDensity, transmittance);

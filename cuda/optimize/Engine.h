@@ -38,10 +38,10 @@ public:
   virtual std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, std::vector<float>&& start, bool warm) = 0;
 
-  virtual std::unique_ptr<EyeSweeps> Look(const Problem& problem, const Eye& eye) = 0;
+  virtual std::unique_ptr<EyeSweeps> Look(const Problem& problem, const RaySource& eye) = 0;
 
   /// FillTransmittance through an extinction of the problem.
-  virtual void Transmittance(const Problem& problem, const Eye& eye, double rayDensity,
+  virtual void Transmittance(const Problem& problem, const RaySource& eye, double rayDensity,
     const float* extinction, float* transmittance) = 0;
 };
 

@@ -22,7 +22,7 @@ class DeviceSweeps : public EyeSweeps
 public:
   using Field = DeviceArray<Device, float>;
 
-  DeviceSweeps(const std::shared_ptr<Device>& device, const Problem& problem, const Eye& eye)
+  DeviceSweeps(const std::shared_ptr<Device>& device, const Problem& problem, const RaySource& eye)
     : Task(problem)
     , Home(device)
     , Fields(FieldsOnDevice<Device>::Of(device, problem))
@@ -40,7 +40,7 @@ public:
     this->Sums.Download(values);
     Visible seen;
     seen.visible = values[0];
-    seen.plain = values[1];
+    seen.unattenuated = values[1];
     return seen;
   }
 
@@ -84,12 +84,12 @@ public:
       { return MakeAdamLevelOnDevice(home, level, first); });
   }
 
-  std::unique_ptr<EyeSweeps> Look(const Problem& problem, const Eye& eye) override
+  std::unique_ptr<EyeSweeps> Look(const Problem& problem, const RaySource& eye) override
   {
     return std::make_unique<DeviceSweeps<Device>>(this->Home, problem, eye);
   }
 
-  void Transmittance(const Problem& problem, const Eye& eye, double rayDensity,
+  void Transmittance(const Problem& problem, const RaySource& eye, double rayDensity,
     const float* extinction, float* transmittance) override
   {
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());

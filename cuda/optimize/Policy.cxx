@@ -59,7 +59,7 @@ public:
 
   const Problem& Task() const { return *this->Work; }
 
-  /// Makes room for an iterate. Where sweeps do not come, and for rays of a pyramid that meet
+  /// Makes room for an iterate. Where sweeps do not come, and for rays of a frustum that meet
   /// voxels of one that is swept later, it has the values of the last one.
   void Prepare(Field& next, const Field& last) const
   {
@@ -68,7 +68,7 @@ public:
     {
       next = Field(NodeValues(this->Work->grid.NodeCount()));
     }
-    if (fresh || this->PyramidCount() > 1)
+    if (fresh || this->FrustumCount() > 1)
     {
       this->CopyFilled(last.Data(), next.Room());
     }
@@ -124,9 +124,9 @@ public:
 private:
   bool Joint() const { return this->Seen.camera && this->Seen.light; }
 
-  std::size_t PyramidCount() const
+  std::size_t FrustumCount() const
   {
-    return (this->Seen.camera ? this->Seen.camera : this->Seen.light)->PyramidCount();
+    return (this->Seen.camera ? this->Seen.camera : this->Seen.light)->FrustumCount();
   }
 
   void CopyFilled(const float* from, float* to) const
@@ -137,7 +137,7 @@ private:
       {
         const auto y = static_cast<int>(row % nodes.y);
         const auto z = static_cast<int>(row / nodes.y);
-        const Interval filled = this->Work->occupancy->Row(0, y, z).filled;
+        const Range<int> filled = this->Work->occupancy->Row(0, y, z).filled;
         std::copy_n(from + row * nodes.x + filled.begin, std::max(filled.end - filled.begin, 0),
           to + row * nodes.x + filled.begin);
       });
@@ -156,20 +156,20 @@ private:
     task.fields.next = next.Room();
     task.trust = trust ? Trust::LastIterate : Trust::Clear;
     VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
-    const std::size_t pyramids = swept.PyramidCount();
+    const std::size_t frusta = swept.FrustumCount();
     PolicyFound sum;
-    for (std::size_t index = 0; index < pyramids; ++index)
+    for (std::size_t index = 0; index < frusta; ++index)
     {
-      const PolicyFound found = SweepPolicy(swept.PyramidAt(index), task, swept.ImagesAt(index));
+      const PolicyFound found = SweepPolicy(swept.FrustumAt(index), task, swept.ImagesAt(index));
       sum.moved += found.moved;
-      if (MetNextIterate(index, pyramids, task.derivative))
+      if (MetNextIterate(index, frusta, task.derivative))
       {
         sum.met += found.met;
       }
     }
-    for (std::size_t index = 0; index < pyramids; ++index)
+    for (std::size_t index = 0; index < frusta; ++index)
     {
-      if (!MetNextIterate(index, pyramids, task.derivative))
+      if (!MetNextIterate(index, frusta, task.derivative))
       {
         sum.met += swept.ForwardAt(index, next.Data(), problem.importance);
       }

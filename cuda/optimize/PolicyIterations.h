@@ -18,7 +18,7 @@ namespace limpid
  * An engine has a type Field, an extinction at all nodes that can be moved, and
  *
  *   void Prepare(Field& next, const Field& last);
- *       makes sure that it can be overwritten; where sweeps do not come, and for rays of a pyramid
+ *       makes sure that it can be overwritten; where sweeps do not come, and for rays of a frustum
  *       that meet voxels of one that is swept later, it gets the values of the last iterate
  *   IterationRecord Start(const Field& first);
  *   IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again);

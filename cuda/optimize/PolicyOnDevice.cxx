@@ -14,9 +14,9 @@ template <class Device>
 void SweepPolicyOnDevice(Device& device, TermOnDevice<Device>& term,
   const FieldsOnDevice<Device>& scene, const PolicyTask& task)
 {
-  for (std::size_t index = 0; index < term.Pyramids().size(); ++index)
+  for (std::size_t index = 0; index < term.Frusta().size(); ++index)
   {
-    RaysOnDevice<Device>& rays = term.Pyramids()[index];
+    RaysOnDevice<Device>& rays = term.Frusta()[index];
     rays.Reset();
     const PolicyPhases phases{ rays.Plan().View(), rays.States(), task.voxel,
       task.trust == Trust::LastIterate, task.derivative == Derivative::Volume, scene.base.Data(),
@@ -49,7 +49,7 @@ public:
     {
       next = this->CopyOf(last);
     }
-    else if (this->PyramidCount() > 1)
+    else if (this->FrustumCount() > 1)
     {
       next.CopyFrom(last);
     }
@@ -109,9 +109,9 @@ public:
 private:
   bool Joint() const { return this->Seen.camera && this->Seen.light; }
 
-  std::size_t PyramidCount() const
+  std::size_t FrustumCount() const
   {
-    return (this->Seen.camera ? this->Seen.camera : this->Seen.light)->PyramidCount();
+    return (this->Seen.camera ? this->Seen.camera : this->Seen.light)->FrustumCount();
   }
 
   /// The policy sweep itself, of the camera or, without one, of the light.
@@ -130,10 +130,10 @@ private:
     TermOnDevice<Device>& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
     double* sums = this->Seen.camera ? this->Seen.SumsOfCamera() : this->Seen.SumsOfLight();
     SweepPolicyOnDevice(*this->Home, swept, fields, task);
-    const std::size_t pyramids = swept.Pyramids().size();
-    for (std::size_t index = 0; index < pyramids; ++index)
+    const std::size_t frusta = swept.Frusta().size();
+    for (std::size_t index = 0; index < frusta; ++index)
     {
-      if (!MetNextIterate(index, pyramids, task.derivative))
+      if (!MetNextIterate(index, frusta, task.derivative))
       {
         swept.ForwardAt(index, next.Data(), fields.importance.Data());
       }

@@ -12,7 +12,7 @@
 
 namespace limpid
 {
-/// SweepPolicy on a device through all pyramids of a term. The fields of `task` are addresses
+/// SweepPolicy on a device through all frusta of a term. The fields of `task` are addresses
 /// there; those of the scene are taken from `scene`.
 template <class Device>
 void SweepPolicyOnDevice(Device& device, TermOnDevice<Device>& term,

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The policy sweep of one pyramid on a device: PolicySweep.cxx, ray by ray and voxel by voxel.
+// The policy sweep of one frustum on a device: PolicySweep.cxx, ray by ray and voxel by voxel.
 
 #ifndef limpid_optimize_PolicyPhases_h
 #define limpid_optimize_PolicyPhases_h
 
-#include "energy/TermBodies.h"
+#include "energy/TermKernels.h"
 #include "optimize/PolicyVoxel.h"
 
 namespace limpid
@@ -18,7 +18,7 @@ namespace limpid
  */
 struct PolicyPhases
 {
-  PyramidView rays;
+  FrustumView rays;
   RayStates states;
   PolicyVoxel<float> policy;
   bool trust;  ///< whether the transmittance of the last iterate is believed in
@@ -31,7 +31,7 @@ struct PolicyPhases
   float* next;
   RayTotals totals; ///< out
 
-  int PhaseCount() const { return 2 * (this->rays.lastStation + 1 - this->rays.firstSlice) + 1; }
+  int PhaseCount() const { return 2 * (this->rays.lastSlice + 1 - this->rays.firstNodeSlice) + 1; }
 
   LIMPID_HD LIMPID_INLINE Extent ExtentOf(int phase) const
   {
@@ -39,15 +39,15 @@ struct PolicyPhases
     {
       return { this->rays.columns, this->rays.rows };
     }
-    const StationView& station = this->rays.stations[this->StationOf(phase)];
-    return { station.ownedColumns.end - station.ownedColumns.begin,
-      station.ownedRows.end - station.ownedRows.begin };
+    const SliceView& slice = this->rays.slices[this->SliceOf(phase)];
+    return { slice.ownedColumns.end - slice.ownedColumns.begin,
+      slice.ownedRows.end - slice.ownedRows.begin };
   }
 
   LIMPID_HD LIMPID_INLINE void operator()(int phase, int column, int row) const
   {
-    const int s = this->StationOf(phase);
-    if (s < this->rays.firstSlice)
+    const int s = this->SliceOf(phase);
+    if (s < this->rays.firstNodeSlice)
     {
       this->Leave(column, row);
       return;
@@ -57,17 +57,14 @@ struct PolicyPhases
       this->MoveRay(s, column, row);
       return;
     }
-    const StationView& station = this->rays.stations[s];
-    this->FindVoxel(s, station.ownedColumns.begin + column, station.ownedRows.begin + row);
+    const SliceView& slice = this->rays.slices[s];
+    this->FindVoxel(s, slice.ownedColumns.begin + column, slice.ownedRows.begin + row);
   }
 
 private:
   LIMPID_HD static LIMPID_INLINE bool IsOfRays(int phase) { return phase % 2 == 0; }
 
-  LIMPID_HD LIMPID_INLINE int StationOf(int phase) const
-  {
-    return this->rays.lastStation - phase / 2;
-  }
+  LIMPID_HD LIMPID_INLINE int SliceOf(int phase) const { return this->rays.lastSlice - phase / 2; }
 
   LIMPID_HD LIMPID_INLINE LayerOfRay LayerAt(int s, int i, int j) const
   {
@@ -82,7 +79,7 @@ private:
   LIMPID_HD LIMPID_INLINE void MoveRay(int s, int i, int j) const
   {
     const Index ray = this->rays.RayAt(i, j);
-    const int last = this->rays.lastStation;
+    const int last = this->rays.lastSlice;
     if (s + 1 < last && this->rays.Works(s + 1, i, j))
     {
       RayBehind state(this->states, ray);
@@ -135,29 +132,29 @@ private:
   {
     const Index ray = this->rays.RayAt(i, j);
     RayBehind state(this->states, ray);
-    for (int s = this->rays.firstSlice; s >= 0; --s)
+    for (int s = this->rays.firstNodeSlice; s >= 0; --s)
     {
-      if (s < this->rays.lastStation && this->rays.Works(s, i, j))
+      if (s < this->rays.lastSlice && this->rays.Works(s, i, j))
       {
         this->Carry(s, i, j, state);
       }
     }
     this->totals.visible[ray] = state.Visible();
-    this->totals.plain[ray] = state.plain;
+    this->totals.unattenuated[ray] = state.unattenuated;
   }
 
   LIMPID_HD LIMPID_INLINE void FindVoxel(int s, int u, int v) const
   {
     const Index line = Index(s) * this->rays.nodesV + v;
-    const Interval& filled = this->rays.voxelFilled[line];
+    const Range<int>& filled = this->rays.voxelFilled[line];
     if (u < filled.begin || u >= filled.end)
     {
       return;
     }
-    const StationView& station = this->rays.stations[s];
-    const Index voxel = this->rays.VoxelAt(station.slice, u, v);
+    const SliceView& slice = this->rays.slices[s];
+    const Index voxel = this->rays.VoxelAt(slice.node, u, v);
     const float elsewhere = this->lagged ? this->lagged[voxel] : 0.0f;
-    const Interval& work = this->rays.voxelWork[line];
+    const Range<int>& work = this->rays.voxelWork[line];
     float slope = 0;
     if (u >= work.begin && u < work.end)
     {
@@ -166,7 +163,7 @@ private:
         ? images.Average(this->rays, this->states.ahead, s, u, v)
         : SeenAtVoxel{ 1.0f, this->rays.AverageRays(this->states.ahead, s, u, v) };
       const GradientVoxel<float> derivative{ 1.0f /
-        (this->widens ? station.scale * station.scale : 1.0f) };
+        (this->widens ? slice.scale * slice.scale : 1.0f) };
       slope = derivative(seen.transmittance, seen.behind,
         this->rays.VoxelSeen(s, u, v) * this->nodeImportance[voxel]);
     }

@@ -5,6 +5,7 @@
 
 #include "energy/GradientVoxel.h"
 #include "sweep/RayMeans.h"
+#include "sweep/Registers.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ struct PolicyRowArrays
 
 LIMPID_MULTIVERSION
 void PolicyRow(const PolicyVoxel<float>& policy, const GradientVoxel<float>& gradient,
-  const PolicyRowArrays& arrays, const Interval& columns)
+  const PolicyRowArrays& arrays, const Range<int>& columns)
 {
   const PolicyVoxel<float> voxel = policy;
   const GradientVoxel<float> derivative = gradient;
@@ -55,7 +56,7 @@ void PolicyRow(const PolicyVoxel<float>& policy, const GradientVoxel<float>& gra
 /// Voxels that no important structure of the swept term needs: only the other term counts.
 LIMPID_MULTIVERSION
 void LaggedRow(
-  const PolicyVoxel<float>& policy, const PolicyRowArrays& arrays, const Interval& columns)
+  const PolicyVoxel<float>& policy, const PolicyRowArrays& arrays, const Range<int>& columns)
 {
   const PolicyVoxel<float> voxel = policy;
   const float* __restrict base = arrays.base;
@@ -67,33 +68,33 @@ void LaggedRow(
   }
 }
 
-/// The backward sweep of one pyramid.
+/// The backward sweep of one frustum.
 class PolicyVisitor
 {
 public:
-  PolicyVisitor(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
-    : Source(pyramid)
+  PolicyVisitor(const FaceFrustum& frustum, const PolicyTask& task, RayImages& images)
+    : Source(frustum)
     , Occupied(*task.occupancy)
     , Images(images)
     , Voxel(task.voxel)
     , TrustTransmittance(task.trust == Trust::LastIterate)
     , Widens(task.derivative == Derivative::Volume)
     , HasLagged(task.fields.lagged != nullptr)
-    , Base(pyramid, *task.grid, task.fields.base, images.slabs, task.occupancy)
-    , Importance(pyramid, *task.grid, task.fields.importance, images.slabs, task.occupancy)
-    , NodeImportance(pyramid, *task.grid, task.fields.nodeImportance, images.slabs, task.occupancy)
-    , Extinction(pyramid, *task.grid, task.fields.extinction, images.slabs, task.occupancy)
-    , Lagged(pyramid, *task.grid, task.fields.lagged, images.slabs, task.occupancy)
-    , Next(pyramid, *task.grid, task.fields.next, images.slabs, task.occupancy)
+    , Base(frustum, *task.grid, task.fields.base, images.slabs, task.occupancy)
+    , Importance(frustum, *task.grid, task.fields.importance, images.slabs, task.occupancy)
+    , NodeImportance(frustum, *task.grid, task.fields.nodeImportance, images.slabs, task.occupancy)
+    , Extinction(frustum, *task.grid, task.fields.extinction, images.slabs, task.occupancy)
+    , Lagged(frustum, *task.grid, task.fields.lagged, images.slabs, task.occupancy)
+    , Next(frustum, *task.grid, task.fields.next, images.slabs, task.occupancy)
     , Ahead(images.behind.size(), 0.0f)
     , RearImportance(images.behind.size(), 0.0f)
     , Collected(images.opticalDepth.size(), 0.0)
-    , Moved(std::size_t(pyramid.nodesV))
+    , Moved(std::size_t(frustum.nodesV))
   {
     StartBehind(images);
   }
 
-  void Load(const Slab& slab)
+  void Load(const Range<int>& slab)
   {
     this->Base.Load(slab, 0);
     this->NodeImportance.Load(slab, 0);
@@ -106,14 +107,14 @@ public:
     }
   }
 
-  void Store(const Slab& slab) { this->Next.Store(slab); }
+  void Store(const Range<int>& slab) { this->Next.Store(slab); }
 
-  /// Moves a row of rays to station `s`, whose voxels are to be found next. The voxels behind are
+  /// Moves a row of rays to slice `s`, whose voxels are to be found next. The voxels behind are
   /// final.
   void RayRow(int s, int row)
   {
     float* memory = ThreadScratch(LayerMemory(this->Source));
-    const int last = this->Source.LastStation();
+    const int last = this->Source.LastSlice();
     if (s + 1 < last)
     {
       this->CarryThroughLayer(s + 1, row, memory);
@@ -131,7 +132,7 @@ public:
   /// Moves a row of rays from the first slice of voxels out of the volume.
   void Leave(int row)
   {
-    for (int s = std::min(this->Source.FirstSlice(), this->Source.LastStation() - 1); s >= 0; --s)
+    for (int s = std::min(this->Source.FirstNodeSlice(), this->Source.LastSlice() - 1); s >= 0; --s)
     {
       this->CarryThroughLayer(s, row, ThreadScratch(LayerMemory(this->Source)));
     }
@@ -151,35 +152,35 @@ public:
 
   void VoxelRow(int s, int v)
   {
-    const Station& station = this->Source.stations[std::size_t(s)];
-    const Interval filled = SpansOf(this->Source, this->Occupied, station.slice, v).filled;
-    const Interval owned =
-      FilledRegisters(Intersection(station.ownedColumns, filled), station.ownedColumns);
+    const Slice& slice = this->Source.slices[std::size_t(s)];
+    const Range<int> filled = SpansOf(this->Source, this->Occupied, slice.node, v).filled;
+    const Range<int> owned =
+      WholeRegisters(Intersection(slice.ownedColumns, filled), slice.ownedColumns);
     if (owned.Empty())
     {
       return;
     }
-    this->Prefetch(station.slice, v + 1, owned);
+    this->Prefetch(slice.node, v + 1, owned);
     this->FindVoxels(s, v, owned);
     // While they are at hand: the energy and the change need not read them again.
-    const float* next = this->Next.Row(station.slice, v) + owned.begin;
-    const float* base = this->Base.Row(station.slice, v) + owned.begin;
-    const float* last = this->Extinction.Row(station.slice, v) + owned.begin;
+    const float* next = this->Next.Row(slice.node, v) + owned.begin;
+    const float* base = this->Base.Row(slice.node, v) + owned.begin;
+    const float* last = this->Extinction.Row(slice.node, v) + owned.begin;
     const Index count = owned.end - owned.begin;
     this->Moved[std::size_t(v)] +=
       { SumOfSquares(next, base, count), SumOfChanges(next, last, count) };
   }
 
 private:
-  void FindVoxels(int s, int v, const Interval& owned)
+  void FindVoxels(int s, int v, const Range<int>& owned)
   {
-    const Station& station = this->Source.stations[std::size_t(s)];
-    const Interval columns =
-      FilledRegisters(Intersection(this->Source.VoxelColumns(station, v), owned), owned);
+    const Slice& slice = this->Source.slices[std::size_t(s)];
+    const Range<int> columns =
+      WholeRegisters(Intersection(this->Source.VoxelColumns(slice, v), owned), owned);
     PolicyRowArrays arrays{};
-    arrays.base = this->Base.Row(station.slice, v);
-    arrays.lagged = this->HasLagged ? this->Lagged.Row(station.slice, v) : nullptr;
-    arrays.extinction = this->Next.Row(station.slice, v);
+    arrays.base = this->Base.Row(slice.node, v);
+    arrays.lagged = this->HasLagged ? this->Lagged.Row(slice.node, v) : nullptr;
+    arrays.extinction = this->Next.Row(slice.node, v);
     if (columns.Empty())
     {
       LaggedRow(this->Voxel, arrays, owned);
@@ -191,31 +192,31 @@ private:
     const auto nodes = std::size_t(this->Source.nodesU);
     float* memory = ThreadScratch(3 * nodes + MeanScratch(this->Source));
     float* scratch = memory + 3 * nodes;
-    AverageSeen(this->Source, station, v, columns, this->Images, this->Ahead, scratch,
+    AverageSeen(this->Source, slice, v, columns, this->Images, this->Ahead, scratch,
       { memory, memory + nodes });
     arrays.transmittance = memory;
     arrays.behind = memory + nodes;
-    arrays.importance = this->NodeImportance.Row(station.slice, v);
+    arrays.importance = this->NodeImportance.Row(slice.node, v);
     if (!this->Source.inView.empty())
     {
       float* seen = memory + 2 * nodes;
-      SampleRays(this->Source, station, v, columns, this->Source.inView, scratch, seen);
+      SampleRays(this->Source, slice, v, columns, this->Source.inView, scratch, seen);
       MultiplyRow(seen, arrays.importance, columns);
       arrays.importance = seen;
     }
-    const float area = this->Widens ? station.scale * station.scale : 1.0f;
+    const float area = this->Widens ? slice.scale * slice.scale : 1.0f;
     PolicyRow(this->Voxel, { 1.0f / area }, arrays, columns);
   }
 
-  LIMPID_INLINE void Prefetch(int slice, int v, const Interval& columns)
+  LIMPID_INLINE void Prefetch(int node, int v, const Range<int>& columns)
   {
     for (SliceWindow* field : { &this->Base, &this->NodeImportance, &this->Next })
     {
-      field->Prefetch(slice, v, columns);
+      field->Prefetch(node, v, columns);
     }
     if (this->HasLagged)
     {
-      this->Lagged.Prefetch(slice, v, columns);
+      this->Lagged.Prefetch(node, v, columns);
     }
   }
 
@@ -231,7 +232,7 @@ private:
 
   const Plane& PlaneAt(int s, int half) const
   {
-    return this->Source.stations[std::size_t(s)].planes[std::size_t(half)];
+    return this->Source.slices[std::size_t(s)].planes[std::size_t(half)];
   }
 
   /// Visible importance of a row of rays from the back of layer `s` to its front.
@@ -248,7 +249,7 @@ private:
     float* front = memory + 2 * columns;
     float* rear = this->RearImportance.data() + std::size_t(row) * columns;
     this->SampleImportance(this->PlaneAt(s, 0), row, rays.work, scratch, front);
-    if (s < this->Source.FirstSlice()) // elsewhere LookAhead has done it
+    if (s < this->Source.FirstNodeSlice()) // elsewhere LookAhead has done it
     {
       this->SampleImportance(this->PlaneAt(s, 1), row, rays.work, scratch, rear);
     }
@@ -271,7 +272,7 @@ private:
       return;
     }
     const Plane& plane = this->PlaneAt(s, 1);
-    SamplePlane(plane, row, rays.work, Slices::Rear, this->Next, scratch, memory);
+    SamplePlane(plane, row, rays.work, SliceBlend::RearAlone, this->Next, scratch, memory);
     float* importance = this->RearImportance.data() + std::size_t(row) * columns;
     this->SampleImportance(plane, row, rays.work, scratch, importance);
     rays.extinction[0] = rays.extinction[1] = memory;
@@ -281,23 +282,23 @@ private:
   }
 
   void SampleImportance(
-    const Plane& plane, int row, const Interval& columns, float* scratch, float* out)
+    const Plane& plane, int row, const Range<int>& columns, float* scratch, float* out)
   {
-    SamplePlane(plane, row, columns, Slices::Both, this->Importance, scratch, out);
+    SamplePlane(plane, row, columns, SliceBlend::Both, this->Importance, scratch, out);
     HideOutOfView(this->Source, row, columns, out);
   }
 
-  /// Transmittance on station `s` through the last iterate.
+  /// Transmittance on slice `s` through the last iterate.
   void UnwindTransmittance(int s, int row, float* memory)
   {
-    const Interval& work = this->Source.stations[std::size_t(s)].work[std::size_t(row)];
+    const Range<int>& work = this->Source.slices[std::size_t(s)].work[std::size_t(row)];
     if (work.Empty())
     {
       return;
     }
     const std::size_t columns = std::size_t(this->Source.columns);
     double* opticalDepth = this->Images.opticalDepth.data() + std::size_t(row) * columns;
-    const bool last = s == this->Source.LastStation();
+    const bool last = s == this->Source.LastSlice();
     if (!last)
     {
       limpid::RayRow rays = this->Rays(s, row);
@@ -308,7 +309,7 @@ private:
       this->Source, s, row, work, last ? nullptr : memory, Depths::Unwound, this->Images);
   }
 
-  const Pyramid& Source;
+  const FaceFrustum& Source;
   const Occupancy& Occupied;
   RayImages& Images;
   PolicyVoxel<float> Voxel;
@@ -321,7 +322,7 @@ private:
   SliceWindow Extinction;
   SliceWindow Lagged;
   SliceWindow Next;
-  std::vector<float> Ahead;          ///< visible importance half way to the station behind
+  std::vector<float> Ahead;          ///< visible importance half way to the slice behind
   std::vector<float> RearImportance; ///< sampled by LookAhead for CarryThroughLayer
   std::vector<double> Collected;     ///< optical depth of the layers carried through
   std::vector<Differences> Moved;    ///< per voxel row, of all slices
@@ -346,10 +347,10 @@ PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight)
   return task;
 }
 
-PolicyFound SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images)
+PolicyFound SweepPolicy(const FaceFrustum& frustum, const PolicyTask& task, RayImages& images)
 {
-  PolicyVisitor visitor(pyramid, task, images);
-  SweepBackward(pyramid, visitor);
+  PolicyVisitor visitor(frustum, task, images);
+  SweepBackward(frustum, visitor);
   return visitor.Finish();
 }
 }

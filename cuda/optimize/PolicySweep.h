@@ -29,7 +29,7 @@ enum class Trust
   LastIterate ///< that of the last iterate, whose optical depths are in the images
 };
 
-/// What the sweeps of all pyramids have in common.
+/// What the sweeps of all frusta have in common.
 struct PolicyTask
 {
   const Grid* grid;
@@ -44,23 +44,23 @@ struct PolicyTask
 /// `weight`: that of the term that is swept; `lagWeight`: that of the other one.
 PolicyTask TaskOf(const Problem& problem, double weight, double lagWeight);
 
-/// What a policy sweep of a pyramid has found.
+/// What a policy sweep of a frustum has found.
 struct PolicyFound
 {
   Visible met;       ///< score of what its rays have met, see MetNextIterate
   Differences moved; ///< of its voxels
 };
 
-/// One backward policy sweep: finds the next iterate in all voxels of a pyramid. Leaves the optical
+/// One backward policy sweep: finds the next iterate in all voxels of a frustum. Leaves the optical
 /// depths of what its rays have met in the images.
-PolicyFound SweepPolicy(const Pyramid& pyramid, const PolicyTask& task, RayImages& images);
+PolicyFound SweepPolicy(const FaceFrustum& frustum, const PolicyTask& task, RayImages& images);
 
-/// Whether what the rays of a pyramid have met in their policy sweep was the next iterate, whose
-/// score and optical depths are known then: not the voxels of a pyramid that is swept later. With
+/// Whether what the rays of a frustum have met in their policy sweep was the next iterate, whose
+/// score and optical depths are known then: not the voxels of a frustum that is swept later. With
 /// Derivative::Ray what rays carry is not the score.
-inline bool MetNextIterate(std::size_t pyramid, std::size_t pyramids, Derivative derivative)
+inline bool MetNextIterate(std::size_t frustum, std::size_t frusta, Derivative derivative)
 {
-  return pyramid + 1 == pyramids && derivative == Derivative::Volume;
+  return frustum + 1 == frusta && derivative == Derivative::Volume;
 }
 }
 

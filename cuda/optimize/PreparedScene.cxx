@@ -39,10 +39,10 @@ void RequireRange(const CheckedField& field, const FieldRange& found)
   }
   LIMPID_REQUIRE(found.valid,
     "The " << field.name << " of voxel " << voxel << " is " << field.values[voxel]
-           << " (the energy of Eq. 21 is not defined there). Keep it " << field.range << '.');
+           << " (the energy of Eq. (21) is not defined there). Keep it " << field.range << '.');
 }
 
-void RequireEye(const char* what, const Eye& eye, const Grid& grid)
+void RequireDistance(const char* what, const RaySource& eye, const Grid& grid)
 {
   const double distance = glm::length(eye.origin - 0.5 * Vec3(grid.nodes - 1));
   LIMPID_REQUIRE(eye.parallel || distance < 1e12 * glm::length(Vec3(grid.nodes)),
@@ -60,15 +60,15 @@ void RequireSettings(const Settings& settings)
 
 void RequireReach(const Problem& problem)
 {
-  RequireEye("camera", problem.camera, problem.grid);
-  RequireEye("light", problem.light, problem.grid);
+  RequireDistance("camera", problem.camera, problem.grid);
+  RequireDistance("light", problem.light, problem.grid);
 }
 
 void RequireView(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid)
 {
-  RequireEye("camera", EyeOfCamera(camera, grid, settings.restrictToView), grid);
-  RequireEye("light", EyeOfLight(light, grid), grid);
+  RequireDistance("camera", SourceOfCamera(camera, grid, settings.restrictToView), grid);
+  RequireDistance("light", SourceOfLight(light, grid), grid);
 }
 
 PreparedScene::PreparedScene(const SceneFields& scene)
@@ -110,8 +110,8 @@ Problem PreparedScene::ProblemFor(
   task.occupancy = this->Filled;
   task.resident = this->Kept;
   task.majorant = this->LargestExtinction;
-  task.camera = EyeOfCamera(camera, scene.grid, settings.restrictToView);
-  task.light = EyeOfLight(light, scene.grid);
+  task.camera = SourceOfCamera(camera, scene.grid, settings.restrictToView);
+  task.light = SourceOfLight(light, scene.grid);
   task.settings = settings;
   return task;
 }

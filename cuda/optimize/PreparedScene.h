@@ -32,7 +32,7 @@ public:
 
   const Grid& Nodes() const { return this->Fields.grid; }
   const SceneFields& Arrays() const { return this->Fields; }
-  float Majorant() const { return this->LargestExtinction; } ///< Eq. 25 [1/length]
+  float Majorant() const { return this->LargestExtinction; } ///< Eq. (25) [1/length]
 
   /// Whether an extinction can show anything at all: there is a volume, and something important.
   bool SomethingToSee() const;

@@ -86,6 +86,6 @@ EyeSweeps& PreviewPass::CameraSweeps()
 Score PreviewPass::ScoreOf(const float* extinction)
 {
   const Visible seen = this->CameraSweeps().Score(extinction);
-  return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
+  return { seen.visible, seen.unattenuated > 0 ? seen.visible / seen.unattenuated : 0.0 };
 }
 }

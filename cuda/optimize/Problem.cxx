@@ -21,7 +21,7 @@ double Problem::Regularization(const float* extinction) const
     {
       for (int y = 0; y < rows.y; ++y)
       {
-        const Interval filled = this->occupancy->Row(0, y, int(z)).filled;
+        const Range<int> filled = this->occupancy->Row(0, y, int(z)).filled;
         const Index first = (z * rows.y + y) * rows.x + filled.begin;
         slices[std::size_t(z)] += SumOfSquares(
           extinction + first, this->baseExtinction + first, std::max(filled.end - filled.begin, 0));

@@ -5,8 +5,8 @@
 #define limpid_optimize_Problem_h
 
 #include "optimize/Settings.h"
-#include "scene/Eye.h"
 #include "scene/Grid.h"
+#include "scene/RaySource.h"
 #include "sweep/Plan.h"
 
 #include <memory>
@@ -15,17 +15,17 @@
 
 namespace limpid
 {
-struct ReorderedFields;
+struct PermutedFields;
 
 /// What engines keep for all problems of a scene.
 struct Resident
 {
   std::mutex access;
-  std::shared_ptr<void> fields;                     ///< of a type that only the GPU's engine knows
-  std::shared_ptr<const ReorderedFields> reordered; ///< of the processor's
+  std::shared_ptr<void> fields;                   ///< of a type that only the GPU's engine knows
+  std::shared_ptr<const PermutedFields> permuted; ///< of the processor's
 };
 
-/// What is to be minimised: Eq. 21 for one extinction field. The fields belong to the caller.
+/// What is to be minimised: Eq. (21) for one extinction field. The fields belong to the caller.
 struct Problem
 {
   Grid grid;
@@ -35,17 +35,17 @@ struct Problem
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null: nothing can be kept
   float majorant = 0;                         ///< upper bound of the extinction [1/length]
-  Eye camera;
-  Eye light;
+  RaySource camera;
+  RaySource light;
   Settings settings;
 
-  /// p of Eq. 22 in world units: the normalised energy times R^2 has p R / 2 (mu - mu-bar)^2.
+  /// p of Eq. (22) in world units: the normalised energy times R^2 has p R / 2 (mu - mu-bar)^2.
   double RegularizationWeight() const
   {
     return this->settings.weights.regularization * this->grid.Radius();
   }
 
-  /// F_p of Eq. 22 in world units [length^2].
+  /// F_p of Eq. (22) in world units [length^2].
   double Regularization(const float* extinction) const;
 
   /// The same from the sum over all voxels of (mu - mu-bar)^2.

@@ -318,7 +318,7 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
   const auto scoreOf = [&](const float* extinction) -> Score
   {
     const Visible seen = eye->Score(extinction);
-    return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
+    return { seen.visible, seen.unattenuated > 0 ? seen.visible / seen.unattenuated : 0.0 };
   };
   return { scoreOf(this->BaseExtinction()), scoreOf(this->Extinction()) };
 }

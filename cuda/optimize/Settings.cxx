@@ -21,7 +21,7 @@ void RequireNotNegative(const char* name, const char* why, double value)
 
 void Settings::Require() const
 {
-  RequireNotNegative("regularization weight", "the energy of Eq. 21 would have no minimum",
+  RequireNotNegative("regularization weight", "the energy of Eq. (21) would have no minimum",
     this->weights.regularization);
   RequireNotNegative(
     "view weight", "important structures would be hidden on purpose", this->weights.view);

@@ -20,22 +20,22 @@ enum class SolverKind
 
 enum class Mode
 {
-  Joint,   ///< one extinction for camera and light, Eqs. 22-24
+  Joint,   ///< one extinction for camera and light, Eqs. (22)-(24)
   Separate ///< one extinction for each, Section 4.2
 };
 
 enum class Derivative
 {
   Volume, ///< exact derivative of the volume integral
-  Ray     ///< Eqs. 19-20 as printed: without the weight of the widening rays
+  Ray     ///< Eqs. (19)-(20) as printed: without the weight of the widening rays
 };
 
-/// Weights of the energy of Eq. 21, in normalised coordinates.
+/// Weights of the energy of Eq. (21), in normalised coordinates.
 struct Weights
 {
-  double regularization = 1e-3; ///< p of Eq. 22
-  double view = 10;             ///< q of Eq. 23
-  double light = 1;             ///< r of Eq. 24
+  double regularization = 1e-3; ///< p of Eq. (22)
+  double view = 10;             ///< q of Eq. (23)
+  double light = 1;             ///< r of Eq. (24)
 };
 
 struct Settings
@@ -60,12 +60,12 @@ struct Settings
 
 bool operator==(const Settings& one, const Settings& other);
 
-/// The three terms of Eq. 21, in world units: the normalised energy times R^2.
+/// The three terms of Eq. (21), in world units: the normalised energy times R^2.
 struct Energy
 {
-  double regularization = 0; ///< F_p, Eq. 22
-  double view = 0;           ///< F_q, Eq. 23
-  double light = 0;          ///< F_r, Eq. 24
+  double regularization = 0; ///< F_p, Eq. (22)
+  double view = 0;           ///< F_q, Eq. (23)
+  double light = 0;          ///< F_r, Eq. (24)
   double Total() const { return regularization + view + light; }
 };
 
@@ -75,7 +75,7 @@ struct IterationRecord
   int iteration = 0; ///< 0 is the base extinction
   int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
   Energy energy;
-  double visibilityScore = 0; ///< S of Eq. 32 [length^2]
+  double visibilityScore = 0; ///< S of Eq. (32) [length^2]
   double visibleFraction = 0; ///< S over the same integral without transmittance [0, 1]
   double meanChange = 0;      ///< mean |change| of the voxels that may change [majorant]
   double seconds = 0;         ///< since the start

@@ -159,7 +159,7 @@ struct Solver::Internals
   Score ScoreOf(const float* field)
   {
     const Visible seen = this->engine->Look(this->problem, this->problem.camera)->Score(field);
-    return { seen.visible, seen.plain > 0 ? seen.visible / seen.plain : 0.0 };
+    return { seen.visible, seen.unattenuated > 0 ? seen.visible / seen.unattenuated : 0.0 };
   }
 
   double Share() const

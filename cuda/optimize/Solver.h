@@ -5,8 +5,8 @@
 #define limpid_optimize_Solver_h
 
 #include "optimize/Settings.h"
-#include "scene/Eye.h"
 #include "scene/Grid.h"
+#include "scene/RaySource.h"
 
 #include <array>
 #include <memory>
@@ -28,12 +28,12 @@ class PreparedScene;
 /// Score of an extinction as seen from the camera.
 struct Score
 {
-  double visibility = 0; ///< S of Eq. 32 [length^2]
+  double visibility = 0; ///< S of Eq. (32) [length^2]
   double fraction = 0;   ///< S over the integral of importance times extinction [0, 1]
 };
 
 /**
- * Finds the extinction that minimises Eq. 21 for one camera and one light.
+ * Finds the extinction that minimises Eq. (21) for one camera and one light.
  *
  * Iterations can be spread over frames: each Step continues where the last one ended. Whatever
  * happens in between, Extinction() is the best iterate so far, and every value lies in
@@ -82,7 +82,7 @@ public:
   /// Both extinctions, given away: the solver cannot be used any more.
   std::array<std::vector<float>, 2> TakeExtinctions();
 
-  double Majorant() const; ///< upper bound of the extinction, Eq. 25 [1/length]
+  double Majorant() const; ///< upper bound of the extinction, Eq. (25) [1/length]
 
   Score BaseScore() const; ///< of the base extinction
   Score BestScore() const; ///< of Extinction()
@@ -92,11 +92,11 @@ public:
   std::string BackendName() const;                     ///< what computes: "CPU, 2 threads"
   const std::vector<IterationRecord>& History() const; ///< all iterations, first the base
 
-  /// Transmittance from the camera to every voxel through Extinction(), Eq. 15;
+  /// Transmittance from the camera to every voxel through Extinction(), Eq. (15);
   /// `transmittance` has room for grid.NodeCount() values in [0, 1].
   void Transmittance(float* transmittance) const;
 
-  /// Transmittance from the light, Eq. 16, through LightExtinction() in separate mode.
+  /// Transmittance from the light, Eq. (16), through LightExtinction() in separate mode.
   void LightTransmittance(float* transmittance) const;
 
 private:

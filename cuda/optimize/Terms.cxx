@@ -58,7 +58,7 @@ IterationRecord RecordOf(const Problem& problem, double regularization, const Se
   record.energy.regularization = regularization;
   record.visibilityScore = seen.byCamera.visible;
   record.visibleFraction =
-    seen.byCamera.plain > 0 ? seen.byCamera.visible / seen.byCamera.plain : 0.0;
+    seen.byCamera.unattenuated > 0 ? seen.byCamera.visible / seen.byCamera.unattenuated : 0.0;
   record.energy.view = -weights.view * seen.byCamera.visible;
   record.energy.light = -weights.light * seen.byLight.visible;
   return record;

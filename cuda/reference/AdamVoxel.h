@@ -11,8 +11,8 @@
 namespace limpid::reference
 {
 /**
- * One projected step of Adam [KB17] at one voxel: Eq. 30 with adaptive estimates of the moments,
- * then clamped to the range of Eq. 25.
+ * One projected step of Adam [KB17] at one voxel: Eq. (30) with adaptive estimates of the moments,
+ * then clamped to the range of Eq. (25).
  */
 template <class Real>
 struct AdamVoxel
@@ -21,7 +21,7 @@ struct AdamVoxel
   Real* firstMoment = nullptr;    ///< running mean of the gradient, one per voxel
   Real* secondMoment = nullptr;   ///< running mean of its square, one per voxel
   Real* extinction = nullptr;     ///< mu_t, one per voxel      [1/normalised length]
-  Real majorant = 0;              ///< upper bound of Eq. 25    [1/normalised length]
+  Real majorant = 0;              ///< upper bound of Eq. (25)    [1/normalised length]
   Real stepLength = 0;            ///< learning rate            [1/normalised length]
   Real epsilon = 0;               ///< keeps rounding noise from moving a voxel, unit of gradient
   Real firstCorrection = 1;       ///< 1 / (1 - firstDecay^n) after n steps

@@ -18,7 +18,7 @@ struct EyeTerm
   GridView<const Real> transmittance; ///< T_V or T_L, shape map.cells      [0, 1]
   GridView<const Real> visibleBehind; ///< G_V or G_L, shape map.cells      [1]
 
-  /// Eq. 27 or 28 at a voxel of importance `importance`.
+  /// Eq. (27) or 28 at a voxel of importance `importance`.
   LIMPID_HD Real Derivative(const Vec3Of<Real>& voxel, Real importance) const
   {
     if (!(weight > 0))
@@ -47,12 +47,12 @@ struct GradientVoxel
 {
   Int3 nodes{ 0 };
   const Real* extinction = nullptr;     ///< mu_t, shape nodes        [1/normalised length]
-  const Real* baseExtinction = nullptr; ///< base of Eq. 22, nodes    [1/normalised length]
+  const Real* baseExtinction = nullptr; ///< base of Eq. (22), nodes    [1/normalised length]
   const Real* importance = nullptr;     ///< g, shape nodes           [0, 1]
-  Real regularization = 0;              ///< p of Eq. 22
+  Real regularization = 0;              ///< p of Eq. (22)
   EyeTerm<Real> view;
   EyeTerm<Real> light;
-  Real* gradient = nullptr; ///< dF/dmu_t of Eqs. 26-28, shape nodes
+  Real* gradient = nullptr; ///< dF/dmu_t of Eqs. (26)-(28), shape nodes
 
   LIMPID_HD void operator()(Index voxel) const
   {

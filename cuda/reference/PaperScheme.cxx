@@ -33,7 +33,7 @@ PaperScheme<Real>::PaperScheme(
   this->NormalisedMajorant = *std::max_element(this->Base.begin(), this->Base.end());
   LIMPID_REQUIRE(this->NormalisedMajorant > 0,
     "The majorant extinction is " << this->NormalisedMajorant
-                                  << " (Eq. 25 needs an upper bound above zero). "
+                                  << " (Eq. (25) needs an upper bound above zero). "
                                      "Give the transfer function some opacity.");
 
   this->Current = this->Base;

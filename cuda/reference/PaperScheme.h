@@ -23,7 +23,7 @@ struct PaperSettings
 
 /**
  * The paper's scheme to the letter: perspective grids for camera and light (Section 3.3), gradient
- * looked up in them (Eqs. 26-28), Adam steps on one resolution level (Eq. 30).
+ * looked up in them (Eqs. (26)-(28)), Adam steps on one resolution level (Eq. (30)).
  *
  * It is the slow and simple reference of the tests and the peer of the benchmarks; the product is
  * limpid::Solver. Camera and light are points outside the data. Everything is computed in
@@ -43,21 +43,21 @@ public:
   /// [1/length].
   void SetExtinction(const float* extinction);
 
-  /// Recomputes transmittance and visible importance on both perspective grids, Eqs. 17-20.
+  /// Recomputes transmittance and visible importance on both perspective grids, Eqs. (17)-(20).
   void Update();
 
-  /// dF/dmu of Eqs. 26-28 with the grids as they are, in normalised coordinates; `gradient` has
+  /// dF/dmu of Eqs. (26)-(28) with the grids as they are, in normalised coordinates; `gradient` has
   /// room for one value per node.
   void Gradient(Real* gradient) const;
 
   /// One iteration of Section 3.5: gradient, Adam step, update of the grids.
   void Step();
 
-  /// S of Eq. 32 as a Riemann sum over the camera's perspective grid [length^2].
+  /// S of Eq. (32) as a Riemann sum over the camera's perspective grid [length^2].
   double Score() const;
 
   std::vector<float> Extinction() const; ///< one value per node [1/length]
-  double Majorant() const;               ///< upper bound of Eq. 25 [1/length]
+  double Majorant() const;               ///< upper bound of Eq. (25) [1/length]
   const PerspectiveMap<Real>& CameraMap() const { return this->Camera.map; }
   const PerspectiveMap<Real>& LightMap() const { return this->Light.map; }
 

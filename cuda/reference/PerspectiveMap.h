@@ -17,13 +17,13 @@ struct Grid;
 namespace limpid::reference
 {
 /**
- * The perspective mapping of Eqs. 12 and 13 and the grid of X x Y x Z cells over its range
+ * The perspective mapping of Eqs. (12) and (13) and the grid of X x Y x Z cells over its range
  * [-1,1] x [-1,1] x [0,1].
  *
- * "World" is the index space of a limpid::Grid here: Eqs. 12 and 13 hold in any affine frame, and
- * in this one a sample of a field and a lookup from a voxel need no further transformation. Depths
- * and lengths are in normalised coordinates, that is, in radii of the box. The rotation R of the
- * paper is the identity: the eye is where it is.
+ * "World" is the index space of a limpid::Grid here: Eqs. (12) and (13) hold in any affine frame,
+ * and in this one a sample of a field and a lookup from a voxel need no further transformation.
+ * Depths and lengths are in normalised coordinates, that is, in radii of the box. The rotation R of
+ * the paper is the identity: the eye is where it is.
  *
  * The sample y(i,j,k) of Eqs. 17 to 20 is the middle of the front face of cell (i,j,k).
  */
@@ -58,7 +58,7 @@ struct PerspectiveMap
   Index RayCount() const { return Index(cells.x) * cells.y; }
   Index CellCount() const { return RayCount() * cells.z; }
 
-  /// Eq. 12: from index space to view space.
+  /// Eq. (12): from index space to view space.
   LIMPID_HD Vec ToView(const Vec& world) const
   {
     const Vec ray = world - origin;
@@ -67,7 +67,7 @@ struct PerspectiveMap
       (depth - nearDepth) / (farDepth - nearDepth));
   }
 
-  /// Eq. 13: from view space to index space.
+  /// Eq. (13): from view space to index space.
   LIMPID_HD Vec ToWorld(const Vec& view) const
   {
     return (u * view.x + v * view.y + w) * (nearDepth + (farDepth - nearDepth) * view.z) + origin;
@@ -99,7 +99,7 @@ struct PerspectiveMap
     return std::sqrt(glm::dot(slope, slope)) * (farDepth - nearDepth) / Real(cells.z);
   }
 
-  /// Volume that the sample y(i,j,k) stands for: the Jacobian of Eq. 13 there times the extent of
+  /// Volume that the sample y(i,j,k) stands for: the Jacobian of Eq. (13) there times the extent of
   /// a cell in view space [normalised length^3].
   LIMPID_HD Real CellVolume(int k) const
   {

@@ -12,8 +12,8 @@ namespace limpid::reference
 /**
  * What the cells along one ray contribute to the visibility score.
  *
- * Eq. 32 as a Riemann sum over the cells of the perspective grid: g mu_t T_V at a cell's sample,
- * times the volume of Eq. 13's Jacobian there.
+ * Eq. (32) as a Riemann sum over the cells of the perspective grid: g mu_t T_V at a cell's sample,
+ * times the volume of Eq. (13)'s Jacobian there.
  *
  * One index is one ray (i,j). The body writes that ray's score and nothing else.
  */

@@ -14,7 +14,7 @@ namespace limpid::reference
 /**
  * Transmittance from the eye to every sample along one ray.
  *
- * Discretises Eqs. 15 and 16 as Eqs. 17 and 18, a left Riemann sum, with the product of
+ * Discretises Eqs. (15) and (16) as Eqs. (17) and (18), a left Riemann sum, with the product of
  * exponentials written as the exponential of a sum:
  *
  *   T(i,j,k) = exp( - sum_{k'<k} mu_t(i,j,k') h(i,j) )

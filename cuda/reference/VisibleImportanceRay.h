@@ -12,7 +12,7 @@ namespace limpid::reference
 /**
  * Visible importance behind every sample along one ray.
  *
- * Eqs. 19 and 20 in the paper's discretisation, traversed back to front:
+ * Eqs. (19) and (20) in the paper's discretisation, traversed back to front:
  *
  *   G(i,j,k) = sum_{k'>k} g(i,j,k') mu_t(i,j,k') T(i,j,k') h(i,j)
  *

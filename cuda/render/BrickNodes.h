@@ -86,7 +86,7 @@ struct ScalarRange
   }
 };
 
-/// The most that a change can make of an extinction, see MediumField.
+/// The most that a change can make of an extinction, see OverlayField.
 struct LargestChange
 {
   int kept = 0;

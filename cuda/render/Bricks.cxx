@@ -129,7 +129,7 @@ Bricks::Bricks(const ScalarField& scalars)
     });
 }
 
-void Bricks::Classify(const Classification& classification, const MediumField& medium)
+void Bricks::Classify(const Classification& classification, const OverlayField& overlay)
 {
   this->Distance.resize(this->Ranges.size());
   const OpticalTable<FourFloats> table = classification.Table();
@@ -142,16 +142,16 @@ void Bricks::Classify(const Classification& classification, const MediumField& m
         const ScalarRange& range = this->Ranges[std::size_t(brick)];
         float largest =
           table.LargestBetween(table.Position(range.least), table.Position(range.most));
-        if (medium.changed)
+        if (overlay.changed)
         {
           const BrickNodes box = BrickNodes::Of(i, int(row % this->Count.y),
             int(row / this->Count.y), this->Nodes.x, this->Nodes.y, this->Nodes.z)
-                                   .On(this->Nodes.x, medium.nodes.x, 0)
-                                   .On(this->Nodes.y, medium.nodes.y, 1)
-                                   .On(this->Nodes.z, medium.nodes.z, 2);
+                                   .On(this->Nodes.x, overlay.nodes.x, 0)
+                                   .On(this->Nodes.y, overlay.nodes.y, 1)
+                                   .On(this->Nodes.z, overlay.nodes.z, 2);
           LargestChange most;
-          box.ForEach(medium.nodes.x, medium.nodes.y,
-            [&](Index node) { most.Include(medium.packed.data() + 4 * node); });
+          box.ForEach(overlay.nodes.x, overlay.nodes.y,
+            [&](Index node) { most.Include(overlay.packed.data() + 4 * node); });
           largest = most.Of(largest);
         }
         this->Distance[std::size_t(brick)] = largest > 0 ? 0 : farthestBrick;

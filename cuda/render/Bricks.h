@@ -29,7 +29,7 @@ public:
   explicit Bricks(const ScalarField& scalars);
 
   /// Finds the empty bricks, and how far around each all are empty.
-  void Classify(const Classification& classification, const MediumField& medium);
+  void Classify(const Classification& classification, const OverlayField& overlay);
 
   BrickDistances Distances() const;
 

@@ -5,7 +5,7 @@
 #include "energy/TransmittanceVolume.h"
 #include "optimize/Levels.h"
 #include "render/Bricks.h"
-#include "render/Medium.h"
+#include "render/ExtinctionOverlay.h"
 #include "render/PictureEngine.h"
 #include "render/Raycast.h"
 
@@ -72,7 +72,7 @@ public:
 
   bool HasNoExtinction() const override { return this->Shown.Empty(); }
 
-  void CastShadows(const Grid& grid, const Eye& light, double rayDensity) override
+  void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) override
   {
     std::vector<float> memory;
     const float* extinction = this->ShadowExtinction(grid, memory);
@@ -96,7 +96,7 @@ public:
   double LightTransmittanceAt(const Vec3& position) override
   {
     const float at[3] = { float(position.x), float(position.y), float(position.z) };
-    return InterpolateMedium(this->Shown.Field(), at)[2] / packedOne;
+    return InterpolateOverlay(this->Shown.Field(), at)[2] / packedOne;
   }
 
 private:
@@ -135,11 +135,11 @@ private:
     scene.stepLength = casting.stepLength;
     scene.light = casting.light;
     scene.gradient = casting.lit ? this->Gradient.packed.data() : nullptr;
-    const MediumField& medium = this->Shown.Field();
-    if (!this->Shown.Empty() && (medium.changed || (medium.shadowed && casting.lit)))
+    const OverlayField& overlay = this->Shown.Field();
+    if (!this->Shown.Empty() && (overlay.changed || (overlay.shadowed && casting.lit)))
     {
-      scene.medium = medium.packed.data();
-      scene.PlaceMedium(medium.nodes, grid.nodes);
+      scene.overlay = overlay.packed.data();
+      scene.PlaceOverlay(overlay.nodes, grid.nodes);
       scene.addedUnit = this->Shown.Majorant() / scene.majorant;
     }
     if (casting.skipEmpty)
@@ -153,7 +153,7 @@ private:
   Classification Functions;
   GradientField Gradient;
   Bricks Empty;
-  Medium Shown;
+  ExtinctionOverlay Shown;
   Grid ExtinctionGrid;
   const float* Base = nullptr;
   const float* LightExtinction = nullptr; ///< null: what is shown

@@ -50,7 +50,7 @@ GradientField PackGradient(const ScalarField& scalars, const Classification& cla
  * nodes, too, whatever the transfer function does between their scalars: a
  * difference of extinctions would leave its thin layers standing.
  */
-struct MediumField
+struct OverlayField
 {
   Int3 nodes{ 0 };
   std::vector<std::int16_t> packed;

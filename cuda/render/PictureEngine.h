@@ -60,7 +60,7 @@ public:
 
   /// What is shown, or the lightExtinction that was given, casts shadows. `grid`: over the same
   /// box. Call it with an extinction.
-  virtual void CastShadows(const Grid& grid, const Eye& light, double rayDensity) = 0;
+  virtual void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) = 0;
 
   virtual void ClearShadows() = 0;
 

@@ -41,8 +41,8 @@ struct PixelTiles
   }
 };
 
-/// `Medium`: whether there is one, see RayScene.
-template <bool Lit, bool Medium>
+/// `ExtinctionOverlay`: whether there is one, see RayScene.
+template <bool Lit, bool ExtinctionOverlay>
 struct PixelRay
 {
   using Scene = RaySceneOf<FourFloats>;
@@ -145,10 +145,10 @@ private:
       ray.entry[1] + distance * ray.step[1], ray.entry[2] + distance * ray.step[2] };
   }
 
-  LIMPID_HD LIMPID_INLINE CellPlace MediumPlaceOf(const Ray& ray, float distance) const
+  LIMPID_HD LIMPID_INLINE CellPlace OverlayPlaceOf(const Ray& ray, float distance) const
   {
-    const float* scale = this->scene.mediumScale;
-    return { this->scene.mediumGrid, (ray.entry[0] + distance * ray.step[0]) * scale[0],
+    const float* scale = this->scene.overlayScale;
+    return { this->scene.overlayGrid, (ray.entry[0] + distance * ray.step[0]) * scale[0],
       (ray.entry[1] + distance * ray.step[1]) * scale[1],
       (ray.entry[2] + distance * ray.step[2]) * scale[2] };
   }
@@ -162,14 +162,14 @@ private:
     sample.integral = this->scene.table.IntegralAt(sample.scalar);
     sample.filled = this->scene.filled ? place.Sample(this->scene.grid, this->scene.filled) : 1.0f;
     sample.kept = sample.shadow = packedOne;
-    if (Medium)
+    if (ExtinctionOverlay)
     {
-      const CellPlace inMedium = this->MediumPlaceOf(ray, sample.distance);
-      const FourFloats medium = inMedium.Sample(
-        this->scene.mediumGrid, reinterpret_cast<const FourPacked*>(this->scene.medium));
-      sample.kept = medium[0];
-      sample.added = medium[1];
-      sample.shadow = medium[2];
+      const CellPlace inOverlay = this->OverlayPlaceOf(ray, sample.distance);
+      const FourFloats overlay = inOverlay.Sample(
+        this->scene.overlayGrid, reinterpret_cast<const FourPacked*>(this->scene.overlay));
+      sample.kept = overlay[0];
+      sample.added = overlay[1];
+      sample.shadow = overlay[2];
     }
     return sample;
   }

@@ -51,7 +51,7 @@ RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& vi
   const double middle =
     HenyeyGreenstein(settings.anisotropy, glm::dot(travel, ToViewer(grid, view)));
   light.ambient = static_cast<float>(settings.ambient);
-  // In a dense medium that is lit from the viewer's side, light and view fade alike: what arrives
+  // In a dense overlay that is lit from the viewer's side, light and view fade alike: what arrives
   // from optical depth d is exp(-2 d), half of all. That half is to keep its colour.
   const double shadow = settings.shadows ? settings.shadowStrength : 0.0;
   const double exposure = settings.intensity / (1 - 0.5 * shadow);

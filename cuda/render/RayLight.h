@@ -74,8 +74,9 @@ struct LightOnRay
   {
   }
 
-  /// Eq. 6 and the light of Eq. 4: the share of its colour that the sample at `distance` [samples]
-  /// sends to the viewer. Documentation/Method.md, "Light". Gradient and `shadow`: [packedOne].
+  /// Eq. (6) and the light of Eq. (4): the share of its colour that the sample at `distance`
+  /// [samples] sends to the viewer. Documentation/Method.md, "Light". Gradient and `shadow`:
+  /// [packedOne].
   LIMPID_HD LIMPID_INLINE float Sent(const RayLight& light, float distance, float packedX,
     float packedY, float packedZ, float shadow) const
   {
@@ -90,7 +91,7 @@ struct LightOnRay
     const float cosine = x * this->viewX + y * this->viewY + z * this->viewZ;
 
     // The gradient's length is k_s, relative to its largest; its direction the normal, which points
-    // into the medium, while the halfway vector points out of it.
+    // into the overlay, while the halfway vector points out of it.
     const float gradientX = packedX * (1 / packedOne);
     const float gradientY = packedY * (1 / packedOne);
     const float gradientZ = packedZ * (1 / packedOne);

@@ -34,8 +34,8 @@ struct RaySamples
   float distance[count]; ///< from the entry [samples]
   Index cell[count];     ///< first node of the cell
   float fraction[3][count];
-  Index mediumCell[count]; ///< the same in the grid of the medium
-  float mediumFraction[3][count];
+  Index overlayCell[count]; ///< the same in the grid of the overlay
+  float overlayFraction[3][count];
   float scalar[count]; ///< table position
   float filled[count]; ///< 1, less beside empty nodes
   float kept[count];   ///< share of the transfer function's extinction [packedOne]
@@ -122,10 +122,10 @@ LIMPID_INLINE Float4 TrilinearFour(
   return near + x * (far - near);
 }
 
-/// The four numbers of a medium at a position [node], in units of packedOne.
-LIMPID_INLINE Float4 InterpolateMedium(const MediumField& medium, const float* position)
+/// The four numbers of a overlay at a position [node], in units of packedOne.
+LIMPID_INLINE Float4 InterpolateOverlay(const OverlayField& overlay, const float* position)
 {
-  const CellGrid grid(medium.nodes);
+  const CellGrid grid(overlay.nodes);
   float fraction[3];
   Index cell = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -133,11 +133,11 @@ LIMPID_INLINE Float4 InterpolateMedium(const MediumField& medium, const float* p
     cell += grid.stride[axis] * grid.Split(axis, position[axis], fraction[axis]);
   }
   return TrilinearFour(
-    grid, medium.packed.data() + 4 * cell, fraction[0], fraction[1], fraction[2]);
+    grid, overlay.packed.data() + 4 * cell, fraction[0], fraction[1], fraction[2]);
 }
 
 /// Places sample i at sample k + i of the ray.
-template <int Begin, int End, bool Medium>
+template <int Begin, int End, bool ExtinctionOverlay>
 LIMPID_INLINE void PlaceSamples(const RayScene& scene, const Ray& ray, int k, RaySamples& samples)
 {
   const CellGrid grid = scene.grid;
@@ -152,26 +152,26 @@ LIMPID_INLINE void PlaceSamples(const RayScene& scene, const Ray& ray, int k, Ra
     }
     samples.cell[i] = cell;
   }
-  if (Medium)
+  if (ExtinctionOverlay)
   {
-    const CellGrid mediumGrid = scene.mediumGrid;
+    const CellGrid overlayGrid = scene.overlayGrid;
     for (int i = Begin; i < End; ++i)
     {
       Index cell = 0;
       for (int axis = 0; axis < 3; ++axis)
       {
         const float position = ray.entry[axis] + samples.distance[i] * ray.step[axis];
-        cell += mediumGrid.stride[axis] *
-          mediumGrid.Split(
-            axis, position * scene.mediumScale[axis], samples.mediumFraction[axis][i]);
+        cell += overlayGrid.stride[axis] *
+          overlayGrid.Split(
+            axis, position * scene.overlayScale[axis], samples.overlayFraction[axis][i]);
       }
-      samples.mediumCell[i] = cell;
+      samples.overlayCell[i] = cell;
     }
   }
 }
 
 /// Reads what decides on the extinction.
-template <int Begin, int End, bool Medium>
+template <int Begin, int End, bool ExtinctionOverlay>
 LIMPID_INLINE void ReadSamples(const RayScene& scene, RaySamples& samples)
 {
   const OpticalTable<Optical> table = scene.table;
@@ -200,17 +200,18 @@ LIMPID_INLINE void ReadSamples(const RayScene& scene, RaySamples& samples)
         samples.fraction[1][i], samples.fraction[2][i]);
     }
   }
-  if (Medium)
+  if (ExtinctionOverlay)
   {
-    const CellGrid mediumGrid = scene.mediumGrid;
-    const std::int16_t* packed = scene.medium;
+    const CellGrid overlayGrid = scene.overlayGrid;
+    const std::int16_t* packed = scene.overlay;
     for (int i = Begin; i < End; ++i)
     {
-      const Float4 medium = TrilinearFour(mediumGrid, packed + 4 * samples.mediumCell[i],
-        samples.mediumFraction[0][i], samples.mediumFraction[1][i], samples.mediumFraction[2][i]);
-      samples.kept[i] = medium[0];
-      samples.added[i] = medium[1];
-      samples.shadow[i] = medium[2];
+      const Float4 overlay = TrilinearFour(overlayGrid, packed + 4 * samples.overlayCell[i],
+        samples.overlayFraction[0][i], samples.overlayFraction[1][i],
+        samples.overlayFraction[2][i]);
+      samples.kept[i] = overlay[0];
+      samples.added[i] = overlay[1];
+      samples.shadow[i] = overlay[2];
     }
   }
 }

@@ -118,24 +118,24 @@ struct RaySceneOf
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
   OpticalTable<Optical> table;
   const std::int16_t* gradient = nullptr; ///< see GradientField; null: not lit
-  CellGrid mediumGrid;
-  const std::int16_t* medium = nullptr; ///< see MediumField; null: neither changed nor shadowed
+  CellGrid overlayGrid;
+  const std::int16_t* overlay = nullptr; ///< see OverlayField; null: neither changed nor shadowed
   BrickDistances bricks;
-  float mediumScale[3] = { 1, 1, 1 }; ///< nodes of the medium per node of the scalars
+  float overlayScale[3] = { 1, 1, 1 }; ///< nodes of the overlay per node of the scalars
   float opaqueBelow = 0;
   float stepLength = 1; ///< between samples [length]
   float majorant = 0;   ///< of the transfer function [1/length]
-  float addedUnit = 1;  ///< of what the medium adds [majorant]
+  float addedUnit = 1;  ///< of what the overlay adds [majorant]
   RayLight light;
 
-  /// For nodes of medium and scalars over the same box.
-  void PlaceMedium(const Int3& nodes, const Int3& scalarNodes)
+  /// For nodes of overlay and scalars over the same box.
+  void PlaceOverlay(const Int3& nodes, const Int3& scalarNodes)
   {
-    this->mediumGrid = CellGrid(nodes);
+    this->overlayGrid = CellGrid(nodes);
     for (int axis = 0; axis < 3; ++axis)
     {
       const int cells = scalarNodes[axis] > 1 ? scalarNodes[axis] - 1 : 1;
-      this->mediumScale[axis] = float(nodes[axis] - 1) / float(cells);
+      this->overlayScale[axis] = float(nodes[axis] - 1) / float(cells);
     }
   }
 };

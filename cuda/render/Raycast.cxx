@@ -15,7 +15,7 @@ namespace
 constexpr int tileWidth = 32;
 constexpr int tileHeight = 8;
 
-template <bool Lit, bool Medium>
+template <bool Lit, bool ExtinctionOverlay>
 LIMPID_INLINE void Trace(const RayScene& scene, const Ray& ray, Pixel& pixel)
 {
   constexpr int segments = RaySamples::segments;
@@ -33,12 +33,12 @@ LIMPID_INLINE void Trace(const RayScene& scene, const Ray& ray, Pixel& pixel)
         return;
       }
     }
-    PlaceSamples<1, segments + 1, Medium>(scene, ray, k, samples);
-    ReadSamples<1, segments + 1, Medium>(scene, samples);
+    PlaceSamples<1, segments + 1, ExtinctionOverlay>(scene, ray, k, samples);
+    ReadSamples<1, segments + 1, ExtinctionOverlay>(scene, samples);
     if (read != k)
     {
-      PlaceSamples<0, 1, Medium>(scene, ray, k, samples);
-      ReadSamples<0, 1, Medium>(scene, samples);
+      PlaceSamples<0, 1, ExtinctionOverlay>(scene, ray, k, samples);
+      ReadSamples<0, 1, ExtinctionOverlay>(scene, samples);
       lit = false;
     }
     const bool visible = ClassifySegments(scene, samples);
@@ -46,7 +46,7 @@ LIMPID_INLINE void Trace(const RayScene& scene, const Ray& ray, Pixel& pixel)
     {
       if (!lit)
       {
-        PlaceSamples<0, 1, Medium>(scene, ray, k, samples);
+        PlaceSamples<0, 1, ExtinctionOverlay>(scene, ray, k, samples);
         ReadGradients<0, 1>(scene, samples);
         LightSamples<0, 1>(scene, ray, samples);
       }
@@ -65,12 +65,12 @@ LIMPID_INLINE void Trace(const RayScene& scene, const Ray& ray, Pixel& pixel)
 
 using TraceRays = void (*)(const RayScene&, const Ray*, int, Pixel*);
 
-#define LIMPID_TRACE(name, lit, medium)                                                            \
+#define LIMPID_TRACE(name, lit, overlay)                                                           \
   LIMPID_MULTIVERSION void name(const RayScene& scene, const Ray* rays, int count, Pixel* pixels)  \
   {                                                                                                \
     for (int i = 0; i < count; ++i)                                                                \
     {                                                                                              \
-      Trace<lit, medium>(scene, rays[i], pixels[i]);                                               \
+      Trace<lit, overlay>(scene, rays[i], pixels[i]);                                              \
     }                                                                                              \
   }
 LIMPID_TRACE(TracePlain, false, false)
@@ -83,8 +83,8 @@ LIMPID_TRACE(TraceLitChanged, true, true)
 void Raycast(const RayScene& scene, const RayMaker& maker, const View& view,
   const std::array<float, 3>& lightColor, Picture& picture)
 {
-  const TraceRays trace = scene.gradient ? (scene.medium ? TraceLitChanged : TraceLit)
-                                         : (scene.medium ? TraceChanged : TracePlain);
+  const TraceRays trace = scene.gradient ? (scene.overlay ? TraceLitChanged : TraceLit)
+                                         : (scene.overlay ? TraceChanged : TracePlain);
   const int columns = (view.width + tileWidth - 1) / tileWidth;
   const int rows = (view.height + tileHeight - 1) / tileHeight;
   ParallelFor(Index(columns) * rows,

@@ -25,17 +25,17 @@ void RaycastOnDevice(Device& device, const RaySceneOf<FourFloats>& scene, const 
     ray.picture = picture;
     device.ForEach(label, tiles.Threads(), ray);
   };
-  if (scene.gradient && scene.medium)
+  if (scene.gradient && scene.overlay)
   {
-    cast("cast lit rays in a medium", PixelRay<true, true>{ {}, maker, tiles, {}, {}, {} });
+    cast("cast lit rays in a overlay", PixelRay<true, true>{ {}, maker, tiles, {}, {}, {} });
   }
   else if (scene.gradient)
   {
     cast("cast lit rays", PixelRay<true, false>{ {}, maker, tiles, {}, {}, {} });
   }
-  else if (scene.medium)
+  else if (scene.overlay)
   {
-    cast("cast rays in a medium", PixelRay<false, true>{ {}, maker, tiles, {}, {}, {} });
+    cast("cast rays in a overlay", PixelRay<false, true>{ {}, maker, tiles, {}, {}, {} });
   }
   else
   {

@@ -175,7 +175,7 @@ struct Renderer::Internals
     }
     const Grid nodes = this->ShadowGrid();
     this->engine->CastShadows(
-      nodes, EyeOfLight(this->lighting.light, nodes), this->shadowRayDensity);
+      nodes, SourceOfLight(this->lighting.light, nodes), this->shadowRayDensity);
     return true;
   }
 
@@ -188,7 +188,8 @@ struct Renderer::Internals
     }
     if (this->lighting.enabled)
     {
-      EyeOfLight(this->lighting.light, this->grid); // says what is wrong with a light, if anything
+      SourceOfLight(
+        this->lighting.light, this->grid); // says what is wrong with a light, if anything
     }
     this->UpdateShadow();
     if (this->lighting.enabled && !this->gradientIsCurrent)

@@ -4,8 +4,8 @@
 #ifndef limpid_render_Renderer_h
 #define limpid_render_Renderer_h
 
-#include "scene/Eye.h"
 #include "scene/Grid.h"
+#include "scene/RaySource.h"
 
 #include <array>
 #include <memory>
@@ -25,7 +25,7 @@ struct TransferFunctions
 };
 
 /**
- * How the medium is lit, Eqs. 3-6. Off: every sample has the colour of the transfer function.
+ * How the overlay is lit, Eqs. (3)-(6). Off: every sample has the colour of the transfer function.
  *
  * A sample sends its colour times
  *   ambient + (1 - ambient) exposure (1 - strength (1 - T_L)) (f_v' + k_s pi f_s (w_L.n)+) / (1 +
@@ -42,7 +42,7 @@ struct Lighting
   double anisotropy = 0.6;     ///< a of the Henyey-Greenstein function (-1, 1)
   double surface = 2;          ///< k_s where the base extinction is steepest, >= 0
   double specularPower = 20;   ///< exponent of the Blinn-Phong lobe, >= 0
-  bool shadows = true;         ///< T_L of Eq. 4; off: 1
+  bool shadows = true;         ///< T_L of Eq. (4); off: 1
   double shadowStrength = 0.7; ///< share of the shadow that is drawn [0, 1]
   std::array<float, 3> color{ { 1.0f, 1.0f, 1.0f } };
 };
@@ -75,7 +75,7 @@ struct Picture
 };
 
 /**
- * Renders a volume with single scattering, Eqs. 1-6.
+ * Renders a volume with single scattering, Eqs. (1)-(6).
  *
  * The extinction of a sample is clamp(mu-bar(s) + delta, 0, majorant): the transfer function of the
  * interpolated scalar, as ordinary volume rendering has it, plus the interpolated change that the

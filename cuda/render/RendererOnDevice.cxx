@@ -139,7 +139,8 @@ void RendererOnDevice<Device>::ClearExtinction()
 }
 
 template <class Device>
-void RendererOnDevice<Device>::CastShadows(const Grid& grid, const Eye& light, double rayDensity)
+void RendererOnDevice<Device>::CastShadows(
+  const Grid& grid, const RaySource& light, double rayDensity)
 {
   const float* opaque = this->ShadowExtinction(grid);
   if (!this->Plan || !this->Plan->IsOf(grid, light, rayDensity))
@@ -154,7 +155,7 @@ void RendererOnDevice<Device>::CastShadows(const Grid& grid, const Eye& light, d
 
 template <class Device>
 bool RendererOnDevice<Device>::ShadowPlan::IsOf(
-  const Grid& nodes, const Eye& eye, double density) const
+  const Grid& nodes, const RaySource& eye, double density) const
 {
   return SameGrid(this->grid, nodes) && this->light.parallel == eye.parallel &&
     this->light.origin == eye.origin && this->light.direction == eye.direction &&
@@ -162,7 +163,8 @@ bool RendererOnDevice<Device>::ShadowPlan::IsOf(
 }
 
 template <class Device>
-void RendererOnDevice<Device>::PlanShadows(const Grid& grid, const Eye& light, double rayDensity)
+void RendererOnDevice<Device>::PlanShadows(
+  const Grid& grid, const RaySource& light, double rayDensity)
 {
   this->Plan.reset(); // first, so that there is room for the other one
   // Of a volume that is filled everywhere, so that it lasts when the extinction changes.
@@ -279,8 +281,8 @@ RaySceneOf<FourFloats> RendererOnDevice<Device>::SceneOf(const Casting& casting)
   const bool shadowed = this->Shown.Shadowed() && casting.lit;
   if (!this->Shown.Empty() && (this->Shown.Changed() || shadowed))
   {
-    scene.medium = this->Shown.Packed();
-    scene.PlaceMedium(this->Shown.Nodes(), this->Scene.nodes);
+    scene.overlay = this->Shown.Packed();
+    scene.PlaceOverlay(this->Shown.Nodes(), this->Scene.nodes);
     scene.addedUnit = this->Shown.Majorant() / this->Majorant;
   }
   if (casting.skipEmpty)

@@ -6,9 +6,9 @@
 
 #include "backend/CompiledDevice.h"
 #include "energy/TransmittanceVolumeOnDevice.h"
-#include "render/BrickBodies.h"
-#include "render/GradientBodies.h"
-#include "render/MediumOnDevice.h"
+#include "render/BrickKernels.h"
+#include "render/ExtinctionOverlayOnDevice.h"
+#include "render/GradientKernels.h"
 #include "render/PictureEngine.h"
 
 #include <memory>
@@ -22,16 +22,16 @@ namespace limpid
  * given anew, the depths of opaque things, and the picture back. Only Cast and LightTransmittanceAt
  * wait.
  *
- * Bytes on the device per node: scalars 4, gradient 8, medium 8, what casts the shadows 4, and 8
+ * Bytes on the device per node: scalars 4, gradient 8, overlay 8, what casts the shadows 4, and 8
  * for two extinctions on their way in or a transmittance; 28 in all when extinctions are there
  * already, 32 otherwise. At 256^3 nodes: 0.47 or 0.54 GB, and the plan of the shadows (0.1 GB).
  *
  * Bytes that a picture moves, counted: 1024^2 pixels of which half see a box of 256^3 nodes, 92 M
- * samples at the distance of the nodes if nothing is empty or opaque. A lit sample in a medium
- * reads 8 scalars, 8 nodes each of medium and gradient, and 4 entries of the table: 224 bytes, 20.6
- * GB through the first-level caches; its neighbours read the same nodes, and the fields themselves
- * are 0.34 GB. The picture that comes back is 4.2 MB, as are the depths that go there, if any. With
- * new shadows add those of TransmittanceVolumeOnDevice.
+ * samples at the distance of the nodes if nothing is empty or opaque. A lit sample in a overlay
+ * reads 8 scalars, 8 nodes each of overlay and gradient, and 4 entries of the table: 224
+ * bytes, 20.6 GB through the first-level caches; its neighbours read the same nodes, and the fields
+ * themselves are 0.34 GB. The picture that comes back is 4.2 MB, as are the depths that go there,
+ * if any. With new shadows add those of TransmittanceVolumeOnDevice.
  */
 template <class Device>
 class RendererOnDevice : public PictureEngine
@@ -48,7 +48,7 @@ public:
   void UseTransferFunction(const Grid& grid) override;
   void ClearExtinction() override;
   bool HasNoExtinction() const override { return this->Shown.Empty(); }
-  void CastShadows(const Grid& grid, const Eye& light, double rayDensity) override;
+  void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) override;
   void ClearShadows() override { this->Shown.ClearShadow(); }
   void FindGradient() override;
   void FindEmptyBricks() override;
@@ -62,11 +62,11 @@ private:
   struct ShadowPlan
   {
     Grid grid;
-    Eye light;
+    RaySource light;
     double rayDensity;
     TransmittanceVolumeOnDevice<Device> volume;
 
-    bool IsOf(const Grid& nodes, const Eye& eye, double density) const;
+    bool IsOf(const Grid& nodes, const RaySource& eye, double density) const;
   };
 
   /// An array of at least so many values, whose content is lost if it has to grow.
@@ -79,7 +79,7 @@ private:
   RaySceneOf<FourFloats> SceneOf(const Casting& casting) const;
   void Restrict(const Grid& from, const float* field, const Grid& to, Field& result);
   const float* ShadowExtinction(const Grid& grid);
-  void PlanShadows(const Grid& grid, const Eye& light, double rayDensity);
+  void PlanShadows(const Grid& grid, const RaySource& light, double rayDensity);
 
   std::shared_ptr<Device> Home;
   Grid Scene; ///< of the scalars
@@ -96,7 +96,7 @@ private:
   DeviceArray<Device, std::uint8_t> Distance;
   DeviceArray<Device, std::uint8_t> OtherDistance; ///< between the axes
 
-  MediumOnDevice<Device> Shown;
+  ExtinctionOverlayOnDevice<Device> Shown;
   Grid ExtinctionGrid;
   Field Opaque;       ///< casts the shadows, at the nodes of the extinction
   Field CoarseOpaque; ///< the same on a coarser grid; empty: not current, or not wanted

@@ -31,8 +31,8 @@ struct SegmentEnds
   }
 };
 
-/// The integral of Eq. 1 over a segment with extinction and colour constant and the light linear in
-/// optical depth along it.
+/// The integral of Eq. (1) over a segment with extinction and colour constant and the light linear
+/// in optical depth along it.
 struct Segment
 {
   float passed; ///< share of the light from behind

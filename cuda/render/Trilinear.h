@@ -12,7 +12,7 @@
 
 namespace limpid
 {
-/// Four packed numbers of a node, see MediumField and GradientField.
+/// Four packed numbers of a node, see OverlayField and GradientField.
 struct alignas(8) FourPacked
 {
   std::int16_t values[4];

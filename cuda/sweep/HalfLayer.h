@@ -5,26 +5,20 @@
 #define limpid_sweep_HalfLayer_h
 
 #include "math/Exp.h"
+#include "math/Range.h"
 
 namespace limpid
 {
 /// Shares of a layer's thickness at which rays are sampled: the two points of Gauss' quadrature.
 constexpr double gaussPoints[2] = { 0.21132486540518712, 0.78867513459481288 };
 
-/// The layer between two neighbouring stations, the same for all rays that cross it.
+/// The layer between two neighbouring slices, the same for all rays that cross it.
 struct Layer
 {
-  float front = 0;      ///< relative depth of the station in front [index]
-  float thickness = 0;  ///< distance of the stations along the depth axis [index]
-  float frontScale = 1; ///< width of a ray at the front, see Station::scale
+  float front = 0;      ///< relative depth of the slice in front [index]
+  float thickness = 0;  ///< distance of the slices along the depth axis [index]
+  float frontScale = 1; ///< width of a ray at the front, see Slice::scale
   float backScale = 1;  ///< ... and at the back
-};
-
-/// Where a ray is inside the box, as relative depths [index].
-struct Clip
-{
-  float entry;
-  float exit;
 };
 
 /**
@@ -47,7 +41,7 @@ struct HalfLayer
   Real opticalDepth; ///< x [1]
   Real stopped;      ///< 1 - e^-x [0, 1]
   Real visible;      ///< visible importance times scale^2 [1]
-  Real plain;        ///< the same without attenuation: g x times the mean of scale^2 [1]
+  Real unattenuated; ///< the same without attenuation: g x times the mean of scale^2 [1]
 
   /// The whole half. `length`: world length of the ray in it [length]; `extinction` [1/length];
   /// `importance` [0, 1]; the scales are those at its front and back.
@@ -64,7 +58,7 @@ struct HalfLayer
     this->opticalDepth = x;
     this->stopped = Stop(x);
     this->visible = importance * (this->stopped * area);
-    this->plain = importance * (x * meanArea);
+    this->unattenuated = importance * (x * meanArea);
   }
 
   LIMPID_HD LIMPID_INLINE Real Passed() const { return Real(1) - this->stopped; }
@@ -77,22 +71,16 @@ struct HalfLayer
 };
 
 /// Where a half of a layer lies, as shares of the layer's thickness.
-struct HalfRange
+LIMPID_HD LIMPID_INLINE Range<float> RangeOfHalf(int half)
 {
-  float begin;
-  float end;
-};
-
-LIMPID_HD LIMPID_INLINE HalfRange HalfRangeOf(int half)
-{
-  return half == 0 ? HalfRange{ 0.0f, 0.5f } : HalfRange{ 0.5f, 1.0f };
+  return half == 0 ? Range<float>{ 0.0f, 0.5f } : Range<float>{ 0.5f, 1.0f };
 }
 
 /// A half of a layer that the ray crosses inside the box from front to back. `length`: world
 /// length of the ray per unit of depth.
 template <class Real>
 LIMPID_HD LIMPID_INLINE HalfLayer<Real> WholeHalf(
-  const Layer& layer, const HalfRange& half, Real length, Real extinction, Real importance)
+  const Layer& layer, const Range<float>& half, Real length, Real extinction, Real importance)
 {
   const Real widening = layer.backScale - layer.frontScale;
   return HalfLayer<Real>(Real(0.5) * layer.thickness * length, extinction, importance,
@@ -102,13 +90,14 @@ LIMPID_HD LIMPID_INLINE HalfLayer<Real> WholeHalf(
 /// The part of a half between the clips of the ray's column and row. Extinction and importance are
 /// sampled at the Gauss point even where that lies outside the box: there on its border.
 template <class Real>
-LIMPID_HD LIMPID_INLINE HalfLayer<Real> ClippedHalf(const Layer& layer, const HalfRange& half,
-  Real length, Real extinction, Real importance, const Clip& column, const Clip& row)
+LIMPID_HD LIMPID_INLINE HalfLayer<Real> ClippedHalf(const Layer& layer, const Range<float>& half,
+  Real length, Real extinction, Real importance, const Range<float>& column,
+  const Range<float>& row)
 {
   const Real inverse = Real(1) / layer.thickness;
   const Real entry =
-    ((column.entry > row.entry ? column.entry : row.entry) - layer.front) * inverse;
-  const Real exit = ((column.exit < row.exit ? column.exit : row.exit) - layer.front) * inverse;
+    ((column.begin > row.begin ? column.begin : row.begin) - layer.front) * inverse;
+  const Real exit = ((column.end < row.end ? column.end : row.end) - layer.front) * inverse;
   const Real begin = entry > half.begin ? (entry < half.end ? entry : half.end) : half.begin;
   const Real last = exit < half.end ? exit : half.end;
   const Real end = last > begin ? last : begin;

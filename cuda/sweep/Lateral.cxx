@@ -108,7 +108,7 @@ void FindWeights(const double* __restrict coordinates, const double* __restrict 
 }
 
 /// Depths at which a line with a start at depth 0 and a slope is in [0, last], less `base`.
-LIMPID_INLINE Clip ClipLine(double start, double slope, double last, double base)
+LIMPID_INLINE Range<float> ClipLine(double start, double slope, double last, double base)
 {
   const double never = 1e30;
   const bool crosses = slope != 0;
@@ -138,7 +138,7 @@ void FindEntries(const Lateral& lateral, const double* __restrict coordinates, i
   {
     entries[i] =
       ClipLine(parallel ? coordinates[i] : eye, parallel ? shear : coordinates[i], last, base)
-        .entry;
+        .begin;
   }
 }
 
@@ -151,7 +151,7 @@ void VisitVoxels(const Lateral& lateral, double depth, Visit&& visit)
   double coordinates[most];
   for (int begin = 0; begin < lateral.nodes; begin += most)
   {
-    const Interval voxels{ begin, std::min(begin + most, lateral.nodes) };
+    const Range<int> voxels{ begin, std::min(begin + most, lateral.nodes) };
     FindCoordinates(
       begin, voxels.end - begin, LineAt(lateral, depth), lateral.parallel, coordinates);
     visit(voxels, coordinates);
@@ -262,7 +262,7 @@ LinearMap Lateral::VoxelMap(double depth) const
   map.index.resize(std::size_t(this->nodes));
   map.weight.resize(std::size_t(this->nodes));
   VisitVoxels(*this, depth,
-    [&, ray = 0](const Interval& voxels, const double* wanted) mutable
+    [&, ray = 0](const Range<int>& voxels, const double* wanted) mutable
     {
       int* index = map.index.data() + voxels.begin;
       const int number = voxels.end - voxels.begin;
@@ -279,7 +279,7 @@ LinearMap Lateral::VoxelMap(double depth) const
   return map;
 }
 
-Clip Lateral::ClipOf(int ray, double base) const
+Range<float> Lateral::ClipOf(int ray, double base) const
 {
   const double coordinate = this->Coordinate(ray);
   const double last = this->nodes - 1;
@@ -291,7 +291,7 @@ std::vector<float> Lateral::VoxelEntries(double depth, double base) const
 {
   std::vector<float> entries(std::size_t(this->nodes));
   VisitVoxels(*this, depth,
-    [&](const Interval& voxels, const double* coordinates)
+    [&](const Range<int>& voxels, const double* coordinates)
     {
       const int number = voxels.end - voxels.begin;
       FindEntries(*this, coordinates, number, base, entries.data() + voxels.begin);
@@ -299,7 +299,7 @@ std::vector<float> Lateral::VoxelEntries(double depth, double base) const
   return entries;
 }
 
-Interval Lateral::Owned(double depth, bool closed) const
+Range<int> Lateral::Owned(double depth, bool closed) const
 {
   if (this->parallel)
   {

@@ -4,8 +4,8 @@
 #ifndef limpid_sweep_Lateral_h
 #define limpid_sweep_Lateral_h
 
+#include "math/Range.h"
 #include "sweep/HalfLayer.h"
-#include "sweep/Interval.h"
 
 #include <vector>
 
@@ -27,7 +27,7 @@ enum class Placement
 };
 
 /**
- * The rays of a pyramid along one of its lateral axes.
+ * The rays of a frustum along one of its lateral axes.
  *
  * A ray has the coordinate a, its slope (point eye) or its position at depth 0 (parallel eye); at
  * depth D it is at eye + a D or at a + shear D.
@@ -71,13 +71,13 @@ public:
   LinearMap VoxelMap(double depth) const;
 
   /// Depths at which a ray enters and leaves the slab of the box, relative to `base`.
-  Clip ClipOf(int ray, double base) const;
+  Range<float> ClipOf(int ray, double base) const;
 
   /// Depths at which the rays through every voxel on the slice at `depth` enter the slab.
   std::vector<float> VoxelEntries(double depth, double base) const;
 
   /// Voxels at `depth` whose distance from the eye is at most (closed) or below (open) the depth.
-  Interval Owned(double depth, bool closed) const;
+  Range<int> Owned(double depth, bool closed) const;
 
   /// Where a coordinate is at a depth [index].
   double Position(double coordinate, double depth) const

@@ -25,13 +25,13 @@ struct ColumnSpanEnds
 /// Extends the spans of the columns by row `y`, which is empty but in `span`.
 LIMPID_MULTIVERSION
 void MarkColumns(const float* __restrict extinction, const float* __restrict importance,
-  const Interval& span, int y, const ColumnSpanEnds& ends)
+  const Range<int>& span, int y, const ColumnSpanEnds& ends)
 {
   int* __restrict filledBegin = ends.filledBegin;
   int* __restrict filledEnd = ends.filledEnd;
   int* __restrict importantBegin = ends.importantBegin;
   int* __restrict importantEnd = ends.importantEnd;
-  const Interval columns = span;
+  const Range<int> columns = span;
   for (int x = columns.begin; x < columns.end; ++x)
   {
     const bool important = importance[x] > 0;
@@ -74,9 +74,9 @@ RowContent ContentOf(
     importantLast = lastImportant > importantLast ? lastImportant : importantLast;
     sum += filled ? 1 : 0;
   }
-  const Interval filled{ filledBegin, filledLast + 1 };
-  const Interval important{ importantBegin, importantLast + 1 };
-  return { { filled.Empty() ? Interval{} : filled, important.Empty() ? Interval{} : important },
+  const Range<int> filled{ filledBegin, filledLast + 1 };
+  const Range<int> important{ importantBegin, importantLast + 1 };
+  return { { filled.Empty() ? Range<int>{} : filled, important.Empty() ? Range<int>{} : important },
     sum };
 }
 }
@@ -111,7 +111,7 @@ OccupancyBuilder::OccupancyBuilder(const Grid& grid)
 }
 
 void OccupancyBuilder::Add(
-  int slice, const Interval& rows, const float* extinction, const float* importance)
+  int slice, const Range<int>& rows, const float* extinction, const float* importance)
 {
   const int nx = this->Made.Nodes.x;
   const int ny = this->Made.Nodes.y;
@@ -153,8 +153,8 @@ Occupancy OccupancyBuilder::Take(bool skip)
   this->Made.Skip = skip;
   if (!skip)
   {
-    const Interval x{ 0, this->Made.Nodes.x };
-    const Interval y{ 0, this->Made.Nodes.y };
+    const Range<int> x{ 0, this->Made.Nodes.x };
+    const Range<int> y{ 0, this->Made.Nodes.y };
     std::fill(this->Made.AlongX.begin(), this->Made.AlongX.end(), Occupancy::Spans{ x, x });
     std::fill(this->Made.AlongY.begin(), this->Made.AlongY.end(), Occupancy::Spans{ y, y });
   }

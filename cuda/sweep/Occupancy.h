@@ -4,8 +4,8 @@
 #ifndef limpid_sweep_Occupancy_h
 #define limpid_sweep_Occupancy_h
 
+#include "math/Range.h"
 #include "scene/Grid.h"
-#include "sweep/Interval.h"
 
 #include <vector>
 
@@ -24,8 +24,8 @@ public:
 
   struct Spans
   {
-    Interval filled;    ///< base extinction or importance above zero
-    Interval important; ///< importance above zero
+    Range<int> filled;    ///< base extinction or importance above zero
+    Range<int> important; ///< importance above zero
   };
 
   /// The row of voxels along grid axis `alongAxis` (0 or 1); `first` and `second` are its indices
@@ -62,7 +62,7 @@ public:
 
   /// Adds rows of a slice, which the two fields begin with. Slices may come in parallel, but the
   /// rows of one have to come in order.
-  void Add(int slice, const Interval& rows, const float* extinction, const float* importance);
+  void Add(int slice, const Range<int>& rows, const float* extinction, const float* importance);
 
   /// When all rows have come. With `skip` off every voxel counts as occupied.
   Occupancy Take(bool skip);

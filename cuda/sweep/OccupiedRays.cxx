@@ -76,14 +76,14 @@ void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
 }
 }
 
-/// What finding the spans of a station needs.
+/// What finding the spans of a slice needs.
 struct OccupiedRays::Memory
 {
-  explicit Memory(const Pyramid& pyramid)
-    : columnNodes(std::size_t(pyramid.columns))
-    , rowNodes(std::size_t(pyramid.rows))
-    , columnsUpTo(std::size_t(pyramid.nodesU) + 6)
-    , reaches(std::size_t(pyramid.nodesV) + rowsBefore + rowsBehind)
+  explicit Memory(const FaceFrustum& frustum)
+    : columnNodes(std::size_t(frustum.columns))
+    , rowNodes(std::size_t(frustum.rows))
+    , columnsUpTo(std::size_t(frustum.nodesU) + 6)
+    , reaches(std::size_t(frustum.nodesV) + rowsBefore + rowsBehind)
   {
   }
 
@@ -109,7 +109,7 @@ struct OccupiedRays::Memory
 
   /// First and minus last column of rays whose floors reach from two voxels before a span of voxels
   /// to one behind it, and one more on either side.
-  void Put(const Interval& voxels, int* least) const
+  void Put(const Range<int>& voxels, int* least) const
   {
     if (!voxels.Empty())
     {
@@ -120,52 +120,52 @@ struct OccupiedRays::Memory
   }
 };
 
-OccupiedRays::OccupiedRays(const Pyramid& pyramid, const Occupancy& occupancy)
-  : Rows(pyramid.rows)
-  , Spans(new int[pyramid.stations.size() * 4 * std::size_t(pyramid.rows)])
+OccupiedRays::OccupiedRays(const FaceFrustum& frustum, const Occupancy& occupancy)
+  : Rows(frustum.rows)
+  , Spans(new int[frustum.slices.size() * 4 * std::size_t(frustum.rows)])
 {
   constexpr int stationsPerTask = 8;
-  const int stations = static_cast<int>(pyramid.stations.size());
-  ParallelFor((stations + stationsPerTask - 1) / stationsPerTask,
+  const int slices = static_cast<int>(frustum.slices.size());
+  ParallelFor((slices + stationsPerTask - 1) / stationsPerTask,
     [&](Index task)
     {
-      Memory memory(pyramid);
+      Memory memory(frustum);
       const int begin = static_cast<int>(task) * stationsPerTask;
-      for (int station = begin; station < std::min(begin + stationsPerTask, stations); ++station)
+      for (int slice = begin; slice < std::min(begin + stationsPerTask, slices); ++slice)
       {
-        pyramid.stations[std::size_t(station)].slice < 0
-          ? this->FindAtEye(station, pyramid.columns)
-          : this->FindOnSlice(pyramid, occupancy, station, memory);
+        frustum.slices[std::size_t(slice)].node < 0
+          ? this->FindAtEye(slice, frustum.columns)
+          : this->FindOnSlice(frustum, occupancy, slice, memory);
       }
     });
 }
 
 /// All rays start in the eye's cell; whatever it holds, the piece is short.
-void OccupiedRays::FindAtEye(int station, int columns)
+void OccupiedRays::FindAtEye(int slice, int columns)
 {
-  std::fill_n(this->Filled(station).begins, this->Rows, 0);
-  std::fill_n(this->Filled(station).ends, this->Rows, columns);
-  std::fill_n(this->Important(station).begins, this->Rows, noColumn);
-  std::fill_n(this->Important(station).ends, this->Rows, -noColumn);
+  std::fill_n(this->Filled(slice).begins, this->Rows, 0);
+  std::fill_n(this->Filled(slice).ends, this->Rows, columns);
+  std::fill_n(this->Important(slice).begins, this->Rows, noColumn);
+  std::fill_n(this->Important(slice).ends, this->Rows, -noColumn);
 }
 
 void OccupiedRays::FindOnSlice(
-  const Pyramid& pyramid, const Occupancy& occupancy, int s, Memory& memory)
+  const FaceFrustum& frustum, const Occupancy& occupancy, int s, Memory& memory)
 {
-  const Station& station = pyramid.stations[std::size_t(s)];
-  pyramid.lateralU.FindRayNodes(station.depth, memory.columnNodes.data());
-  pyramid.lateralV.FindRayNodes(station.depth, memory.rowNodes.data());
+  const Slice& slice = frustum.slices[std::size_t(s)];
+  frustum.lateralU.FindRayNodes(slice.depth, memory.columnNodes.data());
+  frustum.lateralV.FindRayNodes(slice.depth, memory.rowNodes.data());
   memory.CountColumns();
-  const SpanRows spans = SpansOf(pyramid, occupancy, station.slice);
+  const SpanRows spans = SpansOf(frustum, occupancy, slice.node);
   std::fill(memory.reaches.begin(), memory.reaches.end(), outOfReach);
   Reach* reaches = memory.reaches.data() + rowsBefore;
-  for (int v = 0; v < pyramid.nodesV; ++v)
+  for (int v = 0; v < frustum.nodesV; ++v)
   {
     memory.Put(spans[v].filled, reaches[v].least);
     memory.Put(spans[v].important, reaches[v].least + 2);
   }
   JoinFours(static_cast<int>(memory.reaches.size()) - 3, memory.reaches.data());
-  FindReaches(reaches, memory.rowNodes.data(), pyramid.rows, pyramid.nodesV - 1, this->Filled(s),
+  FindReaches(reaches, memory.rowNodes.data(), frustum.rows, frustum.nodesV - 1, this->Filled(s),
     this->Important(s));
 }
 }

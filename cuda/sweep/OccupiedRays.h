@@ -23,17 +23,17 @@ struct ColumnSpans
 };
 
 /**
- * For every station and row of rays of a pyramid: the columns of rays that are interpolated from
+ * For every slice and row of rays of a frustum: the columns of rays that are interpolated from
  * filled or from important voxels of the slice, or that touch such voxels anywhere in the layers
  * on both sides of it, where no ray moves by more than one voxel.
  */
 class OccupiedRays
 {
 public:
-  OccupiedRays(const Pyramid& pyramid, const Occupancy& occupancy);
+  OccupiedRays(const FaceFrustum& frustum, const Occupancy& occupancy);
 
-  ColumnSpans Filled(int station) const { return this->At(4 * Index(station)); }
-  ColumnSpans Important(int station) const { return this->At(4 * Index(station) + 2); }
+  ColumnSpans Filled(int slice) const { return this->At(4 * Index(slice)); }
+  ColumnSpans Important(int slice) const { return this->At(4 * Index(slice) + 2); }
 
 private:
   struct Memory;
@@ -44,11 +44,12 @@ private:
     return { first, first + this->Rows };
   }
 
-  void FindAtEye(int station, int columns);
-  void FindOnSlice(const Pyramid& pyramid, const Occupancy& occupancy, int station, Memory& memory);
+  void FindAtEye(int slice, int columns);
+  void FindOnSlice(
+    const FaceFrustum& frustum, const Occupancy& occupancy, int slice, Memory& memory);
 
   Index Rows;
-  std::unique_ptr<int[]> Spans; ///< [station][begin and end of filled, of important][row]
+  std::unique_ptr<int[]> Spans; ///< [slice][begin and end of filled, of important][row]
 };
 }
 

@@ -14,21 +14,21 @@
 
 namespace limpid
 {
-Interval Pyramid::VoxelColumns(const Station& station, int v) const
+Range<int> FaceFrustum::VoxelColumns(const Slice& slice, int v) const
 {
-  Interval rays;
+  Range<int> rays;
   for (const int neighbour : { std::max(v - 1, 0), v, std::min(v + 1, this->nodesV - 1) })
   {
-    const auto row = std::size_t(station.voxelRows.index[std::size_t(neighbour)]);
-    rays = Hull(rays, Hull(station.work[row], station.work[row + 1]));
+    const auto row = std::size_t(slice.voxelRows.index[std::size_t(neighbour)]);
+    rays = Hull(rays, Hull(slice.work[row], slice.work[row + 1]));
   }
   if (rays.Empty())
   {
     return {};
   }
   // A voxel is interpolated from two rays.
-  const int begin = station.firstVoxels[std::size_t(std::max(rays.begin - 1, 0))];
-  const int end = station.firstVoxels[std::size_t(rays.end)];
+  const int begin = slice.firstVoxels[std::size_t(std::max(rays.begin - 1, 0))];
+  const int end = slice.firstVoxels[std::size_t(rays.end)];
   return { std::max(begin - 1, 0), std::min(end + 1, this->nodesU) };
 }
 
@@ -38,7 +38,7 @@ namespace
 /// [index].
 constexpr double nearestSlice = 1e-6;
 
-/// The depth axis of a pyramid: depth of a node k is sign (k - origin).
+/// The depth axis of a frustum: depth of a node k is sign (k - origin).
 struct DepthAxis
 {
   bool parallel = false;
@@ -46,23 +46,22 @@ struct DepthAxis
   double origin = 0; ///< point eye: its position; parallel: the first slice [index]
   int nodes = 0;
 
-  double Of(int slice) const { return this->sign * (slice - this->origin); }
+  double Of(int node) const { return this->sign * (node - this->origin); }
   double Far() const { return this->Of(this->sign > 0 ? this->nodes - 1 : 0); }
   double Near() const { return std::max(0.0, this->Of(this->sign > 0 ? 0 : this->nodes - 1)); }
 };
 
-/// Places the Gauss points of the layer between two stations. In front of the first slice behind
+/// Places the Gauss points of the layer between two slices. In front of the first slice behind
 /// the eye the layer is a part of a cell.
-void PlacePlanes(
-  Station& front, const Station& back, double sign, const Lateral& u, const Lateral& v)
+void PlacePlanes(Slice& front, const Slice& back, double sign, const Lateral& u, const Lateral& v)
 {
   const double thickness = back.depth - front.depth;
   for (int half = 0; half < 2; ++half)
   {
     Plane& plane = front.planes[std::size_t(half)];
     const double depth = front.depth + gaussPoints[half] * thickness;
-    plane.slices[0] = back.slice - (sign > 0 ? 1 : -1);
-    plane.slices[1] = back.slice;
+    plane.nodes[0] = back.node - (sign > 0 ? 1 : -1);
+    plane.nodes[1] = back.node;
     plane.fraction = static_cast<float>(1.0 - (back.depth - depth));
     plane.rayColumns = u.RayMap(depth);
     plane.rayRows = v.RayMap(depth);
@@ -70,47 +69,47 @@ void PlacePlanes(
 }
 
 /// Columns along the first free axis; along x if possible, as rows of memory run along x.
-void ChooseAxes(Pyramid& pyramid, const Grid& grid, int axisW)
+void ChooseAxes(FaceFrustum& frustum, const Grid& grid, int axisW)
 {
-  pyramid.axisW = axisW;
-  pyramid.axisU = axisW == 0 ? 1 : 0;
-  pyramid.axisV = axisW == 2 ? 1 : 2;
-  pyramid.nodesU = grid.nodes[pyramid.axisU];
-  pyramid.nodesV = grid.nodes[pyramid.axisV];
-  pyramid.spacing =
-    Vec3(grid.spacing[pyramid.axisU], grid.spacing[pyramid.axisV], grid.spacing[axisW]);
+  frustum.axisW = axisW;
+  frustum.axisU = axisW == 0 ? 1 : 0;
+  frustum.axisV = axisW == 2 ? 1 : 2;
+  frustum.nodesU = grid.nodes[frustum.axisU];
+  frustum.nodesV = grid.nodes[frustum.axisV];
+  frustum.spacing =
+    Vec3(grid.spacing[frustum.axisU], grid.spacing[frustum.axisV], grid.spacing[axisW]);
 }
 
-/// Lays the stations of a pyramid through the slices in front of the eye. Returns the depth of the
+/// Lays the slices of a frustum through the slices in front of the eye. Returns the depth of the
 /// first slice.
-double PlaceStations(Pyramid& pyramid, const DepthAxis& depth)
+double PlaceSlices(FaceFrustum& frustum, const DepthAxis& depth)
 {
   double base = -1;
   for (int k = 0; k < depth.nodes; ++k)
   {
-    const int slice = depth.sign > 0 ? k : depth.nodes - 1 - k;
-    Station station;
-    station.slice = slice;
-    station.depth = depth.Of(slice);
-    if (!depth.parallel && !(station.depth > nearestSlice))
+    const int node = depth.sign > 0 ? k : depth.nodes - 1 - k;
+    Slice slice;
+    slice.node = node;
+    slice.depth = depth.Of(node);
+    if (!depth.parallel && !(slice.depth > nearestSlice))
     {
       continue;
     }
-    if (pyramid.stations.empty())
+    if (frustum.slices.empty())
     {
-      base = station.depth;
+      base = slice.depth;
       if (k > 0)
       {
-        Station eye; // the grid reaches to the eye's plane or behind it
+        Slice eye; // the grid reaches to the eye's plane or behind it
         eye.depth = 0;
         eye.relativeDepth = static_cast<float>(-base);
         eye.scale = 0;
-        pyramid.stations.push_back(eye);
+        frustum.slices.push_back(eye);
       }
     }
-    station.relativeDepth = static_cast<float>(station.depth - base);
-    station.scale = depth.parallel ? 1.0f : static_cast<float>(station.depth / depth.Far());
-    pyramid.stations.push_back(station);
+    slice.relativeDepth = static_cast<float>(slice.depth - base);
+    slice.scale = depth.parallel ? 1.0f : static_cast<float>(slice.depth / depth.Far());
+    frustum.slices.push_back(slice);
   }
   return base;
 }
@@ -120,16 +119,16 @@ double PlaceStations(Pyramid& pyramid, const DepthAxis& depth)
 /// coordinate at the far depth [index].
 void DescribeRays(const Lateral& lateral, double base, float back, double scale, RayAxis& axis)
 {
-  constexpr Clip everywhere{ -1e30f, 1e30f };
+  constexpr Range<float> everywhere{ -1e30f, 1e30f };
   const auto count = static_cast<std::size_t>(lateral.count);
   for (std::size_t ray = 0; ray < count; ++ray)
   {
     axis.share.push_back(static_cast<float>(lateral.Width(static_cast<int>(ray)) * scale));
-    Clip clip = lateral.ClipOf(static_cast<int>(ray), base);
-    const bool misses = clip.entry >= back || clip.exit <= 0 || clip.entry >= clip.exit;
+    Range<float> clip = lateral.ClipOf(static_cast<int>(ray), base);
+    const bool misses = clip.begin >= back || clip.end <= 0 || clip.begin >= clip.end;
     clip = misses && axis.share[ray] == 0 ? everywhere : clip;
-    axis.entry.push_back(clip.entry);
-    axis.exit.push_back(clip.exit);
+    axis.entry.push_back(clip.begin);
+    axis.exit.push_back(clip.end);
     axis.slope.push_back(lateral.Slope(static_cast<int>(ray)));
   }
 }
@@ -153,42 +152,42 @@ std::vector<int> FirstTargets(const LinearMap& map, int sources)
 }
 
 /// How rays and voxels of every slice read each other.
-void PlaceMaps(Pyramid& pyramid, double sign, double base, const Lateral& u, const Lateral& v)
+void PlaceMaps(FaceFrustum& frustum, double sign, double base, const Lateral& u, const Lateral& v)
 {
-  // Which voxels on the boundary of two pyramids belong to which: the last axis wins.
-  const bool closedU = pyramid.axisU < pyramid.axisW;
-  const bool closedV = pyramid.axisV < pyramid.axisW;
-  ParallelFor(pyramid.LastStation() + 1,
+  // Which voxels on the boundary of two frusta belong to which: the last axis wins.
+  const bool closedU = frustum.axisU < frustum.axisW;
+  const bool closedV = frustum.axisV < frustum.axisW;
+  ParallelFor(frustum.LastSlice() + 1,
     [&](Index index)
     {
-      Station& station = pyramid.stations[std::size_t(index)];
-      if (index < pyramid.LastStation())
+      Slice& slice = frustum.slices[std::size_t(index)];
+      if (index < frustum.LastSlice())
       {
-        const Station& back = pyramid.stations[std::size_t(index) + 1];
-        PlacePlanes(station, back, sign, u, v);
-        station.insideColumns = InsideColumns(pyramid, station.relativeDepth, back.relativeDepth);
+        const Slice& back = frustum.slices[std::size_t(index) + 1];
+        PlacePlanes(slice, back, sign, u, v);
+        slice.insideColumns = InsideColumns(frustum, slice.relativeDepth, back.relativeDepth);
       }
-      if (station.slice >= 0)
+      if (slice.node >= 0)
       {
-        station.voxelColumns = u.VoxelMap(station.depth);
-        station.voxelRows = v.VoxelMap(station.depth);
-        station.firstVoxels = FirstTargets(station.voxelColumns, pyramid.columns);
-        station.columnSides = SideWeights(u, station.voxelColumns, station.depth);
-        station.rowSides = SideWeights(v, station.voxelRows, station.depth);
-        station.columnEntry = u.VoxelEntries(station.depth, base);
-        station.rowEntry = v.VoxelEntries(station.depth, base);
-        station.ownedColumns = u.Owned(station.depth, closedU);
-        station.ownedRows = v.Owned(station.depth, closedV);
+        slice.voxelColumns = u.VoxelMap(slice.depth);
+        slice.voxelRows = v.VoxelMap(slice.depth);
+        slice.firstVoxels = FirstTargets(slice.voxelColumns, frustum.columns);
+        slice.columnSides = SideWeights(u, slice.voxelColumns, slice.depth);
+        slice.rowSides = SideWeights(v, slice.voxelRows, slice.depth);
+        slice.columnEntry = u.VoxelEntries(slice.depth, base);
+        slice.rowEntry = v.VoxelEntries(slice.depth, base);
+        slice.ownedColumns = u.Owned(slice.depth, closedU);
+        slice.ownedRows = v.Owned(slice.depth, closedV);
       }
     });
 }
 
-/// The pyramid about the eye that opens along +axis or -axis; without rays if it misses the grid.
-Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye, int axisW,
-  double sign, double rayDensity, Placement placement)
+/// The frustum about the eye that opens along +axis or -axis; without rays if it misses the grid.
+FaceFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const RaySource& eye,
+  int axisW, double sign, double rayDensity, Placement placement)
 {
-  Pyramid pyramid;
-  ChooseAxes(pyramid, grid, axisW);
+  FaceFrustum frustum;
+  ChooseAxes(frustum, grid, axisW);
   DepthAxis depth;
   depth.parallel = eye.parallel;
   depth.sign = sign;
@@ -196,12 +195,12 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
   depth.origin = eye.parallel ? (sign > 0 ? 0.0 : depth.nodes - 1.0) : eye.origin[axisW];
   if (!(depth.Far() > nearestSlice))
   {
-    return pyramid;
+    return frustum;
   }
   Lateral laterals[2];
   for (int side = 0; side < 2; ++side)
   {
-    const int axis = side == 0 ? pyramid.axisU : pyramid.axisV;
+    const int axis = side == 0 ? frustum.axisU : frustum.axisV;
     Lateral& lateral = laterals[side];
     lateral.parallel = eye.parallel;
     lateral.eye = eye.origin[axis];
@@ -210,31 +209,31 @@ Pyramid MakePyramid(const Grid& grid, const Occupancy& occupancy, const Eye& eye
     lateral.Fit(depth.Near(), depth.Far(), rayDensity, placement);
     if (lateral.count == 0)
     {
-      return pyramid;
+      return frustum;
     }
   }
-  pyramid.lateralU = laterals[0];
-  pyramid.lateralV = laterals[1];
-  const Lateral& u = pyramid.lateralU;
-  const Lateral& v = pyramid.lateralV;
-  pyramid.columns = u.count;
-  pyramid.rows = v.count;
-  pyramid.cellMeasure = grid.CellVolume();
+  frustum.lateralU = laterals[0];
+  frustum.lateralV = laterals[1];
+  const Lateral& u = frustum.lateralU;
+  const Lateral& v = frustum.lateralV;
+  frustum.columns = u.count;
+  frustum.rows = v.count;
+  frustum.cellMeasure = grid.CellVolume();
   const double scale = eye.parallel ? 1.0 : depth.Far();
-  const double base = PlaceStations(pyramid, depth);
-  const float back = pyramid.stations.back().relativeDepth;
-  DescribeRays(u, base, back, scale, pyramid.columnAxis);
-  DescribeRays(v, base, back, scale, pyramid.rowAxis);
-  pyramid.frontColumns = RaysEnteredBy(pyramid.columnAxis, pyramid.FrontDepth());
-  pyramid.frontRows = RaysEnteredBy(pyramid.rowAxis, pyramid.FrontDepth());
-  PlaceMaps(pyramid, sign, base, u, v);
-  FindWork(pyramid, occupancy);
-  pyramid.inView = FindInView(pyramid, eye, eye.parallel ? depth.origin : sign);
-  return pyramid;
+  const double base = PlaceSlices(frustum, depth);
+  const float back = frustum.slices.back().relativeDepth;
+  DescribeRays(u, base, back, scale, frustum.columnAxis);
+  DescribeRays(v, base, back, scale, frustum.rowAxis);
+  frustum.frontColumns = RaysEnteredBy(frustum.columnAxis, frustum.FrontDepth());
+  frustum.frontRows = RaysEnteredBy(frustum.rowAxis, frustum.FrontDepth());
+  PlaceMaps(frustum, sign, base, u, v);
+  FindWork(frustum, occupancy);
+  frustum.inView = FindInView(frustum, eye, eye.parallel ? depth.origin : sign);
+  return frustum;
 }
 }
 
-Interval RaysEnteredBy(const RayAxis& axis, float depth)
+Range<int> RaysEnteredBy(const RayAxis& axis, float depth)
 {
   int begin = 1;
   int end = axis.Count() - 1;
@@ -249,23 +248,24 @@ Interval RaysEnteredBy(const RayAxis& axis, float depth)
   return { begin, end };
 }
 
-SpanRows SpansOf(const Pyramid& pyramid, const Occupancy& occupancy, int slice)
+SpanRows SpansOf(const FaceFrustum& frustum, const Occupancy& occupancy, int node)
 {
   // Rows along x lie [z][y], those along y [z][x].
-  const bool neighbours = pyramid.axisV < pyramid.axisW;
-  const int first = neighbours ? 0 : slice;
-  const int second = neighbours ? slice : 0;
-  return { &occupancy.Row(pyramid.axisU, first, second),
-    neighbours ? 1 : occupancy.RowStride(pyramid.axisU) };
+  const bool neighbours = frustum.axisV < frustum.axisW;
+  const int first = neighbours ? 0 : node;
+  const int second = neighbours ? node : 0;
+  return { &occupancy.Row(frustum.axisU, first, second),
+    neighbours ? 1 : occupancy.RowStride(frustum.axisU) };
 }
 
-std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, const Eye& eye,
-  double rayDensity, Placement placement, const std::array<bool, 3>& depthAxes)
+std::vector<FaceFrustum> PlanSweep(const Grid& grid, const Occupancy& occupancy,
+  const RaySource& eye, double rayDensity, Placement placement,
+  const std::array<bool, 3>& depthAxes)
 {
-  std::vector<Pyramid> pyramids;
+  std::vector<FaceFrustum> frusta;
   if (!grid.HasVolume())
   {
-    return pyramids;
+    return frusta;
   }
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -280,25 +280,23 @@ std::vector<Pyramid> PlanSweep(const Grid& grid, const Occupancy& occupancy, con
         const Vec3 size = glm::abs(eye.direction);
         const bool steepest =
           size[axis] >= size[(axis + 1) % 3] && size[axis] >= size[(axis + 2) % 3];
-        if (!pyramids.empty() || !steepest || eye.direction[axis] * sign <= 0)
+        if (!frusta.empty() || !steepest || eye.direction[axis] * sign <= 0)
         {
           continue;
         }
       }
-      Pyramid pyramid = MakePyramid(grid, occupancy, eye, axis, sign, rayDensity, placement);
-      if (pyramid.RayCount() > 0)
+      FaceFrustum frustum = MakeFrustum(grid, occupancy, eye, axis, sign, rayDensity, placement);
+      if (frustum.RayCount() > 0)
       {
-        pyramids.push_back(std::move(pyramid));
+        frusta.push_back(std::move(frustum));
       }
     }
   }
   // A policy sweep gains most if the largest comes last, see MetNextIterate.
-  std::stable_sort(pyramids.begin(), pyramids.end(),
-    [](const Pyramid& one, const Pyramid& other)
-    {
-      return Index(one.RayCount()) * one.LastStation() <
-        Index(other.RayCount()) * other.LastStation();
+  std::stable_sort(frusta.begin(), frusta.end(),
+    [](const FaceFrustum& one, const FaceFrustum& other) {
+      return Index(one.RayCount()) * one.LastSlice() < Index(other.RayCount()) * other.LastSlice();
     });
-  return pyramids;
+  return frusta;
 }
 }

@@ -52,7 +52,7 @@ struct Marks
 };
 
 LIMPID_MULTIVERSION
-Interval FindInside(const float* __restrict entries, const float* __restrict exits,
+Range<int> FindInside(const float* __restrict entries, const float* __restrict exits,
   const float* __restrict shares, int count, float front, float back)
 {
   Marks marks{ count, -1 };
@@ -60,8 +60,8 @@ Interval FindInside(const float* __restrict entries, const float* __restrict exi
   {
     marks.Add(i, (shares[i] != 0) & (entries[i] <= front) & (exits[i] >= back), count);
   }
-  const Interval inside{ marks.begin, marks.last + 1 };
-  return inside.Empty() ? Interval{} : inside;
+  const Range<int> inside{ marks.begin, marks.last + 1 };
+  return inside.Empty() ? Range<int>{} : inside;
 }
 
 /// A plane of a frustum as a condition on the rays of a row: u x + first + second + offset >= 0 at
@@ -87,46 +87,46 @@ void HideBehind(
 }
 }
 
-float Pyramid::RayLength(int column, int row) const
+float FaceFrustum::RayLength(int column, int row) const
 {
   return LengthOf(Squared(this->columnAxis.slope[std::size_t(column)] * this->spacing.x),
     Squared(this->rowAxis.slope[std::size_t(row)] * this->spacing.y), Squared(this->spacing.z));
 }
 
-void Pyramid::FindRayLengths(int row, float* lengths) const
+void FaceFrustum::FindRayLengths(int row, float* lengths) const
 {
   FindLengths(this->columnAxis.slope.data(), this->columns, this->spacing,
     this->rowAxis.slope[std::size_t(row)], lengths);
 }
 
-Interval InsideColumns(const Pyramid& pyramid, float front, float back)
+Range<int> InsideColumns(const FaceFrustum& frustum, float front, float back)
 {
-  const RayAxis& axis = pyramid.columnAxis;
+  const RayAxis& axis = frustum.columnAxis;
   return FindInside(
-    axis.entry.data(), axis.exit.data(), axis.share.data(), pyramid.columns, front, back);
+    axis.entry.data(), axis.exit.data(), axis.share.data(), frustum.columns, front, back);
 }
 
-std::vector<float> FindInView(const Pyramid& pyramid, const Eye& eye, double w)
+std::vector<float> FindInView(const FaceFrustum& frustum, const RaySource& eye, double w)
 {
-  if (eye.frustum.empty())
+  if (eye.viewPlanes.empty())
   {
     return {};
   }
-  const std::vector<double>& columns = pyramid.lateralU.Coordinates();
-  std::vector<float> inView(std::size_t(pyramid.RayCount()), 1.0f);
-  ParallelFor(pyramid.rows, 16,
+  const std::vector<double>& columns = frustum.lateralU.Coordinates();
+  std::vector<float> inView(std::size_t(frustum.RayCount()), 1.0f);
+  ParallelFor(frustum.rows, 16,
     [&](Index row)
     {
-      const double coordinate = pyramid.lateralV.Coordinate(static_cast<int>(row));
-      for (const Eye::Plane& plane : eye.frustum)
+      const double coordinate = frustum.lateralV.Coordinate(static_cast<int>(row));
+      for (const RaySource::Plane& plane : eye.viewPlanes)
       {
         // Summed in the order of the grid's axes.
-        const double alongV = plane.normal[pyramid.axisV] * coordinate;
-        const double alongW = plane.normal[pyramid.axisW] * w;
-        const bool depthLast = pyramid.axisV < pyramid.axisW;
-        HideBehind({ plane.normal[pyramid.axisU], depthLast ? alongV : alongW,
+        const double alongV = plane.normal[frustum.axisV] * coordinate;
+        const double alongW = plane.normal[frustum.axisW] * w;
+        const bool depthLast = frustum.axisV < frustum.axisW;
+        HideBehind({ plane.normal[frustum.axisU], depthLast ? alongV : alongW,
                      depthLast ? alongW : alongV, plane.offset },
-          columns.data(), pyramid.columns, inView.data() + row * pyramid.columns);
+          columns.data(), frustum.columns, inView.data() + row * frustum.columns);
       }
     });
   return inView;

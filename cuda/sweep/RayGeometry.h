@@ -12,11 +12,11 @@ namespace limpid
 {
 /// Columns, guards apart, that are inside the box in u all the way between two relative depths.
 /// They are neighbours, as the rays' order along u never changes.
-Interval InsideColumns(const Pyramid& pyramid, float front, float back);
+Range<int> InsideColumns(const FaceFrustum& frustum, float front, float back);
 
-/// Which rays of a pyramid the picture shows, see Pyramid::inView. `w`: of all rays' directions
+/// Which rays of a frustum the picture shows, see FaceFrustum::inView. `w`: of all rays' directions
 /// (point eye) or of one point each (parallel eye) along the depth axis.
-std::vector<float> FindInView(const Pyramid& pyramid, const Eye& eye, double w);
+std::vector<float> FindInView(const FaceFrustum& frustum, const RaySource& eye, double w);
 }
 
 #endif

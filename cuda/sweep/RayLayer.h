@@ -21,21 +21,21 @@ enum class Cut
 /// A half of a layer less what is cut off.
 template <Cut cut>
 LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, float length,
-  float extinction, float importance, Clip column, Clip row)
+  float extinction, float importance, Range<float> column, Range<float> row)
 {
   constexpr float always = 1e30f;
   if (cut == Cut::Entry)
   {
-    column.exit = row.exit = always;
+    column.end = row.end = always;
   }
   if (cut == Cut::Exit)
   {
-    const float entry = column.entry > row.entry ? column.entry : row.entry;
-    const float exit = column.exit < row.exit ? column.exit : row.exit;
-    row.exit = entry < exit ? row.exit : -always; // a ray that misses the box meets nothing
-    column.entry = row.entry = -always;
+    const float entry = column.begin > row.begin ? column.begin : row.begin;
+    const float exit = column.end < row.end ? column.end : row.end;
+    row.end = entry < exit ? row.end : -always; // a ray that misses the box meets nothing
+    column.begin = row.begin = -always;
   }
-  return ClippedHalf<float>(layer, HalfRangeOf(half), length, extinction, importance, column, row);
+  return ClippedHalf<float>(layer, RangeOfHalf(half), length, extinction, importance, column, row);
 }
 
 /// Visible importance behind a half, carried from its back to its front.

@@ -4,6 +4,7 @@
 #include "sweep/RayMeans.h"
 
 #include "sweep/HatMean.h"
+#include "sweep/Registers.h"
 #include "sweep/Sweep.h"
 
 #include <algorithm>
@@ -21,10 +22,10 @@ struct BetweenRows
 };
 
 /// `share`: by which the weights are multiplied.
-BetweenRows RowsOf(const Pyramid& pyramid, const Station& station, int v, float share)
+BetweenRows RowsOf(const FaceFrustum& frustum, const Slice& slice, int v, float share)
 {
-  const float weight = station.voxelRows.weight[std::size_t(v)];
-  return { Index(station.voxelRows.index[std::size_t(v)]) * pyramid.columns,
+  const float weight = slice.voxelRows.weight[std::size_t(v)];
+  return { Index(slice.voxelRows.index[std::size_t(v)]) * frustum.columns,
     { share * (1.0f - weight), share * weight } };
 }
 
@@ -63,7 +64,7 @@ struct SeenRows
 /// Of a row of voxels between rows of rays.
 LIMPID_MULTIVERSION
 void SeeRow(
-  const SeenImages& images, const BetweenRows& row, const Interval& columns, const SeenRow& out)
+  const SeenImages& images, const BetweenRows& row, const Range<int>& columns, const SeenRow& out)
 {
   const SeenRows own(images, row);
   float* __restrict transmittance = out.transmittance;
@@ -82,7 +83,7 @@ void SeeRow(
 /// Of three rows of voxels.
 LIMPID_MULTIVERSION
 void SeeRows(const SeenImages& images, const std::array<BetweenRows, 3>& rows,
-  const Interval& columns, const SeenRow& out)
+  const Range<int>& columns, const SeenRow& out)
 {
   const SeenRows before(images, rows[0]);
   const SeenRows own(images, rows[1]);
@@ -104,7 +105,7 @@ void SeeRows(const SeenImages& images, const std::array<BetweenRows, 3>& rows,
 
 LIMPID_MULTIVERSION
 void AverageAlongRow(const float* __restrict values, const float* __restrict sides,
-  const Interval& columns, float* __restrict out)
+  const Range<int>& columns, float* __restrict out)
 {
   for (int u = columns.begin; u < columns.end; ++u)
   {
@@ -115,7 +116,7 @@ void AverageAlongRow(const float* __restrict values, const float* __restrict sid
 /// Takes another transmittance for the mean, and so much more or less of what is behind.
 LIMPID_MULTIVERSION
 void ExchangeTransmittance(
-  const float* __restrict other, const Interval& columns, const SeenRow& seen)
+  const float* __restrict other, const Range<int>& columns, const SeenRow& seen)
 {
   float* __restrict transmittance = seen.transmittance;
   float* __restrict behind = seen.behind;
@@ -127,42 +128,43 @@ void ExchangeTransmittance(
 }
 
 /// What rays in `read` show to a row of voxels and, through it, to those beside it.
-void SeeAcrossRows(const Pyramid& pyramid, const Station& station, int v, const SeenImages& images,
-  const Interval& read, const SeenRow& out)
+void SeeAcrossRows(const FaceFrustum& frustum, const Slice& slice, int v, const SeenImages& images,
+  const Range<int>& read, const SeenRow& out)
 {
-  const float side = station.rowSides[std::size_t(v)];
+  const float side = slice.rowSides[std::size_t(v)];
   if (side == 0)
   {
-    SeeRow(images, RowsOf(pyramid, station, v, 1.0f), read, out);
+    SeeRow(images, RowsOf(frustum, slice, v, 1.0f), read, out);
     return;
   }
   SeeRows(images,
-    { { RowsOf(pyramid, station, std::max(v - 1, 0), side),
-      RowsOf(pyramid, station, v, 1.0f - 2.0f * side),
-      RowsOf(pyramid, station, std::min(v + 1, pyramid.nodesV - 1), side) } },
+    { { RowsOf(frustum, slice, std::max(v - 1, 0), side),
+      RowsOf(frustum, slice, v, 1.0f - 2.0f * side),
+      RowsOf(frustum, slice, std::min(v + 1, frustum.nodesV - 1), side) } },
     read, out);
 }
 
 /// Interpolates a row of rays to voxels, and averages these. `voxels`: memory for them all, with
 /// one more on either side.
-void AverageVoxels(const Pyramid& pyramid, const Station& station, const Interval& columns,
+void AverageVoxels(const FaceFrustum& frustum, const Slice& slice, const Range<int>& columns,
   const float* rays, float* voxels, float* out)
 {
-  const Interval wide{ std::max(columns.begin - 1, 0), std::min(columns.end + 1, pyramid.nodesU) };
-  InterpolateRow(rays, station.voxelColumns, wide, voxels);
+  const Range<int> wide{ std::max(columns.begin - 1, 0),
+    std::min(columns.end + 1, frustum.nodesU) };
+  InterpolateRow(rays, slice.voxelColumns, wide, voxels);
   voxels[-1] = voxels[0];
-  voxels[pyramid.nodesU] = voxels[pyramid.nodesU - 1];
-  AverageAlongRow(voxels, station.columnSides.data(), columns, out);
+  voxels[frustum.nodesU] = voxels[frustum.nodesU - 1];
+  AverageAlongRow(voxels, slice.columnSides.data(), columns, out);
 }
 
 /// The rays that columns of voxels and those beside them are interpolated from.
-Interval RaysRead(const Pyramid& pyramid, const Station& station, const Interval& columns)
+Range<int> RaysRead(const FaceFrustum& frustum, const Slice& slice, const Range<int>& columns)
 {
-  const std::vector<int>& index = station.voxelColumns.index;
+  const std::vector<int>& index = slice.voxelColumns.index;
   const int first = std::max(columns.begin - 1, 0);
-  const int last = std::min(columns.end, pyramid.nodesU - 1);
-  return FilledRegisters(
-    { index[std::size_t(first)], index[std::size_t(last)] + 2 }, { 0, pyramid.columns });
+  const int last = std::min(columns.end, frustum.nodesU - 1);
+  return WholeRegisters(
+    { index[std::size_t(first)], index[std::size_t(last)] + 2 }, { 0, frustum.columns });
 }
 }
 
@@ -180,30 +182,29 @@ std::vector<float> SideWeights(const Lateral& lateral, const LinearMap& voxels, 
   return sides;
 }
 
-std::size_t MeanScratch(const Pyramid& pyramid)
+std::size_t MeanScratch(const FaceFrustum& frustum)
 {
-  return 2 * ScratchSize(pyramid) + std::size_t(pyramid.nodesU) + 2;
+  return 2 * ScratchSize(frustum) + std::size_t(frustum.nodesU) + 2;
 }
 
-void AverageSeen(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
+void AverageSeen(const FaceFrustum& frustum, const Slice& slice, int v, const Range<int>& columns,
   const RayImages& images, const std::vector<float>& behind, float* scratch, const SeenRow& out)
 {
   if (columns.Empty())
   {
     return;
   }
-  const SeenRow rays{ scratch, scratch + ScratchSize(pyramid) };
-  float* voxels = scratch + 2 * ScratchSize(pyramid) + 1;
-  SeeAcrossRows(pyramid, station, v,
-    { images.transmittance.data(), behind.data(), pyramid.columns },
-    RaysRead(pyramid, station, columns), rays);
-  AverageVoxels(pyramid, station, columns, rays.transmittance, voxels, out.transmittance);
-  AverageVoxels(pyramid, station, columns, rays.behind, voxels, out.behind);
-  const Interval front = ColumnsBetweenFrontRays(pyramid, station, v, columns);
-  for (const Interval& side :
-    { Interval{ columns.begin, front.begin }, Interval{ front.end, columns.end } })
+  const SeenRow rays{ scratch, scratch + ScratchSize(frustum) };
+  float* voxels = scratch + 2 * ScratchSize(frustum) + 1;
+  SeeAcrossRows(frustum, slice, v, { images.transmittance.data(), behind.data(), frustum.columns },
+    RaysRead(frustum, slice, columns), rays);
+  AverageVoxels(frustum, slice, columns, rays.transmittance, voxels, out.transmittance);
+  AverageVoxels(frustum, slice, columns, rays.behind, voxels, out.behind);
+  const Range<int> front = ColumnsBetweenFrontRays(frustum, slice, v, columns);
+  for (const Range<int>& side :
+    { Range<int>{ columns.begin, front.begin }, Range<int>{ front.end, columns.end } })
   {
-    TransmitFromSide(pyramid, station, v, side, images, scratch, voxels);
+    TransmitFromSide(frustum, slice, v, side, images, scratch, voxels);
     ExchangeTransmittance(voxels, side, out);
   }
 }

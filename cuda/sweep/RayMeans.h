@@ -19,7 +19,7 @@ struct RayImages;
 std::vector<float> SideWeights(const Lateral& lateral, const LinearMap& voxels, double depth);
 
 /// Number of values that means need as scratch.
-std::size_t MeanScratch(const Pyramid& pyramid);
+std::size_t MeanScratch(const FaceFrustum& frustum);
 
 /// Transmittance T, and T times the importance behind, of a row of voxels or of rays.
 struct SeenRow
@@ -34,9 +34,9 @@ struct SeenRow
  * means say what it leaves of what is behind.
  *
  * `behind`: importance behind per unit of transmittance, per ray [scale^2]; `scratch`:
- * MeanScratch(pyramid) values.
+ * MeanScratch(frustum) values.
  */
-void AverageSeen(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
+void AverageSeen(const FaceFrustum& frustum, const Slice& slice, int v, const Range<int>& columns,
   const RayImages& images, const std::vector<float>& behind, float* scratch, const SeenRow& out);
 }
 

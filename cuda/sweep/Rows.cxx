@@ -13,7 +13,7 @@ namespace
 {
 LIMPID_INLINE HalfLayer<float> Whole(const RayRow& rays, int half, int i)
 {
-  return WholeHalf<float>(rays.layer, HalfRangeOf(half), rays.length[i], rays.extinction[half][i],
+  return WholeHalf<float>(rays.layer, RangeOfHalf(half), rays.length[i], rays.extinction[half][i],
     rays.importance[half][i]);
 }
 
@@ -27,16 +27,16 @@ LIMPID_INLINE HalfLayer<float> Clipped(const RayRow& rays, int half, int i)
 /// The columns of a row in three parts: clipped, whole, clipped.
 struct Parts
 {
-  Interval before;
-  Interval whole;
-  Interval after;
+  Range<int> before;
+  Range<int> whole;
+  Range<int> after;
 };
 
 LIMPID_INLINE Parts PartsOf(const RayRow& rays)
 {
   const float back = rays.layer.front + rays.layer.thickness;
-  const bool rowInside = rays.row.entry <= rays.layer.front && rays.row.exit >= back;
-  const Interval whole = Intersection(rays.work, rays.inside);
+  const bool rowInside = rays.row.begin <= rays.layer.front && rays.row.end >= back;
+  const Range<int> whole = Intersection(rays.work, rays.inside);
   if (!rowInside || whole.Empty())
   {
     return { rays.work, {}, {} };
@@ -50,7 +50,7 @@ template <class WholeColumn, class ClippedColumn>
 LIMPID_INLINE void Visit(const RayRow& rays, const WholeColumn& whole, const ClippedColumn& clipped)
 {
   const Parts parts = PartsOf(rays);
-  for (const Interval& part : { parts.before, parts.after })
+  for (const Range<int>& part : { parts.before, parts.after })
   {
     for (int i = part.begin; i < part.end; ++i)
     {
@@ -69,13 +69,13 @@ struct ForwardColumn
   RayRow rays;
   double* opticalDepth;
   float* visible;
-  float* plain;
+  float* unattenuated;
 
   LIMPID_INLINE void Gain(int i, const HalfLayer<float>& front, const HalfLayer<float>& rear) const
   {
     const float transmittance = Attenuate(static_cast<float>(this->opticalDepth[i]));
     this->visible[i] += transmittance * (front.visible + front.Passed() * rear.visible);
-    this->plain[i] += front.plain + rear.plain;
+    this->unattenuated[i] += front.unattenuated + rear.unattenuated;
   }
 
   LIMPID_INLINE void Deepen(
@@ -157,7 +157,7 @@ struct BackwardWhole
     const HalfLayer<float> front = Whole(this->rays, 0, i);
     const HalfLayer<float> rear = Whole(this->rays, 1, i);
     this->state.behind[i] = Carried(front, rear, this->state.behind[i]);
-    this->state.plain[i] += front.plain + rear.plain;
+    this->state.unattenuated[i] += front.unattenuated + rear.unattenuated;
     const float layer = DepthOf(front, rear);
     this->state.opticalDepth[i] += depth == Depth::Collected ? layer : -layer;
   }
@@ -174,9 +174,9 @@ struct BackwardClipped
     const float behind = this->state.behind[i];
     const HalfLayer<float> front = Clipped<Cut::Both>(this->rays, 0, i);
     const HalfLayer<float> rear = Clipped<Cut::Both>(this->rays, 1, i);
-    this->state.plain[i] += front.plain + rear.plain;
+    this->state.unattenuated[i] += front.unattenuated + rear.unattenuated;
     const float columnEntry = this->rays.columnEntry[i];
-    const float entry = this->rays.row.entry > columnEntry ? this->rays.row.entry : columnEntry;
+    const float entry = this->rays.row.begin > columnEntry ? this->rays.row.begin : columnEntry;
     this->state.visible[i] =
       FromEntry(this->state.visible[i], entry, this->rays.layer, Carried(front, rear, behind));
     this->state.behind[i] =
@@ -284,7 +284,7 @@ void Curve(const float* __restrict row, int begin, int end, float* __restrict ou
 }
 
 LIMPID_MULTIVERSION
-void BendRow(const LinearMap& map, const float* __restrict curvature, const Interval& columns,
+void BendRow(const LinearMap& map, const float* __restrict curvature, const Range<int>& columns,
   float* __restrict values)
 {
   const float* __restrict fractions = map.weight.data();
@@ -295,7 +295,7 @@ void BendRow(const LinearMap& map, const float* __restrict curvature, const Inte
 }
 
 LIMPID_MULTIVERSION
-void ClampRow(const Interval& columns, float* __restrict values)
+void ClampRow(const Range<int>& columns, float* __restrict values)
 {
   for (int i = columns.begin; i < columns.end; ++i)
   {
@@ -304,7 +304,8 @@ void ClampRow(const Interval& columns, float* __restrict values)
   }
 }
 
-void InterpolateRow(const float* source, const LinearMap& map, const Interval& columns, float* out)
+void InterpolateRow(
+  const float* source, const LinearMap& map, const Range<int>& columns, float* out)
 {
   if (!columns.Empty())
   {
@@ -314,9 +315,9 @@ void InterpolateRow(const float* source, const LinearMap& map, const Interval& c
 }
 
 LIMPID_MULTIVERSION
-void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float* plain)
+void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float* unattenuated)
 {
-  const ForwardColumn column{ rays, opticalDepth, visible, plain };
+  const ForwardColumn column{ rays, opticalDepth, visible, unattenuated };
   Visit(rays, ForwardWhole{ column }, ForwardClipped{ column });
 }
 
@@ -359,7 +360,7 @@ void RearHalfRow(const RayRow& rays, const float* behind, float* ahead)
 
 LIMPID_MULTIVERSION
 void TransmitRow(
-  const double* __restrict opticalDepth, const Interval& columns, float* __restrict transmittance)
+  const double* __restrict opticalDepth, const Range<int>& columns, float* __restrict transmittance)
 {
   for (int i = columns.begin; i < columns.end; ++i)
   {
@@ -368,7 +369,7 @@ void TransmitRow(
 }
 
 LIMPID_MULTIVERSION
-void DensifyRow(const DensityRow& row, const Interval& columns, float* __restrict density)
+void DensifyRow(const DensityRow& row, const Range<int>& columns, float* __restrict density)
 {
   const DensityRow rays = row;
   for (int i = columns.begin; i < columns.end; ++i)
@@ -382,7 +383,7 @@ void DensifyRow(const DensityRow& row, const Interval& columns, float* __restric
 
 LIMPID_MULTIVERSION
 void TransmitVoxelRow(float depth, float rowEntry, const float* __restrict columnEntry,
-  const Interval& columns, float* __restrict densityToTransmittance)
+  const Range<int>& columns, float* __restrict densityToTransmittance)
 {
   for (int u = columns.begin; u < columns.end; ++u)
   {
@@ -392,7 +393,8 @@ void TransmitVoxelRow(float depth, float rowEntry, const float* __restrict colum
 }
 
 LIMPID_MULTIVERSION
-void MultiplyRow(float* __restrict values, const float* __restrict factors, const Interval& columns)
+void MultiplyRow(
+  float* __restrict values, const float* __restrict factors, const Range<int>& columns)
 {
   for (int i = columns.begin; i < columns.end; ++i)
   {

@@ -16,14 +16,14 @@ namespace limpid
 struct RayRow
 {
   Layer layer;
-  Clip row;                 ///< of this row of rays
+  Range<float> row;         ///< of this row of rays
   const float* columnEntry; ///< of the columns
   const float* columnExit;
   const float* length;        ///< world length per unit of depth
   const float* extinction[2]; ///< at the Gauss points, front and rear [1/length]
   const float* importance[2]; ///< [0, 1]
-  Interval work;              ///< columns to be visited
-  Interval inside;            ///< columns that are not clipped
+  Range<int> work;            ///< columns to be visited
+  Range<int> inside;          ///< columns that are not clipped
 };
 
 /// A blend of two rows of samples: first + weight (second - first), columns [begin, end).
@@ -48,19 +48,21 @@ void Curve(const float* row, int begin, int end, float* out);
 
 /// Makes the linear interpolation of a row cubic, in place. `curvature`: the same interpolation of
 /// the row's Curve; `map`: of both.
-void BendRow(const LinearMap& map, const float* curvature, const Interval& columns, float* values);
+void BendRow(
+  const LinearMap& map, const float* curvature, const Range<int>& columns, float* values);
 
 /// Puts values that are outside [0, 1] on its border.
-void ClampRow(const Interval& columns, float* values);
+void ClampRow(const Range<int>& columns, float* values);
 
 /// Linear interpolation of a row of samples to `columns` of the map's targets. `source` must be
 /// readable up to 32 values beyond the last sample.
-void InterpolateRow(const float* source, const LinearMap& map, const Interval& columns, float* out);
+void InterpolateRow(
+  const float* source, const LinearMap& map, const Range<int>& columns, float* out);
 
 /// Front to back: `opticalDepth` grows; it is that since the entry into the box, negative before,
 /// and goes on behind the exit, so that nothing jumps between neighbouring rays. `visible` gains
-/// the integral of g mu T scale^2 and `plain` that of g mu scale^2, inside the box only.
-void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float* plain);
+/// the integral of g mu T scale^2 and `unattenuated` that of g mu scale^2, inside the box only.
+void ForwardRow(const RayRow& rays, double* opticalDepth, float* visible, float* unattenuated);
 
 /// Front to back, the optical depth alone.
 void DeepenRow(const RayRow& rays, double* opticalDepth);
@@ -71,9 +73,9 @@ void UnwindRow(const RayRow& rays, double* opticalDepth);
 /// What a row of rays carries from the back of the volume to its front.
 struct RaysBehind
 {
-  float* behind;  ///< visible importance behind, times scale^2; goes on ahead of the entry
-  float* visible; ///< the same from the entry into the box on; negative: not there yet
-  float* plain;   ///< the same without attenuation, inside the box
+  float* behind;       ///< visible importance behind, times scale^2; goes on ahead of the entry
+  float* visible;      ///< the same from the entry into the box on; negative: not there yet
+  float* unattenuated; ///< the same without attenuation, inside the box
   double* opticalDepth;
 };
 
@@ -88,32 +90,32 @@ void CollectRow(const RayRow& rays, const RaysBehind& state);
 void RearHalfRow(const RayRow& rays, const float* behind, float* ahead);
 
 /// transmittance = exp(-opticalDepth).
-void TransmitRow(const double* opticalDepth, const Interval& columns, float* transmittance);
+void TransmitRow(const double* opticalDepth, const Range<int>& columns, float* transmittance);
 
-/// Optical depth per unit of depth since the entry into the box, for rays at a station.
+/// Optical depth per unit of depth since the entry into the box, for rays at a slice.
 struct DensityRow
 {
-  float depth;              ///< relative depth of the station
+  float depth;              ///< relative depth of the slice
   float entry;              ///< of the row, or the front of the box if that is deeper
   const float* columnEntry; ///< of the columns
   const double* opticalDepth;
   const float* length;     ///< world length per unit of depth
-  const float* extinction; ///< just behind the station; null: behind the last one
+  const float* extinction; ///< just behind the slice; null: behind the last one
   bool unwound;            ///< whether `opticalDepth` is known, and negative, ahead of the entry
   float limit;             ///< to optical depths, lest cubics swing beside them
 };
 
 /// density = opticalDepth / (depth - entry). It is as smooth as the extinction even where the entry
 /// has a kink or lies ahead.
-void DensifyRow(const DensityRow& rays, const Interval& columns, float* density);
+void DensifyRow(const DensityRow& rays, const Range<int>& columns, float* density);
 
 /// Of voxels whose rays enter through a side: transmittance = exp(-density (depth - entry)), in
 /// place. `entry`: that of the row or of the front, `columnEntry` that of the columns.
-void TransmitVoxelRow(float depth, float entry, const float* columnEntry, const Interval& columns,
+void TransmitVoxelRow(float depth, float entry, const float* columnEntry, const Range<int>& columns,
   float* densityToTransmittance);
 
 /// values *= factors.
-void MultiplyRow(float* values, const float* factors, const Interval& columns);
+void MultiplyRow(float* values, const float* factors, const Range<int>& columns);
 }
 
 #endif

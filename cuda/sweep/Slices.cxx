@@ -4,6 +4,7 @@
 #include "sweep/Slices.h"
 
 #include "backend/Backend.h"
+#include "sweep/Registers.h"
 
 #include <algorithm>
 
@@ -12,25 +13,24 @@ namespace limpid
 namespace
 {
 constexpr int slicesPerSlab = 16;  // floats in a cache line of 64 bytes
-constexpr int mostBehind = 2;      // stations that sweeps read behind a slab
+constexpr int mostBehind = 2;      // slices that sweeps read behind a slab
 constexpr int columnsPerTile = 16; // cache lines that a tile of columns reads again and again
 }
 
-std::vector<Slab> SlabsOf(const Pyramid& pyramid)
+std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum)
 {
-  const int stations = static_cast<int>(pyramid.stations.size());
-  if (pyramid.axisW != 0)
+  const int slices = static_cast<int>(frustum.slices.size());
+  if (frustum.axisW != 0)
   {
-    return { { 0, stations } };
+    return { { 0, slices } };
   }
-  std::vector<Slab> slabs;
-  for (int s = 0; s < stations; ++s)
+  std::vector<Range<int>> slabs;
+  for (int s = 0; s < slices; ++s)
   {
-    const int slice = pyramid.stations[std::size_t(s)].slice;
+    const int node = frustum.slices[std::size_t(s)].node;
     const bool sameLine = !slabs.empty() &&
-      pyramid.stations[std::size_t(slabs.back().begin)].slice >= 0 &&
-      pyramid.stations[std::size_t(slabs.back().begin)].slice / slicesPerSlab ==
-        slice / slicesPerSlab;
+      frustum.slices[std::size_t(slabs.back().begin)].node >= 0 &&
+      frustum.slices[std::size_t(slabs.back().begin)].node / slicesPerSlab == node / slicesPerSlab;
     if (sameLine)
     {
       slabs.back().end = s + 1;
@@ -43,7 +43,7 @@ std::vector<Slab> SlabsOf(const Pyramid& pyramid)
   return slabs;
 }
 
-std::shared_ptr<SlabMemory> SlabPool::Take(const Pyramid& pyramid)
+std::shared_ptr<SlabMemory> SlabPool::Take(const FaceFrustum& frustum)
 {
   for (const std::shared_ptr<SlabMemory>& memory : this->All)
   {
@@ -53,77 +53,77 @@ std::shared_ptr<SlabMemory> SlabPool::Take(const Pyramid& pyramid)
     }
   }
   this->All.push_back(std::make_shared<SlabMemory>());
-  const Index slice = Index(pyramid.nodesV) * pyramid.nodesU;
+  const Index slice = Index(frustum.nodesV) * frustum.nodesU;
   this->All.back()->values = NodeValues((slicesPerSlab + mostBehind) * slice);
-  this->All.back()->rows.resize(std::size_t(pyramid.nodesV));
+  this->All.back()->rows.resize(std::size_t(frustum.nodesV));
   return this->All.back();
 }
 
-SliceWindow::SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field, SlabPool& pool,
+SliceWindow::SliceWindow(const FaceFrustum& frustum, const Grid& grid, float* field, SlabPool& pool,
   const Occupancy* occupancy)
-  : Source(&pyramid)
+  : Source(&frustum)
   , Occupied(occupancy)
   , Field(field)
-  , Transposed(pyramid.axisW == 0)
-  , Columns(pyramid.nodesU)
-  , Rows(pyramid.nodesV)
+  , Transposed(frustum.axisW == 0)
+  , Columns(frustum.nodesU)
+  , Rows(frustum.nodesV)
   , Pool(&pool)
 {
   const Index strides[3] = { 1, grid.nodes.x, Index(grid.nodes.x) * grid.nodes.y };
-  this->StrideV = strides[pyramid.axisV];
-  this->StrideW = strides[pyramid.axisW];
+  this->StrideV = strides[frustum.axisV];
+  this->StrideW = strides[frustum.axisW];
 }
 
-SliceWindow::Range SliceWindow::SlicesOf(int begin, int end) const
+SliceWindow::NodeRange SliceWindow::SlicesOf(int begin, int end) const
 {
   int low = -1;
   int high = -1;
   for (int s = begin; s < end; ++s)
   {
-    const Station& station = this->Source->stations[std::size_t(s)];
-    const int slice = station.slice < 0 ? station.planes[0].slices[0] : station.slice;
-    low = low < 0 ? slice : std::min(low, slice);
-    high = std::max(high, slice);
+    const Slice& slice = this->Source->slices[std::size_t(s)];
+    const int node = slice.node < 0 ? slice.planes[0].nodes[0] : slice.node;
+    low = low < 0 ? node : std::min(low, node);
+    high = std::max(high, node);
   }
   return { std::max(low, 0), low < 0 ? 0 : high - low + 1 };
 }
 
-Interval SliceWindow::HullOf(int begin, int end, Interval Station::*part) const
+Range<int> SliceWindow::HullOf(int begin, int end, Range<int> Slice::*part) const
 {
-  Interval hull;
+  Range<int> hull;
   for (int s = begin; s < end; ++s)
   {
-    hull = Hull(hull, this->Source->stations[std::size_t(s)].*part);
+    hull = Hull(hull, this->Source->slices[std::size_t(s)].*part);
   }
   return hull;
 }
 
 /// Of `columns` of row `v` those that are not known to be 0 on all slices in a range.
-Interval SliceWindow::FilledIn(const Range& slices, int v, const Interval& columns) const
+Range<int> SliceWindow::FilledIn(const NodeRange& slices, int v, const Range<int>& columns) const
 {
   if (!this->Occupied)
   {
     return columns;
   }
-  Interval hull;
+  Range<int> hull;
   for (int k = 0; k < slices.count; ++k)
   {
     hull = Hull(hull, SpansOf(*this->Source, *this->Occupied, slices.first + k, v).filled);
   }
-  const Interval filled = Intersection(hull, columns);
-  return filled.Empty() ? Interval{ columns.begin, columns.begin } : filled;
+  const Range<int> filled = Intersection(hull, columns);
+  return filled.Empty() ? Range<int>{ columns.begin, columns.begin } : filled;
 }
 
-void SliceWindow::Load(const Slab& slab, int behind)
+void SliceWindow::Load(const Range<int>& slab, int behind)
 {
   if (!this->Transposed)
   {
     return;
   }
-  const int end = std::min(slab.end + behind, this->Source->LastStation() + 1);
-  const Range range = this->SlicesOf(slab.begin, end);
-  const Interval columns = this->HullOf(slab.begin, end, &Station::touchedColumns);
-  const Interval rows = this->HullOf(slab.begin, end, &Station::touchedRows);
+  const int end = std::min(slab.end + behind, this->Source->LastSlice() + 1);
+  const NodeRange range = this->SlicesOf(slab.begin, end);
+  const Range<int> columns = this->HullOf(slab.begin, end, &Slice::touchedColumns);
+  const Range<int> rows = this->HullOf(slab.begin, end, &Slice::touchedRows);
   const Index slice = Index(this->Rows) * this->Columns;
   const Index pitch = this->StrideV / this->Columns; // nodes along x
   this->First = range.first;
@@ -139,7 +139,7 @@ void SliceWindow::Load(const Slab& slab, int behind)
       const int v = rows.begin + static_cast<int>(row);
       const float* source = this->Field + this->StrideV * v + range.first;
       float* target = this->Slices + Index(v) * this->Columns;
-      const Interval filled = this->FilledIn(range, v, columns);
+      const Range<int> filled = this->FilledIn(range, v, columns);
       this->ClearRow(v, filled, range.count);
       for (int tile = filled.begin; tile < filled.end; tile += columnsPerTile)
       {
@@ -157,33 +157,33 @@ void SliceWindow::Load(const Slab& slab, int behind)
 
 /// Makes 0 again what a row has been written in, but for `kept` of the first `slices`, which will
 /// be overwritten.
-void SliceWindow::ClearRow(int v, const Interval& kept, int slices)
+void SliceWindow::ClearRow(int v, const Range<int>& kept, int slices)
 {
   SlabMemory::Written& written = this->Memory->rows[std::size_t(v)];
   const Index slice = Index(this->Rows) * this->Columns;
   for (int k = 0; k < written.slices; ++k)
   {
     float* row = this->Slices + k * slice + Index(v) * this->Columns;
-    const Interval old = written.columns;
-    const Interval stays = k < slices && !kept.Empty() ? kept : Interval{ old.end, old.end };
+    const Range<int> old = written.columns;
+    const Range<int> stays = k < slices && !kept.Empty() ? kept : Range<int>{ old.end, old.end };
     std::fill(row + old.begin, row + std::max(std::min(stays.begin, old.end), old.begin), 0.0f);
     std::fill(row + std::min(std::max(stays.end, old.begin), old.end), row + old.end, 0.0f);
   }
-  // Whole registers are written, see FilledRegisters.
-  const Interval wide{ std::max(kept.begin - registerLanes, 0),
+  // Whole registers are written, see WholeRegisters.
+  const Range<int> wide{ std::max(kept.begin - registerLanes, 0),
     std::min(kept.end + registerLanes, this->Columns) };
   written = kept.Empty() ? SlabMemory::Written{} : SlabMemory::Written{ wide, slices };
 }
 
-void SliceWindow::Store(const Slab& slab)
+void SliceWindow::Store(const Range<int>& slab)
 {
   if (!this->Transposed)
   {
     return;
   }
-  const Range range = this->SlicesOf(slab.begin, slab.end);
-  const Interval columns = this->HullOf(slab.begin, slab.end, &Station::ownedColumns);
-  const Interval rows = this->HullOf(slab.begin, slab.end, &Station::ownedRows);
+  const NodeRange range = this->SlicesOf(slab.begin, slab.end);
+  const Range<int> columns = this->HullOf(slab.begin, slab.end, &Slice::ownedColumns);
+  const Range<int> rows = this->HullOf(slab.begin, slab.end, &Slice::ownedRows);
   const Index slice = Index(this->Rows) * this->Columns;
   const Index pitch = this->StrideV / this->Columns;
   ParallelFor(rows.end - rows.begin,
@@ -192,7 +192,7 @@ void SliceWindow::Store(const Slab& slab)
       const Index v = rows.begin + row;
       float* target = this->Field + this->StrideV * v + range.first;
       const float* source = this->Slices + (range.first - this->First) * slice + v * this->Columns;
-      const Interval filled = this->FilledIn(range, static_cast<int>(v), columns);
+      const Range<int> filled = this->FilledIn(range, static_cast<int>(v), columns);
       for (int u = filled.begin; u < filled.end; ++u)
       {
         for (int k = 0; k < range.count; ++k)

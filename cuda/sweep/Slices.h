@@ -14,16 +14,9 @@
 
 namespace limpid
 {
-/// Consecutive stations [begin, end) whose slices are held in memory together.
-struct Slab
-{
-  int begin = 0;
-  int end = 0;
-};
-
-/// The slabs of a pyramid, front to back: all stations at once where rows of voxels are contiguous
+/// The slabs of a frustum, front to back: all slices at once where rows of voxels are contiguous
 /// in memory, else so many slices that a transposed read uses whole cache lines.
-std::vector<Slab> SlabsOf(const Pyramid& pyramid);
+std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum);
 
 /**
  * Transposed slices of a slab. Outside the columns that a row is known to have been written in, it
@@ -34,7 +27,7 @@ struct SlabMemory
   /// Where a row may differ from 0.
   struct Written
   {
-    Interval columns;
+    Range<int> columns;
     int slices = 0;
   };
 
@@ -42,20 +35,20 @@ struct SlabMemory
   std::vector<Written> rows;
 };
 
-/// Keeps the memory of slabs from one sweep of a pyramid to the next.
+/// Keeps the memory of slabs from one sweep of a frustum to the next.
 class SlabPool
 {
 public:
   /// Memory for a slab that nobody else holds; it goes back when the last holder lets go. All calls
-  /// are for the same pyramid.
-  std::shared_ptr<SlabMemory> Take(const Pyramid& pyramid);
+  /// are for the same frustum.
+  std::shared_ptr<SlabMemory> Take(const FaceFrustum& frustum);
 
 private:
   std::vector<std::shared_ptr<SlabMemory>> All;
 };
 
 /**
- * A field seen slice by slice along the depth axis of a pyramid, each row of voxels contiguous.
+ * A field seen slice by slice along the depth axis of a frustum, each row of voxels contiguous.
  *
  * Depth along y or z: rows of the field itself. Depth along x: a transposed copy of the slices of
  * a slab; Load and Store move it.
@@ -66,50 +59,50 @@ public:
   /// `field`: grid.NodeCount() values; written only by Store, or through Row where not transposed.
   /// `occupancy`: where it is not filled the field is known to be 0, and what is written there is
   /// lost; null: nothing is known. `pool` must outlive the window.
-  SliceWindow(const Pyramid& pyramid, const Grid& grid, float* field, SlabPool& pool,
+  SliceWindow(const FaceFrustum& frustum, const Grid& grid, float* field, SlabPool& pool,
     const Occupancy* occupancy = nullptr);
-  SliceWindow(const Pyramid& pyramid, const Grid& grid, const float* field, SlabPool& pool,
+  SliceWindow(const FaceFrustum& frustum, const Grid& grid, const float* field, SlabPool& pool,
     const Occupancy* occupancy = nullptr)
-    : SliceWindow(pyramid, grid, const_cast<float*>(field), pool, occupancy)
+    : SliceWindow(frustum, grid, const_cast<float*>(field), pool, occupancy)
   {
   }
 
-  /// Makes the slices of the stations [slab.begin, slab.end) readable, and those of as many
-  /// stations as `behind` says behind them, at most 2.
-  void Load(const Slab& slab, int behind);
+  /// Makes the slices of the slices [slab.begin, slab.end) readable, and those of as many
+  /// slices as `behind` says behind them, at most 2.
+  void Load(const Range<int>& slab, int behind);
 
   /// Writes the slices of the slab back.
-  void Store(const Slab& slab);
+  void Store(const Range<int>& slab);
 
   int ColumnCount() const { return this->Columns; }
 
-  /// Row `v` of the slice: one value per column.
-  float* Row(int slice, int v)
+  /// Row `v` of the slice at a node: one value per column.
+  float* Row(int node, int v)
   {
     return this->Transposed
-      ? this->Slices + (std::size_t(slice - this->First) * this->Rows + v) * this->Columns
-      : this->Field + this->StrideW * slice + this->StrideV * v;
+      ? this->Slices + (std::size_t(node - this->First) * this->Rows + v) * this->Columns
+      : this->Field + this->StrideW * node + this->StrideV * v;
   }
 
-  /// Row `v` of the slice will be read soon, or the last one.
-  LIMPID_INLINE void Prefetch(int slice, int v, const Interval& columns)
+  /// Row `v` of the slice at a node will be read soon, or the last one.
+  LIMPID_INLINE void Prefetch(int node, int v, const Range<int>& columns)
   {
-    const float* row = this->Row(slice, v < this->Rows ? v : this->Rows - 1);
+    const float* row = this->Row(node, v < this->Rows ? v : this->Rows - 1);
     limpid::Prefetch(row + columns.begin, row + columns.end);
   }
 
 private:
-  struct Range
+  struct NodeRange
   {
     int first;
     int count;
   };
-  Range SlicesOf(int begin, int end) const;
-  Interval HullOf(int begin, int end, Interval Station::*part) const;
-  Interval FilledIn(const Range& slices, int v, const Interval& columns) const;
-  void ClearRow(int v, const Interval& kept, int slices);
+  NodeRange SlicesOf(int begin, int end) const;
+  Range<int> HullOf(int begin, int end, Range<int> Slice::*part) const;
+  Range<int> FilledIn(const NodeRange& slices, int v, const Range<int>& columns) const;
+  void ClearRow(int v, const Range<int>& kept, int slices);
 
-  const Pyramid* Source;
+  const FaceFrustum* Source;
   const Occupancy* Occupied;
   float* Field;
   bool Transposed;

@@ -14,21 +14,21 @@
 
 namespace limpid
 {
-/// One value per ray of a pyramid; what travels with the rays while a sweep moves from slice to
-/// slice. Row by row, Pyramid::columns values each.
+/// One value per ray of a frustum; what travels with the rays while a sweep moves from slice to
+/// slice. Row by row, FaceFrustum::columns values each.
 struct RayImages
 {
-  explicit RayImages(const Pyramid& pyramid);
+  explicit RayImages(const FaceFrustum& frustum);
 
   /// What a backward sweep carries of a row.
-  RaysBehind Behind(const Pyramid& pyramid, int row);
+  RaysBehind Behind(const FaceFrustum& frustum, int row);
 
   std::vector<float> length;        ///< world length per unit of depth [length]
-  std::vector<double> opticalDepth; ///< from the eye to the station that the sweep has reached
+  std::vector<double> opticalDepth; ///< from the eye to the slice that the sweep has reached
   std::vector<float> behind;        ///< visible importance behind, times scale^2
   std::vector<float> visible;       ///< ... from the entry into the box on, see RaysBehind
-  std::vector<float> plain;         ///< the same without attenuation
-  std::vector<float> transmittance; ///< from the eye to the station [0, 1]
+  std::vector<float> unattenuated;  ///< the same without attenuation
+  std::vector<float> transmittance; ///< from the eye to the slice [0, 1]
   std::vector<float> density;       ///< near the sides: see DensifyRow
   SlabPool slabs;                   ///< of the fields that a sweep moves through
 };
@@ -36,13 +36,13 @@ struct RayImages
 /// Integrals over the domain of importance times extinction, with and without transmittance.
 struct Visible
 {
-  double visible = 0; ///< S of Eq. 32 [length^2]
-  double plain = 0;   ///< its upper bound [length^2]
+  double visible = 0;      ///< S of Eq. (32) [length^2]
+  double unattenuated = 0; ///< its upper bound [length^2]
 
   Visible& operator+=(const Visible& other)
   {
     this->visible += other.visible;
-    this->plain += other.plain;
+    this->unattenuated += other.unattenuated;
     return *this;
   }
 };
@@ -58,36 +58,36 @@ struct RayFields
 
 /// Sum of one value per ray, for an integral over the domain of what these are integrals of along
 /// their rays times scale^2; in a fixed order.
-double SumOfRays(const Pyramid& pyramid, const RayImages& images, const float* values);
+double SumOfRays(const FaceFrustum& frustum, const RayImages& images, const float* values);
 
-/// The layer between stations `front` and `front + 1`.
-Layer LayerOf(const Pyramid& pyramid, int front);
+/// The layer between slices `front` and `front + 1`.
+Layer LayerOf(const FaceFrustum& frustum, int front);
 
-/// Row `row` of the rays in the layer behind station `front`; the sampled fields are left open.
-RayRow RaysOf(const Pyramid& pyramid, const RayImages& images, int front, int row);
+/// Row `row` of the rays in the layer behind slice `front`; the sampled fields are left open.
+RayRow RaysOf(const FaceFrustum& frustum, const RayImages& images, int front, int row);
 
 /// Which slices a plane is sampled from.
-enum class Slices
+enum class SliceBlend
 {
-  Both, ///< blended at the Gauss point
-  Rear  ///< the slice behind alone
+  Both,     ///< blended at the Gauss point
+  RearAlone ///< the slice behind alone
 };
 
-/// Samples a plane at `columns` of a row of rays. `scratch`: ScratchSize(pyramid) values.
-void SamplePlane(const Plane& plane, int row, const Interval& columns, Slices slices,
+/// Samples a plane at `columns` of a row of rays. `scratch`: ScratchSize(frustum) values.
+void SamplePlane(const Plane& plane, int row, const Range<int>& columns, SliceBlend blend,
   SliceWindow& field, float* scratch, float* out);
 
 /// Samples both planes of a layer at `columns` of a row of rays, from both slices. `scratch`: twice
-/// ScratchSize(pyramid) values.
-void SamplePlanes(const std::array<Plane, 2>& planes, int row, const Interval& columns,
+/// ScratchSize(frustum) values.
+void SamplePlanes(const std::array<Plane, 2>& planes, int row, const Range<int>& columns,
   SliceWindow& field, float* scratch, float* const out[2]);
 
 /// Number of values that sampling needs as scratch.
-std::size_t ScratchSize(const Pyramid& pyramid);
+std::size_t ScratchSize(const FaceFrustum& frustum);
 
 /// Interpolates an image of the rays at `columns` of voxel row `v`. `scratch`:
-/// ScratchSize(pyramid) values.
-void SampleRays(const Pyramid& pyramid, const Station& station, int v, const Interval& columns,
+/// ScratchSize(frustum) values.
+void SampleRays(const FaceFrustum& frustum, const Slice& slice, int v, const Range<int>& columns,
   const std::vector<float>& image, float* scratch, float* out);
 
 /// Whether optical depths are those of a sweep from the front, 0 ahead of a ray's entry into the
@@ -98,52 +98,53 @@ enum class Depths
   Unwound
 };
 
-/// Turns the optical depths of `columns` of a row of rays at station `s` into what voxels read:
+/// Moves the optical depths of `columns` of a row of rays at slice `s` into what voxels read:
 /// transmittance, and density where rays enter through a side. `extinction`: of the row just behind
-/// the station; null: there is nothing.
-void TransmitRays(const Pyramid& pyramid, int s, int row, const Interval& columns,
+/// the slice; null: there is nothing.
+void TransmitRays(const FaceFrustum& frustum, int s, int row, const Range<int>& columns,
   const float* extinction, Depths depths, RayImages& images);
 
 /// Those of `columns` of voxel row `v` that lie between rays that enter in front; where there are
 /// none, the interval ends with `columns`.
-Interval ColumnsBetweenFrontRays(
-  const Pyramid& pyramid, const Station& station, int v, const Interval& columns);
+Range<int> ColumnsBetweenFrontRays(
+  const FaceFrustum& frustum, const Slice& slice, int v, const Range<int>& columns);
 
 /// Transmittance at `columns` of voxel row `v`, made from the rays' density [0, 1].
-void TransmitFromSide(const Pyramid& pyramid, const Station& station, int v,
-  const Interval& columns, const RayImages& images, float* scratch, float* out);
+void TransmitFromSide(const FaceFrustum& frustum, const Slice& slice, int v,
+  const Range<int>& columns, const RayImages& images, float* scratch, float* out);
 
-/// Transmittance at `columns` of voxel row `v` on station `s` [0, 1]. Between rays that enter
+/// Transmittance at `columns` of voxel row `v` on slice `s` [0, 1]. Between rays that enter
 /// through a side, it is made from their density, which knows where the voxel's own ray enters.
-void SampleTransmittance(const Pyramid& pyramid, const Station& station, int v,
-  const Interval& columns, const RayImages& images, float* scratch, float* out);
+void SampleTransmittance(const FaceFrustum& frustum, const Slice& slice, int v,
+  const Range<int>& columns, const RayImages& images, float* scratch, float* out);
 
-/// Samples the extinction of a row of rays at both Gauss points of the layer behind station `s` and
+/// Samples the extinction of a row of rays at both Gauss points of the layer behind slice `s` and
 /// lets `rays` point to the samples, for its importance, too, which is not to be used. `memory`:
-/// LayerMemory(pyramid) values, the front samples first.
+/// LayerMemory(frustum) values, the front samples first.
 void SampleExtinction(
-  const Pyramid& pyramid, int s, int row, SliceWindow& extinction, float* memory, RayRow& rays);
+  const FaceFrustum& frustum, int s, int row, SliceWindow& extinction, float* memory, RayRow& rays);
 
 /// The same of extinction and importance.
-void SampleLayer(const Pyramid& pyramid, int s, int row, SliceWindow& extinction,
+void SampleLayer(const FaceFrustum& frustum, int s, int row, SliceWindow& extinction,
   SliceWindow& importance, float* memory, RayRow& rays);
 
 /// Number of values that the samples of a row of rays in a layer need, scratch included; the
 /// scratch begins at the fifth row of rays.
-std::size_t LayerMemory(const Pyramid& pyramid);
+std::size_t LayerMemory(const FaceFrustum& frustum);
 
 /// Multiplies by 0 what the picture does not show, see Settings::restrictToView.
-void HideOutOfView(const Pyramid& pyramid, int row, const Interval& columns, float* importance);
+void HideOutOfView(
+  const FaceFrustum& frustum, int row, const Range<int>& columns, float* importance);
 
 /**
  * Front to back over all slices: leaves in `images` the optical depth of every ray through
- * the layers in its `work`, and returns the score of the pyramid.
+ * the layers in its `work`, and returns the score of the frustum.
  */
-Visible SweepForward(const Pyramid& pyramid, const RayFields& fields, RayImages& images);
+Visible SweepForward(const FaceFrustum& frustum, const RayFields& fields, RayImages& images);
 
 /// Front to back over all slices: leaves the optical depths alone in `images`. The importance is
 /// not read.
-void SweepDepths(const Pyramid& pyramid, const RayFields& fields, RayImages& images);
+void SweepDepths(const FaceFrustum& frustum, const RayFields& fields, RayImages& images);
 
 /// Rays that are worth a task of their own where little is done with each.
 constexpr Index raysPerTask = 8192;
@@ -164,8 +165,8 @@ void FillImage(std::vector<Value>& image, Value value)
 /// Prepares the images for a sweep from the back, where nothing is behind. Optical depths stay.
 void StartBehind(RayImages& images);
 
-/// The score of a pyramid when a sweep from the back has come to its front.
-Visible SumBehind(const Pyramid& pyramid, RayImages& images);
+/// The score of a frustum when a sweep from the back has come to its front.
+Visible SumBehind(const FaceFrustum& frustum, RayImages& images);
 
 /**
  * Front to back over all slices, the eye's own included. On each slice the visitor first lets the
@@ -173,17 +174,17 @@ Visible SumBehind(const Pyramid& pyramid, RayImages& images);
  * its work on the voxels of the slice (VoxelRow). Load and Store tell it which slices come next.
  */
 template <class Visitor>
-void SweepFrontToBack(const Pyramid& pyramid, Visitor& visitor)
+void SweepFrontToBack(const FaceFrustum& frustum, Visitor& visitor)
 {
   constexpr Index rowsPerTask = 8;
-  for (const Slab& slab : SlabsOf(pyramid))
+  for (const Range<int>& slab : SlabsOf(frustum))
   {
     visitor.Load(slab);
     for (int s = slab.begin; s < slab.end; ++s)
     {
-      const Station& station = pyramid.stations[std::size_t(s)];
-      const Interval rows = station.slice < 0 ? Interval{} : station.ownedRows;
-      ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.RayRow(s, int(row)); });
+      const Slice& slice = frustum.slices[std::size_t(s)];
+      const Range<int> rows = slice.node < 0 ? Range<int>{} : slice.ownedRows;
+      ParallelFor(frustum.rows, rowsPerTask, [&](Index row) { visitor.RayRow(s, int(row)); });
       ParallelFor(rows.end - rows.begin, rowsPerTask,
         [&](Index v) { visitor.VoxelRow(s, rows.begin + int(v)); });
     }
@@ -198,24 +199,24 @@ void SweepFrontToBack(const Pyramid& pyramid, Visitor& visitor)
  * tell it which slices come next.
  */
 template <class Visitor>
-void SweepBackward(const Pyramid& pyramid, Visitor& visitor)
+void SweepBackward(const FaceFrustum& frustum, Visitor& visitor)
 {
   constexpr Index rowsPerTask = 8;
-  const std::vector<Slab> slabs = SlabsOf(pyramid);
+  const std::vector<Range<int>> slabs = SlabsOf(frustum);
   for (std::size_t index = slabs.size(); index-- > 0;)
   {
-    const Slab& slab = slabs[index];
+    const Range<int>& slab = slabs[index];
     visitor.Load(slab);
-    for (int s = slab.end; s-- > std::max(slab.begin, pyramid.FirstSlice());)
+    for (int s = slab.end; s-- > std::max(slab.begin, frustum.FirstNodeSlice());)
     {
-      const Interval rows = pyramid.stations[std::size_t(s)].ownedRows;
-      ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.RayRow(s, int(row)); });
+      const Range<int> rows = frustum.slices[std::size_t(s)].ownedRows;
+      ParallelFor(frustum.rows, rowsPerTask, [&](Index row) { visitor.RayRow(s, int(row)); });
       ParallelFor(rows.end - rows.begin, rowsPerTask,
         [&](Index v) { visitor.VoxelRow(s, rows.begin + int(v)); });
     }
     if (index == 0)
     {
-      ParallelFor(pyramid.rows, rowsPerTask, [&](Index row) { visitor.Leave(int(row)); });
+      ParallelFor(frustum.rows, rowsPerTask, [&](Index row) { visitor.Leave(int(row)); });
     }
     visitor.Store(slab);
   }

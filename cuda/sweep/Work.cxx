@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "backend/Simd.h"
 #include "sweep/OccupiedRays.h"
+#include "sweep/Registers.h"
 
 #include <algorithm>
 #include <vector>
@@ -32,7 +33,7 @@ void ExtendRows(const ColumnSpans& by, int count, const ColumnSpans& spans)
 /// One ray more on every side: voxels there read these rays, too. `spans`: those of the row in
 /// front come first.
 LIMPID_MULTIVERSION
-void WidenRows(const ColumnSpans& spans, int count, int columns, Interval* __restrict wider)
+void WidenRows(const ColumnSpans& spans, int count, int columns, Range<int>* __restrict wider)
 {
   const int* __restrict begins = spans.begins;
   const int* __restrict ends = spans.ends;
@@ -50,7 +51,7 @@ void WidenRows(const ColumnSpans& spans, int count, int columns, Interval* __res
 /// Rays that have not entered the box at a depth.
 struct Outside
 {
-  Interval columns;        ///< these columns of all rows
+  Range<int> columns;      ///< these columns of all rows
   const float* rowEntries; ///< and all columns of rows that enter behind the depth
   float depth;
 };
@@ -58,13 +59,13 @@ struct Outside
 /// Extends `needed` by what has been carried here and carries on what is still outside.
 LIMPID_MULTIVERSION
 void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans& carried,
-  Interval* __restrict needed)
+  Range<int>* __restrict needed)
 {
   int* __restrict begins = carried.begins;
   int* __restrict ends = carried.ends;
   const float* __restrict entries = outside.rowEntries;
   const float depth = outside.depth;
-  const Interval some = outside.columns;
+  const Range<int> some = outside.columns;
   for (int i = 0; i < count; ++i)
   {
     const int begin = needed[i].begin < begins[i] ? needed[i].begin : begins[i];
@@ -83,20 +84,20 @@ void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans
 
 /// What is needed of the columns that touch filled voxels in front of a layer or behind it.
 LIMPID_MULTIVERSION
-void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count, const Interval& columns,
-  Interval* __restrict work)
+void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count,
+  const Range<int>& columns, Range<int>* __restrict work)
 {
   const int* __restrict frontBegins = front.begins;
   const int* __restrict frontEnds = front.ends;
   const int* __restrict backBegins = back.begins;
   const int* __restrict backEnds = back.ends;
-  const Interval all = columns;
+  const Range<int> all = columns;
   for (int i = 0; i < count; ++i)
   {
     const int begin = frontBegins[i] < backBegins[i] ? frontBegins[i] : backBegins[i];
     const int end = frontEnds[i] > backEnds[i] ? frontEnds[i] : backEnds[i];
-    const Interval both = Intersection(work[i], { begin, end });
-    const Interval whole = FilledRegisters(both, all);
+    const Range<int> both = Intersection(work[i], { begin, end });
+    const Range<int> whole = WholeRegisters(both, all);
     work[i].begin = both.Empty() ? 0 : whole.begin;
     work[i].end = both.Empty() ? 0 : whole.end;
   }
@@ -105,12 +106,12 @@ void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count, const
 /// What rows of rays have to visit in all.
 struct VisitedRays
 {
-  Interval columns;
-  Interval rows;
+  Range<int> columns;
+  Range<int> rows;
 };
 
 LIMPID_MULTIVERSION
-VisitedRays ExtentOf(const Interval* work, int count)
+VisitedRays ExtentOf(const Range<int>* work, int count)
 {
   int begin = noColumn;
   int end = -noColumn;
@@ -131,22 +132,22 @@ VisitedRays ExtentOf(const Interval* work, int count)
   return { { begin, end }, { firstRow, lastRow + 1 } };
 }
 
-/// Finds what the rays of a pyramid have to visit, see Station::work.
+/// Finds what the rays of a frustum have to visit, see Slice::work.
 class WorkFinder
 {
 public:
-  WorkFinder(Pyramid& pyramid, const Occupancy& occupancy)
-    : Target(pyramid)
+  WorkFinder(FaceFrustum& frustum, const Occupancy& occupancy)
+    : Target(frustum)
     , Skips(occupancy.Skips())
-    , Stations(static_cast<int>(pyramid.stations.size()))
-    , Occupied(pyramid, occupancy)
+    , Slices(static_cast<int>(frustum.slices.size()))
+    , Occupied(frustum, occupancy)
     , Outsides(this->FindOutsides())
-    , Blocks((pyramid.rows + rowsPerBlock - 1) / rowsPerBlock)
-    , Extents(std::size_t(this->Blocks) * pyramid.stations.size())
+    , Blocks((frustum.rows + rowsPerBlock - 1) / rowsPerBlock)
+    , Extents(std::size_t(this->Blocks) * frustum.slices.size())
   {
-    for (Station& station : pyramid.stations)
+    for (Slice& slice : frustum.slices)
     {
-      station.work.resize(std::size_t(pyramid.rows));
+      slice.work.resize(std::size_t(frustum.rows));
     }
   }
 
@@ -156,9 +157,9 @@ public:
       [&](Index block)
       {
         const int first = static_cast<int>(block) * rowsPerBlock;
-        const Interval rows{ first, std::min(first + rowsPerBlock, this->Target.rows) };
+        const Range<int> rows{ first, std::min(first + rowsPerBlock, this->Target.rows) };
         this->FollowToFront(rows);
-        this->FollowToBack(rows, this->Extents.data() + block * this->Stations);
+        this->FollowToBack(rows, this->Extents.data() + block * this->Slices);
       });
     this->FindTouched();
   }
@@ -166,17 +167,17 @@ public:
 private:
   static constexpr int rowsPerBlock = 64;
 
-  /// Columns of rays that enter the box in u behind each station. They are neighbours, as these
+  /// Columns of rays that enter the box in u behind each slice. They are neighbours, as these
   /// rays all come from the same side.
-  std::vector<Interval> FindOutsides() const
+  std::vector<Range<int>> FindOutsides() const
   {
     const std::vector<float>& entry = this->Target.columnAxis.entry;
-    std::vector<Interval> outsides;
-    Interval outside{ 0, this->Target.columns };
-    for (const Station& station : this->Target.stations)
+    std::vector<Range<int>> outsides;
+    Range<int> outside{ 0, this->Target.columns };
+    for (const Slice& slice : this->Target.slices)
     {
       const auto inside = [&](int column)
-      { return !(entry[std::size_t(column)] > station.relativeDepth); };
+      { return !(entry[std::size_t(column)] > slice.relativeDepth); };
       while (!outside.Empty() && inside(outside.begin))
       {
         ++outside.begin;
@@ -190,9 +191,9 @@ private:
     return outsides;
   }
 
-  Interval* WorkOf(int s, int row)
+  Range<int>* WorkOf(int s, int row)
   {
-    return this->Target.stations[std::size_t(s)].work.data() + row;
+    return this->Target.slices[std::size_t(s)].work.data() + row;
   }
 
   static ColumnSpans From(const ColumnSpans& spans, int row)
@@ -201,14 +202,14 @@ private:
   }
 
   /// What is important on a slice is at stake on all slices in front of it.
-  void FollowToFront(const Interval& rows)
+  void FollowToFront(const Range<int>& rows)
   {
     const int count = rows.end - rows.begin;
     if (!this->Skips)
     {
-      for (int s = 0; s < this->Stations; ++s)
+      for (int s = 0; s < this->Slices; ++s)
       {
-        std::fill_n(this->WorkOf(s, rows.begin), count, Interval{ 0, this->Target.columns });
+        std::fill_n(this->WorkOf(s, rows.begin), count, Range<int>{ 0, this->Target.columns });
       }
       return;
     }
@@ -219,7 +220,7 @@ private:
     const ColumnSpans needed{ begins, ends };
     const int first = std::max(rows.begin - 1, 0);
     const int last = std::min(rows.end + 1, this->Target.rows);
-    for (int s = this->Stations - 1; s >= 0; --s)
+    for (int s = this->Slices - 1; s >= 0; --s)
     {
       ExtendRows(From(this->Occupied.Important(s), first), last - first,
         From(needed, first - (rows.begin - 1)));
@@ -228,23 +229,23 @@ private:
   }
 
   /// A ray that is needed before it has entered the box is needed until it has: its optical depth
-  /// there is counted from the entry (Rows.h). `extents`: per station.
-  void FollowToBack(const Interval& rows, VisitedRays* extents)
+  /// there is counted from the entry (Rows.h). `extents`: per slice.
+  void FollowToBack(const Range<int>& rows, VisitedRays* extents)
   {
     const int count = rows.end - rows.begin;
-    const Interval columns{ 0, this->Target.columns };
+    const Range<int> columns{ 0, this->Target.columns };
     int begins[rowsPerBlock];
     int ends[rowsPerBlock];
     std::fill_n(begins, rowsPerBlock, noColumn);
     std::fill_n(ends, rowsPerBlock, -noColumn);
     const ColumnSpans carried{ begins, ends };
-    for (int s = 0; s < this->Stations; ++s)
+    for (int s = 0; s < this->Slices; ++s)
     {
-      Interval* work = this->WorkOf(s, rows.begin);
-      const int next = std::min(s + 1, this->Stations - 1);
+      Range<int>* work = this->WorkOf(s, rows.begin);
+      const int next = std::min(s + 1, this->Slices - 1);
       const Outside outside{ this->Outsides[std::size_t(next)],
         this->Target.rowAxis.entry.data() + rows.begin,
-        this->Target.stations[std::size_t(next)].relativeDepth };
+        this->Target.slices[std::size_t(next)].relativeDepth };
       CarryRows(outside, count, columns.end, carried, work);
       CutRows(From(this->Occupied.Filled(s), rows.begin),
         From(this->Occupied.Filled(next), rows.begin), count, columns, work);
@@ -257,54 +258,53 @@ private:
   /// Voxels that a sweep reads or writes on each slice.
   void FindTouched()
   {
-    std::vector<Station>& stations = this->Target.stations;
-    for (Station& station : stations)
+    std::vector<Slice>& slices = this->Target.slices;
+    for (Slice& slice : slices)
     {
-      station.touchedColumns = station.ownedColumns;
-      station.touchedRows = station.ownedRows;
+      slice.touchedColumns = slice.ownedColumns;
+      slice.touchedRows = slice.ownedRows;
     }
-    for (std::size_t s = 0; s + 1 < stations.size(); ++s)
+    for (std::size_t s = 0; s + 1 < slices.size(); ++s)
     {
-      Interval rows;
-      Interval columns;
+      Range<int> rows;
+      Range<int> columns;
       for (Index block = 0; block < this->Blocks; ++block)
       {
-        const VisitedRays& extent = this->Extents[std::size_t(block * this->Stations) + s];
+        const VisitedRays& extent = this->Extents[std::size_t(block * this->Slices) + s];
         columns = Hull(columns, extent.columns);
         rows = Hull(rows, extent.rows);
       }
-      for (const Plane& plane : stations[s].planes)
+      for (const Plane& plane : slices[s].planes)
       {
-        for (Station* station : { &stations[s], &stations[s + 1] })
+        for (Slice* slice : { &slices[s], &slices[s + 1] })
         {
-          station->touchedColumns =
-            Hull(station->touchedColumns, SourcesOf(plane.rayColumns, columns));
-          station->touchedRows = Hull(station->touchedRows, SourcesOf(plane.rayRows, rows));
+          slice->touchedColumns = Hull(slice->touchedColumns, SourcesOf(plane.rayColumns, columns));
+          slice->touchedRows = Hull(slice->touchedRows, SourcesOf(plane.rayRows, rows));
         }
       }
     }
   }
 
   /// Sources that the targets in an interval of a map with ascending indices read.
-  static Interval SourcesOf(const LinearMap& map, const Interval& targets)
+  static Range<int> SourcesOf(const LinearMap& map, const Range<int>& targets)
   {
-    return targets.Empty() ? Interval{}
-                           : Interval{ map.index[std::size_t(targets.begin)],
+    return targets.Empty() ? Range<int>{}
+                           : Range<int>{ map.index[std::size_t(targets.begin)],
                                map.index[std::size_t(targets.end) - 1] + 2 };
   }
 
-  Pyramid& Target;
+  FaceFrustum& Target;
   bool Skips;
-  int Stations;
+  int Slices;
   OccupiedRays Occupied;
-  std::vector<Interval> Outsides; ///< per station
+  std::vector<Range<int>> Outsides; ///< per slice
   Index Blocks;
-  std::vector<VisitedRays> Extents; ///< [block][station]
+  std::vector<VisitedRays> Extents; ///< [block][slice]
 };
 }
 
-void FindWork(Pyramid& pyramid, const Occupancy& occupancy)
+void FindWork(FaceFrustum& frustum, const Occupancy& occupancy)
 {
-  WorkFinder(pyramid, occupancy).Find();
+  WorkFinder(frustum, occupancy).Find();
 }
 }

@@ -8,9 +8,9 @@
 
 namespace limpid
 {
-/// Fills in Station::work, of every row of rays in every layer the columns that can matter, and
-/// what they touch. All else of the pyramid's stations has to be there.
-void FindWork(Pyramid& pyramid, const Occupancy& occupancy);
+/// Fills in Slice::work, of every row of rays in every layer the columns that can matter, and
+/// what they touch. All else of the frustum's slices has to be there.
+void FindWork(FaceFrustum& frustum, const Occupancy& occupancy);
 }
 
 #endif

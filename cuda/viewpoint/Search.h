@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-/// A rotation about the second axis and one about the first, Eq. 10 [radians].
+/// A rotation about the second axis and one about the first, Eq. (10) [radians].
 struct ViewAngles
 {
   double azimuth = 0; ///< alpha 1
@@ -22,7 +22,7 @@ struct ViewAngles
 /// is 0.
 ViewAngles AnglesOf(const Vec3& direction);
 
-/// R of Eq. 10.
+/// R of Eq. (10).
 Mat3 RotationOf(const ViewAngles& angles);
 
 /// The cameras that look at a point from a sphere round it, upright.

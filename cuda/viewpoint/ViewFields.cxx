@@ -22,14 +22,14 @@ struct IndexBox
 /// between nodes.
 IndexBox FilledBox(const Grid& grid, const Occupancy& occupancy)
 {
-  Interval x;
-  Interval y;
-  Interval z;
+  Range<int> x;
+  Range<int> y;
+  Range<int> z;
   for (int k = 0; k < grid.nodes.z; ++k)
   {
     for (int j = 0; j < grid.nodes.y; ++j)
     {
-      const Interval& filled = occupancy.Row(0, j, k).filled;
+      const Range<int>& filled = occupancy.Row(0, j, k).filled;
       if (!filled.Empty())
       {
         x = Hull(x, filled);
@@ -98,11 +98,11 @@ SweptFields Copy(const Grid& grid, const float* extinction, const float* importa
 void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity,
   const std::array<bool, 3>& depthAxes, std::vector<ViewFields::Part>& parts)
 {
-  const Eye eye = EyeOfCamera(camera, fields.grid, false);
-  for (Pyramid& pyramid :
+  const RaySource eye = SourceOfCamera(camera, fields.grid, false);
+  for (FaceFrustum& frustum :
     PlanSweep(fields.grid, *fields.occupancy, eye, rayDensity, Placement::ForIntegrals, depthAxes))
   {
-    parts.push_back({ &fields, std::move(pyramid), eye });
+    parts.push_back({ &fields, std::move(frustum), eye });
   }
 }
 }
@@ -128,7 +128,7 @@ std::vector<ViewFields::Part> ViewFields::PartsOf(const Camera& camera, double r
     AddParts(this->Exchanged, camera, rayDensity, { { false, false, true } }, parts);
     return parts;
   }
-  const Vec3 steepness = glm::abs(EyeOfCamera(camera, this->Straight.grid, false).direction);
+  const Vec3 steepness = glm::abs(SourceOfCamera(camera, this->Straight.grid, false).direction);
   if (steepness.x > std::max(steepness.y, steepness.z))
   {
     AddParts(this->Exchanged, camera, rayDensity, { { false, false, true } }, parts);

@@ -4,8 +4,8 @@
 #ifndef limpid_viewpoint_ViewFields_h
 #define limpid_viewpoint_ViewFields_h
 
-#include "scene/Eye.h"
 #include "scene/Grid.h"
+#include "scene/RaySource.h"
 #include "sweep/Plan.h"
 
 #include <memory>
@@ -43,8 +43,8 @@ public:
   struct Part
   {
     const SweptFields* fields;
-    Pyramid pyramid;
-    Eye eye; ///< in the index space of the fields
+    FaceFrustum frustum;
+    RaySource eye; ///< in the index space of the fields
   };
 
   /// All rays of a camera, in view or not.

@@ -3,7 +3,7 @@
 
 #include "viewpoint/ViewScore.h"
 
-#include "viewpoint/TurnSweep.h"
+#include "viewpoint/ViewDerivativeSweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ ViewScore::ViewScore(const Grid& grid, const float* extinction, const float* imp
   const auto nodes = static_cast<std::size_t>(this->Fields->InOrder().grid.NodeCount());
   const BackendChoice choice = ChooseBackend(backend, 4 * sizeof(float) * nodes);
   this->Name = choice.name;
-  this->Scorer = choice.cuda ? CudaPartScorer(*this->Fields) : CpuPartScorer();
+  this->Scorer = choice.cuda ? CudaScoreSweep(*this->Fields) : CpuScoreSweep();
 }
 
 Visible ViewScore::At(const Camera& camera) const
@@ -54,9 +54,9 @@ ViewSlope ViewScore::SlopeAt(const Camera& camera) const
   ViewSlope result;
   for (const ViewFields::Part& part : this->Fields->PartsOf(camera, this->RayDensity))
   {
-    const TurnResult turn = SweepTurning(part, moves, distance, this->RayDensity);
+    const ViewDerivative turn = SweepViewDerivative(part, moves, distance, this->RayDensity);
     result.score.visible += turn.score.visible;
-    result.score.plain += turn.score.plain;
+    result.score.unattenuated += turn.score.unattenuated;
     result.slope += turn.slope[0] * moves[0] + turn.slope[1] * moves[1];
   }
   return result;

@@ -5,7 +5,7 @@
 #define limpid_viewpoint_ViewScore_h
 
 #include "backend/Choice.h"
-#include "viewpoint/PartScorer.h"
+#include "viewpoint/ScoreSweep.h"
 
 #include <memory>
 #include <string>
@@ -20,8 +20,8 @@ struct ViewSlope
 };
 
 /**
- * Scores of cameras that look at the same fields, by one sweep front to back each (Eq. 32). All of
- * the volume counts, in view or not.
+ * Scores of cameras that look at the same fields, by one sweep front to back each (Eq. (32)). All
+ * of the volume counts, in view or not.
  *
  * `backend` as in Settings; throws limpid::Error if it cannot be had. The fields, grid.NodeCount()
  * values each, are copied: extinction >= 0 [1/length], importance
@@ -36,7 +36,7 @@ public:
   /// What computes At, for the user; slopes are the processor's.
   const std::string& BackendName() const { return this->Name; }
 
-  /// S of Eq. 32 and its bound. May be called by several threads.
+  /// S of Eq. (32) and its bound. May be called by several threads.
   Visible At(const Camera& camera) const;
 
   /// The same, from more samples at a `rayDensity` of two and more, and its derivative by the
@@ -47,7 +47,7 @@ private:
   std::unique_ptr<const ViewFields> Fields; ///< where it is, whoever owns the scores
   double RayDensity;
   std::string Name;
-  std::unique_ptr<PartScorer> Scorer;
+  std::unique_ptr<ScoreSweep> Scorer;
 };
 }
 

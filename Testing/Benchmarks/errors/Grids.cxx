@@ -79,7 +79,7 @@ public:
     return values;
   }
 
-  /// Eq. 27 at the voxels, for the base extinction, with the sign of dS/dmu.
+  /// Eq. (27) at the voxels, for the base extinction, with the sign of dS/dmu.
   std::vector<float> Gradient()
   {
     std::vector<float> behind(this->Transmittance.size());

@@ -12,47 +12,47 @@ namespace limpid::benchmark
 {
 namespace
 {
-std::vector<Pyramid> PlanOf(const Scene& scene, double rayDensity)
+std::vector<FaceFrustum> PlanOf(const Scene& scene, double rayDensity)
 {
   const Occupancy everything(
     scene.grid, scene.file.extinction.data(), scene.file.importance.data(), false);
   return PlanSweep(
-    scene.grid, everything, EyeOfCamera(scene.camera, scene.grid, false), rayDensity);
+    scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), rayDensity);
 }
 
 template <class Rule>
-double ScoreOf(const Scene& scene, const std::vector<Pyramid>& pyramids,
+double ScoreOf(const Scene& scene, const std::vector<FaceFrustum>& frusta,
   const std::vector<float>& extinction, int steps)
 {
   double score = 0;
-  for (const Pyramid& pyramid : pyramids)
+  for (const FaceFrustum& frustum : frusta)
   {
-    std::vector<double> visible(std::size_t(pyramid.RayCount()));
+    std::vector<double> visible(std::size_t(frustum.RayCount()));
     QuadratureRay<Rule> body;
-    body.pyramid = &pyramid;
+    body.frustum = &frustum;
     body.extinction = { extinction.data(), scene.grid.nodes };
     body.importance = { scene.file.importance.data(), scene.grid.nodes };
     body.steps = steps;
     body.visible = visible.data();
-    reference::Launch(pyramid.RayCount(), body);
+    reference::Launch(frustum.RayCount(), body);
     double sum = 0;
-    for (int row = 0; row < pyramid.rows; ++row)
+    for (int row = 0; row < frustum.rows; ++row)
     {
-      for (int column = 0; column < pyramid.columns; ++column)
+      for (int column = 0; column < frustum.columns; ++column)
       {
-        sum += visible[std::size_t(row) * pyramid.columns + column] *
-          pyramid.columnAxis.share[std::size_t(column)] * pyramid.rowAxis.share[std::size_t(row)] /
-          double(pyramid.RayLength(column, row));
+        sum += visible[std::size_t(row) * frustum.columns + column] *
+          frustum.columnAxis.share[std::size_t(column)] * frustum.rowAxis.share[std::size_t(row)] /
+          double(frustum.RayLength(column, row));
       }
     }
-    score += sum * pyramid.cellMeasure;
+    score += sum * frustum.cellMeasure;
   }
   return score;
 }
 
 template <class Rule>
 QuadratureResult Measure(
-  const Truth& truth, const std::vector<Pyramid>& pyramids, const char* name, int steps)
+  const Truth& truth, const std::vector<FaceFrustum>& frusta, const char* name, int steps)
 {
   const Scene& scene = truth.Source();
   double scores[2] = { 0, 0 };
@@ -60,7 +60,7 @@ QuadratureResult Measure(
   for (int which = 0; which < 2; ++which)
   {
     Stopwatch watch;
-    scores[which] = ScoreOf<Rule>(scene, pyramids, truth.Extinction(which), steps);
+    scores[which] = ScoreOf<Rule>(scene, frusta, truth.Extinction(which), steps);
     times.push_back(watch.Lap());
   }
   return { name, steps, truth.ErrorsOf(scores[0], scores[1]), Median(times) };
@@ -69,14 +69,14 @@ QuadratureResult Measure(
 
 std::vector<QuadratureResult> MeasureQuadratures(const Truth& truth, const Effort& effort)
 {
-  const std::vector<Pyramid> pyramids = PlanOf(truth.Source(), effort.quadratureRays);
+  const std::vector<FaceFrustum> frusta = PlanOf(truth.Source(), effort.quadratureRays);
   std::vector<QuadratureResult> results;
   for (const int steps : effort.quadratureSteps)
   {
-    results.push_back(Measure<LeftRiemann>(truth, pyramids, "left Riemann", steps));
-    results.push_back(Measure<Trapezoid>(truth, pyramids, "trapezoid", steps));
-    results.push_back(Measure<ConservativeLinear>(truth, pyramids, "conservative linear", steps));
-    results.push_back(Measure<TwoGaussPoints>(truth, pyramids, "two Gauss points", steps));
+    results.push_back(Measure<LeftRiemann>(truth, frusta, "left Riemann", steps));
+    results.push_back(Measure<Trapezoid>(truth, frusta, "trapezoid", steps));
+    results.push_back(Measure<ConservativeLinear>(truth, frusta, "conservative linear", steps));
+    results.push_back(Measure<TwoGaussPoints>(truth, frusta, "two Gauss points", steps));
   }
   return results;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// One ray of a pyramid with one of four rules of quadrature, for comparison: same rays, same
+// One ray of a frustum with one of four rules of quadrature, for comparison: same rays, same
 // samples by trilinear interpolation, same clipping at the sides of the box. Only the rule differs.
 
 #ifndef limpid_testing_benchmarks_errors_QuadratureRay_h
@@ -19,7 +19,7 @@ namespace limpid::benchmark
 struct RaySegment
 {
   float length;
-  float frontScale; ///< width of the ray at its front, see Station::scale
+  float frontScale; ///< width of the ray at its front, see Slice::scale
   float backScale;
 };
 
@@ -105,11 +105,11 @@ struct TwoGaussPoints
   }
 };
 
-/// One index is one ray of the pyramid; it writes its own integral and nothing else.
+/// One index is one ray of the frustum; it writes its own integral and nothing else.
 template <class Rule>
 struct QuadratureRay
 {
-  const Pyramid* pyramid = nullptr;
+  const FaceFrustum* frustum = nullptr;
   reference::FieldView<float> extinction; ///< [1/length]
   reference::FieldView<float> importance; ///< [0, 1]
   int steps = 1;                          ///< per layer
@@ -117,21 +117,21 @@ struct QuadratureRay
 
   void operator()(Index ray) const
   {
-    const int column = static_cast<int>(ray % pyramid->columns);
-    const int row = static_cast<int>(ray / pyramid->columns);
+    const int column = static_cast<int>(ray % frustum->columns);
+    const int row = static_cast<int>(ray / frustum->columns);
     const float enter = Deepest(
-      pyramid->columnAxis.entry[std::size_t(column)], pyramid->rowAxis.entry[std::size_t(row)]);
+      frustum->columnAxis.entry[std::size_t(column)], frustum->rowAxis.entry[std::size_t(row)]);
     const float leave = Shallowest(
-      pyramid->columnAxis.exit[std::size_t(column)], pyramid->rowAxis.exit[std::size_t(row)]);
-    const float length = pyramid->RayLength(column, row);
+      frustum->columnAxis.exit[std::size_t(column)], frustum->rowAxis.exit[std::size_t(row)]);
+    const float length = frustum->RayLength(column, row);
 
     RayIntegral sum;
     RaySample before{ 0, 0 };
     float reached = -1; // relative depth of `before`
-    for (int s = 0; s < pyramid->LastStation() * steps; ++s)
+    for (int s = 0; s < frustum->LastSlice() * steps; ++s)
     {
-      const Station& front = pyramid->stations[std::size_t(s / steps)];
-      const Station& back = pyramid->stations[std::size_t(s / steps) + 1];
+      const Slice& front = frustum->slices[std::size_t(s / steps)];
+      const Slice& back = frustum->slices[std::size_t(s / steps) + 1];
       const float thickness = (back.relativeDepth - front.relativeDepth) / float(steps);
       const float start = front.relativeDepth + float(s % steps) * thickness;
       const float slope = (back.scale - front.scale) / (back.relativeDepth - front.relativeDepth);
@@ -171,17 +171,17 @@ private:
   static float Shallowest(float a, float b) { return a < b ? a : b; }
 
   /// The fields on a ray at a relative depth.
-  RaySample At(int column, int row, const Station& front, float relativeDepth) const
+  RaySample At(int column, int row, const Slice& front, float relativeDepth) const
   {
     const double depth = front.depth + double(relativeDepth - front.relativeDepth);
-    const double sign = pyramid->stations.front().slice <= pyramid->stations.back().slice ? 1 : -1;
-    const Station& last = pyramid->stations.back();
+    const double sign = frustum->slices.front().node <= frustum->slices.back().node ? 1 : -1;
+    const Slice& last = frustum->slices.back();
     reference::Vec3Of<float> position;
-    position[pyramid->axisU] =
-      float(pyramid->lateralU.Position(pyramid->lateralU.Coordinate(column), depth));
-    position[pyramid->axisV] =
-      float(pyramid->lateralV.Position(pyramid->lateralV.Coordinate(row), depth));
-    position[pyramid->axisW] = float(last.slice - sign * (last.depth - depth));
+    position[frustum->axisU] =
+      float(frustum->lateralU.Position(frustum->lateralU.Coordinate(column), depth));
+    position[frustum->axisV] =
+      float(frustum->lateralV.Position(frustum->lateralV.Coordinate(row), depth));
+    position[frustum->axisW] = float(last.node - sign * (last.depth - depth));
     const reference::TrilinearPlace<float> place =
       reference::LocateInNodes(extinction.nodes, position);
     return { reference::Interpolate(extinction.values, place),

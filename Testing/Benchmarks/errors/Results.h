@@ -18,7 +18,8 @@
 
 namespace limpid::benchmark
 {
-/// Relative errors of S, Eq. 32, of two extinctions: the base and what the default run makes of it.
+/// Relative errors of S, Eq. (32), of two extinctions: the base and what the default run makes of
+/// it.
 struct ScoreErrors
 {
   double base = 0;
@@ -99,7 +100,7 @@ struct Worth
 {
   double score = 0;      ///< S [length^2]
   double lightScore = 0; ///< the same integral seen from the light [length^2]
-  double energy = 0;     ///< F of Eq. 21, world units
+  double energy = 0;     ///< F of Eq. (21), world units
 };
 
 /// A whole run of a solver.

@@ -25,8 +25,8 @@ struct Swept
         scene.grid, scene.file.extinction.data(), scene.file.importance.data()))
     , needed(scene.grid, scene.file.extinction.data(), this->nodeImportance.data(), true)
     , everything(scene.grid, scene.file.extinction.data(), this->nodeImportance.data(), false)
-    , camera(EyeOfCamera(scene.camera, scene.grid, false))
-    , light(EyeOfLight(scene.light, scene.grid))
+    , camera(SourceOfCamera(scene.camera, scene.grid, false))
+    , light(SourceOfLight(scene.light, scene.grid))
     , gradient(scene.file.extinction.size())
   {
   }
@@ -35,15 +35,15 @@ struct Swept
   std::vector<float> nodeImportance;
   Occupancy needed;
   Occupancy everything;
-  Eye camera;
-  Eye light;
+  RaySource camera;
+  RaySource light;
   std::vector<float> gradient; // scratch, one value per node
 };
 
 /// Transmittance at voxels as a sweep back to front has it in an iteration. Without importance
 /// along the rays and with 1 at the nodes, the derivative of a term is -T.
 SampledTransmittance TransmittanceOf(
-  Swept& swept, const Truth& truth, const Eye& eye, double rayDensity)
+  Swept& swept, const Truth& truth, const RaySource& eye, double rayDensity)
 {
   VisibilityTerm term(swept.source.grid, swept.everything, eye, rayDensity);
   const std::vector<float> none(swept.gradient.size(), 0.0f);
@@ -167,8 +167,8 @@ std::vector<SweepAccuracy> MeasureSweeps(const Truth& truth, const Effort& effor
 std::vector<ShadowAccuracy> MeasureShadows(const Truth& truth, const Effort& effort)
 {
   const Scene& scene = truth.Source();
-  const Eye eyes[2] = { EyeOfCamera(scene.camera, scene.grid, false),
-    EyeOfLight(scene.light, scene.grid) };
+  const RaySource eyes[2] = { SourceOfCamera(scene.camera, scene.grid, false),
+    SourceOfLight(scene.light, scene.grid) };
   std::vector<float> transmittance(scene.file.extinction.size());
   std::vector<ShadowAccuracy> results;
   for (const double rayDensity : effort.rayDensities)

@@ -39,8 +39,8 @@ double OnionEnergy::Plan()
   this->Task.nodeImportance = this->NodeImportance.data();
   this->Task.occupancy = std::make_shared<const Occupancy>(
     scene.grid, scene.extinction.data(), this->NodeImportance.data(), scene.settings.skipUnneeded);
-  this->Task.camera = EyeOfCamera(scene.camera, scene.grid, false);
-  this->Task.light = EyeOfLight(scene.light, scene.grid);
+  this->Task.camera = SourceOfCamera(scene.camera, scene.grid, false);
+  this->Task.light = SourceOfLight(scene.light, scene.grid);
   this->Task.settings = scene.settings;
   this->Both = Terms(this->Task);
   this->Gradient.assign(this->Extinction.size(), 0.0f);

@@ -14,14 +14,14 @@
 
 namespace limpid::benchmark
 {
-/// The terms of Eq. 21 with their weights, and the time that they took.
+/// The terms of Eq. (21) with their weights, and the time that they took.
 struct Evaluation
 {
   Energy energy;      ///< [length^2]
   double seconds = 0; ///< wall time
 };
 
-/// The energy of Eq. 21 and its derivative at one extinction of the onion scene
+/// The energy of Eq. (21) and its derivative at one extinction of the onion scene
 /// (BoxScene::FillOnion): 0.8 times the base extinction, so that no term is zero.
 class OnionEnergy
 {

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Times the energy of Eq. 21 and its gradient: PyTorch's automatic differentiation against Limpid.
+"""Times the energy of Eq. (21) and its gradient: PyTorch's automatic differentiation against Limpid.
 
     python3 energy_torch.py [--limpid PROGRAM] [--nodes N ...] [--threads N ...] [--repeats N]
       [--devices cpu cuda] [--output FILE.md] [--json FILE.json]

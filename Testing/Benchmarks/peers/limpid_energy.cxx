@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The energy of Eq. 21 and its derivative on demand: Limpid's side of energy_torch.py. Reads
+// The energy of Eq. (21) and its derivative on demand: Limpid's side of energy_torch.py. Reads
 // commands from standard input, one a line, and answers each with a line of JSON; README.md has
 // them.
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The energy of Eq. 21 in PyTorch, differentiated automatically.
+"""The energy of Eq. (21) in PyTorch, differentiated automatically.
 
 Rays, samples, weights and units are Limpid's (Documentation/Method.md, sections 1 to 3): from each
 eye one ray per voxel and axis on the farthest slice, two samples per layer at the points of Gauss'
@@ -167,7 +167,7 @@ class Planes:
 
 
 class VisibleFromEye:
-    """S of Eq. 32 from an eye. `parts`: the rays come in so many groups of rows, one after the
+    """S of Eq. (32) from an eye. `parts`: the rays come in so many groups of rows, one after the
     other, so that fewer samples are held at a time."""
 
     def __init__(self, nodes, eye, importance, sampler, parts):
@@ -208,7 +208,7 @@ class VisibleFromEye:
 
 
 class OnionEnergy:
-    """F of Eq. 21 of the onion scene in world units, each term for itself."""
+    """F of Eq. (21) of the onion scene in world units, each term for itself."""
 
     def __init__(self, base, importance, sampler, parts):
         nodes = base.shape[0]

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "optimize/Permuted.h"
+
+#include "backend/Backend.h"
+#include "scene/LargePages.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace limpid
+{
+namespace
+{
+/// The grid axis that an eye looks along, more than along the others.
+int DepthAxisOf(const RaySource& eye, const Grid& grid)
+{
+  const Vec3 middle = 0.5 * Vec3(grid.nodes - 1);
+  const Vec3 along = glm::abs(eye.parallel ? eye.direction : middle - eye.origin);
+  const int xOrY = along.y > along.x ? 1 : 0;
+  return along.z >= along[xOrY] ? 2 : xOrY;
+}
+
+/// Both orders have the same rows: of these, what is filled is copied, and looked at while at hand.
+void CopyFilled(const Problem& problem, PermutedFields& fields)
+{
+  const Grid grid = fields.order.Of(problem.grid);
+  const Occupancy& filled = *problem.occupancy;
+  const Int3& nodes = grid.nodes;
+  const bool exchanged = fields.order.axes[1] == 2;
+  OccupancyBuilder builder(grid);
+  ParallelFor(nodes.z,
+    [&](Index slice)
+    {
+      const auto z = static_cast<int>(slice);
+      for (int y = 0; y < nodes.y; ++y)
+      {
+        const Range<int> span = (exchanged ? filled.Row(0, z, y) : filled.Row(0, y, z)).filled;
+        const Index row = (slice * nodes.y + y) * nodes.x;
+        const Index from = (exchanged ? Index(y) * nodes.z + z : slice * nodes.y + y) * nodes.x;
+        const auto copy = [&](const float* values, NodeValues& permuted)
+        {
+          std::copy(values + from + span.begin, values + from + std::max(span.begin, span.end),
+            permuted.Data() + row + span.begin);
+        };
+        copy(problem.baseExtinction, fields.base);
+        copy(problem.importance, fields.importance);
+        copy(problem.nodeImportance, fields.nodeImportance);
+        const bool needed =
+          !span.Empty() || y == 0 || y + 1 == nodes.y; // they begin and end slices
+        if (needed)
+        {
+          builder.Add(
+            z, { y, y + 1 }, fields.base.Data() + row, fields.nodeImportance.Data() + row);
+        }
+      }
+    });
+  fields.occupancy = std::make_shared<const Occupancy>(builder.Take(filled.Skips()));
+}
+
+std::shared_ptr<const PermutedFields> MakeFields(
+  const Problem& problem, const AxisPermutation& order)
+{
+  auto fields = std::make_shared<PermutedFields>();
+  fields->order = order;
+  for (NodeValues* values : { &fields->base, &fields->importance, &fields->nodeImportance })
+  {
+    *values = NodeValues(problem.grid.NodeCount());
+  }
+  if (order.axes[0] == 0)
+  {
+    CopyFilled(problem, *fields);
+    return fields;
+  }
+  Permute(problem.grid, order, problem.baseExtinction, fields->base.Data());
+  Permute(problem.grid, order, problem.importance, fields->importance.Data());
+  Permute(problem.grid, order, problem.nodeImportance, fields->nodeImportance.Data());
+  fields->occupancy = std::make_shared<const Occupancy>(order.Of(problem.grid), fields->base.Data(),
+    fields->nodeImportance.Data(), problem.occupancy->Skips());
+  return fields;
+}
+
+/// The fields in an order, as far as possible those of the problem before.
+std::shared_ptr<const PermutedFields> FieldsFor(
+  const Problem& problem, const AxisPermutation& order)
+{
+  if (!problem.resident)
+  {
+    return MakeFields(problem, order);
+  }
+  const std::lock_guard<std::mutex> lock(problem.resident->access);
+  std::shared_ptr<const PermutedFields>& kept = problem.resident->permuted;
+  const bool fits = kept && kept->order.axes == order.axes &&
+    kept->occupancy->Skips() == problem.occupancy->Skips();
+  if (!fits)
+  {
+    kept.reset();
+    kept = MakeFields(problem, order);
+  }
+  return kept;
+}
+
+class PermutedMinimizer : public Minimizer
+{
+public:
+  PermutedMinimizer(const Problem& problem, const AxisPermutation& order)
+    : Nodes(problem.grid)
+    , Fields(FieldsFor(problem, order))
+    , Work(problem)
+  {
+    this->Work.grid = order.Of(problem.grid);
+    this->Work.camera = order.Of(problem.camera);
+    this->Work.light = order.Of(problem.light);
+    this->Work.baseExtinction = this->Fields->base.Data();
+    this->Work.importance = this->Fields->importance.Data();
+    this->Work.nodeImportance = this->Fields->nodeImportance.Data();
+    this->Work.occupancy = this->Fields->occupancy;
+    this->Work.resident = nullptr; // it keeps what is in the problem's order
+  }
+
+  const Problem& Task() const { return this->Work; }
+
+  /// `start`: in the order of the problem; empty: the base extinction.
+  std::vector<float> FirstIterate(const std::vector<float>& start) const
+  {
+    std::vector<float> first;
+    if (!start.empty())
+    {
+      first = this->Room();
+      Permute(this->Nodes, this->Fields->order, start.data(), first.data());
+    }
+    return first;
+  }
+
+  void Use(std::unique_ptr<Minimizer> minimizer) { this->Inner = std::move(minimizer); }
+
+  IterationRecord Iterate() override
+  {
+    this->RestoredIsBest = false;
+    return this->Inner->Iterate();
+  }
+
+  IterationRecord Start() override { return this->Inner->Start(); }
+  bool Converged() const override { return this->Inner->Converged(); }
+  int IterationLimit() const override { return this->Inner->IterationLimit(); }
+
+  const std::vector<float>& Best() const override
+  {
+    if (!this->RestoredIsBest)
+    {
+      this->Put(this->Inner->BestValues());
+    }
+    return this->Restored;
+  }
+
+  std::vector<float> TakeBest() override
+  {
+    if (!this->RestoredIsBest)
+    {
+      this->Put(this->Inner->BestValues());
+    }
+    return std::move(this->Restored);
+  }
+
+private:
+  std::vector<float> Room() const
+  {
+    std::vector<float> values = RoomFor(this->Nodes.NodeCount());
+    values.resize(std::size_t(this->Nodes.NodeCount()));
+    return values;
+  }
+
+  void Put(const float* best) const
+  {
+    if (this->Restored.empty())
+    {
+      this->Restored = this->Room();
+    }
+    PermuteBack(this->Nodes, this->Fields->order, best, this->Restored.data());
+    this->RestoredIsBest = true;
+  }
+
+  Grid Nodes; ///< of the problem
+  std::shared_ptr<const PermutedFields> Fields;
+  Problem Work;
+  std::unique_ptr<Minimizer> Inner;
+  mutable std::vector<float> Restored; ///< the best iterate in the order of the problem, if asked
+  mutable bool RestoredIsBest = false;
+};
+}
+
+AxisPermutation OrderFor(const Problem& problem)
+{
+  const Weights& weights = problem.settings.weights;
+  const int camera = DepthAxisOf(problem.camera, problem.grid);
+  const int light = DepthAxisOf(problem.light, problem.grid);
+  const int last = weights.view > 0 ? camera : light;
+  const int avoided = weights.light > 0 ? light : last;
+  int first = 0;
+  while (first == last || first == avoided)
+  {
+    ++first;
+  }
+  return { { first, 3 - first - last, last } };
+}
+
+std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, std::vector<float>&& start,
+  const std::function<std::unique_ptr<Minimizer>(const Problem&, std::vector<float>&&)>& make)
+{
+  const AxisPermutation order = OrderFor(problem);
+  if (!order.Changes())
+  {
+    return make(problem, std::move(start));
+  }
+  auto minimizer = std::make_unique<PermutedMinimizer>(problem, order);
+  minimizer->Use(make(minimizer->Task(), minimizer->FirstIterate(std::exchange(start, {}))));
+  return minimizer;
+}
+}

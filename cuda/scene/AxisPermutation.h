@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_scene_AxisPermutation_h
+#define limpid_scene_AxisPermutation_h
+
+#include "scene/Grid.h"
+#include "scene/RaySource.h"
+
+namespace limpid
+{
+/// Another order of a grid's axes in memory: first, second and third are these axes of the grid.
+struct AxisPermutation
+{
+  Int3 axes{ 0, 1, 2 };
+
+  bool Changes() const { return this->axes != Int3(0, 1, 2); }
+
+  /// The same nodes at the same places, their axes in this order.
+  Grid Of(const Grid& grid) const;
+
+  /// The same rays in the index space of that grid.
+  RaySource Of(const RaySource& eye) const;
+};
+
+/// Copies a field on a grid to the other order, whole.
+void Permute(const Grid& grid, const AxisPermutation& order, const float* field, float* permuted);
+
+/// Copies it back.
+void PermuteBack(
+  const Grid& grid, const AxisPermutation& order, const float* permuted, float* field);
+}
+
+#endif
