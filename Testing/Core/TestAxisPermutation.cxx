@@ -5,10 +5,11 @@
 
 #include "BoxScene.h"
 
-#include "optimize/Engine.h"
+#include "backend/ComputeBackend.h"
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/SolverBackend.h"
 #include "scene/AxisPermutation.h"
 
 #include <gtest/gtest.h>
@@ -121,8 +122,9 @@ TEST_P(ReorderedProblem, HasTheResultsOfTheProblem)
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
   EXPECT_EQ(OrderFor(problem).axes, GetParam().axes);
-  const std::unique_ptr<Minimizer> direct = MakePolicy(problem, {}, false);
-  const std::unique_ptr<Minimizer> reordered = CpuEngine()->MakeMinimizer(problem, {}, false);
+  const std::unique_ptr<Minimizer> direct = MakePolicy(HostDevice::Shared(), problem, {}, false);
+  const std::unique_ptr<Minimizer> reordered =
+    ProcessorBackend().MakeSolverBackend()->MakeMinimizer(problem, {}, false);
 
   IterationRecord expected = direct->Start();
   IterationRecord found = reordered->Start();
@@ -160,7 +162,7 @@ TEST_P(ReorderedProblem, GoesOnFromAnIterateInTheOrderOfTheProblem)
     start[voxel] *= voxel % 3 == 0 ? 0.5f : 1.0f;
   }
   const std::unique_ptr<Minimizer> minimizer =
-    CpuEngine()->MakeMinimizer(problem, std::vector<float>(start), true);
+    ProcessorBackend().MakeSolverBackend()->MakeMinimizer(problem, std::vector<float>(start), true);
   minimizer->Start();
   EXPECT_EQ(minimizer->Best(), start) << "the best before the first iteration";
 }

@@ -7,8 +7,8 @@
 #include "TestedDevice.h"
 
 #include "backend/SumOnDevice.h"
-#include "optimize/EngineOnDevice.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/SolverBackend.h"
 
 #include <gtest/gtest.h>
 
@@ -33,11 +33,12 @@ std::vector<float> Counted(std::size_t count)
 }
 
 /// The best extinction after some iterations, and their energies.
-std::vector<float> Optimized(Engine& engine, const Problem& problem, std::vector<double>& energies)
+std::vector<float> Optimized(
+  SolverBackend& backend, const Problem& problem, std::vector<double>& energies)
 {
   const float* base = problem.baseExtinction;
-  const auto run =
-    engine.MakeMinimizer(problem, std::vector<float>(base, base + problem.grid.NodeCount()), false);
+  const auto run = backend.MakeMinimizer(
+    problem, std::vector<float>(base, base + problem.grid.NodeCount()), false);
   energies.push_back(run->Start().energy.Total());
   for (int iteration = 0; iteration < 4; ++iteration)
   {
@@ -75,6 +76,23 @@ TEST(Device, KeepsWhatItIsGiven)
   copy.SetZero();
   copy.Download(back.data());
   EXPECT_EQ(back, std::vector<float>(values.size(), 0.0f));
+}
+
+TEST(Device, CopiesBorrowedValuesOnlyIfItCannotReadThem)
+{
+  const auto device = MakeTestedDevice();
+  const std::vector<float> values = Counted(100);
+  const std::vector<float> others(60, 3.0f);
+  BorrowedArray<TestedDevice, float> borrowed(device, values.data(), values.size(), "a test");
+  borrowed.Borrow(device, others.data(), others.size(), "a test");
+  std::vector<float> back(others.size());
+
+  device->Download(back.data(), borrowed.Data(), back.size() * sizeof(float));
+
+  EXPECT_EQ(back, others);
+  EXPECT_EQ(borrowed.Size(), others.size());
+  EXPECT_EQ(borrowed.Data() == others.data(), TestedDevice::readsHostMemory);
+  EXPECT_EQ(device->PeakBytes(), TestedDevice::readsHostMemory ? 0u : 400u);
 }
 
 TEST(Device, TimesWhatItIsToldTo)
@@ -121,14 +139,14 @@ TEST_P(RunsOfDevice, GivesTheSameBitsTwice)
   PreparedScene prepared(this->Scene.Fields());
   const Problem problem =
     prepared.ProblemFor(this->Scene.camera, this->Scene.light, this->Scene.settings);
-  const std::shared_ptr<Engine> engine = EngineOn(MakeTestedDevice());
+  const std::shared_ptr<SolverBackend> backend = MakeSolverBackend(MakeTestedDevice());
   std::vector<double> energies;
-  const std::vector<float> once = Optimized(*engine, problem, energies);
+  const std::vector<float> once = Optimized(*backend, problem, energies);
 
   for (int run = 0; run < 5; ++run)
   {
     std::vector<double> others;
-    EXPECT_EQ(Optimized(*engine, problem, others), once);
+    EXPECT_EQ(Optimized(*backend, problem, others), once);
     EXPECT_EQ(others, energies);
   }
 }
@@ -141,7 +159,7 @@ TEST_P(RunsOfDevice, LeavesNothingBehind)
     const Problem problem =
       prepared.ProblemFor(this->Scene.camera, this->Scene.light, this->Scene.settings);
     std::vector<double> energies;
-    Optimized(*EngineOn(device), problem, energies);
+    Optimized(*MakeSolverBackend(device), problem, energies);
     EXPECT_GT(device->Bytes(), 0u) << "the fields stay as long as the scene";
   }
   EXPECT_EQ(device->Bytes(), 0u);

@@ -9,7 +9,6 @@
 #include "Tolerance.h"
 
 #include "optimize/Policy.h"
-#include "optimize/PolicyOnDevice.h"
 #include "optimize/PreparedScene.h"
 
 #include <gtest/gtest.h>
@@ -50,10 +49,9 @@ TEST_P(PolicyOfDevice, IsThatOfTheProcessor)
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
   const auto device = MakeTestedDevice();
-  std::vector<float> start = scene.extinction;
-  const std::unique_ptr<Minimizer> there =
-    MakePolicyOnDevice(device, problem, scene.extinction, false);
-  const std::unique_ptr<Minimizer> here = MakePolicy(problem, std::move(start), false);
+  const std::unique_ptr<Minimizer> there = MakePolicy(device, problem, scene.extinction, false);
+  const std::unique_ptr<Minimizer> here =
+    MakePolicy(HostDevice::Shared(), problem, scene.extinction, false);
 
   IterationRecord expected = here->Start();
   IterationRecord found = there->Start();

@@ -6,9 +6,8 @@
 #include "LoadedScene.h"
 #include "TestedDevice.h"
 
-#include "optimize/Engine.h"
-#include "optimize/EngineOnDevice.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/SolverBackend.h"
 
 #include <gtest/gtest.h>
 
@@ -54,11 +53,11 @@ struct Outputs
 };
 
 /// What there is after `iterations`.
-Outputs Optimize(Engine& engine, const Problem& problem, int iterations)
+Outputs Optimize(SolverBackend& backend, const Problem& problem, int iterations)
 {
   const float* base = problem.baseExtinction;
   const Index count = problem.grid.NodeCount();
-  const auto run = engine.MakeMinimizer(problem, std::vector<float>(base, base + count), false);
+  const auto run = backend.MakeMinimizer(problem, std::vector<float>(base, base + count), false);
   Outputs outputs;
   outputs.record = run->Start();
   for (int i = 0; i < iterations && !run->Converged(); ++i)
@@ -68,9 +67,9 @@ Outputs Optimize(Engine& engine, const Problem& problem, int iterations)
   outputs.extinction = run->TakeBest();
   outputs.transmittance.resize(outputs.extinction.size());
   outputs.lightTransmittance.resize(outputs.extinction.size());
-  engine.Transmittance(
+  backend.FindTransmittance(
     problem, problem.camera, 2, outputs.extinction.data(), outputs.transmittance.data());
-  engine.Transmittance(
+  backend.FindTransmittance(
     problem, problem.light, 2, outputs.extinction.data(), outputs.lightTransmittance.data());
   return outputs;
 }
@@ -86,9 +85,9 @@ TEST_P(SceneOnDevice, HasTheOutputsOfTheProcessor)
   PreparedScene prepared(
     { scene.grid, scene.file.extinction.data(), scene.file.importance.data() });
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
-  const std::shared_ptr<Engine> device = EngineOn(MakeTestedDevice());
+  const std::shared_ptr<SolverBackend> device = MakeSolverBackend(MakeTestedDevice());
 
-  const Outputs expected = Optimize(*CpuEngine(), problem, 1);
+  const Outputs expected = Optimize(*MakeSolverBackend(HostDevice::Shared()), problem, 1);
   const Outputs found = Optimize(*device, problem, 1);
 
   const double extinction = RelativeDifference(found.extinction, expected.extinction);
@@ -109,7 +108,8 @@ TEST_P(SceneOnDevice, HasTheOutputsOfTheProcessor)
   EXPECT_LE(score, 1e-4);
 
   const int all = scene.settings.maximumIterations;
-  const double optimized = Optimize(*CpuEngine(), problem, all).record.visibilityScore;
+  const double optimized =
+    Optimize(*MakeSolverBackend(HostDevice::Shared()), problem, all).record.visibilityScore;
   const double onDevice = Optimize(*device, problem, all).record.visibilityScore;
   std::cout << GetParam().name << " optimised: score off by " << std::abs(onDevice / optimized - 1)
             << '\n';

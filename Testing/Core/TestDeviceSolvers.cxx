@@ -9,11 +9,9 @@
 
 #include "math/Require.h"
 #include "optimize/Adam.h"
-#include "optimize/AdamOnDevice.h"
-#include "optimize/Engine.h"
-#include "optimize/EngineOnDevice.h"
 #include "optimize/PreparedScene.h"
-#include "viewpoint/ScoreSweepOnDevice.h"
+#include "optimize/SolverBackend.h"
+#include "viewpoint/ScoreSweep.h"
 
 #include <gtest/gtest.h>
 
@@ -42,10 +40,10 @@ TEST(AdamOfDevice, IsThatOfTheProcessor)
   scene.settings.iterationsPerLevel = { { 2, 3, 4 } };
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
-  const std::shared_ptr<Engine> engine = EngineOn(MakeTestedDevice());
-  const auto there = engine->MakeMinimizer(problem, std::vector<float>(scene.extinction), false);
-  const auto here =
-    CpuEngine()->MakeMinimizer(problem, std::vector<float>(scene.extinction), false);
+  const std::shared_ptr<SolverBackend> backend = MakeSolverBackend(MakeTestedDevice());
+  const auto there = backend->MakeMinimizer(problem, std::vector<float>(scene.extinction), false);
+  const auto here = MakeSolverBackend(HostDevice::Shared())
+                      ->MakeMinimizer(problem, std::vector<float>(scene.extinction), false);
 
   EXPECT_NEAR(there->Start().visibilityScore / here->Start().visibilityScore, 1, 1e-5);
   for (int iteration = 0; iteration < 9; ++iteration)
@@ -67,27 +65,30 @@ TEST(AdamOfDevice, IsThatOfTheProcessor)
   EXPECT_LE(std::sqrt(squares / double(best.size())), 1e-4 * prepared.Majorant());
 }
 
-TEST(EngineOfDevice, ScoresLikeTheProcessor)
+TEST(BackendOfDevice, ScoresLikeTheProcessor)
 {
   const BoxScene scene = Onion();
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
 
-  const Visible found =
-    EngineOn(MakeTestedDevice())->Look(problem, problem.camera)->Score(scene.extinction.data());
-  const Visible expected =
-    CpuEngine()->Look(problem, problem.camera)->Score(scene.extinction.data());
+  const Visible found = MakeSolverBackend(MakeTestedDevice())
+                          ->SweepsFrom(problem, problem.camera)
+                          ->Score(scene.extinction.data());
+  const Visible expected = MakeSolverBackend(HostDevice::Shared())
+                             ->SweepsFrom(problem, problem.camera)
+                             ->Score(scene.extinction.data());
 
   EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
   EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
 }
 
-TEST(EngineOfDevice, MakesTheSameFirstPassAndTransmittance)
+TEST(BackendOfDevice, MakesTheSameFirstPassAndTransmittance)
 {
   const BoxScene scene = Onion();
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
-  const std::shared_ptr<Engine> engines[2] = { CpuEngine(), EngineOn(MakeTestedDevice()) };
+  const std::shared_ptr<SolverBackend> backends[2] = { MakeSolverBackend(HostDevice::Shared()),
+    MakeSolverBackend(MakeTestedDevice()) };
   std::vector<float> extinction[2];
   std::vector<float> transmittance[2];
 
@@ -95,8 +96,8 @@ TEST(EngineOfDevice, MakesTheSameFirstPassAndTransmittance)
   {
     extinction[i] = scene.extinction;
     transmittance[i].resize(scene.extinction.size());
-    engines[i]->Look(problem, problem.light)->Pass(1, extinction[i]);
-    engines[i]->Transmittance(
+    backends[i]->SweepsFrom(problem, problem.light)->SweepPolicyOnce(1, extinction[i]);
+    backends[i]->FindTransmittance(
       problem, problem.camera, 2, extinction[0].data(), transmittance[i].data());
   }
 
@@ -115,15 +116,14 @@ TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
 {
   const BoxScene scene = Filled(GetParam().content);
   const ViewFields fields(scene.grid, scene.extinction.data(), scene.importance.data());
-  const auto there = ScoreSweepOn(MakeTestedDevice(), fields);
-  const auto here = CpuScoreSweep();
+  const auto there = MakeScoreSweep(MakeTestedDevice(), fields);
+  const auto here = MakeScoreSweep(HostDevice::Shared(), fields);
   const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
 
   for (const Vec3& direction : RandomDirections(10))
   {
-    const std::vector<ViewFields::Part> parts = fields.PartsOf(orbit.At(direction), 2);
-    const Visible expected = here->Score(parts);
-    const Visible found = there->Score(parts);
+    const Visible expected = here->Score(fields.PartsOf(orbit.At(direction), 2));
+    const Visible found = there->Score(fields.PartsOf(orbit.At(direction), 2));
     EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
     EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
   }

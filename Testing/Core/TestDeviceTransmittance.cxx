@@ -9,7 +9,6 @@
 #include "Tolerance.h"
 
 #include "energy/TransmittanceVolume.h"
-#include "energy/TransmittanceVolumeOnDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +68,7 @@ std::vector<float> FillThere(
   const auto device = MakeTestedDevice();
   const DeviceArray<TestedDevice, float> extinction(device, scene.extinction, "a test");
   DeviceArray<TestedDevice, float> transmittance(device, scene.extinction.size(), "a test");
-  TransmittanceVolumeOnDevice<TestedDevice> volume(device, scene.grid,
+  TransmittanceSweep<TestedDevice> volume(device, scene.grid,
     Occupancy(scene.grid, planned.data(), planned.data(), true),
     SourceOfLight(scene.light, scene.grid), rayDensity);
   volume.Fill(extinction.Data(), transmittance.Data());

@@ -6,7 +6,7 @@
 #include "BoxScene.h"
 #include "Tolerance.h"
 
-#include "optimize/PolicySweep.h"
+#include "optimize/Policy.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Terms.h"
 
@@ -64,39 +64,33 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
   BoxScene scene = FilledScene(GetParam());
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
-  Terms terms(problem);
-  Terms others(problem);
+  Terms<HostDevice> terms(HostDevice::Shared(), problem);
+  Terms<HostDevice> others(HostDevice::Shared(), problem);
   std::vector<float> next = scene.extinction;
-  PolicyTask task = TaskOf(problem, problem.settings.weights.view, 0);
-  task.fields.extinction = scene.extinction.data();
-  task.fields.next = next.data();
-  task.trust = Trust::Clear;
-  const std::size_t frusta = terms.camera->FrustumCount();
-  std::vector<PolicyFound> found;
-
-  for (std::size_t index = 0; index < frusta; ++index)
-  {
-    found.push_back(
-      SweepPolicy(terms.camera->FrustumAt(index), task, terms.camera->ImagesAt(index)));
-  }
-
+  std::vector<FrustumRays<HostDevice>>& frusta = terms.camera->Frusta();
+  std::vector<FrustumRays<HostDevice>>& otherFrusta = others.camera->Frusta();
   Differences moved;
+
+  SweepPolicy(*HostDevice::Shared(), *terms.camera, problem, terms.Fields(),
+    { scene.extinction.data(), nullptr, next.data(), problem.settings.weights.view, 0.0,
+      Transmittance::AssumeOne },
+    moved);
+
+  Visible met;
+  Visible truth;
+  terms.camera->Sum(&met);
+  others.camera->Forward(next.data(), problem.importance, &truth);
+  EXPECT_WITHIN(met.visible, truth.visible, Reordered(truth.visible));
+  EXPECT_WITHIN(met.unattenuated, truth.unattenuated, Reordered(truth.unattenuated));
   int known = 0;
-  for (std::size_t index = 0; index < frusta; ++index)
+  for (std::size_t index = 0; index < frusta.size(); ++index)
   {
-    moved += found[index].moved;
-    const Visible truth = others.camera->ForwardAt(index, next.data(), problem.importance);
-    if (!MetNextIterate(index, frusta, task.derivative))
-    {
-      continue;
-    }
-    ++known;
-    EXPECT_WITHIN(found[index].met.visible, truth.visible, Reordered(truth.visible));
-    EXPECT_WITHIN(found[index].met.unattenuated, truth.unattenuated, Reordered(truth.unattenuated));
-    const std::vector<double>& depths = others.camera->ImagesAt(index).opticalDepth;
-    const std::vector<double>& collected = terms.camera->ImagesAt(index).opticalDepth;
-    const double deepest = *std::max_element(depths.begin(), depths.end());
-    for (std::size_t ray = 0; ray < depths.size(); ++ray)
+    known += MetNextIterate(index, frusta.size(), problem.settings.derivative) ? 1 : 0;
+    const double* depths = otherFrusta[index].States().opticalDepth;
+    const double* collected = frusta[index].States().opticalDepth;
+    const Index rays = frusta[index].Plan().RayCount();
+    const double deepest = *std::max_element(depths, depths + rays);
+    for (Index ray = 0; ray < rays; ++ray)
     {
       ASSERT_WITHIN(collected[ray], depths[ray], Roundoff<double>(300, deepest)) << ray;
     }
@@ -121,14 +115,17 @@ TEST_P(SweepFromTheBack, FindsTheScoreAlongWithTheDerivative)
   for (const Derivative derivative : { Derivative::Volume, Derivative::Ray })
   {
     const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
-    Terms terms(problem);
-    const TermFields fields{ scene.extinction.data(), problem.importance, problem.nodeImportance };
-    const Visible truth = terms.camera->Forward(fields.extinction, fields.importance);
+    Terms<HostDevice> terms(HostDevice::Shared(), problem);
+    const TermFields fields = terms.FieldsWith(scene.extinction.data());
+    Visible truth;
+    terms.camera->Forward(fields.extinction, fields.importance, &truth);
     std::vector<float> added(scene.extinction.size(), 1.0f);
     std::vector<float> set(scene.extinction.size(), 0.0f);
 
-    const Visible seen = terms.camera->AddGradient(fields, derivative, 2.0f, added.data());
-    const Visible again = terms.camera->SetGradient(fields, derivative, set.data());
+    Visible seen;
+    Visible again;
+    terms.camera->Differentiate(fields, derivative, { 1.0f, 2.0f }, added.data(), &seen);
+    terms.camera->Differentiate(fields, derivative, { 0.0f, 1.0f }, set.data(), &again);
 
     EXPECT_WITHIN(seen.visible, truth.visible, Reordered(truth.visible));
     EXPECT_WITHIN(seen.unattenuated, truth.unattenuated, Reordered(truth.unattenuated));

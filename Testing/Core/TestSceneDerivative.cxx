@@ -72,11 +72,13 @@ TEST_P(RealDerivative, IsThatOfTheMarch)
   const LoadedScene scene(GetParam().name);
   const truth::SceneFile& file = scene.file;
   const Occupancy everything(scene.grid, file.extinction.data(), file.importance.data(), false);
-  VisibilityTerm term(scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), 1.0);
+  VisibilityTerm<HostDevice> term(HostDevice::Shared(), scene.grid, everything,
+    SourceOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(file.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, file.importance.data());
-  term.AddGradient({ file.extinction.data(), file.importance.data(), nodeImportance.data() },
-    Derivative::Volume, 1.0f, gradient.data());
+  Visible seen;
+  term.Differentiate({ file.extinction.data(), file.importance.data(), nodeImportance.data() },
+    Derivative::Volume, { 1.0f, 1.0f }, gradient.data(), &seen);
   const std::vector<double> importance(file.importance.begin(), file.importance.end());
   truth::Sampling sampling;
   sampling.raysPerVoxel = 2;

@@ -92,12 +92,13 @@ double FromGradient(const BoxScene& scene, const Field& direction, Derivative de
 {
   const Occupancy everything(
     scene.grid, scene.extinction.data(), scene.importance.data(), scene.settings.skipUnneeded);
-  VisibilityTerm term(scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false),
-    scene.settings.rayDensity);
+  VisibilityTerm<HostDevice> term(HostDevice::Shared(), scene.grid, everything,
+    SourceOfCamera(scene.camera, scene.grid, false), scene.settings.rayDensity);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
-  term.AddGradient({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
-    derivative, 1.0f, gradient.data());
+  Visible seen;
+  term.Differentiate({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
+    derivative, { 1.0f, 1.0f }, gradient.data(), &seen);
   double sum = 0;
   scene.ForEachNode(
     [&](std::size_t node, int i, int j, int k)
@@ -227,12 +228,14 @@ TEST(VisibilityTerm, CarriesTheVisibleImportanceOfTheReferenceToEveryVoxel)
   const Occupancy everything(scene.grid, scene.extinction.data(), scene.importance.data(), false);
   for (const Derivative derivative : { Derivative::Volume, Derivative::Ray })
   {
-    VisibilityTerm term(
-      scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), 1.0);
+    VisibilityTerm<HostDevice> term(HostDevice::Shared(), scene.grid, everything,
+      SourceOfCamera(scene.camera, scene.grid, false), 1.0);
     std::vector<float> gradient(scene.extinction.size(), 0.0f);
     // At a point, as the march computes it, it is g at the point that counts.
-    term.AddGradient({ scene.extinction.data(), scene.importance.data(), scene.importance.data() },
-      derivative, 1.0f, gradient.data());
+    Visible seen;
+    term.Differentiate(
+      { scene.extinction.data(), scene.importance.data(), scene.importance.data() }, derivative,
+      { 1.0f, 1.0f }, gradient.data(), &seen);
 
     double largest = 0;
     const auto widening =
@@ -299,11 +302,13 @@ TEST(ScoreDerivative, OfANodeIsTheMeanOverItsHatAndNotTheValueThere)
     scene.importance[node] = static_cast<float>(std::max(2 * Noise(node, 2) - 1, 0.0));
   }
   const Occupancy everything(scene.grid, scene.extinction.data(), scene.importance.data(), false);
-  VisibilityTerm term(scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), 1.0);
+  VisibilityTerm<HostDevice> term(HostDevice::Shared(), scene.grid, everything,
+    SourceOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
-  term.AddGradient({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
-    Derivative::Volume, 1.0f, gradient.data());
+  Visible seen;
+  term.Differentiate({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
+    Derivative::Volume, { 1.0f, 1.0f }, gradient.data(), &seen);
 
   double ofMean = 0;
   double ofValue = 0;

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Linked into a program ahead of the core, this stands in for FindCuda.cxx and all that computes on
-// a GPU: the processor in the role of one. What such a program tests is written for a GPU, as a
-// whole and from the solver down.
+// Linked into a program ahead of the core, this stands in for FindCuda.cxx and CudaBackend.cxx: the
+// processor in the role of a GPU. What such a program tests is written for a GPU, as a whole and
+// from the solver down.
+
+#include "BackendOn.h"
 
 #include "backend/Choice.h"
-#include "backend/HostDevice.h"
-#include "optimize/EngineOnDevice.h"
+
 #include "render/RendererOnDevice.h"
-#include "viewpoint/ScoreSweepOnDevice.h"
 
 #include <memory>
 
@@ -17,9 +17,9 @@ namespace limpid
 {
 namespace
 {
-std::shared_ptr<HostDevice> Shared()
+std::shared_ptr<SimulatedDevice> Shared()
 {
-  static const auto device = std::make_shared<HostDevice>();
+  static const auto device = std::make_shared<SimulatedDevice>();
   return device;
 }
 }
@@ -35,18 +35,14 @@ std::size_t FreeCudaBytes()
   return std::size_t(1) << 36;
 }
 
-std::shared_ptr<Engine> CudaEngine()
+const ComputeBackend& CudaBackend()
 {
-  return EngineOn(Shared());
+  static const BackendOn<SimulatedDevice> backend(Shared());
+  return backend;
 }
 
 std::unique_ptr<PictureEngine> CudaPictures()
 {
   return PicturesOn(Shared());
-}
-
-std::unique_ptr<ScoreSweep> CudaScoreSweep(const ViewFields& fields)
-{
-  return ScoreSweepOn(Shared(), fields);
 }
 }

@@ -93,6 +93,13 @@ void* CudaDevice::Allocate(std::size_t bytes, const char* what)
   return memory;
 }
 
+void* CudaDevice::AllocateZeros(std::size_t bytes, const char* what)
+{
+  void* memory = this->Allocate(bytes, what);
+  this->SetZero(memory, bytes);
+  return memory;
+}
+
 void CudaDevice::Free(void* memory, std::size_t bytes) noexcept
 {
   cudaFreeAsync(memory, this->Stream);

@@ -79,6 +79,14 @@ __global__ void VisitPhases(const int phases, const Body body)
 class CudaDevice
 {
 public:
+  /// Bodies may not use the addresses of the host's memory, see BorrowedArray.
+  static constexpr bool readsHostMemory = false;
+
+  /// A GPU's threads need not be kept awake, see HostDevice.
+  struct Team
+  {
+  };
+
   /// The GPU of this process (FindCuda) for all who want it at a time.
   static std::shared_ptr<CudaDevice> Shared();
 
@@ -93,6 +101,9 @@ public:
   /// Throws limpid::Error if there is not enough memory. `what`: for the message. This and all that
   /// follows may be called by several threads.
   void* Allocate(std::size_t bytes, const char* what);
+
+  /// Memory whose bytes are 0.
+  void* AllocateZeros(std::size_t bytes, const char* what);
   void Free(void* memory, std::size_t bytes) noexcept;
 
   void Upload(void* to, const void* from, std::size_t bytes);

@@ -3,6 +3,7 @@
 
 #include "backend/HostDevice.h"
 
+#include "backend/LargePages.h"
 #include "math/Require.h"
 
 #include <algorithm>
@@ -11,12 +12,36 @@
 
 namespace limpid
 {
-void* HostDevice::Allocate(std::size_t bytes, const char* what)
+namespace
 {
-  void* memory = std::malloc(std::max<std::size_t>(bytes, 1));
+void RequireMemory(const void* memory, std::size_t bytes, const char* what)
+{
   LIMPID_REQUIRE(memory != nullptr,
     "There are no " << bytes / 1000000 << " MB of memory for " << what
                     << " (the optimisation needs them). Use a smaller volume.");
+}
+}
+
+std::shared_ptr<HostDevice> HostDevice::Shared()
+{
+  static const auto shared = std::make_shared<HostDevice>();
+  return shared;
+}
+
+void* HostDevice::Allocate(std::size_t bytes, const char* what)
+{
+  void* memory = std::malloc(std::max<std::size_t>(bytes, 1));
+  RequireMemory(memory, bytes, what);
+  UseLargePages(memory, bytes);
+  this->Memory.Add(bytes);
+  return memory;
+}
+
+void* HostDevice::AllocateZeros(std::size_t bytes, const char* what)
+{
+  void* memory = std::calloc(std::max<std::size_t>(bytes, 1), 1);
+  RequireMemory(memory, bytes, what);
+  UseLargePages(memory, bytes);
   this->Memory.Add(bytes);
   return memory;
 }

@@ -8,9 +8,11 @@
 #include "backend/Extent.h"
 #include "backend/LaunchTimes.h"
 #include "backend/MemoryCount.h"
+#include "backend/ThreadTeam.h"
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 namespace limpid
@@ -22,7 +24,16 @@ namespace limpid
 class HostDevice
 {
 public:
+  /// What keeps threads awake between the launches of a sweep.
+  using Team = ThreadTeam;
+
+  /// Bodies may use the addresses of the host's memory, see BorrowedArray.
+  static constexpr bool readsHostMemory = true;
+
   HostDevice() = default;
+
+  /// The processor for all who want it at a time.
+  static std::shared_ptr<HostDevice> Shared();
 
   /// As CudaDevice is made; there is one processor.
   explicit HostDevice(int) {}
@@ -35,6 +46,9 @@ public:
   /// Throws limpid::Error if there is not enough memory. `what`: for the message. This and all that
   /// follows may be called by several threads.
   void* Allocate(std::size_t bytes, const char* what);
+
+  /// Memory whose bytes are 0. What stays 0 takes no memory and no time where it is large.
+  void* AllocateZeros(std::size_t bytes, const char* what);
   void Free(void* memory, std::size_t bytes) noexcept;
 
   void Upload(void* to, const void* from, std::size_t bytes);
@@ -129,6 +143,15 @@ private:
 
   LaunchTimes* Times = nullptr; ///< null: nobody wants to know
   MemoryCount Memory;
+};
+
+/// The processor in the role of a GPU, for tests: it runs what is written for all devices also
+/// where HostDevice has a form of its own.
+class SimulatedDevice : public HostDevice
+{
+public:
+  using HostDevice::HostDevice;
+  static constexpr bool readsHostMemory = false;
 };
 }
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// In place of FindCuda.cxx where there is no CUDA compiler.
+// In place of FindCuda.cxx and CudaBackend.cxx where there is no CUDA compiler.
 
 #include "backend/Choice.h"
+#include "backend/ComputeBackend.h"
 
 namespace limpid
 {
@@ -16,5 +17,11 @@ const CudaState& FindCuda()
 std::size_t FreeCudaBytes()
 {
   return 0;
+}
+
+const ComputeBackend& CudaBackend()
+{
+  ChooseBackend(BackendKind::Cuda, 0); // says why not
+  return ProcessorBackend();
 }
 }

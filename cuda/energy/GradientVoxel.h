@@ -4,8 +4,7 @@
 #ifndef limpid_energy_GradientVoxel_h
 #define limpid_energy_GradientVoxel_h
 
-#include "backend/Simd.h"
-#include "math/Vec.h"
+#include "sweep/FaceFrustum.h"
 
 namespace limpid
 {
@@ -25,24 +24,17 @@ struct GradientVoxel
 {
   Real inverseArea; ///< 1 / scale^2 of the slice
 
+  /// On a slice to which rays carry the weight of Deviation D1, or do not.
+  LIMPID_HD static LIMPID_INLINE GradientVoxel On(const Slice& slice, bool areaWeighted)
+  {
+    return { Real(1) / (areaWeighted ? slice.scale * slice.scale : Real(1)) };
+  }
+
   /// `transmittance` [0, 1], `seenBehind` G [scale^2], `importance` [0, 1].
   LIMPID_HD LIMPID_INLINE Real operator()(
     Real transmittance, Real seenBehind, Real importance) const
   {
     return seenBehind * this->inverseArea - transmittance * importance;
-  }
-};
-
-/// Where derivatives go: field = kept field + weight derivative.
-struct GradientTarget
-{
-  float kept;
-  float weight;
-  float* field;
-
-  LIMPID_HD LIMPID_INLINE float Of(float before, float derivative) const
-  {
-    return this->kept * before + this->weight * derivative;
   }
 };
 }

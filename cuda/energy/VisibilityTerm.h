@@ -4,15 +4,16 @@
 #ifndef limpid_energy_VisibilityTerm_h
 #define limpid_energy_VisibilityTerm_h
 
-#include "energy/GradientVoxel.h"
-#include "optimize/Settings.h"
-#include "sweep/Sweep.h"
+#include "energy/Derivative.h"
+#include "energy/GradientKernel.h"
+#include "sweep/SumRays.h"
 
+#include <memory>
 #include <vector>
 
 namespace limpid
 {
-/// What a derivative is taken of; the arrays belong to the caller, NodeCount() values each.
+/// What a derivative is taken of; addresses on the device, one value per node each.
 struct TermFields
 {
   const float* extinction;     ///< [1/length]
@@ -23,41 +24,41 @@ struct TermFields
 /**
  * One of the two visibility terms of the energy, Eq. (23) or (24): what a camera or a light sees.
  *
- * Holds the rays; the fields stay with the caller, grid.NodeCount() values each. So does the
- * occupancy; extinctions and importances are 0 where it is not filled.
+ * Holds the rays; the fields stay with the caller, one value per node each, in the memory of the
+ * device. So does the occupancy; extinctions and importances are 0 where it is not filled. Nothing
+ * waits for the device.
  */
+template <class AnyDevice>
 class VisibilityTerm
 {
 public:
-  VisibilityTerm(
-    const Grid& grid, const Occupancy& occupancy, const RaySource& eye, double rayDensity);
+  VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid, const Occupancy& occupancy,
+    const RaySource& source, double rayDensity);
 
-  /// Integral of g mu T and its bound; leaves the optical depths of all rays in their images.
-  Visible Forward(const float* extinction, const float* importance);
+  /// Integral of g mu T and its bound into `sum`; leaves the optical depths of all rays.
+  void Forward(const float* extinction, const float* importance, Visible* sum);
 
-  /// The same of the rays of one frustum.
-  Visible ForwardAt(std::size_t index, const float* extinction, const float* importance);
+  /// The rays of one frustum alone; what they see is summed by Sum.
+  void ForwardAt(std::size_t frustum, const float* extinction, const float* importance);
 
-  /// The same; also adds `weight` times the derivative to `gradient` [1]. Leaves no optical depths.
-  Visible AddGradient(
-    const TermFields& fields, Derivative derivative, float weight, float* gradient);
+  /// Forward that also finds the derivative, into `gradient` [1]. Leaves no optical depths. Only
+  /// voxels that the term depends on are written, which are always the same ones.
+  void Differentiate(const TermFields& fields, Derivative derivative, const GradientTarget& target,
+    float* gradient, Visible* sum);
 
-  /// The same, but sets the derivative. Only voxels that the term depends on are written, which are
-  /// always the same ones.
-  Visible SetGradient(const TermFields& fields, Derivative derivative, float* gradient);
+  /// What the rays of all frusta have seen in their last sweep. `first`: the frustum that was swept
+  /// first; sums are rounded in that order.
+  void Sum(Visible* sum, std::size_t first = 0) { SumRays(this->Rays, this->Add, sum, first); }
 
-  std::size_t FrustumCount() const { return this->Frusta.size(); }
-  const FaceFrustum& FrustumAt(std::size_t index) const { return this->Frusta[index]; }
-  RayImages& ImagesAt(std::size_t index) { return this->Images[index]; }
+  std::vector<FrustumRays<AnyDevice>>& Frusta() { return this->Rays; }
+  const Occupancy& Occupied() const { return *this->Filled; }
 
 private:
-  Visible Differentiate(
-    const TermFields& fields, Derivative derivative, const GradientTarget& target);
-
-  Grid Nodes;
-  const Occupancy* Occupied;
-  std::vector<FaceFrustum> Frusta;
-  std::vector<RayImages> Images;
+  std::shared_ptr<AnyDevice> Device;
+  const Occupancy* Filled;
+  std::vector<FrustumRays<AnyDevice>> Rays;
+  SumOnDevice<AnyDevice> Add;
+  DeviceArray<AnyDevice, float> SliceImages; ///< see SweepBackward; made when first needed
 };
 }
 

@@ -4,6 +4,7 @@
 #include "optimize/Adam.h"
 
 #include "backend/Backend.h"
+#include "backend/LargePages.h"
 #include "energy/NodeImportance.h"
 #include "optimize/Levels.h"
 
@@ -19,7 +20,7 @@ namespace
 struct Level
 {
   int number = 0; ///< 0 full, 1 half, 2 quarter resolution
-  Problem task;
+  Problem problem;
   std::vector<float> baseStorage; ///< empty on the full resolution
   std::vector<float> importanceStorage;
   std::vector<float> nodeImportanceStorage;
@@ -45,7 +46,7 @@ class Adam : public Minimizer
 {
 public:
   Adam(const Problem& problem, std::vector<float> start, AdamLevelMaker maker)
-    : Task(problem)
+    : Given(problem)
     , Maker(std::move(maker))
     , Remaining(problem.settings.iterationsPerLevel)
     , BestIterate(std::move(start))
@@ -84,12 +85,12 @@ public:
   bool Converged() const override
   {
     return this->Here->number == 0 && this->Here->count > 0 && this->Remaining[0] == 0 &&
-      this->Remaining[1] == 0 && this->Change < this->Task.settings.tolerance;
+      this->Remaining[1] == 0 && this->Change < this->Given.settings.tolerance;
   }
 
   int IterationLimit() const override
   {
-    const std::array<int, 3>& limits = this->Task.settings.iterationsPerLevel;
+    const std::array<int, 3>& limits = this->Given.settings.iterationsPerLevel;
     return std::accumulate(limits.begin(), limits.end(), 0);
   }
 
@@ -109,9 +110,10 @@ private:
   std::vector<float> ExtinctionOn(int level) const
   {
     const Grid target =
-      level == 0 ? this->Task.grid : CoarseGrid(this->Task.grid, level == 1 ? 2 : 4);
-    return this->Here->number > level ? this->FromCoarser(target)
-                                      : Restrict(this->Task.grid, this->BestIterate.data(), target);
+      level == 0 ? this->Given.grid : CoarseGrid(this->Given.grid, level == 1 ? 2 : 4);
+    return this->Here->number > level
+      ? this->FromCoarser(target)
+      : Restrict(this->Given.grid, this->BestIterate.data(), target);
   }
 
   /// What the coarser level changed, added to the finer base: detail of the base survives, and
@@ -123,17 +125,18 @@ private:
     std::vector<float> change(found.size());
     ParallelFor(static_cast<Index>(change.size()), 65536,
       [&](Index voxel) {
-        change[std::size_t(voxel)] = found[std::size_t(voxel)] - coarse.task.baseExtinction[voxel];
+        change[std::size_t(voxel)] =
+          found[std::size_t(voxel)] - coarse.problem.baseExtinction[voxel];
       });
-    std::vector<float> extinction = Prolong(coarse.task.grid, change.data(), target);
-    const bool full = target.nodes == this->Task.grid.nodes;
+    std::vector<float> extinction = Prolong(coarse.problem.grid, change.data(), target);
+    const bool full = target.nodes == this->Given.grid.nodes;
     const std::vector<float> base =
-      full ? std::vector<float>() : Restrict(this->Task.grid, this->Task.baseExtinction, target);
+      full ? std::vector<float>() : Restrict(this->Given.grid, this->Given.baseExtinction, target);
     const std::vector<float> importance =
-      full ? std::vector<float>() : Restrict(this->Task.grid, this->Task.importance, target);
-    const float* baseField = full ? this->Task.baseExtinction : base.data();
-    const float* importanceField = full ? this->Task.importance : importance.data();
-    const float majorant = this->Task.majorant;
+      full ? std::vector<float>() : Restrict(this->Given.grid, this->Given.importance, target);
+    const float* baseField = full ? this->Given.baseExtinction : base.data();
+    const float* importanceField = full ? this->Given.importance : importance.data();
+    const float majorant = this->Given.majorant;
     ParallelFor(static_cast<Index>(extinction.size()), 65536,
       [&](Index voxel)
       {
@@ -149,27 +152,29 @@ private:
     this->Here = std::make_unique<Level>();
     Level& here = *this->Here;
     here.number = number;
-    here.task = this->Task;
+    here.problem = this->Given;
     if (number > 0)
     {
-      here.task.grid = CoarseGrid(this->Task.grid, number == 1 ? 2 : 4);
-      here.task.resident = nullptr; // these fields are the level's own
-      here.baseStorage = Restrict(this->Task.grid, this->Task.baseExtinction, here.task.grid);
-      here.importanceStorage = Restrict(this->Task.grid, this->Task.importance, here.task.grid);
-      here.task.baseExtinction = here.baseStorage.data();
+      here.problem.grid = CoarseGrid(this->Given.grid, number == 1 ? 2 : 4);
+      here.problem.resident = nullptr; // these fields are the level's own
+      here.baseStorage = Restrict(this->Given.grid, this->Given.baseExtinction, here.problem.grid);
+      here.importanceStorage =
+        Restrict(this->Given.grid, this->Given.importance, here.problem.grid);
+      here.problem.baseExtinction = here.baseStorage.data();
       here.nodeImportanceStorage = NodeImportanceOfFilled(
-        here.task.grid, here.baseStorage.data(), here.importanceStorage.data());
-      here.task.importance = here.importanceStorage.data();
-      here.task.nodeImportance = here.nodeImportanceStorage.data();
-      here.task.camera = Rescaled(this->Task.camera, this->Task.grid, here.task.grid);
-      here.task.light = Rescaled(this->Task.light, this->Task.grid, here.task.grid);
-      here.task.occupancy = std::make_shared<const Occupancy>(here.task.grid,
-        here.task.baseExtinction, here.task.nodeImportance, here.task.settings.skipUnneeded);
+        here.problem.grid, here.baseStorage.data(), here.importanceStorage.data());
+      here.problem.importance = here.importanceStorage.data();
+      here.problem.nodeImportance = here.nodeImportanceStorage.data();
+      here.problem.camera = Rescaled(this->Given.camera, this->Given.grid, here.problem.grid);
+      here.problem.light = Rescaled(this->Given.light, this->Given.grid, here.problem.grid);
+      here.problem.occupancy =
+        std::make_shared<const Occupancy>(here.problem.grid, here.problem.baseExtinction,
+          here.problem.nodeImportance, here.problem.settings.skipUnneeded);
     }
-    here.state = this->Maker(here.task, std::move(extinction));
+    here.state = this->Maker(here.problem, extinction);
   }
 
-  const Problem& Task;
+  const Problem& Given;
   AdamLevelMaker Maker;
   std::array<int, 3> Remaining; ///< iterations left: quarter, half, full
   std::unique_ptr<Level> Here;
@@ -181,8 +186,13 @@ private:
 }
 
 std::unique_ptr<Minimizer> MakeAdam(
-  const Problem& problem, std::vector<float> start, const AdamLevelMaker& maker)
+  const Problem& problem, std::vector<float>&& start, const AdamLevelMaker& maker)
 {
+  if (start.empty())
+  {
+    start = RoomFor(problem.grid.NodeCount());
+    start.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
+  }
   return std::make_unique<Adam>(problem, std::move(start), maker);
 }
 }

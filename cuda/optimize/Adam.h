@@ -11,9 +11,9 @@
 namespace limpid
 {
 /// The paper's solver (Section 3.5): projected Adam on a quarter, a half and the full resolution.
-/// `start`: first iterate [1/length].
+/// `start`: first iterate [1/length]; empty: the base extinction.
 std::unique_ptr<Minimizer> MakeAdam(
-  const Problem& problem, std::vector<float> start, const AdamLevelMaker& maker = MakeAdamLevel);
+  const Problem& problem, std::vector<float>&& start, const AdamLevelMaker& maker);
 }
 
 #endif

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+// Compiled twice, see CompiledDevice.h.
+
 #include "optimize/AdamLevel.h"
 
 #include "backend/Backend.h"
-#include "backend/ThreadTeam.h"
-#include "optimize/Sums.h"
+#include "optimize/AdamVoxel.h"
 #include "optimize/Terms.h"
 
 #include <algorithm>
@@ -13,6 +14,9 @@
 
 namespace limpid
 {
+namespace
+{
+/// What step number `count` does at every voxel; the arrays are left open.
 AdamVoxel<float> AdamStep(const Problem& problem, int count)
 {
   const Settings& settings = problem.settings;
@@ -26,12 +30,24 @@ AdamVoxel<float> AdamStep(const Problem& problem, int count)
   return body;
 }
 
-namespace
+/// A step at a voxel that leaves the change in place of the derivative.
+struct StepAndChange
 {
-LIMPID_MULTIVERSION
-void StepRange(const AdamVoxel<float>& body, Index begin, Index end)
+  AdamVoxel<float> step;
+  float* gradient;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
+  {
+    const float before = this->step.extinction[voxel];
+    this->step(voxel);
+    this->gradient[voxel] = this->step.extinction[voxel] - before;
+  }
+};
+
+template <class Voxel>
+LIMPID_MULTIVERSION void StepRange(const Voxel& body, Index begin, Index end)
 {
-  const AdamVoxel<float> voxel = body;
+  const Voxel voxel = body;
 #pragma GCC ivdep
   for (Index i = begin; i < end; ++i)
   {
@@ -39,8 +55,9 @@ void StepRange(const AdamVoxel<float>& body, Index begin, Index end)
   }
 }
 
-/// A step in [begin, end). Returns the sum of the changes [1/length].
-double StepBlock(const AdamVoxel<float>& body, Index begin, Index end)
+/// A step in [begin, end), in vector registers. Returns the sum of the changes [1/length].
+template <class Voxel>
+double StepBlock(const Voxel& step, Index begin, Index end)
 {
   constexpr Index chunk = 1024;
   float before[chunk];
@@ -48,73 +65,131 @@ double StepBlock(const AdamVoxel<float>& body, Index begin, Index end)
   for (Index first = begin; first < end; first += chunk)
   {
     const Index last = std::min(first + chunk, end);
-    std::copy(body.extinction + first, body.extinction + last, before);
-    StepRange(body, first, last);
-    sum += SumOfChanges(body.extinction + first, before, last - first);
+    std::copy(step.extinction + first, step.extinction + last, before);
+    StepRange(step, first, last);
+    sum += SumOfChanges(step.extinction + first, before, last - first);
   }
   return sum;
 }
 
-class LevelOnCpu : public AdamLevel
+/// A step at all voxels, and the sum of the changes for the next record; the processor sums them
+/// while they are at hand.
+template <class AnyDevice>
+void StepAll([[maybe_unused]] AnyDevice& device, const AdamVoxel<float>& step,
+  [[maybe_unused]] float* gradient, Index count, Terms<AnyDevice>& terms)
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    terms.Sums()->moved.changes = ParallelBlockSum(
+      count, [&step](Index begin, Index end) { return StepBlock(step, begin, end); });
+  }
+  else
+  {
+    device.ForIndices("Adam", count, StepAndChange{ step, gradient });
+    terms.SumChanges(gradient, nullptr);
+  }
+}
+
+template <class AnyDevice>
+class LevelOn : public AdamLevel
 {
 public:
-  LevelOnCpu(const Problem& problem, std::vector<float>&& start)
-    : Task(problem)
-    , Seen(problem)
-    , Now(std::move(start))
+  using Field = DeviceArray<AnyDevice, float>;
+
+  LevelOn(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
+    const std::vector<float>& start)
+    : Given(problem)
+    , Device(device)
+    , Energy(device, problem)
+    , Now(device, start, "the extinction")
   {
   }
 
-  IterationRecord Measure() override { return this->Seen.Measure(this->Task, this->Now.data()); }
+  IterationRecord Measure() override { return this->Energy.Measure(this->Now.Data()); }
 
   IterationRecord Step(int count) override
   {
-    const ThreadTeam team;
-    if (this->Gradient.empty())
+    [[maybe_unused]] const typename AnyDevice::Team team;
+    if (this->Gradient.Empty())
     {
-      this->Gradient.resize(this->Now.size());
-      this->First.assign(this->Now.size(), 0.0f);
-      this->Second.assign(this->Now.size(), 0.0f);
+      this->Gradient = Field(this->Device, this->Now.Size(), "the derivative");
+      this->First = Field::Zeros(this->Device, this->Now.Size(), "the mean derivative");
+      this->Second =
+        Field::Zeros(this->Device, this->Now.Size(), "the mean square of the derivative");
       this->FindGradient();
     }
-    AdamVoxel<float> body = AdamStep(this->Task, count);
-    body.gradient = this->Gradient.data();
-    body.base = this->Task.baseExtinction;
-    body.first = this->First.data();
-    body.second = this->Second.data();
-    body.extinction = this->Now.data();
-    const double sum = ParallelBlockSum(this->Task.grid.NodeCount(),
-      [&](Index begin, Index end) { return StepBlock(body, begin, end); });
-    IterationRecord record = this->FindGradient();
-    record.meanChange = this->Task.MeanChange(sum);
-    return record;
+    AdamVoxel<float> step = AdamStep(this->Given, count);
+    step.gradient = this->Gradient.Data();
+    step.base = this->Energy.Fields().base.Data();
+    step.first = this->First.Data();
+    step.second = this->Second.Data();
+    step.extinction = this->Now.Data();
+    StepAll(*this->Device, step, this->Gradient.Data(), this->Given.grid.NodeCount(), this->Energy);
+    this->FindGradient();
+    this->Energy.SumSquares(this->Now.Data());
+    return this->Energy.Record();
   }
 
-  std::vector<float> Extinction() override { return this->Now; }
-  void KeepBest() override { this->Kept = this->Now; }
-  const std::vector<float>& Best() override { return this->Kept; }
-  std::vector<float> TakeBest() override { return std::move(this->Kept); }
+  std::vector<float> Extinction() override { return OnHost(this->Now); }
+
+  void KeepBest() override
+  {
+    this->Kept.RoomFor(this->Device, this->Now.Size(), "the best extinction");
+    this->Kept.CopyFrom(this->Now);
+    this->Readable.clear();
+  }
+
+  const std::vector<float>& Best() override
+  {
+    if (this->Readable.empty())
+    {
+      this->Readable = OnHost(this->Kept);
+    }
+    return this->Readable;
+  }
+
+  std::vector<float> TakeBest() override
+  {
+    this->Best();
+    return std::move(this->Readable);
+  }
 
 private:
-  /// For the next step, along with the record of the present extinction.
-  IterationRecord FindGradient()
+  static std::vector<float> OnHost(const Field& field)
   {
-    std::fill(this->Gradient.begin(), this->Gradient.end(), 0.0f);
-    return this->Seen.AddGradient(this->Task, this->Now, this->Gradient);
+    std::vector<float> values(field.Size());
+    field.Download(values.data());
+    return values;
   }
 
-  const Problem& Task;
-  Terms Seen;
-  std::vector<float> Now;
-  std::vector<float> Kept;
-  std::vector<float> Gradient; ///< empty: there was no step yet
-  std::vector<float> First;
-  std::vector<float> Second;
+  /// For the next step; the terms see the present extinction along the way.
+  void FindGradient()
+  {
+    this->Gradient.SetZero();
+    this->Energy.Differentiate(this->Now.Data(), this->Gradient.Data());
+  }
+
+  const Problem& Given;
+  std::shared_ptr<AnyDevice> Device;
+  Terms<AnyDevice> Energy;
+  Field Now;
+  Field Kept;
+  Field Gradient; ///< empty: there was no step yet
+  Field First;
+  Field Second;
+  std::vector<float> Readable; ///< the best on the host; empty: not asked for
 };
 }
 
-std::unique_ptr<AdamLevel> MakeAdamLevel(const Problem& problem, std::vector<float>&& start)
+template <class AnyDevice>
+std::unique_ptr<AdamLevel> MakeAdamLevel(
+  const std::shared_ptr<AnyDevice>& device, const Problem& problem, const std::vector<float>& start)
 {
-  return std::make_unique<LevelOnCpu>(problem, std::move(start));
+  return std::make_unique<LevelOn<AnyDevice>>(device, problem, start);
 }
+
+#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
+  template std::unique_ptr<AdamLevel> MakeAdamLevel(                                               \
+    const std::shared_ptr<AnyDevice>&, const Problem&, const std::vector<float>&);
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
 }

@@ -4,7 +4,6 @@
 #ifndef limpid_optimize_AdamLevel_h
 #define limpid_optimize_AdamLevel_h
 
-#include "optimize/AdamVoxel.h"
 #include "optimize/Problem.h"
 
 #include <functional>
@@ -37,13 +36,12 @@ public:
 
 /// Makes the level of a problem, which stays with the caller, from a first extinction [1/length].
 using AdamLevelMaker =
-  std::function<std::unique_ptr<AdamLevel>(const Problem&, std::vector<float>&&)>;
+  std::function<std::unique_ptr<AdamLevel>(const Problem&, const std::vector<float>&)>;
 
-/// What step number `count` does at every voxel; the arrays are left open.
-AdamVoxel<float> AdamStep(const Problem& problem, int count);
-
-/// On the processor.
-std::unique_ptr<AdamLevel> MakeAdamLevel(const Problem& problem, std::vector<float>&& start);
+/// Makes it on a device.
+template <class AnyDevice>
+std::unique_ptr<AdamLevel> MakeAdamLevel(const std::shared_ptr<AnyDevice>& device,
+  const Problem& problem, const std::vector<float>& start);
 }
 
 #endif

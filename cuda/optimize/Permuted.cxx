@@ -4,7 +4,7 @@
 #include "optimize/Permuted.h"
 
 #include "backend/Backend.h"
-#include "scene/LargePages.h"
+#include "backend/LargePages.h"
 
 #include <algorithm>
 #include <utility>

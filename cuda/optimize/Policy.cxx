@@ -1,207 +1,322 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+// Compiled twice, see CompiledDevice.h.
+
 #include "optimize/Policy.h"
 
-#include "backend/Backend.h"
-#include "backend/ThreadTeam.h"
-#include "optimize/PolicyIterations.h"
-#include "optimize/PolicySweep.h"
-#include "optimize/Terms.h"
-#include "scene/LargePages.h"
-#include "scene/NodeValues.h"
+#include "backend/LargePages.h"
+#include "sweep/Sweeps.h"
 
 #include <algorithm>
+#include <array>
 
 namespace limpid
 {
 namespace
 {
-/// An iterate: the caller's values, which stay as they are, or values of its own.
-class CpuIterate
+template <class AnyDevice>
+PolicyKernel<const float*, float*> KernelOf(
+  const Problem& problem, const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep)
 {
-public:
-  CpuIterate() = default;
-  explicit CpuIterate(const float* values)
-    : Values(values)
-  {
-  }
-  explicit CpuIterate(std::vector<float>&& values)
-    : Given(std::move(values))
-    , Values(this->Given.data())
-  {
-  }
-  explicit CpuIterate(NodeValues&& values)
-    : Own(std::move(values))
-    , Values(this->Own.Data())
-  {
-  }
+  // Without regularisation the optimum is bang-bang, which a large but finite gain gives, too.
+  const double p = std::max(problem.RegularizationWeight(), 1e-30);
+  const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
+  return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
+    sweep.lagged, sweep.next, { gainOf(sweep.weight), gainOf(sweep.lagWeight), problem.majorant },
+    sweep.transmittance, problem.settings.derivative == Derivative::Volume };
+}
 
-  const float* Data() const { return this->Values; }
-  float* Room() { return this->Own.Data(); } ///< null: these are not to be overwritten
+/// Sweeps one frustum. The processor sums what has `moved` while that is at hand; null: nobody
+/// asks.
+template <class AnyDevice>
+void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
+  [[maybe_unused]] const Occupancy& occupancy, const PolicyKernel<const float*, float*>& kernel,
+  [[maybe_unused]] Differences* moved)
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    std::vector<Differences> rows(std::size_t(rays.Plan().nodesV)); // of all slices
+    SweepBackwardByPhases(device, rays, occupancy, kernel,
+      [&rows, moved](const auto& voxels, const auto& windows, int v)
+      {
+        if (moved)
+        {
+          const Range<int>& filled = voxels.Filled();
+          const float* next = voxels.Row(windows.next) + filled.begin;
+          rows[std::size_t(v)] +=
+            { SumOfSquares(next, voxels.Row(windows.base) + filled.begin, filled.Length()),
+              SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()) };
+        }
+      });
+    for (std::size_t v = 1; moved && v < rows.size(); ++v)
+    {
+      rows[0] += rows[v];
+    }
+    if (moved)
+    {
+      *moved += rows[0];
+    }
+  }
+  else
+  {
+    SweepBackwardByPhases(device, rays, kernel);
+  }
+}
 
-private:
-  std::vector<float> Given;
-  NodeValues Own;
-  const float* Values = nullptr;
+/// An extinction at all nodes; it may be the base extinction, which is not to be overwritten.
+template <class AnyDevice>
+struct Iterate
+{
+  DeviceArray<AnyDevice, float> own;
+  const float* values = nullptr;
 };
 
-class PolicyOnCpu
+/// Makes sure that an iterate can be overwritten. Where sweeps do not come, and for rays that meet
+/// voxels of a frustum that is swept later, it gets the values of the last one; the processor
+/// copies only what is filled: all else is 0.
+template <class AnyDevice>
+void Prepare(const std::shared_ptr<AnyDevice>& device, const Problem& problem, std::size_t frusta,
+  const float* last, Iterate<AnyDevice>& next)
+{
+  const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
+  const bool fresh = next.own.Empty();
+  if (fresh)
+  {
+    next.own = DeviceArray<AnyDevice, float>::Zeros(device, count, "an iterate");
+    next.values = next.own.Data();
+  }
+  if (!AnyDevice::readsHostMemory && (fresh || frusta > 1))
+  {
+    device->Copy(next.own.Data(), last, count * sizeof(float));
+  }
+  else if (frusta > 1)
+  {
+    problem.CopyFilled(last, next.own.Data());
+  }
+}
+
+template <class AnyDevice>
+class Policy : public Minimizer
 {
 public:
-  using Field = CpuIterate;
-
-  explicit PolicyOnCpu(const Problem& problem)
-    : Work(&problem)
-    , Seen(problem)
+  Policy(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
+    const std::vector<float>& start, bool warm)
+    : Given(&problem)
+    , Device(device)
+    , Energy(device, problem)
+    , Warm(warm)
   {
+    if (start.empty())
+    {
+      this->Iterates[0].values = this->Energy.Fields().base.Data();
+      return;
+    }
+    this->Iterates[0].own = { device, start, "an iterate" };
+    this->Iterates[0].values = this->Iterates[0].own.Data();
   }
 
-  const Problem& Task() const { return *this->Work; }
-
-  /// Makes room for an iterate. Where sweeps do not come, and for rays of a frustum that meet
-  /// voxels of one that is swept later, it has the values of the last one.
-  void Prepare(Field& next, const Field& last) const
+  IterationRecord Start() override
   {
-    const bool fresh = !next.Room();
-    if (fresh)
-    {
-      next = Field(NodeValues(this->Work->grid.NodeCount()));
-    }
-    if (fresh || this->FrustumCount() > 1)
-    {
-      this->CopyFilled(last.Data(), next.Room());
-    }
-  }
-
-  const float* Values(const Field& field) const { return field.Data(); }
-
-  const std::vector<float>& Read(const Field& field) const
-  {
-    const Index count = this->Work->grid.NodeCount();
-    if (this->OnHost.empty())
-    {
-      this->OnHost = RoomFor(count);
-    }
-    this->OnHost.assign(field.Data(), field.Data() + count);
-    return this->OnHost;
-  }
-
-  std::vector<float> Take(Field&& field) const
-  {
-    this->Read(field);
-    return std::move(this->OnHost);
-  }
-
-  IterationRecord Start(const Field& first)
-  {
-    return this->Seen.Measure(*this->Work, first.Data());
-  }
-
-  IterationRecord Sweep(const Field& last, Field& next, bool trust, bool again)
-  {
-    const ThreadTeam team;
-    const Problem& problem = *this->Work;
-    if (trust && this->Joint() && !this->LagIsFresh)
-    {
-      this->FindLagged(last);
-    }
-    const PolicyFound found = this->SweepOnce(last, next, trust);
-    limpid::Seen seen;
-    (this->Seen.camera ? seen.byCamera : seen.byLight) = found.met;
-    const double change = problem.MeanChange(found.moved.changes);
-    this->LagIsFresh = this->Joint() && again && !(change < problem.settings.tolerance);
-    if (this->Joint())
-    {
-      seen.byLight = this->LagIsFresh ? this->FindLagged(next)
-                                      : this->Seen.light->Forward(next.Data(), problem.importance);
-    }
-    IterationRecord record = RecordOf(problem, problem.Regularization(found.moved.squares), seen);
-    record.meanChange = change;
+    const IterationRecord record = this->Energy.Measure(this->Iterates[0].values);
+    this->BestEnergy = record.energy.Total();
     return record;
   }
 
+  IterationRecord Iterate() override
+  {
+    [[maybe_unused]] const typename AnyDevice::Team team;
+    this->OnHost.clear();
+    const std::size_t free = this->FreeIterate();
+    const float* last = this->Iterates[this->Now].values;
+    limpid::Iterate<AnyDevice>& next = this->Iterates[free];
+    Prepare(this->Device, *this->Given, this->Swept().Frusta().size(), last, next);
+    const Transmittance transmittance =
+      this->Warm || this->Count > 0 ? Transmittance::OfLastIterate : Transmittance::AssumeOne;
+    ++this->Count;
+    const IterationRecord record = this->Sweep(last, next.own.Data(), transmittance);
+    this->Now = free;
+    this->Change = record.meanChange;
+    if (record.energy.Total() < this->BestEnergy)
+    {
+      this->BestEnergy = record.energy.Total();
+      this->BestOf = free;
+    }
+    return record;
+  }
+
+  bool Converged() const override
+  {
+    return this->Count > 0 && this->Change < this->Given->settings.tolerance;
+  }
+
+  int IterationLimit() const override { return this->Given->settings.maximumIterations; }
+
+  const float* BestValues() const override
+  {
+    return AnyDevice::readsHostMemory ? this->Iterates[this->BestOf].values : this->Best().data();
+  }
+
+  const std::vector<float>& Best() const override
+  {
+    if (this->OnHost.empty())
+    {
+      this->OnHost = RoomFor(this->Given->grid.NodeCount());
+      this->OnHost.resize(static_cast<std::size_t>(this->Given->grid.NodeCount()));
+      this->Device->Download(this->OnHost.data(), this->Iterates[this->BestOf].values,
+        this->OnHost.size() * sizeof(float));
+    }
+    return this->OnHost;
+  }
+
+  std::vector<float> TakeBest() override
+  {
+    this->Best();
+    return std::move(this->OnHost);
+  }
+
 private:
-  bool Joint() const { return this->Seen.camera && this->Seen.light; }
+  bool Joint() const { return this->Energy.camera && this->Energy.light; }
 
-  std::size_t FrustumCount() const
+  /// The term that is swept: the camera's or, without one, the light's.
+  VisibilityTerm<AnyDevice>& Swept()
   {
-    return (this->Seen.camera ? this->Seen.camera : this->Seen.light)->FrustumCount();
+    return this->Energy.camera ? *this->Energy.camera : *this->Energy.light;
   }
 
-  void CopyFilled(const float* from, float* to) const
+  /// A place for the next iterate that overwrites neither the last nor the best.
+  std::size_t FreeIterate() const
   {
-    const Int3& nodes = this->Work->grid.nodes;
-    ParallelFor(Index(nodes.y) * nodes.z, 16,
-      [&](Index row)
-      {
-        const auto y = static_cast<int>(row % nodes.y);
-        const auto z = static_cast<int>(row / nodes.y);
-        const Range<int> filled = this->Work->occupancy->Row(0, y, z).filled;
-        std::copy_n(from + row * nodes.x + filled.begin, std::max(filled.end - filled.begin, 0),
-          to + row * nodes.x + filled.begin);
-      });
-  }
-
-  /// The policy sweep itself, of the camera or, without one, of the light.
-  PolicyFound SweepOnce(const Field& last, Field& next, bool trust)
-  {
-    const Problem& problem = *this->Work;
-    const Weights& weights = problem.settings.weights;
-    const bool useLagged = !this->Lagged.Empty();
-    PolicyTask task = TaskOf(
-      problem, this->Seen.camera ? weights.view : weights.light, useLagged ? weights.light : 0.0);
-    task.fields.extinction = last.Data();
-    task.fields.lagged = useLagged ? this->Lagged.Data() : nullptr;
-    task.fields.next = next.Room();
-    task.trust = trust ? Trust::LastIterate : Trust::Clear;
-    VisibilityTerm& swept = this->Seen.camera ? *this->Seen.camera : *this->Seen.light;
-    const std::size_t frusta = swept.FrustumCount();
-    PolicyFound sum;
-    for (std::size_t index = 0; index < frusta; ++index)
+    std::size_t free = 0;
+    while (free == this->Now || free == this->BestOf)
     {
-      const PolicyFound found = SweepPolicy(swept.FrustumAt(index), task, swept.ImagesAt(index));
-      sum.moved += found.moved;
-      if (MetNextIterate(index, frusta, task.derivative))
-      {
-        sum.met += found.met;
-      }
+      ++free;
     }
-    for (std::size_t index = 0; index < frusta; ++index)
-    {
-      if (!MetNextIterate(index, frusta, task.derivative))
-      {
-        sum.met += swept.ForwardAt(index, next.Data(), problem.importance);
-      }
-    }
-    return sum;
+    return free;
   }
 
-  Visible FindLagged(const Field& extinction)
+  /// One policy sweep, and what the next iterate is worth.
+  IterationRecord Sweep(const float* last, float* next, Transmittance transmittance)
   {
-    const Problem& problem = *this->Work;
+    if (transmittance == Transmittance::OfLastIterate && this->Joint() && !this->LagIsFresh)
+    {
+      this->FindLagged(last);
+    }
+    this->SweepOnce(last, next, transmittance);
+    const double change = this->Given->MeanChange(this->Energy.Read().moved.changes);
+    const bool again = this->Count < this->IterationLimit();
+    this->LagIsFresh = this->Joint() && again && !(change < this->Given->settings.tolerance);
+    if (this->LagIsFresh)
+    {
+      this->FindLagged(next); // sees the light of the next iterate along the way
+    }
+    else if (this->Joint())
+    {
+      this->Energy.light->Forward(
+        next, this->Energy.Fields().importance.Data(), &this->Energy.Sums()->light);
+    }
+    return this->Energy.Record();
+  }
+
+  void SweepOnce(const float* last, float* next, Transmittance transmittance)
+  {
+    const Weights& weights = this->Given->settings.weights;
+    const bool lags = !this->Lagged.Empty();
+    Differences moved;
+    SweepPolicy(*this->Device, this->Swept(), *this->Given, this->Energy.Fields(),
+      { last, lags ? this->Lagged.Data() : nullptr, next,
+        this->Energy.camera ? weights.view : weights.light, lags ? weights.light : 0.0,
+        transmittance },
+      moved);
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      this->Energy.Sums()->moved = moved;
+    }
+    else
+    {
+      this->Energy.SumChanges(next, last);
+      this->Energy.SumSquares(next);
+    }
+    const std::size_t frusta = this->Swept().Frusta().size();
+    const bool lastFirst = MetNextIterate(frusta - 1, frusta, this->Given->settings.derivative);
+    this->Swept().Sum(
+      this->Energy.camera ? &this->Energy.Sums()->camera : &this->Energy.Sums()->light,
+      lastFirst ? frusta - 1 : 0);
+  }
+
+  void FindLagged(const float* extinction)
+  {
     if (this->Lagged.Empty())
     {
-      this->Lagged = NodeValues(problem.grid.NodeCount());
+      this->Lagged = DeviceArray<AnyDevice, float>::Zeros(this->Device,
+        static_cast<std::size_t>(this->Given->grid.NodeCount()), "the light's derivative");
     }
-    return this->Seen.light->SetGradient(
-      { extinction.Data(), problem.importance, problem.nodeImportance },
-      problem.settings.derivative, this->Lagged.Data());
+    this->Energy.light->Differentiate(this->Energy.FieldsWith(extinction),
+      this->Given->settings.derivative, { 0.0f, 1.0f }, this->Lagged.Data(),
+      &this->Energy.Sums()->light);
   }
 
-  const Problem* Work;
-  Terms Seen;
-  NodeValues Lagged;                 ///< T_L (V_L - g) of an iterate; empty: none
-  bool LagIsFresh = false;           ///< whether that is the last iterate
-  mutable std::vector<float> OnHost; ///< what was read last
+  const Problem* Given;
+  std::shared_ptr<AnyDevice> Device;
+  Terms<AnyDevice> Energy;
+  bool Warm;
+  int Count = 0;
+  double Change = 0;
+  double BestEnergy = 0;
+  std::array<limpid::Iterate<AnyDevice>, 3> Iterates; ///< filled as needed
+  std::size_t Now = 0;                                ///< the last iterate
+  std::size_t BestOf = 0;                             ///< the best
+  DeviceArray<AnyDevice, float> Lagged;               ///< T_L (V_L - g) of an iterate; empty: none
+  bool LagIsFresh = false;                            ///< whether that is the last iterate
+  mutable std::vector<float> OnHost;                  ///< the best; empty: not read yet
 };
 }
 
-std::unique_ptr<Minimizer> MakePolicy(const Problem& problem, std::vector<float>&& start, bool warm)
+template <class AnyDevice>
+void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
+  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, Differences& moved)
 {
-  CpuIterate first =
-    start.empty() ? CpuIterate(problem.baseExtinction) : CpuIterate(std::move(start));
-  return std::make_unique<PolicyIterations<PolicyOnCpu>>(
-    PolicyOnCpu(problem), std::move(first), warm);
+  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
+  const std::size_t frusta = term.Frusta().size();
+  for (FrustumRays<AnyDevice>& rays : term.Frusta())
+  {
+    SweepFrustum(device, rays, term.Occupied(), kernel, &moved);
+    rays.KeepCollected();
+  }
+  for (std::size_t index = 0; index < frusta; ++index)
+  {
+    if (!MetNextIterate(index, frusta, problem.settings.derivative))
+    {
+      term.ForwardAt(index, sweep.next, fields.importance.Data());
+    }
+  }
 }
+
+template <class AnyDevice>
+void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
+  const ProblemFields<AnyDevice>& fields, double weight, float* next)
+{
+  const PolicyKernel<const float*, float*> kernel = KernelOf(
+    problem, fields, { fields.base.Data(), nullptr, next, weight, 0.0, Transmittance::AssumeOne });
+  for (FrustumRays<AnyDevice>& rays : term.Frusta())
+  {
+    SweepFrustum(device, rays, term.Occupied(), kernel, nullptr);
+  }
+}
+
+template <class AnyDevice>
+std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
+  const Problem& problem, const std::vector<float>& start, bool warm)
+{
+  return std::make_unique<Policy<AnyDevice>>(device, problem, start, warm);
+}
+
+#define LIMPID_INSTANTIATE_POLICY(AnyDevice)                                                       \
+  template void SweepPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,                \
+    const ProblemFields<AnyDevice>&, const PolicySweep&, Differences&);                            \
+  template void SweepFirstPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,           \
+    const ProblemFields<AnyDevice>&, double, float*);                                              \
+  template std::unique_ptr<Minimizer> MakePolicy(                                                  \
+    const std::shared_ptr<AnyDevice>&, const Problem&, const std::vector<float>&, bool);
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE_POLICY)
 }

@@ -4,18 +4,52 @@
 #ifndef limpid_optimize_Policy_h
 #define limpid_optimize_Policy_h
 
-#include "optimize/Problem.h"
+#include "optimize/PolicyKernel.h"
+#include "optimize/Terms.h"
 
 #include <memory>
+#include <vector>
 
 namespace limpid
 {
-/// Policy sweeps (Documentation/Method.md): each iteration is one backward sweep that finds, slice
-/// by slice, the best extinction given what lies behind. `start`: first iterate [1/length]; empty:
-/// the base extinction. `warm` tells that it is near the optimum, so that its transmittance can be
-/// trusted.
-std::unique_ptr<Minimizer> MakePolicy(
-  const Problem& problem, std::vector<float>&& start, bool warm);
+/// The policy sweep of one term: finds the next iterate from the last one. All addresses are on
+/// the device.
+struct PolicySweep
+{
+  const float* last;   ///< the last iterate [1/length]
+  const float* lagged; ///< T (V - g) of the other term; null: none
+  float* next;         ///< the next iterate [1/length]
+  double weight;       ///< of the term
+  double lagWeight;    ///< of the other one
+  Transmittance transmittance;
+};
+
+/// Sweeps all frusta of a term. Leaves what its rays have seen of the next iterate, and its optical
+/// depths, with the rays. `moved`: on the processor, how far the next iterate is from the others.
+template <class AnyDevice>
+void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
+  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, Differences& moved);
+
+/// The first policy sweep of one term alone: nothing is known of transmittance or the other term.
+/// Leaves nothing with the rays.
+template <class AnyDevice>
+void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
+  const ProblemFields<AnyDevice>& fields, double weight, float* next);
+
+/// Whether what the rays of a frustum have met in their policy sweep was the next iterate, whose
+/// score and optical depths are known then: not the voxels of a frustum that is swept later. With
+/// Derivative::Ray what rays carry is not the score.
+inline bool MetNextIterate(std::size_t frustum, std::size_t frusta, Derivative derivative)
+{
+  return frustum + 1 == frusta && derivative == Derivative::Volume;
+}
+
+/// The policy method (Documentation/Method.md) for a problem, which stays with the caller, from a
+/// first iterate [1/length]; empty: from the base extinction. `warm` tells that its transmittance
+/// can be trusted.
+template <class AnyDevice>
+std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
+  const Problem& problem, const std::vector<float>& start, bool warm);
 }
 
 #endif

@@ -8,21 +8,21 @@ namespace limpid
 namespace
 {
 /// One sweep for a term of weight `weight`; `found` is written where anything may change.
-void Sweep(const Problem& problem, EyeSweeps& eye, double weight, std::vector<float>& found)
+void Sweep(const Problem& problem, SourceSweeps& sweeps, double weight, std::vector<float>& found)
 {
   if (found.empty())
   {
     found.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
   }
-  eye.Pass(weight, found);
+  sweeps.SweepPolicyOnce(weight, found);
 }
 }
 
 void PreviewPass::Make(const Camera& camera, const Light& light, const Settings& settings)
 {
-  this->Seen.reset();
-  this->Task = this->Scene->ProblemFor(camera, light, settings);
-  this->Computer.Choose(settings, this->Task.grid);
+  this->FromCamera.reset();
+  this->Given = this->Scene->ProblemFor(camera, light, settings);
+  this->Backend.Choose(settings, this->Given.grid);
   this->Before.reset();
   this->After.reset();
   const Weights& weights = settings.weights;
@@ -32,12 +32,13 @@ void PreviewPass::Make(const Camera& camera, const Light& light, const Settings&
   const bool forLight = toSee && weights.light > 0 && (separate || !forCamera);
   if (forCamera)
   {
-    Sweep(this->Task, this->CameraSweeps(), weights.view, this->ForCamera);
+    Sweep(this->Given, this->CameraSweeps(), weights.view, this->ForCamera);
   }
   std::vector<float>& lit = separate ? this->ForLight : this->ForCamera;
   if (forLight)
   {
-    Sweep(this->Task, *this->Computer->Look(this->Task, this->Task.light), weights.light, lit);
+    Sweep(
+      this->Given, *this->Backend->SweepsFrom(this->Given, this->Given.light), weights.light, lit);
   }
   if (!forLight)
   {
@@ -53,7 +54,7 @@ void PreviewPass::Forget()
 {
   this->ForCamera = {};
   this->ForLight = {};
-  this->Seen.reset();
+  this->FromCamera.reset();
 }
 
 Score PreviewPass::BaseScore()
@@ -74,18 +75,18 @@ Score PreviewPass::BestScore()
   return *this->After;
 }
 
-EyeSweeps& PreviewPass::CameraSweeps()
+SourceSweeps& PreviewPass::CameraSweeps()
 {
-  if (!this->Seen)
+  if (!this->FromCamera)
   {
-    this->Seen = this->Computer->Look(this->Task, this->Task.camera);
+    this->FromCamera = this->Backend->SweepsFrom(this->Given, this->Given.camera);
   }
-  return *this->Seen;
+  return *this->FromCamera;
 }
 
 Score PreviewPass::ScoreOf(const float* extinction)
 {
   const Visible seen = this->CameraSweeps().Score(extinction);
-  return { seen.visible, seen.unattenuated > 0 ? seen.visible / seen.unattenuated : 0.0 };
+  return { seen.visible, seen.Fraction() };
 }
 }

@@ -4,8 +4,8 @@
 #ifndef limpid_optimize_PreviewPass_h
 #define limpid_optimize_PreviewPass_h
 
-#include "optimize/Engine.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/SolverBackend.h"
 
 #include <memory>
 #include <optional>
@@ -31,7 +31,7 @@ public:
   void Forget();
 
   /// What has computed the last pass, one line for the user.
-  const std::string& BackendName() const { return this->Computer.Name(); }
+  const std::string& BackendName() const { return this->Backend.Name(); }
 
   PreparedScene& Prepared() const { return *this->Scene; }
   const Grid& Nodes() const { return this->Scene->Nodes(); }
@@ -43,8 +43,8 @@ public:
   /// Separate mode: for the light; joint mode: the same as for the camera.
   const float* LightExtinction() const
   {
-    return this->Task.settings.mode == Mode::Joint ? this->Extinction()
-                                                   : this->DataOf(this->ForLight);
+    return this->Given.settings.mode == Mode::Joint ? this->Extinction()
+                                                    : this->DataOf(this->ForLight);
   }
 
   /// Of the base and of the found extinction; each costs a sweep when it is asked for first.
@@ -57,14 +57,14 @@ private:
     return found.empty() ? this->Base() : found.data();
   }
 
-  EyeSweeps& CameraSweeps();
+  SourceSweeps& CameraSweeps();
   Score ScoreOf(const float* extinction);
 
   std::shared_ptr<PreparedScene> Scene;
-  EngineChoice Computer;
-  Problem Task;                    ///< of the last pass
-  std::unique_ptr<EyeSweeps> Seen; ///< by the camera; made when first needed
-  std::vector<float> ForCamera;    ///< empty: the base extinction
+  ChosenBackend Backend;
+  Problem Given;                            ///< of the last pass
+  std::unique_ptr<SourceSweeps> FromCamera; ///< made when first needed
+  std::vector<float> ForCamera;             ///< empty: the base extinction
   std::vector<float> ForLight;
   std::optional<Score> Before;
   std::optional<Score> After;

@@ -4,14 +4,14 @@
 #include "optimize/Problem.h"
 
 #include "backend/Backend.h"
-#include "optimize/Sums.h"
+#include "optimize/Terms.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace limpid
 {
-double Problem::Regularization(const float* extinction) const
+double Problem::SquaresFromBase(const float* extinction) const
 {
   // What is empty stays as it is in the base, see Solver's first iterate.
   const Int3& rows = this->grid.nodes;
@@ -24,10 +24,10 @@ double Problem::Regularization(const float* extinction) const
         const Range<int> filled = this->occupancy->Row(0, y, int(z)).filled;
         const Index first = (z * rows.y + y) * rows.x + filled.begin;
         slices[std::size_t(z)] += SumOfSquares(
-          extinction + first, this->baseExtinction + first, std::max(filled.end - filled.begin, 0));
+          extinction + first, this->baseExtinction + first, std::max(filled.Length(), 0));
       }
     });
-  return this->Regularization(std::accumulate(slices.begin(), slices.end(), 0.0));
+  return std::accumulate(slices.begin(), slices.end(), 0.0);
 }
 
 double Problem::Regularization(double squares) const
@@ -35,9 +35,36 @@ double Problem::Regularization(double squares) const
   return 0.5 * this->RegularizationWeight() * this->grid.CellVolume() * squares;
 }
 
+void Problem::CopyFilled(const float* from, float* to) const
+{
+  const Int3& nodes = this->grid.nodes;
+  ParallelFor(Index(nodes.y) * nodes.z, 16,
+    [&](Index row)
+    {
+      const auto y = static_cast<int>(row % nodes.y);
+      const auto z = static_cast<int>(row / nodes.y);
+      const Range<int> filled = this->occupancy->Row(0, y, z).filled;
+      const Index first = row * nodes.x + filled.begin;
+      std::copy_n(from + first, std::max(filled.Length(), 0), to + first);
+    });
+}
+
 double Problem::MeanChange(double changes) const
 {
   const auto filled = double(this->occupancy->FilledVoxels());
   return filled > 0 && this->majorant > 0 ? changes / filled / this->majorant : 0.0;
+}
+
+IterationRecord RecordOf(const Problem& problem, const TermSums& sums)
+{
+  const Weights& weights = problem.settings.weights;
+  IterationRecord record;
+  record.energy.regularization = problem.Regularization(sums.moved.squares);
+  record.energy.view = -weights.view * sums.camera.visible;
+  record.energy.light = -weights.light * sums.light.visible;
+  record.visibilityScore = sums.camera.visible;
+  record.visibleFraction = sums.camera.Fraction();
+  record.meanChange = problem.MeanChange(sums.moved.changes);
+  return record;
 }
 }

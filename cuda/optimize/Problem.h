@@ -7,7 +7,7 @@
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "sweep/Plan.h"
+#include "sweep/Occupancy.h"
 
 #include <memory>
 #include <mutex>
@@ -45,11 +45,14 @@ struct Problem
     return this->settings.weights.regularization * this->grid.Radius();
   }
 
-  /// F_p of Eq. (22) in world units [length^2].
-  double Regularization(const float* extinction) const;
+  /// Sum over all voxels of (mu - mu-bar)^2 [1/length^2].
+  double SquaresFromBase(const float* extinction) const;
 
-  /// The same from the sum over all voxels of (mu - mu-bar)^2.
+  /// F_p of Eq. (22) in world units [length^2], from that sum.
   double Regularization(double squares) const;
+
+  /// Copies an extinction where the scene is filled.
+  void CopyFilled(const float* from, float* to) const;
 
   /// Mean change over the voxels that may change [majorant], from the sum of all changes.
   double MeanChange(double changes) const;

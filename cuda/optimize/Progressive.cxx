@@ -312,13 +312,13 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
   PreparedScene& scene =
     state.shown == Shown::Preview ? state.LastPreview().Prepared() : *state.scene;
   const Problem problem = scene.ProblemFor(camera, state.light, state.settings);
-  EngineChoice engine;
-  engine.Choose(state.settings, problem.grid);
-  const std::unique_ptr<EyeSweeps> eye = engine->Look(problem, problem.camera);
+  ChosenBackend backend;
+  backend.Choose(state.settings, problem.grid);
+  const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFrom(problem, problem.camera);
   const auto scoreOf = [&](const float* extinction) -> Score
   {
-    const Visible seen = eye->Score(extinction);
-    return { seen.visible, seen.unattenuated > 0 ? seen.visible / seen.unattenuated : 0.0 };
+    const Visible seen = sweeps->Score(extinction);
+    return { seen.visible, seen.Fraction() };
   };
   return { scoreOf(this->BaseExtinction()), scoreOf(this->Extinction()) };
 }

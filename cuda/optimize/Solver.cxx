@@ -6,8 +6,8 @@
 #include "backend/Backend.h"
 #include "energy/TransmittanceVolume.h"
 #include "math/Require.h"
-#include "optimize/Engine.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/SolverBackend.h"
 
 #include <algorithm>
 #include <chrono>
@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 struct Solver::Internals
 {
   std::shared_ptr<PreparedScene> prepared;
-  EngineChoice engine;
+  ChosenBackend backend;
   SceneFields scene;
   Camera camera;
   Light light;
@@ -56,7 +56,7 @@ struct Solver::Internals
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
-    this->engine.Choose(wanted, this->scene.grid);
+    this->backend.Choose(wanted, this->scene.grid);
   }
 
   /// Starts the first run.
@@ -141,7 +141,7 @@ struct Solver::Internals
       }
       return;
     }
-    this->minimizer = this->engine->MakeMinimizer(this->problem, std::move(start), this->warm);
+    this->minimizer = this->backend->MakeMinimizer(this->problem, std::move(start), this->warm);
     IterationRecord record = this->minimizer->Start();
     record.iteration = this->iterations;
     this->history.push_back(record);
@@ -158,8 +158,9 @@ struct Solver::Internals
 
   Score ScoreOf(const float* field)
   {
-    const Visible seen = this->engine->Look(this->problem, this->problem.camera)->Score(field);
-    return { seen.visible, seen.unattenuated > 0 ? seen.visible / seen.unattenuated : 0.0 };
+    const Visible seen =
+      this->backend->SweepsFrom(this->problem, this->problem.camera)->Score(field);
+    return { seen.visible, seen.Fraction() };
   }
 
   double Share() const
@@ -383,7 +384,7 @@ double Solver::Seconds() const
 
 std::string Solver::BackendName() const
 {
-  return this->State->engine.Name();
+  return this->State->backend.Name();
 }
 
 const std::vector<IterationRecord>& Solver::History() const
@@ -394,7 +395,7 @@ const std::vector<IterationRecord>& Solver::History() const
 void Solver::Transmittance(float* transmittance) const
 {
   const Internals& state = *this->State;
-  state.engine->Transmittance(state.problem, state.problem.camera,
+  state.backend->FindTransmittance(state.problem, state.problem.camera,
     std::max(state.settings.rayDensity, transmittanceRayDensity), this->Extinction().data(),
     transmittance);
 }
@@ -404,7 +405,7 @@ void Solver::LightTransmittance(float* transmittance) const
   const Internals& state = *this->State;
   const bool separate = state.settings.mode == Mode::Separate;
   const std::vector<float>& extinction = separate ? this->LightExtinction() : this->Extinction();
-  state.engine->Transmittance(state.problem, state.problem.light,
+  state.backend->FindTransmittance(state.problem, state.problem.light,
     std::max(state.settings.rayDensity, transmittanceRayDensity), extinction.data(), transmittance);
 }
 }

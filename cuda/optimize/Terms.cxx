@@ -1,66 +1,123 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+// Compiled twice, see CompiledDevice.h.
+
 #include "optimize/Terms.h"
+
+#include <cmath>
 
 namespace limpid
 {
-Terms::Terms(const Problem& problem)
+namespace
+{
+struct SquaredDifference
+{
+  const float* a;
+  const float* b;
+
+  LIMPID_HD LIMPID_INLINE double operator()(Index voxel) const
+  {
+    const double difference = double(this->a[voxel]) - double(this->b[voxel]);
+    return difference * difference;
+  }
+};
+
+struct AbsoluteChange
+{
+  const float* next;
+  const float* last; ///< null: `next` is the change
+
+  LIMPID_HD LIMPID_INLINE double operator()(Index voxel) const
+  {
+    const double before = this->last ? double(this->last[voxel]) : 0.0;
+    return std::abs(double(this->next[voxel]) - before);
+  }
+};
+}
+
+template <class AnyDevice>
+Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& problem)
+  : Given(&problem)
+  , Device(std::move(device))
+  , Scene(ProblemFields<AnyDevice>::Of(this->Device, problem))
+  , Add(this->Device)
+  , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, 1, "sums"))
 {
   const Settings& settings = problem.settings;
   if (settings.weights.view > 0)
   {
-    this->camera.emplace(problem.grid, *problem.occupancy, problem.camera, settings.rayDensity);
+    this->camera.emplace(
+      this->Device, problem.grid, *problem.occupancy, problem.camera, settings.rayDensity);
   }
   if (settings.weights.light > 0)
   {
-    this->light.emplace(problem.grid, *problem.occupancy, problem.light, settings.rayDensity);
+    this->light.emplace(
+      this->Device, problem.grid, *problem.occupancy, problem.light, settings.rayDensity);
   }
 }
 
-IterationRecord Terms::Measure(const Problem& problem, const float* extinction)
+template <class AnyDevice>
+IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 {
-  Seen seen;
   if (this->camera)
   {
-    seen.byCamera = this->camera->Forward(extinction, problem.importance);
+    this->camera->Forward(extinction, this->Scene->importance.Data(), &this->Sums()->camera);
   }
   if (this->light)
   {
-    seen.byLight = this->light->Forward(extinction, problem.importance);
+    this->light->Forward(extinction, this->Scene->importance.Data(), &this->Sums()->light);
   }
-  return RecordOf(problem, problem.Regularization(extinction), seen);
+  this->SumSquares(extinction);
+  return this->Record();
 }
 
-IterationRecord Terms::AddGradient(
-  const Problem& problem, const std::vector<float>& extinction, std::vector<float>& gradient)
+template <class AnyDevice>
+void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 {
-  const Settings& settings = problem.settings;
-  const TermFields fields{ extinction.data(), problem.importance, problem.nodeImportance };
-  Seen seen;
+  const Settings& settings = this->Given->settings;
+  const TermFields fields = this->FieldsWith(extinction);
   if (this->camera)
   {
-    seen.byCamera = this->camera->AddGradient(
-      fields, settings.derivative, static_cast<float>(settings.weights.view), gradient.data());
+    this->camera->Differentiate(fields, settings.derivative,
+      { 1.0f, static_cast<float>(settings.weights.view) }, gradient, &this->Sums()->camera);
   }
   if (this->light)
   {
-    seen.byLight = this->light->AddGradient(
-      fields, settings.derivative, static_cast<float>(settings.weights.light), gradient.data());
+    this->light->Differentiate(fields, settings.derivative,
+      { 1.0f, static_cast<float>(settings.weights.light) }, gradient, &this->Sums()->light);
   }
-  return RecordOf(problem, problem.Regularization(extinction.data()), seen);
 }
 
-IterationRecord RecordOf(const Problem& problem, double regularization, const Seen& seen)
+template <class AnyDevice>
+void Terms<AnyDevice>::SumChanges(const float* next, const float* last)
 {
-  const Weights& weights = problem.settings.weights;
-  IterationRecord record;
-  record.energy.regularization = regularization;
-  record.visibilityScore = seen.byCamera.visible;
-  record.visibleFraction =
-    seen.byCamera.unattenuated > 0 ? seen.byCamera.visible / seen.byCamera.unattenuated : 0.0;
-  record.energy.view = -weights.view * seen.byCamera.visible;
-  record.energy.light = -weights.light * seen.byLight.visible;
-  return record;
+  this->Add("change", this->Given->grid.NodeCount(), AbsoluteChange{ next, last },
+    &this->Sums()->moved.changes);
 }
+
+template <class AnyDevice>
+void Terms<AnyDevice>::SumSquares(const float* extinction)
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    this->Sums()->moved.squares = this->Given->SquaresFromBase(extinction);
+  }
+  else
+  {
+    this->Add("regularization", this->Given->grid.NodeCount(),
+      SquaredDifference{ extinction, this->Scene->base.Data() }, &this->Sums()->moved.squares);
+  }
+}
+
+template <class AnyDevice>
+TermSums Terms<AnyDevice>::Read() const
+{
+  TermSums sums;
+  this->Found.Download(&sums);
+  return sums;
+}
+
+#define LIMPID_INSTANTIATE(AnyDevice) template class Terms<AnyDevice>;
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
 }

@@ -5,37 +5,72 @@
 #define limpid_optimize_Terms_h
 
 #include "energy/VisibilityTerm.h"
-#include "optimize/Problem.h"
+#include "optimize/Differences.h"
+#include "optimize/ProblemFields.h"
 
+#include <memory>
 #include <optional>
 
 namespace limpid
 {
-/// What the terms of a problem see of an extinction; zero where there is no such term.
-struct Seen
+/// What an extinction is worth; zero where there is no such term.
+struct TermSums
 {
-  Visible byCamera;
-  Visible byLight;
+  Visible camera;
+  Visible light;
+  Differences moved; ///< from the base extinction and from the last iterate
 };
 
-/// Energy and score of an extinction with that F_p, which the terms have seen.
-IterationRecord RecordOf(const Problem& problem, double regularization, const Seen& seen);
+/// Energy and score of an extinction, Eqs. (21)-(24) and (32).
+IterationRecord RecordOf(const Problem& problem, const TermSums& sums);
 
-/// The visibility terms of a problem; a term of weight zero is not there and costs nothing.
-struct Terms
+/// The terms of a problem's energy; a visibility term of weight zero is not there and costs
+/// nothing. Fields are addresses on the device, one value per node each.
+template <class AnyDevice>
+class Terms
 {
-  Terms() = default;
-  explicit Terms(const Problem& problem);
+public:
+  Terms(std::shared_ptr<AnyDevice> device, const Problem& problem);
 
   /// Energy and score of an extinction; leaves the optical depths of all rays in the terms.
-  IterationRecord Measure(const Problem& problem, const float* extinction);
+  IterationRecord Measure(const float* extinction);
 
-  /// Adds the weighted derivative of all terms to `gradient`, and measures along the way.
-  IterationRecord AddGradient(
-    const Problem& problem, const std::vector<float>& extinction, std::vector<float>& gradient);
+  /// Finds the derivative of the visibility terms, Eqs. (27) and (28) with their weights, and sees
+  /// the extinction for the next record along the way.
+  void Differentiate(const float* extinction, float* gradient);
 
-  std::optional<VisibilityTerm> camera;
-  std::optional<VisibilityTerm> light;
+  /// Sums what an iteration has changed, for the next record. `last`: null: `next` is the change.
+  void SumChanges(const float* next, const float* last);
+
+  /// Sums how far an extinction is from the base, for the next record.
+  void SumSquares(const float* extinction);
+
+  /// The record of what all terms have seen and summed. Waits.
+  IterationRecord Record() const { return RecordOf(*this->Given, this->Read()); }
+
+  /// The sums so far. Waits.
+  TermSums Read() const;
+
+  /// The sums of the next record, on the device.
+  TermSums* Sums() { return this->Found.Data(); }
+
+  /// The fields of a derivative by an extinction.
+  TermFields FieldsWith(const float* extinction) const
+  {
+    return { extinction, this->Scene->importance.Data(), this->Scene->nodeImportance.Data() };
+  }
+
+  const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
+
+  std::optional<VisibilityTerm<AnyDevice>> camera;
+  std::optional<VisibilityTerm<AnyDevice>> light;
+
+private:
+  const Problem* Given;
+  std::shared_ptr<AnyDevice> Device;
+  std::shared_ptr<ProblemFields<AnyDevice>> Scene;
+  SumOnDevice<AnyDevice> Add;
+  DeviceArray<AnyDevice, TermSums> Found;
 };
 }
 

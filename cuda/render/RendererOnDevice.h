@@ -5,7 +5,7 @@
 #define limpid_render_RendererOnDevice_h
 
 #include "backend/CompiledDevice.h"
-#include "energy/TransmittanceVolumeOnDevice.h"
+#include "energy/TransmittanceVolume.h"
 #include "render/BrickKernels.h"
 #include "render/ExtinctionOverlayOnDevice.h"
 #include "render/GradientKernels.h"
@@ -64,7 +64,7 @@ private:
     Grid grid;
     RaySource light;
     double rayDensity;
-    TransmittanceVolumeOnDevice<Device> volume;
+    TransmittanceSweep<Device> volume;
 
     bool IsOf(const Grid& nodes, const RaySource& eye, double density) const;
   };

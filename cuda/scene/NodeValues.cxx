@@ -3,7 +3,7 @@
 
 #include "scene/NodeValues.h"
 
-#include "scene/LargePages.h"
+#include "backend/LargePages.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -241,14 +241,9 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
   this->PutBetween(std::move(edges));
 }
 
-LinearMap Lateral::RayMap(double depth) const
+void Lateral::FindRayMap(double depth, int* index, float* weight) const
 {
-  LinearMap map;
-  map.index.resize(std::size_t(this->count));
-  map.weight.resize(std::size_t(this->count));
-  FindCells(this->Middles.data(), this->count, LineAt(*this, depth), this->nodes, map.index.data(),
-    map.weight.data());
-  return map;
+  FindCells(this->Middles.data(), this->count, LineAt(*this, depth), this->nodes, index, weight);
 }
 
 void Lateral::FindRayNodes(double depth, int* floors) const
@@ -256,30 +251,25 @@ void Lateral::FindRayNodes(double depth, int* floors) const
   FindFloors(this->Middles.data(), this->count, LineAt(*this, depth), this->nodes, floors);
 }
 
-LinearMap Lateral::VoxelMap(double depth) const
+void Lateral::FindVoxelMap(double depth, int* index, float* weight) const
 {
-  LinearMap map;
-  map.index.resize(std::size_t(this->nodes));
-  map.weight.resize(std::size_t(this->nodes));
   VisitVoxels(*this, depth,
     [&, ray = 0](const Range<int>& voxels, const double* wanted) mutable
     {
-      int* index = map.index.data() + voxels.begin;
-      const int number = voxels.end - voxels.begin;
-      for (int i = 0; i < number; ++i)
+      int* first = index + voxels.begin;
+      for (int i = 0; i < voxels.Length(); ++i)
       {
         while (ray + 2 < this->count && this->Middles[std::size_t(ray) + 1] <= wanted[i])
         {
           ++ray;
         }
-        index[i] = ray;
+        first[i] = ray;
       }
-      FindWeights(this->Middles.data(), wanted, index, number, map.weight.data() + voxels.begin);
+      FindWeights(this->Middles.data(), wanted, first, voxels.Length(), weight + voxels.begin);
     });
-  return map;
 }
 
-Range<float> Lateral::ClipOf(int ray, double base) const
+Range<float> Lateral::StayOf(int ray, double base) const
 {
   const double coordinate = this->Coordinate(ray);
   const double last = this->nodes - 1;
@@ -287,16 +277,11 @@ Range<float> Lateral::ClipOf(int ray, double base) const
                         : ClipLine(this->eye, coordinate, last, base);
 }
 
-std::vector<float> Lateral::VoxelEntries(double depth, double base) const
+void Lateral::FindVoxelEntries(double depth, double base, float* entries) const
 {
-  std::vector<float> entries(std::size_t(this->nodes));
   VisitVoxels(*this, depth,
     [&](const Range<int>& voxels, const double* coordinates)
-    {
-      const int number = voxels.end - voxels.begin;
-      FindEntries(*this, coordinates, number, base, entries.data() + voxels.begin);
-    });
-  return entries;
+    { FindEntries(*this, coordinates, voxels.Length(), base, entries + voxels.begin); });
 }
 
 Range<int> Lateral::Owned(double depth, bool closed) const

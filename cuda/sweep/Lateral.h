@@ -5,20 +5,11 @@
 #define limpid_sweep_Lateral_h
 
 #include "math/Range.h"
-#include "sweep/HalfLayer.h"
 
 #include <vector>
 
 namespace limpid
 {
-/// Linear interpolation from one row of samples to another: target t reads
-/// source[index[t]] and source[index[t] + 1] with weights 1 - weight[t] and weight[t].
-struct LinearMap
-{
-  std::vector<int> index;
-  std::vector<float> weight;
-};
-
 /// Where rays lie best.
 enum class Placement
 {
@@ -59,22 +50,24 @@ public:
   /// Chooses the rays that see the box between two depths; none if it is out of reach.
   void Fit(double nearDepth, double farDepth, double rayDensity, Placement placement);
 
-  /// Voxel column and weight of every ray at `depth`; on the border where it is outside the box.
-  LinearMap RayMap(double depth) const;
+  /// The map from rays to voxel columns at `depth`: `count` values each. A ray outside the box
+  /// reads its border.
+  void FindRayMap(double depth, int* index, float* weight) const;
 
   /// Floor of the voxel column of every ray at `depth`, ascending; outside the box up to three
   /// voxels beside it. `floors`: `count` values.
   void FindRayNodes(double depth, int* floors) const;
 
-  /// Ray column and weight of every voxel on the slice at `depth`, a positive depth. Voxels beyond
-  /// the outermost rays take the value of these.
-  LinearMap VoxelMap(double depth) const;
+  /// The map from voxel columns to rays on the slice at `depth`, a positive depth: `nodes` values
+  /// each. Voxels beyond the outermost rays take the value of these.
+  void FindVoxelMap(double depth, int* index, float* weight) const;
 
   /// Depths at which a ray enters and leaves the slab of the box, relative to `base`.
-  Range<float> ClipOf(int ray, double base) const;
+  Range<float> StayOf(int ray, double base) const;
 
-  /// Depths at which the rays through every voxel on the slice at `depth` enter the slab.
-  std::vector<float> VoxelEntries(double depth, double base) const;
+  /// Depths, relative to `base`, at which the rays through every voxel on the slice at `depth`
+  /// enter the slab. `entries`: `nodes` values.
+  void FindVoxelEntries(double depth, double base, float* entries) const;
 
   /// Voxels at `depth` whose distance from the eye is at most (closed) or below (open) the depth.
   Range<int> Owned(double depth, bool closed) const;

@@ -79,7 +79,7 @@ void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
 /// What finding the spans of a slice needs.
 struct OccupiedRays::Memory
 {
-  explicit Memory(const FaceFrustum& frustum)
+  explicit Memory(const PlannedFrustum& frustum)
     : columnNodes(std::size_t(frustum.columns))
     , rowNodes(std::size_t(frustum.rows))
     , columnsUpTo(std::size_t(frustum.nodesU) + 6)
@@ -120,22 +120,21 @@ struct OccupiedRays::Memory
   }
 };
 
-OccupiedRays::OccupiedRays(const FaceFrustum& frustum, const Occupancy& occupancy)
+OccupiedRays::OccupiedRays(const PlannedFrustum& frustum, const Occupancy& occupancy)
   : Rows(frustum.rows)
-  , Spans(new int[frustum.slices.size() * 4 * std::size_t(frustum.rows)])
+  , Spans(new int[std::size_t(4 * frustum.SliceCount() * Index(frustum.rows))])
 {
-  constexpr int stationsPerTask = 8;
-  const int slices = static_cast<int>(frustum.slices.size());
-  ParallelFor((slices + stationsPerTask - 1) / stationsPerTask,
+  constexpr int slicesPerTask = 8;
+  const int slices = frustum.SliceCount();
+  ParallelFor((slices + slicesPerTask - 1) / slicesPerTask,
     [&](Index task)
     {
       Memory memory(frustum);
-      const int begin = static_cast<int>(task) * stationsPerTask;
-      for (int slice = begin; slice < std::min(begin + stationsPerTask, slices); ++slice)
+      const int begin = static_cast<int>(task) * slicesPerTask;
+      for (int slice = begin; slice < std::min(begin + slicesPerTask, slices); ++slice)
       {
-        frustum.slices[std::size_t(slice)].node < 0
-          ? this->FindAtEye(slice, frustum.columns)
-          : this->FindOnSlice(frustum, occupancy, slice, memory);
+        frustum.SliceAt(slice).node < 0 ? this->FindAtEye(slice, frustum.columns)
+                                        : this->FindOnSlice(frustum, occupancy, slice, memory);
       }
     });
 }
@@ -150,9 +149,9 @@ void OccupiedRays::FindAtEye(int slice, int columns)
 }
 
 void OccupiedRays::FindOnSlice(
-  const FaceFrustum& frustum, const Occupancy& occupancy, int s, Memory& memory)
+  const PlannedFrustum& frustum, const Occupancy& occupancy, int s, Memory& memory)
 {
-  const Slice& slice = frustum.slices[std::size_t(s)];
+  const Slice& slice = frustum.SliceAt(s);
   frustum.lateralU.FindRayNodes(slice.depth, memory.columnNodes.data());
   frustum.lateralV.FindRayNodes(slice.depth, memory.rowNodes.data());
   memory.CountColumns();

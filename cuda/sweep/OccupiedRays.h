@@ -4,7 +4,7 @@
 #ifndef limpid_sweep_OccupiedRays_h
 #define limpid_sweep_OccupiedRays_h
 
-#include "sweep/Plan.h"
+#include "sweep/PlanSweep.h"
 
 #include <memory>
 #include <vector>
@@ -30,7 +30,7 @@ struct ColumnSpans
 class OccupiedRays
 {
 public:
-  OccupiedRays(const FaceFrustum& frustum, const Occupancy& occupancy);
+  OccupiedRays(const PlannedFrustum& frustum, const Occupancy& occupancy);
 
   ColumnSpans Filled(int slice) const { return this->At(4 * Index(slice)); }
   ColumnSpans Important(int slice) const { return this->At(4 * Index(slice) + 2); }
@@ -46,7 +46,7 @@ private:
 
   void FindAtEye(int slice, int columns);
   void FindOnSlice(
-    const FaceFrustum& frustum, const Occupancy& occupancy, int slice, Memory& memory);
+    const PlannedFrustum& frustum, const Occupancy& occupancy, int slice, Memory& memory);
 
   Index Rows;
   std::unique_ptr<int[]> Spans; ///< [slice][begin and end of filled, of important][row]

@@ -6,23 +6,20 @@
 #include "backend/Backend.h"
 #include "backend/Simd.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace limpid
 {
 namespace
 {
-/// Length of a ray with the squares of its step per unit of depth along u, v and w.
-LIMPID_INLINE float LengthOf(double u, double v, double w)
-{
-  return static_cast<float>(std::sqrt(u + v + w));
-}
-
 LIMPID_INLINE double Squared(double value)
 {
   return value * value;
 }
 
+/// Lengths of a row of rays with these slopes.
 LIMPID_MULTIVERSION
 void FindLengths(const double* __restrict slopes, int count, const Vec3& spacing, double slopeV,
   float* __restrict lengths)
@@ -32,7 +29,7 @@ void FindLengths(const double* __restrict slopes, int count, const Vec3& spacing
   const double squareW = Squared(spacing.z);
   for (int i = 0; i < count; ++i)
   {
-    lengths[i] = LengthOf(Squared(slopes[i] * spacingU), squareV, squareW);
+    lengths[i] = static_cast<float>(std::sqrt(Squared(slopes[i] * spacingU) + squareV + squareW));
   }
 }
 
@@ -87,38 +84,37 @@ void HideBehind(
 }
 }
 
-float FaceFrustum::RayLength(int column, int row) const
+void FindRayLengths(PlannedFrustum& frustum)
 {
-  return LengthOf(Squared(this->columnAxis.slope[std::size_t(column)] * this->spacing.x),
-    Squared(this->rowAxis.slope[std::size_t(row)] * this->spacing.y), Squared(this->spacing.z));
-}
-
-void FaceFrustum::FindRayLengths(int row, float* lengths) const
-{
-  FindLengths(this->columnAxis.slope.data(), this->columns, this->spacing,
-    this->rowAxis.slope[std::size_t(row)], lengths);
+  std::vector<double> slopes;
+  for (int column = 0; column < frustum.columns; ++column)
+  {
+    slopes.push_back(frustum.lateralU.Slope(column));
+  }
+  ParallelFor(frustum.rows, 16,
+    [&](Index row)
+    {
+      FindLengths(slopes.data(), frustum.columns, frustum.spacing,
+        frustum.lateralV.Slope(static_cast<int>(row)), frustum.Room(frustum.length, row));
+    });
 }
 
 Range<int> InsideColumns(const FaceFrustum& frustum, float front, float back)
 {
-  const RayAxis& axis = frustum.columnAxis;
-  return FindInside(
-    axis.entry.data(), axis.exit.data(), axis.share.data(), frustum.columns, front, back);
+  return FindInside(frustum.Row(frustum.columnEntry), frustum.Row(frustum.columnExit),
+    frustum.Row(frustum.columnShare), frustum.columns, front, back);
 }
 
-std::vector<float> FindInView(const FaceFrustum& frustum, const RaySource& eye, double w)
+void FindInView(PlannedFrustum& frustum, const RaySource& source, double w)
 {
-  if (eye.viewPlanes.empty())
-  {
-    return {};
-  }
   const std::vector<double>& columns = frustum.lateralU.Coordinates();
-  std::vector<float> inView(std::size_t(frustum.RayCount()), 1.0f);
   ParallelFor(frustum.rows, 16,
     [&](Index row)
     {
+      float* inView = frustum.Room(frustum.inView, row);
+      std::fill_n(inView, frustum.columns, 1.0f);
       const double coordinate = frustum.lateralV.Coordinate(static_cast<int>(row));
-      for (const RaySource::Plane& plane : eye.viewPlanes)
+      for (const RaySource::Plane& plane : source.viewPlanes)
       {
         // Summed in the order of the grid's axes.
         const double alongV = plane.normal[frustum.axisV] * coordinate;
@@ -126,9 +122,8 @@ std::vector<float> FindInView(const FaceFrustum& frustum, const RaySource& eye, 
         const bool depthLast = frustum.axisV < frustum.axisW;
         HideBehind({ plane.normal[frustum.axisU], depthLast ? alongV : alongW,
                      depthLast ? alongW : alongV, plane.offset },
-          columns.data(), frustum.columns, inView.data() + row * frustum.columns);
+          columns.data(), frustum.columns, inView);
       }
     });
-  return inView;
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a ray does in a layer that it may enter or leave, the same for all backends.
+// A ray in a layer that it may enter or leave, and what it makes of what is behind.
 
 #ifndef limpid_sweep_RayLayer_h
 #define limpid_sweep_RayLayer_h
@@ -38,32 +38,70 @@ LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, f
   return ClippedHalf<float>(layer, RangeOfHalf(half), length, extinction, importance, column, row);
 }
 
-/// Visible importance behind a half, carried from its back to its front.
+/// Whether a ray is inside the box from the front of a layer to its back.
+enum class Passage
+{
+  Through,
+  Clipped
+};
+
+/// A ray in a layer, and what is sampled on it at both Gauss points.
+template <Passage passage>
+struct RayInLayer
+{
+  Layer layer;
+  float length;        ///< world length per unit of depth [length]
+  Range<float> column; ///< where the ray is inside the box in u, as relative depths [index]
+  Range<float> row;    ///< ... in v
+  float extinction[2]; ///< [1/length]
+  float importance[2]; ///< [0, 1]
+
+  /// Relative depth where the ray enters the box.
+  LIMPID_HD LIMPID_INLINE float Entry() const
+  {
+    return this->row.begin > this->column.begin ? this->row.begin : this->column.begin;
+  }
+
+  template <Cut cut>
+  LIMPID_HD LIMPID_INLINE HalfLayer<float> Half(int half) const
+  {
+    return passage == Passage::Through
+      ? this->Whole(half)
+      : CutHalf<cut>(this->layer, half, this->length, this->extinction[half],
+          this->importance[half], this->column, this->row);
+  }
+
+  /// A half whether the ray is inside the box there or not.
+  LIMPID_HD LIMPID_INLINE HalfLayer<float> Whole(int half) const
+  {
+    return WholeHalf<float>(
+      this->layer, RangeOfHalf(half), this->length, this->extinction[half], this->importance[half]);
+  }
+
+  /// Optical depth of the layer from the entry into the box on; it goes on behind the exit.
+  LIMPID_HD LIMPID_INLINE float DepthFromEntry() const
+  {
+    return this->template Half<Cut::Entry>(0).LimitedDepth() +
+      this->template Half<Cut::Entry>(1).LimitedDepth();
+  }
+
+  LIMPID_HD LIMPID_INLINE float WholeDepth() const
+  {
+    return this->Whole(0).LimitedDepth() + this->Whole(1).LimitedDepth();
+  }
+};
+
+/// Visible importance behind a half, carried from its back to its front, Eq. (20).
 LIMPID_HD LIMPID_INLINE float Carried(const HalfLayer<float>& half, float behind)
 {
   return half.visible + half.Passed() * behind;
 }
 
-/// The same through a whole layer.
+/// Visible importance behind a layer of two halves, carried through both.
 LIMPID_HD LIMPID_INLINE float Carried(
   const HalfLayer<float>& front, const HalfLayer<float>& rear, float behind)
 {
   return Carried(front, Carried(rear, behind));
-}
-
-LIMPID_HD LIMPID_INLINE float DepthOf(const HalfLayer<float>& front, const HalfLayer<float>& rear)
-{
-  return front.LimitedDepth() + rear.LimitedDepth();
-}
-
-/// Visible importance of a ray from its entry into the box on, which is final as soon as a sweep
-/// from the back has come to the layer `layer` of its entry, or to one ahead. `visible`: what it
-/// was so far, negative: not there yet; `carried`: that at the front of the layer, less what is cut
-/// off.
-LIMPID_HD LIMPID_INLINE float FromEntry(
-  float visible, float entry, const Layer& layer, float carried)
-{
-  return visible < 0 && entry >= layer.front ? carried : visible;
 }
 
 /**
@@ -71,14 +109,14 @@ LIMPID_HD LIMPID_INLINE float FromEntry(
  * extinction even where the entry has a kink or lies ahead.
  *
  * `distance`: depth less the depth of the entry [index]; `justBehind`: extinction there times the
- * ray's length per unit of depth; `unwound`: whether the optical depth is known, and negative,
+ * ray's length per unit of depth; `knownAhead`: whether the optical depth is known, and negative,
  * ahead of the entry; `limit`: to optical depths, lest cubics swing beside them.
  */
-LIMPID_HD LIMPID_INLINE float Densified(
-  float opticalDepth, float distance, float justBehind, bool unwound, float limit)
+LIMPID_HD LIMPID_INLINE float DepthPerUnit(
+  float opticalDepth, float distance, float justBehind, bool knownAhead, float limit)
 {
   constexpr float tooClose = 0.01f; // to the entry, to divide by the distance [index]
-  const bool close = distance < tooClose && (!unwound || distance > -tooClose);
+  const bool close = distance < tooClose && (!knownAhead || distance > -tooClose);
   const float mean = (opticalDepth < limit ? opticalDepth : limit) / (close ? tooClose : distance);
   return close ? justBehind : mean;
 }

@@ -4,7 +4,8 @@
 #ifndef limpid_viewpoint_ScoreSweep_h
 #define limpid_viewpoint_ScoreSweep_h
 
-#include "sweep/Sweep.h"
+#include "backend/CompiledDevice.h"
+#include "sweep/SumRays.h"
 #include "viewpoint/ViewFields.h"
 
 #include <memory>
@@ -18,14 +19,14 @@ class ScoreSweep
 public:
   virtual ~ScoreSweep() = default;
 
-  /// May be called by several threads.
-  virtual Visible Score(const std::vector<ViewFields::Part>& parts) const = 0;
+  /// May be called by several threads. The parts are used up.
+  virtual Visible Score(std::vector<ViewFields::Part>&& parts) const = 0;
 };
 
-std::unique_ptr<ScoreSweep> CpuScoreSweep();
-
-/// For parts of these fields, which stay with the caller. Throws limpid::Error if there is no CUDA.
-std::unique_ptr<ScoreSweep> CudaScoreSweep(const ViewFields& fields);
+/// For parts of these fields, which stay with the caller.
+template <class AnyDevice>
+std::unique_ptr<ScoreSweep> MakeScoreSweep(
+  std::shared_ptr<AnyDevice> device, const ViewFields& fields);
 }
 
 #endif

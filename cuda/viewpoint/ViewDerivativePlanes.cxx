@@ -19,9 +19,9 @@ int NodeBefore(double position, int nodes)
 namespace
 {
 /// Voxel columns of places with these coordinates.
-LinearMap MapOf(const Lateral& lateral, const std::vector<double>& coordinates, double depth)
+OwnedMap MapOf(const Lateral& lateral, const std::vector<double>& coordinates, double depth)
 {
-  LinearMap map;
+  OwnedMap map;
   for (const double coordinate : coordinates)
   {
     const double position = lateral.Position(coordinate, depth);
@@ -105,13 +105,13 @@ RowPlace ViewDerivativePlanes::RowAt(const ViewDerivativePlane& plane, int row) 
   return { node, static_cast<float>(position - node) };
 }
 
-ViewDerivativePlanes::ViewDerivativePlanes(const FaceFrustum& frustum, int parts)
+ViewDerivativePlanes::ViewDerivativePlanes(const PlannedFrustum& frustum, int parts)
   : PartCount(parts)
   , U(frustum.lateralU)
   , V(frustum.lateralV)
-  , Planes(std::size_t(frustum.LastSlice()) * 2 * std::size_t(parts))
+  , Planes(std::size_t(frustum.lastSlice) * 2 * std::size_t(parts))
 {
-  const std::vector<Slice>& slices = frustum.slices;
+  const Slice* slices = frustum.Row(frustum.slices);
   ParallelFor(static_cast<Index>(this->Planes.size()), 8,
     [&](Index index)
     {
@@ -121,7 +121,7 @@ ViewDerivativePlanes::ViewDerivativePlanes(const FaceFrustum& frustum, int parts
       const double thickness = back.depth - slices[s].depth;
       const double depth = slices[s].depth + (part + gaussPoints[index % 2]) * thickness / parts;
       ViewDerivativePlane& plane = this->Planes[std::size_t(index)];
-      std::copy_n(slices[s].planes[0].nodes, 2, plane.nodes);
+      std::copy_n(slices[s].nodes, 2, plane.nodes);
       plane.fraction = static_cast<float>(1.0 - (back.depth - depth));
       plane.depth = depth;
       plane.perIndex = this->U.Rays.parallel ? 1.0f : static_cast<float>(1 / depth);

@@ -6,13 +6,22 @@
 #ifndef limpid_viewpoint_ViewDerivativePlanes_h
 #define limpid_viewpoint_ViewDerivativePlanes_h
 
-#include "sweep/Plan.h"
+#include "sweep/PlanSweep.h"
 
 #include <array>
 #include <vector>
 
 namespace limpid
 {
+/// A map that owns its numbers.
+struct OwnedMap
+{
+  std::vector<int> index;
+  std::vector<float> weight;
+
+  LinearMap View() const { return { this->index.data(), this->weight.data() }; }
+};
+
 /**
  * A plane through a Gauss point of a layer, and where rays and the middles between them meet it.
  *
@@ -25,8 +34,8 @@ struct ViewDerivativePlane
   float fraction = 0;      ///< weight of the second slice [0, 1]
   double depth = 0;        ///< from the eye [index]
   float perIndex = 0;      ///< units of the rays' coordinates per index
-  LinearMap columns;       ///< ray column -> voxel column
-  LinearMap between;       ///< likewise of the edges of the columns (ViewDerivativeAxis)
+  OwnedMap columns;        ///< ray column -> voxel column
+  OwnedMap between;        ///< likewise of the edges of the columns (ViewDerivativeAxis)
 };
 
 /// Four samples across the rows of rays; their sum times `factor` is a derivative.
@@ -73,7 +82,7 @@ struct RowPlace
 class ViewDerivativePlanes
 {
 public:
-  ViewDerivativePlanes(const FaceFrustum& frustum, int parts);
+  ViewDerivativePlanes(const PlannedFrustum& frustum, int parts);
 
   int Parts() const { return this->PartCount; }
 

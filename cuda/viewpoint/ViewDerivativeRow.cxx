@@ -34,36 +34,31 @@ struct Line
   LIMPID_INLINE float At(float depth) const { return this->origin + depth * this->slope; }
 };
 
-/// Between two depths from the front of a layer.
-struct Stretch
+/// Depths from the front of a layer: the part of [begin, end] that is inside the box.
+LIMPID_INLINE Range<float> Inside(const Range<float>& stay, float begin, float end)
 {
-  float begin;
-  float end;
+  const float first = Least(Most(stay.begin, begin), end);
+  return { first, Most(first, Least(stay.end, end)) };
+}
 
-  LIMPID_INLINE float Length() const { return this->end - this->begin; }
-  LIMPID_INLINE float Middle() const { return 0.5f * (this->begin + this->end); }
-};
-
-LIMPID_INLINE Stretch Clipped(const Stretch& inside, float begin, float end)
+LIMPID_INLINE float MiddleOf(const Range<float>& part)
 {
-  const float first = Least(Most(inside.begin, begin), end);
-  return { first, Most(first, Least(inside.end, end)) };
+  return 0.5f * (part.begin + part.end);
 }
 
 /// One half of a layer with its samples; if the ray enters or leaves within, with those in the
 /// middle of what is inside.
-LIMPID_INLINE HalfLayer<float> HalfOf(const RayRow& rays, int half, const Stretch& stretch,
+LIMPID_INLINE HalfLayer<float> HalfOf(const RayRow& rays, int half, const Range<float>& part,
   const Line& extinction, const Line& importance, int i)
 {
   const float whole = 0.4999f * rays.layer.thickness;
-  const bool cut = stretch.Length() < whole;
-  const float mu = cut ? Most(extinction.At(stretch.Middle()), 0.0f) : rays.extinction[half][i];
+  const bool cut = part.Length() < whole;
+  const float mu = cut ? Most(extinction.At(MiddleOf(part)), 0.0f) : rays.extinction[half][i];
   const float g =
-    cut ? Most(Least(importance.At(stretch.Middle()), 1.0f), 0.0f) : rays.importance[half][i];
+    cut ? Most(Least(importance.At(MiddleOf(part)), 1.0f), 0.0f) : rays.importance[half][i];
   const float widening = (rays.layer.backScale - rays.layer.frontScale) / rays.layer.thickness;
-  return HalfLayer<float>(rays.length[i] * stretch.Length(), mu, g,
-    rays.layer.frontScale + widening * stretch.begin,
-    rays.layer.frontScale + widening * stretch.end);
+  return HalfLayer<float>(rays.length[i] * part.Length(), mu, g,
+    rays.layer.frontScale + widening * part.begin, rays.layer.frontScale + widening * part.end);
 }
 
 /// Where light is stopped in a half of the optical depth x, as a share of it: at the Gauss point if
@@ -90,32 +85,32 @@ struct ViewDerivativeColumn
     const float length = this->rays.length[i];
     const float side = Most(this->rays.columnEntry[i], this->rays.row.begin);
     const float entry = Most(side, this->eye.front);
-    const Stretch inside{ entry - layer.front,
+    const Range<float> inside{ entry - layer.front,
       Least(this->rays.columnExit[i], this->rays.row.end) - layer.front };
-    const Stretch halves[2] = { Clipped(inside, 0, 0.5f * layer.thickness),
-      Clipped(inside, 0.5f * layer.thickness, layer.thickness) };
+    const Range<float> halves[2] = { Inside(inside, 0, 0.5f * layer.thickness),
+      Inside(inside, 0.5f * layer.thickness, layer.thickness) };
     const Line extinction(layer, this->rays.extinction[0][i], this->rays.extinction[1][i]);
     const Line importance(layer, this->rays.importance[0][i], this->rays.importance[1][i]);
-    const HalfLayer<float> parts[2] = { HalfOf(this->rays, 0, halves[0], extinction, importance, i),
+    const HalfLayer<float> sampled[2] = { HalfOf(
+                                            this->rays, 0, halves[0], extinction, importance, i),
       HalfOf(this->rays, 1, halves[1], extinction, importance, i) };
     const float tau = static_cast<float>(this->opticalDepth[i]);
     const float transmittance = Attenuate(tau);
-    const float gained[2] = { transmittance * parts[0].visible,
-      transmittance * parts[0].Passed() * parts[1].visible };
+    const float gained[2] = { transmittance * sampled[0].visible,
+      transmittance * sampled[0].Passed() * sampled[1].visible };
     this->visible[i] += gained[0] + gained[1];
-    this->unattenuated[i] += parts[0].unattenuated + parts[1].unattenuated;
+    this->unattenuated[i] += sampled[0].unattenuated + sampled[1].unattenuated;
 
     // Where light is stopped in the halves, and the same for all moves.
     float stop[2];
     float deepened[2];
     float inverse[2];
-    const Stretch whole = Clipped(inside, 0, layer.thickness);
+    const Range<float> whole = Inside(inside, 0, layer.thickness);
     const float begin = whole.begin;
     for (int half = 0; half < 2; ++half)
     {
-      const Stretch& stretch = halves[half];
-      stop[half] =
-        stretch.begin + StopShare(half, parts[half].opticalDepth) * stretch.Length() - begin;
+      const Range<float>& part = halves[half];
+      stop[half] = part.begin + StopShare(half, sampled[half].opticalDepth) * part.Length() - begin;
       deepened[half] =
         tau + length * stop[half] * (extinction.At(begin) + 0.5f * stop[half] * extinction.slope);
       const float distance = layer.front + begin + stop[half] + this->eye.depth; // 0 at the eye
@@ -134,7 +129,7 @@ struct ViewDerivativeColumn
       const float through = side > this->eye.front
         ? (this->rays.columnEntry[i] > this->rays.row.begin ? move.side[i] : move.row * length)
         : move.front * length;
-      const float push = move.push[i] + step * through;
+      const float integral = move.integral[i] + step * through;
       const float moment = move.moment[i] + step * through * entry;
       const float first = slope.At(begin);
       const float at = layer.front + begin;
@@ -142,18 +137,18 @@ struct ViewDerivativeColumn
       for (int half = 0; half < 2; ++half)
       {
         const float s = stop[half];
-        const float change = (at + s) * push - moment +
+        const float change = (at + s) * integral - moment +
           s * s * (0.5f * first + (1.0f / 6) * s * slope.slope) - move.along[i] * deepened[half];
         gain += gained[half] > 0.0f ? gained[half] * change * inverse[half] : 0.0f;
       }
-      const float pushed = way * (first + 0.5f * way * slope.slope);
+      const float here = way * (first + 0.5f * way * slope.slope);
       move.gain[i] += gain;
-      move.push[i] = push + pushed;
+      move.integral[i] = integral + here;
       move.moment[i] =
-        moment + at * pushed + way * way * (0.5f * first + (1.0f / 3) * way * slope.slope);
+        moment + at * here + way * way * (0.5f * first + (1.0f / 3) * way * slope.slope);
     }
     // Behind the exit nothing is visible, so what is deepened there does not matter.
-    this->opticalDepth[i] += parts[0].LimitedDepth() + parts[1].LimitedDepth();
+    this->opticalDepth[i] += sampled[0].LimitedDepth() + sampled[1].LimitedDepth();
   }
 };
 }
@@ -191,7 +186,7 @@ void ForwardViewDerivativeRow(const RayRow& rays, const RowSlopes& slopes, const
   const ViewDerivativeColumn column{ rays, slopes, eye, { moves[0], moves[1] }, opticalDepth,
     visible, unattenuated };
 #pragma GCC ivdep
-  for (int i = rays.work.begin; i < rays.work.end; ++i)
+  for (int i = rays.columns.begin; i < rays.columns.end; ++i)
   {
     column(i);
   }

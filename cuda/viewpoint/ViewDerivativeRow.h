@@ -6,7 +6,7 @@
 #ifndef limpid_viewpoint_ViewDerivativeRow_h
 #define limpid_viewpoint_ViewDerivativeRow_h
 
-#include "sweep/Rows.h"
+#include "sweep/RowSampler.h"
 #include "viewpoint/ViewDerivativePlanes.h"
 
 namespace limpid
@@ -33,7 +33,7 @@ struct EyeMove
   const float* side;  ///< P of a step of 1 through the sides that face u, per column
   float row;          ///< ... through those that face v, over the length per depth
   float front;        ///< ... through the front, over the length per depth: 0 but at the eye
-  float* push;        ///< P so far
+  float* integral;    ///< P so far
   float* moment;      ///< M so far
   float* gain;        ///< minus the derivative of the visible importance so far
 };

@@ -5,6 +5,7 @@
 
 #include "backend/Backend.h"
 #include "sweep/Registers.h"
+#include "sweep/RowInterpolation.h"
 #include "viewpoint/ViewDerivativeRow.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct ViewDerivativeImages
   Vec3 move; ///< along u, v, depth [index]
   std::vector<float> side;
   std::vector<float> along;
-  std::vector<float> push;
+  std::vector<float> integral;
   std::vector<float> moment;
   std::vector<float> gain;
 };
@@ -32,22 +33,25 @@ public:
     const ViewFields::Part& part, const Vec3 moves[2], double distance, double rayDensity)
     : Source(part.frustum)
     , Planes(part.frustum, std::max(1, static_cast<int>(std::lround(rayDensity))))
-    , Images(part.frustum)
-    , Extinction(
-        part.frustum, part.fields->grid, part.fields->extinction.data(), this->Images.slabs)
-    , Importance(
-        part.frustum, part.fields->grid, part.fields->importance.data(), this->Images.slabs)
+    , OpticalDepth(std::size_t(part.frustum.RayCount()), 0.0)
+    , Visible(std::size_t(part.frustum.RayCount()), 0.0f)
+    , Unattenuated(std::size_t(part.frustum.RayCount()), 0.0f)
+    , Extinction(part.frustum, nullptr, this->Slabs, part.fields->extinction.data(), { 1 })
+    , Importance(part.frustum, nullptr, this->Slabs, part.fields->importance.data(), { 1 })
   {
-    const FaceFrustum& frustum = part.frustum;
-    this->ColumnSlopes.assign(frustum.columnAxis.slope.begin(), frustum.columnAxis.slope.end());
-    const Slice& first = frustum.slices[std::size_t(frustum.FirstNodeSlice())];
+    const PlannedFrustum& frustum = part.frustum;
+    for (int column = 0; column < frustum.columns; ++column)
+    {
+      this->ColumnSlopes.push_back(static_cast<float>(frustum.lateralU.Slope(column)));
+    }
+    const Slice& first = frustum.SliceAt(frustum.firstNodeSlice);
     this->Distance.parallel = part.eye.parallel;
     this->Distance.slope = this->ColumnSlopes.data();
-    this->Distance.front = frustum.FrontDepth();
+    this->Distance.front = frustum.frontDepth;
     this->Distance.depth = static_cast<float>(first.depth);
     this->Distance.inverse = static_cast<float>(1 / distance);
-    const int* slices = frustum.slices.front().planes[0].nodes;
-    const double sign = slices[1] - slices[0]; // whether depth grows with the index
+    const int* nodes = frustum.SliceAt(0).nodes;
+    const double sign = nodes[1] - nodes[0]; // whether depth grows with the index
     for (int m = 0; m < 2; ++m)
     {
       const Vec3 move = part.fields->grid.DirectionToIndex(moves[m]);
@@ -58,19 +62,21 @@ public:
 
   void Load(const Range<int>& slab)
   {
-    this->Extinction.Load(slab, 1);
-    this->Importance.Load(slab, 1);
+    this->Extinction.Load(slab);
+    this->Importance.Load(slab);
   }
 
   void Row(const Range<int>& slab, int row)
   {
     const std::size_t first = std::size_t(row) * this->Source.columns;
     EyeMove moves[2] = { this->MoveOf(0, row), this->MoveOf(1, row) };
-    float* memory = ThreadScratch(SampleCount * this->Pitch() + 2 * ScratchSize(this->Source));
-    for (int s = slab.begin; s < std::min(slab.end, this->Source.LastSlice()); ++s)
+    float* memory = ThreadScratch(SampleCount * this->Pitch() +
+      RowScratch(std::max(this->Source.nodesU, this->Source.columns)));
+    RayRow rays{};
+    rays.EnterRow(this->Source, row);
+    for (int s = slab.begin; s < std::min(slab.end, this->Source.lastSlice); ++s)
     {
-      RayRow rays = RaysOf(this->Source, this->Images, s, row);
-      if (rays.work.Empty())
+      if (!rays.EnterLayer(this->Source, s, row))
       {
         continue;
       }
@@ -80,8 +86,8 @@ public:
         rays.layer = PartOf(whole, part, this->Planes.Parts());
         const RowSlopes slopes = this->Sample(s, part, row, memory, rays);
         ForwardViewDerivativeRow(rays, slopes, this->Distance, moves,
-          this->Images.opticalDepth.data() + first, this->Images.behind.data() + first,
-          this->Images.unattenuated.data() + first);
+          this->OpticalDepth.data() + first, this->Visible.data() + first,
+          this->Unattenuated.data() + first);
       }
     }
   }
@@ -89,11 +95,11 @@ public:
   ViewDerivative Result() const
   {
     ViewDerivative result;
-    result.score = { SumOfRays(this->Source, this->Images, this->Images.behind.data()),
-      SumOfRays(this->Source, this->Images, this->Images.unattenuated.data()) };
+    result.score = { SumOfRays(this->Source, this->Visible.data()),
+      SumOfRays(this->Source, this->Unattenuated.data()) };
     for (int m = 0; m < 2; ++m)
     {
-      result.slope[m] = -SumOfRays(this->Source, this->Images, this->Moves[m].gain.data());
+      result.slope[m] = -SumOfRays(this->Source, this->Moves[m].gain.data());
     }
     return result;
   }
@@ -122,48 +128,50 @@ private:
       whole.frontScale + (before + share) * widening };
   }
 
-  void Place(const Vec3& move, ViewDerivativeImages& turn) const
+  void Place(const Vec3& move, ViewDerivativeImages& derivative) const
   {
-    turn.move = move;
+    derivative.move = move;
     const auto count = std::size_t(this->Source.RayCount());
-    for (std::vector<float>* image :
-      { &turn.side, &turn.along, &turn.push, &turn.moment, &turn.gain })
+    for (std::vector<float>* image : { &derivative.side, &derivative.along, &derivative.integral,
+           &derivative.moment, &derivative.gain })
     {
       image->assign(count, 0.0f);
     }
     const Vec3& h = this->Source.spacing;
     for (std::size_t ray = 0; ray < count; ++ray)
     {
-      const double a = this->Source.columnAxis.slope[ray % std::size_t(this->Source.columns)];
-      const double b = this->Source.rowAxis.slope[ray / std::size_t(this->Source.columns)];
+      const double a =
+        this->Source.lateralU.Slope(static_cast<int>(ray % std::size_t(this->Source.columns)));
+      const double b =
+        this->Source.lateralV.Slope(static_cast<int>(ray / std::size_t(this->Source.columns)));
       const double u = move.x - a * move.z;
       const double v = move.y - b * move.z;
-      const double length = this->Images.length[ray];
-      turn.side[ray] = a != 0 ? static_cast<float>(u / a * length) : 0.0f;
-      turn.along[ray] =
+      const double length = this->Source.Row(this->Source.length)[ray];
+      derivative.side[ray] = a != 0 ? static_cast<float>(u / a * length) : 0.0f;
+      derivative.along[ray] =
         static_cast<float>((a * h.x * u * h.x + b * h.y * v * h.y) / (length * length));
     }
   }
 
   EyeMove MoveOf(int m, int row)
   {
-    ViewDerivativeImages& turn = this->Moves[m];
+    ViewDerivativeImages& derivative = this->Moves[m];
     const std::size_t first = std::size_t(row) * this->Source.columns;
-    const double slope = this->Source.rowAxis.slope[std::size_t(row)];
-    const double down = turn.move.y - slope * turn.move.z;
-    const bool atEye = this->Source.slices.front().node < 0;
+    const double slope = this->Source.lateralV.Slope(row);
+    const double down = derivative.move.y - slope * derivative.move.z;
+    const bool atEye = this->Source.SliceAt(0).node < 0;
     EyeMove move{};
-    move.across = static_cast<float>(turn.move.x);
+    move.across = static_cast<float>(derivative.move.x);
     move.down = static_cast<float>(down);
-    move.depth = static_cast<float>(turn.move.z);
-    move.along = turn.along.data() + first;
-    move.side = turn.side.data() + first;
+    move.depth = static_cast<float>(derivative.move.z);
+    move.along = derivative.along.data() + first;
+    move.side = derivative.side.data() + first;
     move.row = slope != 0 ? static_cast<float>(down / slope) : 0.0f;
     // An eye in the medium that moves on along a ray leaves some of it behind.
-    move.front = atEye ? static_cast<float>(-turn.move.z) : 0.0f;
-    move.push = turn.push.data() + first;
-    move.moment = turn.moment.data() + first;
-    move.gain = turn.gain.data() + first;
+    move.front = atEye ? static_cast<float>(-derivative.move.z) : 0.0f;
+    move.integral = derivative.integral.data() + first;
+    move.moment = derivative.moment.data() + first;
+    move.gain = derivative.gain.data() + first;
     return move;
   }
 
@@ -181,18 +189,19 @@ private:
       float* across = memory + std::size_t(half + 4) * pitch;
       float* down = memory + std::size_t(half + 6) * pitch;
       float* between = memory + 8 * pitch;
-      const Range<int> read = this->ReadBy(plane, rays.work);
+      const Range<int> read = this->ReadBy(plane, rays.columns);
       this->Blend(this->Importance, plane, row, read, scratch);
-      InterpolateRow(scratch, plane.columns, rays.work, importance);
+      InterpolateRow(scratch, plane.columns.View(), rays.columns, importance);
       this->Blend(this->Extinction, plane, row, read, scratch);
-      InterpolateRow(scratch, plane.columns, rays.work, extinction);
-      InterpolateRow(scratch, plane.between, { rays.work.begin, rays.work.end + 3 }, between);
+      InterpolateRow(scratch, plane.columns.View(), rays.columns, extinction);
+      InterpolateRow(
+        scratch, plane.between.View(), { rays.columns.begin, rays.columns.end + 3 }, between);
       const std::array<std::vector<float>, 4>& weights = this->Planes.Columns().Weights;
       const float* perColumn[4] = { weights[0].data(), weights[1].data(), weights[2].data(),
         weights[3].data() };
-      DifferRow(between, perColumn, plane.perIndex, rays.work, across);
+      DifferRow(between, perColumn, plane.perIndex, rays.columns, across);
       this->Differ(this->Extinction, plane, row, read, scratch);
-      InterpolateRow(scratch, plane.columns, rays.work, down);
+      InterpolateRow(scratch, plane.columns.View(), rays.columns, down);
       rays.extinction[half] = extinction;
       rays.importance[half] = importance;
       slopes.across[half] = across;
@@ -232,9 +241,12 @@ private:
     }
   }
 
-  const FaceFrustum& Source;
+  const PlannedFrustum& Source;
   ViewDerivativePlanes Planes;
-  RayImages Images;
+  std::vector<double> OpticalDepth;
+  std::vector<float> Visible;
+  std::vector<float> Unattenuated;
+  SlabPool Slabs;
   SliceWindow Extinction;
   SliceWindow Importance;
   std::vector<float> ColumnSlopes;

@@ -4,7 +4,7 @@
 #ifndef limpid_viewpoint_ViewDerivativeSweep_h
 #define limpid_viewpoint_ViewDerivativeSweep_h
 
-#include "sweep/Sweep.h"
+#include "sweep/SumRays.h"
 #include "viewpoint/ViewFields.h"
 
 namespace limpid

@@ -99,8 +99,8 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
   const std::array<bool, 3>& depthAxes, std::vector<ViewFields::Part>& parts)
 {
   const RaySource eye = SourceOfCamera(camera, fields.grid, false);
-  for (FaceFrustum& frustum :
-    PlanSweep(fields.grid, *fields.occupancy, eye, rayDensity, Placement::ForIntegrals, depthAxes))
+  for (PlannedFrustum& frustum : PlanSweep(fields.grid, *fields.occupancy, eye,
+         { rayDensity, Placement::ForIntegrals, Readers::Rays, depthAxes }))
   {
     parts.push_back({ &fields, std::move(frustum), eye });
   }

@@ -6,7 +6,7 @@
 
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "sweep/Plan.h"
+#include "sweep/PlanSweep.h"
 
 #include <memory>
 #include <vector>
@@ -43,7 +43,7 @@ public:
   struct Part
   {
     const SweptFields* fields;
-    FaceFrustum frustum;
+    PlannedFrustum frustum;
     RaySource eye; ///< in the index space of the fields
   };
 

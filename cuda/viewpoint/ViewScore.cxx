@@ -3,6 +3,7 @@
 
 #include "viewpoint/ViewScore.h"
 
+#include "backend/ComputeBackend.h"
 #include "viewpoint/ViewDerivativeSweep.h"
 
 #include <algorithm>
@@ -34,12 +35,12 @@ ViewScore::ViewScore(const Grid& grid, const float* extinction, const float* imp
   const auto nodes = static_cast<std::size_t>(this->Fields->InOrder().grid.NodeCount());
   const BackendChoice choice = ChooseBackend(backend, 4 * sizeof(float) * nodes);
   this->Name = choice.name;
-  this->Scorer = choice.cuda ? CudaScoreSweep(*this->Fields) : CpuScoreSweep();
+  this->Sweep = BackendOf(choice.cuda).MakeScoreSweep(*this->Fields);
 }
 
 Visible ViewScore::At(const Camera& camera) const
 {
-  return this->Scorer->Score(this->Fields->PartsOf(camera, this->RayDensity));
+  return this->Sweep->Score(this->Fields->PartsOf(camera, this->RayDensity));
 }
 
 ViewSlope ViewScore::SlopeAt(const Camera& camera) const
@@ -55,8 +56,7 @@ ViewSlope ViewScore::SlopeAt(const Camera& camera) const
   for (const ViewFields::Part& part : this->Fields->PartsOf(camera, this->RayDensity))
   {
     const ViewDerivative turn = SweepViewDerivative(part, moves, distance, this->RayDensity);
-    result.score.visible += turn.score.visible;
-    result.score.unattenuated += turn.score.unattenuated;
+    result.score += turn.score;
     result.slope += turn.slope[0] * moves[0] + turn.slope[1] * moves[1];
   }
   return result;

@@ -47,7 +47,7 @@ private:
   std::unique_ptr<const ViewFields> Fields; ///< where it is, whoever owns the scores
   double RayDensity;
   std::string Name;
-  std::unique_ptr<ScoreSweep> Scorer;
+  std::unique_ptr<ScoreSweep> Sweep;
 };
 }
 

@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Tolerance.h"
+
+#include "backend/Backend.h"
+#include "sweep/PlanSweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+/// Some boxes of extinction in the air, some of them important.
+struct Boxes
+{
+  Grid grid;
+  std::vector<float> extinction;
+  std::vector<float> importance;
+
+  explicit Boxes(const Int3& nodes)
+  {
+    this->grid.nodes = nodes;
+    this->extinction.assign(std::size_t(this->grid.NodeCount()), 0.0f);
+    this->importance.assign(std::size_t(this->grid.NodeCount()), 0.0f);
+    std::size_t node = 0;
+    for (int k = 0; k < nodes.z; ++k)
+    {
+      for (int j = 0; j < nodes.y; ++j)
+      {
+        for (int i = 0; i < nodes.x; ++i, ++node)
+        {
+          const bool box = i % 9 < 2 && (j + i) % 11 < 3 && k % 7 < 2;
+          this->extinction[node] = box ? 1.0f : 0.0f;
+          this->importance[node] = box && i > nodes.x / 2 && k % 14 < 7 ? 1.0f : 0.0f;
+        }
+      }
+    }
+  }
+
+  Occupancy MakeOccupancy() const
+  {
+    return Occupancy(this->grid, this->extinction.data(), this->importance.data(), true);
+  }
+};
+
+struct Viewing
+{
+  const char* name;
+  RaySource eye;
+  double rayDensity = 1;
+  Placement placement = Placement::ForIntegrals;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Viewing& viewing)
+{
+  return stream << viewing.name;
+}
+
+RaySource PointAt(const Vec3& origin)
+{
+  RaySource eye;
+  eye.origin = origin;
+  return eye;
+}
+
+RaySource Parallel(const Vec3& direction)
+{
+  RaySource eye;
+  eye.parallel = true;
+  eye.direction = direction;
+  return eye;
+}
+
+const Int3 nodes(31, 24, 27);
+
+const Viewing viewings[] = {
+  { "Oblique", PointAt(Vec3(60, -35, -50)) },
+  { "OnTheAxis", PointAt(Vec3(15, 11.5, -40)) },
+  { "InFrontOfAFace", PointAt(Vec3(9.3, 8.1, -0.3)), 2.3 },
+  { "OnAFace", PointAt(Vec3(0, 8.1, 11)) },
+  { "Inside", PointAt(Vec3(9.3, 11.9, 14.2)), 1.7 },
+  { "OnAVoxel", PointAt(Vec3(9, 11, 14)), 1, Placement::ForNodes },
+  { "FarAway", PointAt(Vec3(3e7, 2e7, -4e7)) },
+  { "FewRays", PointAt(Vec3(-30, 60, 13)), 0.2 },
+  { "Parallel", Parallel(Vec3(0.4, -0.3, 0.9)) },
+  { "ParallelAlongTheAxis", Parallel(Vec3(0, 1, 0)), 1, Placement::ForNodes },
+  { "ParallelAlongTheDiagonal", Parallel(Vec3(-1, 1, -1)), 3, Placement::ForNodes },
+};
+
+class PlanOf : public ::testing::TestWithParam<Viewing>
+{
+protected:
+  PlanOf()
+    : scene(nodes)
+    , frusta(PlanSweep(this->scene.grid, this->scene.MakeOccupancy(), GetParam().eye,
+        { GetParam().rayDensity, GetParam().placement }))
+  {
+  }
+
+  Boxes scene;
+  std::vector<PlannedFrustum> frusta;
+};
+
+/// Whether a place along a lateral axis is in the box at a depth.
+bool IsInside(const Lateral& lateral, int ray, double depth)
+{
+  const double position = lateral.Position(lateral.Coordinate(ray), depth);
+  return position >= 0 && position <= lateral.nodes - 1;
+}
+
+/// Whether a ray meets anything of a field at a Gauss point of the layer behind a slice.
+bool Meets(const Boxes& scene, const std::vector<float>& field, const PlannedFrustum& frustum,
+  int s, int half, int column, int row)
+{
+  const Slice& slice = frustum.SliceAt(s);
+  const double thickness = frustum.SliceAt(s + 1).depth - slice.depth;
+  const double depth = slice.depth + gaussPoints[half] * thickness;
+  if (!IsInside(frustum.lateralU, column, depth) || !IsInside(frustum.lateralV, row, depth))
+  {
+    return false;
+  }
+  const LinearMap columns = frustum.Row(frustum.planeColumns, 2 * s + half);
+  const LinearMap rows = frustum.Row(frustum.planeRows, 2 * s + half);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Int3 node(0);
+    node[frustum.axisU] = columns.index[column] + corner % 2;
+    node[frustum.axisV] = rows.index[row] + corner / 2 % 2;
+    node[frustum.axisW] = slice.nodes[corner / 4];
+    const Int3& count = scene.grid.nodes;
+    if (field[std::size_t((Index(node.z) * count.y + node.y) * count.x + node.x)] > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Per ray of a frustum, whether it meets anything of a field in the layer behind a slice.
+std::vector<bool> RaysThatMeet(
+  const Boxes& scene, const std::vector<float>& field, const PlannedFrustum& frustum, int s)
+{
+  std::vector<bool> meets;
+  for (int row = 0; row < frustum.rows; ++row)
+  {
+    for (int column = 0; column < frustum.columns; ++column)
+    {
+      meets.push_back(Meets(scene, field, frustum, s, 0, column, row) ||
+        Meets(scene, field, frustum, s, 1, column, row));
+    }
+  }
+  return meets;
+}
+
+/// Whether a ray or one beside it is marked.
+bool AnyNear(const PlannedFrustum& frustum, const std::vector<bool>& rays, int column, int row)
+{
+  for (int j = std::max(row - 1, 0); j <= std::min(row + 1, frustum.rows - 1); ++j)
+  {
+    for (int i = std::max(column - 1, 0); i <= std::min(column + 1, frustum.columns - 1); ++i)
+    {
+      if (rays[std::size_t(j) * std::size_t(frustum.columns) + std::size_t(i)])
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
+// What a ray meets in a layer matters if there is something important there or behind, on the ray
+// itself or on one beside it, which a voxel may read together with it.
+TEST_P(PlanOf, LeavesOutNothingThatMatters)
+{
+  for (const PlannedFrustum& frustum : this->frusta)
+  {
+    std::vector<bool> importantBehind(std::size_t(frustum.RayCount()), false);
+    for (int s = frustum.lastSlice - 1; s >= 0; --s)
+    {
+      const std::vector<bool> filled =
+        RaysThatMeet(this->scene, this->scene.extinction, frustum, s);
+      const std::vector<bool> important =
+        RaysThatMeet(this->scene, this->scene.importance, frustum, s);
+      std::transform(important.begin(), important.end(), importantBehind.begin(),
+        importantBehind.begin(), [](bool one, bool other) { return one || other; });
+      for (int row = 0; row < frustum.rows; ++row)
+      {
+        const Range<int>& active = frustum.ActiveRays(s, row);
+        for (int column = 0; column < frustum.columns; ++column)
+        {
+          const bool visited = active.Contains(column);
+          const auto ray = std::size_t(row) * std::size_t(frustum.columns) + std::size_t(column);
+          ASSERT_TRUE(visited || !filled[ray] || !AnyNear(frustum, importantBehind, column, row))
+            << "ray " << column << ", " << row << " at slice " << s;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(PlanOf, LeavesOutMuchOfASparseScene)
+{
+  Index visited = 0;
+  Index all = 0;
+  for (const PlannedFrustum& frustum : this->frusta)
+  {
+    all += frustum.RayCount() * frustum.lastSlice;
+    for (int s = 0; s <= frustum.lastSlice; ++s)
+    {
+      for (int row = 0; row < frustum.rows; ++row)
+      {
+        visited += std::max(frustum.ActiveRays(s, row).Length(), 0);
+      }
+    }
+  }
+
+  EXPECT_LT(visited, all);
+}
+
+TEST_P(PlanOf, KnowsTheVoxelsBetweenWhichEveryRayRuns)
+{
+  for (const PlannedFrustum& frustum : this->frusta)
+  {
+    for (int s = 0; s < frustum.lastSlice; ++s)
+    {
+      const Slice& slice = frustum.SliceAt(s);
+      const double thickness = frustum.SliceAt(s + 1).depth - slice.depth;
+      for (int half = 0; half < 2; ++half)
+      {
+        const LinearMap map = frustum.Row(frustum.planeColumns, 2 * s + half);
+        const double depth = slice.depth + gaussPoints[half] * thickness;
+        for (int column = 0; column < frustum.columns; ++column)
+        {
+          const auto ray = std::size_t(column);
+          const double position =
+            frustum.lateralU.Position(frustum.lateralU.Coordinate(column), depth);
+          const double inside = std::min(std::max(position, 0.0), frustum.nodesU - 1.0);
+          ASSERT_GE(map.index[ray], 0);
+          ASSERT_LE(map.index[ray], frustum.nodesU - 2);
+          ASSERT_WITHIN(double(map.weight[ray]) + map.index[ray], inside, Roundoff<float>(1, 1.0));
+        }
+      }
+    }
+  }
+}
+
+TEST_P(PlanOf, KnowsTheRaysBetweenWhichEveryVoxelLies)
+{
+  for (const PlannedFrustum& frustum : this->frusta)
+  {
+    for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
+    {
+      const Slice& slice = frustum.SliceAt(s);
+      const Lateral& rays = frustum.lateralV;
+      for (int v = 0; v < frustum.nodesV; ++v)
+      {
+        const int ray = frustum.Row(frustum.voxelRows, s).index[v];
+        const double weight = frustum.Row(frustum.voxelRows, s).weight[v];
+        ASSERT_GE(ray, 0);
+        ASSERT_LE(ray, frustum.rows - 2);
+        const double before = rays.Position(rays.Coordinate(ray), slice.depth);
+        const double behind = rays.Position(rays.Coordinate(ray + 1), slice.depth);
+        const double first = rays.Position(rays.Coordinate(0), slice.depth);
+        const double last = rays.Position(rays.Coordinate(frustum.rows - 1), slice.depth);
+        const double nearest = std::min(std::max(double(v), first), last);
+        const double size = std::abs(rays.eye) + std::abs(rays.shear) * slice.depth + last - first;
+        ASSERT_WITHIN(before + weight * (behind - before), nearest,
+          Roundoff<float>(1, behind - before) + Roundoff<double>(16, size));
+      }
+    }
+  }
+}
+
+TEST_P(PlanOf, KnowsWhereTheRaysOfVoxelsEnterTheBox)
+{
+  constexpr float never = 1e30f;
+  for (const PlannedFrustum& frustum : this->frusta)
+  {
+    for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
+    {
+      const Slice& slice = frustum.SliceAt(s);
+      const Lateral& rays = frustum.lateralU;
+      const double base = slice.depth - slice.RelativeDepth();
+      for (int u = 0; u < frustum.nodesU; ++u)
+      {
+        const float entry = frustum.Row(frustum.voxelColumnEntry, s)[u];
+        const double fromEye = rays.parallel ? rays.shear : (u - rays.eye) / slice.depth;
+        if (fromEye == 0)
+        {
+          ASSERT_EQ(entry, -never);
+          continue;
+        }
+        // Where the ray comes from, it passes the side that it moves away from.
+        const double side = fromEye > 0 ? 0 : frustum.nodesU - 1;
+        const double expected = slice.depth + (side - u) / fromEye - base;
+        const double size = std::abs(expected) + slice.depth +
+          (std::abs(rays.eye) + frustum.nodesU) / std::abs(fromEye);
+        ASSERT_WITHIN(entry, std::max(expected, -1e30),
+          Roundoff<float>(2, expected) + Roundoff<double>(16, size));
+      }
+    }
+  }
+}
+
+TEST_P(PlanOf, IsTheSameOnOneThread)
+{
+  const ThreadLimit one(1);
+
+  const std::vector<PlannedFrustum> again = PlanSweep(this->scene.grid, this->scene.MakeOccupancy(),
+    GetParam().eye, { GetParam().rayDensity, GetParam().placement });
+
+  ASSERT_EQ(again.size(), this->frusta.size());
+  for (std::size_t index = 0; index < again.size(); ++index)
+  {
+    const PlannedFrustum& first = again[index];
+    const PlannedFrustum& second = this->frusta[index];
+    ASSERT_EQ(first.lastSlice, second.lastSlice);
+    ASSERT_EQ(first.bytes, second.bytes);
+    for (int s = 0; s <= first.lastSlice; ++s)
+    {
+      const Slice& here = first.SliceAt(s);
+      const Slice& other = second.SliceAt(s);
+      for (int row = 0; row < first.rows; ++row)
+      {
+        EXPECT_EQ(first.ActiveRays(s, row).begin, second.ActiveRays(s, row).begin);
+        EXPECT_EQ(first.ActiveRays(s, row).end, second.ActiveRays(s, row).end);
+      }
+      EXPECT_EQ(here.touchedColumns.begin, other.touchedColumns.begin);
+      EXPECT_EQ(here.touchedColumns.end, other.touchedColumns.end);
+      EXPECT_EQ(here.touchedRows.begin, other.touchedRows.begin);
+      EXPECT_EQ(here.touchedRows.end, other.touchedRows.end);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Eyes, PlanOf, ::testing::ValuesIn(viewings), ::testing::PrintToStringParamName());

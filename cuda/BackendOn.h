@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// All that computes, put together for one device. This stands above the folders of the steps.
+
+#ifndef limpid_BackendOn_h
+#define limpid_BackendOn_h
+
+#include "backend/ComputeBackend.h"
+#include "optimize/SolverBackend.h"
+#include "viewpoint/ScoreSweep.h"
+
+#include <memory>
+#include <utility>
+
+namespace limpid
+{
+template <class AnyDevice>
+class BackendOn : public ComputeBackend
+{
+public:
+  explicit BackendOn(std::shared_ptr<AnyDevice> device)
+    : Device(std::move(device))
+  {
+  }
+
+  std::unique_ptr<SolverBackend> MakeSolverBackend() const override
+  {
+    return limpid::MakeSolverBackend(this->Device);
+  }
+
+  std::unique_ptr<ScoreSweep> MakeScoreSweep(const ViewFields& fields) const override
+  {
+    return limpid::MakeScoreSweep(this->Device, fields);
+  }
+
+private:
+  std::shared_ptr<AnyDevice> Device;
+};
+}
+
+#endif

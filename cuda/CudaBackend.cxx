@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// For the CUDA compiler.
+
+#include "BackendOn.h"
+
+namespace limpid
+{
+const ComputeBackend& CudaBackend()
+{
+  static const BackendOn<CudaDevice> backend(CudaDevice::Shared());
+  return backend;
+}
+}

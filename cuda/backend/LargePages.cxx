@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "backend/LargePages.h"
+
+#include <cstdint>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+namespace limpid
+{
+void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
+{
+#if defined(__linux__)
+  constexpr std::size_t leastBytes = std::size_t(1) << 22;
+  if (bytes < leastBytes)
+  {
+    return;
+  }
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+  // A wish: where it is not granted, the memory is there all the same.
+  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
+std::vector<float> RoomFor(Index count)
+{
+  std::vector<float> room;
+  room.reserve(static_cast<std::size_t>(count));
+  UseLargePages(room.data(), room.capacity() * sizeof(float));
+  return room;
+}
+}

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_backend_LargePages_h
+#define limpid_backend_LargePages_h
+
+#include "math/Vec.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace limpid
+{
+/**
+ * Asks the system to back memory that nobody has touched yet with large pages, where it has them.
+ *
+ * Of small ones it takes several times longer to get the memory of a large field than to write it.
+ * Does nothing for what is small.
+ */
+void UseLargePages(void* memory, std::size_t bytes);
+
+/// An empty array with room for so many values, in large pages.
+std::vector<float> RoomFor(Index count);
+}
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_ScoreKernel_h
+#define limpid_energy_ScoreKernel_h
+
+#include "sweep/RaySteps.h"
+#include "sweep/SliceWindow.h"
+
+namespace limpid
+{
+/**
+ * What a source sees, Eqs. (23), (24) and (32): the integral of importance g, extinction mu and
+ * transmittance T along every ray, and the same without transmittance. Leaves the optical depths.
+ */
+template <class Field>
+struct ScoreKernel
+{
+  static constexpr const char* label = "forward sweep";
+
+  Field extinction; ///< [1/length]
+  Field importance; ///< [0, 1]
+
+  template <class Windows>
+  ScoreKernel<SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }) };
+  }
+
+  /// From slice `s` to the next one.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    if (rays.EnterLayer(s, true))
+    {
+      rays.SampleExtinction(this->extinction);
+      rays.SampleImportance(this->importance);
+      rays.ForEachInLayer(ScoreStep{ rays.States() });
+    }
+  }
+};
+
+/// The optical depths of all rays, Eqs. (15) and (16).
+template <class Field>
+struct DepthKernel
+{
+  static constexpr const char* label = "optical depths";
+
+  Field extinction; ///< [1/length]
+
+  template <class Windows>
+  DepthKernel<SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->extinction, FieldUse{ 1 }) };
+  }
+
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    if (rays.EnterLayer(s, true))
+    {
+      rays.SampleExtinction(this->extinction);
+      rays.ForEachInLayer(DeepenStep{ rays.States() });
+    }
+  }
+};
+}
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_TransmittanceKernel_h
+#define limpid_energy_TransmittanceKernel_h
+
+#include "sweep/Cubic.h"
+#include "sweep/RaySteps.h"
+#include "sweep/SliceWindow.h"
+
+namespace limpid
+{
+/// The transmittance from a source to every voxel, Eqs. (15) and (16): front to back, the optical
+/// depths grow, and on every slice the voxels read them.
+template <class Input, class Output>
+struct TransmittanceKernel
+{
+  static constexpr const char* label = "transmittance of rays";
+  static constexpr const char* voxelLabel = "transmittance";
+
+  Input extinction;     ///< [1/length]
+  Output transmittance; ///< [0, 1]
+
+  template <class Windows>
+  TransmittanceKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->extinction, FieldUse{ 1 }),
+      windows(this->transmittance, FieldUse{ 0, true }) };
+  }
+
+  /// What rays have met on their way to slice `s`, and what they meet in the layer behind.
+  /// `dimmed`: columns that have met something.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s, const Range<int>& dimmed) const
+  {
+    const bool meets = rays.EnterLayer(s, true) && s < rays.Plan().lastSlice;
+    if (meets)
+    {
+      rays.SampleExtinction(this->extinction);
+    }
+    if (rays.SelectReadBySlice(s, meets, dimmed))
+    {
+      rays.ForEach(TransmitStep{ rays.States() });
+      rays.ForEachNearSides(
+        DensityStep{ rays.States(), rays.Plan().frontDepth, false, mostDepthBetweenRays });
+    }
+    if (meets)
+    {
+      rays.EnterLayer(s, true);
+      rays.ForEachInLayer(DeepenStep{ rays.States() });
+    }
+  }
+
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  {
+    voxels.FindTransmittance(rays, voxels.Row(this->transmittance));
+  }
+};
+}
+
+#endif

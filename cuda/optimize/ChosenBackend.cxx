@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "backend/ComputeBackend.h"
+#include "optimize/SolverBackend.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+/// Bytes that an optimisation on a GPU needs, about.
+std::size_t CudaBytes(const Grid& grid, const Settings& settings)
+{
+  // Fields: base, importance and that of nodes; policy: three iterates and the light's derivative;
+  // Adam: extinction, best, derivative and its two means.
+  const double fields = settings.solver == SolverKind::Policy ? 7 : 8;
+  const double nodes = double(grid.NodeCount());
+  // Rays of two sources, with images of them on the slices of a launch.
+  const double across =
+    settings.rayDensity * std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z });
+  const double rays = 4 * across * across;
+  return static_cast<std::size_t>(4 * fields * nodes + 300 * rays + 64e6);
+}
+}
+
+void ChosenBackend::Choose(const Settings& settings, const Grid& grid)
+{
+  if (this->Solvers && this->OnGpu && settings.backend != BackendKind::Cpu)
+  {
+    return;
+  }
+  const BackendChoice choice = ChooseBackend(settings.backend, CudaBytes(grid, settings));
+  this->Solvers = BackendOf(choice.cuda).MakeSolverBackend();
+  this->Line = choice.name;
+  this->OnGpu = choice.cuda;
+}
+}

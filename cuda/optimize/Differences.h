@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_Differences_h
+#define limpid_optimize_Differences_h
+
+#include "math/Vec.h"
+
+namespace limpid
+{
+/// Sum of (a - b)^2 over `count` values.
+double SumOfSquares(const float* a, const float* b, Index count);
+
+/// Sum of |a - b| over `count` values.
+double SumOfChanges(const float* a, const float* b, Index count);
+
+/// How far an iterate is from the base and from the last one.
+struct Differences
+{
+  double squares = 0; ///< sum of (iterate - base)^2
+  double changes = 0; ///< sum of |iterate - last|
+
+  Differences& operator+=(const Differences& other)
+  {
+    this->squares += other.squares;
+    this->changes += other.changes;
+    return *this;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_PolicyKernel_h
+#define limpid_optimize_PolicyKernel_h
+
+#include "energy/GradientVoxel.h"
+#include "optimize/PolicyVoxel.h"
+#include "sweep/RaySteps.h"
+#include "sweep/SliceWindow.h"
+
+namespace limpid
+{
+/// What a policy sweep takes for the transmittance.
+enum class Transmittance
+{
+  AssumeOne,    ///< nothing is in the way
+  OfLastIterate ///< that of the last iterate, whose optical depths are with the rays
+};
+
+/// The next iterate at a voxel that reads rays.
+struct PolicyStep
+{
+  PolicyVoxel<float> policy;
+  GradientVoxel<float> derivative;
+  const float* transmittance; ///< mean of the rays [0, 1]
+  const float* behind;        ///< mean of what it leaves of the importance behind [scale^2]
+  const float* importance;    ///< of the node, as far as it is in view [0, 1]
+  const float* base;          ///< [1/length]
+  const float* lagged;        ///< T (V - g) of the other term; null: none
+  float* next;                ///< out [1/length]
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index u) const
+  {
+    this->next[u] = this->policy(this->base[u],
+      this->derivative(this->transmittance[u], this->behind[u], this->importance[u]),
+      this->lagged ? this->lagged[u] : 0.0f);
+  }
+};
+
+/// The next iterate at a voxel that no important structure of the swept term needs: only the other
+/// term counts.
+struct IdleStep
+{
+  PolicyVoxel<float> policy;
+  const float* base;   ///< [1/length]
+  const float* lagged; ///< null: none
+  float* next;         ///< out [1/length]
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index u) const
+  {
+    this->next[u] = this->policy(this->base[u], 0.0f, this->lagged ? this->lagged[u] : 0.0f);
+  }
+};
+
+/**
+ * A policy sweep of one term (Documentation/Method.md, section on policy sweeps): back to front,
+ * visible importance is carried through the *next* iterate, whose voxels are found slice by slice
+ * from it. Transmittance is that of the last iterate, whose optical depths unwind.
+ *
+ * The sweep collects the optical depths of what its rays meet, and their visible importance is the
+ * score of that: of the next iterate, where its voxels were all found before (MetNextIterate).
+ */
+template <class Input, class Output>
+struct PolicyKernel
+{
+  static constexpr const char* label = "policy sweep";
+
+  Input base;           ///< [1/length]
+  Input importance;     ///< [0, 1]
+  Input nodeImportance; ///< see NodeImportance.h [0, 1]
+  Input last;           ///< the last iterate [1/length]
+  Input lagged;         ///< T (V - g) of the other term; null: none
+  Output next;          ///< the next iterate [1/length]
+  PolicyVoxel<float> policy;
+  Transmittance transmittance;
+  bool areaWeighted; ///< whether rays carry the weight of Deviation D1
+
+  template <class Windows>
+  PolicyKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->base, FieldUse{ 0 }), windows(this->importance, FieldUse{ 2 }),
+      windows(this->nodeImportance, FieldUse{ 0 }), windows(this->last, FieldUse{ 1 }),
+      windows(this->lagged, FieldUse{ 0 }), windows(this->next, FieldUse{ 2, true }), this->policy,
+      this->transmittance, this->areaWeighted };
+  }
+
+  /// To slice `s`, whose voxels are to be found next. The voxels behind are final.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    const int lastSlice = rays.Plan().lastSlice;
+    if (s + 1 < lastSlice)
+    {
+      this->Carry(rays, s + 1);
+    }
+    if (!rays.EnterLayer(s, this->areaWeighted))
+    {
+      return;
+    }
+    if (s < lastSlice)
+    {
+      this->LookAhead(rays);
+    }
+    if (this->transmittance == Transmittance::OfLastIterate)
+    {
+      this->Transmit(rays, s < lastSlice);
+    }
+  }
+
+  /// From the first slice of voxels out of the volume.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void LeaveStep(Rays& rays) const
+  {
+    const int first = rays.Plan().firstNodeSlice;
+    const int lastLayer = rays.Plan().lastSlice - 1;
+    for (int s = first < lastLayer ? first : lastLayer; s >= 0; --s)
+    {
+      this->Carry(rays, s);
+    }
+  }
+
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  {
+    voxels.Prefetch(this->base);
+    voxels.Prefetch(this->nodeImportance);
+    voxels.Prefetch(this->next);
+    voxels.Prefetch(this->lagged);
+    voxels.ForIdle(IdleStep{
+      this->policy, voxels.Row(this->base), voxels.Row(this->lagged), voxels.Row(this->next) });
+    if (voxels.FindSeen(rays, rays.ahead))
+    {
+      const auto seen = voxels.SeenHere();
+      voxels.ForActive(
+        PolicyStep{ this->policy, GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted),
+          seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance),
+          voxels.Row(this->base), voxels.Row(this->lagged), voxels.Row(this->next) });
+    }
+  }
+
+private:
+  /// Through the layer behind slice `s`, whose voxels are final.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void Carry(Rays& rays, int s) const
+  {
+    if (!rays.EnterLayer(s, this->areaWeighted))
+    {
+      return;
+    }
+    rays.SampleExtinction(this->next);
+    if (s < rays.Plan().firstNodeSlice)
+    {
+      rays.SampleRearImportance(this->importance);
+    }
+    else
+    {
+      rays.RecallRearImportance(); // LookAhead has sampled it
+    }
+    rays.SampleFrontImportance(this->importance);
+    rays.ForEachInLayer(CarryAndCollectStep{ rays.States() });
+  }
+
+  /// To the middle of the layer. Its rear half is taken to be as opaque as the slice behind it, as
+  /// the slice in front is not known yet.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void LookAhead(Rays& rays) const
+  {
+    rays.SampleExtinctionBehind(this->next);
+    rays.SampleRearImportance(this->importance);
+    rays.ForEachInLayer(LookAheadStep{ rays.States() });
+  }
+
+  /// Transmittance through the last iterate. `layer`: whether there is one behind the slice.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void Transmit(Rays& rays, bool layer) const
+  {
+    if (layer)
+    {
+      rays.SampleExtinction(this->last);
+      rays.ForEachRegardless(UnwindStep{ rays.States() });
+    }
+    else
+    {
+      rays.SampleNothing();
+    }
+    constexpr float unlimited = 1e30f;
+    rays.ForEach(TransmitStep{ rays.States() });
+    rays.ForEachNearSides(DensityStep{ rays.States(), rays.Plan().frontDepth, true, unlimited });
+  }
+};
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_ProblemFields_h
+#define limpid_optimize_ProblemFields_h
+
+#include "backend/CompiledDevice.h"
+#include "optimize/Problem.h"
+
+#include <memory>
+
+namespace limpid
+{
+/// The fields of a problem where they are read: the processor reads those of the caller, a GPU
+/// keeps copies as long as the scene is there.
+template <class AnyDevice>
+struct ProblemFields
+{
+  using Field = BorrowedArray<AnyDevice, float>;
+
+  ProblemFields(const std::shared_ptr<AnyDevice>& device, const Problem& problem)
+  {
+    const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
+    this->base = Field(device, problem.baseExtinction, count, "the base extinction");
+    this->importance = Field(device, problem.importance, count, "the importance");
+    this->nodeImportance = Field(device, problem.nodeImportance, count, "the importance");
+  }
+
+  Field base;           ///< [1/length]
+  Field importance;     ///< [0, 1]
+  Field nodeImportance; ///< [0, 1]
+
+  /// Those of a problem, which are moved to the device when first asked for.
+  static std::shared_ptr<ProblemFields> Of(
+    const std::shared_ptr<AnyDevice>& device, const Problem& problem)
+  {
+    if (!problem.resident || AnyDevice::readsHostMemory)
+    {
+      return std::make_shared<ProblemFields>(device, problem);
+    }
+    const std::lock_guard<std::mutex> lock(problem.resident->access);
+    auto fields = std::static_pointer_cast<ProblemFields>(problem.resident->fields);
+    if (!fields)
+    {
+      fields = std::make_shared<ProblemFields>(device, problem);
+      problem.resident->fields = fields;
+    }
+    return fields;
+  }
+};
+}
+
+#endif

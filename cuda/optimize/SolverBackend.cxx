@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Compiled twice, see CompiledDevice.h.
+
+#include "optimize/SolverBackend.h"
+
+#include "energy/TransmittanceVolume.h"
+#include "optimize/Adam.h"
+#include "optimize/Permuted.h"
+#include "optimize/Policy.h"
+
+namespace limpid
+{
+namespace
+{
+template <class AnyDevice>
+class SweepsOn : public SourceSweeps
+{
+public:
+  SweepsOn(
+    const std::shared_ptr<AnyDevice>& device, const Problem& problem, const RaySource& source)
+    : Given(problem)
+    , Device(device)
+    , Fields(ProblemFields<AnyDevice>::Of(device, problem))
+    , Term(device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity)
+    , Sum(device, 1, "sums")
+  {
+  }
+
+  Visible Score(const float* extinction) override
+  {
+    const BorrowedArray<AnyDevice, float> field(this->Device, extinction,
+      static_cast<std::size_t>(this->Given.grid.NodeCount()), "the extinction");
+    this->Term.Forward(field.Data(), this->Fields->importance.Data(), this->Sum.Data());
+    Visible seen;
+    this->Sum.Download(&seen);
+    return seen;
+  }
+
+  void SweepPolicyOnce(double weight, std::vector<float>& next) override
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      this->Sweep(weight, next.data());
+    }
+    else
+    {
+      DeviceArray<AnyDevice, float> there(this->Device, next, "the extinction");
+      this->Sweep(weight, there.Data());
+      there.Download(next.data());
+    }
+  }
+
+private:
+  void Sweep(double weight, float* next)
+  {
+    SweepFirstPolicy(*this->Device, this->Term, this->Given, *this->Fields, weight, next);
+  }
+
+  const Problem& Given;
+  std::shared_ptr<AnyDevice> Device;
+  std::shared_ptr<ProblemFields<AnyDevice>> Fields;
+  VisibilityTerm<AnyDevice> Term;
+  DeviceArray<AnyDevice, Visible> Sum;
+};
+
+template <class AnyDevice>
+std::unique_ptr<Minimizer> MakeMinimizerOn(const std::shared_ptr<AnyDevice>& device,
+  const Problem& problem, std::vector<float>&& start, bool warm)
+{
+  if (problem.settings.solver == SolverKind::Policy)
+  {
+    return MakePolicy(device, problem, start, warm);
+  }
+  return MakeAdam(problem, std::move(start),
+    [device](const Problem& level, const std::vector<float>& first)
+    { return MakeAdamLevel(device, level, first); });
+}
+
+template <class AnyDevice>
+class BackendOn : public SolverBackend
+{
+public:
+  explicit BackendOn(std::shared_ptr<AnyDevice> device)
+    : Device(std::move(device))
+  {
+  }
+
+  std::unique_ptr<Minimizer> MakeMinimizer(
+    const Problem& problem, std::vector<float>&& start, bool warm) override
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      // The processor sweeps fastest where slices and rows are contiguous.
+      return MakePermuted(problem, std::move(start),
+        [this, warm](const Problem& permuted, std::vector<float>&& first)
+        { return MakeMinimizerOn(this->Device, permuted, std::move(first), warm); });
+    }
+    else
+    {
+      return MakeMinimizerOn(this->Device, problem, std::move(start), warm);
+    }
+  }
+
+  std::unique_ptr<SourceSweeps> SweepsFrom(const Problem& problem, const RaySource& source) override
+  {
+    return std::make_unique<SweepsOn<AnyDevice>>(this->Device, problem, source);
+  }
+
+  void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,
+    const float* extinction, float* transmittance) override
+  {
+    const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
+    const BorrowedArray<AnyDevice, float> field(this->Device, extinction, count, "the extinction");
+    const Occupancy occupancy(problem.grid, extinction, extinction, true);
+    TransmittanceSweep<AnyDevice> volume(this->Device, problem.grid, occupancy, source, rayDensity);
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      volume.Fill(field.Data(), transmittance);
+    }
+    else
+    {
+      DeviceArray<AnyDevice, float> result(this->Device, count, "the transmittance");
+      volume.Fill(field.Data(), result.Data());
+      result.Download(transmittance);
+    }
+  }
+
+private:
+  std::shared_ptr<AnyDevice> Device;
+};
+}
+
+template <class AnyDevice>
+std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice> device)
+{
+  return std::make_unique<BackendOn<AnyDevice>>(std::move(device));
+}
+
+#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
+  template std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice>);
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+}

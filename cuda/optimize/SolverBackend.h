@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_SolverBackend_h
+#define limpid_optimize_SolverBackend_h
+
+#include "backend/CompiledDevice.h"
+#include "optimize/Problem.h"
+#include "sweep/SumRays.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+/// The rays of one source through the fields of a problem.
+class SourceSweeps
+{
+public:
+  virtual ~SourceSweeps() = default;
+
+  /// What the source sees of an extinction, grid.NodeCount() values [1/length].
+  virtual Visible Score(const float* extinction) = 0;
+
+  /// The first policy sweep, which knows of no transmittance and of this source alone, with the
+  /// weight of its term. Writes `next`, grid.NodeCount() values [1/length], where anything may
+  /// change.
+  virtual void SweepPolicyOnce(double weight, std::vector<float>& next) = 0;
+};
+
+/// What runs the iterations of a solver: the processor or a GPU. Problems stay with the caller.
+class SolverBackend
+{
+public:
+  virtual ~SolverBackend() = default;
+
+  /// A method for a problem from a first iterate [1/length]; empty: from the base extinction.
+  /// `warm` tells that it is near the optimum.
+  virtual std::unique_ptr<Minimizer> MakeMinimizer(
+    const Problem& problem, std::vector<float>&& start, bool warm) = 0;
+
+  virtual std::unique_ptr<SourceSweeps> SweepsFrom(
+    const Problem& problem, const RaySource& source) = 0;
+
+  /// Transmittance from a source through an extinction of the problem, see TransmittanceSweep.
+  virtual void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,
+    const float* extinction, float* transmittance) = 0;
+};
+
+template <class AnyDevice>
+std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice> device);
+
+/// The backend that a user's wish comes to.
+class ChosenBackend
+{
+public:
+  /// Throws limpid::Error if CUDA was asked for and cannot be had for such a grid. What computes on
+  /// the GPU stays there: its memory is not free, but it is ours.
+  void Choose(const Settings& settings, const Grid& grid);
+
+  SolverBackend* operator->() const { return this->Solvers.get(); }
+
+  /// For the user, one line.
+  const std::string& Name() const { return this->Line; }
+
+private:
+  std::shared_ptr<SolverBackend> Solvers;
+  std::string Line;
+  bool OnGpu = false;
+};
+}
+
+#endif

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/ActiveSpans.h"
+
+#include "backend/Backend.h"
+#include "backend/Simd.h"
+#include "sweep/OccupiedRays.h"
+#include "sweep/Registers.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace limpid
+{
+namespace
+{
+/// Extends spans of columns by those on another slice.
+LIMPID_MULTIVERSION
+void ExtendRows(const ColumnSpans& by, int count, const ColumnSpans& spans)
+{
+  const int* __restrict otherBegins = by.begins;
+  const int* __restrict otherEnds = by.ends;
+  int* __restrict begins = spans.begins;
+  int* __restrict ends = spans.ends;
+  for (int i = 0; i < count; ++i)
+  {
+    begins[i] = otherBegins[i] < begins[i] ? otherBegins[i] : begins[i];
+    ends[i] = otherEnds[i] > ends[i] ? otherEnds[i] : ends[i];
+  }
+}
+
+/// One ray more on every side: voxels there read these rays, too. `spans`: those of the row in
+/// front come first.
+LIMPID_MULTIVERSION
+void WidenRows(const ColumnSpans& spans, int count, int columns, Range<int>* __restrict wider)
+{
+  const int* __restrict begins = spans.begins;
+  const int* __restrict ends = spans.ends;
+  for (int i = 0; i < count; ++i)
+  {
+    const int sideBegin = begins[i] < begins[i + 2] ? begins[i] : begins[i + 2];
+    const int begin = begins[i + 1] < sideBegin ? begins[i + 1] : sideBegin;
+    const int sideEnd = ends[i] > ends[i + 2] ? ends[i] : ends[i + 2];
+    const int end = ends[i + 1] > sideEnd ? ends[i + 1] : sideEnd;
+    wider[i].begin = begin > 0 ? begin - 1 : 0;
+    wider[i].end = end < columns ? end + 1 : columns;
+  }
+}
+
+/// Rays that have not entered the box at a depth.
+struct Outside
+{
+  Range<int> columns;      ///< these columns of all rows
+  const float* rowEntries; ///< and all columns of rows that enter behind the depth
+  float depth;
+};
+
+/// Extends `needed` by what has been carried here and carries on what is still outside.
+LIMPID_MULTIVERSION
+void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans& carried,
+  Range<int>* __restrict needed)
+{
+  int* __restrict begins = carried.begins;
+  int* __restrict ends = carried.ends;
+  const float* __restrict entries = outside.rowEntries;
+  const float depth = outside.depth;
+  const Range<int> some = outside.columns;
+  for (int i = 0; i < count; ++i)
+  {
+    const int begin = needed[i].begin < begins[i] ? needed[i].begin : begins[i];
+    const int end = needed[i].end > ends[i] ? needed[i].end : ends[i];
+    needed[i].begin = begin;
+    needed[i].end = end;
+    const bool all = entries[i] > depth;
+    const int low = all ? 0 : some.begin;
+    const int high = all ? columns : some.end;
+    const int first = begin > low ? begin : low;
+    const int last = end < high ? end : high;
+    begins[i] = first < last ? first : noColumn;
+    ends[i] = first < last ? last : -noColumn;
+  }
+}
+
+/// What is needed of the columns that touch filled voxels in front of a layer or behind it.
+LIMPID_MULTIVERSION
+void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count,
+  const Range<int>& columns, Range<int>* __restrict active)
+{
+  const int* __restrict frontBegins = front.begins;
+  const int* __restrict frontEnds = front.ends;
+  const int* __restrict backBegins = back.begins;
+  const int* __restrict backEnds = back.ends;
+  const Range<int> all = columns;
+  for (int i = 0; i < count; ++i)
+  {
+    const int begin = frontBegins[i] < backBegins[i] ? frontBegins[i] : backBegins[i];
+    const int end = frontEnds[i] > backEnds[i] ? frontEnds[i] : backEnds[i];
+    const Range<int> both = Intersection(active[i], { begin, end });
+    const Range<int> whole = WholeRegisters(both, all);
+    active[i].begin = both.Empty() ? 0 : whole.begin;
+    active[i].end = both.Empty() ? 0 : whole.end;
+  }
+}
+
+/// What rows of rays have to visit in all.
+struct VisitedRays
+{
+  Range<int> columns;
+  Range<int> rows;
+};
+
+LIMPID_MULTIVERSION
+VisitedRays ExtentOf(const Range<int>* active, int count)
+{
+  int begin = noColumn;
+  int end = -noColumn;
+  int firstRow = noColumn;
+  int lastRow = -noColumn;
+  for (int i = 0; i < count; ++i)
+  {
+    const bool some = active[i].begin < active[i].end;
+    const int first = some ? active[i].begin : noColumn;
+    const int last = some ? active[i].end : -noColumn;
+    const int early = some ? i : noColumn;
+    const int late = some ? i : -noColumn;
+    begin = first < begin ? first : begin;
+    end = last > end ? last : end;
+    firstRow = early < firstRow ? early : firstRow;
+    lastRow = late > lastRow ? late : lastRow;
+  }
+  return { { begin, end }, { firstRow, lastRow + 1 } };
+}
+
+/// Finds what the rays of a frustum have to visit.
+class ActiveSpanFinder
+{
+public:
+  ActiveSpanFinder(PlannedFrustum& frustum, const Occupancy& occupancy)
+    : Target(frustum)
+    , Skips(occupancy.Skips())
+    , Slices(frustum.SliceCount())
+    , Occupied(frustum, occupancy)
+    , Outsides(this->FindOutsides())
+    , Blocks((frustum.rows + rowsPerBlock - 1) / rowsPerBlock)
+    , Extents(std::size_t(this->Blocks * frustum.SliceCount()))
+  {
+  }
+
+  void Find()
+  {
+    ParallelFor(this->Blocks,
+      [&](Index block)
+      {
+        const int first = static_cast<int>(block) * rowsPerBlock;
+        const Range<int> rows{ first, std::min(first + rowsPerBlock, this->Target.rows) };
+        this->FollowToFront(rows);
+        this->FollowToBack(rows, this->Extents.data() + block * this->Slices);
+      });
+    this->FindTouched();
+  }
+
+private:
+  static constexpr int rowsPerBlock = 64;
+
+  /// Columns of rays that enter the box in u behind each slice. They are neighbours, as these
+  /// rays all come from the same side.
+  std::vector<Range<int>> FindOutsides() const
+  {
+    const float* entry = this->Target.Row(this->Target.columnEntry);
+    std::vector<Range<int>> outsides;
+    Range<int> outside{ 0, this->Target.columns };
+    for (int s = 0; s < this->Slices; ++s)
+    {
+      const float depth = this->Target.SliceAt(s).RelativeDepth();
+      const auto inside = [&](int column) { return !(entry[column] > depth); };
+      while (!outside.Empty() && inside(outside.begin))
+      {
+        ++outside.begin;
+      }
+      while (!outside.Empty() && inside(outside.end - 1))
+      {
+        --outside.end;
+      }
+      outsides.push_back(outside);
+    }
+    return outsides;
+  }
+
+  Range<int>* ActiveOf(int s, int row)
+  {
+    return this->Target.Room(this->Target.activeRays, s) + row;
+  }
+
+  static ColumnSpans From(const ColumnSpans& spans, int row)
+  {
+    return { spans.begins + row, spans.ends + row };
+  }
+
+  /// What is important on a slice is at stake on all slices in front of it.
+  void FollowToFront(const Range<int>& rows)
+  {
+    const int count = rows.end - rows.begin;
+    if (!this->Skips)
+    {
+      for (int s = 0; s < this->Slices; ++s)
+      {
+        std::fill_n(this->ActiveOf(s, rows.begin), count, Range<int>{ 0, this->Target.columns });
+      }
+      return;
+    }
+    int begins[rowsPerBlock + 2];
+    int ends[rowsPerBlock + 2];
+    std::fill_n(begins, rowsPerBlock + 2, noColumn);
+    std::fill_n(ends, rowsPerBlock + 2, -noColumn);
+    const ColumnSpans needed{ begins, ends };
+    const int first = std::max(rows.begin - 1, 0);
+    const int last = std::min(rows.end + 1, this->Target.rows);
+    for (int s = this->Slices - 1; s >= 0; --s)
+    {
+      ExtendRows(From(this->Occupied.Important(s), first), last - first,
+        From(needed, first - (rows.begin - 1)));
+      WidenRows(needed, count, this->Target.columns, this->ActiveOf(s, rows.begin));
+    }
+  }
+
+  /// A ray that is needed before it has entered the box is needed until it has: its optical depth
+  /// there is counted from the entry (Rows.h). `extents`: per slice.
+  void FollowToBack(const Range<int>& rows, VisitedRays* extents)
+  {
+    const int count = rows.end - rows.begin;
+    const Range<int> columns{ 0, this->Target.columns };
+    int begins[rowsPerBlock];
+    int ends[rowsPerBlock];
+    std::fill_n(begins, rowsPerBlock, noColumn);
+    std::fill_n(ends, rowsPerBlock, -noColumn);
+    const ColumnSpans carried{ begins, ends };
+    for (int s = 0; s < this->Slices; ++s)
+    {
+      Range<int>* active = this->ActiveOf(s, rows.begin);
+      const int next = std::min(s + 1, this->Slices - 1);
+      const Outside outside{ this->Outsides[std::size_t(next)],
+        this->Target.Row(this->Target.rowEntry) + rows.begin,
+        this->Target.SliceAt(next).RelativeDepth() };
+      CarryRows(outside, count, columns.end, carried, active);
+      CutRows(From(this->Occupied.Filled(s), rows.begin),
+        From(this->Occupied.Filled(next), rows.begin), count, columns, active);
+      const VisitedRays extent = ExtentOf(active, count);
+      extents[s] = { extent.columns,
+        { rows.begin + extent.rows.begin, rows.begin + extent.rows.end } };
+    }
+  }
+
+  /// Voxels that a sweep reads or writes on each slice.
+  void FindTouched()
+  {
+    Slice* slices = this->Target.Room(this->Target.slices);
+    for (int s = 0; s < this->Slices; ++s)
+    {
+      slices[s].touchedColumns = slices[s].ownedColumns;
+      slices[s].touchedRows = slices[s].ownedRows;
+    }
+    for (int s = 0; s + 1 < this->Slices; ++s)
+    {
+      Range<int> rows;
+      Range<int> columns;
+      for (Index block = 0; block < this->Blocks; ++block)
+      {
+        const VisitedRays& extent = this->Extents[std::size_t(block * this->Slices + s)];
+        columns = Hull(columns, extent.columns);
+        rows = Hull(rows, extent.rows);
+      }
+      for (Index plane = 2 * Index(s); plane < 2 * Index(s) + 2; ++plane)
+      {
+        const int* columnIndex = this->Target.Row(this->Target.planeColumns, plane).index;
+        const int* rowIndex = this->Target.Row(this->Target.planeRows, plane).index;
+        for (Slice* slice : { &slices[s], &slices[s + 1] })
+        {
+          slice->touchedColumns = Hull(slice->touchedColumns, SourcesOf(columnIndex, columns));
+          slice->touchedRows = Hull(slice->touchedRows, SourcesOf(rowIndex, rows));
+        }
+      }
+    }
+  }
+
+  /// Sources that the targets in a range of a map with ascending indices read.
+  static Range<int> SourcesOf(const int* index, const Range<int>& targets)
+  {
+    return targets.Empty() ? Range<int>{}
+                           : Range<int>{ index[targets.begin], index[targets.end - 1] + 2 };
+  }
+
+  PlannedFrustum& Target;
+  bool Skips;
+  int Slices;
+  OccupiedRays Occupied;
+  std::vector<Range<int>> Outsides; ///< per slice
+  Index Blocks;
+  std::vector<VisitedRays> Extents; ///< [block][slice]
+};
+}
+
+void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy)
+{
+  ActiveSpanFinder(frustum, occupancy).Find();
+}
+}

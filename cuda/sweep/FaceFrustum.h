@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The plan of a sweep: numbers and flat tables, which the processor and a device read alike.
+
+#ifndef limpid_sweep_FaceFrustum_h
+#define limpid_sweep_FaceFrustum_h
+
+#include "math/Macros.h"
+#include "math/Range.h"
+#include "math/Vec.h"
+#include "sweep/HalfLayer.h"
+
+namespace limpid
+{
+/// Linear interpolation at the targets of a row: target t reads source[index[t]] and
+/// source[index[t] + 1] with the weights 1 - weight[t] and weight[t].
+struct LinearMap
+{
+  const int* index;
+  const float* weight;
+};
+
+/// Where samples lie: a slice of voxels, or the plane of a point source itself; and the layer
+/// behind it up to the next slice, in which the last slice has none.
+struct Slice
+{
+  int node = -1;           ///< node index along the depth axis; -1: the source itself
+  double depth = 0;        ///< distance from the source along the depth axis [index]
+  float scale = 1;         ///< depth / far depth: width of a ray; 1 if parallel
+  Range<int> ownedColumns; ///< voxels of this slice that belong to this frustum
+  Range<int> ownedRows;
+  Range<int> touchedColumns; ///< voxels of this slice that rays read, and the owned ones
+  Range<int> touchedRows;
+
+  Layer layer;                   ///< its front is the depth less the depth of the first slice
+  int nodes[2] = { 0, 0 };       ///< node indices of the slices that the layer is sampled from
+  float fractions[2] = { 0, 0 }; ///< weight of the second one at the two Gauss points [0, 1]
+  Range<int> insideColumns;      ///< columns of rays that stay inside the box in u
+
+  /// Depth less the depth of the first slice [index].
+  LIMPID_HD LIMPID_INLINE float RelativeDepth() const { return this->layer.front; }
+};
+
+/// Rows of values among the tables of a plan.
+template <class Value>
+struct Table
+{
+  Index offset = 0; ///< of the first row [bytes]
+  int rowLength = 0;
+};
+
+struct MapTable
+{
+  Table<int> index;
+  Table<float> weight;
+};
+
+/**
+ * One family of rays and the slices it crosses.
+ *
+ * Ray (a, b) meets the slice at depth D in (u, v) = offset + (a, b) D (point source: slopes) or
+ * (a, b) + shear D (parallel source). Space about a point source is split into up to six frusta,
+ * one per face direction, in which no slope exceeds one voxel per slice; each voxel belongs to
+ * exactly one. All lengths are in index space, where anisotropic voxels are cubes.
+ *
+ * Rays have one guard on either side, which only serves interpolation.
+ */
+struct FaceFrustum
+{
+  int axisU = 0; ///< grid axis of the columns
+  int axisV = 1; ///< grid axis of the rows
+  int axisW = 2; ///< grid axis of the depth
+  int nodesU = 0;
+  int nodesV = 0;
+  Index strideU = 0; ///< of fields along u, v, w
+  Index strideV = 0;
+  Index strideW = 0;
+
+  int columns = 0;         ///< rays along u
+  int rows = 0;            ///< rays along v
+  int lastSlice = -1;      ///< slices are counted front to back
+  int firstNodeSlice = 0;  ///< the first slice that is one of voxels
+  float frontDepth = 0;    ///< relative depth where rays begin that enter through no side
+  Range<int> frontColumns; ///< columns that enter the box in its front, not later through a side
+  Range<int> frontRows;
+  /// World volume that a unit of ray integral stands for:
+  /// S = cellMeasure sum_ij share_ij / length_ij integral g mu T scale^2 dt.
+  double cellMeasure = 0;
+  bool seesAll = true; ///< whether the picture shows all rays
+
+  const unsigned char* tables = nullptr;
+  Table<Slice> slices;
+  MapTable planeColumns;         ///< [2 slice + half][column]: voxel column at a Gauss point
+  MapTable planeRows;            ///< [2 slice + half][row]
+  Table<Range<int>> activeRays;  ///< [slice][row]: columns to be visited in the layer behind
+  Table<float> columnEntry;      ///< [column]: relative depth where rays enter the box in u
+  Table<float> columnExit;       ///< [column]: ... and leave it
+  Table<float> rowEntry;         ///< [row]: ... in v
+  Table<float> rowExit;          ///< [row]
+  Table<float> columnShare;      ///< [column]: width at the far depth [index]; 0: a guard
+  Table<float> rowShare;         ///< [row]
+  Table<float> length;           ///< [row][column]: world length per unit of depth [length]
+  Table<float> inView;           ///< [row][column]: 1 or 0; without rows if all are in view
+  MapTable voxelColumns;         ///< [slice][voxel column]: ray column
+  MapTable voxelRows;            ///< [slice][voxel row]: ray row
+  Table<float> columnSides;      ///< [slice][voxel column]: SideWeight, for means across the rays
+  Table<float> rowSides;         ///< [slice][voxel row]
+  Table<float> voxelColumnEntry; ///< [slice][voxel column]: relative depth where its rays enter
+  Table<float> voxelRowEntry;    ///< [slice][voxel row]
+  Table<int> firstVoxels; ///< [slice][column]: first voxel that reads the ray first, or later
+  Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns whose rays matter
+  Table<Range<int>> filledVoxels; ///< [slice][voxel row]: columns that may change
+
+  /// Row `row` of a table.
+  template <class Value>
+  LIMPID_HD LIMPID_INLINE const Value* Row(const Table<Value>& table, Index row = 0) const
+  {
+    return reinterpret_cast<const Value*>(this->tables + table.offset) + row * table.rowLength;
+  }
+
+  LIMPID_HD LIMPID_INLINE LinearMap Row(const MapTable& table, Index row) const
+  {
+    return { this->Row(table.index, row), this->Row(table.weight, row) };
+  }
+
+  LIMPID_HD LIMPID_INLINE const Slice& SliceAt(int s) const { return this->Row(this->slices)[s]; }
+  int SliceCount() const { return this->lastSlice + 1; }
+  Index RayCount() const { return Index(this->columns) * this->rows; }
+
+  LIMPID_HD LIMPID_INLINE Index RayAt(int column, int row) const
+  {
+    return Index(row) * this->columns + column;
+  }
+
+  LIMPID_HD LIMPID_INLINE Index VoxelAt(int node, int u, int v) const
+  {
+    return this->strideW * node + this->strideV * v + this->strideU * u;
+  }
+
+  LIMPID_HD LIMPID_INLINE const Range<int>& ActiveRays(int s, int row) const
+  {
+    return this->Row(this->activeRays, s)[row];
+  }
+
+  LIMPID_HD LIMPID_INLINE const Range<int>& ActiveVoxels(int s, int v) const
+  {
+    return this->Row(this->activeVoxels, s)[v];
+  }
+
+  LIMPID_HD LIMPID_INLINE const Range<int>& FilledVoxels(int s, int v) const
+  {
+    return this->Row(this->filledVoxels, s)[v];
+  }
+
+  /// Where a row of rays is inside the box in v, in relative depths.
+  LIMPID_HD LIMPID_INLINE Range<float> StayOfRow(int row) const
+  {
+    return { this->Row(this->rowEntry)[row], this->Row(this->rowExit)[row] };
+  }
+
+  LIMPID_HD LIMPID_INLINE Range<float> StayOfColumn(int column) const
+  {
+    return { this->Row(this->columnEntry)[column], this->Row(this->columnExit)[column] };
+  }
+};
+}
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The rays of a frustum where they are swept: the plan, and what travels with the rays.
+
+#ifndef limpid_sweep_FrustumRays_h
+#define limpid_sweep_FrustumRays_h
+
+#include "backend/DeviceArray.h"
+#include "backend/HostDevice.h"
+#include "sweep/PlanSweep.h"
+#include "sweep/RaySteps.h"
+#include "sweep/SliceWindow.h"
+
+#include <memory>
+#include <utility>
+
+namespace limpid
+{
+/// One value of each kind per ray of a frustum, in the memory of a device; not set at first.
+template <class AnyDevice>
+class RayImages
+{
+public:
+  RayImages(const std::shared_ptr<AnyDevice>& device, Index rays)
+    : Rays(rays)
+    , Depths(device, std::size_t(2 * rays), "optical depths")
+    , Others(device, std::size_t(7 * rays), "rays")
+  {
+  }
+
+  RayStates States()
+  {
+    double* depths = this->Depths.Data();
+    double* collected = depths + this->Rays;
+    if (this->Swapped)
+    {
+      std::swap(depths, collected);
+    }
+    float* image[7];
+    for (Index i = 0; i < 7; ++i)
+    {
+      image[i] = this->Others.Data() + i * this->Rays;
+    }
+    return { depths, collected, image[0], image[1], image[2], image[3], image[4], image[5],
+      image[6] };
+  }
+
+  /// Makes what a sweep has collected the optical depths.
+  void KeepCollected() { this->Swapped = !this->Swapped; }
+
+private:
+  Index Rays;
+  DeviceArray<AnyDevice, double> Depths;
+  DeviceArray<AnyDevice, float> Others;
+  bool Swapped = false;
+};
+
+/// The plan of a frustum in the memory of a device: a copy of its tables.
+template <class AnyDevice>
+class FrustumTables
+{
+public:
+  FrustumTables(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
+    : Tables(device, planned.memory.get(), planned.bytes, "the plan of a sweep")
+    , Addresses(planned)
+  {
+    this->Addresses.tables = this->Tables.Data();
+  }
+
+  const FaceFrustum& Plan() const { return this->Addresses; }
+
+private:
+  DeviceArray<AnyDevice, unsigned char> Tables;
+  FaceFrustum Addresses;
+};
+
+/// The plan as it was made, and the memory in which the processor transposes slices.
+template <>
+class FrustumTables<HostDevice>
+{
+public:
+  FrustumTables(const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned)
+    : Planned(std::move(planned))
+    , Pool(std::make_unique<SlabPool>())
+  {
+  }
+
+  const FaceFrustum& Plan() const { return this->Planned; }
+  SlabPool& Slabs() const { return *this->Pool; }
+
+private:
+  PlannedFrustum Planned;
+  std::unique_ptr<SlabPool> Pool;
+};
+
+/// The rays of one frustum on a device.
+template <class AnyDevice>
+class FrustumRays : public FrustumTables<AnyDevice>
+{
+public:
+  FrustumRays(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
+    : FrustumTables<AnyDevice>(device, std::move(planned))
+    , Images(device, this->Plan().RayCount())
+  {
+  }
+
+  RayStates States() { return this->Images.States(); }
+
+  /// Makes what a sweep from the back has collected the optical depths.
+  void KeepCollected() { this->Images.KeepCollected(); }
+
+private:
+  RayImages<AnyDevice> Images;
+};
+
+/// Plans a sweep and moves the frusta to a device.
+template <class AnyDevice>
+std::vector<FrustumRays<AnyDevice>> PlanRays(const std::shared_ptr<AnyDevice>& device,
+  const Grid& grid, const Occupancy& occupancy, const RaySource& source,
+  const PlanSettings& settings)
+{
+  std::vector<FrustumRays<AnyDevice>> frusta;
+  for (PlannedFrustum& planned : PlanSweep(grid, occupancy, source, settings))
+  {
+    frusta.emplace_back(device, std::move(planned));
+  }
+  return frusta;
+}
+}
+
+#endif

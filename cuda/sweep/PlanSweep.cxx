@@ -1,0 +1,463 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/PlanSweep.h"
+
+#include "backend/Backend.h"
+#include "sweep/ActiveSpans.h"
+#include "sweep/HatMean.h"
+#include "sweep/RayGeometry.h"
+#include "sweep/Registers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+namespace limpid
+{
+namespace
+{
+/// A slice closer to a point source holds no voxel but the source's own, and rays have no width
+/// there [index].
+constexpr double nearestSlice = 1e-6;
+
+/// The depth axis of a frustum: depth of a node k is sign (k - origin).
+struct DepthAxis
+{
+  bool parallel = false;
+  double sign = 1;
+  double origin = 0; ///< point source: its position; parallel: the first slice [index]
+  int nodes = 0;
+
+  double Of(int node) const { return this->sign * (node - this->origin); }
+  double Far() const { return this->Of(this->sign > 0 ? this->nodes - 1 : 0); }
+  double Near() const { return std::max(0.0, this->Of(this->sign > 0 ? 0 : this->nodes - 1)); }
+};
+
+/// Columns along the first free axis; along x if possible, as rows of memory run along x.
+void ChooseAxes(PlannedFrustum& frustum, const Grid& grid, int axisW)
+{
+  const Index strides[3] = { 1, grid.nodes.x, Index(grid.nodes.x) * grid.nodes.y };
+  frustum.axisW = axisW;
+  frustum.axisU = axisW == 0 ? 1 : 0;
+  frustum.axisV = axisW == 2 ? 1 : 2;
+  frustum.nodesU = grid.nodes[frustum.axisU];
+  frustum.nodesV = grid.nodes[frustum.axisV];
+  frustum.strideU = strides[frustum.axisU];
+  frustum.strideV = strides[frustum.axisV];
+  frustum.strideW = strides[axisW];
+  frustum.spacing =
+    Vec3(grid.spacing[frustum.axisU], grid.spacing[frustum.axisV], grid.spacing[axisW]);
+  frustum.cellMeasure = grid.CellVolume();
+}
+
+/// The slices in front of the source, front to back, with the layers behind them. Where the grid
+/// reaches to the source's plane or behind it, that plane is the first one.
+std::vector<Slice> PlaceSlices(const DepthAxis& depth)
+{
+  std::vector<Slice> slices;
+  for (int k = 0; k < depth.nodes; ++k)
+  {
+    Slice slice;
+    slice.node = depth.sign > 0 ? k : depth.nodes - 1 - k;
+    slice.depth = depth.Of(slice.node);
+    slice.scale = depth.parallel ? 1.0f : static_cast<float>(slice.depth / depth.Far());
+    if (!depth.parallel && !(slice.depth > nearestSlice))
+    {
+      continue;
+    }
+    if (slices.empty() && k > 0)
+    {
+      Slice source;
+      source.scale = 0;
+      slices.push_back(source);
+    }
+    slices.push_back(slice);
+  }
+  const double base = slices[slices.front().node < 0 ? 1 : 0].depth;
+  for (Slice& slice : slices)
+  {
+    slice.layer.front = static_cast<float>(slice.depth - base);
+  }
+  // In front of the first slice behind the source the layer is a part of a cell.
+  for (std::size_t s = 0; s + 1 < slices.size(); ++s)
+  {
+    Slice& front = slices[s];
+    const Slice& back = slices[s + 1];
+    front.layer = { front.layer.front, back.layer.front - front.layer.front, front.scale,
+      back.scale };
+    front.nodes[0] = back.node - (depth.sign > 0 ? 1 : -1);
+    front.nodes[1] = back.node;
+    for (int half = 0; half < 2; ++half)
+    {
+      const double at = front.depth + gaussPoints[half] * (back.depth - front.depth);
+      front.fractions[half] = static_cast<float>(1.0 - (back.depth - at));
+    }
+  }
+  return slices;
+}
+
+/// Makes room for the tables of a plan.
+class TableRoom
+{
+public:
+  template <class Value>
+  void Add(Table<Value>& table, Index rows, int rowLength)
+  {
+    constexpr Index alignment = 256;
+    table.offset = this->Bytes;
+    table.rowLength = rowLength;
+    const Index end = this->Bytes + rows * rowLength * Index(sizeof(Value));
+    this->Bytes = (end + alignment - 1) / alignment * alignment;
+  }
+
+  void Add(MapTable& table, Index rows, int rowLength)
+  {
+    this->Add(table.index, rows, rowLength);
+    this->Add(table.weight, rows, rowLength);
+  }
+
+  /// Large memory comes as pages of zeros that need not be written.
+  void Give(PlannedFrustum& frustum) const
+  {
+    frustum.bytes = static_cast<std::size_t>(this->Bytes);
+    frustum.memory.reset(static_cast<unsigned char*>(std::calloc(frustum.bytes, 1)));
+    if (!frustum.memory)
+    {
+      throw std::bad_alloc();
+    }
+    frustum.tables = frustum.memory.get();
+  }
+
+private:
+  Index Bytes = 0;
+};
+
+void MakeTables(PlannedFrustum& frustum, Readers readers)
+{
+  const Index count = frustum.SliceCount();
+  TableRoom room;
+  room.Add(frustum.slices, 1, frustum.SliceCount());
+  room.Add(frustum.planeColumns, 2 * count, frustum.columns);
+  room.Add(frustum.planeRows, 2 * count, frustum.rows);
+  room.Add(frustum.activeRays, count, frustum.rows);
+  for (Table<float>* table : { &frustum.columnEntry, &frustum.columnExit, &frustum.columnShare })
+  {
+    room.Add(*table, 1, frustum.columns);
+  }
+  for (Table<float>* table : { &frustum.rowEntry, &frustum.rowExit, &frustum.rowShare })
+  {
+    room.Add(*table, 1, frustum.rows);
+  }
+  room.Add(frustum.length, frustum.rows, frustum.columns);
+  room.Add(frustum.inView, frustum.seesAll ? 0 : frustum.rows, frustum.columns);
+  if (readers == Readers::RaysAndVoxels)
+  {
+    room.Add(frustum.voxelColumns, count, frustum.nodesU);
+    room.Add(frustum.voxelRows, count, frustum.nodesV);
+    room.Add(frustum.columnSides, count, frustum.nodesU);
+    room.Add(frustum.rowSides, count, frustum.nodesV);
+    room.Add(frustum.voxelColumnEntry, count, frustum.nodesU);
+    room.Add(frustum.voxelRowEntry, count, frustum.nodesV);
+    room.Add(frustum.firstVoxels, count, frustum.columns + 1);
+    room.Add(frustum.activeVoxels, count, frustum.nodesV);
+    room.Add(frustum.filledVoxels, count, frustum.nodesV);
+  }
+  room.Give(frustum);
+}
+
+/// Fills the tables of the rays along one axis. A guard that does not enter the slab of the box
+/// before `back` runs along its border all the way. `scale`: width of a unit of the rays'
+/// coordinate at the far depth [index].
+void DescribeRays(const Lateral& lateral, double base, float back, double scale, float* entry,
+  float* exit, float* share)
+{
+  constexpr Range<float> everywhere{ -1e30f, 1e30f };
+  for (int ray = 0; ray < lateral.count; ++ray)
+  {
+    share[ray] = static_cast<float>(lateral.Width(ray) * scale);
+    const Range<float> stay = lateral.StayOf(ray, base);
+    const bool misses = stay.begin >= back || stay.end <= 0 || stay.begin >= stay.end;
+    const Range<float> kept = misses && share[ray] == 0 ? everywhere : stay;
+    entry[ray] = kept.begin;
+    exit[ray] = kept.end;
+  }
+}
+
+/// Per ray, and one more: the first target whose first source it is, or a later one.
+void FindFirstTargets(const int* index, int targets, int sources, int* first)
+{
+  int target = 0;
+  for (int source = 0; source <= sources; ++source)
+  {
+    while (target < targets && index[target] < source)
+    {
+      ++target;
+    }
+    first[source] = target;
+  }
+}
+
+/// SideWeight of every voxel along an axis of rays on the slice at `depth`.
+void FindSideWeights(const Lateral& lateral, const LinearMap& voxels, double depth, float* sides)
+{
+  const double nodesApart = lateral.parallel ? 1.0 : depth;
+  const int count = lateral.nodes;
+  for (int k = 0; k < count; ++k)
+  {
+    const int ray = voxels.index[k];
+    const double gap = nodesApart * (lateral.Coordinate(ray + 1) - lateral.Coordinate(ray));
+    sides[k] = SideWeight(voxels.weight[k], static_cast<float>(gap));
+  }
+  sides[0] = sides[count - 1] = count > 1 ? sideWeightOnBorder : 0.0f;
+}
+
+/// How rays read the voxels of the layer behind a slice.
+void PlaceRays(PlannedFrustum& frustum, int s)
+{
+  Slice& slice = frustum.Room(frustum.slices)[s];
+  const Slice& back = frustum.SliceAt(s + 1);
+  for (int half = 0; half < 2; ++half)
+  {
+    const double depth = slice.depth + gaussPoints[half] * (back.depth - slice.depth);
+    const Index row = 2 * Index(s) + half;
+    frustum.lateralU.FindRayMap(depth, frustum.Room(frustum.planeColumns.index, row),
+      frustum.Room(frustum.planeColumns.weight, row));
+    frustum.lateralV.FindRayMap(depth, frustum.Room(frustum.planeRows.index, row),
+      frustum.Room(frustum.planeRows.weight, row));
+  }
+  slice.insideColumns = InsideColumns(frustum, slice.RelativeDepth(), back.RelativeDepth());
+}
+
+/// How voxels of a slice read the rays.
+void PlaceVoxels(PlannedFrustum& frustum, int s, double base)
+{
+  const double depth = frustum.SliceAt(s).depth;
+  const Lateral& u = frustum.lateralU;
+  const Lateral& v = frustum.lateralV;
+  u.FindVoxelMap(depth, frustum.Room(frustum.voxelColumns.index, s),
+    frustum.Room(frustum.voxelColumns.weight, s));
+  v.FindVoxelMap(
+    depth, frustum.Room(frustum.voxelRows.index, s), frustum.Room(frustum.voxelRows.weight, s));
+  FindFirstTargets(frustum.Row(frustum.voxelColumns, s).index, frustum.nodesU, frustum.columns,
+    frustum.Room(frustum.firstVoxels, s));
+  FindSideWeights(
+    u, frustum.Row(frustum.voxelColumns, s), depth, frustum.Room(frustum.columnSides, s));
+  FindSideWeights(v, frustum.Row(frustum.voxelRows, s), depth, frustum.Room(frustum.rowSides, s));
+  u.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelColumnEntry, s));
+  v.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelRowEntry, s));
+}
+
+void FillTables(PlannedFrustum& frustum, const std::vector<Slice>& slices, Readers readers)
+{
+  const double base = slices[std::size_t(frustum.firstNodeSlice)].depth;
+  std::copy(slices.begin(), slices.end(), frustum.Room(frustum.slices));
+  FindRayLengths(frustum);
+  // Which voxels on the boundary of two frusta belong to which: the last axis wins.
+  const bool closedU = frustum.axisU < frustum.axisW;
+  const bool closedV = frustum.axisV < frustum.axisW;
+  ParallelFor(frustum.SliceCount(),
+    [&](Index index)
+    {
+      const int s = static_cast<int>(index);
+      Slice& slice = frustum.Room(frustum.slices)[s];
+      if (s < frustum.lastSlice)
+      {
+        PlaceRays(frustum, s);
+      }
+      if (slice.node < 0)
+      {
+        return;
+      }
+      slice.ownedColumns = frustum.lateralU.Owned(slice.depth, closedU);
+      slice.ownedRows = frustum.lateralV.Owned(slice.depth, closedV);
+      if (readers == Readers::RaysAndVoxels)
+      {
+        PlaceVoxels(frustum, s, base);
+      }
+    });
+}
+
+/// Voxel columns of row `v` on a slice whose transmittance and importance behind can matter: those
+/// that read an active ray, be it through a neighbour (AverageSeen).
+Range<int> ActiveColumnsOf(const FaceFrustum& frustum, int s, int v)
+{
+  const int* voxelRows = frustum.Row(frustum.voxelRows, s).index;
+  Range<int> rays;
+  for (const int neighbour : { std::max(v - 1, 0), v, std::min(v + 1, frustum.nodesV - 1) })
+  {
+    const int row = voxelRows[neighbour];
+    rays = Hull(rays, Hull(frustum.ActiveRays(s, row), frustum.ActiveRays(s, row + 1)));
+  }
+  if (rays.Empty())
+  {
+    return {};
+  }
+  // A voxel is interpolated from two rays.
+  const int* firstVoxels = frustum.Row(frustum.firstVoxels, s);
+  const int begin = firstVoxels[std::max(rays.begin - 1, 0)];
+  const int end = firstVoxels[rays.end];
+  return { std::max(begin - 1, 0), std::min(end + 1, frustum.nodesU) };
+}
+
+/// Finds the voxels of each slice that may change, and those of them whose rays matter.
+void FindVoxelSpans(PlannedFrustum& frustum, const Occupancy& occupancy)
+{
+  ParallelFor(frustum.SliceCount(),
+    [&](Index index)
+    {
+      const int s = static_cast<int>(index);
+      const Slice& slice = frustum.SliceAt(s);
+      if (slice.node < 0)
+      {
+        return;
+      }
+      const SpanRows spans = SpansOf(frustum, occupancy, slice.node);
+      for (int v = slice.ownedRows.begin; v < slice.ownedRows.end; ++v)
+      {
+        const Range<int> filled =
+          WholeRegisters(Intersection(slice.ownedColumns, spans[v].filled), slice.ownedColumns);
+        frustum.Room(frustum.filledVoxels, s)[v] = filled;
+        frustum.Room(frustum.activeVoxels, s)[v] =
+          WholeRegisters(Intersection(ActiveColumnsOf(frustum, s, v), filled), filled);
+      }
+    });
+}
+
+/// Chooses the rays of a frustum along u and v. Returns whether there are any.
+bool PlaceLaterals(PlannedFrustum& frustum, const Grid& grid, const RaySource& source,
+  const DepthAxis& depth, const PlanSettings& settings)
+{
+  for (Lateral* lateral : { &frustum.lateralU, &frustum.lateralV })
+  {
+    const int axis = lateral == &frustum.lateralU ? frustum.axisU : frustum.axisV;
+    lateral->parallel = source.parallel;
+    lateral->eye = source.origin[axis];
+    lateral->shear =
+      source.parallel ? source.direction[axis] / std::abs(source.direction[frustum.axisW]) : 0.0;
+    lateral->nodes = grid.nodes[axis];
+    lateral->Fit(depth.Near(), depth.Far(), settings.rayDensity, settings.placement);
+    if (lateral->count == 0)
+    {
+      return false;
+    }
+  }
+  frustum.columns = frustum.lateralU.count;
+  frustum.rows = frustum.lateralV.count;
+  return true;
+}
+
+/// The frustum about the source that opens along +axis or -axis; without rays if it misses the
+/// grid.
+PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const RaySource& source,
+  int axisW, double sign, const PlanSettings& settings)
+{
+  PlannedFrustum frustum;
+  ChooseAxes(frustum, grid, axisW);
+  DepthAxis depth;
+  depth.parallel = source.parallel;
+  depth.sign = sign;
+  depth.nodes = grid.nodes[axisW];
+  depth.origin = source.parallel ? (sign > 0 ? 0.0 : depth.nodes - 1.0) : source.origin[axisW];
+  if (!(depth.Far() > nearestSlice) || !PlaceLaterals(frustum, grid, source, depth, settings))
+  {
+    return frustum;
+  }
+  const std::vector<Slice> slices = PlaceSlices(depth);
+  frustum.lastSlice = static_cast<int>(slices.size()) - 1;
+  frustum.firstNodeSlice = slices.front().node < 0 ? 1 : 0;
+  frustum.frontDepth = slices.front().RelativeDepth();
+  frustum.seesAll = source.viewPlanes.empty();
+  MakeTables(frustum, settings.readers);
+
+  const double scale = source.parallel ? 1.0 : depth.Far();
+  const double base = slices[std::size_t(frustum.firstNodeSlice)].depth;
+  const float back = slices.back().RelativeDepth();
+  DescribeRays(frustum.lateralU, base, back, scale, frustum.Room(frustum.columnEntry),
+    frustum.Room(frustum.columnExit), frustum.Room(frustum.columnShare));
+  DescribeRays(frustum.lateralV, base, back, scale, frustum.Room(frustum.rowEntry),
+    frustum.Room(frustum.rowExit), frustum.Room(frustum.rowShare));
+  frustum.frontColumns =
+    RaysEnteredBy(frustum.Row(frustum.columnEntry), frustum.columns, frustum.frontDepth);
+  frustum.frontRows =
+    RaysEnteredBy(frustum.Row(frustum.rowEntry), frustum.rows, frustum.frontDepth);
+  FillTables(frustum, slices, settings.readers);
+  FindActiveSpans(frustum, occupancy);
+  if (settings.readers == Readers::RaysAndVoxels)
+  {
+    FindVoxelSpans(frustum, occupancy);
+  }
+  if (!frustum.seesAll)
+  {
+    FindInView(frustum, source, source.parallel ? depth.origin : sign);
+  }
+  return frustum;
+}
+
+/// Whether parallel rays run along an axis more than along the others, and this way.
+bool RunAlong(const RaySource& source, int axis, double sign)
+{
+  const Vec3 size = glm::abs(source.direction);
+  return size[axis] >= size[(axis + 1) % 3] && size[axis] >= size[(axis + 2) % 3] &&
+    source.direction[axis] * sign > 0;
+}
+}
+
+Range<int> RaysEnteredBy(const float* entries, int count, float depth)
+{
+  int begin = 1;
+  int end = count - 1;
+  while (begin < end && entries[begin] > depth)
+  {
+    ++begin;
+  }
+  while (begin < end && entries[end - 1] > depth)
+  {
+    --end;
+  }
+  return { begin, end };
+}
+
+SpanRows SpansOf(const FaceFrustum& frustum, const Occupancy& occupancy, int node)
+{
+  // Rows along x lie [z][y], those along y [z][x].
+  const bool neighbours = frustum.axisV < frustum.axisW;
+  const int first = neighbours ? 0 : node;
+  const int second = neighbours ? node : 0;
+  return { &occupancy.Row(frustum.axisU, first, second),
+    neighbours ? 1 : occupancy.RowStride(frustum.axisU) };
+}
+
+std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupancy,
+  const RaySource& source, const PlanSettings& settings)
+{
+  std::vector<PlannedFrustum> frusta;
+  if (!grid.HasVolume())
+  {
+    return frusta;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double sign : { 1.0, -1.0 })
+    {
+      const bool wanted = settings.depthAxes[std::size_t(axis)] &&
+        (!source.parallel || (frusta.empty() && RunAlong(source, axis, sign)));
+      if (!wanted)
+      {
+        continue;
+      }
+      PlannedFrustum frustum = MakeFrustum(grid, occupancy, source, axis, sign, settings);
+      if (frustum.RayCount() > 0)
+      {
+        frusta.push_back(std::move(frustum));
+      }
+    }
+  }
+  // A policy sweep gains most if the largest comes last, see MetNextIterate.
+  std::stable_sort(frusta.begin(), frusta.end(),
+    [](const FaceFrustum& one, const FaceFrustum& other)
+    { return one.RayCount() * one.lastSlice < other.RayCount() * other.lastSlice; });
+  return frusta;
+}
+}

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/RowSampler.h"
+
+#include "backend/Backend.h"
+#include "sweep/Registers.h"
+#include "sweep/RowInterpolation.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+/// The two rows of voxels on both slices of a layer that a row of rays is interpolated from.
+struct FourRows
+{
+  const float* rows[2][2];
+
+  FourRows(const Slice& slice, int v, SliceWindow& field)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      this->rows[i][0] = field.Row(slice.nodes[i], v);
+      this->rows[i][1] = field.Row(slice.nodes[i], v + 1);
+    }
+  }
+};
+
+/// Columns of a field that a row of rays is interpolated from.
+Range<int> ColumnsRead(const LinearMap& map, const Range<int>& rays, const SliceWindow& field)
+{
+  return WholeRegisters(
+    { map.index[rays.begin], map.index[rays.end - 1] + 2 }, { 0, field.ColumnCount() });
+}
+
+/// Sources of an interpolation to `targets` and one more on either side, as cubics need them.
+Range<int> ReadByCubics(const LinearMap& map, const Range<int>& targets, int sources)
+{
+  if (targets.Empty())
+  {
+    return {};
+  }
+  const Range<int> read{ map.index[targets.begin] - 1, map.index[targets.end - 1] + 3 };
+  return Intersection(read, { 0, sources });
+}
+}
+
+std::size_t RowScratch(int columns)
+{
+  constexpr std::size_t readBeyond = 32;
+  return std::size_t(columns) + readBeyond;
+}
+
+void RayRow::EnterRow(const FaceFrustum& frustum, int number)
+{
+  this->row = frustum.StayOfRow(number);
+  this->columnEntry = frustum.Row(frustum.columnEntry);
+  this->columnExit = frustum.Row(frustum.columnExit);
+  this->length = frustum.Row(frustum.length, number);
+}
+
+bool RayRow::EnterLayer(const FaceFrustum& frustum, int s, int number)
+{
+  this->columns = frustum.ActiveRays(s, number);
+  if (this->columns.Empty())
+  {
+    return false;
+  }
+  const Slice& slice = frustum.SliceAt(s);
+  this->layer = slice.layer;
+  this->inside = slice.insideColumns;
+  return true;
+}
+
+RowSampler::RowSampler(const FaceFrustum& frustum, const RayStates& states, int row)
+  : Frustum(frustum)
+  , All(states)
+  , First(frustum.RayAt(0, row))
+  , RowNumber(row)
+{
+  const auto columns = std::size_t(frustum.columns);
+  const std::size_t blend = RowScratch(std::max(frustum.nodesU, frustum.columns));
+  float* memory = ThreadScratch(4 * columns + 2 * blend);
+  for (std::size_t half = 0; half < 2; ++half)
+  {
+    this->Samples.extinction[half] = memory + half * columns;
+    this->Samples.importance[half] = memory + (2 + half) * columns;
+    this->Samples.blend[half] = memory + 4 * columns + half * blend;
+    // Steps that count no importance do not read it, but it has to be somewhere.
+    this->Rays.extinction[half] = this->Rays.importance[half] = this->Samples.extinction[half];
+  }
+  this->Rays.EnterRow(frustum, row);
+}
+
+bool RowSampler::EnterLayer(int s, bool areaWeighted)
+{
+  this->S = s;
+  if (!this->Rays.EnterLayer(this->Frustum, s, this->RowNumber))
+  {
+    return false;
+  }
+  if (!areaWeighted)
+  {
+    this->Rays.layer.frontScale = this->Rays.layer.backScale = 1;
+  }
+  return true;
+}
+
+void RowSampler::SampleExtinction(Field field)
+{
+  this->SamplePlanes(field, this->Samples.extinction);
+  this->Rays.extinction[0] = this->Samples.extinction[0];
+  this->Rays.extinction[1] = this->Samples.extinction[1];
+}
+
+void RowSampler::SampleImportance(Field field)
+{
+  this->SamplePlanes(field, this->Samples.importance);
+  for (int half = 0; half < 2; ++half)
+  {
+    this->HideOutOfView(this->Samples.importance[half]);
+    this->Rays.importance[half] = this->Samples.importance[half];
+  }
+}
+
+void RowSampler::SampleExtinctionBehind(Field field)
+{
+  this->SampleBehind(field, this->Samples.extinction[0]);
+  this->Rays.extinction[0] = this->Rays.extinction[1] = this->Samples.extinction[0];
+}
+
+void RowSampler::SampleNothing()
+{
+  for (int half = 0; half < 2; ++half)
+  {
+    std::fill(this->Samples.extinction[half] + this->Rays.columns.begin,
+      this->Samples.extinction[half] + this->Rays.columns.end, 0.0f);
+    this->Rays.extinction[half] = this->Samples.extinction[half];
+  }
+}
+
+void RowSampler::SampleFrontImportance(Field field)
+{
+  this->SamplePlane(field, 0, this->Samples.importance[0]);
+  this->HideOutOfView(this->Samples.importance[0]);
+  this->Rays.importance[0] = this->Samples.importance[0];
+}
+
+void RowSampler::SampleRearImportance(Field field)
+{
+  float* rear = this->States().rearImportance;
+  this->SamplePlane(field, 1, rear);
+  this->HideOutOfView(rear);
+  this->Rays.importance[0] = this->Rays.importance[1] = rear;
+}
+
+bool RowSampler::SelectReadBySlice(int s, bool entered, const Range<int>& dimmed)
+{
+  const Slice& slice = this->Frustum.SliceAt(s);
+  if (slice.node < 0)
+  {
+    return false; // nobody reads at the source
+  }
+  const Range<int> sampled = entered ? this->Rays.columns : Range<int>{};
+  const Range<int> rows = ReadByCubics(
+    this->Frustum.Row(this->Frustum.voxelRows, s), slice.ownedRows, this->Frustum.rows);
+  const Range<int> read = ReadByCubics(
+    this->Frustum.Row(this->Frustum.voxelColumns, s), slice.ownedColumns, this->Frustum.columns);
+  this->Rays.columns = Intersection(read, Hull(sampled, dimmed));
+  if (!rows.Contains(this->RowNumber) || this->Rays.columns.Empty())
+  {
+    return false;
+  }
+  if (!entered)
+  {
+    this->Rays.layer = slice.layer;
+    this->SampleNothing();
+    return true;
+  }
+  const Range<int>& told = this->Rays.columns;
+  float* extinction = this->Samples.extinction[0];
+  std::fill(extinction + told.begin, extinction + std::max(told.begin, sampled.begin), 0.0f);
+  std::fill(extinction + std::min(told.end, sampled.end), extinction + told.end, 0.0f);
+  return true;
+}
+
+/// Of the rays that enter in front, a voxel beside one that does not reads up to three.
+Range<int> RowSampler::ColumnsFarFromSides() const
+{
+  constexpr int reach = 3;
+  const Range<int>& columns = this->Rays.columns;
+  const Range<int>& rows = this->Frustum.frontRows;
+  const Range<int> front{ this->Frustum.frontColumns.begin + reach,
+    this->Frustum.frontColumns.end - reach };
+  const bool nextToSide =
+    this->RowNumber < rows.begin + reach || this->RowNumber >= rows.end - reach;
+  return nextToSide || front.Empty() ? Range<int>{ columns.end, columns.end } : front;
+}
+
+void RowSampler::HideOutOfView(float* importance) const
+{
+  if (!this->Frustum.seesAll)
+  {
+    MultiplyRow(
+      importance, this->Frustum.Row(this->Frustum.inView, this->RowNumber), this->Rays.columns);
+  }
+}
+
+/// Brings what a later row of rays will read.
+LIMPID_INLINE void RowSampler::Prefetch(Field field, const Range<int>& columns) const
+{
+  const int later = std::min(this->RowNumber + 2, this->Frustum.rows - 1);
+  const int soon = this->Frustum.Row(this->Frustum.planeRows, 2 * Index(this->S)).index[later] + 1;
+  field->Prefetch(this->Frustum.SliceAt(this->S).nodes[0], soon, columns);
+}
+
+void RowSampler::SamplePlane(Field field, int half, float* out)
+{
+  const Slice& slice = this->Frustum.SliceAt(this->S);
+  const Index plane = 2 * Index(this->S) + half;
+  const LinearMap columns = this->Frustum.Row(this->Frustum.planeColumns, plane);
+  const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
+  const Range<int> read = ColumnsRead(columns, this->Rays.columns, *field);
+  this->Prefetch(field, read);
+  const FourRows four(slice, rows.index[this->RowNumber], *field);
+  BlendFourRows(four.rows, rows.weight[this->RowNumber], slice.fractions[half], read.begin,
+    read.end, this->Samples.blend[0]);
+  InterpolateRow(this->Samples.blend[0], columns, this->Rays.columns, out);
+}
+
+void RowSampler::SamplePlanes(Field field, float* const out[2])
+{
+  const Index plane = 2 * Index(this->S);
+  const LinearMap columns[2] = { this->Frustum.Row(this->Frustum.planeColumns, plane),
+    this->Frustum.Row(this->Frustum.planeColumns, plane + 1) };
+  const LinearMap rows[2] = { this->Frustum.Row(this->Frustum.planeRows, plane),
+    this->Frustum.Row(this->Frustum.planeRows, plane + 1) };
+  const int v = rows[0].index[this->RowNumber];
+  if (v != rows[1].index[this->RowNumber])
+  {
+    this->SamplePlane(field, 0, out[0]);
+    this->SamplePlane(field, 1, out[1]);
+    return;
+  }
+  const Range<int> read = Hull(ColumnsRead(columns[0], this->Rays.columns, *field),
+    ColumnsRead(columns[1], this->Rays.columns, *field));
+  this->Prefetch(field, read);
+  const float across[2] = { rows[0].weight[this->RowNumber], rows[1].weight[this->RowNumber] };
+  const Slice& slice = this->Frustum.SliceAt(this->S);
+  const FourRows four(slice, v, *field);
+  BlendFourRowsTwice(four.rows, across, slice.fractions, read.begin, read.end,
+    this->Samples.blend[0], this->Samples.blend[1]);
+  InterpolateRow(this->Samples.blend[0], columns[0], this->Rays.columns, out[0]);
+  InterpolateRow(this->Samples.blend[1], columns[1], this->Rays.columns, out[1]);
+}
+
+/// Where the rays meet the plane at the rear Gauss point, but on the slice behind.
+void RowSampler::SampleBehind(Field field, float* out)
+{
+  const Index plane = 2 * Index(this->S) + 1;
+  const LinearMap columns = this->Frustum.Row(this->Frustum.planeColumns, plane);
+  const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
+  const Range<int> read = ColumnsRead(columns, this->Rays.columns, *field);
+  this->Prefetch(field, read);
+  const FourRows four(this->Frustum.SliceAt(this->S), rows.index[this->RowNumber], *field);
+  BlendRows(four.rows[1][0], four.rows[1][1], rows.weight[this->RowNumber], read.begin, read.end,
+    this->Samples.blend[0]);
+  InterpolateRow(this->Samples.blend[0], columns, this->Rays.columns, out);
+}
+}

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How the processor visits rays: one row at a time, several columns in a vector register. It
+// samples fields and calls the steps of a kernel (RaySteps.h); RaySampler.h does so for one ray.
+
+#ifndef limpid_sweep_RowSampler_h
+#define limpid_sweep_RowSampler_h
+
+#include "backend/Simd.h"
+#include "sweep/RaySteps.h"
+#include "sweep/SliceWindow.h"
+
+namespace limpid
+{
+/// One row of rays in one layer. All arrays are indexed by column.
+struct RayRow
+{
+  Layer layer;
+  Range<float> row;         ///< where this row of rays is inside the box, as relative depths
+  const float* columnEntry; ///< where the columns are
+  const float* columnExit;
+  const float* length;        ///< world length per unit of depth
+  const float* extinction[2]; ///< at the Gauss points, front and rear [1/length]
+  const float* importance[2]; ///< [0, 1]
+  Range<int> columns;         ///< to be visited
+  Range<int> inside;          ///< those that are not clipped in u
+
+  /// Takes what row `number` is in all layers.
+  void EnterRow(const FaceFrustum& frustum, int number);
+
+  /// Takes what that row is in the layer behind slice `s`; the samples are left open. Returns
+  /// whether any of its rays have to be visited there.
+  bool EnterLayer(const FaceFrustum& frustum, int s, int number);
+
+  template <Passage passage>
+  LIMPID_INLINE RayInLayer<passage> At(int i) const
+  {
+    return { this->layer, this->length[i], { this->columnEntry[i], this->columnExit[i] }, this->row,
+      { this->extinction[0][i], this->extinction[1][i] },
+      { this->importance[0][i], this->importance[1][i] } };
+  }
+
+  /// Columns that are inside the box from the front of the layer to its back.
+  LIMPID_INLINE Range<int> Through() const
+  {
+    const float back = this->layer.front + this->layer.thickness;
+    const bool rowInside = this->row.begin <= this->layer.front && this->row.end >= back;
+    const Range<int> through = Intersection(this->columns, this->inside);
+    return rowInside && !through.Empty() ? through
+                                         : Range<int>{ this->columns.end, this->columns.end };
+  }
+};
+
+namespace detail
+{
+/// Calls step(ray, column) for all columns of a row.
+template <class Step>
+LIMPID_MULTIVERSION void StepThroughLayer(const RayRow& row, const Step& step)
+{
+  const RayRow rays = row; // copies: nothing that a step writes can be part of them
+  const Step body = step;
+  const Range<int> through = rays.Through();
+  const Range<int> clipped[2] = { { rays.columns.begin, through.begin },
+    { through.end, rays.columns.end } };
+  for (const Range<int>& part : clipped)
+  {
+    for (int i = part.begin; i < part.end; ++i)
+    {
+      body(rays.template At<Passage::Clipped>(i), i);
+    }
+  }
+#pragma GCC ivdep
+  for (int i = through.begin; i < through.end; ++i)
+  {
+    body(rays.template At<Passage::Through>(i), i);
+  }
+}
+
+/// Calls step(ray, column) for all columns of a row as if they were inside the box.
+template <class Step>
+LIMPID_MULTIVERSION void StepRegardless(const RayRow& row, const Step& step)
+{
+  const RayRow rays = row;
+  const Step body = step;
+#pragma GCC ivdep
+  for (int i = rays.columns.begin; i < rays.columns.end; ++i)
+  {
+    body(rays.template At<Passage::Through>(i), i);
+  }
+}
+
+/// Calls step(column) for some columns.
+template <class Step>
+LIMPID_MULTIVERSION void StepAlongRow(const Range<int>& columns, const Step& step)
+{
+  const Step body = step;
+  const int end = columns.end;
+#pragma GCC ivdep
+  for (int i = columns.begin; i < end; ++i)
+  {
+    body(i);
+  }
+}
+}
+
+/// A row of rays of a frustum, which enters one layer after the other.
+class RowSampler
+{
+public:
+  using Field = SliceWindow*;
+
+  /// Takes the calling thread's scratch memory.
+  RowSampler(const FaceFrustum& frustum, const RayStates& states, int row);
+
+  /// Selects the rays that have to be visited in the layer behind slice `s`; with `areaWeighted`
+  /// they widen (Deviation D1). Returns whether there are any.
+  bool EnterLayer(int s, bool areaWeighted);
+
+  /// Samples at both Gauss points of the layer.
+  void SampleExtinction(Field field);
+  void SampleImportance(Field field);
+
+  /// Takes the extinction on the slice behind the layer for that at both Gauss points.
+  void SampleExtinctionBehind(Field field);
+
+  /// Where there is no layer: nothing.
+  void SampleNothing();
+
+  /// Samples the importance at one Gauss point, at the rear one into RayStates::rearImportance.
+  void SampleFrontImportance(Field field);
+  void SampleRearImportance(Field field);
+
+  /// Takes what SampleRearImportance has left.
+  void RecallRearImportance() { this->Rays.importance[1] = this->States().rearImportance; }
+
+  /// Selects instead the rays that voxels of slice `s` read with cubics, as far as they have met
+  /// anything: the `dimmed` ones before, others in the layer if they entered it (`entered`). Where
+  /// they did not, samples are 0. Returns whether there are any.
+  bool SelectReadBySlice(int s, bool entered, const Range<int>& dimmed);
+
+  const FaceFrustum& Plan() const { return this->Frustum; }
+
+  /// What the rays of this row carry.
+  RayStates States() const { return this->All.From(this->First); }
+
+  template <class Step>
+  void ForEachInLayer(const Step& step) const
+  {
+    detail::StepThroughLayer(this->Rays, step);
+  }
+
+  template <class Step>
+  void ForEachRegardless(const Step& step) const
+  {
+    detail::StepRegardless(this->Rays, step);
+  }
+
+  template <class Step>
+  void ForEach(const Step& step) const
+  {
+    detail::StepAlongRow(this->Rays.columns, step);
+  }
+
+  /// Rays next to the sides of the box, and those that enter through one.
+  template <class Step>
+  void ForEachNearSides(const Step& step) const
+  {
+    const Range<int>& all = this->Rays.columns;
+    const Range<int> inner = this->ColumnsFarFromSides();
+    for (const Range<int>& columns :
+      { Range<int>{ all.begin, inner.begin }, Range<int>{ inner.end, all.end } })
+    {
+      RayRow part = this->Rays;
+      part.columns = Intersection(all, columns);
+      if (!part.columns.Empty())
+      {
+        detail::StepRegardless(part, step);
+      }
+    }
+  }
+
+private:
+  /// Rows of samples; `blend` is for what is not kept.
+  struct Scratch
+  {
+    float* extinction[2];
+    float* importance[2];
+    float* blend[2];
+  };
+
+  Range<int> ColumnsFarFromSides() const;
+  void SamplePlane(Field field, int half, float* out);
+  void SamplePlanes(Field field, float* const out[2]);
+  void SampleBehind(Field field, float* out);
+  void HideOutOfView(float* importance) const;
+  void Prefetch(Field field, const Range<int>& columns) const;
+
+  const FaceFrustum& Frustum;
+  RayStates All;
+  Index First; ///< ray of the row
+  int RowNumber;
+  int S = 0; ///< slice in front of the layer
+  RayRow Rays{};
+  Scratch Samples{};
+};
+
+/// Values that a row of samples takes: InterpolateRow reads beyond its end.
+std::size_t RowScratch(int columns);
+}
+
+#endif

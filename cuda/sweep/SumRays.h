@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Integrals over the domain, from what the rays have added up along their way.
+
+#ifndef limpid_sweep_SumRays_h
+#define limpid_sweep_SumRays_h
+
+#include "backend/Backend.h"
+#include "backend/SumOnDevice.h"
+#include "sweep/FrustumRays.h"
+
+#include <numeric>
+#include <vector>
+
+namespace limpid
+{
+/// Integrals over the domain of importance times extinction, with and without transmittance.
+struct Visible
+{
+  double visible = 0;      ///< S of Eq. (32) [length^2]
+  double unattenuated = 0; ///< its upper bound [length^2]
+
+  Visible& operator+=(const Visible& other)
+  {
+    this->visible += other.visible;
+    this->unattenuated += other.unattenuated;
+    return *this;
+  }
+
+  /// How much of what is important can be seen [0, 1].
+  double Fraction() const
+  {
+    return this->unattenuated > 0 ? this->visible / this->unattenuated : 0.0;
+  }
+};
+
+/// Sum of one value per ray, for an integral over the domain of what these are integrals of along
+/// their rays times scale^2; in a fixed order. `values`: per ray.
+double SumOfRays(const FaceFrustum& frustum, const float* values);
+
+namespace detail
+{
+/// What a ray of one of several frusta adds to an integral over the domain.
+struct WeightedRay
+{
+  struct Part
+  {
+    FaceFrustum frustum;
+    const float* values;
+    Index first; ///< number of its first ray among those of all frusta
+  };
+
+  static constexpr int mostParts = 6;
+  Part parts[mostParts];
+  int count = 0;
+
+  LIMPID_HD LIMPID_INLINE double operator()(Index number) const
+  {
+    int at = this->count - 1;
+    while (number < this->parts[at].first)
+    {
+      --at;
+    }
+    const Part& part = this->parts[at];
+    const FaceFrustum& frustum = part.frustum;
+    const Index ray = number - part.first;
+    const double shareU = frustum.Row(frustum.columnShare)[ray % frustum.columns];
+    const double shareV = frustum.Row(frustum.rowShare)[ray / frustum.columns];
+    return frustum.cellMeasure * shareU * shareV / double(frustum.Row(frustum.length)[ray]) *
+      part.values[ray];
+  }
+};
+}
+
+/// What all rays have seen, into `sum` on the device. Does not wait.
+template <class AnyDevice>
+void SumRays(std::vector<FrustumRays<AnyDevice>>& frusta, SumOnDevice<AnyDevice>& add, Visible* sum,
+  std::size_t)
+{
+  detail::WeightedRay visible;
+  detail::WeightedRay unattenuated;
+  Index count = 0;
+  for (FrustumRays<AnyDevice>& frustum : frusta)
+  {
+    const RayStates states = frustum.States();
+    visible.parts[visible.count++] = { frustum.Plan(), states.visible, count };
+    unattenuated.parts[unattenuated.count++] = { frustum.Plan(), states.unattenuated, count };
+    count += frustum.Plan().RayCount();
+  }
+  add("sum of rays", count, visible, &sum->visible);
+  add("sum of rays", count, unattenuated, &sum->unattenuated);
+}
+
+/// The processor sums row by row, and the frusta in cyclic order from `first`.
+inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, SumOnDevice<HostDevice>&,
+  Visible* sum, std::size_t first)
+{
+  *sum = {};
+  for (std::size_t i = 0; i < frusta.size(); ++i)
+  {
+    FrustumRays<HostDevice>& frustum = frusta[(first + i) % frusta.size()];
+    const RayStates states = frustum.States();
+    *sum +=
+      { SumOfRays(frustum.Plan(), states.visible), SumOfRays(frustum.Plan(), states.unattenuated) };
+  }
+}
+}
+
+#endif

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How the processor sweeps: its threads share the rows of a slice. A kernel says what happens to
+// the rays and to the voxels; SweepLaunches.h sweeps the same kernels on a device.
+
+#ifndef limpid_sweep_SweepRows_h
+#define limpid_sweep_SweepRows_h
+
+#include "backend/Backend.h"
+#include "sweep/FrustumRays.h"
+#include "sweep/VoxelRow.h"
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+namespace limpid
+{
+/// Rows of rays or voxels that are worth a task of their own.
+constexpr Index rowsPerTask = 8;
+
+/// The fields of a kernel as the processor reads them, slab by slab.
+class FieldWindows
+{
+public:
+  FieldWindows(const FrustumTables<HostDevice>& rays, const Occupancy* occupancy)
+    : Rays(rays)
+    , Occupied(occupancy)
+  {
+  }
+
+  /// Null for a field that is not there.
+  template <class Value>
+  SliceWindow* operator()(Value* field, const FieldUse& use)
+  {
+    if (!field)
+    {
+      return nullptr;
+    }
+    this->All.emplace_back(this->Rays.Plan(), this->Occupied, this->Rays.Slabs(), field, use);
+    return &this->All.back();
+  }
+
+  void Load(const Range<int>& slab)
+  {
+    for (SliceWindow& window : this->All)
+    {
+      window.Load(slab);
+    }
+  }
+
+  void Store(const Range<int>& slab)
+  {
+    for (SliceWindow& window : this->All)
+    {
+      window.Store(slab);
+    }
+  }
+
+private:
+  const FrustumTables<HostDevice>& Rays;
+  const Occupancy* Occupied;
+  std::deque<SliceWindow> All;
+};
+
+/// Front to back: every ray through all layers. `occupancy`: see SliceWindow.
+template <class Kernel>
+void SweepForward(
+  HostDevice&, FrustumRays<HostDevice>& rays, const Occupancy& occupancy, const Kernel& kernel)
+{
+  const FaceFrustum& frustum = rays.Plan();
+  const RayStates states = rays.States();
+  ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
+  FieldWindows windows(rays, &occupancy);
+  const auto rowKernel = kernel.With(windows);
+  for (const Range<int>& slab : SlabsOf(frustum))
+  {
+    windows.Load(slab);
+    ParallelFor(frustum.rows, rowsPerTask / 2,
+      [&](Index row)
+      {
+        RowSampler sampler(frustum, states, static_cast<int>(row));
+        for (int s = slab.begin; s < std::min(slab.end, frustum.lastSlice); ++s)
+        {
+          rowKernel.RayStep(sampler, s);
+        }
+      });
+  }
+}
+
+/**
+ * Back to front over all slices of voxels. On each slice the kernel first moves all rays to it
+ * (RayStep) and then does its work on the voxels of the slice (VoxelStep), which may depend on the
+ * rays of the whole slice; in the end it moves all rays out of the volume (LeaveStep). After
+ * each row of voxels there is a call of done(voxels, kernel, row).
+ */
+template <class Kernel, class Done>
+void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occupancy& occupancy,
+  const Kernel& kernel, const Done& done)
+{
+  const FaceFrustum& frustum = rays.Plan();
+  const RayStates states = rays.States();
+  ParallelFor(frustum.RayCount(), 8192, StartBehind{ states });
+  FieldWindows windows(rays, &occupancy);
+  const auto rowKernel = kernel.With(windows);
+  const auto forRays = [&](const auto& step)
+  {
+    ParallelFor(frustum.rows, rowsPerTask,
+      [&](Index row)
+      {
+        RowSampler sampler(frustum, states, static_cast<int>(row));
+        step(sampler);
+      });
+  };
+  const std::vector<Range<int>> slabs = SlabsOf(frustum);
+  for (std::size_t index = slabs.size(); index-- > 0;)
+  {
+    const Range<int>& slab = slabs[index];
+    windows.Load(slab);
+    for (int s = slab.end; s-- > std::max(slab.begin, frustum.firstNodeSlice);)
+    {
+      forRays([&](RowSampler& sampler) { rowKernel.RayStep(sampler, s); });
+      const Range<int> rows = frustum.SliceAt(s).ownedRows;
+      ParallelFor(rows.Length(), rowsPerTask,
+        [&](Index v)
+        {
+          VoxelRow voxels(frustum, s, rows.begin + static_cast<int>(v));
+          if (!voxels.Filled().Empty())
+          {
+            rowKernel.VoxelStep(voxels, states);
+            done(voxels, rowKernel, rows.begin + static_cast<int>(v));
+          }
+        });
+    }
+    if (index == 0)
+    {
+      forRays([&](RowSampler& sampler) { rowKernel.LeaveStep(sampler); });
+    }
+    windows.Store(slab);
+  }
+  ParallelFor(frustum.RayCount(), 8192, FinishBehind{ states });
+}
+
+/// The same of a kernel whose rays do not depend on what it does to the voxels. No images are kept.
+template <class Kernel>
+void SweepBackward(const std::shared_ptr<HostDevice>& device, FrustumRays<HostDevice>& rays,
+  const Occupancy& occupancy, const Kernel& kernel, DeviceArray<HostDevice, float>&)
+{
+  SweepBackwardByPhases(*device, rays, occupancy, kernel, [](const VoxelRow&, const auto&, int) {});
+}
+
+/// Front to back over all slices, the source's own included: on each, the kernel lets the rays tell
+/// what they have met and carries them on (RayStep); then the voxels of the slice read them.
+template <class Kernel>
+void SweepFrontToBack(const std::shared_ptr<HostDevice>&, FrustumRays<HostDevice>& rays,
+  const Kernel& kernel, DeviceArray<HostDevice, float>&)
+{
+  const FaceFrustum& frustum = rays.Plan();
+  const RayStates states = rays.States();
+  ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
+  FieldWindows windows(rays, nullptr);
+  const auto rowKernel = kernel.With(windows);
+  std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
+  for (const Range<int>& slab : SlabsOf(frustum))
+  {
+    windows.Load(slab);
+    for (int s = slab.begin; s < slab.end; ++s)
+    {
+      ParallelFor(frustum.rows, rowsPerTask,
+        [&](Index row)
+        {
+          Range<int>& met = dimmed[std::size_t(row)];
+          RowSampler sampler(frustum, states, static_cast<int>(row));
+          rowKernel.RayStep(sampler, s, met);
+          met = s < frustum.lastSlice ? Hull(met, frustum.ActiveRays(s, int(row))) : met;
+        });
+      const Slice& slice = frustum.SliceAt(s);
+      const Range<int> rows = slice.node < 0 ? Range<int>{} : slice.ownedRows;
+      ParallelFor(rows.Length(), rowsPerTask,
+        [&](Index v)
+        {
+          VoxelRow voxels(frustum, s, rows.begin + static_cast<int>(v));
+          rowKernel.VoxelStep(voxels, states);
+        });
+    }
+    windows.Store(slab);
+  }
+}
+}
+
+#endif

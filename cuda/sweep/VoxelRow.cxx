@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/VoxelRow.h"
+
+#include "backend/Backend.h"
+#include "sweep/Cubic.h"
+#include "sweep/HatMean.h"
+#include "sweep/Registers.h"
+#include "sweep/RowInterpolation.h"
+
+#include <algorithm>
+#include <array>
+
+namespace limpid
+{
+namespace
+{
+/// A row of voxels between two rows of rays.
+struct BetweenRows
+{
+  Index first;      ///< ray of the row in front
+  float weights[2]; ///< of the row in front and of the next one
+
+  /// `map`: of the voxel rows; `share`: by which the weights are multiplied.
+  BetweenRows(const FaceFrustum& frustum, const LinearMap& map, int v, float share)
+    : first(frustum.RayAt(0, map.index[v]))
+    , weights{ share * (1.0f - map.weight[v]), share * map.weight[v] }
+  {
+  }
+};
+
+/// The images that voxels see, in rows of `stride` rays.
+struct RayImageRows
+{
+  const float* transmittance;
+  const float* behind;
+  Index stride;
+};
+
+/// One row of voxels as a column of rays sees it.
+struct RowsAbout
+{
+  const float* transmittance[2];
+  const float* behind[2];
+  float weights[2];
+
+  LIMPID_INLINE RowsAbout(const RayImageRows& images, const BetweenRows& row)
+    : transmittance{ images.transmittance + row.first,
+      images.transmittance + row.first + images.stride }
+    , behind{ images.behind + row.first, images.behind + row.first + images.stride }
+    , weights{ row.weights[0], row.weights[1] }
+  {
+  }
+
+  LIMPID_INLINE void Add(int i, float& passed, float& seen) const
+  {
+    const float first = this->weights[0] * this->transmittance[0][i];
+    const float second = this->weights[1] * this->transmittance[1][i];
+    passed += first + second;
+    seen += first * this->behind[0][i] + second * this->behind[1][i];
+  }
+};
+
+/// Of a row of voxels between rows of rays.
+LIMPID_MULTIVERSION
+void SeeRow(const RayImageRows& images, const BetweenRows& row, const Range<int>& columns,
+  const SeenByVoxels& out)
+{
+  const RowsAbout own(images, row);
+  float* __restrict transmittance = out.transmittance;
+  float* __restrict behind = out.behind;
+#pragma GCC ivdep
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    float passed = 0;
+    float seen = 0;
+    own.Add(i, passed, seen);
+    transmittance[i] = passed;
+    behind[i] = seen;
+  }
+}
+
+/// Of three rows of voxels.
+LIMPID_MULTIVERSION
+void SeeRows(const RayImageRows& images, const std::array<BetweenRows, 3>& rows,
+  const Range<int>& columns, const SeenByVoxels& out)
+{
+  const RowsAbout before(images, rows[0]);
+  const RowsAbout own(images, rows[1]);
+  const RowsAbout after(images, rows[2]);
+  float* __restrict transmittance = out.transmittance;
+  float* __restrict behind = out.behind;
+#pragma GCC ivdep
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    float passed = 0;
+    float seen = 0;
+    before.Add(i, passed, seen);
+    own.Add(i, passed, seen);
+    after.Add(i, passed, seen);
+    transmittance[i] = passed;
+    behind[i] = seen;
+  }
+}
+
+LIMPID_MULTIVERSION
+void AverageAlongRow(const float* __restrict values, const float* __restrict sides,
+  const Range<int>& columns, float* __restrict out)
+{
+  for (int u = columns.begin; u < columns.end; ++u)
+  {
+    out[u] = HatMean(values[u - 1], values[u], values[u + 1], sides[u]);
+  }
+}
+
+/// Takes another transmittance for the mean, and so much more or less of what is behind.
+LIMPID_MULTIVERSION
+void ExchangeTransmittance(
+  const float* __restrict other, const Range<int>& columns, const SeenByVoxels& seen)
+{
+  float* __restrict transmittance = seen.transmittance;
+  float* __restrict behind = seen.behind;
+  for (int u = columns.begin; u < columns.end; ++u)
+  {
+    behind[u] = Exchanged(behind[u], transmittance[u], other[u]);
+    transmittance[u] = other[u];
+  }
+}
+
+/// What rays in `read` show to a row of voxels and, through it, to those beside it. `map`: of the
+/// voxel rows; `side`: SideWeight of the row.
+void SeeAcrossRows(const FaceFrustum& frustum, const LinearMap& map, int v, float side,
+  const RayImageRows& images, const Range<int>& read, const SeenByVoxels& out)
+{
+  if (side == 0)
+  {
+    SeeRow(images, { frustum, map, v, 1.0f }, read, out);
+    return;
+  }
+  SeeRows(images,
+    { { { frustum, map, std::max(v - 1, 0), side }, { frustum, map, v, 1.0f - 2.0f * side },
+      { frustum, map, std::min(v + 1, frustum.nodesV - 1), side } } },
+    read, out);
+}
+
+/// Of voxels whose rays enter through a side: the transmittance, in place of their density.
+struct TransmitFromDensity
+{
+  float depth;              ///< relative depth of the slice
+  float rowEntry;           ///< where rays enter in v or through the front
+  const float* columnEntry; ///< ... in u
+  float* values;
+
+  LIMPID_INLINE void operator()(Index u) const
+  {
+    const float entry =
+      this->rowEntry > this->columnEntry[u] ? this->rowEntry : this->columnEntry[u];
+    this->values[u] = Transmitted(this->values[u] * (this->depth - entry));
+  }
+};
+
+/// Targets in `targets` whose four sources for a cubic lie in `sources`.
+Range<int> CubicTargets(const int* index, const Range<int>& targets, const Range<int>& sources)
+{
+  const int* first = index + targets.begin;
+  const int* last = index + targets.end;
+  const int* begin = std::lower_bound(first, last, sources.begin + 1);
+  const int* end = std::lower_bound(begin, last, sources.end - 2);
+  return { static_cast<int>(begin - index), static_cast<int>(end - index) };
+}
+}
+
+VoxelRow::VoxelRow(const FaceFrustum& frustum, int s, int v)
+  : Frustum(frustum)
+  , Here(frustum.SliceAt(s))
+  , S(s)
+  , V(v)
+  , Changing(frustum.FilledVoxels(s, v))
+  , Active(frustum.ActiveVoxels(s, v))
+{
+  const auto nodes = std::size_t(frustum.nodesU);
+  const std::size_t row = RowScratch(std::max(frustum.nodesU, frustum.columns));
+  float* memory = ThreadScratch(3 * nodes + 3 * row + nodes + 2);
+  this->Means = { memory, memory + nodes };
+  this->Memory.importance = memory + 2 * nodes;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    this->Memory.rays[i] = memory + 3 * nodes + i * row;
+  }
+  this->Memory.voxels = memory + 3 * nodes + 3 * row + 1;
+}
+
+bool VoxelRow::FindSeen(const RayStates& rays, const float* behind)
+{
+  if (this->Active.Empty())
+  {
+    return false;
+  }
+  const SeenByVoxels alongRays{ this->Memory.rays[0], this->Memory.rays[1] };
+  SeeAcrossRows(this->Frustum, this->Rows(), this->V,
+    this->Frustum.Row(this->Frustum.rowSides, this->S)[this->V],
+    { rays.transmittance, behind, this->Frustum.columns }, this->RaysRead(this->Active), alongRays);
+  this->AverageVoxels(alongRays.transmittance, this->Means.transmittance);
+  this->AverageVoxels(alongRays.behind, this->Means.behind);
+  const Range<int> front = this->BetweenFrontRays(this->Active);
+  for (const Range<int>& side :
+    { Range<int>{ this->Active.begin, front.begin }, Range<int>{ front.end, this->Active.end } })
+  {
+    this->TransmitFromSide(rays, side, this->Memory.voxels);
+    ExchangeTransmittance(this->Memory.voxels, side, this->Means);
+  }
+  return true;
+}
+
+const float* VoxelRow::ImportanceInView(Field nodeImportance)
+{
+  const float* importance = this->Row(nodeImportance);
+  if (this->Frustum.seesAll)
+  {
+    return importance;
+  }
+  this->SampleRays(this->Frustum.Row(this->Frustum.inView), this->Active, this->Memory.importance);
+  MultiplyRow(this->Memory.importance, importance, this->Active);
+  return this->Memory.importance;
+}
+
+void VoxelRow::FindTransmittance(const RayStates& rays, float* transmittance)
+{
+  const Range<int> owned = this->Here.ownedColumns;
+  const float depth = this->Here.RelativeDepth();
+  // Ahead of its entry into the box a ray says nothing that four rays could bend by.
+  const LinearMap map = this->Columns();
+  const int row = this->Rows().index[this->V];
+  const Range<int> rows =
+    RaysEnteredBy(this->Frustum.Row(this->Frustum.rowEntry), this->Frustum.rows, depth);
+  const Range<int> cubic = row > rows.begin && row + 2 < rows.end
+    ? CubicTargets(map.index, owned,
+        RaysEnteredBy(this->Frustum.Row(this->Frustum.columnEntry), this->Frustum.columns, depth))
+    : Range<int>{};
+  if (cubic.Empty())
+  {
+    this->TransmitLinear(rays, owned, transmittance);
+    return;
+  }
+  const Range<int>& frontRows = this->Frustum.frontRows;
+  const Range<int> front = row > frontRows.begin && row + 2 < frontRows.end
+    ? CubicTargets(map.index, cubic, this->Frustum.frontColumns)
+    : Range<int>{ cubic.end, cubic.end };
+  this->TransmitLinear(rays, { owned.begin, cubic.begin }, transmittance);
+  for (const Range<int>& side :
+    { Range<int>{ cubic.begin, front.begin }, Range<int>{ front.end, cubic.end } })
+  {
+    this->SampleCubic(rays.density, side, transmittance);
+    this->TransmitDensity(side, transmittance);
+  }
+  this->SampleCubic(rays.transmittance, front, transmittance);
+  ClampRow(front, transmittance);
+  this->TransmitLinear(rays, { cubic.end, owned.end }, transmittance);
+}
+
+/// The rays that columns of voxels and those beside them are interpolated from.
+Range<int> VoxelRow::RaysRead(const Range<int>& columns) const
+{
+  const int* index = this->Columns().index;
+  const int first = std::max(columns.begin - 1, 0);
+  const int last = std::min(columns.end, this->Frustum.nodesU - 1);
+  return WholeRegisters({ index[first], index[last] + 2 }, { 0, this->Frustum.columns });
+}
+
+/// Those of some columns that lie between rays that enter in front; where there are none, the range
+/// ends with the columns.
+Range<int> VoxelRow::BetweenFrontRays(const Range<int>& columns) const
+{
+  const int row = this->Rows().index[this->V];
+  const int* firstVoxels = this->Frustum.Row(this->Frustum.firstVoxels, this->S);
+  // Both rays of a voxel have to.
+  const Range<int> front = Intersection(columns,
+    { firstVoxels[this->Frustum.frontColumns.begin],
+      firstVoxels[this->Frustum.frontColumns.end - 1] });
+  const bool rowInFront =
+    row >= this->Frustum.frontRows.begin && row + 1 < this->Frustum.frontRows.end;
+  return rowInFront && !front.Empty() ? front : Range<int>{ columns.end, columns.end };
+}
+
+void VoxelRow::SampleRays(const float* image, const Range<int>& columns, float* out)
+{
+  if (columns.Empty())
+  {
+    return;
+  }
+  const LinearMap map = this->Columns();
+  const Range<int> read = WholeRegisters(
+    { map.index[columns.begin], map.index[columns.end - 1] + 2 }, { 0, this->Frustum.columns });
+  const float* first = image + this->Frustum.RayAt(0, this->Rows().index[this->V]);
+  BlendRows(first, first + this->Frustum.columns, this->Rows().weight[this->V], read.begin,
+    read.end, this->Memory.rays[0]);
+  InterpolateRow(this->Memory.rays[0], map, columns, out);
+}
+
+/// Cubic interpolation of an image of the rays.
+void VoxelRow::SampleCubic(const float* image, const Range<int>& columns, float* out)
+{
+  if (columns.Empty())
+  {
+    return;
+  }
+  const LinearMap map = this->Columns();
+  const int begin = map.index[columns.begin];
+  const int end = map.index[columns.end - 1] + 2;
+  float* const blend = this->Memory.rays[0];
+  float* const curvature = this->Memory.rays[1];
+  float* const bend = this->Memory.rays[2];
+  const float* rows[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    rows[i] = image + this->Frustum.RayAt(0, this->Rows().index[this->V] - 1 + i);
+  }
+  BlendCubic(rows, this->Rows().weight[this->V], begin - 1, end + 1, blend);
+  Curve(blend, begin, end, curvature);
+  InterpolateRow(blend, map, columns, out);
+  InterpolateRow(curvature, map, columns, bend);
+  BendRow(map, bend, columns, out);
+}
+
+void VoxelRow::TransmitFromSide(const RayStates& rays, const Range<int>& columns, float* out)
+{
+  this->SampleRays(rays.density, columns, out);
+  this->TransmitDensity(columns, out);
+}
+
+/// Transmittance by linear interpolation; between rays that enter through a side, from their
+/// density, which knows where the voxel's own ray enters.
+void VoxelRow::TransmitLinear(const RayStates& rays, const Range<int>& columns, float* out)
+{
+  const Range<int> front = this->BetweenFrontRays(columns);
+  this->TransmitFromSide(rays, { columns.begin, front.begin }, out);
+  this->SampleRays(rays.transmittance, front, out);
+  this->TransmitFromSide(rays, { front.end, columns.end }, out);
+}
+
+void VoxelRow::TransmitDensity(const Range<int>& columns, float* densityToTransmittance) const
+{
+  const float rowEntry = this->Frustum.Row(this->Frustum.voxelRowEntry, this->S)[this->V];
+  detail::StepAlongRow(columns,
+    TransmitFromDensity{ this->Here.RelativeDepth(), std::max(rowEntry, this->Frustum.frontDepth),
+      this->Frustum.Row(this->Frustum.voxelColumnEntry, this->S), densityToTransmittance });
+}
+
+/// Interpolates a row of rays to the active voxels, and averages these.
+void VoxelRow::AverageVoxels(const float* rays, float* out)
+{
+  const int nodes = this->Frustum.nodesU;
+  float* voxels = this->Memory.voxels;
+  const Range<int> wide{ std::max(this->Active.begin - 1, 0),
+    std::min(this->Active.end + 1, nodes) };
+  InterpolateRow(rays, this->Columns(), wide, voxels);
+  voxels[-1] = voxels[0];
+  voxels[nodes] = voxels[nodes - 1];
+  AverageAlongRow(voxels, this->Frustum.Row(this->Frustum.columnSides, this->S), this->Active, out);
+}
+}
