@@ -3,31 +3,28 @@
 
 #include "Choices.h"
 
-#include "Refuse.h"
 #include "ScalarMapping.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 
+#include "math/Require.h"
+
 namespace limpid
 {
 void RequireChoice(const char* property, int value, int count)
 {
-  if (value < 0 || value >= count)
-  {
-    Refuse(property, " is ", value, " (there is no such choice). Set a number from 0 to ",
-      count - 1, ".");
-  }
+  LIMPID_REQUIRE(value >= 0 && value < count,
+    property << " is " << value << " (there is no such choice). Set a number from 0 to "
+             << (count - 1) << ".");
 }
 
 void RequireComponent(const char* property, vtkDataArray* array, int component)
 {
-  if (component < MagnitudeComponent || component >= array->GetNumberOfComponents())
-  {
-    Refuse(property, " is ", component, " (the array \"", NameOf(array), "\" has ",
-      array->GetNumberOfComponents(),
-      " components). Set a component from 0 on, or -1 for the magnitude.");
-  }
+  LIMPID_REQUIRE(component >= MagnitudeComponent && component < array->GetNumberOfComponents(),
+    property << " is " << component << " (the array \"" << NameOf(array) << "\" has "
+             << array->GetNumberOfComponents()
+             << " components). Set a component from 0 on, or -1 for the magnitude.");
 }
 
 std::string NameOf(vtkDataArray* array)

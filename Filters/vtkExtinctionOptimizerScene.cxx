@@ -6,9 +6,9 @@
 #include "vtkExtinctionOptimizerInternals.h"
 
 #include "Choices.h"
-#include "Refuse.h"
 #include "ScenePlacement.h"
 
+#include "math/Require.h"
 #include "optimize/Solver.h"
 
 #include <algorithm>
@@ -43,11 +43,10 @@ limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid&
   camera.aspect = this->Self->CameraAspectRatio;
   if (this->Self->AutomaticPlacement && limpid::IsUnplaced(camera))
   {
-    if (!(camera.viewAngle > 0 && camera.viewAngle < 180))
-    {
-      limpid::Refuse("CameraViewAngle is ", camera.viewAngle,
-        " degrees (no distance shows all of the data). Set an angle between 0 and 180 degrees.");
-    }
+    LIMPID_REQUIRE(camera.viewAngle > 0 && camera.viewAngle < 180,
+      "CameraViewAngle is "
+        << camera.viewAngle
+        << " degrees (no distance shows all of the data). Set an angle between 0 and 180 degrees.");
     limpid::PlaceCamera(grid, camera);
   }
   return camera;

@@ -6,7 +6,6 @@
 #include "AllCores.h"
 #include "Choices.h"
 #include "OptimizedViews.h"
-#include "Refuse.h"
 #include "SearchReport.h"
 #include "ViewpointData.h"
 
@@ -15,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include "backend/Choice.h"
+#include "math/Require.h"
 #include "optimize/PreparedScene.h"
 #include "viewpoint/Search.h"
 
@@ -84,13 +84,11 @@ void vtkViewpointSearch::Internals::Search(
   const int source =
     this->Self->Field == EXTINCTION_ARRAY ? int(ARRAY) : this->Self->ExtinctionSource;
   const limpid::ImageScene image = this->Reader.Read(input, source);
-  if (!image.grid.HasVolume())
-  {
-    limpid::Refuse("The image has ", image.grid.nodes.x, " x ", image.grid.nodes.y, " x ",
-      image.grid.nodes.z,
-      " points (without a volume nothing hides anything from any side). Give an image with at "
-      "least two points per axis.");
-  }
+  LIMPID_REQUIRE(image.grid.HasVolume(),
+    "The image has " << image.grid.nodes.x << " x " << image.grid.nodes.y << " x "
+                     << image.grid.nodes.z
+                     << " points (without a volume nothing hides anything from any side). Give an "
+                        "image with at least two points per axis.");
   const auto scene = std::make_shared<limpid::PreparedScene>(image.Fields());
   this->WarnOfSceneWithoutScore(*scene);
 
@@ -200,39 +198,33 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
   limpid::RequireChoice("Field", self->Field, 4);
   limpid::RequireChoice("Sampling", self->Sampling, 3);
   limpid::RequireSettings(this->MakeSettings());
-  if (self->NumberOfDirections < 1 || self->NumberOfDirections > LargestNumberOfDirections)
-  {
-    limpid::Refuse("NumberOfDirections is ", self->NumberOfDirections,
-      " (without any there is nothing to compare, and more than ", LargestNumberOfDirections,
-      " cannot be told apart). Set it between 1 and ", LargestNumberOfDirections, ".");
-  }
-  if (!(self->CameraDistance >= 1) || !std::isfinite(self->CameraDistance))
-  {
-    limpid::Refuse("CameraDistance is ", self->CameraDistance,
-      " radii of the sphere round the image (below 1 some of the cameras would stand inside the "
-      "image, and what is behind them could not be seen). Set it to 1 or more, for instance 3.");
-  }
-  if (!(self->CameraViewAngle > 0 && self->CameraViewAngle < 180))
-  {
-    limpid::Refuse("CameraViewAngle is ", self->CameraViewAngle,
-      " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
-  }
-  if (self->NumberOfViewpoints < 1)
-  {
-    limpid::Refuse("NumberOfViewpoints is ", self->NumberOfViewpoints,
-      " (a search is for at least one). Set it to 1 or more.");
-  }
-  if (!(self->SeparationAngle >= 0 && self->SeparationAngle <= 180))
-  {
-    limpid::Refuse("SeparationAngle is ", self->SeparationAngle,
-      " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
-  }
-  if (!(self->SphereRadius > 0) || !std::isfinite(self->SphereRadius))
-  {
-    limpid::Refuse("SphereRadius is ", self->SphereRadius,
-      " radii of the sphere round the image (there would be no surface to show scores on). Set it "
-      "above 0, for instance to 1.1.");
-  }
+  LIMPID_REQUIRE(
+    self->NumberOfDirections >= 1 && self->NumberOfDirections <= LargestNumberOfDirections,
+    "NumberOfDirections is " << self->NumberOfDirections
+                             << " (without any there is nothing to compare, and more than "
+                             << LargestNumberOfDirections
+                             << " cannot be told apart). Set it between 1 and "
+                             << LargestNumberOfDirections << ".");
+  LIMPID_REQUIRE(self->CameraDistance >= 1 && std::isfinite(self->CameraDistance),
+    "CameraDistance is "
+      << self->CameraDistance
+      << " radii of the sphere round the image (below 1 some of the cameras would stand inside the "
+         "image, and what is behind them could not be seen). Set it to 1 or more, for instance 3.");
+  LIMPID_REQUIRE(self->CameraViewAngle > 0 && self->CameraViewAngle < 180,
+    "CameraViewAngle is "
+      << self->CameraViewAngle
+      << " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
+  LIMPID_REQUIRE(self->NumberOfViewpoints >= 1,
+    "NumberOfViewpoints is " << self->NumberOfViewpoints
+                             << " (a search is for at least one). Set it to 1 or more.");
+  LIMPID_REQUIRE(self->SeparationAngle >= 0 && self->SeparationAngle <= 180,
+    "SeparationAngle is "
+      << self->SeparationAngle
+      << " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
+  LIMPID_REQUIRE(self->SphereRadius > 0 && std::isfinite(self->SphereRadius),
+    "SphereRadius is " << self->SphereRadius
+                       << " radii of the sphere round the image (there would be no surface to show "
+                          "scores on). Set it above 0, for instance to 1.1.");
 }
 
 void vtkViewpointSearch::Internals::WarnOfSceneWithoutScore(
@@ -258,15 +250,14 @@ limpid::Vec3 vtkViewpointSearch::Internals::FocalPoint(const limpid::Grid& grid)
   const double* point = this->Self->CameraFocalPoint;
   const limpid::Vec3 focalPoint(point[0], point[1], point[2]);
   const double offset = glm::distance(focalPoint, grid.Centre()) / grid.Radius();
-  if (!(this->Self->CameraDistance >= 1 + offset))
-  {
-    limpid::Refuse("CameraFocalPoint is ", point[0], " ", point[1], " ", point[2], ", ", offset,
-      " radii of the sphere round the image from its centre, and CameraDistance is ",
-      this->Self->CameraDistance,
-      " radii (some of the cameras would stand inside the image, and what is behind them could not "
-      "be seen). Move the focal point closer to the centre, or set CameraDistance to ",
-      1 + offset, " or more.");
-  }
+  LIMPID_REQUIRE(this->Self->CameraDistance >= 1 + offset,
+    "CameraFocalPoint is "
+      << point[0] << " " << point[1] << " " << point[2] << ", " << offset
+      << " radii of the sphere round the image from its centre, and CameraDistance is "
+      << this->Self->CameraDistance
+      << " radii (some of the cameras would stand inside the image, and what is behind them could "
+         "not be seen). Move the focal point closer to the centre, or set CameraDistance to "
+      << (1 + offset) << " or more.");
   return focalPoint;
 }
 

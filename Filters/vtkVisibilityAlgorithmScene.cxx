@@ -4,7 +4,6 @@
 #include "vtkVisibilityAlgorithmScene.h"
 
 #include "Choices.h"
-#include "Refuse.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -16,6 +15,8 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
+
+#include "math/Require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,24 +49,20 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   vtkInformationVector** inputVector) const
 {
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
-  if (!input || input->GetNumberOfPoints() == 0)
-  {
-    limpid::Refuse(
-      "The input has no points (there is nothing to be seen). Give it an image with data.");
-  }
+  LIMPID_REQUIRE(input && input->GetNumberOfPoints() > 0,
+    "The input has no points (there is nothing to be seen). Give it an image with data.");
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   const bool isWhole = !whole || std::equal(whole, whole + 6, input->GetExtent());
-  if (controller && controller->GetNumberOfProcesses() > 1 && !isWhole)
-  {
-    const int* extent = input->GetExtent();
-    limpid::Refuse("This process has only the extent ", extent[0], "..", extent[1], " ", extent[2],
-      "..", extent[3], " ", extent[4], "..", extent[5], " of ", whole[0], "..", whole[1], " ",
-      whole[2], "..", whole[3], " ", whole[4], "..", whole[5],
-      " (what hides a structure may lie in the rest, so the result would be wrong). Run with one "
-      "process, or read from a source that can give the whole image to each process.");
-  }
+  const int* extent = input->GetExtent();
+  LIMPID_REQUIRE(isWhole || !controller || controller->GetNumberOfProcesses() < 2,
+    "This process has only the extent "
+      << extent[0] << ".." << extent[1] << " " << extent[2] << ".." << extent[3] << " " << extent[4]
+      << ".." << extent[5] << " of " << whole[0] << ".." << whole[1] << " " << whole[2] << ".."
+      << whole[3] << " " << whole[4] << ".." << whole[5]
+      << " (what hides a structure may lie in the rest, so the result would be wrong). Run with "
+         "one process, or read from a source that can give the whole image to each process.");
   return input;
 }
 
@@ -73,13 +70,11 @@ void vtkVisibilityAlgorithm::SceneReader::RequireChoices() const
 {
   limpid::RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
   limpid::RequireChoice("Backend", this->Self->Backend, 3);
-  if (!(this->Self->ScalarOpacityUnitDistance >= 0) ||
-    !std::isfinite(this->Self->ScalarOpacityUnitDistance))
-  {
-    limpid::Refuse("ScalarOpacityUnitDistance is ", this->Self->ScalarOpacityUnitDistance,
-      " (opacity is light lost on a distance). Set a length above zero, or zero for the mean "
-      "length of a cell.");
-  }
+  LIMPID_REQUIRE(this->Self->ScalarOpacityUnitDistance >= 0 &&
+      std::isfinite(this->Self->ScalarOpacityUnitDistance),
+    "ScalarOpacityUnitDistance is " << this->Self->ScalarOpacityUnitDistance
+                                    << " (opacity is light lost on a distance). Set a length above "
+                                       "zero, or zero for the mean length of a cell.");
 }
 
 limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
@@ -144,15 +139,13 @@ vtkDataArray* vtkVisibilityAlgorithm::SceneReader::FindArray(
     array =
       fallback ? input->GetPointData()->GetArray(fallback) : input->GetPointData()->GetScalars();
   }
-  if (!array)
-  {
-    const char* wanted = named ? name : (fallback ? fallback : "(the active scalars)");
-    limpid::Refuse("The ", role, " array \"", wanted,
-      "\" is not among the input's numeric arrays (the scene cannot be made without it). Choose "
-      "one of these: of the points: ",
-      limpid::ArrayNames(input->GetPointData()),
-      "; of the cells: ", limpid::ArrayNames(input->GetCellData()), ".");
-  }
+  const char* wanted = named ? name : (fallback ? fallback : "(the active scalars)");
+  LIMPID_REQUIRE(array,
+    "The " << role << " array \"" << wanted
+           << "\" is not among the input's numeric arrays (the scene cannot be made without it). "
+              "Choose one of these: of the points: "
+           << limpid::ArrayNames(input->GetPointData())
+           << "; of the cells: " << limpid::ArrayNames(input->GetCellData()) << ".");
   onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
     (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
       input->GetPointData()->GetArray(array->GetName()) != array);
@@ -167,12 +160,9 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ImportanceSource(vtkIma
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
   if (this->Self->UseImportanceFunction)
   {
-    if (!this->Self->ImportanceFunction || this->Self->ImportanceFunction->GetSize() == 0)
-    {
-      limpid::Refuse(
-        "UseImportanceFunction is on, but ImportanceFunction has no points (no value would "
-        "have an importance). Add points to the function or turn it off.");
-    }
+    LIMPID_REQUIRE(this->Self->ImportanceFunction && this->Self->ImportanceFunction->GetSize() > 0,
+      "UseImportanceFunction is on, but ImportanceFunction has no points (no value would have an "
+      "importance). Add points to the function or turn it off.");
     source.mapping = limpid::Evaluate(this->Self->ImportanceFunction);
   }
   return source;
@@ -182,12 +172,10 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ExtinctionArray(vtkImag
 {
   limpid::FieldSource source;
   source.array = this->FindArray(2, "extinction", "BaseExtinction", input, source.onCells);
-  if (source.array->GetNumberOfComponents() != 1)
-  {
-    limpid::Refuse("The extinction array \"", limpid::NameOf(source.array), "\" has ",
-      source.array->GetNumberOfComponents(),
-      " components (extinction is one number per point). Choose an array with one component.");
-  }
+  LIMPID_REQUIRE(source.array->GetNumberOfComponents() == 1,
+    "The extinction array \""
+      << limpid::NameOf(source.array) << "\" has " << source.array->GetNumberOfComponents()
+      << " components (extinction is one number per point). Choose an array with one component.");
   return source;
 }
 

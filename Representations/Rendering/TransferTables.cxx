@@ -4,12 +4,13 @@
 #include "TransferTables.h"
 
 #include "AllCores.h"
-#include "Refuse.h"
 #include "ScalarMapping.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
+
+#include "math/Require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,11 +130,9 @@ TransferFunctions SampleFunctions(
   vtkVolumeProperty* property, double low, double high, const ValueUnit& unit)
 {
   const double unitDistance = property->GetScalarOpacityUnitDistance(0);
-  if (!(unitDistance > 0) || !std::isfinite(unitDistance))
-  {
-    Refuse("The scalar opacity unit distance is ", unitDistance,
-      " (opacity is light lost on a distance). Set a length above zero.");
-  }
+  LIMPID_REQUIRE(unitDistance > 0 && std::isfinite(unitDistance),
+    "The scalar opacity unit distance is "
+      << unitDistance << " (opacity is light lost on a distance). Set a length above zero.");
 
   const ScalarRange interval = SampledRange(property, low, high);
   const std::vector<double> colors = SampleColors(property, interval);

@@ -4,7 +4,6 @@
 #include "VolumeData.h"
 
 #include "AllCores.h"
-#include "Refuse.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -6,7 +6,6 @@
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
 #include "Choices.h"
-#include "Refuse.h"
 #include "ScenePlacement.h"
 
 #include "vtkCellData.h"
@@ -21,6 +20,8 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include "math/Require.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,29 +32,22 @@ constexpr int FieldFlag = 2;
 
 void RequireShare(const char* property, double value)
 {
-  if (!(value >= 0 && value <= 1))
-  {
-    limpid::Refuse(property, " is ", value, " (it is a share). Set a number from 0 to 1.");
-  }
+  LIMPID_REQUIRE(value >= 0 && value <= 1,
+    property << " is " << value << " (it is a share). Set a number from 0 to 1.");
 }
 
 void RequireNotNegative(const char* property, double value)
 {
-  if (!(value >= 0) || !std::isfinite(value))
-  {
-    limpid::Refuse(
-      property, " is ", value, " (less than none of it makes no sense). Set a number not below 0.");
-  }
+  LIMPID_REQUIRE(value >= 0 && std::isfinite(value),
+    property << " is " << value
+             << " (less than none of it makes no sense). Set a number not below 0.");
 }
 
 void RequirePositive(const char* property, double value)
 {
-  if (!(value > 0) || !std::isfinite(value))
-  {
-    limpid::Refuse(property, " is ", value,
-      " (a picture needs more than none of it). Set a number "
-      "above zero.");
-  }
+  LIMPID_REQUIRE(value > 0 && std::isfinite(value),
+    property << " is " << value
+             << " (a picture needs more than none of it). Set a number above zero.");
 }
 }
 
@@ -61,18 +55,12 @@ vtkImageData* vtkTransmittanceVolumeMapper::Internals::RequireImage() const
 {
   vtkDataObject* input = this->Self->GetDataObjectInput();
   vtkImageData* image = vtkImageData::SafeDownCast(input);
-  if (!image)
-  {
-    limpid::Refuse("The input is a ", input ? input->GetClassName() : "null pointer",
-      " (this mapper works on points at equal distances). Give it a vtkImageData, for instance "
-      "from "
-      "Resample To Image (vtkResampleToImage).");
-  }
-  if (image->GetNumberOfPoints() == 0)
-  {
-    limpid::Refuse("The input has 0 points (there is nothing to be seen). Give it an image with "
-                   "data.");
-  }
+  LIMPID_REQUIRE(image,
+    "The input is a " << (input ? input->GetClassName() : "null pointer")
+                      << " (this mapper works on points at equal distances). Give it a "
+                         "vtkImageData, for instance from Resample To Image (vtkResampleToImage).");
+  LIMPID_REQUIRE(image->GetNumberOfPoints() > 0,
+    "The input has 0 points (there is nothing to be seen). Give it an image with data.");
   return image;
 }
 
@@ -84,24 +72,21 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
   int flag = 0;
   source.array = vtkAbstractMapper::GetScalars(image, this->Self->GetScalarMode(),
     this->Self->GetArrayAccessMode(), this->Self->GetArrayId(), name, flag);
-  if (!source.array || flag == FieldFlag)
-  {
-    limpid::Refuse("The scalar array \"", name && *name ? name : "(the active scalars)",
-      "\" is not among the input's numeric arrays (there is nothing to be coloured). Choose one of "
-      "these: of the points: ",
-      limpid::ArrayNames(image->GetPointData()),
-      "; of the cells: ", limpid::ArrayNames(image->GetCellData()), ".");
-  }
+  LIMPID_REQUIRE(source.array && flag != FieldFlag,
+    "The scalar array \"" << (name && *name ? name : "(the active scalars)")
+                          << "\" is not among the input's numeric arrays (there is nothing to be "
+                             "coloured). Choose one of these: of the points: "
+                          << limpid::ArrayNames(image->GetPointData())
+                          << "; of the cells: " << limpid::ArrayNames(image->GetCellData()) << ".");
   source.onCells = flag == CellFlag;
 
   const int components = source.array->GetNumberOfComponents();
-  if (components > 1 && !volume->GetProperty()->GetIndependentComponents())
-  {
-    limpid::Refuse("The array \"", limpid::NameOf(source.array), "\" has ", components,
-      " dependent components, which are colours and opacities themselves (this mapper shows one "
-      "scalar through transfer functions). Turn IndependentComponents on (in ParaView: Map Scalars "
-      "on, separate opacity array and multi components mapping off) and choose a component.");
-  }
+  LIMPID_REQUIRE(components == 1 || volume->GetProperty()->GetIndependentComponents(),
+    "The array \"" << limpid::NameOf(source.array) << "\" has " << components
+                   << " dependent components, which are colours and opacities themselves (this "
+                      "mapper shows one scalar through transfer functions). Turn "
+                      "IndependentComponents on (in ParaView: Map Scalars on, separate opacity "
+                      "array and multi components mapping off) and choose a component.");
   if (components > 1 && this->Self->ScalarComponent == UNDECIDED)
   {
     this->Warn("The array \"" + limpid::NameOf(source.array) + "\" has " +
@@ -145,23 +130,20 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ImportanceSource(
   {
     source = scalars;
   }
-  if (!source.array)
-  {
-    limpid::Refuse("The importance array \"", name,
-      "\" is not among the input's numeric arrays (what is to be seen is not known). Choose one of "
-      "these: of the points: ",
-      limpid::ArrayNames(image->GetPointData()),
-      "; of the cells: ", limpid::ArrayNames(image->GetCellData()), "; or turn optimization off.");
-  }
+  LIMPID_REQUIRE(source.array,
+    "The importance array \"" << name
+                              << "\" is not among the input's numeric arrays (what is to be seen "
+                                 "is not known). Choose one of these: of the points: "
+                              << limpid::ArrayNames(image->GetPointData())
+                              << "; of the cells: " << limpid::ArrayNames(image->GetCellData())
+                              << "; or turn optimization off.");
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
   if (this->Self->UseImportanceFunction)
   {
     vtkPiecewiseFunction* function = this->Self->ImportanceFunction;
-    if (!function || function->GetSize() == 0)
-    {
-      limpid::Refuse("UseImportanceFunction is on, but ImportanceFunction has no points (no value "
-                     "would have an importance). Add points to the function or turn it off.");
-    }
+    LIMPID_REQUIRE(function && function->GetSize() > 0,
+      "UseImportanceFunction is on, but ImportanceFunction has no points (no value would have an "
+      "importance). Add points to the function or turn it off.");
     source.mapping = limpid::Evaluate(function);
   }
   return source;
@@ -207,11 +189,10 @@ void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
   limpid::RequireChoice("LightType", self->LightType, 2);
   RequireShare("ShadowStrength", self->ShadowStrength);
   RequireShare("Ambient", self->Ambient);
-  if (!(std::abs(self->Anisotropy) < 1))
-  {
-    limpid::Refuse("Anisotropy is ", self->Anisotropy,
-      " (the phase function has no such parameter). Set a number above -1 and below 1.");
-  }
+  LIMPID_REQUIRE(std::abs(self->Anisotropy) < 1,
+    "Anisotropy is "
+      << self->Anisotropy
+      << " (the phase function has no such parameter). Set a number above -1 and below 1.");
   RequireNotNegative("Specular", self->Specular);
   RequireNotNegative("SpecularPower", self->SpecularPower);
   RequireNotNegative("LightIntensity", self->LightIntensity);
