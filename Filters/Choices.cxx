@@ -5,13 +5,29 @@
 
 #include "ScalarMapping.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
 
 #include "math/Require.h"
 
 namespace limpid
 {
+namespace
+{
+std::string NamesIn(vtkFieldData* attributes)
+{
+  std::string names;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    const char* name = attributes->GetArrayName(i);
+    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
+  }
+  return names.empty() ? "none" : names;
+}
+}
+
 void RequireChoice(const char* property, int value, int count)
 {
   LIMPID_REQUIRE(value >= 0 && value < count,
@@ -32,14 +48,9 @@ std::string NameOf(vtkDataArray* array)
   return array->GetName() ? array->GetName() : "(no name)";
 }
 
-std::string ArrayNames(vtkFieldData* attributes)
+std::string ArrayNames(vtkDataSet* data)
 {
-  std::string names;
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    const char* name = attributes->GetArrayName(i);
-    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
-  }
-  return names.empty() ? "none" : names;
+  return "of the points: " + NamesIn(data->GetPointData()) +
+    "; of the cells: " + NamesIn(data->GetCellData());
 }
 }

@@ -34,6 +34,7 @@ vtkViewpointSearch::vtkViewpointSearch()
   : State(new Internals(this))
 {
   this->SetNumberOfOutputPorts(3);
+  this->SetMaximumIterations(1);
 }
 
 vtkViewpointSearch::~vtkViewpointSearch() = default;
@@ -118,5 +119,4 @@ void vtkViewpointSearch::PrintSelf(ostream& os, vtkIndent indent)
   print("SeparationAngle", this->SeparationAngle);
   print("Refine", this->Refine);
   print("SphereRadius", this->SphereRadius);
-  print("MaximumIterations", this->MaximumIterations);
 }

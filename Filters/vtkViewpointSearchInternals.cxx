@@ -7,6 +7,7 @@
 #include "Choices.h"
 #include "OptimizedViews.h"
 #include "SearchReport.h"
+#include "SettingsConversion.h"
 #include "ViewpointData.h"
 
 #include "vtkImageData.h"
@@ -122,12 +123,12 @@ void vtkViewpointSearch::Internals::SearchOneField(
   const limpid::PreparedScene& scene, limpid::FoundViews& found) const
 {
   const limpid::SceneFields& fields = scene.Arrays();
+  const limpid::Settings settings = this->MakeSettings();
   const std::vector<float> proxy = this->Self->Field == IMPORTANCE_PROXY
     ? ProxyOf(fields, scene.Majorant())
     : std::vector<float>();
   const limpid::ViewScore score(fields.grid, proxy.empty() ? fields.baseExtinction : proxy.data(),
-    fields.importance, this->Self->RayDensity,
-    static_cast<limpid::BackendKind>(this->Self->Backend));
+    fields.importance, settings.rayDensity, settings.backend);
   found.backend = score.BackendName();
   this->ScoreAndFind([&](const limpid::SearchProgress& progress)
     { return limpid::ScoreViews(score, found.orbit, found.sphere.directions, progress); },
@@ -247,12 +248,11 @@ limpid::Vec3 vtkViewpointSearch::Internals::FocalPoint(const limpid::Grid& grid)
   {
     return grid.Centre();
   }
-  const double* point = this->Self->CameraFocalPoint;
-  const limpid::Vec3 focalPoint(point[0], point[1], point[2]);
+  const limpid::Vec3 focalPoint = limpid::ToVec3(this->Self->CameraFocalPoint);
   const double offset = glm::distance(focalPoint, grid.Centre()) / grid.Radius();
   LIMPID_REQUIRE(this->Self->CameraDistance >= 1 + offset,
     "CameraFocalPoint is "
-      << point[0] << " " << point[1] << " " << point[2] << ", " << offset
+      << focalPoint.x << " " << focalPoint.y << " " << focalPoint.z << ", " << offset
       << " radii of the sphere round the image from its centre, and CameraDistance is "
       << this->Self->CameraDistance
       << " radii (some of the cameras would stand inside the image, and what is behind them could "
@@ -279,8 +279,8 @@ limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid)
 
 limpid::Settings vtkViewpointSearch::Internals::MakeSettings() const
 {
-  limpid::Settings settings = this->Reader.MakeSettings();
-  settings.maximumIterations = this->Self->MaximumIterations;
+  limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
+  settings.restrictToView = false; // all of the image counts, whatever a picture would show
   return settings;
 }
 

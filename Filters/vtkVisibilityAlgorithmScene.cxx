@@ -4,6 +4,7 @@
 #include "vtkVisibilityAlgorithmScene.h"
 
 #include "Choices.h"
+#include "SettingsConversion.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -68,11 +69,11 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
 
 void vtkVisibilityAlgorithm::SceneReader::RequireChoices() const
 {
+  limpid::RequireChoices(this->Self->Settings);
   limpid::RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
-  limpid::RequireChoice("Backend", this->Self->Backend, 3);
-  LIMPID_REQUIRE(this->Self->ScalarOpacityUnitDistance >= 0 &&
-      std::isfinite(this->Self->ScalarOpacityUnitDistance),
-    "ScalarOpacityUnitDistance is " << this->Self->ScalarOpacityUnitDistance
+  const double unitDistance = this->Self->ScalarOpacityUnitDistance;
+  LIMPID_REQUIRE(unitDistance >= 0 && std::isfinite(unitDistance),
+    "ScalarOpacityUnitDistance is " << unitDistance
                                     << " (opacity is light lost on a distance). Set a length above "
                                        "zero, or zero for the mean length of a cell.");
 }
@@ -94,17 +95,6 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
     vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
   }
   return scene;
-}
-
-limpid::Settings vtkVisibilityAlgorithm::SceneReader::MakeSettings() const
-{
-  limpid::Settings settings;
-  settings.weights.regularization = this->Self->RegularizationWeight;
-  settings.weights.view = this->Self->ViewWeight;
-  settings.weights.light = this->Self->LightWeight;
-  settings.rayDensity = this->Self->RayDensity;
-  settings.backend = static_cast<limpid::BackendKind>(this->Self->Backend);
-  return settings;
 }
 
 // vtkAlgorithm::CheckAbort came between VTK's releases 9.2 and 9.3; ParaView 5.11 has it.
@@ -143,9 +133,8 @@ vtkDataArray* vtkVisibilityAlgorithm::SceneReader::FindArray(
   LIMPID_REQUIRE(array,
     "The " << role << " array \"" << wanted
            << "\" is not among the input's numeric arrays (the scene cannot be made without it). "
-              "Choose one of these: of the points: "
-           << limpid::ArrayNames(input->GetPointData())
-           << "; of the cells: " << limpid::ArrayNames(input->GetCellData()) << ".");
+              "Choose one of these: "
+           << limpid::ArrayNames(input) << ".");
   onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
     (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
       input->GetPointData()->GetArray(array->GetName()) != array);
@@ -156,15 +145,9 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ImportanceSource(vtkIma
 {
   limpid::FieldSource source;
   source.array = this->FindArray(1, "importance", "Importance", input, source.onCells);
-  source.component = this->Self->ImportanceComponent;
+  source.component = this->Self->Settings->GetImportanceComponent();
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
-  if (this->Self->UseImportanceFunction)
-  {
-    LIMPID_REQUIRE(this->Self->ImportanceFunction && this->Self->ImportanceFunction->GetSize() > 0,
-      "UseImportanceFunction is on, but ImportanceFunction has no points (no value would have an "
-      "importance). Add points to the function or turn it off.");
-    source.mapping = limpid::Evaluate(this->Self->ImportanceFunction);
-  }
+  source.mapping = limpid::ImportanceMapping(this->Self->Settings);
   return source;
 }
 
@@ -184,7 +167,7 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::OpacityOfScalars(
 {
   limpid::FieldSource source;
   source.array = this->FindArray(0, "scalar", nullptr, input, source.onCells);
-  source.component = this->Self->ScalarComponent;
+  source.component = this->Self->Settings->GetScalarComponent();
   limpid::RequireComponent("ScalarComponent", source.array, source.component);
   vtkPiecewiseFunction* function = this->Self->ScalarOpacityFunction;
   if (function && function->GetSize() > 0)

@@ -20,7 +20,7 @@ struct ImageScene
   double unitDistance = 1; ///< of opacities [length]
   SceneArrays arrays;
 
-  /// The same for the core; the arrays stay here.
+  /// What the core takes of it; the arrays stay here.
   SceneFields Fields() const;
 };
 }
@@ -41,9 +41,6 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// The scene of the input, with the base extinction from `extinctionSource`. Warns of values that
   /// cannot be used.
   limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
-
-  /// Weights, ray density and backend.
-  limpid::Settings MakeSettings() const;
 
   /// Whether the user wants to stop. Call it from the thread of the request.
   bool IsAborted() const;

@@ -12,30 +12,12 @@
     this->State->Mapper->Set##name(value);                                                         \
   }
 
-LIMPID_FORWARD(ImportanceComponent, int)
-LIMPID_FORWARD(UseImportanceFunction, int)
-LIMPID_FORWARD(ImportanceFunction, vtkPiecewiseFunction*)
 LIMPID_FORWARD(Method, int)
 LIMPID_FORWARD(Optimization, int)
 LIMPID_FORWARD(PauseOptimization, int)
-LIMPID_FORWARD(ViewWeight, double)
-LIMPID_FORWARD(LightWeight, double)
-LIMPID_FORWARD(RegularizationWeight, double)
-LIMPID_FORWARD(Mode, int)
-LIMPID_FORWARD(RestrictToView, int)
-LIMPID_FORWARD(Solver, int)
-LIMPID_FORWARD(MaximumIterations, int)
-LIMPID_FORWARD(LearningRate, double)
-LIMPID_FORWARD(Tolerance, double)
-LIMPID_FORWARD(MaximumSeconds, double)
-LIMPID_FORWARD(Derivative, int)
-LIMPID_FORWARD(RayDensity, double)
-LIMPID_FORWARD(SkipUnneeded, int)
-LIMPID_FORWARD(Backend, int)
 LIMPID_FORWARD(Shadows, int)
 LIMPID_FORWARD(ShadowStrength, double)
 LIMPID_FORWARD(LightSource, int)
-LIMPID_FORWARD(LightType, int)
 LIMPID_FORWARD(LightIntensity, double)
 LIMPID_FORWARD(SampleDistance, double)
 LIMPID_FORWARD(Jitter, int)
@@ -46,21 +28,16 @@ LIMPID_FORWARD(ProgressiveStill, int)
 
 #undef LIMPID_FORWARD
 
+vtkVisibilitySettings* vtkOptimizedVolumeRepresentation::GetVisibilitySettings()
+{
+  return this->State->Mapper->GetVisibilitySettings();
+}
+
 void vtkOptimizedVolumeRepresentation::SetImportanceArray(int vtkNotUsed(index),
   int vtkNotUsed(port), int vtkNotUsed(connection), int association, const char* name)
 {
   this->State->ImportanceAssociation = association;
   this->State->ImportanceArray = name ? name : "";
-}
-
-void vtkOptimizedVolumeRepresentation::SetIterationsPerLevel(int quarter, int half, int full)
-{
-  this->State->Mapper->SetIterationsPerLevel(quarter, half, full);
-}
-
-void vtkOptimizedVolumeRepresentation::SetLightPosition(double x, double y, double z)
-{
-  this->State->Mapper->SetLightPosition(x, y, z);
 }
 
 void vtkOptimizedVolumeRepresentation::SetVolumeAmbient(double ambient)

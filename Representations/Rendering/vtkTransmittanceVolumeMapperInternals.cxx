@@ -123,10 +123,11 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   const limpid::FieldSource scalars = this->ScalarSource(image, volume);
   this->Data.UpdateScalars(image, scalars, this->CropRegionOf(volume));
   this->Data.UpdateFunctions(volume->GetProperty());
+  vtkPiecewiseFunction* importanceFunction = this->Self->GetImportanceFunction();
   try
   {
     this->Data.UpdateImportance(image, this->ImportanceSource(image, scalars),
-      this->Self->ImportanceFunction ? this->Self->ImportanceFunction->GetMTime() : 0);
+      importanceFunction ? importanceFunction->GetMTime() : 0);
   }
   catch (const std::exception& error)
   {

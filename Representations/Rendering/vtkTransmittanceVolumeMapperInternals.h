@@ -47,7 +47,6 @@ struct vtkTransmittanceVolumeMapper::Internals
   void RequireAvailableChoices() const;
   limpid::FrameSettings MakeFrameSettings(vtkVolume* volume);
   void LeaveToOneProcess(limpid::FrameSettings& frame);
-  limpid::Settings MakeSettings() const;
   limpid::Lighting MakeLighting() const;
 
   // Messages about what is drawn otherwise than it was meant

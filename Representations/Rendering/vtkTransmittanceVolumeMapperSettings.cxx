@@ -6,7 +6,7 @@
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
 #include "Choices.h"
-#include "ScenePlacement.h"
+#include "SettingsConversion.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -75,9 +75,8 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
   LIMPID_REQUIRE(source.array && flag != FieldFlag,
     "The scalar array \"" << (name && *name ? name : "(the active scalars)")
                           << "\" is not among the input's numeric arrays (there is nothing to be "
-                             "coloured). Choose one of these: of the points: "
-                          << limpid::ArrayNames(image->GetPointData())
-                          << "; of the cells: " << limpid::ArrayNames(image->GetCellData()) << ".");
+                             "coloured). Choose one of these: "
+                          << limpid::ArrayNames(image) << ".");
   source.onCells = flag == CellFlag;
 
   const int components = source.array->GetNumberOfComponents();
@@ -87,15 +86,15 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
                       "mapper shows one scalar through transfer functions). Turn "
                       "IndependentComponents on (in ParaView: Map Scalars on, separate opacity "
                       "array and multi components mapping off) and choose a component.");
-  if (components > 1 && this->Self->ScalarComponent == UNDECIDED)
+  const int chosen = this->Self->GetScalarComponent();
+  if (components > 1 && chosen == UNDECIDED)
   {
     this->Warn("The array \"" + limpid::NameOf(source.array) + "\" has " +
       std::to_string(components) +
       " components (this mapper shows one scalar): the magnitude is shown. Set ScalarComponent to "
       "a component from 0 on, or to -1 for the magnitude.");
   }
-  source.component = this->Self->ScalarComponent == UNDECIDED ? limpid::MagnitudeComponent
-                                                              : this->Self->ScalarComponent;
+  source.component = chosen == UNDECIDED ? limpid::MagnitudeComponent : chosen;
   limpid::RequireComponent("ScalarComponent", source.array, source.component);
   return source;
 }
@@ -125,27 +124,18 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ImportanceSource(
   const std::string name = given.empty() ? "Importance" : given;
   limpid::FieldSource source;
   source.array = this->FindImportance(image, name, source.onCells);
-  source.component = this->Self->ImportanceComponent;
-  if (!source.array && given.empty() && this->Self->UseImportanceFunction)
+  source.component = this->Self->GetImportanceComponent();
+  if (!source.array && given.empty() && this->Self->GetUseImportanceFunction())
   {
     source = scalars;
   }
   LIMPID_REQUIRE(source.array,
     "The importance array \"" << name
                               << "\" is not among the input's numeric arrays (what is to be seen "
-                                 "is not known). Choose one of these: of the points: "
-                              << limpid::ArrayNames(image->GetPointData())
-                              << "; of the cells: " << limpid::ArrayNames(image->GetCellData())
-                              << "; or turn optimization off.");
+                                 "is not known). Choose one of these: "
+                              << limpid::ArrayNames(image) << "; or turn optimization off.");
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
-  if (this->Self->UseImportanceFunction)
-  {
-    vtkPiecewiseFunction* function = this->Self->ImportanceFunction;
-    LIMPID_REQUIRE(function && function->GetSize() > 0,
-      "UseImportanceFunction is on, but ImportanceFunction has no points (no value would have an "
-      "importance). Add points to the function or turn it off.");
-    source.mapping = limpid::Evaluate(function);
-  }
+  source.mapping = limpid::ImportanceMapping(this->Self->Settings);
   return source;
 }
 
@@ -181,12 +171,8 @@ void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
   const vtkTransmittanceVolumeMapper* self = this->Self;
   limpid::RequireChoice("Method", self->Method, 5);
   limpid::RequireChoice("Optimization", self->Optimization, 3);
-  limpid::RequireChoice("Mode", self->Mode, 2);
-  limpid::RequireChoice("Solver", self->Solver, 2);
-  limpid::RequireChoice("Derivative", self->Derivative, 2);
-  limpid::RequireChoice("Backend", self->Backend, 3);
   limpid::RequireChoice("LightSource", self->LightSource, 2);
-  limpid::RequireChoice("LightType", self->LightType, 2);
+  limpid::RequireChoices(self->Settings);
   RequireShare("ShadowStrength", self->ShadowStrength);
   RequireShare("Ambient", self->Ambient);
   LIMPID_REQUIRE(std::abs(self->Anisotropy) < 1,
@@ -199,27 +185,6 @@ void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
   RequireNotNegative("EaseTime", self->EaseTime);
   RequirePositive("SampleDistance", self->SampleDistance);
   RequirePositive("InteractiveFrameTime", self->InteractiveFrameTime);
-}
-
-limpid::Settings vtkTransmittanceVolumeMapper::Internals::MakeSettings() const
-{
-  limpid::Settings settings;
-  settings.weights.regularization = this->Self->RegularizationWeight;
-  settings.weights.view = this->Self->ViewWeight;
-  settings.weights.light = this->Self->LightWeight;
-  settings.mode = static_cast<limpid::Mode>(this->Self->Mode);
-  settings.solver = static_cast<limpid::SolverKind>(this->Self->Solver);
-  settings.maximumIterations = this->Self->MaximumIterations;
-  std::copy_n(this->Self->IterationsPerLevel, 3, settings.iterationsPerLevel.begin());
-  settings.learningRate = this->Self->LearningRate;
-  settings.tolerance = this->Self->Tolerance;
-  settings.maximumSeconds = this->Self->MaximumSeconds;
-  settings.derivative = static_cast<limpid::Derivative>(this->Self->Derivative);
-  settings.rayDensity = this->Self->RayDensity;
-  settings.skipUnneeded = this->Self->SkipUnneeded != 0;
-  settings.restrictToView = this->Self->RestrictToView != 0;
-  settings.backend = static_cast<limpid::BackendKind>(this->Self->Backend);
-  return settings;
 }
 
 limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
@@ -264,14 +229,12 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.optimize = self->Method == OPTIMIZED && self->Optimization != OFF;
   frame.once = self->Optimization == ONCE;
   frame.paused = self->PauseOptimization != 0;
-  frame.solver = this->MakeSettings();
+  frame.solver = limpid::SettingsOf(self->Settings);
   frame.solver.Require();
   frame.lighting = this->MakeLighting();
   frame.lit = self->Shadows || volume->GetProperty()->GetShade(0);
   frame.hasOwnLight = self->LightSource == OWN;
-  frame.ownLight.type = static_cast<limpid::LightType>(self->LightType);
-  frame.ownLight.position =
-    limpid::Vec3(self->LightPosition[0], self->LightPosition[1], self->LightPosition[2]);
+  frame.ownLight = limpid::LightOf(self->Settings, limpid::Vec3(0.0));
   frame.sampleDistance = self->SampleDistance;
   frame.jitter = self->Jitter != 0;
   frame.frameTime = self->InteractiveFrameTime;
