@@ -18,8 +18,7 @@ import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 vars(simple).update(OcclusionPhantom=OcclusionPhantom)
-XML = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Representations",
-                   "LimpidRepresentations.xml")
+XML = os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml")
 
 
 def image_source(dimensions, spacing=(1, 1, 1), **arrays):
