@@ -169,17 +169,22 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::OpacityOfScalars(
   source.array = this->FindArray(0, "scalar", nullptr, input, source.onCells);
   source.component = this->Self->Settings->GetScalarComponent();
   limpid::RequireComponent("ScalarComponent", source.array, source.component);
+  const limpid::ScalarMapping opacity = this->OpacityMapping(source);
+  source.mapping = [opacity, unitDistance](double value)
+  { return limpid::ExtinctionOfOpacity(opacity(value), unitDistance); };
+  return source;
+}
+
+limpid::ScalarMapping vtkVisibilityAlgorithm::SceneReader::OpacityMapping(
+  const limpid::FieldSource& scalars) const
+{
   vtkPiecewiseFunction* function = this->Self->ScalarOpacityFunction;
   if (function && function->GetSize() > 0)
   {
-    source.mapping = limpid::ExtinctionOfOpacity(limpid::Evaluate(function), unitDistance);
+    return limpid::Evaluate(function);
   }
-  else
-  {
-    double low = 0;
-    double high = 0;
-    limpid::FiniteRange(source.array, source.component, low, high);
-    source.mapping = limpid::ExtinctionOfOpacity(limpid::Ramp(low, high), unitDistance);
-  }
-  return source;
+  double low = 0;
+  double high = 0;
+  limpid::FiniteRange(scalars.array, scalars.component, low, high);
+  return limpid::Ramp(low, high);
 }

@@ -51,6 +51,7 @@ private:
   limpid::FieldSource ImportanceSource(vtkImageData* input) const;
   limpid::FieldSource ExtinctionArray(vtkImageData* input) const;
   limpid::FieldSource OpacityOfScalars(vtkImageData* input, double unitDistance) const;
+  limpid::ScalarMapping OpacityMapping(const limpid::FieldSource& scalars) const;
 
   vtkVisibilityAlgorithm* Self;
 };
