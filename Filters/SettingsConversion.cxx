@@ -4,6 +4,7 @@
 #include "SettingsConversion.h"
 
 #include "Choices.h"
+#include "ScenePlacement.h"
 
 #include "vtkPiecewiseFunction.h"
 #include "vtkVisibilitySettings.h"

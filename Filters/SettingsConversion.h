@@ -30,11 +30,6 @@ VTKLIMPIDFILTERS_EXPORT Light LightOf(vtkVisibilitySettings* settings, const Vec
 
 /// From values of the importance array to importance. Throws when the function for it is missing.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping ImportanceMapping(vtkVisibilitySettings* settings);
-
-inline Vec3 ToVec3(const double* vector)
-{
-  return { vector[0], vector[1], vector[2] };
-}
 }
 
 #endif

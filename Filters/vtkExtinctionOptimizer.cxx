@@ -5,6 +5,7 @@
 
 #include "Choices.h"
 #include "OptimizedImage.h"
+#include "PropertyPrinter.h"
 #include "ScenePlacement.h"
 #include "SettingsConversion.h"
 #include "vtkVisibilityAlgorithmScene.h"
@@ -247,16 +248,13 @@ void vtkExtinctionOptimizer::Internals::WriteUnsolved(
 
 void vtkExtinctionOptimizer::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&os, indent](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
-  const auto printVector = [&os, indent](const char* name, const auto& vector)
-  { os << indent << name << ": " << vector[0] << " " << vector[1] << " " << vector[2] << "\n"; };
+  const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
   print("AutomaticPlacement", this->AutomaticPlacement);
-  printVector("CameraPosition", this->CameraPosition);
-  printVector("CameraFocalPoint", this->CameraFocalPoint);
-  printVector("CameraViewUp", this->CameraViewUp);
+  print("CameraPosition", this->CameraPosition);
+  print("CameraFocalPoint", this->CameraFocalPoint);
+  print("CameraViewUp", this->CameraViewUp);
   print("CameraViewAngle", this->CameraViewAngle);
   print("CameraParallelProjection", this->CameraParallelProjection);
   print("CameraParallelScale", this->CameraParallelScale);

@@ -59,7 +59,7 @@ public:
   };
 
   /**
-   * The array on the Convergence output: iteration, level, energies, score and seconds.
+   * The table on the Convergence output: iteration, level, energies, score and seconds.
    */
   vtkTable* GetConvergence();
 

@@ -6,6 +6,7 @@
 #include "AllCores.h"
 #include "Choices.h"
 #include "OptimizedViews.h"
+#include "ScenePlacement.h"
 #include "SearchReport.h"
 #include "SettingsConversion.h"
 #include "ViewpointData.h"

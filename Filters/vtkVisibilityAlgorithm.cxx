@@ -3,6 +3,8 @@
 
 #include "vtkVisibilityAlgorithm.h"
 
+#include "PropertyPrinter.h"
+
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
@@ -64,8 +66,7 @@ int vtkVisibilityAlgorithm::RequestUpdateExtent(
 
 void vtkVisibilityAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&os, indent](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
+  const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
   print("ExtinctionSource", this->ExtinctionSource);

@@ -3,6 +3,8 @@
 
 #include "vtkVisibilitySettings.h"
 
+#include "PropertyPrinter.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 
@@ -24,10 +26,7 @@ vtkMTimeType vtkVisibilitySettings::GetMTime()
 
 void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&os, indent](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
-  const auto printVector = [&os, indent](const char* name, const auto& vector)
-  { os << indent << name << ": " << vector[0] << " " << vector[1] << " " << vector[2] << "\n"; };
+  const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
   print("ScalarComponent", this->ScalarComponent);
@@ -38,11 +37,11 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("ViewWeight", this->ViewWeight);
   print("LightWeight", this->LightWeight);
   print("LightType", this->LightType);
-  printVector("LightPosition", this->LightPosition);
+  print("LightPosition", this->LightPosition);
   print("Mode", this->Mode);
   print("Solver", this->Solver);
   print("MaximumIterations", this->MaximumIterations);
-  printVector("IterationsPerLevel", this->IterationsPerLevel);
+  print("IterationsPerLevel", this->IterationsPerLevel);
   print("LearningRate", this->LearningRate);
   print("Tolerance", this->Tolerance);
   print("MaximumSeconds", this->MaximumSeconds);

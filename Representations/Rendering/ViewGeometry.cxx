@@ -3,6 +3,8 @@
 
 #include "ViewGeometry.h"
 
+#include "ScenePlacement.h"
+
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -20,11 +22,6 @@ namespace limpid
 {
 namespace
 {
-Vec3 ToVec3(const double* vector)
-{
-  return { vector[0], vector[1], vector[2] };
-}
-
 // VTK's own matrices have view z from -1 to 1 unless somebody has set the projection explicitly,
 // which IceT does; that one has the same range.
 glm::dmat4 ProjectionOf(vtkRenderer* renderer, bool bothEyes)

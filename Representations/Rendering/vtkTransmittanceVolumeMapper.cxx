@@ -3,6 +3,7 @@
 
 #include "vtkTransmittanceVolumeMapper.h"
 
+#include "PropertyPrinter.h"
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
 #include "vtkCollection.h"
@@ -170,8 +171,7 @@ vtkMTimeType vtkTransmittanceVolumeMapper::GetMTime()
 
 void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&os, indent](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
+  const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VisibilitySettings:\n";

@@ -45,7 +45,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   vtkDataArray* FindImportance(vtkImageData* image, const std::string& name, bool& onCells) const;
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequireAvailableChoices() const;
-  limpid::FrameSettings MakeFrameSettings(vtkVolume* volume);
+  limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
   void LeaveToOneProcess(limpid::FrameSettings& frame);
   limpid::Lighting MakeLighting() const;
 

@@ -17,6 +17,8 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -222,10 +224,12 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
   frame.measure = false;
 }
 
-limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(vtkVolume* volume)
+limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(
+  vtkRenderer* renderer, vtkVolume* volume)
 {
   const vtkTransmittanceVolumeMapper* self = this->Self;
   limpid::FrameSettings frame;
+  frame.still = !self->AdaptiveQuality || renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1;
   frame.optimize = self->Method == OPTIMIZED && self->Optimization != OFF;
   frame.once = self->Optimization == ONCE;
   frame.paused = self->PauseOptimization != 0;
@@ -233,13 +237,13 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.solver.Require();
   frame.lighting = this->MakeLighting();
   frame.lit = self->Shadows || volume->GetProperty()->GetShade(0);
-  frame.hasOwnLight = self->LightSource == OWN;
-  frame.ownLight = limpid::LightOf(self->Settings, limpid::Vec3(0.0));
+  frame.light = self->LightSource == OWN ? limpid::OwnLight(self->Settings, renderer)
+                                         : limpid::StrongestLight(renderer);
+  frame.light.light = limpid::ToData(frame.light.light, volume);
   frame.sampleDistance = self->SampleDistance;
   frame.jitter = self->Jitter != 0;
   frame.frameTime = self->InteractiveFrameTime;
   frame.easeTime = self->EaseTime;
-  frame.adaptive = self->AdaptiveQuality != 0;
   frame.stepwise = self->ProgressiveStill != 0;
 
   if (self->Method > ORDINARY)
