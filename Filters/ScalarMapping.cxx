@@ -209,6 +209,18 @@ ScalarMapping Evaluate(vtkPiecewiseFunction* function)
   return [nodes = std::move(nodes)](double value) { return EvaluateNodes(nodes, value); };
 }
 
+double LargestValue(vtkPiecewiseFunction* function)
+{
+  double largest = 0;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    std::array<double, 4> node; // between two of them the values are between theirs
+    function->GetNodeValue(i, node.data());
+    largest = std::isfinite(node[1]) ? std::max(largest, node[1]) : largest;
+  }
+  return largest;
+}
+
 ScalarMapping Ramp(double low, double high)
 {
   if (!(high > low))

@@ -32,6 +32,9 @@ VTKLIMPIDFILTERS_EXPORT ScalarMapping KeepValue();
 /// The value of a function of one variable, as vtkPiecewiseFunction::GetValue has it.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping Evaluate(vtkPiecewiseFunction* function);
 
+/// Largest finite value of a function of one variable, wherever it has it; 0 if it has none.
+VTKLIMPIDFILTERS_EXPORT double LargestValue(vtkPiecewiseFunction* function);
+
 /// A straight line from 0 at `low` to 1 at `high`, clamped.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping Ramp(double low, double high);
 

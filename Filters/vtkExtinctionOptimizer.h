@@ -139,7 +139,7 @@ public:
 
   ///@{
   /**
-   * What tells which way the camera is to go. PROXY: largest extinction times importance, whatever
+   * What tells which way the camera is to go. PROXY: the majorant times importance, whatever
    * hides it. COUPLED: the extinction that was optimised last. Default is PROXY.
    */
   vtkSetMacro(ViewpointGuide, int);

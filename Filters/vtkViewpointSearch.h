@@ -84,7 +84,7 @@ public:
 
   ///@{
   /**
-   * The extinction that is looked at. IMPORTANCE_PROXY: the largest base extinction times
+   * The extinction that is looked at. IMPORTANCE_PROXY: the majorant of Eq. (25) times
    * importance, as if nothing else were there (Section 3.4 of [HG24]). BASE_EXTINCTION: what
    * ExtinctionSource gives. EXTINCTION_ARRAY: array 2, for instance the result of
    * vtkExtinctionOptimizer. OPTIMIZE_PER_VIEW: an extinction of its own for every view, optimised

@@ -36,7 +36,7 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Largest base extinction times importance: what is not important is not there.
+// Majorant times importance: what is important is as dense as can be, and nothing else is there.
 std::vector<float> ProxyOf(const limpid::SceneFields& scene, double majorant)
 {
   std::vector<float> proxy(std::size_t(scene.grid.NodeCount()));

@@ -72,7 +72,8 @@ public:
   /**
    * Opacity of the scalar field on one unit distance, as in vtkVolumeProperty. The base extinction
    * is -ln(1 - opacity) / unit distance, the opacity not above 1 - 1e-6. None or one without
-   * points: a straight line from 0 to 1 over the range of the scalar field. Default is none.
+   * points: a straight line from 0 to 1 over the range of the scalar field. The extinction of its
+   * largest value is the majorant of Eq. (25), whatever values the data have. Default is none.
    */
   virtual void SetScalarOpacityFunction(vtkPiecewiseFunction*);
   vtkGetObjectMacro(ScalarOpacityFunction, vtkPiecewiseFunction);

@@ -42,7 +42,7 @@ namespace limpid
 SceneFields ImageScene::Fields() const
 {
   return { this->grid, this->arrays.baseExtinction->GetPointer(0),
-    this->arrays.importance->GetPointer(0) };
+    this->arrays.importance->GetPointer(0), this->majorant };
 }
 }
 
@@ -89,6 +89,12 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
   const limpid::FieldSource extinction = extinctionSource == ARRAY
     ? this->ExtinctionArray(input)
     : this->OpacityOfScalars(input, scene.unitDistance);
+  vtkPiecewiseFunction* opacity = this->Self->ScalarOpacityFunction;
+  if (extinctionSource == OPACITY_FUNCTION && opacity)
+  {
+    scene.majorant = static_cast<float>(
+      limpid::ExtinctionOfOpacity(limpid::LargestValue(opacity), scene.unitDistance));
+  }
   scene.arrays = limpid::ConvertScene(input, extinction, this->ImportanceSource(input));
   if (!scene.arrays.Warning().empty())
   {

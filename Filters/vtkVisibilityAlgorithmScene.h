@@ -19,6 +19,7 @@ struct ImageScene
   Grid grid;
   double unitDistance = 1; ///< of opacities [length]
   SceneArrays arrays;
+  float majorant = 0; ///< of the opacity function; zero: that of the arrays [1/length]
 
   /// What the core takes of it; the arrays stay here.
   SceneFields Fields() const;

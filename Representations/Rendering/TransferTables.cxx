@@ -155,6 +155,12 @@ TransferFunctions SampleFunctions(
   return functions;
 }
 
+float LargestExtinction(vtkVolumeProperty* property)
+{
+  return static_cast<float>(ExtinctionOfOpacity(
+    LargestValue(property->GetScalarOpacity(0)), property->GetScalarOpacityUnitDistance(0)));
+}
+
 void LookUpExtinction(
   const TransferFunctions& functions, const float* values, Index count, float* extinction)
 {

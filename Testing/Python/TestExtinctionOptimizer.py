@@ -278,6 +278,51 @@ class TestExtinctionSource(OptimizerTest):
                                    np.clip((np.arange(64) - 10) / 10, 0, 1), rtol=SINGLE)
 
 
+
+class TestMajorant(OptimizerTest):
+    """What the extinction may rise to, Eq. (25)."""
+
+    FUNCTION = function_of((0, 0), (1, 0.9))
+
+    def scene(self, beside):
+        """Something important behind something that hides it; `beside` them, and hiding nothing
+        in parallel rays along z, is a block of this scalar. Extinction as the function has it."""
+        z, y, x = np.indices((12, 8, 16))
+        scalars = np.where(x < 8, np.where(z < 5, 0.4, 0.3), np.where(x > 12, beside, 0)).ravel()
+        importance = ((x < 8) & (z < 5)).ravel().astype(float)
+        return image_of((16, 8, 12), Scalars=scalars, Importance=importance,
+                        BaseExtinction=-np.log1p(-0.9 * scalars))
+
+    def optimized(self, image, source):
+        """The extinction away from the block, seen and lit along z."""
+        result = optimizer(image, ExtinctionSource=source, ScalarOpacityFunction=self.FUNCTION,
+                           ScalarOpacityUnitDistance=1, CameraParallelProjection=1,
+                           CameraPosition=(7.5, 3.5, 40), CameraFocalPoint=(7.5, 3.5, 0),
+                           LightType=vtkExtinctionOptimizer.DIRECTIONAL,
+                           LightPosition=(7.5, 3.5, 40))
+        result.SetInputArrayToProcess(0, 0, 0, POINTS, "Scalars")
+        result.Update()
+        self.assert_no_error(result)
+        return values(result.GetOutput(), "Extinction").reshape(12, 8, 16)[:, :, :12]
+
+    def test_does_not_move_with_what_has_no_part_in_the_scene(self):
+        with_block, without = self.scene(1), self.scene(0)
+
+        function = vtkExtinctionOptimizer.OPACITY_FUNCTION
+        np.testing.assert_array_equal(self.optimized(with_block, function),
+                                      self.optimized(without, function))
+        # From an array it is the largest value that is there.
+        array = vtkExtinctionOptimizer.ARRAY
+        self.assertGreater(self.optimized(with_block, array).max(),
+                           self.optimized(without, array).max())
+
+    def test_is_the_largest_value_of_the_function(self):
+        # What is important rises to the bound.
+        largest = self.optimized(self.scene(0), vtkExtinctionOptimizer.OPACITY_FUNCTION).max()
+
+        self.assertEqual(largest, np.float32(-np.log(1 - 0.9)))
+
+
 class TestValuesThatCannotBeUsed(OptimizerTest):
     def test_nan_and_infinity_are_empty_and_reported_once(self):
         image = phantom(12)
