@@ -5,11 +5,19 @@
 
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
-// Forwards SetName(value) to the method of the same name of the mapper.
-#define LIMPID_FORWARD(name, type)                                                                 \
+// Forwards SetName(value) to a method of the mapper.
+#define LIMPID_FORWARD_AS(name, mapperName, type)                                                  \
   void vtkOptimizedVolumeRepresentation::Set##name(type value)                                     \
   {                                                                                                \
-    this->State->Mapper->Set##name(value);                                                         \
+    this->State->Mapper->Set##mapperName(value);                                                   \
+  }
+#define LIMPID_FORWARD(name, type) LIMPID_FORWARD_AS(name, name, type)
+
+// Forwards GetName() to the method of the same name of the mapper.
+#define LIMPID_FORWARD_RESULT(name, type)                                                          \
+  type vtkOptimizedVolumeRepresentation::Get##name()                                               \
+  {                                                                                                \
+    return this->State->Mapper->Get##name();                                                       \
   }
 
 LIMPID_FORWARD(Method, int)
@@ -19,6 +27,10 @@ LIMPID_FORWARD(Shadows, int)
 LIMPID_FORWARD(ShadowStrength, double)
 LIMPID_FORWARD(LightSource, int)
 LIMPID_FORWARD(LightIntensity, double)
+LIMPID_FORWARD_AS(VolumeAmbient, Ambient, double)
+LIMPID_FORWARD_AS(VolumeSpecular, Specular, double)
+LIMPID_FORWARD_AS(VolumeSpecularPower, SpecularPower, double)
+LIMPID_FORWARD_AS(ScatteringAnisotropy, Anisotropy, double)
 LIMPID_FORWARD(SampleDistance, double)
 LIMPID_FORWARD(Jitter, int)
 LIMPID_FORWARD(AdaptiveQuality, int)
@@ -26,7 +38,17 @@ LIMPID_FORWARD(InteractiveFrameTime, double)
 LIMPID_FORWARD(EaseTime, double)
 LIMPID_FORWARD(ProgressiveStill, int)
 
+LIMPID_FORWARD_RESULT(VisibilityScore, double)
+LIMPID_FORWARD_RESULT(BaseVisibilityScore, double)
+LIMPID_FORWARD_RESULT(VisibleFraction, double)
+LIMPID_FORWARD_RESULT(BaseVisibleFraction, double)
+LIMPID_FORWARD_RESULT(Iterations, int)
+LIMPID_FORWARD_RESULT(LightDescription, const char*)
+LIMPID_FORWARD_RESULT(BackendName, const char*)
+
 #undef LIMPID_FORWARD
+#undef LIMPID_FORWARD_AS
+#undef LIMPID_FORWARD_RESULT
 
 vtkVisibilitySettings* vtkOptimizedVolumeRepresentation::GetVisibilitySettings()
 {
@@ -40,26 +62,6 @@ void vtkOptimizedVolumeRepresentation::SetImportanceArray(int vtkNotUsed(index),
   this->State->ImportanceArray = name ? name : "";
 }
 
-void vtkOptimizedVolumeRepresentation::SetVolumeAmbient(double ambient)
-{
-  this->State->Mapper->SetAmbient(ambient);
-}
-
-void vtkOptimizedVolumeRepresentation::SetVolumeSpecular(double specular)
-{
-  this->State->Mapper->SetSpecular(specular);
-}
-
-void vtkOptimizedVolumeRepresentation::SetVolumeSpecularPower(double power)
-{
-  this->State->Mapper->SetSpecularPower(power);
-}
-
-void vtkOptimizedVolumeRepresentation::SetScatteringAnisotropy(double anisotropy)
-{
-  this->State->Mapper->SetAnisotropy(anisotropy);
-}
-
 void vtkOptimizedVolumeRepresentation::ResetOptimization()
 {
   this->State->Mapper->Reset();
@@ -71,43 +73,8 @@ void vtkOptimizedVolumeRepresentation::SetShowScore(int show)
   this->State->Annotation->SetVisibility(this->GetVisibility() && this->State->ShowScore);
 }
 
-double vtkOptimizedVolumeRepresentation::GetVisibilityScore()
-{
-  return this->State->Mapper->GetVisibilityScore();
-}
-
-double vtkOptimizedVolumeRepresentation::GetBaseVisibilityScore()
-{
-  return this->State->Mapper->GetBaseVisibilityScore();
-}
-
-double vtkOptimizedVolumeRepresentation::GetVisibleFraction()
-{
-  return this->State->Mapper->GetVisibleFraction();
-}
-
-double vtkOptimizedVolumeRepresentation::GetBaseVisibleFraction()
-{
-  return this->State->Mapper->GetBaseVisibleFraction();
-}
-
 int vtkOptimizedVolumeRepresentation::GetConverged()
 {
   // A frame without the volume has left nothing to do.
   return !this->State->Mapper->HasDrawn || this->State->Mapper->GetConverged() ? 1 : 0;
-}
-
-int vtkOptimizedVolumeRepresentation::GetIterations()
-{
-  return this->State->Mapper->GetIterations();
-}
-
-const char* vtkOptimizedVolumeRepresentation::GetLightDescription()
-{
-  return this->State->Mapper->GetLightDescription();
-}
-
-const char* vtkOptimizedVolumeRepresentation::GetBackendName()
-{
-  return this->State->Mapper->GetBackendName();
 }
