@@ -6,7 +6,6 @@
 
 import os
 import re
-import unittest
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -38,11 +37,7 @@ self.GetOutputInformation(0).Set(vtk.vtkStreamingDemandDrivenPipeline.WHOLE_EXTE
 """.format(*upper))
 
 
-class TestOptimizedVolume(unittest.TestCase):
-    def setUp(self):
-        displays.clear()
-        self.view = displays.new_view()
-
+class TestOptimizedVolume(displays.DisplayTest):
     def shown(self, source, **settings):
         """Shows a source as a script does that sets nothing but the type, and these."""
         source.UpdatePipeline()
