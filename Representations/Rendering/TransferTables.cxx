@@ -11,7 +11,7 @@
 #include "vtkVolumeProperty.h"
 
 #include "math/Require.h"
-#include "render/OpticalTable.h"
+#include "render/Classification.h" // for OpticalTable
 
 #include <algorithm>
 #include <cmath>
