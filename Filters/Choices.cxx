@@ -3,39 +3,20 @@
 
 #include "Choices.h"
 
-#include "Refuse.h"
 #include "ScalarMapping.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include "math/Require.h"
 
 namespace limpid
 {
-void RequireChoice(const char* property, int value, int count)
+namespace
 {
-  if (value < 0 || value >= count)
-  {
-    Refuse(property, " is ", value, " (there is no such choice). Set a number from 0 to ",
-      count - 1, ".");
-  }
-}
-
-void RequireComponent(const char* property, vtkDataArray* array, int component)
-{
-  if (component < MagnitudeComponent || component >= array->GetNumberOfComponents())
-  {
-    Refuse(property, " is ", component, " (the array \"", NameOf(array), "\" has ",
-      array->GetNumberOfComponents(),
-      " components). Set a component from 0 on, or -1 for the magnitude.");
-  }
-}
-
-std::string NameOf(vtkDataArray* array)
-{
-  return array->GetName() ? array->GetName() : "(no name)";
-}
-
-std::string ArrayNames(vtkFieldData* attributes)
+std::string NamesIn(vtkFieldData* attributes)
 {
   std::string names;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
@@ -44,5 +25,32 @@ std::string ArrayNames(vtkFieldData* attributes)
     names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
   }
   return names.empty() ? "none" : names;
+}
+}
+
+void RequireChoice(const char* property, int value, int count)
+{
+  LIMPID_REQUIRE(value >= 0 && value < count,
+    property << " is " << value << " (there is no such choice). Set a number from 0 to "
+             << (count - 1) << ".");
+}
+
+void RequireComponent(const char* property, vtkDataArray* array, int component)
+{
+  LIMPID_REQUIRE(component >= MagnitudeComponent && component < array->GetNumberOfComponents(),
+    property << " is " << component << " (the array \"" << NameOf(array) << "\" has "
+             << array->GetNumberOfComponents()
+             << " components). Set a component from 0 on, or -1 for the magnitude.");
+}
+
+std::string NameOf(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "(no name)";
+}
+
+std::string ArrayNames(vtkDataSet* data)
+{
+  return "of the points: " + NamesIn(data->GetPointData()) +
+    "; of the cells: " + NamesIn(data->GetCellData());
 }
 }

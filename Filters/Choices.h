@@ -11,7 +11,7 @@
 #include <string>
 
 class vtkDataArray;
-class vtkFieldData;
+class vtkDataSet;
 
 namespace limpid
 {
@@ -25,8 +25,8 @@ VTKLIMPIDFILTERS_EXPORT void RequireComponent(
 /// The name of an array for a message.
 VTKLIMPIDFILTERS_EXPORT std::string NameOf(vtkDataArray* array);
 
-/// The names of the arrays for a message, separated by commas.
-VTKLIMPIDFILTERS_EXPORT std::string ArrayNames(vtkFieldData* attributes);
+/// The names of all arrays for a message: "of the points: a, b; of the cells: none".
+VTKLIMPIDFILTERS_EXPORT std::string ArrayNames(vtkDataSet* data);
 }
 
 #endif

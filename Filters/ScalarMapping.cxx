@@ -209,6 +209,18 @@ ScalarMapping Evaluate(vtkPiecewiseFunction* function)
   return [nodes = std::move(nodes)](double value) { return EvaluateNodes(nodes, value); };
 }
 
+double LargestValue(vtkPiecewiseFunction* function)
+{
+  double largest = 0;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    std::array<double, 4> node; // between two of them the values are between theirs
+    function->GetNodeValue(i, node.data());
+    largest = std::isfinite(node[1]) ? std::max(largest, node[1]) : largest;
+  }
+  return largest;
+}
+
 ScalarMapping Ramp(double low, double high)
 {
   if (!(high > low))
@@ -219,15 +231,12 @@ ScalarMapping Ramp(double low, double high)
   { return std::min(std::max((value - low) / (high - low), 0.0), 1.0); };
 }
 
-ScalarMapping ExtinctionOfOpacity(ScalarMapping opacity, double unitDistance)
+double ExtinctionOfOpacity(double opacity, double unitDistance)
 {
-  return [opacity = std::move(opacity), unitDistance](double value)
-  {
-    const double clamped = std::min(std::max(opacity(value), 0.0), LargestOpacity);
-    // log1p is four times slower than log, and needed only where 1 - opacity loses digits.
-    const double depth = clamped > 1e-6 ? -std::log(1.0 - clamped) : -std::log1p(-clamped);
-    return depth / unitDistance;
-  };
+  const double clamped = std::min(std::max(opacity, 0.0), LargestOpacity);
+  // log1p is four times slower than log, and needed only where 1 - opacity loses digits.
+  const double depth = clamped > 1e-6 ? -std::log(1.0 - clamped) : -std::log1p(-clamped);
+  return depth / unitDistance;
 }
 
 void FiniteRange(vtkDataArray* array, int component, double& low, double& high)

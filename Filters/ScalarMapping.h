@@ -32,13 +32,16 @@ VTKLIMPIDFILTERS_EXPORT ScalarMapping KeepValue();
 /// The value of a function of one variable, as vtkPiecewiseFunction::GetValue has it.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping Evaluate(vtkPiecewiseFunction* function);
 
+/// Largest finite value of a function of one variable, wherever it has it; 0 if it has none.
+VTKLIMPIDFILTERS_EXPORT double LargestValue(vtkPiecewiseFunction* function);
+
 /// A straight line from 0 at `low` to 1 at `high`, clamped.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping Ramp(double low, double high);
 
 /// Extinction of what takes `opacity` of the light on `unitDistance`: -ln(1 - opacity) / distance,
-/// the inverse of VTK's correction of opacities for the length of a step [1/length].
-VTKLIMPIDFILTERS_EXPORT ScalarMapping ExtinctionOfOpacity(
-  ScalarMapping opacity, double unitDistance);
+/// the inverse of VTK's correction of opacities for the length of a step [1/length]. The opacity is
+/// moved into [0, LargestOpacity]. Filters and mapper have their base extinction from here.
+VTKLIMPIDFILTERS_EXPORT double ExtinctionOfOpacity(double opacity, double unitDistance);
 
 /// Smallest and largest finite value of a component; low > high when there is none.
 VTKLIMPIDFILTERS_EXPORT void FiniteRange(

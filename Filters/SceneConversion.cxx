@@ -4,7 +4,6 @@
 #include "SceneConversion.h"
 
 #include "Choices.h"
-#include "Refuse.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -16,6 +15,7 @@
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "math/Require.h"
 #include "optimize/Solver.h"
 
 #include <algorithm>
@@ -150,12 +150,11 @@ vtkSmartPointer<vtkFloatArray> ConvertField(
   field->SetNumberOfTuples(image->GetNumberOfPoints());
   const vtkIdType expected =
     source.onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
-  if (source.array->GetNumberOfTuples() != expected)
-  {
-    Refuse("The array \"", NameOf(source.array), "\" has ", source.array->GetNumberOfTuples(),
-      " values for ", expected, source.onCells ? " cells" : " points",
-      " (values cannot be told apart by place). Give an array with one value for each.");
-  }
+  LIMPID_REQUIRE(source.array->GetNumberOfTuples() == expected,
+    "The array \""
+      << NameOf(source.array) << "\" has " << source.array->GetNumberOfTuples() << " values for "
+      << expected << (source.onCells ? " cells" : " points")
+      << " (values cannot be told apart by place). Give an array with one value for each.");
 
   if (source.onCells)
   {

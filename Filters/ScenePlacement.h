@@ -8,11 +8,19 @@
 
 #include "vtkLimpidFiltersModule.h" // for export macro
 
+#include "math/Vec.h"
+
 namespace limpid
 {
 struct Camera;
 struct Grid;
 struct Light;
+
+/// A point or a direction as VTK has it.
+inline Vec3 ToVec3(const double* vector)
+{
+  return { vector[0], vector[1], vector[2] };
+}
 
 /// Whether a camera still has the position and focal point of a new vtkCamera.
 VTKLIMPIDFILTERS_EXPORT bool IsUnplaced(const Camera& camera);

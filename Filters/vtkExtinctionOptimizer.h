@@ -52,38 +52,14 @@ public:
   vtkTypeMacro(vtkExtinctionOptimizer, vtkVisibilityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum LightTypes
-  {
-    POINT = 0,
-    DIRECTIONAL = 1
-  };
-
-  enum Modes
-  {
-    JOINT = 0,
-    SEPARATE = 1
-  };
-
-  enum Solvers
-  {
-    POLICY = 0,
-    ADAM = 1
-  };
-
   enum ViewpointGuides
   {
     PROXY = 0,
     COUPLED = 1
   };
 
-  enum Derivatives
-  {
-    VOLUME = 0,
-    RAY = 1
-  };
-
   /**
-   * The array on the Convergence output: iteration, level, energies, score and seconds.
+   * The table on the Convergence output: iteration, level, energies, score and seconds.
    */
   vtkTable* GetConvergence();
 
@@ -150,109 +126,6 @@ public:
 
   ///@{
   /**
-   * POINT: the light shines from LightPosition. DIRECTIONAL: parallel rays, from LightPosition
-   * towards CameraFocalPoint. Default is POINT.
-   */
-  vtkSetMacro(LightType, int);
-  vtkGetMacro(LightType, int);
-  ///@}
-
-  ///@{
-  /**
-   * Position of the light in world coordinates. Default is (0, 0, 1), but see AutomaticPlacement.
-   */
-  vtkSetVector3Macro(LightPosition, double);
-  vtkGetVector3Macro(LightPosition, double);
-  ///@}
-
-  ///@{
-  /**
-   * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one for each,
-   * Section 4.2. Default is JOINT.
-   */
-  vtkSetMacro(Mode, int);
-  vtkGetMacro(Mode, int);
-  ///@}
-
-  ///@{
-  /**
-   * POLICY: policy sweeps. ADAM: the projected Adam of [HG24], coarse to fine.
-   * Default is POLICY.
-   */
-  vtkSetMacro(Solver, int);
-  vtkGetMacro(Solver, int);
-  ///@}
-
-  ///@{
-  /**
-   * Most iterations of the policy solver. Default is 8.
-   */
-  vtkSetMacro(MaximumIterations, int);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * Iterations of Adam at a quarter, half and the full resolution. Default is (32, 32, 64).
-   */
-  vtkSetVector3Macro(IterationsPerLevel, int);
-  vtkGetVector3Macro(IterationsPerLevel, int);
-  ///@}
-
-  ///@{
-  /**
-   * Step length of Adam in units of the largest base extinction. Default is 0.05.
-   */
-  vtkSetMacro(LearningRate, double);
-  vtkGetMacro(LearningRate, double);
-  ///@}
-
-  ///@{
-  /**
-   * Stop when the mean change of an iteration is below this share of the largest base extinction.
-   * Default is 1e-3.
-   */
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Stop after this time [s]; zero: no limit. Default is 0.
-   */
-  vtkSetMacro(MaximumSeconds, double);
-  vtkGetMacro(MaximumSeconds, double);
-  ///@}
-
-  ///@{
-  /**
-   * VOLUME: exact derivative of the volume integral. RAY: Eqs. (19)-(20) as printed, without the
-   * weight of the widening rays. Default is VOLUME.
-   */
-  vtkSetMacro(Derivative, int);
-  vtkGetMacro(Derivative, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether what provably cannot change the result is left out. Default is on.
-   */
-  vtkSetMacro(SkipUnneeded, vtkTypeBool);
-  vtkGetMacro(SkipUnneeded, vtkTypeBool);
-  vtkBooleanMacro(SkipUnneeded, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether only what the picture shows counts. Default is off: the whole image counts.
-   */
-  vtkSetMacro(RestrictToView, vtkTypeBool);
-  vtkGetMacro(RestrictToView, vtkTypeBool);
-  vtkBooleanMacro(RestrictToView, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
    * Whether the camera is optimised, too (Section 3.4): it moves on the sphere round
    * CameraFocalPoint, and a move is kept if more can be seen with the extinction that is then
    * optimised for it. The field data "CameraPosition", "CameraViewUp" tell where it came to, and
@@ -266,7 +139,7 @@ public:
 
   ///@{
   /**
-   * What tells which way the camera is to go. PROXY: largest extinction times importance, whatever
+   * What tells which way the camera is to go. PROXY: the majorant times importance, whatever
    * hides it. COUPLED: the extinction that was optimised last. Default is PROXY.
    */
   vtkSetMacro(ViewpointGuide, int);
@@ -304,22 +177,11 @@ private:
   vtkTypeBool CameraParallelProjection = 0;
   double CameraParallelScale = 1;
   double CameraAspectRatio = 1;
-  int LightType = POINT;
-  double LightPosition[3] = { 0, 0, 1 };
-
-  int Mode = JOINT;
-  int Solver = POLICY;
-  int MaximumIterations = 8;
-  int IterationsPerLevel[3] = { 32, 32, 64 };
-  double LearningRate = 0.05;
-  double Tolerance = 1e-3;
-  double MaximumSeconds = 0;
-  int Derivative = VOLUME;
-  vtkTypeBool SkipUnneeded = 1;
-  vtkTypeBool RestrictToView = 0;
   vtkTypeBool OptimizeViewpoint = 0;
   int ViewpointGuide = PROXY;
   vtkTypeBool WarmStart = 0;
+
+  void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence);
 
   struct Internals; // speaks to the core, so that no core type shows here
   std::unique_ptr<Internals> State;

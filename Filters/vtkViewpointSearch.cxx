@@ -3,6 +3,7 @@
 
 #include "vtkViewpointSearch.h"
 
+#include "PropertyPrinter.h"
 #include "vtkViewpointSearchInternals.h"
 
 #include "vtkInformation.h"
@@ -34,6 +35,7 @@ vtkViewpointSearch::vtkViewpointSearch()
   : State(new Internals(this))
 {
   this->SetNumberOfOutputPorts(3);
+  this->SetMaximumIterations(1);
 }
 
 vtkViewpointSearch::~vtkViewpointSearch() = default;
@@ -101,16 +103,14 @@ int vtkViewpointSearch::RequestData(
 
 void vtkViewpointSearch::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&os, indent](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
+  const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
   print("Field", this->Field);
   print("Sampling", this->Sampling);
   print("NumberOfDirections", this->NumberOfDirections);
   print("UseFocalPoint", this->UseFocalPoint);
-  os << indent << "CameraFocalPoint: " << this->CameraFocalPoint[0] << " "
-     << this->CameraFocalPoint[1] << " " << this->CameraFocalPoint[2] << "\n";
+  print("CameraFocalPoint", this->CameraFocalPoint);
   print("CameraDistance", this->CameraDistance);
   print("CameraViewAngle", this->CameraViewAngle);
   print("CameraParallelProjection", this->CameraParallelProjection);
@@ -118,5 +118,4 @@ void vtkViewpointSearch::PrintSelf(ostream& os, vtkIndent indent)
   print("SeparationAngle", this->SeparationAngle);
   print("Refine", this->Refine);
   print("SphereRadius", this->SphereRadius);
-  print("MaximumIterations", this->MaximumIterations);
 }

@@ -84,7 +84,7 @@ public:
 
   ///@{
   /**
-   * The extinction that is looked at. IMPORTANCE_PROXY: the largest base extinction times
+   * The extinction that is looked at. IMPORTANCE_PROXY: the majorant of Eq. (25) times
    * importance, as if nothing else were there (Section 3.4 of [HG24]). BASE_EXTINCTION: what
    * ExtinctionSource gives. EXTINCTION_ARRAY: array 2, for instance the result of
    * vtkExtinctionOptimizer. OPTIMIZE_PER_VIEW: an extinction of its own for every view, optimised
@@ -190,14 +190,6 @@ public:
   vtkGetMacro(SphereRadius, double);
   ///@}
 
-  ///@{
-  /**
-   * Policy iterations per view, only with Field OPTIMIZE_PER_VIEW. Default is 1.
-   */
-  vtkSetMacro(MaximumIterations, int);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
-
 protected:
   vtkViewpointSearch();
   ~vtkViewpointSearch() override;
@@ -224,7 +216,6 @@ private:
   double SeparationAngle = 30;
   vtkTypeBool Refine = 1;
   double SphereRadius = 1.1;
-  int MaximumIterations = 1;
 
   struct Internals; // speaks to the core, so that no core type shows here
   std::unique_ptr<Internals> State;

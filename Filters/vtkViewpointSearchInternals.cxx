@@ -6,8 +6,9 @@
 #include "AllCores.h"
 #include "Choices.h"
 #include "OptimizedViews.h"
-#include "Refuse.h"
+#include "ScenePlacement.h"
 #include "SearchReport.h"
+#include "SettingsConversion.h"
 #include "ViewpointData.h"
 
 #include "vtkImageData.h"
@@ -15,6 +16,7 @@
 #include "vtkPolyData.h"
 
 #include "backend/Choice.h"
+#include "math/Require.h"
 #include "optimize/PreparedScene.h"
 #include "viewpoint/Search.h"
 
@@ -34,7 +36,7 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Largest base extinction times importance: what is not important is not there.
+// Majorant times importance: what is important is as dense as can be, and nothing else is there.
 std::vector<float> ProxyOf(const limpid::SceneFields& scene, double majorant)
 {
   std::vector<float> proxy(std::size_t(scene.grid.NodeCount()));
@@ -84,13 +86,11 @@ void vtkViewpointSearch::Internals::Search(
   const int source =
     this->Self->Field == EXTINCTION_ARRAY ? int(ARRAY) : this->Self->ExtinctionSource;
   const limpid::ImageScene image = this->Reader.Read(input, source);
-  if (!image.grid.HasVolume())
-  {
-    limpid::Refuse("The image has ", image.grid.nodes.x, " x ", image.grid.nodes.y, " x ",
-      image.grid.nodes.z,
-      " points (without a volume nothing hides anything from any side). Give an image with at "
-      "least two points per axis.");
-  }
+  LIMPID_REQUIRE(image.grid.HasVolume(),
+    "The image has " << image.grid.nodes.x << " x " << image.grid.nodes.y << " x "
+                     << image.grid.nodes.z
+                     << " points (without a volume nothing hides anything from any side). Give an "
+                        "image with at least two points per axis.");
   const auto scene = std::make_shared<limpid::PreparedScene>(image.Fields());
   this->WarnOfSceneWithoutScore(*scene);
 
@@ -124,12 +124,12 @@ void vtkViewpointSearch::Internals::SearchOneField(
   const limpid::PreparedScene& scene, limpid::FoundViews& found) const
 {
   const limpid::SceneFields& fields = scene.Arrays();
+  const limpid::Settings settings = this->MakeSettings();
   const std::vector<float> proxy = this->Self->Field == IMPORTANCE_PROXY
     ? ProxyOf(fields, scene.Majorant())
     : std::vector<float>();
   const limpid::ViewScore score(fields.grid, proxy.empty() ? fields.baseExtinction : proxy.data(),
-    fields.importance, this->Self->RayDensity,
-    static_cast<limpid::BackendKind>(this->Self->Backend));
+    fields.importance, settings.rayDensity, settings.backend);
   found.backend = score.BackendName();
   this->ScoreAndFind([&](const limpid::SearchProgress& progress)
     { return limpid::ScoreViews(score, found.orbit, found.sphere.directions, progress); },
@@ -200,39 +200,33 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
   limpid::RequireChoice("Field", self->Field, 4);
   limpid::RequireChoice("Sampling", self->Sampling, 3);
   limpid::RequireSettings(this->MakeSettings());
-  if (self->NumberOfDirections < 1 || self->NumberOfDirections > LargestNumberOfDirections)
-  {
-    limpid::Refuse("NumberOfDirections is ", self->NumberOfDirections,
-      " (without any there is nothing to compare, and more than ", LargestNumberOfDirections,
-      " cannot be told apart). Set it between 1 and ", LargestNumberOfDirections, ".");
-  }
-  if (!(self->CameraDistance >= 1) || !std::isfinite(self->CameraDistance))
-  {
-    limpid::Refuse("CameraDistance is ", self->CameraDistance,
-      " radii of the sphere round the image (below 1 some of the cameras would stand inside the "
-      "image, and what is behind them could not be seen). Set it to 1 or more, for instance 3.");
-  }
-  if (!(self->CameraViewAngle > 0 && self->CameraViewAngle < 180))
-  {
-    limpid::Refuse("CameraViewAngle is ", self->CameraViewAngle,
-      " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
-  }
-  if (self->NumberOfViewpoints < 1)
-  {
-    limpid::Refuse("NumberOfViewpoints is ", self->NumberOfViewpoints,
-      " (a search is for at least one). Set it to 1 or more.");
-  }
-  if (!(self->SeparationAngle >= 0 && self->SeparationAngle <= 180))
-  {
-    limpid::Refuse("SeparationAngle is ", self->SeparationAngle,
-      " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
-  }
-  if (!(self->SphereRadius > 0) || !std::isfinite(self->SphereRadius))
-  {
-    limpid::Refuse("SphereRadius is ", self->SphereRadius,
-      " radii of the sphere round the image (there would be no surface to show scores on). Set it "
-      "above 0, for instance to 1.1.");
-  }
+  LIMPID_REQUIRE(
+    self->NumberOfDirections >= 1 && self->NumberOfDirections <= LargestNumberOfDirections,
+    "NumberOfDirections is " << self->NumberOfDirections
+                             << " (without any there is nothing to compare, and more than "
+                             << LargestNumberOfDirections
+                             << " cannot be told apart). Set it between 1 and "
+                             << LargestNumberOfDirections << ".");
+  LIMPID_REQUIRE(self->CameraDistance >= 1 && std::isfinite(self->CameraDistance),
+    "CameraDistance is "
+      << self->CameraDistance
+      << " radii of the sphere round the image (below 1 some of the cameras would stand inside the "
+         "image, and what is behind them could not be seen). Set it to 1 or more, for instance 3.");
+  LIMPID_REQUIRE(self->CameraViewAngle > 0 && self->CameraViewAngle < 180,
+    "CameraViewAngle is "
+      << self->CameraViewAngle
+      << " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
+  LIMPID_REQUIRE(self->NumberOfViewpoints >= 1,
+    "NumberOfViewpoints is " << self->NumberOfViewpoints
+                             << " (a search is for at least one). Set it to 1 or more.");
+  LIMPID_REQUIRE(self->SeparationAngle >= 0 && self->SeparationAngle <= 180,
+    "SeparationAngle is "
+      << self->SeparationAngle
+      << " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
+  LIMPID_REQUIRE(self->SphereRadius > 0 && std::isfinite(self->SphereRadius),
+    "SphereRadius is " << self->SphereRadius
+                       << " radii of the sphere round the image (there would be no surface to show "
+                          "scores on). Set it above 0, for instance to 1.1.");
 }
 
 void vtkViewpointSearch::Internals::WarnOfSceneWithoutScore(
@@ -255,18 +249,16 @@ limpid::Vec3 vtkViewpointSearch::Internals::FocalPoint(const limpid::Grid& grid)
   {
     return grid.Centre();
   }
-  const double* point = this->Self->CameraFocalPoint;
-  const limpid::Vec3 focalPoint(point[0], point[1], point[2]);
+  const limpid::Vec3 focalPoint = limpid::ToVec3(this->Self->CameraFocalPoint);
   const double offset = glm::distance(focalPoint, grid.Centre()) / grid.Radius();
-  if (!(this->Self->CameraDistance >= 1 + offset))
-  {
-    limpid::Refuse("CameraFocalPoint is ", point[0], " ", point[1], " ", point[2], ", ", offset,
-      " radii of the sphere round the image from its centre, and CameraDistance is ",
-      this->Self->CameraDistance,
-      " radii (some of the cameras would stand inside the image, and what is behind them could not "
-      "be seen). Move the focal point closer to the centre, or set CameraDistance to ",
-      1 + offset, " or more.");
-  }
+  LIMPID_REQUIRE(this->Self->CameraDistance >= 1 + offset,
+    "CameraFocalPoint is "
+      << focalPoint.x << " " << focalPoint.y << " " << focalPoint.z << ", " << offset
+      << " radii of the sphere round the image from its centre, and CameraDistance is "
+      << this->Self->CameraDistance
+      << " radii (some of the cameras would stand inside the image, and what is behind them could "
+         "not be seen). Move the focal point closer to the centre, or set CameraDistance to "
+      << (1 + offset) << " or more.");
   return focalPoint;
 }
 
@@ -288,8 +280,8 @@ limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid)
 
 limpid::Settings vtkViewpointSearch::Internals::MakeSettings() const
 {
-  limpid::Settings settings = this->Reader.MakeSettings();
-  settings.maximumIterations = this->Self->MaximumIterations;
+  limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
+  settings.restrictToView = false; // all of the image counts, whatever a picture would show
   return settings;
 }
 

@@ -3,6 +3,8 @@
 
 #include "vtkVisibilityAlgorithm.h"
 
+#include "PropertyPrinter.h"
+
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
@@ -12,10 +14,10 @@
 
 #include <algorithm>
 
-vtkCxxSetObjectMacro(vtkVisibilityAlgorithm, ImportanceFunction, vtkPiecewiseFunction);
 vtkCxxSetObjectMacro(vtkVisibilityAlgorithm, ScalarOpacityFunction, vtkPiecewiseFunction);
 
 vtkVisibilityAlgorithm::vtkVisibilityAlgorithm()
+  : Settings(vtkSmartPointer<vtkVisibilitySettings>::New())
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
@@ -27,21 +29,23 @@ vtkVisibilityAlgorithm::vtkVisibilityAlgorithm()
 
 vtkVisibilityAlgorithm::~vtkVisibilityAlgorithm()
 {
-  this->SetImportanceFunction(nullptr);
   this->SetScalarOpacityFunction(nullptr);
+}
+
+void vtkVisibilityAlgorithm::SetVisibilitySettings(vtkVisibilitySettings* settings)
+{
+  if (settings && settings != this->Settings)
+  {
+    this->Settings = settings;
+    this->Modified();
+  }
 }
 
 vtkMTimeType vtkVisibilityAlgorithm::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkPiecewiseFunction* function : { this->ImportanceFunction, this->ScalarOpacityFunction })
-  {
-    if (function)
-    {
-      time = std::max(time, function->GetMTime());
-    }
-  }
-  return time;
+  const vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
+  vtkPiecewiseFunction* function = this->ScalarOpacityFunction;
+  return function ? std::max(time, function->GetMTime()) : time;
 }
 
 int vtkVisibilityAlgorithm::RequestUpdateExtent(
@@ -62,20 +66,12 @@ int vtkVisibilityAlgorithm::RequestUpdateExtent(
 
 void vtkVisibilityAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&os, indent](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
+  const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
-  print("ScalarComponent", this->ScalarComponent);
-  print("ImportanceComponent", this->ImportanceComponent);
-  print("UseImportanceFunction", this->UseImportanceFunction);
-  print("ImportanceFunction", static_cast<void*>(this->ImportanceFunction));
   print("ExtinctionSource", this->ExtinctionSource);
   print("ScalarOpacityFunction", static_cast<void*>(this->ScalarOpacityFunction));
   print("ScalarOpacityUnitDistance", this->ScalarOpacityUnitDistance);
-  print("RegularizationWeight", this->RegularizationWeight);
-  print("ViewWeight", this->ViewWeight);
-  print("LightWeight", this->LightWeight);
-  print("RayDensity", this->RayDensity);
-  print("Backend", this->Backend);
+  os << indent << "VisibilitySettings:\n";
+  this->Settings->PrintSelf(os, indent.GetNextIndent());
 }

@@ -29,6 +29,8 @@
 
 #include "vtkImageAlgorithm.h"
 #include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkSmartPointer.h"        // for the settings
+#include "vtkVisibilitySettings.h"  // for the methods that are passed on
 
 class vtkPiecewiseFunction;
 
@@ -44,49 +46,18 @@ public:
     ARRAY = 1
   };
 
-  enum Backends
-  {
-    AUTO = 0,
-    CPU = 1,
-    CUDA = 2
-  };
+  LIMPID_VISIBILITY_CHOICES();
 
   ///@{
   /**
-   * Component of the scalar array that is the scalar field; -1: the length of the tuple, which
-   * for a single component is its value. Default is -1.
+   * Importance, weights, light and solver, see vtkVisibilitySettings; null changes nothing.
    */
-  vtkSetMacro(ScalarComponent, int);
-  vtkGetMacro(ScalarComponent, int);
+  virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
+  vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }
   ///@}
 
-  ///@{
-  /**
-   * Component of the importance array; -1: the length of the tuple, which for a single component
-   * is its value. Default is -1.
-   */
-  vtkSetMacro(ImportanceComponent, int);
-  vtkGetMacro(ImportanceComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether ImportanceFunction maps the importance array to importance. Off: the array's values
-   * are importance, moved into [0, 1]. Default is off.
-   */
-  vtkSetMacro(UseImportanceFunction, vtkTypeBool);
-  vtkGetMacro(UseImportanceFunction, vtkTypeBool);
-  vtkBooleanMacro(UseImportanceFunction, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Maps values of the importance array to importance; its values are moved into [0, 1].
-   * Default is none.
-   */
-  virtual void SetImportanceFunction(vtkPiecewiseFunction*);
-  vtkGetObjectMacro(ImportanceFunction, vtkPiecewiseFunction);
-  ///@}
+  /// The methods of vtkVisibilitySettings, documented there.
+  LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
   ///@{
   /**
@@ -101,7 +72,8 @@ public:
   /**
    * Opacity of the scalar field on one unit distance, as in vtkVolumeProperty. The base extinction
    * is -ln(1 - opacity) / unit distance, the opacity not above 1 - 1e-6. None or one without
-   * points: a straight line from 0 to 1 over the range of the scalar field. Default is none.
+   * points: a straight line from 0 to 1 over the range of the scalar field. The extinction of its
+   * largest value is the majorant of Eq. (25), whatever values the data have. Default is none.
    */
   virtual void SetScalarOpacityFunction(vtkPiecewiseFunction*);
   vtkGetObjectMacro(ScalarOpacityFunction, vtkPiecewiseFunction);
@@ -116,50 +88,6 @@ public:
   vtkGetMacro(ScalarOpacityUnitDistance, double);
   ///@}
 
-  ///@{
-  /**
-   * Weight p of the regularisation term, Eq. (22), in normalised coordinates. Not below zero.
-   * Default is 1e-3.
-   */
-  vtkSetMacro(RegularizationWeight, double);
-  vtkGetMacro(RegularizationWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight q of the view term, Eq. (23). Not below zero; zero leaves the view as it is.
-   * Default is 10.
-   */
-  vtkSetMacro(ViewWeight, double);
-  vtkGetMacro(ViewWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight r of the light term, Eq. (24). Not below zero; zero leaves the light as it is.
-   * Default is 1.
-   */
-  vtkSetMacro(LightWeight, double);
-  vtkGetMacro(LightWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Rays per voxel and axis on the slice farthest from the eye. Default is 1.
-   */
-  vtkSetMacro(RayDensity, double);
-  vtkGetMacro(RayDensity, double);
-  ///@}
-
-  ///@{
-  /**
-   * AUTO: the fastest that works here, named in the field data "Backend". CPU, CUDA: this or an
-   * error. Default is AUTO.
-   */
-  vtkSetMacro(Backend, int);
-  vtkGetMacro(Backend, int);
-  ///@}
-
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -171,18 +99,10 @@ protected:
 
   struct SceneReader; // from image and properties to the core's scene: no core type shows here
 
-  int ScalarComponent = -1;
-  int ImportanceComponent = -1;
-  vtkTypeBool UseImportanceFunction = 0;
-  vtkPiecewiseFunction* ImportanceFunction = nullptr;
+  vtkSmartPointer<vtkVisibilitySettings> Settings;
   int ExtinctionSource = OPACITY_FUNCTION;
   vtkPiecewiseFunction* ScalarOpacityFunction = nullptr;
   double ScalarOpacityUnitDistance = 0;
-  double RegularizationWeight = 1e-3;
-  double ViewWeight = 10;
-  double LightWeight = 1;
-  double RayDensity = 1;
-  int Backend = AUTO;
 
 private:
   vtkVisibilityAlgorithm(const vtkVisibilityAlgorithm&) = delete;

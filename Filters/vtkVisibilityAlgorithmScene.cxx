@@ -4,7 +4,7 @@
 #include "vtkVisibilityAlgorithmScene.h"
 
 #include "Choices.h"
-#include "Refuse.h"
+#include "SettingsConversion.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -16,6 +16,8 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
+
+#include "math/Require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +42,7 @@ namespace limpid
 SceneFields ImageScene::Fields() const
 {
   return { this->grid, this->arrays.baseExtinction->GetPointer(0),
-    this->arrays.importance->GetPointer(0) };
+    this->arrays.importance->GetPointer(0), this->majorant };
 }
 }
 
@@ -48,38 +50,32 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   vtkInformationVector** inputVector) const
 {
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
-  if (!input || input->GetNumberOfPoints() == 0)
-  {
-    limpid::Refuse(
-      "The input has no points (there is nothing to be seen). Give it an image with data.");
-  }
+  LIMPID_REQUIRE(input && input->GetNumberOfPoints() > 0,
+    "The input has no points (there is nothing to be seen). Give it an image with data.");
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   const bool isWhole = !whole || std::equal(whole, whole + 6, input->GetExtent());
-  if (controller && controller->GetNumberOfProcesses() > 1 && !isWhole)
-  {
-    const int* extent = input->GetExtent();
-    limpid::Refuse("This process has only the extent ", extent[0], "..", extent[1], " ", extent[2],
-      "..", extent[3], " ", extent[4], "..", extent[5], " of ", whole[0], "..", whole[1], " ",
-      whole[2], "..", whole[3], " ", whole[4], "..", whole[5],
-      " (what hides a structure may lie in the rest, so the result would be wrong). Run with one "
-      "process, or read from a source that can give the whole image to each process.");
-  }
+  const int* extent = input->GetExtent();
+  LIMPID_REQUIRE(isWhole || !controller || controller->GetNumberOfProcesses() < 2,
+    "This process has only the extent "
+      << extent[0] << ".." << extent[1] << " " << extent[2] << ".." << extent[3] << " " << extent[4]
+      << ".." << extent[5] << " of " << whole[0] << ".." << whole[1] << " " << whole[2] << ".."
+      << whole[3] << " " << whole[4] << ".." << whole[5]
+      << " (what hides a structure may lie in the rest, so the result would be wrong). Run with "
+         "one process, or read from a source that can give the whole image to each process.");
   return input;
 }
 
 void vtkVisibilityAlgorithm::SceneReader::RequireChoices() const
 {
+  limpid::RequireChoices(this->Self->Settings);
   limpid::RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
-  limpid::RequireChoice("Backend", this->Self->Backend, 3);
-  if (!(this->Self->ScalarOpacityUnitDistance >= 0) ||
-    !std::isfinite(this->Self->ScalarOpacityUnitDistance))
-  {
-    limpid::Refuse("ScalarOpacityUnitDistance is ", this->Self->ScalarOpacityUnitDistance,
-      " (opacity is light lost on a distance). Set a length above zero, or zero for the mean "
-      "length of a cell.");
-  }
+  const double unitDistance = this->Self->ScalarOpacityUnitDistance;
+  LIMPID_REQUIRE(unitDistance >= 0 && std::isfinite(unitDistance),
+    "ScalarOpacityUnitDistance is " << unitDistance
+                                    << " (opacity is light lost on a distance). Set a length above "
+                                       "zero, or zero for the mean length of a cell.");
 }
 
 limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
@@ -93,23 +89,18 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
   const limpid::FieldSource extinction = extinctionSource == ARRAY
     ? this->ExtinctionArray(input)
     : this->OpacityOfScalars(input, scene.unitDistance);
+  vtkPiecewiseFunction* opacity = this->Self->ScalarOpacityFunction;
+  if (extinctionSource == OPACITY_FUNCTION && opacity)
+  {
+    scene.majorant = static_cast<float>(
+      limpid::ExtinctionOfOpacity(limpid::LargestValue(opacity), scene.unitDistance));
+  }
   scene.arrays = limpid::ConvertScene(input, extinction, this->ImportanceSource(input));
   if (!scene.arrays.Warning().empty())
   {
     vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
   }
   return scene;
-}
-
-limpid::Settings vtkVisibilityAlgorithm::SceneReader::MakeSettings() const
-{
-  limpid::Settings settings;
-  settings.weights.regularization = this->Self->RegularizationWeight;
-  settings.weights.view = this->Self->ViewWeight;
-  settings.weights.light = this->Self->LightWeight;
-  settings.rayDensity = this->Self->RayDensity;
-  settings.backend = static_cast<limpid::BackendKind>(this->Self->Backend);
-  return settings;
 }
 
 // vtkAlgorithm::CheckAbort came between VTK's releases 9.2 and 9.3; ParaView 5.11 has it.
@@ -144,15 +135,12 @@ vtkDataArray* vtkVisibilityAlgorithm::SceneReader::FindArray(
     array =
       fallback ? input->GetPointData()->GetArray(fallback) : input->GetPointData()->GetScalars();
   }
-  if (!array)
-  {
-    const char* wanted = named ? name : (fallback ? fallback : "(the active scalars)");
-    limpid::Refuse("The ", role, " array \"", wanted,
-      "\" is not among the input's numeric arrays (the scene cannot be made without it). Choose "
-      "one of these: of the points: ",
-      limpid::ArrayNames(input->GetPointData()),
-      "; of the cells: ", limpid::ArrayNames(input->GetCellData()), ".");
-  }
+  const char* wanted = named ? name : (fallback ? fallback : "(the active scalars)");
+  LIMPID_REQUIRE(array,
+    "The " << role << " array \"" << wanted
+           << "\" is not among the input's numeric arrays (the scene cannot be made without it). "
+              "Choose one of these: "
+           << limpid::ArrayNames(input) << ".");
   onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
     (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
       input->GetPointData()->GetArray(array->GetName()) != array);
@@ -163,18 +151,9 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ImportanceSource(vtkIma
 {
   limpid::FieldSource source;
   source.array = this->FindArray(1, "importance", "Importance", input, source.onCells);
-  source.component = this->Self->ImportanceComponent;
+  source.component = this->Self->Settings->GetImportanceComponent();
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
-  if (this->Self->UseImportanceFunction)
-  {
-    if (!this->Self->ImportanceFunction || this->Self->ImportanceFunction->GetSize() == 0)
-    {
-      limpid::Refuse(
-        "UseImportanceFunction is on, but ImportanceFunction has no points (no value would "
-        "have an importance). Add points to the function or turn it off.");
-    }
-    source.mapping = limpid::Evaluate(this->Self->ImportanceFunction);
-  }
+  source.mapping = limpid::ImportanceMapping(this->Self->Settings);
   return source;
 }
 
@@ -182,12 +161,10 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ExtinctionArray(vtkImag
 {
   limpid::FieldSource source;
   source.array = this->FindArray(2, "extinction", "BaseExtinction", input, source.onCells);
-  if (source.array->GetNumberOfComponents() != 1)
-  {
-    limpid::Refuse("The extinction array \"", limpid::NameOf(source.array), "\" has ",
-      source.array->GetNumberOfComponents(),
-      " components (extinction is one number per point). Choose an array with one component.");
-  }
+  LIMPID_REQUIRE(source.array->GetNumberOfComponents() == 1,
+    "The extinction array \""
+      << limpid::NameOf(source.array) << "\" has " << source.array->GetNumberOfComponents()
+      << " components (extinction is one number per point). Choose an array with one component.");
   return source;
 }
 
@@ -196,19 +173,24 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::OpacityOfScalars(
 {
   limpid::FieldSource source;
   source.array = this->FindArray(0, "scalar", nullptr, input, source.onCells);
-  source.component = this->Self->ScalarComponent;
+  source.component = this->Self->Settings->GetScalarComponent();
   limpid::RequireComponent("ScalarComponent", source.array, source.component);
+  const limpid::ScalarMapping opacity = this->OpacityMapping(source);
+  source.mapping = [opacity, unitDistance](double value)
+  { return limpid::ExtinctionOfOpacity(opacity(value), unitDistance); };
+  return source;
+}
+
+limpid::ScalarMapping vtkVisibilityAlgorithm::SceneReader::OpacityMapping(
+  const limpid::FieldSource& scalars) const
+{
   vtkPiecewiseFunction* function = this->Self->ScalarOpacityFunction;
   if (function && function->GetSize() > 0)
   {
-    source.mapping = limpid::ExtinctionOfOpacity(limpid::Evaluate(function), unitDistance);
+    return limpid::Evaluate(function);
   }
-  else
-  {
-    double low = 0;
-    double high = 0;
-    limpid::FiniteRange(source.array, source.component, low, high);
-    source.mapping = limpid::ExtinctionOfOpacity(limpid::Ramp(low, high), unitDistance);
-  }
-  return source;
+  double low = 0;
+  double high = 0;
+  limpid::FiniteRange(scalars.array, scalars.component, low, high);
+  return limpid::Ramp(low, high);
 }

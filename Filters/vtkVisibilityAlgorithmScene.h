@@ -19,8 +19,9 @@ struct ImageScene
   Grid grid;
   double unitDistance = 1; ///< of opacities [length]
   SceneArrays arrays;
+  float majorant = 0; ///< of the opacity function; zero: that of the arrays [1/length]
 
-  /// The same for the core; the arrays stay here.
+  /// What the core takes of it; the arrays stay here.
   SceneFields Fields() const;
 };
 }
@@ -42,9 +43,6 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// cannot be used.
   limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
 
-  /// Weights, ray density and backend.
-  limpid::Settings MakeSettings() const;
-
   /// Whether the user wants to stop. Call it from the thread of the request.
   bool IsAborted() const;
 
@@ -54,6 +52,7 @@ private:
   limpid::FieldSource ImportanceSource(vtkImageData* input) const;
   limpid::FieldSource ExtinctionArray(vtkImageData* input) const;
   limpid::FieldSource OpacityOfScalars(vtkImageData* input, double unitDistance) const;
+  limpid::ScalarMapping OpacityMapping(const limpid::FieldSource& scalars) const;
 
   vtkVisibilityAlgorithm* Self;
 };

@@ -24,6 +24,7 @@
 
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkLimpidRepresentationsModule.h" // for export macro
+#include "vtkVisibilitySettings.h"          // for the methods that are passed on
 
 #include <memory> // for the hidden state
 #include <string> // for messages
@@ -43,39 +44,28 @@ public:
 
   void SetVisibility(bool visible) override;
 
-  ///@{
   /**
    * What is important: an array by association and name, as SetInputArrayToProcess takes it. The
    * name "(Color Array)" stands for the array that the volume is colored by. Default is
    * "Importance", or the color array if there is none of that name.
    */
   void SetImportanceArray(int index, int port, int connection, int association, const char* name);
-  void SetImportanceComponent(int);
-  void SetUseImportanceFunction(int);
-  void SetImportanceFunction(vtkPiecewiseFunction*);
-  ///@}
+
+  /**
+   * Those of the mapper: importance, weights, own light and solver. ScalarComponent is that of the
+   * color map.
+   */
+  vtkVisibilitySettings* GetVisibilitySettings();
+
+  /// The methods of vtkVisibilitySettings, documented there.
+  LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
   ///@{
   /**
-   * What is done about it.
+   * What is done about what is important.
    */
   void SetMethod(int);
   void SetOptimization(int);
-  void SetViewWeight(double);
-  void SetLightWeight(double);
-  void SetRegularizationWeight(double);
-  void SetMode(int);
-  void SetRestrictToView(int);
-  void SetSolver(int);
-  void SetMaximumIterations(int);
-  void SetIterationsPerLevel(int quarter, int half, int full);
-  void SetLearningRate(double);
-  void SetTolerance(double);
-  void SetMaximumSeconds(double);
-  void SetDerivative(int);
-  void SetRayDensity(double);
-  void SetSkipUnneeded(int);
-  void SetBackend(int);
   ///@}
 
   ///@{
@@ -86,8 +76,6 @@ public:
   void SetShadows(int);
   void SetShadowStrength(double);
   void SetLightSource(int);
-  void SetLightType(int);
-  void SetLightPosition(double x, double y, double z);
   void SetLightIntensity(double);
   void SetVolumeAmbient(double);
   void SetVolumeSpecular(double);

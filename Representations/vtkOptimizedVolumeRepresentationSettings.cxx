@@ -5,38 +5,32 @@
 
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
-// Forwards SetName(value) to the method of the same name of the mapper.
-#define LIMPID_FORWARD(name, type)                                                                 \
+// Forwards SetName(value) to a method of the mapper.
+#define LIMPID_FORWARD_AS(name, mapperName, type)                                                  \
   void vtkOptimizedVolumeRepresentation::Set##name(type value)                                     \
   {                                                                                                \
-    this->State->Mapper->Set##name(value);                                                         \
+    this->State->Mapper->Set##mapperName(value);                                                   \
+  }
+#define LIMPID_FORWARD(name, type) LIMPID_FORWARD_AS(name, name, type)
+
+// Forwards GetName() to the method of the same name of the mapper.
+#define LIMPID_FORWARD_RESULT(name, type)                                                          \
+  type vtkOptimizedVolumeRepresentation::Get##name()                                               \
+  {                                                                                                \
+    return this->State->Mapper->Get##name();                                                       \
   }
 
-LIMPID_FORWARD(ImportanceComponent, int)
-LIMPID_FORWARD(UseImportanceFunction, int)
-LIMPID_FORWARD(ImportanceFunction, vtkPiecewiseFunction*)
 LIMPID_FORWARD(Method, int)
 LIMPID_FORWARD(Optimization, int)
 LIMPID_FORWARD(PauseOptimization, int)
-LIMPID_FORWARD(ViewWeight, double)
-LIMPID_FORWARD(LightWeight, double)
-LIMPID_FORWARD(RegularizationWeight, double)
-LIMPID_FORWARD(Mode, int)
-LIMPID_FORWARD(RestrictToView, int)
-LIMPID_FORWARD(Solver, int)
-LIMPID_FORWARD(MaximumIterations, int)
-LIMPID_FORWARD(LearningRate, double)
-LIMPID_FORWARD(Tolerance, double)
-LIMPID_FORWARD(MaximumSeconds, double)
-LIMPID_FORWARD(Derivative, int)
-LIMPID_FORWARD(RayDensity, double)
-LIMPID_FORWARD(SkipUnneeded, int)
-LIMPID_FORWARD(Backend, int)
 LIMPID_FORWARD(Shadows, int)
 LIMPID_FORWARD(ShadowStrength, double)
 LIMPID_FORWARD(LightSource, int)
-LIMPID_FORWARD(LightType, int)
 LIMPID_FORWARD(LightIntensity, double)
+LIMPID_FORWARD_AS(VolumeAmbient, Ambient, double)
+LIMPID_FORWARD_AS(VolumeSpecular, Specular, double)
+LIMPID_FORWARD_AS(VolumeSpecularPower, SpecularPower, double)
+LIMPID_FORWARD_AS(ScatteringAnisotropy, Anisotropy, double)
 LIMPID_FORWARD(SampleDistance, double)
 LIMPID_FORWARD(Jitter, int)
 LIMPID_FORWARD(AdaptiveQuality, int)
@@ -44,43 +38,28 @@ LIMPID_FORWARD(InteractiveFrameTime, double)
 LIMPID_FORWARD(EaseTime, double)
 LIMPID_FORWARD(ProgressiveStill, int)
 
+LIMPID_FORWARD_RESULT(VisibilityScore, double)
+LIMPID_FORWARD_RESULT(BaseVisibilityScore, double)
+LIMPID_FORWARD_RESULT(VisibleFraction, double)
+LIMPID_FORWARD_RESULT(BaseVisibleFraction, double)
+LIMPID_FORWARD_RESULT(Iterations, int)
+LIMPID_FORWARD_RESULT(LightDescription, const char*)
+LIMPID_FORWARD_RESULT(BackendName, const char*)
+
 #undef LIMPID_FORWARD
+#undef LIMPID_FORWARD_AS
+#undef LIMPID_FORWARD_RESULT
+
+vtkVisibilitySettings* vtkOptimizedVolumeRepresentation::GetVisibilitySettings()
+{
+  return this->State->Mapper->GetVisibilitySettings();
+}
 
 void vtkOptimizedVolumeRepresentation::SetImportanceArray(int vtkNotUsed(index),
   int vtkNotUsed(port), int vtkNotUsed(connection), int association, const char* name)
 {
   this->State->ImportanceAssociation = association;
   this->State->ImportanceArray = name ? name : "";
-}
-
-void vtkOptimizedVolumeRepresentation::SetIterationsPerLevel(int quarter, int half, int full)
-{
-  this->State->Mapper->SetIterationsPerLevel(quarter, half, full);
-}
-
-void vtkOptimizedVolumeRepresentation::SetLightPosition(double x, double y, double z)
-{
-  this->State->Mapper->SetLightPosition(x, y, z);
-}
-
-void vtkOptimizedVolumeRepresentation::SetVolumeAmbient(double ambient)
-{
-  this->State->Mapper->SetAmbient(ambient);
-}
-
-void vtkOptimizedVolumeRepresentation::SetVolumeSpecular(double specular)
-{
-  this->State->Mapper->SetSpecular(specular);
-}
-
-void vtkOptimizedVolumeRepresentation::SetVolumeSpecularPower(double power)
-{
-  this->State->Mapper->SetSpecularPower(power);
-}
-
-void vtkOptimizedVolumeRepresentation::SetScatteringAnisotropy(double anisotropy)
-{
-  this->State->Mapper->SetAnisotropy(anisotropy);
 }
 
 void vtkOptimizedVolumeRepresentation::ResetOptimization()
@@ -94,43 +73,8 @@ void vtkOptimizedVolumeRepresentation::SetShowScore(int show)
   this->State->Annotation->SetVisibility(this->GetVisibility() && this->State->ShowScore);
 }
 
-double vtkOptimizedVolumeRepresentation::GetVisibilityScore()
-{
-  return this->State->Mapper->GetVisibilityScore();
-}
-
-double vtkOptimizedVolumeRepresentation::GetBaseVisibilityScore()
-{
-  return this->State->Mapper->GetBaseVisibilityScore();
-}
-
-double vtkOptimizedVolumeRepresentation::GetVisibleFraction()
-{
-  return this->State->Mapper->GetVisibleFraction();
-}
-
-double vtkOptimizedVolumeRepresentation::GetBaseVisibleFraction()
-{
-  return this->State->Mapper->GetBaseVisibleFraction();
-}
-
 int vtkOptimizedVolumeRepresentation::GetConverged()
 {
   // A frame without the volume has left nothing to do.
   return !this->State->Mapper->HasDrawn || this->State->Mapper->GetConverged() ? 1 : 0;
-}
-
-int vtkOptimizedVolumeRepresentation::GetIterations()
-{
-  return this->State->Mapper->GetIterations();
-}
-
-const char* vtkOptimizedVolumeRepresentation::GetLightDescription()
-{
-  return this->State->Mapper->GetLightDescription();
-}
-
-const char* vtkOptimizedVolumeRepresentation::GetBackendName()
-{
-  return this->State->Mapper->GetBackendName();
 }

@@ -3,6 +3,7 @@
 
 #include "DrawingOrder.h"
 
+#include "ScenePlacement.h"
 #include "ViewGeometry.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -68,11 +69,6 @@ std::vector<Vec3> CandidateDirections(const Box& first, const Box& second)
     }
   }
   return directions;
-}
-
-Vec3 ToVec3(const double* vector)
-{
-  return { vector[0], vector[1], vector[2] };
 }
 
 // Which side of the gap between two spans the eye is on: below, in it, above.

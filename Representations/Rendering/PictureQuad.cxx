@@ -3,8 +3,6 @@
 
 #include "PictureQuad.h"
 
-#include "Refuse.h"
-
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -13,6 +11,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include "math/Require.h"
 #include "render/Renderer.h"
 
 namespace limpid
@@ -93,11 +92,10 @@ void PictureQuad::Draw(vtkRenderer* renderer, const Picture& picture, const Pict
   double depth, const std::array<float, 4>& mask)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window)
-  {
-    Refuse("The render window is a ", renderer->GetRenderWindow()->GetClassName(),
-      " (pictures are drawn with OpenGL). Use a window of VTK's OpenGL modules.");
-  }
+  LIMPID_REQUIRE(window,
+    "The render window is a "
+      << renderer->GetRenderWindow()->GetClassName()
+      << " (pictures are drawn with OpenGL). Use a window of VTK's OpenGL modules.");
   if (!this->Quad)
   {
     this->Quad =
@@ -107,11 +105,9 @@ void PictureQuad::Draw(vtkRenderer* renderer, const Picture& picture, const Pict
   {
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
   }
-  if (!this->Quad->Program)
-  {
-    Refuse("The shader that draws pictures could not be made (OpenGL is too old or gone). Check "
-           "the graphics driver.");
-  }
+  LIMPID_REQUIRE(this->Quad->Program,
+    "The shader that draws pictures could not be made (OpenGL is too old or gone). Check the "
+    "graphics driver.");
 
   const bool masked = mask[3] >= 0;
   std::array<int, 2> size;

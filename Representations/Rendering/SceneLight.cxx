@@ -3,6 +3,11 @@
 
 #include "SceneLight.h"
 
+#include "ScenePlacement.h"
+#include "SettingsConversion.h"
+#include "ViewGeometry.h"
+
+#include "vtkCamera.h"
 #include "vtkCollection.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -42,6 +47,37 @@ std::string Describe(vtkLight* light, int number, int count)
 }
 }
 
+ChosenLight OwnLight(vtkVisibilitySettings* settings, vtkRenderer* renderer)
+{
+  vtkCamera* source = renderer->GetActiveCamera();
+  Camera camera;
+  camera.position = ToVec3(source->GetPosition());
+  camera.focalPoint = ToVec3(source->GetFocalPoint());
+  camera.viewUp = ToVec3(source->GetViewUp());
+  ChosenLight chosen;
+  chosen.found = true;
+  chosen.light = LightOf(settings, camera.focalPoint);
+  if (IsUnplaced(chosen.light))
+  {
+    PlaceLight(camera, chosen.light);
+  }
+  std::ostringstream text;
+  const Vec3& position = chosen.light.position;
+  text << "own light: " << (chosen.light.type == LightType::Point ? "point" : "directional")
+       << ", at (" << position.x << ", " << position.y << ", " << position.z << ")";
+  chosen.description = text.str();
+  return chosen;
+}
+
+Light ToData(const Light& light, vtkVolume* volume)
+{
+  const glm::dmat4 worldToData = glm::inverse(DataToWorld(volume));
+  Light result = light;
+  result.position = TransformPoint(worldToData, light.position);
+  result.focalPoint = TransformPoint(worldToData, light.focalPoint);
+  return result;
+}
+
 ChosenLight StrongestLight(vtkRenderer* renderer)
 {
   vtkLightCollection* lights = renderer->GetLights();
@@ -70,8 +106,8 @@ ChosenLight StrongestLight(vtkRenderer* renderer)
   strongest->GetTransformedFocalPoint(to);
   chosen.found = true;
   chosen.light.type = strongest->GetPositional() ? LightType::Point : LightType::Directional;
-  chosen.light.position = Vec3(from[0], from[1], from[2]);
-  chosen.light.focalPoint = Vec3(to[0], to[1], to[2]);
+  chosen.light.position = ToVec3(from);
+  chosen.light.focalPoint = ToVec3(to);
   const double* color = strongest->GetDiffuseColor();
   const double largest = std::max({ color[0], color[1], color[2] });
   for (std::size_t channel = 0; channel < 3; ++channel)

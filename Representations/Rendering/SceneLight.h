@@ -12,21 +12,29 @@
 #include <string>
 
 class vtkRenderer;
+class vtkVisibilitySettings;
+class vtkVolume;
 
 namespace limpid
 {
 struct ChosenLight
 {
   bool found = false;
-  Light light;                                        ///< in world coordinates
+  Light light;                                        ///< in world coordinates, see ToData
   std::array<float, 3> color{ { 1.0f, 1.0f, 1.0f } }; ///< largest channel: 1
   std::string description;                            ///< for the user
 };
+
+/// The light of the settings; as long as nobody has placed it, above and behind the camera.
+ChosenLight OwnLight(vtkVisibilitySettings* settings, vtkRenderer* renderer);
 
 /// The strongest of the renderer's lights that are switched on, by the brightness of its diffuse
 /// colour times its intensity; of equally strong ones the first. Its own brightness is not used
 /// otherwise: one light stands for all of them.
 ChosenLight StrongestLight(vtkRenderer* renderer);
+
+/// The light in data coordinates.
+Light ToData(const Light& light, vtkVolume* volume);
 }
 
 #endif

@@ -4,12 +4,14 @@
 #include "TransferTables.h"
 
 #include "AllCores.h"
-#include "Refuse.h"
 #include "ScalarMapping.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
+
+#include "math/Require.h"
+#include "render/Classification.h" // for OpticalTable
 
 #include <algorithm>
 #include <cmath>
@@ -129,17 +131,14 @@ TransferFunctions SampleFunctions(
   vtkVolumeProperty* property, double low, double high, const ValueUnit& unit)
 {
   const double unitDistance = property->GetScalarOpacityUnitDistance(0);
-  if (!(unitDistance > 0) || !std::isfinite(unitDistance))
-  {
-    Refuse("The scalar opacity unit distance is ", unitDistance,
-      " (opacity is light lost on a distance). Set a length above zero.");
-  }
+  LIMPID_REQUIRE(unitDistance > 0 && std::isfinite(unitDistance),
+    "The scalar opacity unit distance is "
+      << unitDistance << " (opacity is light lost on a distance). Set a length above zero.");
 
   const ScalarRange interval = SampledRange(property, low, high);
   const std::vector<double> colors = SampleColors(property, interval);
   std::vector<double> opacities(Samples);
   property->GetScalarOpacity(0)->GetTable(interval.low, interval.high, Samples, opacities.data());
-  const ScalarMapping extinction = ExtinctionOfOpacity(KeepValue(), unitDistance);
 
   TransferFunctions functions;
   functions.low = (interval.low - unit.offset) * unit.scale;
@@ -149,31 +148,34 @@ TransferFunctions SampleFunctions(
   for (std::size_t i = 0; i < Samples; ++i)
   {
     const double opacity = std::isfinite(opacities[i]) ? opacities[i] : 0.0;
-    functions.extinction[i] = static_cast<float>(extinction(opacity));
+    functions.extinction[i] = static_cast<float>(ExtinctionOfOpacity(opacity, unitDistance));
     functions.color[i] = { { Color(colors[3 * i]), Color(colors[3 * i + 1]),
       Color(colors[3 * i + 2]) } };
   }
   return functions;
 }
 
+float LargestExtinction(vtkVolumeProperty* property)
+{
+  return static_cast<float>(ExtinctionOfOpacity(
+    LargestValue(property->GetScalarOpacity(0)), property->GetScalarOpacityUnitDistance(0)));
+}
+
 void LookUpExtinction(
   const TransferFunctions& functions, const float* values, Index count, float* extinction)
 {
-  const float* table = functions.extinction.data();
-  const auto last = static_cast<float>(functions.extinction.size() - 1);
-  const auto low = static_cast<float>(functions.low);
-  const auto scale = static_cast<float>(last / (functions.high - functions.low));
+  OpticalTable<float> table;
+  table.last = static_cast<int>(functions.extinction.size()) - 1;
+  table.lastPosition = static_cast<float>(table.last);
+  table.low = static_cast<float>(functions.low);
+  table.scale = static_cast<float>(table.last / (functions.high - functions.low));
+  table.values = functions.extinction.data();
   ForOnAllCores(count,
     [=](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        // The order of the arguments makes zero of NaN.
-        const float position = std::min(std::max(0.0F, (values[i] - low) * scale), last);
-        const auto entry = static_cast<int>(std::min(position, last - 1));
-        const float share = position - static_cast<float>(entry);
-        const float value = table[entry] + share * (table[entry + 1] - table[entry]);
-        extinction[i] = std::isnan(values[i]) ? 0.0F : value;
+        extinction[i] = std::isnan(values[i]) ? 0.0F : table.At(table.Position(values[i]));
       }
     });
 }

@@ -31,6 +31,9 @@ struct ValueUnit
 TransferFunctions SampleFunctions(
   vtkVolumeProperty* property, double low, double high, const ValueUnit& unit);
 
+/// Largest extinction that the opacity function has anywhere, Eq. (25) [1/length].
+float LargestExtinction(vtkVolumeProperty* property);
+
 /// Extinction of `count` values by the table, linear in between; of NaN: zero [1/length].
 void LookUpExtinction(
   const TransferFunctions& functions, const float* values, Index count, float* extinction);

@@ -3,7 +3,7 @@
 
 #include "ViewGeometry.h"
 
-#include "Refuse.h"
+#include "ScenePlacement.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -13,6 +13,8 @@
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 
+#include "math/Require.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,11 +22,6 @@ namespace limpid
 {
 namespace
 {
-Vec3 ToVec3(const double* vector)
-{
-  return { vector[0], vector[1], vector[2] };
-}
-
 // VTK's own matrices have view z from -1 to 1 unless somebody has set the projection explicitly,
 // which IceT does; that one has the same range.
 glm::dmat4 ProjectionOf(vtkRenderer* renderer, bool bothEyes)
@@ -53,12 +50,10 @@ glm::dmat4 Inverse(const glm::dmat4& matrix, const char* whose)
       finite &= std::isfinite(inverse[column][row]);
     }
   }
-  if (!finite)
-  {
-    Refuse("The matrix of the ", whose, " has the determinant ", glm::determinant(matrix),
-      " (without a way back from the picture no ray can be found). Check scale, orientation, "
-      "position and clipping range.");
-  }
+  LIMPID_REQUIRE(finite,
+    "The matrix of the " << whose << " has the determinant " << glm::determinant(matrix)
+                         << " (without a way back from the picture no ray can be found). Check "
+                            "scale, orientation, position and clipping range.");
   return inverse;
 }
 
@@ -313,14 +308,11 @@ std::vector<float> ReadDepth(
   std::vector<float> buffer(std::size_t(columns) * std::size_t(rows), 1.0F);
   const int left = geometry.origin[0] + geometry.covered[0];
   const int bottom = geometry.origin[1] + geometry.covered[2];
-  if (renderer->GetRenderWindow()->GetZbufferData(
-        left, bottom, left + columns - 1, bottom + rows - 1, buffer.data()) == 0)
-  {
-    Refuse("The depth buffer of ", columns, " x ", rows,
-      " pixels cannot be read (the volume would be drawn over opaque geometry). Use a render "
-      "window "
-      "with a depth buffer.");
-  }
+  LIMPID_REQUIRE(renderer->GetRenderWindow()->GetZbufferData(
+                   left, bottom, left + columns - 1, bottom + rows - 1, buffer.data()) != 0,
+    "The depth buffer of " << columns << " x " << rows
+                           << " pixels cannot be read (the volume would be drawn over opaque "
+                              "geometry). Use a render window with a depth buffer.");
 
   std::vector<float> depth;
   depth.reserve(std::size_t(frame.size[0]) * std::size_t(frame.size[1]));

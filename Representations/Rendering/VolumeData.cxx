@@ -4,7 +4,6 @@
 #include "VolumeData.h"
 
 #include "AllCores.h"
-#include "Refuse.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -210,7 +209,9 @@ void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
   this->PropertyTime = time;
   this->FunctionsScalars = this->ScalarChanges;
   // A property changes with much that is no function, and VTK changes it while it draws.
-  this->FunctionChanges += sameScalars && HaveSameTables(before, this->Tables) ? 0 : 1;
+  const float majorant = std::exchange(this->Majorant, LargestExtinction(property));
+  const bool same = HaveSameTables(before, this->Tables) && majorant == this->Majorant;
+  this->FunctionChanges += sameScalars && same ? 0 : 1;
 }
 
 // Moves importance into [0, 1]; none where there is no value or nothing to be seen.
@@ -277,6 +278,7 @@ SceneFields VolumeData::Scene() const
   scene.grid = this->NodeGrid;
   scene.baseExtinction = this->Arrays.baseExtinction->GetPointer(0);
   scene.importance = this->Arrays.importance->GetPointer(0);
+  scene.majorant = this->Majorant;
   return scene;
 }
 

@@ -108,6 +108,7 @@ private:
   vtkMTimeType PropertyTime = 0;
   std::uint64_t FunctionsScalars = 0; ///< version of the scalars that they were sampled for
   TransferFunctions Tables;
+  float Majorant = 0; ///< of the opacity function, wherever it has it [1/length]
   std::uint64_t FunctionChanges = 0;
 
   ArrayKey ImportanceKey;

@@ -3,6 +3,7 @@
 
 #include "vtkTransmittanceVolumeMapper.h"
 
+#include "PropertyPrinter.h"
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
 #include "vtkCollection.h"
@@ -12,24 +13,31 @@
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkTransmittanceVolumeMapper);
-vtkCxxSetObjectMacro(vtkTransmittanceVolumeMapper, ImportanceFunction, vtkPiecewiseFunction);
 
 vtkTransmittanceVolumeMapper::vtkTransmittanceVolumeMapper()
-  : State(new Internals(this))
+  : Settings(vtkSmartPointer<vtkVisibilitySettings>::New())
+  , State(new Internals(this))
 {
+  this->Settings->SetScalarComponent(UNDECIDED);
+  this->Settings->SetRestrictToView(1);
   static_assert(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS == 3,
     "the default of ImportanceArrayAssociation in the header");
 }
 
-vtkTransmittanceVolumeMapper::~vtkTransmittanceVolumeMapper()
+vtkTransmittanceVolumeMapper::~vtkTransmittanceVolumeMapper() = default;
+
+void vtkTransmittanceVolumeMapper::SetVisibilitySettings(vtkVisibilitySettings* settings)
 {
-  this->SetImportanceFunction(nullptr);
+  if (settings && settings != this->Settings)
+  {
+    this->Settings = settings;
+    this->Modified();
+  }
 }
 
 void vtkTransmittanceVolumeMapper::SetImportanceArray(const char* name)
@@ -158,45 +166,22 @@ void vtkTransmittanceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 vtkMTimeType vtkTransmittanceVolumeMapper::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->ImportanceFunction ? std::max(time, this->ImportanceFunction->GetMTime()) : time;
+  return std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
 }
 
 void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&os, indent](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
-  const auto printVector = [&os, indent](const char* name, const auto& vector)
-  { os << indent << name << ": " << vector[0] << " " << vector[1] << " " << vector[2] << "\n"; };
+  const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
-  print("ScalarComponent", this->ScalarComponent);
+  os << indent << "VisibilitySettings:\n";
+  this->Settings->PrintSelf(os, indent.GetNextIndent());
   print("ImportanceArray", this->ImportanceArray);
   print("ImportanceArrayAssociation", this->ImportanceArrayAssociation);
-  print("ImportanceComponent", this->ImportanceComponent);
-  print("UseImportanceFunction", this->UseImportanceFunction);
-  print("ImportanceFunction", static_cast<void*>(this->ImportanceFunction));
   print("Method", this->Method);
   print("Optimization", this->Optimization);
   print("PauseOptimization", this->PauseOptimization);
-  print("RegularizationWeight", this->RegularizationWeight);
-  print("ViewWeight", this->ViewWeight);
-  print("LightWeight", this->LightWeight);
-  print("Mode", this->Mode);
-  print("Solver", this->Solver);
-  print("MaximumIterations", this->MaximumIterations);
-  printVector("IterationsPerLevel", this->IterationsPerLevel);
-  print("LearningRate", this->LearningRate);
-  print("Tolerance", this->Tolerance);
-  print("MaximumSeconds", this->MaximumSeconds);
-  print("Derivative", this->Derivative);
-  print("RayDensity", this->RayDensity);
-  print("SkipUnneeded", this->SkipUnneeded);
-  print("RestrictToView", this->RestrictToView);
-  print("Backend", this->Backend);
   print("LightSource", this->LightSource);
-  print("LightType", this->LightType);
-  printVector("LightPosition", this->LightPosition);
   print("Shadows", this->Shadows);
   print("ShadowStrength", this->ShadowStrength);
   print("Ambient", this->Ambient);

@@ -7,8 +7,8 @@
  *
  * A volume mapper, to be used with vtkVolume::SetMapper. It finds the extinction of Eq. (21) in
  * [HG24] for the camera and a light of the view in which it draws, and renders with it by Eqs.
- * (1)-(6): single scattering, with the transmittance of the light from a shadow volume. It computes
- * on the CPU, with all cores.
+ * (1)-(6): single scattering, with the transmittance of the light from a shadow volume. Backend
+ * says what computes; with AUTO a graphics card where there is one, else all cores of the CPU.
  *
  * Input port 0: vtkImageData with an array of its points or its cells (cell arrays are averaged to
  * the points first), of any numeric type, chosen as for all volume mappers with SelectScalarArray
@@ -51,6 +51,8 @@
 #define vtkTransmittanceVolumeMapper_h
 
 #include "vtkLimpidRenderingModule.h" // for export macro
+#include "vtkSmartPointer.h"          // for the settings
+#include "vtkVisibilitySettings.h"    // for the methods that are passed on
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for the hidden core
@@ -93,46 +95,20 @@ public:
     OWN = 1
   };
 
-  enum LightTypes
-  {
-    POINT = 0,
-    DIRECTIONAL = 1
-  };
-
-  enum Modes
-  {
-    JOINT = 0,
-    SEPARATE = 1
-  };
-
-  enum Solvers
-  {
-    POLICY = 0,
-    ADAM = 1
-  };
-
-  enum Derivatives
-  {
-    VOLUME = 0,
-    RAY = 1
-  };
-
-  enum Backends
-  {
-    AUTO = 0,
-    CPU = 1,
-    CUDA = 2
-  };
+  LIMPID_VISIBILITY_CHOICES();
 
   ///@{
   /**
-   * Component of the scalar array that is shown; MAGNITUDE: the length of the tuple, which for a
-   * single component is its value; UNDECIDED: like MAGNITUDE, but with a warning if there are
-   * several components. Default is UNDECIDED.
+   * Importance, weights, own light and solver, see vtkVisibilitySettings; null changes nothing.
+   * By default, ScalarComponent is UNDECIDED here, which is MAGNITUDE with a warning if there are
+   * several components, and RestrictToView is on.
    */
-  vtkSetMacro(ScalarComponent, int);
-  vtkGetMacro(ScalarComponent, int);
+  virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
+  vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }
   ///@}
+
+  /// The methods of vtkVisibilitySettings, documented there.
+  LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
   ///@{
   /**
@@ -151,34 +127,6 @@ public:
    */
   vtkSetMacro(ImportanceArrayAssociation, int);
   vtkGetMacro(ImportanceArrayAssociation, int);
-  ///@}
-
-  ///@{
-  /**
-   * Component of the importance array; -1: the length of the tuple, which for a single component
-   * is its value. Default is -1.
-   */
-  vtkSetMacro(ImportanceComponent, int);
-  vtkGetMacro(ImportanceComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether ImportanceFunction maps the importance array to importance. Off: the array's values
-   * are importance, moved into [0, 1]. Default is off.
-   */
-  vtkSetMacro(UseImportanceFunction, vtkTypeBool);
-  vtkGetMacro(UseImportanceFunction, vtkTypeBool);
-  vtkBooleanMacro(UseImportanceFunction, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Maps values of the importance array to importance; its values are moved into [0, 1].
-   * Default is none.
-   */
-  virtual void SetImportanceFunction(vtkPiecewiseFunction*);
-  vtkGetObjectMacro(ImportanceFunction, vtkPiecewiseFunction);
   ///@}
 
   ///@{
@@ -219,163 +167,14 @@ public:
 
   ///@{
   /**
-   * Weight p of the regularisation term, Eq. (22), in normalised coordinates. Not below zero.
-   * Default is 1e-3.
-   */
-  vtkSetMacro(RegularizationWeight, double);
-  vtkGetMacro(RegularizationWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight q of the view term, Eq. (23). Not below zero; zero leaves the view as it is.
-   * Default is 10.
-   */
-  vtkSetMacro(ViewWeight, double);
-  vtkGetMacro(ViewWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight r of the light term, Eq. (24). Not below zero; zero leaves the light as it is.
-   * Default is 1.
-   */
-  vtkSetMacro(LightWeight, double);
-  vtkGetMacro(LightWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one for each,
-   * Section 4.2; shadows are those of the extinction for the light. Default is JOINT.
-   */
-  vtkSetMacro(Mode, int);
-  vtkGetMacro(Mode, int);
-  ///@}
-
-  ///@{
-  /**
-   * POLICY: policy sweeps. ADAM: the projected Adam of [HG24], coarse to fine.
-   * Default is POLICY.
-   */
-  vtkSetMacro(Solver, int);
-  vtkGetMacro(Solver, int);
-  ///@}
-
-  ///@{
-  /**
-   * Most iterations of the policy solver. Default is 8.
-   */
-  vtkSetMacro(MaximumIterations, int);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * Iterations of Adam at a quarter, half and the full resolution. Default is (32, 32, 64).
-   */
-  vtkSetVector3Macro(IterationsPerLevel, int);
-  vtkGetVector3Macro(IterationsPerLevel, int);
-  ///@}
-
-  ///@{
-  /**
-   * Step length of Adam in units of the largest base extinction. Default is 0.05.
-   */
-  vtkSetMacro(LearningRate, double);
-  vtkGetMacro(LearningRate, double);
-  ///@}
-
-  ///@{
-  /**
-   * Stop when the mean change of an iteration is below this share of the largest base extinction.
-   * Default is 1e-3.
-   */
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Stop the optimization for a view after this time [s]; zero: no limit. Default is 0.
-   */
-  vtkSetMacro(MaximumSeconds, double);
-  vtkGetMacro(MaximumSeconds, double);
-  ///@}
-
-  ///@{
-  /**
-   * VOLUME: exact derivative of the volume integral. RAY: Eqs. (19)-(20) as printed, without the
-   * weight of the widening rays. Default is VOLUME.
-   */
-  vtkSetMacro(Derivative, int);
-  vtkGetMacro(Derivative, int);
-  ///@}
-
-  ///@{
-  /**
-   * Rays of the optimization per voxel and axis on the slice farthest from the eye. Default is 1.
-   */
-  vtkSetMacro(RayDensity, double);
-  vtkGetMacro(RayDensity, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the optimization leaves out what provably cannot change the result. Default is on.
-   */
-  vtkSetMacro(SkipUnneeded, vtkTypeBool);
-  vtkGetMacro(SkipUnneeded, vtkTypeBool);
-  vtkBooleanMacro(SkipUnneeded, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether only what the view shows counts. Off: the whole image counts. Default is on.
-   */
-  vtkSetMacro(RestrictToView, vtkTypeBool);
-  vtkGetMacro(RestrictToView, vtkTypeBool);
-  vtkBooleanMacro(RestrictToView, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * AUTO: the fastest that works here, named by GetBackendName. CPU, CUDA: this or an error.
-   * Default is AUTO.
-   */
-  vtkSetMacro(Backend, int);
-  vtkGetMacro(Backend, int);
-  ///@}
-
-  ///@{
-  /**
    * Which light casts the shadow and drives the optimization. SCENE: the strongest of the
    * renderer's lights that are switched on, by colour and intensity; other lights are not drawn,
    * and the strength of this one only tells which it is: how bright it is comes from
-   * LightIntensity, its tint from its diffuse colour. OWN: LightType and LightPosition.
+   * LightIntensity, its tint from its diffuse colour. OWN: that of LightType and LightPosition.
    * Default is SCENE.
    */
   vtkSetMacro(LightSource, int);
   vtkGetMacro(LightSource, int);
-  ///@}
-
-  ///@{
-  /**
-   * Of the own light. POINT: it shines from LightPosition. DIRECTIONAL: parallel rays, from
-   * LightPosition towards the camera's focal point. Default is POINT.
-   */
-  vtkSetMacro(LightType, int);
-  vtkGetMacro(LightType, int);
-  ///@}
-
-  ///@{
-  /**
-   * Position of the own light in world coordinates. As long as it is (0, 0, 1), as in a new
-   * vtkLight, the light goes with the camera: 50 degrees above and 10 degrees to the right of it,
-   * as far from its focal point. Default is (0, 0, 1).
-   */
-  vtkSetVector3Macro(LightPosition, double);
-  vtkGetVector3Macro(LightPosition, double);
   ///@}
 
   ///@{
@@ -566,35 +365,14 @@ private:
   vtkTransmittanceVolumeMapper(const vtkTransmittanceVolumeMapper&) = delete;
   void operator=(const vtkTransmittanceVolumeMapper&) = delete;
 
-  int ScalarComponent = UNDECIDED;
+  vtkSmartPointer<vtkVisibilitySettings> Settings;
   std::string ImportanceArray;
   int ImportanceArrayAssociation = 3; // vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS
-  int ImportanceComponent = MAGNITUDE;
-  vtkTypeBool UseImportanceFunction = 0;
-  vtkPiecewiseFunction* ImportanceFunction = nullptr;
 
   int Method = OPTIMIZED;
   int Optimization = CONTINUOUS;
   vtkTypeBool PauseOptimization = 0;
-  double RegularizationWeight = 1e-3;
-  double ViewWeight = 10;
-  double LightWeight = 1;
-  int Mode = JOINT;
-  int Solver = POLICY;
-  int MaximumIterations = 8;
-  int IterationsPerLevel[3] = { 32, 32, 64 };
-  double LearningRate = 0.05;
-  double Tolerance = 1e-3;
-  double MaximumSeconds = 0;
-  int Derivative = VOLUME;
-  double RayDensity = 1;
-  vtkTypeBool SkipUnneeded = 1;
-  vtkTypeBool RestrictToView = 1;
-  int Backend = AUTO;
-
   int LightSource = SCENE;
-  int LightType = POINT;
-  double LightPosition[3] = { 0, 0, 1 };
   vtkTypeBool Shadows = 1;
   double ShadowStrength = 0.7;
   double Ambient = 0.35;

@@ -119,14 +119,15 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
 {
   vtkImageData* image = this->RequireImage();
   this->RequireAvailableChoices();
-  limpid::FrameSettings frame = this->MakeFrameSettings(volume);
+  limpid::FrameSettings frame = this->MakeFrameSettings(renderer, volume);
   const limpid::FieldSource scalars = this->ScalarSource(image, volume);
   this->Data.UpdateScalars(image, scalars, this->CropRegionOf(volume));
   this->Data.UpdateFunctions(volume->GetProperty());
+  vtkPiecewiseFunction* importanceFunction = this->Self->GetImportanceFunction();
   try
   {
     this->Data.UpdateImportance(image, this->ImportanceSource(image, scalars),
-      this->Self->ImportanceFunction ? this->Self->ImportanceFunction->GetMTime() : 0);
+      importanceFunction ? importanceFunction->GetMTime() : 0);
   }
   catch (const std::exception& error)
   {
@@ -155,11 +156,16 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   }
   this->ReportNeighbours(renderer, volume);
 
-  std::vector<std::string> errors;
-  std::vector<std::string> warnings;
-  this->Last = view.Draw(frame, this->Data, errors, warnings);
-  std::for_each(errors.begin(), errors.end(), [this](const auto& text) { this->Error(text); });
-  std::for_each(warnings.begin(), warnings.end(), [this](const auto& text) { this->Warn(text); });
+  limpid::FrameMessages messages;
+  this->Last = view.Draw(frame, this->Data, messages);
+  for (const std::string& text : messages.errors)
+  {
+    this->Error(text);
+  }
+  for (const std::string& text : messages.warnings)
+  {
+    this->Warn(text);
+  }
 }
 
 // A pass of a hardware selection: ids instead of colours. Which point or cell it is cannot be told

@@ -45,9 +45,8 @@ struct vtkTransmittanceVolumeMapper::Internals
   vtkDataArray* FindImportance(vtkImageData* image, const std::string& name, bool& onCells) const;
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequireAvailableChoices() const;
-  limpid::FrameSettings MakeFrameSettings(vtkVolume* volume);
+  limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
   void LeaveToOneProcess(limpid::FrameSettings& frame);
-  limpid::Settings MakeSettings() const;
   limpid::Lighting MakeLighting() const;
 
   // Messages about what is drawn otherwise than it was meant

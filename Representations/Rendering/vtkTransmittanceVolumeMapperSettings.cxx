@@ -6,8 +6,7 @@
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
 #include "Choices.h"
-#include "Refuse.h"
-#include "ScenePlacement.h"
+#include "SettingsConversion.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -18,8 +17,12 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+
+#include "math/Require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,29 +34,22 @@ constexpr int FieldFlag = 2;
 
 void RequireShare(const char* property, double value)
 {
-  if (!(value >= 0 && value <= 1))
-  {
-    limpid::Refuse(property, " is ", value, " (it is a share). Set a number from 0 to 1.");
-  }
+  LIMPID_REQUIRE(value >= 0 && value <= 1,
+    property << " is " << value << " (it is a share). Set a number from 0 to 1.");
 }
 
 void RequireNotNegative(const char* property, double value)
 {
-  if (!(value >= 0) || !std::isfinite(value))
-  {
-    limpid::Refuse(
-      property, " is ", value, " (less than none of it makes no sense). Set a number not below 0.");
-  }
+  LIMPID_REQUIRE(value >= 0 && std::isfinite(value),
+    property << " is " << value
+             << " (less than none of it makes no sense). Set a number not below 0.");
 }
 
 void RequirePositive(const char* property, double value)
 {
-  if (!(value > 0) || !std::isfinite(value))
-  {
-    limpid::Refuse(property, " is ", value,
-      " (a picture needs more than none of it). Set a number "
-      "above zero.");
-  }
+  LIMPID_REQUIRE(value > 0 && std::isfinite(value),
+    property << " is " << value
+             << " (a picture needs more than none of it). Set a number above zero.");
 }
 }
 
@@ -61,18 +57,12 @@ vtkImageData* vtkTransmittanceVolumeMapper::Internals::RequireImage() const
 {
   vtkDataObject* input = this->Self->GetDataObjectInput();
   vtkImageData* image = vtkImageData::SafeDownCast(input);
-  if (!image)
-  {
-    limpid::Refuse("The input is a ", input ? input->GetClassName() : "null pointer",
-      " (this mapper works on points at equal distances). Give it a vtkImageData, for instance "
-      "from "
-      "Resample To Image (vtkResampleToImage).");
-  }
-  if (image->GetNumberOfPoints() == 0)
-  {
-    limpid::Refuse("The input has 0 points (there is nothing to be seen). Give it an image with "
-                   "data.");
-  }
+  LIMPID_REQUIRE(image,
+    "The input is a " << (input ? input->GetClassName() : "null pointer")
+                      << " (this mapper works on points at equal distances). Give it a "
+                         "vtkImageData, for instance from Resample To Image (vtkResampleToImage).");
+  LIMPID_REQUIRE(image->GetNumberOfPoints() > 0,
+    "The input has 0 points (there is nothing to be seen). Give it an image with data.");
   return image;
 }
 
@@ -84,33 +74,29 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
   int flag = 0;
   source.array = vtkAbstractMapper::GetScalars(image, this->Self->GetScalarMode(),
     this->Self->GetArrayAccessMode(), this->Self->GetArrayId(), name, flag);
-  if (!source.array || flag == FieldFlag)
-  {
-    limpid::Refuse("The scalar array \"", name && *name ? name : "(the active scalars)",
-      "\" is not among the input's numeric arrays (there is nothing to be coloured). Choose one of "
-      "these: of the points: ",
-      limpid::ArrayNames(image->GetPointData()),
-      "; of the cells: ", limpid::ArrayNames(image->GetCellData()), ".");
-  }
+  LIMPID_REQUIRE(source.array && flag != FieldFlag,
+    "The scalar array \"" << (name && *name ? name : "(the active scalars)")
+                          << "\" is not among the input's numeric arrays (there is nothing to be "
+                             "coloured). Choose one of these: "
+                          << limpid::ArrayNames(image) << ".");
   source.onCells = flag == CellFlag;
 
   const int components = source.array->GetNumberOfComponents();
-  if (components > 1 && !volume->GetProperty()->GetIndependentComponents())
-  {
-    limpid::Refuse("The array \"", limpid::NameOf(source.array), "\" has ", components,
-      " dependent components, which are colours and opacities themselves (this mapper shows one "
-      "scalar through transfer functions). Turn IndependentComponents on (in ParaView: Map Scalars "
-      "on, separate opacity array and multi components mapping off) and choose a component.");
-  }
-  if (components > 1 && this->Self->ScalarComponent == UNDECIDED)
+  LIMPID_REQUIRE(components == 1 || volume->GetProperty()->GetIndependentComponents(),
+    "The array \"" << limpid::NameOf(source.array) << "\" has " << components
+                   << " dependent components, which are colours and opacities themselves (this "
+                      "mapper shows one scalar through transfer functions). Turn "
+                      "IndependentComponents on (in ParaView: Map Scalars on, separate opacity "
+                      "array and multi components mapping off) and choose a component.");
+  const int chosen = this->Self->GetScalarComponent();
+  if (components > 1 && chosen == UNDECIDED)
   {
     this->Warn("The array \"" + limpid::NameOf(source.array) + "\" has " +
       std::to_string(components) +
       " components (this mapper shows one scalar): the magnitude is shown. Set ScalarComponent to "
       "a component from 0 on, or to -1 for the magnitude.");
   }
-  source.component = this->Self->ScalarComponent == UNDECIDED ? limpid::MagnitudeComponent
-                                                              : this->Self->ScalarComponent;
+  source.component = chosen == UNDECIDED ? limpid::MagnitudeComponent : chosen;
   limpid::RequireComponent("ScalarComponent", source.array, source.component);
   return source;
 }
@@ -140,30 +126,18 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ImportanceSource(
   const std::string name = given.empty() ? "Importance" : given;
   limpid::FieldSource source;
   source.array = this->FindImportance(image, name, source.onCells);
-  source.component = this->Self->ImportanceComponent;
-  if (!source.array && given.empty() && this->Self->UseImportanceFunction)
+  source.component = this->Self->GetImportanceComponent();
+  if (!source.array && given.empty() && this->Self->GetUseImportanceFunction())
   {
     source = scalars;
   }
-  if (!source.array)
-  {
-    limpid::Refuse("The importance array \"", name,
-      "\" is not among the input's numeric arrays (what is to be seen is not known). Choose one of "
-      "these: of the points: ",
-      limpid::ArrayNames(image->GetPointData()),
-      "; of the cells: ", limpid::ArrayNames(image->GetCellData()), "; or turn optimization off.");
-  }
+  LIMPID_REQUIRE(source.array,
+    "The importance array \"" << name
+                              << "\" is not among the input's numeric arrays (what is to be seen "
+                                 "is not known). Choose one of these: "
+                              << limpid::ArrayNames(image) << "; or turn optimization off.");
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
-  if (this->Self->UseImportanceFunction)
-  {
-    vtkPiecewiseFunction* function = this->Self->ImportanceFunction;
-    if (!function || function->GetSize() == 0)
-    {
-      limpid::Refuse("UseImportanceFunction is on, but ImportanceFunction has no points (no value "
-                     "would have an importance). Add points to the function or turn it off.");
-    }
-    source.mapping = limpid::Evaluate(function);
-  }
+  source.mapping = limpid::ImportanceMapping(this->Self->Settings);
   return source;
 }
 
@@ -199,46 +173,20 @@ void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
   const vtkTransmittanceVolumeMapper* self = this->Self;
   limpid::RequireChoice("Method", self->Method, 5);
   limpid::RequireChoice("Optimization", self->Optimization, 3);
-  limpid::RequireChoice("Mode", self->Mode, 2);
-  limpid::RequireChoice("Solver", self->Solver, 2);
-  limpid::RequireChoice("Derivative", self->Derivative, 2);
-  limpid::RequireChoice("Backend", self->Backend, 3);
   limpid::RequireChoice("LightSource", self->LightSource, 2);
-  limpid::RequireChoice("LightType", self->LightType, 2);
+  limpid::RequireChoices(self->Settings);
   RequireShare("ShadowStrength", self->ShadowStrength);
   RequireShare("Ambient", self->Ambient);
-  if (!(std::abs(self->Anisotropy) < 1))
-  {
-    limpid::Refuse("Anisotropy is ", self->Anisotropy,
-      " (the phase function has no such parameter). Set a number above -1 and below 1.");
-  }
+  LIMPID_REQUIRE(std::abs(self->Anisotropy) < 1,
+    "Anisotropy is "
+      << self->Anisotropy
+      << " (the phase function has no such parameter). Set a number above -1 and below 1.");
   RequireNotNegative("Specular", self->Specular);
   RequireNotNegative("SpecularPower", self->SpecularPower);
   RequireNotNegative("LightIntensity", self->LightIntensity);
   RequireNotNegative("EaseTime", self->EaseTime);
   RequirePositive("SampleDistance", self->SampleDistance);
   RequirePositive("InteractiveFrameTime", self->InteractiveFrameTime);
-}
-
-limpid::Settings vtkTransmittanceVolumeMapper::Internals::MakeSettings() const
-{
-  limpid::Settings settings;
-  settings.weights.regularization = this->Self->RegularizationWeight;
-  settings.weights.view = this->Self->ViewWeight;
-  settings.weights.light = this->Self->LightWeight;
-  settings.mode = static_cast<limpid::Mode>(this->Self->Mode);
-  settings.solver = static_cast<limpid::SolverKind>(this->Self->Solver);
-  settings.maximumIterations = this->Self->MaximumIterations;
-  std::copy_n(this->Self->IterationsPerLevel, 3, settings.iterationsPerLevel.begin());
-  settings.learningRate = this->Self->LearningRate;
-  settings.tolerance = this->Self->Tolerance;
-  settings.maximumSeconds = this->Self->MaximumSeconds;
-  settings.derivative = static_cast<limpid::Derivative>(this->Self->Derivative);
-  settings.rayDensity = this->Self->RayDensity;
-  settings.skipUnneeded = this->Self->SkipUnneeded != 0;
-  settings.restrictToView = this->Self->RestrictToView != 0;
-  settings.backend = static_cast<limpid::BackendKind>(this->Self->Backend);
-  return settings;
 }
 
 limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
@@ -276,26 +224,26 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
   frame.measure = false;
 }
 
-limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(vtkVolume* volume)
+limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(
+  vtkRenderer* renderer, vtkVolume* volume)
 {
   const vtkTransmittanceVolumeMapper* self = this->Self;
   limpid::FrameSettings frame;
+  frame.still = !self->AdaptiveQuality || renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1;
   frame.optimize = self->Method == OPTIMIZED && self->Optimization != OFF;
   frame.once = self->Optimization == ONCE;
   frame.paused = self->PauseOptimization != 0;
-  frame.solver = this->MakeSettings();
+  frame.solver = limpid::SettingsOf(self->Settings);
   frame.solver.Require();
   frame.lighting = this->MakeLighting();
   frame.lit = self->Shadows || volume->GetProperty()->GetShade(0);
-  frame.hasOwnLight = self->LightSource == OWN;
-  frame.ownLight.type = static_cast<limpid::LightType>(self->LightType);
-  frame.ownLight.position =
-    limpid::Vec3(self->LightPosition[0], self->LightPosition[1], self->LightPosition[2]);
+  frame.light = self->LightSource == OWN ? limpid::OwnLight(self->Settings, renderer)
+                                         : limpid::StrongestLight(renderer);
+  frame.light.light = limpid::ToData(frame.light.light, volume);
   frame.sampleDistance = self->SampleDistance;
   frame.jitter = self->Jitter != 0;
   frame.frameTime = self->InteractiveFrameTime;
   frame.easeTime = self->EaseTime;
-  frame.adaptive = self->AdaptiveQuality != 0;
   frame.stepwise = self->ProgressiveStill != 0;
 
   if (self->Method > ORDINARY)

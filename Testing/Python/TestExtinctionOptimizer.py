@@ -10,7 +10,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 
-from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkOcclusionPhantom
+from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
+
+from images import FilterTest, filter_on, function_of, image_of, phantom, values
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -20,70 +22,22 @@ SUMMARY = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVis
            "Energy", "Iterations", "Seconds", "Backend")
 
 
-def image_of(shape, **arrays):
-    """An image with one point array per keyword; shape is (x, y, z), arrays are flat."""
-    image = vtkImageData()
-    image.SetDimensions(shape)
-    for name, data in arrays.items():
-        array = numpy_to_vtk(np.ascontiguousarray(data), deep=1)
-        array.SetName(name)
-        image.GetPointData().AddArray(array)
-    return image
-
-
-def phantom(resolution=20, scene=0):
-    source = vtkOcclusionPhantom()
-    source.SetResolution(resolution)
-    source.SetScene(scene)
-    source.Update()
-    image = vtkImageData()
-    image.ShallowCopy(source.GetOutput())
-    return image
-
-
 def optimizer(image, **properties):
-    """A filter that takes its extinction from the array BaseExtinction, with messages caught."""
-    result = vtkExtinctionOptimizer()
-    result.SetInputData(image)
-    result.SetExtinctionSource(vtkExtinctionOptimizer.ARRAY)
-    result.SetCameraPosition(4, 3, 2)
-    result.SetLightPosition(-3, 4, 5)
-    for name, value in properties.items():
-        getattr(result, "Set" + name)(value)
-    result.messages = {"ErrorEvent": [], "WarningEvent": []}
-    for event, texts in result.messages.items():
-        def observe(_, __, text, texts=texts):
-            texts.append(text)
-        observe.CallDataType = "string0"
-        result.AddObserver(event, observe)
-        result.GetExecutive().AddObserver(event, lambda *_: None)
-    return result
-
-
-def values(image, name):
-    return vtk_to_numpy(image.GetPointData().GetArray(name))
+    """A filter with camera and light in a place of their own."""
+    return filter_on(image, vtkExtinctionOptimizer, **{
+        "CameraPosition": (4, 3, 2), "LightPosition": (-3, 4, 5), **properties})
 
 
 def number(image, name):
     return image.GetFieldData().GetArray(name).GetTuple1(0)
 
 
-class OptimizerTest(unittest.TestCase):
+class OptimizerTest(FilterTest):
     def run_filter(self, image, **properties):
         result = optimizer(image, **properties)
         result.Update()
-        self.assertEqual(result.messages["ErrorEvent"], [])
+        self.assert_no_error(result)
         return result.GetOutput()
-
-    def assert_refuses(self, *words, filter_):
-        filter_.Update()
-
-        errors = filter_.messages["ErrorEvent"]
-        self.assertEqual(len(errors), 1, errors)
-        for word in words:
-            self.assertIn(word, errors[0])
-        self.assertEqual(filter_.GetOutput().GetNumberOfPoints(), 0)
-        self.assertEqual(filter_.GetOutput().GetPointData().GetNumberOfArrays(), 0)
 
 
 class TestOutput(OptimizerTest):
@@ -203,12 +157,6 @@ class TestPlacement(OptimizerTest):
 
 
 class TestExtinctionSource(OptimizerTest):
-    def function(self, *nodes):
-        function = vtkPiecewiseFunction()
-        for position, value in nodes:
-            function.AddPoint(position, value)
-        return function
-
     def base(self, data, function, distance, **properties):
         image = image_of((4, 4, 4), s=data, g=np.zeros(64))
         result = optimizer(image, ExtinctionSource=vtkExtinctionOptimizer.OPACITY_FUNCTION,
@@ -223,13 +171,13 @@ class TestExtinctionSource(OptimizerTest):
     def test_opacity_becomes_extinction(self):
         data = np.linspace(0, 9, 64)
         opacity = np.interp(data, [0, 3, 9], [0, 0.2, 0.9])
-        base = self.base(data, self.function((0, 0), (3, 0.2), (9, 0.9)), 0.5)
+        base = self.base(data, function_of((0, 0), (3, 0.2), (9, 0.9)), 0.5)
 
         # One rounding to single precision of a result in double precision.
         np.testing.assert_allclose(base, -np.log1p(-opacity) / 0.5, rtol=SINGLE)
 
     def test_opacity_one_is_finite(self):
-        base = self.base(np.ones(64), self.function((0, 0), (1, 1)), 2.0)
+        base = self.base(np.ones(64), function_of((0, 0), (1, 1)), 2.0)
 
         np.testing.assert_allclose(base, -np.log(1e-6) / 2.0, rtol=1e-6)  # 1 - 1e-6 in double
 
@@ -250,18 +198,18 @@ class TestExtinctionSource(OptimizerTest):
 
     def test_all_types_give_the_same(self):
         data = np.arange(64) % 100
-        expected = self.base(data.astype(np.float64), self.function((0, 0), (100, 0.9)), 1.0)
+        expected = self.base(data.astype(np.float64), function_of((0, 0), (100, 0.9)), 1.0)
         for kind in (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64,
                      np.uint64, np.float32):
             with self.subTest(kind=kind):
-                base = self.base(data.astype(kind), self.function((0, 0), (100, 0.9)), 1.0)
+                base = self.base(data.astype(kind), function_of((0, 0), (100, 0.9)), 1.0)
                 np.testing.assert_array_equal(base, expected)
 
     def test_negative_integers_are_looked_up(self):
         data = (np.arange(64) - 32).astype(np.int8)
-        expected = self.base(data.astype(np.float64), self.function((-32, 0), (32, 0.9)), 1.0)
+        expected = self.base(data.astype(np.float64), function_of((-32, 0), (32, 0.9)), 1.0)
 
-        base = self.base(data, self.function((-32, 0), (32, 0.9)), 1.0)
+        base = self.base(data, function_of((-32, 0), (32, 0.9)), 1.0)
 
         np.testing.assert_array_equal(base, expected)
 
@@ -273,7 +221,7 @@ class TestExtinctionSource(OptimizerTest):
             bits.InsertNextValue(i % 2)
         image.GetPointData().AddArray(bits)
         result = optimizer(image, ExtinctionSource=0, ScalarOpacityUnitDistance=1,
-                           ScalarOpacityFunction=self.function((0, 0), (1, 0.5)))
+                           ScalarOpacityFunction=function_of((0, 0), (1, 0.5)))
         result.SetInputArrayToProcess(0, 0, 0, POINTS, "s")
         result.SetInputArrayToProcess(1, 0, 0, POINTS, "g")
         result.Update()
@@ -283,7 +231,7 @@ class TestExtinctionSource(OptimizerTest):
 
     def test_a_component_or_the_magnitude_of_vectors(self):
         data = np.random.default_rng(1).uniform(0, 1, (64, 3))
-        function = self.function((0, 0), (2, 0.9))
+        function = function_of((0, 0), (2, 0.9))
 
         for component, expected in ((0, data[:, 0]), (2, data[:, 2]),
                                     (-1, np.linalg.norm(data, axis=1))):
@@ -292,7 +240,7 @@ class TestExtinctionSource(OptimizerTest):
                 np.testing.assert_allclose(base, self.base(expected, function, 1.0), rtol=2 * SINGLE)
 
     def test_a_changed_function_is_a_new_run(self):
-        function = self.function((0, 0), (1, 0.5))
+        function = function_of((0, 0), (1, 0.5))
         image = image_of((3, 3, 3), s=np.ones(27), Importance=np.zeros(27))
         result = optimizer(image, ExtinctionSource=0, ScalarOpacityFunction=function,
                            ScalarOpacityUnitDistance=1)
@@ -324,10 +272,55 @@ class TestExtinctionSource(OptimizerTest):
     def test_the_importance_function_maps_the_importance_array(self):
         image = image_of((4, 4, 4), BaseExtinction=np.ones(64), Importance=np.arange(64.0))
         output = self.run_filter(image, UseImportanceFunction=1,
-                                 ImportanceFunction=self.function((10, 0), (20, 1)))
+                                 ImportanceFunction=function_of((10, 0), (20, 1)))
 
         np.testing.assert_allclose(values(output, "Importance"),
                                    np.clip((np.arange(64) - 10) / 10, 0, 1), rtol=SINGLE)
+
+
+
+class TestMajorant(OptimizerTest):
+    """What the extinction may rise to, Eq. (25)."""
+
+    FUNCTION = function_of((0, 0), (1, 0.9))
+
+    def scene(self, beside):
+        """Something important behind something that hides it; `beside` them, and hiding nothing
+        in parallel rays along z, is a block of this scalar. Extinction as the function has it."""
+        z, y, x = np.indices((12, 8, 16))
+        scalars = np.where(x < 8, np.where(z < 5, 0.4, 0.3), np.where(x > 12, beside, 0)).ravel()
+        importance = ((x < 8) & (z < 5)).ravel().astype(float)
+        return image_of((16, 8, 12), Scalars=scalars, Importance=importance,
+                        BaseExtinction=-np.log1p(-0.9 * scalars))
+
+    def optimized(self, image, source):
+        """The extinction away from the block, seen and lit along z."""
+        result = optimizer(image, ExtinctionSource=source, ScalarOpacityFunction=self.FUNCTION,
+                           ScalarOpacityUnitDistance=1, CameraParallelProjection=1,
+                           CameraPosition=(7.5, 3.5, 40), CameraFocalPoint=(7.5, 3.5, 0),
+                           LightType=vtkExtinctionOptimizer.DIRECTIONAL,
+                           LightPosition=(7.5, 3.5, 40))
+        result.SetInputArrayToProcess(0, 0, 0, POINTS, "Scalars")
+        result.Update()
+        self.assert_no_error(result)
+        return values(result.GetOutput(), "Extinction").reshape(12, 8, 16)[:, :, :12]
+
+    def test_does_not_move_with_what_has_no_part_in_the_scene(self):
+        with_block, without = self.scene(1), self.scene(0)
+
+        function = vtkExtinctionOptimizer.OPACITY_FUNCTION
+        np.testing.assert_array_equal(self.optimized(with_block, function),
+                                      self.optimized(without, function))
+        # From an array it is the largest value that is there.
+        array = vtkExtinctionOptimizer.ARRAY
+        self.assertGreater(self.optimized(with_block, array).max(),
+                           self.optimized(without, array).max())
+
+    def test_is_the_largest_value_of_the_function(self):
+        # What is important rises to the bound.
+        largest = self.optimized(self.scene(0), vtkExtinctionOptimizer.OPACITY_FUNCTION).max()
+
+        self.assertEqual(largest, np.float32(-np.log(1 - 0.9)))
 
 
 class TestValuesThatCannotBeUsed(OptimizerTest):

@@ -4,23 +4,17 @@
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from limpid.vtkLimpidFilters import vtkOcclusionPhantom
+
+import images
+from images import values
 
 SCENES = {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3}
 
 
 def phantom(scene, resolution=32):
-    source = vtkOcclusionPhantom()
-    source.SetScene(SCENES[scene])
-    source.SetResolution(resolution)
-    source.Update()
-    return source.GetOutput()
-
-
-def values(image, name):
-    return vtk_to_numpy(image.GetPointData().GetArray(name))
+    return images.phantom(resolution, SCENES[scene])
 
 
 class TestOcclusionPhantom(unittest.TestCase):

@@ -6,7 +6,6 @@
 
 import os
 import re
-import unittest
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -18,8 +17,7 @@ import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 vars(simple).update(OcclusionPhantom=OcclusionPhantom)
-XML = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Representations",
-                   "LimpidRepresentations.xml")
+XML = os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml")
 
 
 def image_source(dimensions, spacing=(1, 1, 1), **arrays):
@@ -39,11 +37,7 @@ self.GetOutputInformation(0).Set(vtk.vtkStreamingDemandDrivenPipeline.WHOLE_EXTE
 """.format(*upper))
 
 
-class TestOptimizedVolume(unittest.TestCase):
-    def setUp(self):
-        displays.clear()
-        self.view = displays.new_view()
-
+class TestOptimizedVolume(displays.DisplayTest):
     def shown(self, source, **settings):
         """Shows a source as a script does that sets nothing but the type, and these."""
         source.UpdatePipeline()

@@ -5,7 +5,6 @@
 # with other things in the view, in several views.
 
 import os
-import unittest
 
 import numpy as np
 from paraview import simple
@@ -17,9 +16,6 @@ import runner
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 vars(simple).update(OcclusionPhantom=OcclusionPhantom)
 
-# Two renderers that sample a ray at other places differ by this much in 8-bit pictures of volumes
-# whose opacity varies slowly over a step (measured between VTK's own: 0.3 to 0.6).
-SAME_RENDERING = 1.5
 ORDINARY = {"Optimization": "Off", "Shadows": 0, "Shade": 0}
 
 
@@ -43,14 +39,10 @@ def add_surface(source, view, color, opacity=1.0):
     return display
 
 
-class TestOptimizedVolumePictures(unittest.TestCase):
-    def setUp(self):
-        displays.clear()
-        self.view = displays.new_view()
-
+class TestOptimizedVolumePictures(displays.DisplayTest):
     def assert_same_rendering(self, first, second):
         mean, _ = pictures.difference(first, second)
-        self.assertLessEqual(mean, SAME_RENDERING)
+        self.assertLessEqual(mean, displays.SAME_RENDERING)
 
     def test_is_paraviews_own_rendering_with_everything_off(self):
         display = displays.show_head(self.view, **ORDINARY)

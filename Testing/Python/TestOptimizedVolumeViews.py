@@ -7,7 +7,6 @@
 import glob
 import os
 import tempfile
-import unittest
 
 import numpy as np
 from paraview import simple
@@ -20,14 +19,9 @@ simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 vars(simple).update(OcclusionPhantom=OcclusionPhantom)
 
 ORDINARY = {"Method": "Ordinary", "Shadows": 0, "Shade": 0}
-SAME_RENDERING = 1.5  # see TestOptimizedVolumePictures.py
 
 
-class TestOptimizedVolumeViews(unittest.TestCase):
-    def setUp(self):
-        displays.clear()
-        self.view = displays.new_view()
-
+class TestOptimizedVolumeViews(displays.DisplayTest):
     def assert_is_stock(self, display, view=None):
         """The same picture as by ParaView's own volume rendering on the CPU; returns it."""
         view = view or self.view
@@ -38,7 +32,7 @@ class TestOptimizedVolumeViews(unittest.TestCase):
         mean, _ = pictures.difference(picture, pictures.take(view))
         view.DepthPeelingForVolumes = 1
         display.SetRepresentationType("Optimized Volume")
-        self.assertLessEqual(mean, SAME_RENDERING)
+        self.assertLessEqual(mean, displays.SAME_RENDERING)
         self.assertGreater(picture.std(), 10)
         return picture
 

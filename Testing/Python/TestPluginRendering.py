@@ -5,26 +5,14 @@
 # result, drawn by the stock volume representation with a separate opacity array.
 
 import os
-import sys
-import tempfile
 import unittest
 
 from paraview import simple
-from paraview.vtk.util.numpy_support import vtk_to_numpy
-from paraview.vtk.vtkIOImage import vtkPNGReader
+
+import pictures
+import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
-
-
-def picture(view, name):
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, name + ".png")
-        simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
-        reader = vtkPNGReader()
-        reader.SetFileName(path)
-        reader.Update()
-        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return pixels[:, :3].astype(float)
 
 
 class TestPluginRendering(unittest.TestCase):
@@ -66,7 +54,7 @@ class TestPluginRendering(unittest.TestCase):
             view.CameraPosition = optimizer.CameraPosition
             view.CameraFocalPoint = [0, 0, 0]
             view.CameraViewUp = optimizer.CameraViewUp
-            pixels = picture(view, "picture")
+            pixels = pictures.take(view).reshape(-1, 3)
             simple.Hide(source, view)
             # Green light beyond red is the core's own; a shell in front only takes away from it.
             green.append((pixels[:, 1] - pixels[:, 0]).clip(0).sum())
@@ -76,6 +64,4 @@ class TestPluginRendering(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    # Only a failure leaves by sys.exit: it keeps ParaView from closing its windows and processes.
-    if not unittest.main(exit=False).result.wasSuccessful():
-        sys.exit(1)
+    runner.run()

@@ -3,13 +3,13 @@
 
 # What ParaView is told about a class has to be what the class does.
 
-import pathlib
+import os
 import unittest
 import xml.etree.ElementTree as ElementTree
 
 import limpid.vtkLimpidFilters as filters
 
-XML = pathlib.Path(__file__).resolve().parents[2] / "Filters" / "LimpidFilters.xml"
+XML = os.path.join(os.environ["LIMPID_XML"], "LimpidFilters.xml")
 PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "ProxyProperty")
 
 

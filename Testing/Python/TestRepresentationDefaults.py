@@ -4,7 +4,7 @@
 # What ParaView is told about the representation type "Optimized Volume" has to be what its mapper
 # does: defaults and enumerations.
 
-import pathlib
+import os
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -12,8 +12,7 @@ import xml.etree.ElementTree as ElementTree
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
-XML = (pathlib.Path(__file__).resolve().parents[2] / "Representations" /
-       "LimpidRepresentations.xml")
+XML = os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml")
 # Of the representation itself; and the array, whose choice is ParaView's.
 NOT_OF_THE_MAPPER = {"ShowScore", "ImportanceArray"}
 

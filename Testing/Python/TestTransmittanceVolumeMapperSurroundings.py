@@ -15,8 +15,8 @@ from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
-from volume_views import (BACKGROUND, View, caught, difference, gray_property, image_of, phantom,
-                          plain_mapper, save)
+from volume_views import (BACKGROUND, View, caught, colors_of, difference, gray_property, image_of,
+                          opacity_of, phantom, plain_mapper, property_of, save)
 
 
 class TestLights(MapperTest):
@@ -174,6 +174,28 @@ class TestCropping(MapperTest):
         mapper.SetCroppingRegionPlanes(5, 6, 5, 6, 5, 6)
         self.assert_empty(view.picture())
         self.assertEqual(mapper.GetVisibilityScore(), 0)
+
+    def test_what_is_cropped_does_not_move_the_majorant(self):
+        # The densest is a block that is neither important nor in front of what is.
+        z, y, x = np.indices((12, 8, 16))
+        scalars = np.where(x < 8, np.where(z < 5, 0.4, 0.3), np.where(x > 12, 1, 0)).ravel()
+        image = image_of((16, 8, 12), Scalars=scalars,
+                         Importance=((x < 8) & (z < 5)).ravel().astype(float))
+        white = colors_of((0, 1, 1, 1), (1, 1, 1, 1))
+        view, mapper = show(image, property_of(white, opacity_of((0, 0), (1, 0.9)), 1),
+                            RestrictToView=0, LightWeight=0)
+        view.camera.ParallelProjectionOn()
+        view.look(0, 0)
+        view.window.Render()
+        whole = mapper.GetVisibilityScore()
+
+        mapper.CroppingOn()
+        mapper.SetCroppingRegionPlanes(-1, 10, -1, 10, -1, 12)
+        view.window.Render()
+
+        self.assert_fine(view)
+        self.assertGreater(whole, mapper.GetBaseVisibilityScore())
+        self.assertEqual(mapper.GetVisibilityScore(), whole)
 
 
 class TestSeveralVolumes(MapperTest):

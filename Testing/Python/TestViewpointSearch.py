@@ -7,11 +7,12 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
-from limpid.vtkLimpidFilters import (vtkExtinctionOptimizer, vtkOcclusionPhantom,
-                                     vtkViewpointSearch)
+from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
+
+from images import FilterTest, filter_on, function_of, image_of, phantom, values
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -33,15 +34,8 @@ SUMMARY = {"CameraFocalPoint", "CameraViewAngle", "CameraParallelProjection",
 
 def image_on(points, **arrays):
     """A cube of points on [-1, 1]^3 with the arrays; `points` along each axis."""
-    image = vtkImageData()
-    image.SetDimensions(points, points, points)
-    image.SetSpacing(*3 * (2 / (points - 1),))
-    image.SetOrigin(-1, -1, -1)
-    for name, data in arrays.items():
-        array = numpy_to_vtk(np.ascontiguousarray(data, dtype=np.float32).ravel(), deep=1)
-        array.SetName(name)
-        image.GetPointData().AddArray(array)
-    return image
+    flat = {name: np.asarray(data, dtype=np.float32).ravel() for name, data in arrays.items()}
+    return image_of(3 * (points,), 3 * (2 / (points - 1),), 3 * (-1,), **flat)
 
 
 def coordinates(points):
@@ -73,36 +67,9 @@ def hidden_blob(opening, points=40):
     return image_on(points, Importance=blob, BaseExtinction=3 * blob + 40 * shell)
 
 
-def phantom(resolution=20, scene=0):
-    source = vtkOcclusionPhantom()
-    source.SetResolution(resolution)
-    source.SetScene(scene)
-    source.Update()
-    image = vtkImageData()
-    image.ShallowCopy(source.GetOutput())
-    return image
-
-
 def search(image, **properties):
-    """A filter that takes its extinction from the array BaseExtinction, with messages caught."""
-    result = vtkViewpointSearch()
-    result.SetInputData(image)
-    result.SetExtinctionSource(vtkViewpointSearch.ARRAY)
-    result.SetNumberOfDirections(42)
-    for name, value in properties.items():
-        getattr(result, "Set" + name)(value)
-    result.messages = {"ErrorEvent": [], "WarningEvent": []}
-    for event, texts in result.messages.items():
-        def observe(_, __, text, texts=texts):
-            texts.append(text)
-        observe.CallDataType = "string0"
-        result.AddObserver(event, observe)
-        result.GetExecutive().AddObserver(event, lambda *_: None)
-    return result
-
-
-def values(output, name):
-    return vtk_to_numpy(output.GetPointData().GetArray(name))
+    """A filter with few directions."""
+    return filter_on(image, vtkViewpointSearch, **{"NumberOfDirections": 42, **properties})
 
 
 def points_of(output):
@@ -133,11 +100,11 @@ def angle_between(a, b):
         np.dot(a, b) / np.linalg.norm(a) / np.linalg.norm(b), -1, 1)))
 
 
-class SearchTest(unittest.TestCase):
+class SearchTest(FilterTest):
     def run_filter(self, image, **properties):
         result = search(image, **properties)
         result.Update()
-        self.assertEqual(result.messages["ErrorEvent"], [])
+        self.assert_no_error(result)
         self.assert_finite(result)
         return result
 
@@ -151,17 +118,6 @@ class SearchTest(unittest.TestCase):
                         self.assertTrue(np.isfinite(vtk_to_numpy(array)).all(), array.GetName())
             if output.GetNumberOfPoints():
                 self.assertTrue(np.isfinite(points_of(output)).all())
-
-    def assert_refuses(self, *words, filter_):
-        filter_.Update()
-
-        errors = filter_.messages["ErrorEvent"]
-        self.assertEqual(len(errors), 1, errors)
-        for word in words:
-            self.assertIn(word, errors[0])
-        for port in range(3):
-            self.assertEqual(filter_.GetOutput(port).GetNumberOfPoints(), 0)
-            self.assertEqual(filter_.GetOutput(port).GetPointData().GetNumberOfArrays(), 0)
 
 
 class TestSphere(SearchTest):
@@ -397,9 +353,7 @@ class TestScores(SearchTest):
 
     def test_take_importance_from_a_function(self):
         image = phantom()
-        half = vtkPiecewiseFunction()
-        half.AddPoint(0, 0)
-        half.AddPoint(1, 0.5)
+        half = function_of((0, 0), (1, 0.5))
         whole = values(self.run_filter(image, Field=BASE).GetOutput(), "VisibilityScore")
         mapped = values(self.run_filter(image, Field=BASE, UseImportanceFunction=1,
                                         ImportanceFunction=half).GetOutput(), "VisibilityScore")

@@ -9,54 +9,34 @@ import os
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the object factories)
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import (vtkColorTransferFunction, vtkRenderer, vtkRenderWindow,
                                          vtkVolume, vtkVolumeProperty, vtkWindowToImageFilter)
 from vtkmodules.vtkRenderingVolume import (vtkFixedPointVolumeRayCastMapper,
                                            vtkGPUVolumeRayCastMapper)
 
-from limpid.vtkLimpidFilters import vtkOcclusionPhantom
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
+
+import images
+from images import caught, values  # noqa: F401 (for the tests)
+from images import function_of as opacity_of
 
 BACKGROUND = (0.1, 0.2, 0.3)
 
 
 def image_of(shape, spacing=(1, 1, 1), origin=(0, 0, 0), **arrays):
-    """An image with one point array per keyword, the first one active; shape is (x, y, z)."""
-    image = vtkImageData()
-    image.SetDimensions(shape)
-    image.SetSpacing(spacing)
-    image.SetOrigin(origin)
-    for name, data in arrays.items():
-        array = numpy_to_vtk(np.ascontiguousarray(data), deep=1)
-        array.SetName(name)
-        image.GetPointData().AddArray(array)
+    """The same as images.image_of, with the first array active."""
+    image = images.image_of(shape, spacing, origin, **arrays)
     if arrays:
         image.GetPointData().SetActiveScalars(next(iter(arrays)))
     return image
 
 
 def phantom(resolution=32):
-    source = vtkOcclusionPhantom()
-    source.SetResolution(resolution)
-    source.Update()
-    image = vtkImageData()
-    image.ShallowCopy(source.GetOutput())
+    image = images.phantom(resolution)
     image.GetPointData().SetActiveScalars("Scalars")
     return image
-
-
-def values(image, name):
-    return vtk_to_numpy(image.GetPointData().GetArray(name))
-
-
-def opacity_of(*nodes):
-    function = vtkPiecewiseFunction()
-    for position, value in nodes:
-        function.AddPoint(position, value)
-    return function
 
 
 def colors_of(*nodes):
@@ -138,18 +118,6 @@ def gpu_mapper(step):
     mapper.SetUseJittering(0)
     mapper.SetSampleDistance(step)
     return mapper
-
-
-def caught(thing, *events):
-    """Collects the texts of the events of a VTK object, by default errors and warnings."""
-    texts = []
-
-    def observe(_, __, text):
-        texts.append(text)
-    observe.CallDataType = "string0"
-    for event in events or ("ErrorEvent", "WarningEvent"):
-        thing.AddObserver(event, observe)
-    return texts
 
 
 class View:

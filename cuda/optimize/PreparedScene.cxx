@@ -6,12 +6,15 @@
 #include "energy/SceneSurvey.h"
 #include "math/Require.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace limpid
 {
 namespace
 {
+constexpr float LargestValue = 3e38f; // of an extinction
+
 void RequireFields(const SceneFields& scene)
 {
   scene.grid.Require();
@@ -19,6 +22,10 @@ void RequireFields(const SceneFields& scene)
     "There is no base extinction (the optimisation starts from it). Give an array.");
   LIMPID_REQUIRE(scene.importance != nullptr,
     "There is no importance (nothing tells what is to be seen). Give an array.");
+  LIMPID_REQUIRE(scene.majorant >= 0 && scene.majorant <= LargestValue,
+    "The majorant is " << scene.majorant
+                       << " (Eq. (25) needs an upper bound of the extinction). Give the largest "
+                          "extinction of the transfer function, or 0 for that of the scene.");
 }
 
 /// A field, what it is called, and what its values may be.
@@ -75,14 +82,16 @@ PreparedScene::PreparedScene(const SceneFields& scene)
   : Fields(scene)
 {
   RequireFields(scene);
-  const CheckedField extinction{ scene.baseExtinction, 3e38f, "base extinction",
+  const CheckedField extinction{ scene.baseExtinction, LargestValue, "base extinction",
     "finite and not negative" };
   const CheckedField importance{ scene.importance, 1, "importance", "between 0 and 1" };
   SceneSurvey found =
     SurveyScene(scene.grid, extinction.values, extinction.most, importance.values, importance.most);
   RequireRange(extinction, found.extinction);
   RequireRange(importance, found.importance);
-  this->LargestExtinction = found.extinction.largest;
+  // Where nothing absorbs, there is nothing to be optimised, whatever a function could make.
+  const float largest = found.extinction.largest;
+  this->LargestExtinction = largest > 0 ? std::max(largest, scene.majorant) : 0.0f;
   this->SomethingImportant = found.importance.largest > 0;
   this->Important = std::move(found.nodeImportance);
   this->Filled = std::move(found.occupancy);

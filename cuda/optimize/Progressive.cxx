@@ -105,8 +105,8 @@ struct Progressive::Internals
         const SceneFields& fine = this->scene->Arrays();
         const Grid& grid = this->grids[number];
         wanted.fields = std::make_unique<CoarseScene>(fine, grid);
-        prepared = std::make_shared<PreparedScene>(
-          SceneFields{ grid, wanted.fields->base.data(), wanted.fields->importance.data() });
+        prepared = std::make_shared<PreparedScene>(SceneFields{
+          grid, wanted.fields->base.data(), wanted.fields->importance.data(), fine.majorant });
       }
       wanted.preview = std::make_unique<PreviewPass>(std::move(prepared));
     }

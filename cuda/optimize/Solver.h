@@ -21,6 +21,11 @@ struct SceneFields
   Grid grid;
   const float* baseExtinction = nullptr; ///< grid.NodeCount() values >= 0, finite [1/length]
   const float* importance = nullptr;     ///< grid.NodeCount() values in [0, 1]
+
+  /// What the extinction may rise to, Eq. (25): the largest extinction of the transfer function, so
+  /// that it depends neither on time nor on what is cropped away. Never below the largest value of
+  /// the base extinction, which it is by default [1/length].
+  float majorant = 0;
 };
 
 class PreparedScene;

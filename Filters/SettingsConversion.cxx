@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SettingsConversion.h"
+
+#include "Choices.h"
+#include "ScenePlacement.h"
+
+#include "vtkPiecewiseFunction.h"
+#include "vtkVisibilitySettings.h"
+
+#include "math/Require.h"
+#include "optimize/Solver.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+void RequireChoices(vtkVisibilitySettings* settings)
+{
+  RequireChoice("LightType", settings->GetLightType(), 2);
+  RequireChoice("Mode", settings->GetMode(), 2);
+  RequireChoice("Solver", settings->GetSolver(), 2);
+  RequireChoice("Derivative", settings->GetDerivative(), 2);
+  RequireChoice("Backend", settings->GetBackend(), 3);
+}
+
+Settings SettingsOf(vtkVisibilitySettings* settings)
+{
+  Settings result;
+  result.weights.regularization = settings->GetRegularizationWeight();
+  result.weights.view = settings->GetViewWeight();
+  result.weights.light = settings->GetLightWeight();
+  result.mode = static_cast<Mode>(settings->GetMode());
+  result.solver = static_cast<SolverKind>(settings->GetSolver());
+  result.maximumIterations = settings->GetMaximumIterations();
+  std::copy_n(settings->GetIterationsPerLevel(), 3, result.iterationsPerLevel.begin());
+  result.learningRate = settings->GetLearningRate();
+  result.tolerance = settings->GetTolerance();
+  result.maximumSeconds = settings->GetMaximumSeconds();
+  result.derivative = static_cast<Derivative>(settings->GetDerivative());
+  result.rayDensity = settings->GetRayDensity();
+  result.skipUnneeded = settings->GetSkipUnneeded() != 0;
+  result.restrictToView = settings->GetRestrictToView() != 0;
+  result.backend = static_cast<BackendKind>(settings->GetBackend());
+  return result;
+}
+
+Light LightOf(vtkVisibilitySettings* settings, const Vec3& focalPoint)
+{
+  Light light;
+  light.type = static_cast<LightType>(settings->GetLightType());
+  light.position = ToVec3(settings->GetLightPosition());
+  light.focalPoint = focalPoint;
+  return light;
+}
+
+ScalarMapping ImportanceMapping(vtkVisibilitySettings* settings)
+{
+  if (!settings->GetUseImportanceFunction())
+  {
+    return KeepValue();
+  }
+  vtkPiecewiseFunction* function = settings->GetImportanceFunction();
+  LIMPID_REQUIRE(function && function->GetSize() > 0,
+    "UseImportanceFunction is on, but ImportanceFunction has no points (no value would have an "
+    "importance). Add points to the function or turn it off.");
+  return Evaluate(function);
+}
+}

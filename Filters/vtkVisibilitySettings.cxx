@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkVisibilitySettings.h"
+
+#include "PropertyPrinter.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkVisibilitySettings);
+vtkCxxSetObjectMacro(vtkVisibilitySettings, ImportanceFunction, vtkPiecewiseFunction);
+
+vtkVisibilitySettings::~vtkVisibilitySettings()
+{
+  this->SetImportanceFunction(nullptr);
+}
+
+vtkMTimeType vtkVisibilitySettings::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->ImportanceFunction ? std::max(time, this->ImportanceFunction->GetMTime()) : time;
+}
+
+void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const limpid::PropertyPrinter print{ os, indent };
+
+  this->Superclass::PrintSelf(os, indent);
+  print("ScalarComponent", this->ScalarComponent);
+  print("ImportanceComponent", this->ImportanceComponent);
+  print("UseImportanceFunction", this->UseImportanceFunction);
+  print("ImportanceFunction", static_cast<void*>(this->ImportanceFunction));
+  print("RegularizationWeight", this->RegularizationWeight);
+  print("ViewWeight", this->ViewWeight);
+  print("LightWeight", this->LightWeight);
+  print("LightType", this->LightType);
+  print("LightPosition", this->LightPosition);
+  print("Mode", this->Mode);
+  print("Solver", this->Solver);
+  print("MaximumIterations", this->MaximumIterations);
+  print("IterationsPerLevel", this->IterationsPerLevel);
+  print("LearningRate", this->LearningRate);
+  print("Tolerance", this->Tolerance);
+  print("MaximumSeconds", this->MaximumSeconds);
+  print("Derivative", this->Derivative);
+  print("RayDensity", this->RayDensity);
+  print("SkipUnneeded", this->SkipUnneeded);
+  print("RestrictToView", this->RestrictToView);
+  print("Backend", this->Backend);
+}

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkVisibilitySettings
+ * @brief   what is to be seen in a scene, and how that is computed
+ *
+ * The weights of Eq. (21) in [HG24], where importance comes from, the light, and the solver.
+ * vtkExtinctionOptimizer, vtkViewpointSearch and vtkTransmittanceVolumeMapper each own one, as a
+ * vtkVolume owns a vtkVolumeProperty, and have methods of the same names, which pass their values
+ * on to it. Two owners can share one:
+ * mapper->SetVisibilitySettings(filter->GetVisibilitySettings()).
+ *
+ * Three defaults depend on the owner: vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED,
+ * see there, and RestrictToView on; vtkViewpointSearch has MaximumIterations 1. vtkViewpointSearch
+ * uses the weights and the solver only where it optimises for every view, with a light of its own
+ * for each and with RestrictToView off.
+ *
+ * @sa vtkVisibilityAlgorithm vtkTransmittanceVolumeMapper
+ */
+
+#ifndef vtkVisibilitySettings_h
+#define vtkVisibilitySettings_h
+
+#include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkVisibilitySettingsMacros.h" // for the choices
+
+class vtkPiecewiseFunction;
+
+class VTKLIMPIDFILTERS_EXPORT vtkVisibilitySettings : public vtkObject
+{
+public:
+  static vtkVisibilitySettings* New();
+  vtkTypeMacro(vtkVisibilitySettings, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  LIMPID_VISIBILITY_CHOICES();
+
+  ///@{
+  /**
+   * Component of the scalar array that is the scalar field, from 0 on; -1: the length of the tuple,
+   * which for a single component is its value. Default is -1.
+   */
+  vtkSetMacro(ScalarComponent, int);
+  vtkGetMacro(ScalarComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Component of the importance array, from 0 on; -1: the length of the tuple, which for a single
+   * component is its value. Default is -1.
+   */
+  vtkSetMacro(ImportanceComponent, int);
+  vtkGetMacro(ImportanceComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether ImportanceFunction maps the importance array to importance. Off: the array's values
+   * are importance, moved into [0, 1]. Default is off.
+   */
+  vtkSetMacro(UseImportanceFunction, vtkTypeBool);
+  vtkGetMacro(UseImportanceFunction, vtkTypeBool);
+  vtkBooleanMacro(UseImportanceFunction, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Maps values of the importance array to importance; its values are moved into [0, 1].
+   * Default is none.
+   */
+  virtual void SetImportanceFunction(vtkPiecewiseFunction*);
+  vtkGetObjectMacro(ImportanceFunction, vtkPiecewiseFunction);
+  ///@}
+
+  ///@{
+  /**
+   * Weight p of the regularisation term, Eq. (22), in normalised coordinates: dimensionless, not
+   * below zero. Default is 1e-3.
+   */
+  vtkSetMacro(RegularizationWeight, double);
+  vtkGetMacro(RegularizationWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight q of the view term, Eq. (23): dimensionless, not below zero; zero leaves the view as it
+   * is. Default is 10.
+   */
+  vtkSetMacro(ViewWeight, double);
+  vtkGetMacro(ViewWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight r of the light term, Eq. (24): dimensionless, not below zero; zero leaves the light as
+   * it is. Default is 1.
+   */
+  vtkSetMacro(LightWeight, double);
+  vtkGetMacro(LightWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * POINT: the light shines from LightPosition. DIRECTIONAL: parallel rays, from LightPosition
+   * towards the camera's focal point. Of the mapper: its own light, see LightSource there.
+   * Default is POINT.
+   */
+  vtkSetMacro(LightType, int);
+  vtkGetMacro(LightType, int);
+  ///@}
+
+  ///@{
+  /**
+   * Position of the light in world coordinates. As long as it is (0, 0, 1), as in a new vtkLight,
+   * the owner places the light: 50 degrees above and 10 degrees to the right of the camera, as far
+   * from its focal point as the camera; but see vtkExtinctionOptimizer::SetAutomaticPlacement.
+   * Default is (0, 0, 1).
+   */
+  vtkSetVector3Macro(LightPosition, double);
+  vtkGetVector3Macro(LightPosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one for each,
+   * Section 4.2; shadows are those of the extinction for the light. Default is JOINT.
+   */
+  vtkSetMacro(Mode, int);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  ///@{
+  /**
+   * POLICY: policy sweeps. ADAM: the projected Adam of [HG24], coarse to fine.
+   * Default is POLICY.
+   */
+  vtkSetMacro(Solver, int);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /**
+   * Most iterations of the policy solver, not below zero. Default is 8.
+   */
+  vtkSetMacro(MaximumIterations, int);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Iterations of Adam at a quarter, half and the full resolution, not below zero.
+   * Default is (32, 32, 64).
+   */
+  vtkSetVector3Macro(IterationsPerLevel, int);
+  vtkGetVector3Macro(IterationsPerLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Step length of Adam in units of the majorant, Eq. (25): above 0, at most 1. Default is 0.05.
+   */
+  vtkSetMacro(LearningRate, double);
+  vtkGetMacro(LearningRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * The optimisation stops when the mean change of an iteration is below this share of the
+   * majorant, Eq. (25); not below zero. Default is 1e-3.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The optimisation for a view stops after this time [s]; zero: no limit. Default is 0.
+   */
+  vtkSetMacro(MaximumSeconds, double);
+  vtkGetMacro(MaximumSeconds, double);
+  ///@}
+
+  ///@{
+  /**
+   * VOLUME: exact derivative of the volume integral. RAY: Eqs. (19)-(20) as printed, without the
+   * weight of the widening rays. Default is VOLUME.
+   */
+  vtkSetMacro(Derivative, int);
+  vtkGetMacro(Derivative, int);
+  ///@}
+
+  ///@{
+  /**
+   * Rays per voxel and axis on the slice farthest from the eye, 0.1 to 16. Default is 1.
+   */
+  vtkSetMacro(RayDensity, double);
+  vtkGetMacro(RayDensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether what provably cannot change the result is left out. Default is on.
+   */
+  vtkSetMacro(SkipUnneeded, vtkTypeBool);
+  vtkGetMacro(SkipUnneeded, vtkTypeBool);
+  vtkBooleanMacro(SkipUnneeded, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether only what the picture shows counts. Off: the whole image counts. Default is off.
+   */
+  vtkSetMacro(RestrictToView, vtkTypeBool);
+  vtkGetMacro(RestrictToView, vtkTypeBool);
+  vtkBooleanMacro(RestrictToView, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * AUTO: the fastest that works here, which the owner's results name. CPU, CUDA: this or an
+   * error. Default is AUTO.
+   */
+  vtkSetMacro(Backend, int);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  /**
+   * Also that of the importance function.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkVisibilitySettings() = default;
+  ~vtkVisibilitySettings() override;
+
+private:
+  vtkVisibilitySettings(const vtkVisibilitySettings&) = delete;
+  void operator=(const vtkVisibilitySettings&) = delete;
+
+  int ScalarComponent = -1;
+  int ImportanceComponent = -1;
+  vtkTypeBool UseImportanceFunction = 0;
+  vtkPiecewiseFunction* ImportanceFunction = nullptr;
+  double RegularizationWeight = 1e-3;
+  double ViewWeight = 10;
+  double LightWeight = 1;
+  int LightType = POINT;
+  double LightPosition[3] = { 0, 0, 1 };
+  int Mode = JOINT;
+  int Solver = POLICY;
+  int MaximumIterations = 8;
+  int IterationsPerLevel[3] = { 32, 32, 64 };
+  double LearningRate = 0.05;
+  double Tolerance = 1e-3;
+  double MaximumSeconds = 0;
+  int Derivative = VOLUME;
+  double RayDensity = 1;
+  vtkTypeBool SkipUnneeded = 1;
+  vtkTypeBool RestrictToView = 0;
+  int Backend = AUTO;
+};
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the owners of a vtkVisibilitySettings have of it: its choices and its methods. VTK's
+// wrappers expand these macros, so that Python and ParaView know the methods, too.
+
+#ifndef vtkVisibilitySettingsMacros_h
+#define vtkVisibilitySettingsMacros_h
+
+#include "vtkWrappingHints.h" // for VTK_SIZEHINT
+
+/// The choices of vtkVisibilitySettings.
+#define LIMPID_VISIBILITY_CHOICES()                                                                \
+  enum LightTypes                                                                                  \
+  {                                                                                                \
+    POINT = 0,                                                                                     \
+    DIRECTIONAL = 1                                                                                \
+  };                                                                                               \
+  enum Modes                                                                                       \
+  {                                                                                                \
+    JOINT = 0,                                                                                     \
+    SEPARATE = 1                                                                                   \
+  };                                                                                               \
+  enum Solvers                                                                                     \
+  {                                                                                                \
+    POLICY = 0,                                                                                    \
+    ADAM = 1                                                                                       \
+  };                                                                                               \
+  enum Derivatives                                                                                 \
+  {                                                                                                \
+    VOLUME = 0,                                                                                    \
+    RAY = 1                                                                                        \
+  };                                                                                               \
+  enum Backends                                                                                    \
+  {                                                                                                \
+    AUTO = 0,                                                                                      \
+    CPU = 1,                                                                                       \
+    CUDA = 2                                                                                       \
+  }
+
+/// SetName and GetName of an owner with the method GetVisibilitySettings.
+#define LIMPID_FORWARD_SETTING(name, type)                                                         \
+  virtual void Set##name(type value)                                                               \
+  {                                                                                                \
+    this->GetVisibilitySettings()->Set##name(value);                                               \
+  }                                                                                                \
+  virtual type Get##name()                                                                         \
+  {                                                                                                \
+    return this->GetVisibilitySettings()->Get##name();                                             \
+  }
+
+/// The same as LIMPID_FORWARD_SETTING with NameOn and NameOff.
+#define LIMPID_FORWARD_SWITCH(name)                                                                \
+  LIMPID_FORWARD_SETTING(name, vtkTypeBool)                                                        \
+  virtual void name##On()                                                                          \
+  {                                                                                                \
+    this->Set##name(1);                                                                            \
+  }                                                                                                \
+  virtual void name##Off()                                                                         \
+  {                                                                                                \
+    this->Set##name(0);                                                                            \
+  }
+
+/// The methods of vtkSetVector3Macro and vtkGetVector3Macro.
+#define LIMPID_FORWARD_VECTOR3(name, type)                                                         \
+  virtual void Set##name(type x, type y, type z)                                                   \
+  {                                                                                                \
+    this->GetVisibilitySettings()->Set##name(x, y, z);                                             \
+  }                                                                                                \
+  virtual void Set##name(const type value[3])                                                      \
+  {                                                                                                \
+    this->GetVisibilitySettings()->Set##name(value);                                               \
+  }                                                                                                \
+  virtual type* Get##name() VTK_SIZEHINT(3)                                                        \
+  {                                                                                                \
+    return this->GetVisibilitySettings()->Get##name();                                             \
+  }                                                                                                \
+  virtual void Get##name(type& x, type& y, type& z)                                                \
+  {                                                                                                \
+    this->GetVisibilitySettings()->Get##name(x, y, z);                                             \
+  }                                                                                                \
+  virtual void Get##name(type value[3])                                                            \
+  {                                                                                                \
+    this->GetVisibilitySettings()->Get##name(value);                                               \
+  }
+
+/// The methods of vtkVisibilitySettings, which documents them.
+#define LIMPID_FORWARD_VISIBILITY_SETTINGS()                                                       \
+  LIMPID_FORWARD_SETTING(ScalarComponent, int)                                                     \
+  LIMPID_FORWARD_SETTING(ImportanceComponent, int)                                                 \
+  LIMPID_FORWARD_SWITCH(UseImportanceFunction)                                                     \
+  LIMPID_FORWARD_SETTING(ImportanceFunction, vtkPiecewiseFunction*)                                \
+  LIMPID_FORWARD_SETTING(RegularizationWeight, double)                                             \
+  LIMPID_FORWARD_SETTING(ViewWeight, double)                                                       \
+  LIMPID_FORWARD_SETTING(LightWeight, double)                                                      \
+  LIMPID_FORWARD_SETTING(LightType, int)                                                           \
+  LIMPID_FORWARD_VECTOR3(LightPosition, double)                                                    \
+  LIMPID_FORWARD_SETTING(Mode, int)                                                                \
+  LIMPID_FORWARD_SETTING(Solver, int)                                                              \
+  LIMPID_FORWARD_SETTING(MaximumIterations, int)                                                   \
+  LIMPID_FORWARD_VECTOR3(IterationsPerLevel, int)                                                  \
+  LIMPID_FORWARD_SETTING(LearningRate, double)                                                     \
+  LIMPID_FORWARD_SETTING(Tolerance, double)                                                        \
+  LIMPID_FORWARD_SETTING(MaximumSeconds, double)                                                   \
+  LIMPID_FORWARD_SETTING(Derivative, int)                                                          \
+  LIMPID_FORWARD_SETTING(RayDensity, double)                                                       \
+  LIMPID_FORWARD_SWITCH(SkipUnneeded)                                                              \
+  LIMPID_FORWARD_SWITCH(RestrictToView)                                                            \
+  LIMPID_FORWARD_SETTING(Backend, int)                                                             \
+  static_assert(true, "takes a semicolon")
+
+#endif

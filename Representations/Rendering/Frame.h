@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A frame of a volume in a view: what it is to be like, how much time it has, what it showed.
+
+#ifndef limpid_Frame_h
+#define limpid_Frame_h
+
+#include "SceneLight.h"
+
+#include "optimize/Solver.h"
+#include "render/Renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+/// What a frame is to be like.
+struct FrameSettings
+{
+  bool still = true;    ///< off: the frame is one of a movement, and its time is limited
+  bool optimize = true; ///< off: the extinction of the transfer functions
+  bool measure = true;  ///< off: no score
+  bool once = false;    ///< for the camera of the first still frame only
+  bool paused = false;  ///< leave the extinction as it is
+  Settings solver;
+  ChosenLight light; ///< in data coordinates
+  Lighting lighting; ///< but for the light itself, its colour and whether it is on
+  bool lit = true;
+  double sampleDistance = 1;
+  bool jitter = false;
+  double frameTime = 0.1; ///< of a moving frame [s]
+  double easeTime = 0.3;  ///< time constant of changes while moving [s]
+  bool stepwise = false;  ///< still frames take one step of the optimisation only
+};
+
+/// What a frame showed.
+struct FrameResult
+{
+  Score score;
+  Score baseScore;
+  bool converged = true;
+  int iterations = 0;
+  std::string light;
+  std::string backend;
+};
+
+/// What went wrong in a frame that was drawn all the same.
+struct FrameMessages
+{
+  std::vector<std::string> errors;
+  std::vector<std::string> warnings;
+};
+
+/// When frames began.
+class FrameClock
+{
+public:
+  using SteadyClock = std::chrono::steady_clock;
+
+  static double SecondsSince(SteadyClock::time_point start)
+  {
+    return std::chrono::duration<double>(SteadyClock::now() - start).count();
+  }
+
+  /// A frame begins. `goesOn`: it follows the last one at once; else there may have been a pause,
+  /// after which changes go on easing as if it had been short.
+  void Begin(bool goesOn)
+  {
+    constexpr double longestPause = 0.2; // [s]
+    const SteadyClock::time_point now = SteadyClock::now();
+    const double since = std::chrono::duration<double>(now - this->Start).count();
+    this->Last = goesOn ? since : std::min(since, longestPause);
+    this->Start = now;
+  }
+
+  /// Since the frame began [s].
+  double Seconds() const { return SecondsSince(this->Start); }
+
+  /// From the beginning of the last frame to that of this one [s].
+  double SecondsSinceLast() const { return this->Last; }
+
+private:
+  SteadyClock::time_point Start;
+  double Last = 0;
+};
+}
+
+#endif

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ViewOptimization.h"
+
+#include "ViewGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpid
+{
+namespace
+{
+// Share of a moving frame's time that the optimisation gets at most.
+constexpr double OptimizationShare = 0.4;
+
+// A change is over when less than this is left of it: half a step of an 8-bit picture in motion;
+// at rest, the picture becomes sharp in the same moment and hides more.
+constexpr double LeastChange = 1.0 / 512;
+constexpr double LeastChangeAtRest = 1.0 / 32;
+}
+
+// Tells the optimiser what it works for. Returns whether that is known at all.
+bool ViewOptimization::TakeView(const FrameSettings& frame, const Camera& camera)
+{
+  const bool once = frame.optimize && frame.once;
+  const bool keeps = this->HasView && (frame.paused || (once && this->IsOnceView));
+  if (!keeps && once && !frame.still)
+  {
+    return false; // the first still frame decides
+  }
+  const Light& light = frame.light.light;
+  const bool same =
+    this->HasView && AreSame(camera, this->ViewCamera) && AreSame(light, this->ViewLight);
+  if (!keeps && !same)
+  {
+    this->ViewCamera = camera;
+    this->ViewLight = light;
+    this->HasView = true;
+  }
+  this->IsOnceView = once;
+  this->IsBaseView = !frame.optimize;
+  this->ViewSettings = frame.solver;
+  Settings settings = frame.solver;
+  settings.weights.light = frame.light.found ? settings.weights.light : 0.0;
+  if (this->IsBaseView)
+  {
+    settings.maximumIterations = 0;
+    settings.iterationsPerLevel = { { 0, 0, 0 } };
+  }
+  this->Optimizer->SetView(this->ViewCamera, this->ViewLight, settings);
+  return true;
+}
+
+// Lets the optimiser work for as long as the frame allows. Returns whether it has.
+bool ViewOptimization::Work(
+  const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted)
+{
+  if (this->Optimizer->Converged())
+  {
+    return false;
+  }
+  if (!frame.still)
+  {
+    this->Optimizer->Preview(OptimizationShare * frame.frameTime);
+    return true;
+  }
+  const double until = clock.Seconds() + frame.frameTime;
+  bool goOn = true;
+  while (goOn)
+  {
+    const bool done = this->Optimizer->Refine();
+    const bool outOfTime = frame.stepwise && clock.Seconds() > until;
+    goOn = !done && !outOfTime && !isAborted();
+  }
+  return true;
+}
+
+// Brings what the optimiser has found into the picture. `seconds`: since the last frame.
+void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool changed)
+{
+  if (!changed && !this->ShowsBase && this->Remaining == 0)
+  {
+    return;
+  }
+  const bool eases = frame.easeTime > 0 && (frame.stepwise || !frame.still);
+  // At least a little: a clock may stand still between two frames.
+  double share = eases ? std::max(1 - std::exp(-seconds / frame.easeTime), 0.01) : 1;
+  this->Remaining = (1 - share) * (changed || this->ShowsBase ? 1 : this->Remaining);
+  if (this->Remaining < (frame.still ? LeastChangeAtRest : LeastChange))
+  {
+    this->Remaining = 0;
+    share = 1;
+  }
+  const bool separate = frame.solver.mode == Mode::Separate;
+  this->Pictures.SetExtinction(this->Optimizer->ShownGrid(), this->Optimizer->BaseExtinction(),
+    this->Optimizer->Extinction(), share, separate ? this->Optimizer->LightExtinction() : nullptr);
+  this->ShowsBase = false;
+}
+
+// What the frame's camera sees, which is not the one that the optimiser works for while the
+// extinction is kept. Moving frames have no time for that: they repeat what was measured last.
+Scores ViewOptimization::Measure(const FrameSettings& frame, const Camera& camera, bool changed)
+{
+  if (AreSame(camera, this->ViewCamera))
+  {
+    this->Elsewhere.reset();
+    return { this->Optimizer->BaseScore(), this->Optimizer->BestScore() };
+  }
+  const bool current = this->Elsewhere && !changed && AreSame(camera, this->ElsewhereCamera);
+  if (!current && (frame.still || !this->Elsewhere))
+  {
+    this->Elsewhere = this->Optimizer->ScoresFrom(camera);
+    this->ElsewhereCamera = camera;
+  }
+  return *this->Elsewhere;
+}
+
+void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& data,
+  const Camera& camera, const FrameClock& clock, const std::function<bool()>& isAborted,
+  FrameResult& result)
+{
+  if (this->DataVersion != data.DataVersion())
+  {
+    this->HasView = false;
+    this->DataVersion = data.DataVersion();
+  }
+  if (!data.HasImportance() || !frame.measure || (!frame.optimize && !frame.still))
+  {
+    this->ShowBase();
+    return;
+  }
+  bool changed = false;
+  if (!this->Optimizer || this->SceneVersion != data.SceneVersion())
+  {
+    this->Optimizer.reset();
+    this->Optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
+    this->SceneVersion = data.SceneVersion();
+    changed = true;
+  }
+  // What has been found stays, for when optimization is on again.
+  const bool found =
+    this->HasView && !this->IsBaseView && !changed && frame.solver == this->ViewSettings;
+  const bool frozen = frame.optimize ? frame.paused && !changed && !this->ShowsBase : found;
+  if (!frozen && !this->TakeView(frame, camera))
+  {
+    this->ShowBase();
+    result.converged = false;
+    return;
+  }
+  changed = (!frozen && this->Work(frame, clock, isAborted)) || changed;
+  frame.optimize ? this->Show(frame, clock.SecondsSinceLast(), changed) : this->ShowBase();
+
+  const Scores scores = this->Measure(frame, camera, changed);
+  result.score = frame.optimize ? scores.best : scores.base;
+  result.baseScore = scores.base;
+  result.iterations = this->Optimizer->Iterations();
+  result.backend = this->Optimizer->BackendName();
+  result.converged =
+    frame.still && (frozen || this->Optimizer->Converged()) && this->Remaining == 0;
+}
+
+void ViewOptimization::ShowBase()
+{
+  if (!this->ShowsBase)
+  {
+    this->Pictures.SetExtinction(Grid(), nullptr, nullptr);
+    this->ShowsBase = true;
+  }
+  this->Remaining = 0;
+}
+
+void ViewOptimization::Release()
+{
+  this->Optimizer.reset();
+  this->ShowsBase = true;
+  this->Remaining = 0;
+}
+
+void ViewOptimization::Stop()
+{
+  this->Optimizer.reset();
+  this->ShowBase();
+}
+
+void ViewOptimization::Reset()
+{
+  this->Stop();
+  this->HasView = false;
+}
+
+const Grid* ViewOptimization::ShownGrid() const
+{
+  return this->ShowsBase ? nullptr : &this->Optimizer->ShownGrid();
+}
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The optimisation for one volume in one renderer, over its frames.
+
+#ifndef limpid_ViewOptimization_h
+#define limpid_ViewOptimization_h
+
+#include "Frame.h"
+#include "VolumeData.h"
+
+#include "optimize/Progressive.h"
+#include "render/Renderer.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace limpid
+{
+class ViewOptimization
+{
+public:
+  /// What it finds is shown by `pictures`.
+  explicit ViewOptimization(Renderer& pictures)
+    : Pictures(pictures)
+  {
+  }
+
+  /**
+   * Optimises for a frame for as long as it may, brings what was found into the pictures, at once
+   * or bit by bit, and sets scores and progress in `result`. The camera is in data coordinates.
+   * `isAborted` tells whether the user has had enough. Throws when the optimisation is impossible.
+   */
+  void Advance(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
+    const FrameClock& clock, const std::function<bool()>& isAborted, FrameResult& result);
+
+  /// Forgets what has been found, and shows the extinction of the transfer functions.
+  void Stop();
+
+  /// Forgets also for which view that was.
+  void Reset();
+
+  /// Gives the memory back; for pictures that are new.
+  void Release();
+
+  /// The grid of what is shown; null: the extinction of the transfer functions is shown.
+  const Grid* ShownGrid() const;
+
+private:
+  bool TakeView(const FrameSettings& frame, const Camera& camera);
+  bool Work(
+    const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
+  void Show(const FrameSettings& frame, double seconds, bool changed);
+  Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
+  void ShowBase();
+
+  Renderer& Pictures;
+  std::unique_ptr<Progressive> Optimizer;
+  std::uint64_t SceneVersion = 0;
+  std::uint64_t DataVersion = 0; ///< of the data that the view below is for
+  bool HasView = false;          ///< whether camera and light below were set
+  bool IsOnceView = false;       ///< whether they are those of a first still frame
+  bool IsBaseView = false;       ///< whether nothing was to be found for them
+  Settings ViewSettings;         ///< with which they were taken
+  Camera ViewCamera;             ///< that the optimiser works for, in data coordinates
+  Light ViewLight;
+  std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for the one above
+  Camera ElsewhereCamera;
+  bool ShowsBase = true;
+  double Remaining = 0; ///< share of the last change that has not eased in yet
+};
+}
+
+#endif

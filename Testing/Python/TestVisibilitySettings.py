@@ -1,0 +1,109 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The settings that filters and mapper own: the owners have the same methods, and pass them on.
+
+import unittest
+
+# What the extension module depends on.
+import vtkmodules.vtkRenderingVolume  # noqa: F401
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+
+from limpid.vtkLimpidFilters import (vtkExtinctionOptimizer, vtkOcclusionPhantom,
+                                     vtkViewpointSearch, vtkVisibilitySettings)
+from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
+
+OWNERS = (vtkExtinctionOptimizer, vtkViewpointSearch, vtkTransmittanceVolumeMapper)
+# Defaults that are the owner's own.
+OWN_DEFAULTS = {
+    vtkExtinctionOptimizer: {},
+    vtkViewpointSearch: {"MaximumIterations": 1},
+    vtkTransmittanceVolumeMapper: {"ScalarComponent": vtkTransmittanceVolumeMapper.UNDECIDED,
+                                   "RestrictToView": 1},
+}
+
+
+def names():
+    """Of all settings."""
+    return [name[3:] for name in vars(vtkVisibilitySettings)
+            if name.startswith("Set") and hasattr(vtkVisibilitySettings, "Get" + name[3:])]
+
+
+def other(value):
+    """A value of the same kind that is not this one."""
+    if value is None:
+        return vtkPiecewiseFunction()
+    return tuple(number + 1 for number in value) if isinstance(value, tuple) else value + 1
+
+
+class TestVisibilitySettings(unittest.TestCase):
+    def test_owners_pass_every_setting_on(self):
+        self.assertEqual(len(names()), 21)
+        for owner in OWNERS:
+            instance = owner()
+            settings = instance.GetVisibilitySettings()
+            for name in names():
+                with self.subTest(owner=owner.__name__, setting=name):
+                    value = other(getattr(settings, "Get" + name)())
+                    getattr(instance, "Set" + name)(value)
+                    self.assertEqual(getattr(settings, "Get" + name)(), value)
+                    self.assertEqual(getattr(instance, "Get" + name)(), value)
+
+    def test_switches_are_passed_on(self):
+        for owner in OWNERS:
+            for name in ("UseImportanceFunction", "SkipUnneeded", "RestrictToView"):
+                instance = owner()
+                getattr(instance, name + "On")()
+                self.assertEqual(getattr(instance.GetVisibilitySettings(), "Get" + name)(), 1)
+                getattr(instance, name + "Off")()
+                self.assertEqual(getattr(instance.GetVisibilitySettings(), "Get" + name)(), 0)
+
+    def test_defaults_are_the_same_but_for_the_named_ones(self):
+        plain = vtkVisibilitySettings()
+        for owner in OWNERS:
+            for name in names():
+                with self.subTest(owner=owner.__name__, setting=name):
+                    expected = OWN_DEFAULTS[owner].get(name, getattr(plain, "Get" + name)())
+                    self.assertEqual(getattr(owner(), "Get" + name)(), expected)
+
+    def test_a_change_makes_every_owner_newer(self):
+        shared = vtkVisibilitySettings()
+        function = vtkPiecewiseFunction()
+        shared.SetImportanceFunction(function)
+        for owner in OWNERS:
+            instance = owner()
+            instance.SetVisibilitySettings(shared)
+            for change in (lambda: shared.SetViewWeight(shared.GetViewWeight() + 1),
+                           lambda: function.AddPoint(function.GetSize(), 1)):
+                before = instance.GetMTime()
+                change()
+                self.assertGreater(instance.GetMTime(), before)
+                self.assertEqual(instance.GetMTime(), instance.GetMTime())
+
+    def test_no_settings_are_no_choice(self):
+        for owner in OWNERS:
+            instance = owner()
+            settings = instance.GetVisibilitySettings()
+            instance.SetVisibilitySettings(None)
+            self.assertIs(instance.GetVisibilitySettings(), settings)
+
+    def test_a_filter_runs_again_when_shared_settings_change(self):
+        phantom = vtkOcclusionPhantom()
+        phantom.SetResolution(12)
+        optimizer = vtkExtinctionOptimizer()
+        optimizer.SetInputConnection(phantom.GetOutputPort())
+        optimizer.SetInputArrayToProcess(0, 0, 0, 0, "Scalars")
+        mapper = vtkTransmittanceVolumeMapper()
+        mapper.SetVisibilitySettings(optimizer.GetVisibilitySettings())
+        optimizer.Update()
+        before = optimizer.GetOutput().GetFieldData().GetArray("VisibilityScore").GetValue(0)
+
+        mapper.SetViewWeight(0)
+        optimizer.Update()
+
+        after = optimizer.GetOutput().GetFieldData().GetArray("VisibilityScore").GetValue(0)
+        self.assertLess(after, before)
+
+
+if __name__ == "__main__":
+    unittest.main()

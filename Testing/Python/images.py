@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""What the tests with VTK alone share: images, functions, filters and their messages."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+
+from limpid.vtkLimpidFilters import vtkOcclusionPhantom, vtkVisibilityAlgorithm
+
+
+def image_of(shape, spacing=(1, 1, 1), origin=(0, 0, 0), **arrays):
+    """An image with one point array per keyword; shape is (x, y, z), arrays are flat."""
+    image = vtkImageData()
+    image.SetDimensions(shape)
+    image.SetSpacing(spacing)
+    image.SetOrigin(origin)
+    for name, data in arrays.items():
+        array = numpy_to_vtk(np.ascontiguousarray(data), deep=1)
+        array.SetName(name)
+        image.GetPointData().AddArray(array)
+    return image
+
+
+def phantom(resolution=20, scene=0):
+    source = vtkOcclusionPhantom()
+    source.SetResolution(resolution)
+    source.SetScene(scene)
+    source.Update()
+    image = vtkImageData()
+    image.ShallowCopy(source.GetOutput())
+    return image
+
+
+def function_of(*nodes):
+    """Straight lines between nodes (position, value)."""
+    function = vtkPiecewiseFunction()
+    for position, value in nodes:
+        function.AddPoint(position, value)
+    return function
+
+
+def values(output, name):
+    return vtk_to_numpy(output.GetPointData().GetArray(name))
+
+
+def caught(thing, *events):
+    """Collects the texts of the events of a VTK object, by default errors and warnings."""
+    texts = []
+
+    def observe(_, __, text):
+        texts.append(text)
+    observe.CallDataType = "string0"
+    for event in events or ("ErrorEvent", "WarningEvent"):
+        thing.AddObserver(event, observe)
+    return texts
+
+
+def filter_on(image, filter_class, **properties):
+    """A filter that takes its extinction from the array BaseExtinction, with messages caught."""
+    result = filter_class()
+    result.SetInputData(image)
+    result.SetExtinctionSource(vtkVisibilityAlgorithm.ARRAY)
+    for name, value in properties.items():
+        getattr(result, "Set" + name)(value)
+    result.messages = {event: caught(result, event) for event in ("ErrorEvent", "WarningEvent")}
+    for event in result.messages:
+        result.GetExecutive().AddObserver(event, lambda *_: None)
+    return result
+
+
+class FilterTest(unittest.TestCase):
+    def assert_no_error(self, filter_):
+        self.assertEqual(filter_.messages["ErrorEvent"], [])
+
+    def assert_refuses(self, *words, filter_):
+        """One error with these words in it, and nothing in the image or the surfaces put out."""
+        filter_.Update()
+
+        errors = filter_.messages["ErrorEvent"]
+        self.assertEqual(len(errors), 1, errors)
+        for word in words:
+            self.assertIn(word, errors[0])
+        outputs = [filter_.GetOutputDataObject(port)
+                   for port in range(filter_.GetNumberOfOutputPorts())]
+        for output in outputs:
+            if output.IsA("vtkDataSet"):
+                self.assertEqual(output.GetNumberOfPoints(), 0)
+                self.assertEqual(output.GetPointData().GetNumberOfArrays(), 0)
