@@ -8,20 +8,14 @@
 #ifndef limpid_backend_Simd_h
 #define limpid_backend_Simd_h
 
+#include "math/Macros.h"
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) &&     \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LIMPID_MULTIVERSION                                                                        \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define LIMPID_MULTIVERSION
-#endif
-
-#if defined(__CUDACC__)
-#define LIMPID_INLINE __forceinline__
-#elif defined(__GNUC__)
-#define LIMPID_INLINE inline __attribute__((always_inline))
-#else
-#define LIMPID_INLINE inline
 #endif
 
 namespace limpid

@@ -4,8 +4,7 @@
 #ifndef limpid_math_Exp_h
 #define limpid_math_Exp_h
 
-#include "backend/Simd.h"
-#include "math/Vec.h"
+#include "math/Macros.h"
 
 #include <cmath>
 #include <cstdint>

@@ -4,8 +4,7 @@
 #ifndef limpid_math_Range_h
 #define limpid_math_Range_h
 
-#include "backend/Simd.h"
-#include "math/Vec.h"
+#include "math/Macros.h"
 
 namespace limpid
 {

@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The only door to GLM, and the home of the few macros that tell one compiler from another.
+// The only door to GLM.
 
 #ifndef limpid_math_Vec_h
 #define limpid_math_Vec_h
 
+#include "math/Macros.h"
+
 #ifdef __CUDACC__
 #include <cuda.h> // GLM asks for CUDA_VERSION before it marks its functions
 #pragma nv_diag_suppress 20012
-#define LIMPID_HD __host__ __device__
-#else
-#define LIMPID_HD
 #endif
 
 #include <glm/glm.hpp>

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The few macros that tell one compiler from another.
+
+#ifndef limpid_math_Macros_h
+#define limpid_math_Macros_h
+
+/// Marks what the processor and a CUDA device both call.
+#ifdef __CUDACC__
+#define LIMPID_HD __host__ __device__
+#else
+#define LIMPID_HD
+#endif
+
+/// Marks what is part of its caller in every build, so that it is compiled for the caller's
+/// instruction set.
+#if defined(__CUDACC__)
+#define LIMPID_INLINE __forceinline__
+#elif defined(__GNUC__)
+#define LIMPID_INLINE inline __attribute__((always_inline))
+#else
+#define LIMPID_INLINE inline
+#endif
+
+#endif
