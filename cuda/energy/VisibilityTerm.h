@@ -4,8 +4,8 @@
 #ifndef limpid_energy_VisibilityTerm_h
 #define limpid_energy_VisibilityTerm_h
 
+#include "energy/Derivative.h"
 #include "energy/GradientVoxel.h"
-#include "optimize/Settings.h"
 #include "sweep/Sweep.h"
 
 #include <vector>

@@ -5,6 +5,7 @@
 #define limpid_optimize_Settings_h
 
 #include "backend/Choice.h"
+#include "energy/Derivative.h"
 
 #include <array>
 #include <functional>
@@ -22,12 +23,6 @@ enum class Mode
 {
   Joint,   ///< one extinction for camera and light, Eqs. (22)-(24)
   Separate ///< one extinction for each, Section 4.2
-};
-
-enum class Derivative
-{
-  Volume, ///< exact derivative of the volume integral
-  Ray     ///< Eqs. (19)-(20) as printed: without the weight of the widening rays
 };
 
 /// Weights of the energy of Eq. (21), in normalised coordinates.
