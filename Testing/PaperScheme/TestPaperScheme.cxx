@@ -6,9 +6,9 @@
 #include "RayMarch.h"
 #include "Tolerance.h"
 
+#include "PaperScheme/PaperScheme.h"
 #include "backend/Backend.h"
 #include "math/Require.h"
-#include "reference/PaperScheme.h"
 
 #include <gtest/gtest.h>
 
