@@ -55,12 +55,12 @@ IterationRecord RecordOf(const Problem& problem, double regularization, const Se
 {
   const Weights& weights = problem.settings.weights;
   IterationRecord record;
-  record.energy.regularization = regularization;
-  record.visibilityScore = seen.byCamera.visible;
+  record.energy.regularization = regularization;  // Eq. (22)
+  record.visibilityScore = seen.byCamera.visible; // Eq. (32)
   record.visibleFraction =
     seen.byCamera.unattenuated > 0 ? seen.byCamera.visible / seen.byCamera.unattenuated : 0.0;
-  record.energy.view = -weights.view * seen.byCamera.visible;
-  record.energy.light = -weights.light * seen.byLight.visible;
+  record.energy.view = -weights.view * seen.byCamera.visible;  // Eq. (23)
+  record.energy.light = -weights.light * seen.byLight.visible; // Eq. (24)
   return record;
 }
 }

@@ -38,7 +38,7 @@ LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, f
   return ClippedHalf<float>(layer, RangeOfHalf(half), length, extinction, importance, column, row);
 }
 
-/// Visible importance behind a half, carried from its back to its front.
+/// Visible importance behind a half, carried from its back to its front, Eqs. (19), (20).
 LIMPID_HD LIMPID_INLINE float Carried(const HalfLayer<float>& half, float behind)
 {
   return half.visible + half.Passed() * behind;
@@ -83,7 +83,7 @@ LIMPID_HD LIMPID_INLINE float Densified(
   return close ? justBehind : mean;
 }
 
-/// exp(-depth), 1 where rounding leaves traces below 0.
+/// Transmittance of an optical depth, Eq. (2): exp(-depth), 1 where rounding leaves traces below 0.
 LIMPID_HD LIMPID_INLINE float Transmitted(float opticalDepth)
 {
   return Attenuate(opticalDepth > 0.0f ? opticalDepth : 0.0f);
