@@ -131,7 +131,7 @@ private:
       {
         const double u = Place(frustum.lateralU, column, slice);
         const double v = Place(frustum.lateralV, row, slice);
-        const auto ray = std::size_t(row * frustum.columns + column);
+        const auto ray = std::size_t(row) * std::size_t(frustum.columns) + std::size_t(column);
         images.transmittance[ray] = static_cast<float>(transmittance(u, v));
         images.behind[ray] = static_cast<float>(behind(u, v));
       }

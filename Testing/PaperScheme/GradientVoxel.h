@@ -57,8 +57,8 @@ struct GradientVoxel
   void operator()(Index voxel) const
   {
     const Index row = voxel / nodes.x;
-    const Vec3Of<Real> position(
-      Real(voxel - row * nodes.x), Real(row % nodes.y), Real(row / nodes.y));
+    const Index slice = row / nodes.y;
+    const Vec3Of<Real> position(Real(voxel % nodes.x), Real(row % nodes.y), Real(slice));
     gradient[voxel] = regularization * (extinction[voxel] - baseExtinction[voxel]) +
       view.Derivative(position, importance[voxel]) + light.Derivative(position, importance[voxel]);
   }
