@@ -68,7 +68,7 @@ class TestSources(unittest.TestCase):
 
     def test_every_source_has_its_licence(self):
         kinds = ("*.h", "*.cxx", "*.py", "*.sh", "*.cmake", "CMakeLists.txt", "*.xml", "*.module",
-                 "*.plugin", "*.qrc", "run")
+                 "*.plugin", "*.qrc", "*.in", "run")
         for path in house.files(*kinds) + ["CMakeLists.txt"]:
             head = house.text(path)[:400]
             self.assertIn("SPDX-FileCopyrightText: Copyright (c) Limpid developers", head, path)
