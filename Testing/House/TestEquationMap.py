@@ -75,6 +75,12 @@ class TestEquationMap(unittest.TestCase):
             beyond = equations_in(house.text(path)) - set(range(1, 33))
             self.assertFalse(beyond, f"{path} names Eq. {sorted(beyond)}")
 
+    def test_equations_are_named_in_one_way(self):
+        for path in house.files("*.h", "*.cxx", "*.py", "*.md"):
+            if "Benchmarks" not in path.parts:  # pages of measurements say what they said then
+                bare = re.findall(r"\bEqs?\.\s+\d+", house.text(path))
+                self.assertFalse(bare, f"{path}: write Eq. (n), as the paper does")
+
 
 if __name__ == "__main__":
     unittest.main()
