@@ -62,7 +62,7 @@ class TestSources(unittest.TestCase):
 
     def test_threads_and_devices_appear_in_backend_alone(self):
         self.refuse(r"std::(thread|async|jthread)\b|\btbb::|#\s*include\s*<(thread|tbb|oneapi)|"
-                    r"#\s*pragma\s+omp|<<<|\bcuda[A-Z]\w*\(|\b__(global|shared|syncthreads)\b",
+                    r"#\s*pragma\s+omp|\w\s*<<<|\bcuda[A-Z]\w*\(|\b__(global|shared|syncthreads)\b",
                     core("*.h", "*.cxx"), "Threads, streams and device memory are cuda/backend's.",
                     lambda path: folder_of(path) == "backend")
 
