@@ -126,8 +126,8 @@ struct MapWorker
   template <class Value, class ArrayType>
   void LookUp(ArrayType* array) const
   {
-    constexpr int lowest = static_cast<int>(std::numeric_limits<Value>::lowest());
     constexpr int highest = std::numeric_limits<Value>::max();
+    constexpr int lowest = std::is_signed<Value>::value ? -highest - 1 : 0;
     std::vector<float> table(static_cast<std::size_t>(highest - lowest) + 1);
     for (int value = lowest; value <= highest; ++value)
     {

@@ -106,6 +106,8 @@ int vtkOptimizedVolumeRepresentation::RequestData(
   this->DataSize = 0;
   this->Cache = vtkSmartPointer<vtkImageData>::New();
   this->Actor->SetEnableLOD(1);
+  // The direct base class would look for an image to draw.
+  // NOLINTNEXTLINE(bugprone-parent-virtual-call)
   return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
 }
 

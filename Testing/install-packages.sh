@@ -16,6 +16,8 @@ packages=(
   qtbase5-dev libqt5opengl5-dev qttools5-dev
   # tests and benchmarks
   libgtest-dev nlohmann-json3-dev libbenchmark-dev
+  # checks of layout and of mistakes, and a second compiler
+  clang clang-format clang-tidy
   # pictures without a screen
   xvfb xauth libgl1-mesa-dri python3-numpy python3-matplotlib
 )

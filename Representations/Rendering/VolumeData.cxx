@@ -52,7 +52,7 @@ vtkIdType CountNodes(const Grid& grid, const Body& body)
         for (int i = 0; i < grid.nodes.x; ++i)
         {
           const auto j = static_cast<double>(row % grid.nodes.y);
-          const auto k = static_cast<double>(row / grid.nodes.y);
+          const vtkIdType k = row / grid.nodes.y;
           count += body(first + i, Vec3(i, j, k)) ? 1 : 0;
         }
       }

@@ -146,6 +146,7 @@ void VolumeView::MakeShadows(const FrameSettings& frame, const Grid& grid, bool 
     return;
   }
   std::vector<Index> nodes;
+  nodes.reserve(Coarsenesses.size());
   for (const int factor : Coarsenesses)
   {
     nodes.push_back(CoarseGrid(grid, factor).NodeCount());

@@ -6,7 +6,7 @@
 #include "Markdown.h"
 #include "Timing.h"
 
-#include "reference/PaperScheme.h"
+#include "PaperScheme/PaperScheme.h"
 
 namespace limpid::benchmark
 {

@@ -239,7 +239,8 @@ struct RenderScene
     {
       for (int row = 0; row < 4; ++row)
       {
-        frame.clipToWorld[std::size_t(4 * column + row)] = view.clipToWorld[column][row];
+        frame.clipToWorld[4 * std::size_t(column) + std::size_t(row)] =
+          view.clipToWorld[column][row];
       }
     }
     frame.depth = depth.empty() ? nullptr : depth.data();

@@ -64,8 +64,9 @@ TEST_P(AxisOrders, LeaveNodesWhereTheyAre)
       {
         const Index there = (Index(z) * ordered.nodes.y + y) * ordered.nodes.x + x;
         const auto node = static_cast<Index>(reordered[std::size_t(there)]);
-        const Vec3 index(double(node % grid.nodes.x), double(node / grid.nodes.x % grid.nodes.y),
-          double(node / grid.nodes.x / grid.nodes.y));
+        const Index row = node / grid.nodes.x;
+        const Index slice = row / grid.nodes.y;
+        const Vec3 index(double(node % grid.nodes.x), double(row % grid.nodes.y), double(slice));
         const Vec3 distance = ordered.PointToWorld({ x, y, z }) - grid.PointToWorld(index);
         ASSERT_LE(glm::length(distance), 1e-12 * grid.Radius());
       }

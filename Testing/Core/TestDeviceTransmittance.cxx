@@ -169,10 +169,11 @@ TEST(TransmittanceOfDevice, FollowsTheMarch)
   for (int i = 0; i < count; ++i)
   {
     const std::size_t node = any(generator);
-    const Int3& nodes = scene.grid.nodes;
-    const Vec3 index(double(node % std::size_t(nodes.x)),
-      double(node / std::size_t(nodes.x) % std::size_t(nodes.y)),
-      double(node / std::size_t(nodes.x) / std::size_t(nodes.y)));
+    const auto columns = std::size_t(scene.grid.nodes.x);
+    const auto rows = std::size_t(scene.grid.nodes.y);
+    const std::size_t row = node / columns;
+    const std::size_t slice = row / rows;
+    const Vec3 index(double(node % columns), double(row % rows), double(slice));
     const double expected = truth::Transmittance(
       scene.TruthWith(scene.extinction), scene.Lamp(), ToTruth(scene.grid.PointToWorld(index)));
     squares += std::pow(there[node] - expected, 2);

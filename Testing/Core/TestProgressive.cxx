@@ -282,7 +282,7 @@ TEST(Progressive, StartsAgainForAnyChange)
 {
   const BoxScene scene = Onion(17);
   Progressive progressive = MakeProgressive(scene);
-  const auto startsAgain = [&](Camera camera, Light light, Settings settings)
+  const auto startsAgain = [&](const Camera& camera, const Light& light, const Settings& settings)
   {
     progressive.SetView(scene.camera, scene.light, scene.settings);
     RefineAll(progressive);

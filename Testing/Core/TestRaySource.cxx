@@ -105,11 +105,11 @@ std::vector<Vec3> Positions(const Grid& grid)
 {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> within(-1.2, 1.2);
-  std::vector<Vec3> positions;
-  for (int n = 0; n < 4000; ++n)
+  std::vector<Vec3> positions(4000);
+  for (Vec3& position : positions)
   {
-    positions.push_back(grid.Centre() +
-      grid.Radius() * Vec3(within(generator), within(generator), within(generator)));
+    position =
+      grid.Centre() + grid.Radius() * Vec3(within(generator), within(generator), within(generator));
   }
   return positions;
 }

@@ -51,8 +51,8 @@ double PathOf(const RenderScene& scene, int column, int row, double margin)
         2 * (column + 0.5) / scene.view.width - 1, 2 * (row + 0.5) / scene.view.height - 1, z, 1.0);
     return Vec3(x) / x.w;
   };
-  const double end =
-    scene.depth.empty() ? 1.0 : scene.depth[std::size_t(row * scene.view.width + column)];
+  const std::size_t pixel = std::size_t(row) * std::size_t(scene.view.width) + std::size_t(column);
+  const double end = scene.depth.empty() ? 1.0 : scene.depth[pixel];
   const Vec3 from = point(-1);
   const Vec3 way = point(end) - from;
   const Vec3 index = scene.grid.PointToIndex(from);

@@ -122,6 +122,7 @@ std::vector<Bundle> Bundles(const Lattice& lattice, const Source& source, const 
     return { FrustumBundle(lattice, eye, axis, centre[axis] > 0 ? 1 : -1, 2, sampling) };
   }
   std::vector<Bundle> bundles;
+  bundles.reserve(6);
   for (int face = 0; face < 6; ++face)
   {
     bundles.push_back(FrustumBundle(lattice, eye, face / 2, face % 2 ? 1 : -1, 1, sampling));

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <vector>
 
-using limpid::Relative;
 using limpid::Roundoff;
 using limpid::Tolerance;
 using truth::Color;

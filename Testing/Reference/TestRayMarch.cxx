@@ -12,7 +12,6 @@
 
 using limpid::Relative;
 using limpid::Roundoff;
-using limpid::Tolerance;
 using truth::Sampling;
 using truth::Source;
 using truth::Vector;

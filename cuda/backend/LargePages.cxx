@@ -3,7 +3,7 @@
 
 #include "backend/LargePages.h"
 
-#include <cstdint>
+#include <memory>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -20,11 +20,12 @@ void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t b
   {
     return;
   }
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-  // A wish: where it is not granted, the memory is there all the same.
-  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (std::align(page, page, memory, bytes))
+  {
+    // A wish: where it is not granted, the memory is there all the same.
+    madvise(memory, bytes / page * page, MADV_HUGEPAGE);
+  }
 #endif
 }
 

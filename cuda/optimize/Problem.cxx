@@ -59,10 +59,10 @@ IterationRecord RecordOf(const Problem& problem, const TermSums& sums)
 {
   const Weights& weights = problem.settings.weights;
   IterationRecord record;
-  record.energy.regularization = problem.Regularization(sums.moved.squares);
-  record.energy.view = -weights.view * sums.camera.visible;
-  record.energy.light = -weights.light * sums.light.visible;
-  record.visibilityScore = sums.camera.visible;
+  record.energy.regularization = problem.Regularization(sums.moved.squares); // Eq. (22)
+  record.energy.view = -weights.view * sums.camera.visible;                  // Eq. (23)
+  record.energy.light = -weights.light * sums.light.visible;                 // Eq. (24)
+  record.visibilityScore = sums.camera.visible;                              // Eq. (32)
   record.visibleFraction = sums.camera.Fraction();
   record.meanChange = problem.MeanChange(sums.moved.changes);
   return record;

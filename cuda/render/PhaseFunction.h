@@ -14,7 +14,7 @@ namespace limpid
 constexpr double pi = 3.14159265358979323846;
 
 /**
- * Phase function f_v of Eq. (6) [HG41]: share of the light scattered per solid angle [1/steradian].
+ * Phase function f_v of Eq. (5) [HG41]: share of the light scattered per solid angle [1/steradian].
  * Integrates to 1 over the sphere.
  *
  * `cosine`: of the angle between the light's direction of travel and the outgoing direction.
@@ -41,7 +41,7 @@ inline double BlinnPhongNormalization(double power)
 constexpr double highlightShare = 0.25;
 
 /**
- * Surface term f_s of Eq. (6) [1/steradian]: the matt surface of Lambert and the normalised lobe of
+ * Surface term f_s of Eq. (5) [1/steradian]: the matt surface of Lambert and the normalised lobe of
  * Blinn and Phong. `lobe`: BlinnPhongNormalization(p) (h.n)^p, zero if h.n < 0.
  */
 template <class Real>

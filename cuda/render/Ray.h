@@ -35,7 +35,7 @@ struct Ray
   }
 };
 
-/// Makes the rays of a view through the box of a grid.
+/// Makes the rays of a view through the box of a grid: Eq. (11), for any projection.
 class RayMaker
 {
 public:

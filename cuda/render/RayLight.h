@@ -74,9 +74,9 @@ struct LightOnRay
   {
   }
 
-  /// Eq. (6) and the light of Eq. (4): the share of its colour that the sample at `distance`
-  /// [samples] sends to the viewer. Documentation/Method.md, "Light". Gradient and `shadow`:
-  /// [packedOne].
+  /// Eq. (4) with the phase function of Eq. (5): the share of its colour that the sample at
+  /// `distance` [samples] sends to the viewer (Documentation/Method.md, "Light"; deviation D10).
+  /// Gradient and `shadow`: [packedOne].
   LIMPID_HD LIMPID_INLINE float Sent(const RayLight& light, float distance, float packedX,
     float packedY, float packedZ, float shadow) const
   {

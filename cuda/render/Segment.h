@@ -63,6 +63,7 @@ struct PixelOf
   Optical light = { 0, 0, 0, 0 }; ///< second to fourth: red, green, blue
   float transmittance = 1;
 
+  /// Adds a segment to the sum of Eq. (6). What it scatters is extinction times colour, Eq. (3).
   LIMPID_HD LIMPID_INLINE void Add(const Segment& segment, const Optical& color)
   {
     this->light = this->light + this->transmittance * segment.given * color;

@@ -27,8 +27,9 @@ struct Layer
  * Extinction mu and importance g are constant in the half, each with its value at the Gauss point.
  * With the optical depth x = mu h of the half, exactly:
  *
- *   it stops 1 - e^-x of what passes,
- *   its visible importance is  integral of g mu T dt = g (1 - e^-x)         (T = 1 at its front),
+ *   it stops 1 - e^-x of what passes,                                       Eqs. (15), (16)
+ *   its visible importance is  integral of g mu T dt = g (1 - e^-x),        Eqs. (19), (20)
+ *                              with T = 1 at its front,
  *
  * so visible importance never exceeds max g, and for thin media the two halves together integrate
  * products g mu that are cubic along the layer without error. Where rays widen, g carries the

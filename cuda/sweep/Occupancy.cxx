@@ -37,9 +37,9 @@ void MarkColumns(const float* __restrict extinction, const float* __restrict imp
     const bool important = importance[x] > 0;
     const bool filled = important | (extinction[x] > 0);
     // An end of 0 means that the span has not begun.
-    filledBegin[x] = filled & (filledEnd[x] == 0) ? y : filledBegin[x];
+    filledBegin[x] = (filled & (filledEnd[x] == 0)) ? y : filledBegin[x];
     filledEnd[x] = filled ? y + 1 : filledEnd[x];
-    importantBegin[x] = important & (importantEnd[x] == 0) ? y : importantBegin[x];
+    importantBegin[x] = (important & (importantEnd[x] == 0)) ? y : importantBegin[x];
     importantEnd[x] = important ? y + 1 : importantEnd[x];
   }
 }

@@ -144,7 +144,8 @@ private:
     }
   }
 
-  /// Goes where the optimised extinction, as it is, would let more be seen.
+  /// Goes where the optimised extinction, as it is, would let more be seen: Eqs. (30) and (31) in
+  /// turns.
   void FollowExtinction()
   {
     double length = firstMove;

@@ -198,7 +198,8 @@ private:
     return this->Score.At(this->From.At(direction));
   }
 
-  /// Goes up along a great circle. Returns how long the next step is to be; 0: this is the top.
+  /// Goes up along a great circle: Eq. (31) with a step that is long enough and not too long
+  /// (deviation D14). Returns how long the next step is to be; 0: this is the top.
   double Step(const ScoredView& here, const Vec3& along, double steepness, double length,
     std::vector<ScoredView>& path)
   {

@@ -12,7 +12,8 @@
 namespace limpid
 {
 /**
- * What a move of the eye by e does to the rays of a row in one layer.
+ * What a move of the eye by e does to the rays of a row in one layer. Summed over all rays and
+ * layers, the gain is the integral of Eq. (29); Eq. (14) is worked into d tau (deviation D13).
  *
  * Moving the eye along a ray changes nothing on it. So e is moved along every ray into the plane of
  * the eye across the depth axis, e' = e - e_w (a, b, 1) with the ray's slopes a and b. A point x at

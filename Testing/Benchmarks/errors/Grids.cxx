@@ -6,13 +6,13 @@
 #include "../Timing.h"
 #include "PeakMemory.h"
 
+#include "PaperScheme/GradientVoxel.h"
+#include "PaperScheme/Launch.h"
+#include "PaperScheme/PaperScheme.h"
+#include "PaperScheme/ScoreRay.h"
+#include "PaperScheme/TransmittanceRay.h"
+#include "PaperScheme/VisibleImportanceRay.h"
 #include "backend/Backend.h"
-#include "reference/GradientVoxel.h"
-#include "reference/Launch.h"
-#include "reference/PaperScheme.h"
-#include "reference/ScoreRay.h"
-#include "reference/TransmittanceRay.h"
-#include "reference/VisibleImportanceRay.h"
 
 #include <array>
 #include <cmath>

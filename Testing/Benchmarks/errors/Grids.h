@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The paper's perspective grids (cuda/reference), coarse to fine: errors and time.
+// The paper's perspective grids (Testing/PaperScheme), coarse to fine: errors and time.
 
 #ifndef limpid_testing_benchmarks_errors_Grids_h
 #define limpid_testing_benchmarks_errors_Grids_h

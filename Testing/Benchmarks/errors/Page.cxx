@@ -83,8 +83,8 @@ void WriteEqualErrors(std::ostream& stream, const std::vector<SceneResult>& scen
   }
   stream << "\n## The paper's grids at equal error\n\n"
          << "An Adam iteration, camera and light, on the paper's perspective grids "
-            "(`cuda/reference`) of several resolutions, and Limpid's cheapest iterations at full "
-            "resolution whose S is at least as exact: same process, threads, compiler flags, "
+            "(`Testing/PaperScheme`) of several resolutions, and Limpid's cheapest iterations at "
+            "full resolution whose S is at least as exact: same process, threads, compiler flags, "
             "float32. The finest grids are those that fit into the limits of memory and time. "
             "*Interpolated*: between the two neighbouring resolutions, straight in the logarithms "
             "of error and time. Error of S: the larger of that of the base extinction and of the "

@@ -6,7 +6,7 @@
 #include "../Timing.h"
 #include "QuadratureRay.h"
 
-#include "reference/Launch.h"
+#include "PaperScheme/Launch.h"
 
 namespace limpid::benchmark
 {

@@ -7,7 +7,7 @@
 #ifndef limpid_testing_benchmarks_errors_QuadratureRay_h
 #define limpid_testing_benchmarks_errors_QuadratureRay_h
 
-#include "reference/Views.h"
+#include "PaperScheme/Views.h"
 #include "sweep/HalfLayer.h"
 #include "sweep/Plan.h"
 

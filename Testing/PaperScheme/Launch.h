@@ -4,8 +4,8 @@
 // Runs a body for every index, compiled for the same instruction sets as the product's sweeps, so
 // that a comparison of the two compares schemes.
 
-#ifndef limpid_reference_Launch_h
-#define limpid_reference_Launch_h
+#ifndef limpid_testing_PaperScheme_Launch_h
+#define limpid_testing_PaperScheme_Launch_h
 
 #include "backend/Backend.h"
 #include "backend/Simd.h"

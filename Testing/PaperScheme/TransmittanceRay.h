@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_TransmittanceRay_h
-#define limpid_reference_TransmittanceRay_h
+#ifndef limpid_testing_PaperScheme_TransmittanceRay_h
+#define limpid_testing_PaperScheme_TransmittanceRay_h
 
-#include "reference/PerspectiveMap.h"
-#include "reference/Views.h"
+#include "PaperScheme/PerspectiveMap.h"
+#include "PaperScheme/Views.h"
 
 #include <cmath>
 
@@ -25,28 +25,28 @@ template <class Real>
 struct TransmittanceRay
 {
   FieldView<Real> extinction;   ///< mu_t, world grid                 [1/normalised length]
-  PerspectiveMap<Real> map;     ///< g_V or g_L of Eqs. 12, 13
+  PerspectiveMap<Real> map;     ///< g_V or g_L of Eqs. (12), (13)
   GridView<Real> transmittance; ///< T_V or T_L, shape map.cells      [0, 1]
 
-  LIMPID_HD void operator()(Index ray) const
+  void operator()(Index ray) const
   {
     const int i = static_cast<int>(ray % map.cells.x);
     const int j = static_cast<int>(ray / map.cells.x);
     const Real cellLength = map.CellLength(i, j);
-    const SampleSpan inBox = SamplesInBox(map, extinction.nodes, i, j);
+    const Range<int> inBox = SamplesInBox(map, extinction.nodes, i, j);
 
     Real opticalDepth = 0; // from the near plane; there is nothing in front of it
-    for (int k = 0; k < inBox.first; ++k)
+    for (int k = 0; k < inBox.begin; ++k)
     {
       transmittance(i, j, k) = 1;
     }
-    for (int k = inBox.first; k < inBox.last; ++k)
+    for (int k = inBox.begin; k < inBox.end; ++k)
     {
       transmittance(i, j, k) = std::exp(-opticalDepth);
       opticalDepth += Sample(extinction, map.SampleInWorld(i, j, k)) * cellLength;
     }
     const Real behindBox = std::exp(-opticalDepth);
-    for (int k = inBox.last; k < map.cells.z; ++k)
+    for (int k = inBox.end; k < map.cells.z; ++k)
     {
       transmittance(i, j, k) = behindBox;
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "reference/PerspectiveMap.h"
+#include "PaperScheme/PerspectiveMap.h"
 
 #include "math/Require.h"
 #include "scene/Grid.h"

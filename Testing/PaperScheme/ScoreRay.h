@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_ScoreRay_h
-#define limpid_reference_ScoreRay_h
+#ifndef limpid_testing_PaperScheme_ScoreRay_h
+#define limpid_testing_PaperScheme_ScoreRay_h
 
-#include "reference/PerspectiveMap.h"
-#include "reference/Views.h"
+#include "PaperScheme/PerspectiveMap.h"
+#include "PaperScheme/Views.h"
 
 namespace limpid::reference
 {
@@ -22,18 +22,18 @@ struct ScoreRay
 {
   FieldView<Real> extinction;         ///< mu_t, world grid                 [1/normalised length]
   FieldView<Real> importance;         ///< g, world grid                    [0, 1]
-  PerspectiveMap<Real> map;           ///< g_V of Eqs. 12, 13
+  PerspectiveMap<Real> map;           ///< g_V of Eqs. (12), (13)
   GridView<const Real> transmittance; ///< T_V, shape map.cells             [0, 1]
   double* scores = nullptr;           ///< S of every ray, shape (X, Y)     [normalised length^2]
 
-  LIMPID_HD void operator()(Index ray) const
+  void operator()(Index ray) const
   {
     const int i = static_cast<int>(ray % map.cells.x);
     const int j = static_cast<int>(ray / map.cells.x);
 
-    const SampleSpan inBox = SamplesInBox(map, extinction.nodes, i, j);
+    const Range<int> inBox = SamplesInBox(map, extinction.nodes, i, j);
     double score = 0;
-    for (int k = inBox.first; k < inBox.last; ++k)
+    for (int k = inBox.begin; k < inBox.end; ++k)
     {
       const Vec3Of<Real> position = map.SampleInWorld(i, j, k);
       score += double(SampleProduct(importance, extinction, position) * transmittance(i, j, k) *

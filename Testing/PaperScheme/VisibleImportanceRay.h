@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_VisibleImportanceRay_h
-#define limpid_reference_VisibleImportanceRay_h
+#ifndef limpid_testing_PaperScheme_VisibleImportanceRay_h
+#define limpid_testing_PaperScheme_VisibleImportanceRay_h
 
-#include "reference/PerspectiveMap.h"
-#include "reference/Views.h"
+#include "PaperScheme/PerspectiveMap.h"
+#include "PaperScheme/Views.h"
 
 namespace limpid::reference
 {
@@ -23,30 +23,30 @@ struct VisibleImportanceRay
 {
   FieldView<Real> extinction;         ///< mu_t, world grid                 [1/normalised length]
   FieldView<Real> importance;         ///< g, world grid                    [0, 1]
-  PerspectiveMap<Real> map;           ///< g_V or g_L of Eqs. 12, 13
+  PerspectiveMap<Real> map;           ///< g_V or g_L of Eqs. (12), (13)
   GridView<const Real> transmittance; ///< T_V or T_L, shape map.cells      [0, 1]
   GridView<Real> visibleBehind;       ///< G_V or G_L, shape map.cells      [0, 1 + O(mu_t h)]
 
-  LIMPID_HD void operator()(Index ray) const
+  void operator()(Index ray) const
   {
     const int i = static_cast<int>(ray % map.cells.x);
     const int j = static_cast<int>(ray / map.cells.x);
     const Real cellLength = map.CellLength(i, j);
-    const SampleSpan inBox = SamplesInBox(map, extinction.nodes, i, j);
+    const Range<int> inBox = SamplesInBox(map, extinction.nodes, i, j);
 
     Real behind = 0;
-    for (int k = map.cells.z - 1; k >= inBox.last; --k)
+    for (int k = map.cells.z - 1; k >= inBox.end; --k)
     {
       visibleBehind(i, j, k) = 0;
     }
-    for (int k = inBox.last - 1; k >= inBox.first; --k)
+    for (int k = inBox.end - 1; k >= inBox.begin; --k)
     {
       visibleBehind(i, j, k) = behind;
       const Vec3Of<Real> position = map.SampleInWorld(i, j, k);
       behind +=
         SampleProduct(importance, extinction, position) * transmittance(i, j, k) * cellLength;
     }
-    for (int k = inBox.first - 1; k >= 0; --k)
+    for (int k = inBox.begin - 1; k >= 0; --k)
     {
       visibleBehind(i, j, k) = behind;
     }

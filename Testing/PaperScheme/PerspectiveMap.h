@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_PerspectiveMap_h
-#define limpid_reference_PerspectiveMap_h
+#ifndef limpid_testing_PaperScheme_PerspectiveMap_h
+#define limpid_testing_PaperScheme_PerspectiveMap_h
 
+#include "PaperScheme/Views.h"
+#include "math/Range.h"
 #include "math/Vec.h"
-#include "reference/Views.h"
 
 #include <cmath>
 
@@ -25,7 +26,7 @@ namespace limpid::reference
  * Depths and lengths are in normalised coordinates, that is, in radii of the box. The rotation R of
  * the paper is the identity: the eye is where it is.
  *
- * The sample y(i,j,k) of Eqs. 17 to 20 is the middle of the front face of cell (i,j,k).
+ * The sample y(i,j,k) of Eqs. (17) to (20) is the middle of the front face of cell (i,j,k).
  */
 template <class Real>
 struct PerspectiveMap
@@ -59,7 +60,7 @@ struct PerspectiveMap
   Index CellCount() const { return RayCount() * cells.z; }
 
   /// Eq. (12): from index space to view space.
-  LIMPID_HD Vec ToView(const Vec& world) const
+  Vec ToView(const Vec& world) const
   {
     const Vec ray = world - origin;
     const Real depth = glm::dot(inverse[2], ray);
@@ -68,31 +69,31 @@ struct PerspectiveMap
   }
 
   /// Eq. (13): from view space to index space.
-  LIMPID_HD Vec ToWorld(const Vec& view) const
+  Vec ToWorld(const Vec& view) const
   {
     return (u * view.x + v * view.y + w) * (nearDepth + (farDepth - nearDepth) * view.z) + origin;
   }
 
   /// From view space to units of cells: y(i,j,k) is at (i, j, k).
-  LIMPID_HD Vec ToCells(const Vec& view) const
+  Vec ToCells(const Vec& view) const
   {
     return Vec((view.x + 1) / 2 * Real(cells.x) - Real(0.5),
       (view.y + 1) / 2 * Real(cells.y) - Real(0.5), view.z * Real(cells.z));
   }
 
-  /// y(i,j,k) of Eqs. 17 to 20, in view space.
-  LIMPID_HD Vec SampleInView(int i, int j, int k) const
+  /// y(i,j,k) of Eqs. (17) to (20), in view space.
+  Vec SampleInView(int i, int j, int k) const
   {
     return Vec((2 * Real(i) + 1) / Real(cells.x) - 1, (2 * Real(j) + 1) / Real(cells.y) - 1,
       Real(k) / Real(cells.z));
   }
 
   /// g_V^-1(y(i,j,k)) [index].
-  LIMPID_HD Vec SampleInWorld(int i, int j, int k) const { return ToWorld(SampleInView(i, j, k)); }
+  Vec SampleInWorld(int i, int j, int k) const { return ToWorld(SampleInView(i, j, k)); }
 
-  /// h of Eqs. 17 to 20: the length of a cell along its own ray, since an oblique ray crosses a
+  /// h of Eqs. (17) to (20): the length of a cell along its own ray, since an oblique ray crosses a
   /// slab of equal depth on a longer path (deviation D2) [normalised length].
-  LIMPID_HD Real CellLength(int i, int j) const
+  Real CellLength(int i, int j) const
   {
     const Vec view = SampleInView(i, j, 0);
     const Vec slope = unit * (u * view.x + v * view.y + w);
@@ -101,7 +102,7 @@ struct PerspectiveMap
 
   /// Volume that the sample y(i,j,k) stands for: the Jacobian of Eq. (13) there times the extent of
   /// a cell in view space [normalised length^3].
-  LIMPID_HD Real CellVolume(int k) const
+  Real CellVolume(int k) const
   {
     const Real depth = nearDepth + (farDepth - nearDepth) * Real(k) / Real(cells.z);
     const Real determinant = glm::dot(glm::cross(unit * u, unit * v), unit * w);
@@ -110,18 +111,10 @@ struct PerspectiveMap
   }
 };
 
-/// The samples k of a ray with first <= k < last.
-struct SampleSpan
-{
-  int first;
-  int last;
-};
-
 /// The samples of ray (i,j) that may lie in the box of `nodes`, one more at each end in doubt: the
 /// others need not be looked at to know that nothing is there.
 template <class Real>
-LIMPID_HD inline SampleSpan SamplesInBox(
-  const PerspectiveMap<Real>& map, const Int3& nodes, int i, int j)
+inline Range<int> SamplesInBox(const PerspectiveMap<Real>& map, const Int3& nodes, int i, int j)
 {
   const Vec3Of<Real> start = map.SampleInWorld(i, j, 0);
   const Vec3Of<Real> step = (map.SampleInWorld(i, j, map.cells.z) - start) / Real(map.cells.z);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_AdamVoxel_h
-#define limpid_reference_AdamVoxel_h
+#ifndef limpid_testing_PaperScheme_AdamVoxel_h
+#define limpid_testing_PaperScheme_AdamVoxel_h
 
 #include "math/Vec.h"
 
@@ -30,7 +30,7 @@ struct AdamVoxel
   static constexpr Real firstDecay = Real(0.9);
   static constexpr Real secondDecay = Real(0.999);
 
-  LIMPID_HD void operator()(Index voxel) const
+  void operator()(Index voxel) const
   {
     const Real slope = gradient[voxel];
     const Real first = firstDecay * firstMoment[voxel] + (1 - firstDecay) * slope;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_Views_h
-#define limpid_reference_Views_h
+#ifndef limpid_testing_PaperScheme_Views_h
+#define limpid_testing_PaperScheme_Views_h
 
 #include "math/Vec.h"
 
@@ -23,7 +23,7 @@ struct TrilinearPlace
 /// The place of `position`, in units of samples, in an array of `size` samples that lie `strides`
 /// apart. Positions outside take the nearest value at the border.
 template <class Real>
-LIMPID_HD inline TrilinearPlace<Real> Locate(
+inline TrilinearPlace<Real> Locate(
   const Vec3Of<Real>& position, const Int3& size, const Index (&strides)[3])
 {
   TrilinearPlace<Real> place;
@@ -44,7 +44,7 @@ LIMPID_HD inline TrilinearPlace<Real> Locate(
 }
 
 template <class Real>
-LIMPID_HD inline Real Interpolate(const Real* values, const TrilinearPlace<Real>& place)
+inline Real Interpolate(const Real* values, const TrilinearPlace<Real>& place)
 {
   const Real* v = values + place.corner;
   const Index x = place.steps[0];
@@ -75,7 +75,7 @@ struct FieldView
 
 /// Whether a position in index space lies in the box of the nodes.
 template <class Real>
-LIMPID_HD inline bool IsInBox(const Int3& nodes, const Vec3Of<Real>& position)
+inline bool IsInBox(const Int3& nodes, const Vec3Of<Real>& position)
 {
   const Real slack = boxSlack<Real>;
   return position.x >= -slack && position.x <= Real(nodes.x - 1) + slack && position.y >= -slack &&
@@ -85,7 +85,7 @@ LIMPID_HD inline bool IsInBox(const Int3& nodes, const Vec3Of<Real>& position)
 
 /// The place of a position in index space in arrays over the nodes.
 template <class Real>
-LIMPID_HD inline TrilinearPlace<Real> LocateInNodes(const Int3& nodes, const Vec3Of<Real>& position)
+inline TrilinearPlace<Real> LocateInNodes(const Int3& nodes, const Vec3Of<Real>& position)
 {
   const Index strides[3] = { 1, nodes.x, Index(nodes.x) * nodes.y };
   return Locate(position, nodes, strides);
@@ -93,7 +93,7 @@ LIMPID_HD inline TrilinearPlace<Real> LocateInNodes(const Int3& nodes, const Vec
 
 /// Value of a field at a position in index space.
 template <class Real>
-LIMPID_HD inline Real Sample(const FieldView<Real>& field, const Vec3Of<Real>& position)
+inline Real Sample(const FieldView<Real>& field, const Vec3Of<Real>& position)
 {
   return IsInBox(field.nodes, position)
     ? Interpolate(field.values, LocateInNodes(field.nodes, position))
@@ -102,7 +102,7 @@ LIMPID_HD inline Real Sample(const FieldView<Real>& field, const Vec3Of<Real>& p
 
 /// Product of two fields on the same nodes at a position in index space.
 template <class Real>
-LIMPID_HD inline Real SampleProduct(
+inline Real SampleProduct(
   const FieldView<Real>& one, const FieldView<Real>& other, const Vec3Of<Real>& position)
 {
   if (!IsInBox(one.nodes, position))
@@ -122,12 +122,12 @@ struct GridView
 
   /// Rays side by side are neighbours in memory, so that lookups from neighbouring voxels share
   /// cache lines.
-  LIMPID_HD Index Stride(int axis) const
+  Index Stride(int axis) const
   {
     return axis == 0 ? 1 : axis == 1 ? Index(cells.x) : Index(cells.x) * cells.y;
   }
 
-  LIMPID_HD Value& operator()(int i, int j, int k) const
+  Value& operator()(int i, int j, int k) const
   {
     return values[i * Stride(0) + j * Stride(1) + k * Stride(2)];
   }
@@ -135,7 +135,7 @@ struct GridView
 
 /// The place of a position, in units of cells as PerspectiveMap::ToCells gives it.
 template <class Real>
-LIMPID_HD inline TrilinearPlace<Real> LocateInGrid(
+inline TrilinearPlace<Real> LocateInGrid(
   const GridView<const Real>& grid, const Vec3Of<Real>& position)
 {
   const Index strides[3] = { grid.Stride(0), grid.Stride(1), grid.Stride(2) };

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Eqs. 15 to 20 and 26 to 28 along single rays: the bodies of the paper's own scheme.
+// Eqs. (15) to (20) and (26) to (28) along single rays: the bodies of the paper's own scheme.
 
 #include "Tolerance.h"
 
-#include "reference/AdamVoxel.h"
-#include "reference/GradientVoxel.h"
-#include "reference/TransmittanceRay.h"
-#include "reference/VisibleImportanceRay.h"
+#include "PaperScheme/AdamVoxel.h"
+#include "PaperScheme/GradientVoxel.h"
+#include "PaperScheme/TransmittanceRay.h"
+#include "PaperScheme/VisibleImportanceRay.h"
 
 #include <gtest/gtest.h>
 

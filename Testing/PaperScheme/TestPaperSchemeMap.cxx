@@ -5,8 +5,8 @@
 
 #include "Tolerance.h"
 
+#include "PaperScheme/PerspectiveMap.h"
 #include "math/Require.h"
-#include "reference/PerspectiveMap.h"
 #include "scene/Grid.h"
 
 #include <gtest/gtest.h>

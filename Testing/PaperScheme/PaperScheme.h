@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_PaperScheme_h
-#define limpid_reference_PaperScheme_h
+#ifndef limpid_testing_PaperScheme_PaperScheme_h
+#define limpid_testing_PaperScheme_PaperScheme_h
 
+#include "PaperScheme/GradientVoxel.h"
+#include "PaperScheme/PerspectiveMap.h"
+#include "PaperScheme/Views.h"
 #include "optimize/Settings.h"
 #include "optimize/Solver.h"
-#include "reference/GradientVoxel.h"
-#include "reference/PerspectiveMap.h"
-#include "reference/Views.h"
 
 #include <vector>
 
@@ -63,18 +63,18 @@ public:
 
 private:
   /// A perspective grid of Fig. 4.
-  struct EyeGrids
+  struct SourceGrids
   {
     Real weight = 0; // q or r
     PerspectiveMap<Real> map;
     std::vector<Real> transmittance;
     std::vector<Real> visibleBehind;
 
-    EyeTerm<Real> Term() const;
+    SourceTerm<Real> Term() const;
   };
 
-  EyeGrids MakeGrids(const Vec3& eye, double weight) const;
-  void UpdateGrids(EyeGrids& grids);
+  SourceGrids MakeGrids(const Vec3& eye, double weight) const;
+  void UpdateGrids(SourceGrids& grids);
   FieldView<Real> View(const std::vector<Real>& field) const;
 
   Grid Nodes;
@@ -87,8 +87,8 @@ private:
   std::vector<Real> FirstMoment;
   std::vector<Real> SecondMoment;
   int Steps = 0;
-  EyeGrids Camera;
-  EyeGrids Light;
+  SourceGrids Camera;
+  SourceGrids Light;
 };
 }
 

@@ -1,25 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_reference_GradientVoxel_h
-#define limpid_reference_GradientVoxel_h
+#ifndef limpid_testing_PaperScheme_GradientVoxel_h
+#define limpid_testing_PaperScheme_GradientVoxel_h
 
-#include "reference/PerspectiveMap.h"
-#include "reference/Views.h"
+#include "PaperScheme/PerspectiveMap.h"
+#include "PaperScheme/Views.h"
 
 namespace limpid::reference
 {
 /// What the gradient needs of one eye.
 template <class Real>
-struct EyeTerm
+struct SourceTerm
 {
-  Real weight = 0;                    ///< q or r of Eqs. 23, 24; zero: the grids are not looked at
-  PerspectiveMap<Real> map;           ///< g_V or g_L of Eqs. 12, 13
+  Real weight = 0;          ///< q or r of Eqs. (23), (24); zero: the grids are not looked at
+  PerspectiveMap<Real> map; ///< g_V or g_L of Eqs. (12), (13)
   GridView<const Real> transmittance; ///< T_V or T_L, shape map.cells      [0, 1]
   GridView<const Real> visibleBehind; ///< G_V or G_L, shape map.cells      [1]
 
-  /// Eq. (27) or 28 at a voxel of importance `importance`.
-  LIMPID_HD Real Derivative(const Vec3Of<Real>& voxel, Real importance) const
+  /// Eq. (27) or Eq. (28) at a voxel of importance `importance`.
+  Real Derivative(const Vec3Of<Real>& voxel, Real importance) const
   {
     if (!(weight > 0))
     {
@@ -33,7 +33,7 @@ struct EyeTerm
 };
 
 /**
- * Derivative of the energy by the extinction of one voxel, Eqs. 26 to 28:
+ * Derivative of the energy by the extinction of one voxel, Eqs. (26) to (28):
  *
  *   p (mu_t - base) + q (G_V - g T_V) + r (G_L - g T_L)
  *
@@ -50,15 +50,15 @@ struct GradientVoxel
   const Real* baseExtinction = nullptr; ///< base of Eq. (22), nodes    [1/normalised length]
   const Real* importance = nullptr;     ///< g, shape nodes           [0, 1]
   Real regularization = 0;              ///< p of Eq. (22)
-  EyeTerm<Real> view;
-  EyeTerm<Real> light;
+  SourceTerm<Real> view;
+  SourceTerm<Real> light;
   Real* gradient = nullptr; ///< dF/dmu_t of Eqs. (26)-(28), shape nodes
 
-  LIMPID_HD void operator()(Index voxel) const
+  void operator()(Index voxel) const
   {
     const Index row = voxel / nodes.x;
-    const Vec3Of<Real> position(
-      Real(voxel - row * nodes.x), Real(row % nodes.y), Real(row / nodes.y));
+    const Index slice = row / nodes.y;
+    const Vec3Of<Real> position(Real(voxel % nodes.x), Real(row % nodes.y), Real(slice));
     gradient[voxel] = regularization * (extinction[voxel] - baseExtinction[voxel]) +
       view.Derivative(position, importance[voxel]) + light.Derivative(position, importance[voxel]);
   }

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "reference/PaperScheme.h"
+#include "PaperScheme/PaperScheme.h"
 
+#include "PaperScheme/AdamVoxel.h"
+#include "PaperScheme/Launch.h"
+#include "PaperScheme/ScoreRay.h"
+#include "PaperScheme/TransmittanceRay.h"
+#include "PaperScheme/VisibleImportanceRay.h"
 #include "math/Require.h"
-#include "reference/AdamVoxel.h"
-#include "reference/Launch.h"
-#include "reference/ScoreRay.h"
-#include "reference/TransmittanceRay.h"
-#include "reference/VisibleImportanceRay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,17 +46,17 @@ PaperScheme<Real>::PaperScheme(
 }
 
 template <class Real>
-EyeTerm<Real> PaperScheme<Real>::EyeGrids::Term() const
+SourceTerm<Real> PaperScheme<Real>::SourceGrids::Term() const
 {
   return { this->weight, this->map, { this->transmittance.data(), this->map.cells },
     { this->visibleBehind.data(), this->map.cells } };
 }
 
 template <class Real>
-typename PaperScheme<Real>::EyeGrids PaperScheme<Real>::MakeGrids(
+typename PaperScheme<Real>::SourceGrids PaperScheme<Real>::MakeGrids(
   const Vec3& eye, double weight) const
 {
-  EyeGrids grids;
+  SourceGrids grids;
   grids.weight = Real(weight);
   grids.map = LookAtBox<Real>(this->Nodes, eye, this->Options.samplesPerVoxel);
   grids.transmittance.resize(grids.map.CellCount());
@@ -82,7 +82,7 @@ void PaperScheme<Real>::SetExtinction(const float* extinction)
 }
 
 template <class Real>
-void PaperScheme<Real>::UpdateGrids(EyeGrids& grids)
+void PaperScheme<Real>::UpdateGrids(SourceGrids& grids)
 {
   const GridView<Real> transmittance{ grids.transmittance.data(), grids.map.cells };
   const GridView<Real> visibleBehind{ grids.visibleBehind.data(), grids.map.cells };
@@ -134,7 +134,7 @@ void PaperScheme<Real>::Step()
 template <class Real>
 double PaperScheme<Real>::Score() const
 {
-  const EyeTerm<Real> camera = this->Camera.Term();
+  const SourceTerm<Real> camera = this->Camera.Term();
   std::vector<double> scores(camera.map.RayCount());
   Launch(camera.map.RayCount(),
     ScoreRay<Real>{ this->View(this->Current), this->View(this->Importance), camera.map,

@@ -6,9 +6,9 @@
 #include "RayMarch.h"
 #include "Tolerance.h"
 
+#include "PaperScheme/PaperScheme.h"
 #include "backend/Backend.h"
 #include "math/Require.h"
-#include "reference/PaperScheme.h"
 
 #include <gtest/gtest.h>
 
@@ -48,8 +48,9 @@ struct Cube
     Cube cube(nodes);
     for (Index node = 0; node < cube.grid.NodeCount(); ++node)
     {
-      const Vec3 index(
-        double(node % nodes), double(node / nodes % nodes), double(node / nodes / nodes));
+      const Index row = node / nodes;
+      const Index slice = row / nodes;
+      const Vec3 index(double(node % nodes), double(row % nodes), double(slice));
       const Vec3 position = cube.grid.PointToWorld(index);
       const double outward = glm::dot(position, position);
       cube.extinction[node] = float(2 * std::exp(-outward));

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Checks the sources in ways that the build does not.
+#   bash Testing/check.sh [format] [tidy] [clang]     (without arguments: all three)
+# format  compares the layout of all sources with .clang-format.
+# tidy    runs clang-tidy on all sources that the C++ compiler sees in build/: build there first.
+# clang   builds the core and its tests with clang, in build/clang, and runs the quick ones.
+
+set -euo pipefail
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+cd "$root"
+# Each version of clang-format has a layout of its own.
+layout_version=14
+
+check_format()
+{
+  local formatter=clang-format
+  if command -v "clang-format-$layout_version" > /dev/null; then
+    formatter="clang-format-$layout_version"
+  fi
+  local version
+  version="$("$formatter" --version | grep -oE 'version [0-9]+')"
+  if [[ "$version" != "version $layout_version" ]]; then
+    echo "The layout is not checked: it is that of clang-format $layout_version, here is $version."
+    return
+  fi
+  find cuda Filters Plugin Representations Testing -name '*.h' -print0 -o -name '*.cxx' -print0 |
+    xargs -0 "$formatter" --dry-run -Werror
+}
+
+check_tidy()
+{
+  if [[ ! -f build/compile_commands.json ]]; then
+    echo "There is no build/ to tell how sources are compiled. Run Testing/run.sh first." >&2
+    exit 1
+  fi
+  # What nvcc compiles has options that clang does not know, and the C++ compiler sees most of it.
+  mkdir -p build/tidy
+  python3 - "$root" > build/tidy/sources << 'EOF'
+import json, pathlib, sys
+root = pathlib.Path(sys.argv[1])
+folders = [root / name for name in ("cuda", "Filters", "Plugin", "Representations", "Testing")]
+commands = [entry for entry in json.loads((root / "build/compile_commands.json").read_text())
+            if "nvcc" not in entry["command"].split()[0]
+            and any(folder in pathlib.Path(entry["file"]).parents for folder in folders)]
+(root / "build/tidy/compile_commands.json").write_text(json.dumps(commands))
+print("\n".join(sorted({entry["file"] for entry in commands})))
+EOF
+  xargs -P "$(nproc)" -n 4 -a build/tidy/sources \
+    clang-tidy -p build/tidy --quiet --warnings-as-errors='*' 2> build/tidy/messages ||
+    { grep -E "error:" build/tidy/messages || true; return 1; }
+}
+
+check_clang()
+{
+  cmake --preset clang
+  cmake --build --preset clang
+  ctest --preset clang --label-regex '^quick$' --parallel "$(nproc)"
+}
+
+bash Testing/install-packages.sh
+for check in "${@:-all}"; do
+  case "$check" in
+    all) check_format; check_tidy; check_clang ;;
+    format | tidy | clang) "check_$check" ;;
+    *) echo "Unknown check: $check. There are format, tidy and clang." >&2; exit 1 ;;
+  esac
+done
