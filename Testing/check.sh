@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Checks the sources in ways that the build does not.
-#   bash Testing/check.sh [format] [tidy] [clang]     (without arguments: all three)
-# format  compares the layout of all sources with .clang-format.
-# tidy    runs clang-tidy on all sources that the C++ compiler sees in build/: build there first.
-# clang   builds the core and its tests with clang, in build/clang, and runs the quick ones.
+#   bash Testing/check.sh [format] [tidy] [tidy-tests] [clang]     (without arguments: all)
+# format      compares the layout of all sources with .clang-format.
+# tidy        runs clang-tidy on the product, as the C++ compiler sees it in build/: build there first.
+# tidy-tests  does so on Testing/, which takes as long again and more.
+# clang       builds the core and its tests with clang, in build/clang, and runs the quick ones.
 
 set -euo pipefail
 
@@ -31,7 +32,8 @@ check_format()
     xargs -0 "$formatter" --dry-run -Werror
 }
 
-check_tidy()
+# Runs clang-tidy on the sources in some folders.
+tidy()
 {
   if [[ ! -f build/compile_commands.json ]]; then
     echo "There is no build/ to tell how sources are compiled. Run Testing/run.sh first." >&2
@@ -39,10 +41,10 @@ check_tidy()
   fi
   # What nvcc compiles has options that clang does not know, and the C++ compiler sees most of it.
   mkdir -p build/tidy
-  python3 - "$root" > build/tidy/sources << 'EOF'
+  python3 - "$root" "$@" > build/tidy/sources << 'EOF'
 import json, pathlib, sys
 root = pathlib.Path(sys.argv[1])
-folders = [root / name for name in ("cuda", "Filters", "Plugin", "Representations", "Testing")]
+folders = [root / name for name in sys.argv[2:]]
 commands = [entry for entry in json.loads((root / "build/compile_commands.json").read_text())
             if "nvcc" not in entry["command"].split()[0]
             and any(folder in pathlib.Path(entry["file"]).parents for folder in folders)]
@@ -54,6 +56,9 @@ EOF
     { grep -E "error:" build/tidy/messages || true; return 1; }
 }
 
+check_tidy() { tidy cuda Filters Plugin Representations; }
+check_tidy-tests() { tidy Testing; }
+
 check_clang()
 {
   cmake --preset clang
@@ -64,8 +69,8 @@ check_clang()
 bash Testing/install-packages.sh
 for check in "${@:-all}"; do
   case "$check" in
-    all) check_format; check_tidy; check_clang ;;
-    format | tidy | clang) "check_$check" ;;
-    *) echo "Unknown check: $check. There are format, tidy and clang." >&2; exit 1 ;;
+    all) check_format; check_tidy; check_tidy-tests; check_clang ;;
+    format | tidy | tidy-tests | clang) "check_$check" ;;
+    *) echo "Unknown check: $check. There are format, tidy, tidy-tests and clang." >&2; exit 1 ;;
   esac
 done
