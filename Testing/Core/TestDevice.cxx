@@ -77,6 +77,23 @@ TEST(Device, KeepsWhatItIsGiven)
   EXPECT_EQ(back, std::vector<float>(values.size(), 0.0f));
 }
 
+TEST(Device, CopiesBorrowedValuesOnlyIfItCannotReadThem)
+{
+  const auto device = MakeTestedDevice();
+  const std::vector<float> values = Counted(100);
+  const std::vector<float> others(60, 3.0f);
+  BorrowedArray<TestedDevice, float> borrowed(device, values.data(), values.size(), "a test");
+  borrowed.Borrow(device, others.data(), others.size(), "a test");
+  std::vector<float> back(others.size());
+
+  device->Download(back.data(), borrowed.Data(), back.size() * sizeof(float));
+
+  EXPECT_EQ(back, others);
+  EXPECT_EQ(borrowed.Size(), others.size());
+  EXPECT_EQ(borrowed.Data() == others.data(), TestedDevice::readsHostMemory);
+  EXPECT_EQ(device->PeakBytes(), TestedDevice::readsHostMemory ? 0u : 400u);
+}
+
 TEST(Device, TimesWhatItIsToldTo)
 {
   const auto device = MakeTestedDevice();

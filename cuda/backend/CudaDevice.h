@@ -79,6 +79,9 @@ __global__ void VisitPhases(const int phases, const Body body)
 class CudaDevice
 {
 public:
+  /// Bodies may not use the addresses of the host's memory, see BorrowedArray.
+  static constexpr bool readsHostMemory = false;
+
   /// The GPU of this process (FindCuda) for all who want it at a time.
   static std::shared_ptr<CudaDevice> Shared();
 

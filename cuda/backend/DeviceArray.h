@@ -75,6 +75,17 @@ public:
 
   void SetZero() { this->Home->SetZero(this->Memory, this->Count * sizeof(Value)); }
 
+  /// Makes room for at least `count` values, whose content is lost if there has not been enough.
+  Value* RoomFor(const std::shared_ptr<Device>& device, std::size_t count, const char* what)
+  {
+    if (this->Count < count)
+    {
+      *this = DeviceArray(); // first, so that the memory of both is not needed at a time
+      *this = DeviceArray(device, count, what);
+    }
+    return this->Memory;
+  }
+
 private:
   void Swap(DeviceArray& other) noexcept
   {
@@ -93,6 +104,47 @@ private:
 
   std::shared_ptr<Device> Home;
   Value* Memory = nullptr;
+  std::size_t Count = 0;
+};
+
+/**
+ * Values of a caller, who keeps them as long as they are read here. A device that reads the host's
+ * memory reads them in place; others get a copy.
+ */
+template <class Device, class Value>
+class BorrowedArray
+{
+public:
+  BorrowedArray() = default;
+
+  BorrowedArray(
+    const std::shared_ptr<Device>& device, const Value* values, std::size_t count, const char* what)
+  {
+    this->Borrow(device, values, count, what);
+  }
+
+  /// Takes these values instead of those before. A copy stays in the room that it has if it fits.
+  void Borrow(
+    const std::shared_ptr<Device>& device, const Value* values, std::size_t count, const char* what)
+  {
+    if constexpr (Device::readsHostMemory)
+    {
+      this->InPlace = values;
+    }
+    else
+    {
+      device->Upload(this->Copy.RoomFor(device, count, what), values, count * sizeof(Value));
+    }
+    this->Count = count;
+  }
+
+  const Value* Data() const { return Device::readsHostMemory ? this->InPlace : this->Copy.Data(); }
+  std::size_t Size() const { return this->Count; }
+  bool Empty() const { return this->Count == 0; }
+
+private:
+  const Value* InPlace = nullptr;
+  DeviceArray<Device, Value> Copy;
   std::size_t Count = 0;
 };
 }

@@ -22,6 +22,9 @@ namespace limpid
 class HostDevice
 {
 public:
+  /// Bodies may use the addresses of the host's memory, see BorrowedArray.
+  static constexpr bool readsHostMemory = true;
+
   HostDevice() = default;
 
   /// As CudaDevice is made; there is one processor.
