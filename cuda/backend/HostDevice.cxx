@@ -11,6 +11,12 @@
 
 namespace limpid
 {
+std::shared_ptr<HostDevice> HostDevice::Shared()
+{
+  static const auto shared = std::make_shared<HostDevice>();
+  return shared;
+}
+
 void* HostDevice::Allocate(std::size_t bytes, const char* what)
 {
   void* memory = std::malloc(std::max<std::size_t>(bytes, 1));
