@@ -5,7 +5,7 @@
 
 #include "ScenePlacement.h"
 
-#include "render/PictureEngine.h"
+#include "render/RenderBackend.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -159,7 +159,7 @@ void VolumeView::ChoosePictures(const FrameSettings& frame, const Grid& grid)
   const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
   const bool cuda = wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
   this->Release();
-  this->Caster = cuda ? Renderer(CudaPictures()) : Renderer();
+  this->Caster = Renderer(MakeRenderBackend(cuda));
   this->PicturesFor = wish;
 }
 

@@ -8,7 +8,7 @@
 #include "backend/Choice.h"
 #include "backend/HostDevice.h"
 #include "optimize/EngineOnDevice.h"
-#include "render/RendererOnDevice.h"
+#include "render/RenderPasses.h"
 #include "viewpoint/ScoreSweepOnDevice.h"
 
 #include <memory>
@@ -40,9 +40,9 @@ std::shared_ptr<Engine> CudaEngine()
   return EngineOn(Shared());
 }
 
-std::unique_ptr<PictureEngine> CudaPictures()
+std::unique_ptr<RenderBackend> CudaRenderBackend()
 {
-  return PicturesOn(Shared());
+  return std::make_unique<RenderPasses<SimulatedDevice>>(std::make_shared<SimulatedDevice>());
 }
 
 std::unique_ptr<ScoreSweep> CudaScoreSweep(const ViewFields& fields)
