@@ -9,8 +9,9 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include "backend/ComputeBackend.h"
 #include "optimize/Levels.h"
-#include "render/PictureEngine.h"
+#include "render/RenderBackend.h"
 
 #include <algorithm>
 #include <array>
@@ -110,7 +111,7 @@ void VolumeView::ChoosePictures(BackendKind wish, const Grid& grid)
   const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
   const bool cuda = wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
   this->Release();
-  this->Caster = cuda ? Renderer(CudaPictures()) : Renderer();
+  this->Caster = Renderer(BackendOf(cuda).MakeRenderBackend());
   this->PicturesFor = wish;
 }
 

@@ -8,7 +8,7 @@
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
-#include "render/RendererOnDevice.h"
+#include "render/RenderPasses.h"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +19,17 @@
 #include <ostream>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 using namespace limpid;
 
 namespace
 {
+/// The GPU, or the processor in the role of one.
+using DeviceToDraw =
+  std::conditional_t<TestedDevice::readsHostMemory, SimulatedDevice, TestedDevice>;
+
 /// Anisotropic, off the origin, turned.
 Grid TurnedGrid()
 {
@@ -40,9 +45,19 @@ RenderScene Ordinary()
   return scene;
 }
 
+std::shared_ptr<DeviceToDraw> MakeDeviceToDraw()
+{
+  return std::make_shared<DeviceToDraw>(FindCuda().device);
+}
+
+Renderer RendererOn(const std::shared_ptr<DeviceToDraw>& device)
+{
+  return Renderer(std::make_unique<RenderPasses<DeviceToDraw>>(device));
+}
+
 Renderer ThatOfADevice()
 {
-  return Renderer(PicturesOn(MakeTestedDevice()));
+  return RendererOn(MakeDeviceToDraw());
 }
 
 Picture Drawn(Renderer& renderer, const RenderScene& scene)
@@ -389,13 +404,13 @@ TEST(RendererOfDevice, TakesAnExtinctionThatIsThere)
   RenderScene scene = Ordinary();
   Illuminate(scene);
   scene.Change(scene.grid.nodes, 21);
-  const auto device = MakeTestedDevice();
-  Renderer there(PicturesOn(device));
+  const auto device = MakeDeviceToDraw();
+  Renderer there = RendererOn(device);
   scene.SetUp(there);
   std::reverse(scene.extinction.begin(), scene.extinction.end());
   {
-    const DeviceArray<TestedDevice, float> base(device, scene.base, "a test");
-    const DeviceArray<TestedDevice, float> extinction(device, scene.extinction, "a test");
+    const DeviceArray<DeviceToDraw, float> base(device, scene.base, "a test");
+    const DeviceArray<DeviceToDraw, float> extinction(device, scene.extinction, "a test");
     there.ShowThere(scene.changeGrid, base.Data(), extinction.Data());
   }
 
@@ -404,12 +419,12 @@ TEST(RendererOfDevice, TakesAnExtinctionThatIsThere)
 
 TEST(RendererOfDevice, LeavesNothingBehind)
 {
-  const auto device = MakeTestedDevice();
+  const auto device = MakeDeviceToDraw();
   {
     RenderScene scene = Ordinary();
     Illuminate(scene);
     StandInTheWay(scene);
-    Renderer renderer(PicturesOn(device));
+    Renderer renderer = RendererOn(device);
     scene.SetUp(renderer);
     Drawn(renderer, scene);
   }

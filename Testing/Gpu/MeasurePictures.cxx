@@ -6,7 +6,7 @@
 #include "Repeat.h"
 #include "Viewing.h"
 
-#include "render/RendererOnDevice.h"
+#include "render/RenderPasses.h"
 
 namespace limpid::benchmark
 {
@@ -58,7 +58,7 @@ Lighting LightingOf(const GpuScene& scene)
 void MeasurePictures(const std::shared_ptr<Device>& device, const GpuScene& scene,
   const std::vector<float>& extinction, const Effort& effort, SceneResult& result)
 {
-  Renderer renderer(PicturesOn(device));
+  Renderer renderer(std::make_unique<RenderPasses<Device>>(device));
   renderer.SetScalars(scene.grid, scene.extinction.data());
   renderer.SetTransferFunctions(FunctionsOf(scene.largest));
   renderer.SetLighting(LightingOf(scene));

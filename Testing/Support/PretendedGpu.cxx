@@ -5,11 +5,8 @@
 // processor in the role of a GPU. What such a program tests is written for a GPU, as a whole and
 // from the solver down.
 
-#include "BackendOn.h"
-
 #include "backend/Choice.h"
-
-#include "render/RendererOnDevice.h"
+#include "compute/BackendOn.h"
 
 #include <memory>
 
@@ -39,10 +36,5 @@ const ComputeBackend& CudaBackend()
 {
   static const BackendOn<SimulatedDevice> backend(Shared());
   return backend;
-}
-
-std::unique_ptr<PictureEngine> CudaPictures()
-{
-  return PicturesOn(Shared());
 }
 }

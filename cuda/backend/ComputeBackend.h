@@ -8,6 +8,7 @@
 
 namespace limpid
 {
+class RenderBackend;
 class ScoreSweep;
 class SolverBackend;
 class ViewFields;
@@ -20,6 +21,8 @@ public:
   virtual ~ComputeBackend() = default;
 
   virtual std::unique_ptr<SolverBackend> MakeSolverBackend() const = 0;
+
+  virtual std::unique_ptr<RenderBackend> MakeRenderBackend() const = 0;
 
   /// For parts of these fields, which stay with the caller.
   virtual std::unique_ptr<ScoreSweep> MakeScoreSweep(const ViewFields& fields) const = 0;

@@ -47,6 +47,18 @@ __global__ void VisitIndices(const Index count, const Body body)
 }
 
 template <class Body>
+__global__ void VisitNodes(const int columns, const int rows, const Index count, const Body body)
+{
+  const Index step = Index(gridDim.x) * blockDim.x;
+  for (Index node = Index(blockIdx.x) * blockDim.x + threadIdx.x; node < count; node += step)
+  {
+    const Index row = node / columns;
+    body(node, static_cast<int>(node % columns), static_cast<int>(row % rows),
+      static_cast<int>(row / rows));
+  }
+}
+
+template <class Body>
 __global__ void VisitPhases(const int phases, const Body body)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
@@ -150,12 +162,24 @@ public:
       return;
     }
     this->Use();
-    constexpr unsigned threads = 256;
-    const Index wanted = (count + threads - 1) / threads;
-    const auto blocks =
-      static_cast<unsigned>(wanted < this->MostBlocks ? wanted : this->MostBlocks);
     const Timed timed(*this, label);
-    detail::VisitIndices<<<blocks, threads, 0, this->Stream>>>(count, body);
+    detail::VisitIndices<<<this->BlocksFor(count), Threads, 0, this->Stream>>>(count, body);
+    detail::RequireCuda(cudaGetLastError(), label);
+  }
+
+  /// body(node, i, j, k) for every node of a grid, in any order.
+  template <class Body>
+  void ForNodes(const char* label, const Int3& nodes, const Body& body)
+  {
+    const Index count = Index(nodes.x) * nodes.y * nodes.z;
+    if (count <= 0)
+    {
+      return;
+    }
+    this->Use();
+    const Timed timed(*this, label);
+    detail::VisitNodes<<<this->BlocksFor(count), Threads, 0, this->Stream>>>(
+      nodes.x, nodes.y, count, body);
     detail::RequireCuda(cudaGetLastError(), label);
   }
 
@@ -186,6 +210,15 @@ private:
   void Use() const;
 
   static dim3 BlockOf() { return dim3(32, 4); }
+
+  /// Blocks of a launch whose threads take turns if there are more indices than that.
+  unsigned BlocksFor(Index count) const
+  {
+    const Index wanted = (count + Threads - 1) / Threads;
+    return static_cast<unsigned>(wanted < this->MostBlocks ? wanted : this->MostBlocks);
+  }
+
+  static constexpr unsigned Threads = 256;
 
   /// What is started while it lives is timed if that is wanted.
   class Timed

@@ -17,10 +17,8 @@
 
 namespace limpid
 {
-/**
- * The processor in the role of a device: what is written for a GPU runs here, launch by launch, so
- * that tests need none. Has the interface of CudaDevice.
- */
+/// The processor as a device. Has the interface of CudaDevice, so that what launches is written
+/// once.
 class HostDevice
 {
 public:
@@ -82,7 +80,41 @@ public:
   {
     const Timed timed(this->Times, label);
     constexpr Index grain = 4096;
-    ParallelFor(count, grain, body);
+    const auto range = [](const void* typeless, Index begin, Index end)
+    {
+      const Body own = *static_cast<const Body*>(typeless); // nothing that is written is part of it
+      for (Index index = begin; index < end; ++index)
+      {
+        own(index);
+      }
+    };
+    detail::ParallelRanges(count, grain, range, &body);
+  }
+
+  /// body(node, i, j, k) for every node of a grid, in any order.
+  template <class Body>
+  void ForNodes(const char* label, const Int3& nodes, const Body& body)
+  {
+    this->ForRows(label, nodes,
+      [&](Index first, int j, int k)
+      {
+        const Body own = body; // a copy: nothing that is written below can be part of it
+        for (int i = 0; i < nodes.x; ++i)
+        {
+          own(first + i, i, j, k);
+        }
+      });
+  }
+
+  /// body(node, j, k) for the first node of every row of a grid, in any order.
+  template <class Body>
+  void ForRows(const char* label, const Int3& nodes, const Body& body)
+  {
+    const Timed timed(this->Times, label);
+    constexpr Index rowsPerTask = 16;
+    ParallelFor(Index(nodes.y) * nodes.z, rowsPerTask,
+      [&](Index row)
+      { body(row * nodes.x, static_cast<int>(row % nodes.y), static_cast<int>(row / nodes.y)); });
   }
 
   /// Phases in order, each like ForEach over body.ExtentOf(phase) of body(phase, column, row). A

@@ -4,43 +4,231 @@
 #ifndef limpid_render_Bricks_h
 #define limpid_render_Bricks_h
 
-#include "render/BrickNodes.h"
-#include "render/Fields.h"
+#include "backend/DeviceArray.h"
+#include "render/RayScene.h"
 
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <memory>
 
 namespace limpid
 {
+/// Distance of bricks that are not closer to any that is not empty: what fits into a byte.
+constexpr int farthestBrick = 255;
+
+/// The box of nodes from which the cells of a brick are interpolated.
+struct BrickNodes
+{
+  Int3 first;
+  Int3 last;
+
+  /// `brick`: its place among the bricks; `nodes`: of the grid.
+  LIMPID_HD static LIMPID_INLINE BrickNodes Of(const Int3& brick, const Int3& nodes)
+  {
+    const Int3 low = BrickDistances::size * brick;
+    return { low, glm::min(low + BrickDistances::size, nodes - 1) };
+  }
+
+  /// The nodes of another grid over the same box that the same cells may be interpolated from.
+  LIMPID_HD LIMPID_INLINE BrickNodes On(const Int3& nodes, const Int3& otherNodes) const
+  {
+    BrickNodes box{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double scale = double(otherNodes[axis] - 1) / (nodes[axis] > 2 ? nodes[axis] - 1 : 1);
+      box.first[axis] = int(std::floor(this->first[axis] * scale - 1e-6));
+      box.last[axis] = int(std::ceil(this->last[axis] * scale + 1e-6));
+    }
+    return { glm::clamp(box.first, Int3(0), otherNodes - 1),
+      glm::clamp(box.last, Int3(0), otherNodes - 1) };
+  }
+
+  /// Whether is(node) for any node of the box in a grid of `nodes`.
+  template <class Is>
+  LIMPID_HD LIMPID_INLINE bool Any(const Int3& nodes, const Is& is) const
+  {
+    for (int k = this->first.z; k <= this->last.z; ++k)
+    {
+      for (int j = this->first.y; j <= this->last.y; ++j)
+      {
+        const Index row = nodes.x * (j + Index(nodes.y) * k);
+        for (int i = this->first.x; i <= this->last.x; ++i)
+        {
+          if (is(row + i))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+};
+
+struct ScalarRange
+{
+  float least = 3.4e38f;
+  float most = -3.4e38f;
+
+  LIMPID_HD LIMPID_INLINE void Include(float value)
+  {
+    this->least = std::min(this->least, value);
+    this->most = std::max(this->most, value);
+  }
+};
+
+/// Range of the scalars at the nodes of a brick.
+struct RangeOfBrick
+{
+  Int3 nodes;
+  const float* scalars;
+  ScalarRange* ranges; ///< out
+
+  LIMPID_HD void operator()(Index brick, int i, int j, int k) const
+  {
+    ScalarRange range;
+    BrickNodes::Of({ i, j, k }, this->nodes)
+      .Any(this->nodes,
+        [&](Index node)
+        {
+          range.Include(this->scalars[node]);
+          return false;
+        });
+    this->ranges[brick] = range;
+  }
+};
+
+/// 0 where a brick may have extinction, else the largest distance.
+struct EmptyBrick
+{
+  Int3 nodes;
+  OpticalTable<FourFloats> table;
+  const ScalarRange* ranges;
+  const FourPacked* overlay; ///< see ExtinctionOverlay; null: unchanged
+  Int3 overlayNodes;
+  std::uint8_t* distance; ///< out
+
+  LIMPID_HD void operator()(Index brick, int i, int j, int k) const
+  {
+    const ScalarRange range = this->ranges[brick];
+    const bool classified = this->table.LargestBetween(this->table.Position(range.least),
+                              this->table.Position(range.most)) > 0;
+    bool filled = classified;
+    if (this->overlay)
+    {
+      const BrickNodes box =
+        BrickNodes::Of({ i, j, k }, this->nodes).On(this->nodes, this->overlayNodes);
+      filled = box.Any(this->overlayNodes,
+        [&](Index node)
+        {
+          const std::int16_t* change = this->overlay[node].values;
+          return (classified && change[0] > 0) || change[1] > 0;
+        });
+    }
+    this->distance[brick] = filled ? 0 : farthestBrick;
+  }
+};
+
+/// One axis of the Chebyshev distance to the nearest zero: the largest of the distances along the
+/// axes is that of the axes before or of this one, whichever is larger.
+struct SpreadBrick
+{
+  Int3 bricks;
+  int axis;
+  const std::uint8_t* before; ///< along the axes before
+  std::uint8_t* distance;     ///< out
+
+  LIMPID_HD void operator()(Index brick, int i, int j, int k) const
+  {
+    const int at = this->axis == 0 ? i : (this->axis == 1 ? j : k);
+    const int count =
+      this->axis == 0 ? this->bricks.x : (this->axis == 1 ? this->bricks.y : this->bricks.z);
+    const Index stride = this->axis == 0
+      ? 1
+      : (this->axis == 1 ? Index(this->bricks.x) : Index(this->bricks.x) * this->bricks.y);
+    const int toEnd = at < count - 1 - at ? count - 1 - at : at; // there are no bricks farther away
+    int least = this->before[brick];
+    for (int way = 1; way < least && way <= toEnd; ++way)
+    {
+      for (int side = -1; side <= 1; side += 2)
+      {
+        const int other = at + side * way;
+        if (other >= 0 && other < count)
+        {
+          const int there = this->before[brick + side * way * stride];
+          const int reached = there > way ? there : way;
+          least = reached < least ? reached : least;
+        }
+      }
+    }
+    this->distance[brick] = static_cast<std::uint8_t>(least);
+  }
+};
+
 /**
- * Where a volume is empty: the cells in bricks of `size` cells along each axis.
+ * Finds where a volume is empty, on a device: the cells in bricks of `size` cells along each axis.
+ * Nothing waits.
  *
  * A brick is empty if no scalar that its cells can have and no change that they can have give an
  * extinction above zero. Neighbouring bricks share their nodes, so their ranges of scalars touch:
  * a segment between samples in two empty neighbours meets no extinction either.
  */
+template <class AnyDevice>
 class Bricks
 {
 public:
-  static constexpr int size = BrickDistances::size; ///< cells
+  explicit Bricks(std::shared_ptr<AnyDevice> device)
+    : Device(std::move(device))
+  {
+  }
 
-  Bricks() = default;
+  /// Finds the ranges of the scalars at the nodes of a grid.
+  void SetScalars(const Int3& nodes, const float* scalars)
+  {
+    constexpr int size = BrickDistances::size;
+    this->Nodes = nodes;
+    this->Count = (nodes + (size - 2)) / size;
+    ScalarRange* ranges = this->Ranges.RoomFor(this->Device, this->Total(), "the bricks");
+    this->Device->ForNodes("ranges of bricks", this->Count, RangeOfBrick{ nodes, scalars, ranges });
+  }
 
-  /// Finds the ranges of the scalars.
-  explicit Bricks(const ScalarField& scalars);
+  /// Finds the empty bricks, and how far around each all are empty. `overlay`: at `overlayNodes`;
+  /// null: nothing is changed.
+  void FindEmpty(
+    const OpticalTable<FourFloats>& table, const FourPacked* overlay, const Int3& overlayNodes)
+  {
+    const char* what = "the bricks";
+    std::uint8_t* distance = this->Distance.RoomFor(this->Device, this->Total(), what);
+    std::uint8_t* other = this->OtherDistance.RoomFor(this->Device, this->Total(), what);
+    this->Device->ForNodes("empty bricks", this->Count,
+      EmptyBrick{ this->Nodes, table, this->Ranges.Data(), overlay, overlayNodes, other });
+    const auto spread = [&](int axis, const std::uint8_t* from, std::uint8_t* to)
+    {
+      this->Device->ForNodes(
+        "distances of bricks", this->Count, SpreadBrick{ this->Count, axis, from, to });
+    };
+    spread(0, other, distance);
+    spread(1, distance, other);
+    spread(2, other, distance);
+  }
 
-  /// Finds the empty bricks, and how far around each all are empty.
-  void Classify(const Classification& classification, const OverlayField& overlay);
-
-  BrickDistances Distances() const;
-
-  /// Share of the bricks that are empty [0, 1].
-  double EmptyShare() const;
+  BrickDistances Distances() const
+  {
+    return BrickDistances::Of(this->Nodes, this->Distance.Data());
+  }
 
 private:
+  std::size_t Total() const
+  {
+    return std::size_t(Index(this->Count.x) * this->Count.y * this->Count.z);
+  }
+
+  std::shared_ptr<AnyDevice> Device;
   Int3 Nodes{ 0 };
   Int3 Count{ 0 };
-  std::vector<ScalarRange> Ranges;
-  std::vector<std::uint8_t> Distance;
+  DeviceArray<AnyDevice, ScalarRange> Ranges;
+  DeviceArray<AnyDevice, std::uint8_t> Distance;
+  DeviceArray<AnyDevice, std::uint8_t> OtherDistance; ///< between the axes
 };
 }
 

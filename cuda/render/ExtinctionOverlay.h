@@ -4,41 +4,182 @@
 #ifndef limpid_render_ExtinctionOverlay_h
 #define limpid_render_ExtinctionOverlay_h
 
-#include "render/Fields.h"
+#include "backend/DeviceArray.h"
+#include "render/OverlayKernels.h"
+#include "scene/Grid.h"
 
+#include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace limpid
 {
-/// The extinction that is shown, as a change of a base extinction on a grid of its own.
+class HostDevice;
+
+/// Moves all nodes. Returns whether a change may not be zero: whether another extinction than the
+/// base was ever given.
+template <class AnyDevice>
+bool MoveNodes(AnyDevice& device, const MovedNode& body, bool wasChanged)
+{
+  device.ForNodes("move the overlay", body.nodes, body);
+  return wasChanged || body.base != body.extinction;
+}
+
+/// The form for the processor knows whether any change is not zero, so that rays need not read an
+/// overlay that says nothing.
+bool MoveNodes(HostDevice& device, const MovedNode& body, bool wasChanged);
+
+/// Interpolates an overlay on another grid.
+template <class AnyDevice>
+void ResampleNodes(AnyDevice& device, const Int3& nodes, const ResampledNode<SingleSampler>& body)
+{
+  device.ForNodes("resample the overlay", nodes, body);
+}
+
+/// The form for the processor reads with its registers, in half the time.
+void ResampleNodes(HostDevice& device, const Int3& nodes, const ResampledNode<SingleSampler>& body);
+
+/**
+ * What optimisation and light add to the volume, on a device. Nothing waits.
+ *
+ * Every node of a grid over the same box has four packed numbers: the share of the transfer
+ * function's extinction that is kept [1], the extinction that is added [majorant], the
+ * transmittance from the light [1], and a zero.
+ *
+ * The extinction of a sample is kept * mu-bar(s) + added. At a node that is the optimised
+ * extinction, and where nothing was changed it is the transfer function's of the interpolated
+ * scalar. What was cleared is clear between the nodes, too, whatever the transfer function does
+ * between their scalars: a difference of extinctions would leave its thin layers standing.
+ */
+template <class AnyDevice>
 class ExtinctionOverlay
 {
 public:
-  /// Moves the change by `share` towards extinction - base; `unit`: the majorant [1/length].
-  void MoveTo(
-    const Grid& grid, const float* base, const float* extinction, float unit, double share);
+  explicit ExtinctionOverlay(std::shared_ptr<AnyDevice> device)
+    : Device(std::move(device))
+  {
+  }
+
+  /// Moves the change by `share` towards extinction - base. `unit`: the majorant [1/length];
+  /// `shown`: out, the extinction that is shown then [1/length]; null: it is not wanted.
+  void MoveTo(const Grid& grid, const float* base, const float* extinction, float unit,
+    double share, float* shown)
+  {
+    const float rescale = unit > 0 && !this->Empty() ? this->Unit / unit : 1.0f;
+    this->Fit(grid);
+    this->Unit = unit;
+    this->HasChange = MoveNodes(*this->Device,
+      MovedNode{ grid.nodes, base, extinction, unit, unit > 0 ? 1 / unit : 0.0f,
+        static_cast<float>(share), rescale, this->Numbers.Data(), shown },
+      this->HasChange);
+  }
 
   /// Forgets change and shadow.
-  void Clear();
+  void Clear() { *this = ExtinctionOverlay(this->Device); }
 
-  /// A transmittance of 1 everywhere.
-  void ClearShadow();
+  /// From now on nobody asks for a transmittance of the light.
+  void ClearShadow() { this->HasShadow = false; }
 
   /// Takes a transmittance at the nodes of a grid over the same box, interpolated.
-  void SetShadow(const Int3& nodes, const float* transmittance);
+  void SetShadow(const Int3& nodes, const float* transmittance)
+  {
+    this->HasShadow = true;
+    const Int3 to = this->Place.nodes;
+    if (nodes == to)
+    {
+      this->Device->ForIndices("take shadows", this->Place.NodeCount(),
+        ShadowedNode{ transmittance, this->Numbers.Data() });
+      return;
+    }
+    const char* what = "interpolated shadows";
+    const auto placesOf = [&](int axis)
+    {
+      std::vector<AxisPlace> places;
+      for (int node = 0; node < to[axis]; ++node)
+      {
+        places.emplace_back(node, nodes[axis], to[axis]);
+      }
+      return DeviceArray<AnyDevice, AxisPlace>(this->Device, places, what);
+    };
+    const auto columnPlaces = placesOf(0);
+    const auto rowPlaces = placesOf(1);
+    const auto slicePlaces = placesOf(2);
+    const Int3 ofRows(nodes.x, to.y, nodes.z);
+    const Int3 ofSlices(nodes.x, to.y, to.z);
+    Field rows(this->Device, std::size_t(Index(ofRows.x) * ofRows.y * ofRows.z), what);
+    Field slices(this->Device, std::size_t(Index(ofSlices.x) * ofSlices.y * ofSlices.z), what);
+    this->Device->ForNodes(
+      what, ofRows, InterpolatedAlong{ 1, rowPlaces.Data(), transmittance, nodes, rows.Data() });
+    this->Device->ForNodes(what, ofSlices,
+      InterpolatedAlong{ 2, slicePlaces.Data(), rows.Data(), ofRows, slices.Data() });
+    this->Device->ForNodes("take shadows", to,
+      InterpolatedShadowNode{
+        { 0, columnPlaces.Data(), slices.Data(), ofSlices, nullptr }, this->Numbers.Data() });
+  }
 
-  /// base + change at the nodes [1/length].
-  std::vector<float> ShownExtinction(const float* base) const;
+  /// Transmittance of the light at a position [nodes]. Waits.
+  double ShadowAt(const Vec3& position) const
+  {
+    const CellGrid grid(this->Place.nodes);
+    const float at[3] = { float(position.x), float(position.y), float(position.z) };
+    const CellPlace place(grid, at);
+    FourPacked corners[8];
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Index node = place.cell + (corner & 1) + (corner >> 1 & 1) * grid.stride[1] +
+        (corner >> 2) * grid.stride[2];
+      this->Device->Download(&corners[corner], this->Packed() + node, sizeof(FourPacked));
+    }
+    return SingleSampler::Interpolate(CellGrid({ 2, 2, 2 }), corners, place.fraction[0],
+             place.fraction[1], place.fraction[2])[2] /
+      packedOne;
+  }
 
-  const OverlayField& Field() const { return this->Packed; }
-  float Majorant() const { return this->Unit; } ///< unit of what is added [1/length]
+  const FourPacked* Packed() const { return this->Numbers.Data(); }
   const Grid& Nodes() const { return this->Place; }
-  bool Empty() const { return this->Packed.packed.empty(); }
+  float Majorant() const { return this->Unit; } ///< unit of what is added [1/length]
+  bool Empty() const { return this->Numbers.Empty(); }
+  bool Changed() const { return this->HasChange; } ///< whether a change may not be zero
+  bool Shadowed() const { return this->HasShadow; }
 
 private:
+  using Field = DeviceArray<AnyDevice, float>;
+
+  /// Makes room for the nodes of a grid, with what is shown now.
+  void Fit(const Grid& grid)
+  {
+    if (!this->Empty() && grid.nodes == this->Place.nodes && grid.spacing == this->Place.spacing &&
+      grid.origin == this->Place.origin)
+    {
+      return;
+    }
+    const Index count = grid.NodeCount();
+    DeviceArray<AnyDevice, FourPacked> numbers(this->Device, std::size_t(count), "the overlay");
+    if (this->Empty())
+    {
+      this->Device->ForIndices("clear the overlay", count, UnchangedNode{ numbers.Data() });
+    }
+    else
+    {
+      const Int3 from = this->Place.nodes;
+      ResampledNode<SingleSampler> body{ CellGrid(from), this->Packed(), {}, numbers.Data() };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        body.scale[axis] = float(from[axis] - 1) / float(std::max(grid.nodes[axis] - 1, 1));
+      }
+      ResampleNodes(*this->Device, grid.nodes, body);
+    }
+    this->Numbers = std::move(numbers);
+    this->HasShadow = false;
+    this->Place = grid;
+  }
+
+  std::shared_ptr<AnyDevice> Device;
+  DeviceArray<AnyDevice, FourPacked> Numbers;
   Grid Place;
-  OverlayField Packed;
   float Unit = 0;
+  bool HasChange = false;
+  bool HasShadow = false;
 };
 }
 

@@ -7,8 +7,19 @@
 #include "backend/Simd.h"
 #include "math/Vec.h"
 
+#include <cstdint>
+
 namespace limpid
 {
+/// Largest absolute value of a packed number; it stands for 1.
+constexpr float packedOne = 32767.0f;
+
+/// Four packed numbers of a node, see ExtinctionOverlay and PackedGradientNode.
+struct alignas(8) FourPacked
+{
+  std::int16_t values[4];
+};
+
 /// What a register of four floats is to the processor, for devices; laid out the same in memory.
 struct alignas(16) FourFloats
 {

@@ -1,101 +1,114 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The gradient of the transfer function's extinction on a device: PackGradient, node by node.
+// The gradient of the transfer function's extinction at the nodes.
 
-#ifndef limpid_render_GradientBodies_h
-#define limpid_render_GradientBodies_h
+#ifndef limpid_render_GradientKernels_h
+#define limpid_render_GradientKernels_h
 
-#include "render/Gradient.h"
-#include "render/OverlayKernels.h"
+#include "render/Classification.h"
+
+#include <cmath>
 
 namespace limpid
 {
-/// The gradient at a node [majorant/length], world.
+/// Extinction of the transfer function at a node.
+struct ClassifiedNode
+{
+  OpticalTable<FourFloats> table;
+  const float* scalars;
+  const float* filled; ///< null: all are
+  float majorant;      ///< unit of the result
+  float* extinction;   ///< out [1/length], or [majorant] if that is 1
+
+  LIMPID_HD void operator()(Index node) const
+  {
+    const float all = this->table.At(this->table.Position(this->scalars[node]))[0];
+    const float here = this->filled ? all * this->filled[node] : all;
+    this->extinction[node] = here * this->majorant;
+  }
+};
+
+/// The gradient of a field at a node, in world directions: central differences.
 struct GradientNode
 {
-  ClassifiedNode classified;
-  NodeCounts nodes;
+  const float* field;
+  Int3 nodes;
   Mat3 toWorld;
   Vec3 spacing;
 
-  LIMPID_HD LIMPID_INLINE GradientVector At(Index node) const
+  LIMPID_HD LIMPID_INLINE void At(Index node, int i, int j, int k, float* gradient) const
   {
     const Index row = this->nodes.x;
-    const Index slice = row * this->nodes.y;
-    const int i = this->nodes.ColumnOf(node);
-    const int j = this->nodes.RowOf(node);
-    const int k = this->nodes.SliceOf(node);
-    const Vec3 steps(this->Difference(Neighbours(i, this->nodes.x), node - i, 1),
-      this->Difference(Neighbours(j, this->nodes.y), node - row * j, row),
-      this->Difference(Neighbours(k, this->nodes.z), node - slice * k, slice));
-    return GradientOf(steps, this->toWorld, this->spacing);
+    const Vec3 steps(this->Difference(node, i, this->nodes.x, 1),
+      this->Difference(node, j, this->nodes.y, row),
+      this->Difference(node, k, this->nodes.z, row * this->nodes.y));
+    const Vec3 world = this->toWorld * (steps / this->spacing);
+    gradient[0] = float(world.x);
+    gradient[1] = float(world.y);
+    gradient[2] = float(world.z);
   }
 
 private:
-  /// `line`: first node of the line through the node.
-  LIMPID_HD LIMPID_INLINE float Difference(
-    const Neighbours& neighbours, Index line, Index stride) const
+  /// Difference per node along an axis of `count` nodes, of which the node is number `at`.
+  LIMPID_HD LIMPID_INLINE float Difference(Index node, int at, int count, Index stride) const
   {
-    return (this->classified.At(line + stride * neighbours.after) -
-             this->classified.At(line + stride * neighbours.before)) *
-      neighbours.Share();
+    const int before = at > 0 ? 1 : 0;
+    const int after = at + 1 < count ? 1 : 0;
+    const float share = before + after > 0 ? 1.0f / float(before + after) : 0.0f;
+    return (this->field[node + after * stride] - this->field[node - before * stride]) * share;
   }
 };
 
 /// Square of a gradient's length.
-struct SteepnessOfNode
+struct SteepnessNode
 {
   GradientNode gradient;
-  LIMPID_HD LIMPID_INLINE float operator()(Index node) const
+  float* squared; ///< out
+
+  LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    return this->gradient.At(node).SquaredLength();
+    float here[3];
+    this->gradient.At(node, i, j, k, here);
+    this->squared[node] = here[0] * here[0] + here[1] * here[1] + here[2] * here[2];
   }
 };
 
-/// What another pass has found.
-struct FoundSteepness
+/// The largest of a run of values, none of which is below zero.
+struct LargestOfRun
 {
-  const float* found;
-  LIMPID_HD LIMPID_INLINE float operator()(Index lane) const { return this->found[lane]; }
-};
+  const float* values;
+  int length;
+  float* largest; ///< out
 
-/// Lane `lane` finds the largest of every `lanes`-th value of `count`.
-template <class Value>
-struct LargestOfLane
-{
-  Value value;
-  Index count;
-  Index lanes;
-  float* largest;
-
-  LIMPID_HD void operator()(Index lane) const
+  LIMPID_HD void operator()(Index run) const
   {
     float most = 0;
-    for (Index i = lane; i < this->count; i += this->lanes)
+    for (Index i = run * this->length; i < (run + 1) * this->length; ++i)
     {
-      const float here = this->value(i);
-      most = most < here ? here : most;
+      most = most < this->values[i] ? this->values[i] : most;
     }
-    this->largest[lane] = most;
+    this->largest[run] = most;
   }
 };
 
-/// Packs a gradient over the largest length.
+/// Packs a gradient over the largest length: three numbers in world directions, and a zero.
 struct PackedGradientNode
 {
   GradientNode gradient;
   const float* largest; ///< square of that length
-  std::int16_t* packed; ///< out, see GradientField
+  FourPacked* packed;   ///< out
 
-  LIMPID_HD void operator()(Index node) const
+  LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    const float unit = GradientUnit(*this->largest);
-    const GradientVector here = this->gradient.At(node);
-    std::int16_t* out = this->packed + 4 * node;
+    const float most = std::sqrt(*this->largest);
+    const float unit = most > 0 ? packedOne / most : 0.0f;
+    float here[3];
+    this->gradient.At(node, i, j, k, here);
+    std::int16_t* out = this->packed[node].values;
     for (int axis = 0; axis < 3; ++axis)
     {
-      out[axis] = static_cast<std::int16_t>(std::lrint(here.values[axis] * unit));
+      out[axis] = static_cast<std::int16_t>(std::lrint(here[axis] * unit));
     }
     out[3] = 0;
   }

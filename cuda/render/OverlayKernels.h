@@ -1,82 +1,139 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What one node of a overlay does on a device: ExtinctionOverlay.cxx, node by node. The mathematics
-// is in OverlayNode.h and Trilinear.h.
+// What one node of an extinction overlay does.
 
-#ifndef limpid_render_ExtinctionOverlayBodies_h
-#define limpid_render_ExtinctionOverlayBodies_h
+#ifndef limpid_render_OverlayKernels_h
+#define limpid_render_OverlayKernels_h
 
-#include "render/OpticalTable.h"
-#include "render/OverlayNode.h"
 #include "render/Trilinear.h"
+
+#include <algorithm>
 
 namespace limpid
 {
-/// Nodes along the axes of a grid, and which of them has an index.
-struct NodeCounts
+/// A share [0, 1] in units of packedOne.
+LIMPID_HD LIMPID_INLINE std::int16_t PackShare(float value)
 {
-  int x;
-  int y;
-  int z;
+  const float inside = value < 0.0f ? 0.0f : (1.0f < value ? 1.0f : value);
+  return static_cast<std::int16_t>(inside * packedOne + 0.5f);
+}
 
-  LIMPID_HD LIMPID_INLINE Index Count() const { return Index(this->x) * this->y * this->z; }
-  LIMPID_HD LIMPID_INLINE int ColumnOf(Index node) const { return int(node % this->x); }
-  LIMPID_HD LIMPID_INLINE int RowOf(Index node) const { return int(node / this->x % this->y); }
-  LIMPID_HD LIMPID_INLINE int SliceOf(Index node) const
-  {
-    return int(node / (Index(this->x) * this->y));
-  }
-};
-
-/// Nothing is changed, and there is no light.
+/// A node where nothing is changed yet.
 struct UnchangedNode
 {
-  std::int16_t* packed;
+  FourPacked* packed; ///< out
 
   LIMPID_HD void operator()(Index node) const
   {
-    std::int16_t* here = this->packed + 4 * node;
-    here[0] = std::int16_t(packedOne);
-    here[1] = here[2] = here[3] = 0;
+    this->packed[node] = { { std::int16_t(packedOne), 0, 0, 0 } };
   }
 };
 
-/// Moves what is shown, and tells what casts the shadows then.
+/// Moves the change of an extinction by a share of the way to another one, and tells which
+/// extinction is shown then.
 struct MovedNode
 {
-  OverlayNode overlay;
-  float unit;   ///< of what is added [1/length]
-  float* shown; ///< out [1/length]; null: something else casts them
+  Int3 nodes;
+  const float* base;       ///< [1/length]
+  const float* extinction; ///< where to move to [1/length]
+  float unit;              ///< of what is added: the majorant [1/length]
+  float perUnit;           ///< 1 / unit [length]
+  float share;
+  float rescale;      ///< the unit of `packed` before over the one now
+  FourPacked* packed; ///< in and out
+  float* shown;       ///< out [1/length]; null: it is not wanted
 
-  LIMPID_HD void operator()(Index node) const
+  LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    const NodeCounts nodes{ this->overlay.nodes[0], this->overlay.nodes[1],
-      this->overlay.nodes[2] };
-    this->overlay.Move(node, nodes.ColumnOf(node), nodes.RowOf(node), nodes.SliceOf(node));
+    this->Move(node, i, j, k);
     if (this->shown)
     {
-      this->shown[node] =
-        ShownExtinctionOf(this->overlay.base[node], this->overlay.packed + 4 * node, this->unit);
+      this->Tell(node);
     }
+  }
+
+  /// Returns whether anything is changed at the node.
+  LIMPID_HD LIMPID_INLINE bool Move(Index node, int i, int j, int k) const
+  {
+    std::int16_t* here = this->packed[node].values;
+    const std::int16_t kept = PackShare(this->Kept(node, i, j, k));
+    const std::int16_t added =
+      PackShare((this->extinction[node] - this->base[node]) * this->perUnit);
+    here[0] = this->Eased(here[0], 1.0f, kept);
+    here[1] = this->Eased(here[1], this->rescale, added);
+    return here[0] != std::int16_t(packedOne) || here[1] != 0;
+  }
+
+  /// Writes the extinction that a node shows.
+  LIMPID_HD LIMPID_INLINE void Tell(Index node) const
+  {
+    const std::int16_t* here = this->packed[node].values;
+    const float kept = this->base[node] * (here[0] / packedOne);
+    this->shown[node] = kept + this->unit * (here[1] / packedOne);
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE std::int16_t Eased(
+    std::int16_t from, float scale, std::int16_t goal) const
+  {
+    const float old = from * scale;
+    const float now = packedOne < old ? packedOne : old;
+    const float next = now + this->share * (float(goal) - now);
+    return static_cast<std::int16_t>(next + 0.5f);
+  }
+
+  LIMPID_HD LIMPID_INLINE float KeptOf(Index node) const
+  {
+    const float kept = this->extinction[node] / this->base[node];
+    return 1.0f < kept ? 1.0f : kept;
+  }
+
+  /// Share of the base extinction that is kept; where there is none, the mean of the neighbours
+  /// that have some.
+  LIMPID_HD LIMPID_INLINE float Kept(Index node, int i, int j, int k) const
+  {
+    if (this->base[node] > 0)
+    {
+      return this->KeptOf(node);
+    }
+    const int at[3] = { i, j, k };
+    float sum = 0;
+    int count = 0;
+    Index stride = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int side = -1; side <= 1; side += 2)
+      {
+        const int neighbour = at[axis] + side;
+        if (neighbour >= 0 && neighbour < this->nodes[axis] && this->base[node + side * stride] > 0)
+        {
+          sum += this->KeptOf(node + side * stride);
+          ++count;
+        }
+      }
+      stride *= this->nodes[axis];
+    }
+    return count > 0 ? sum / float(count) : 1.0f;
   }
 };
 
-/// The trilinear interpolation of a overlay on another grid over the same box.
+/// The trilinear interpolation of an overlay on another grid over the same box.
+template <class AnySampler>
 struct ResampledNode
 {
   CellGrid from;
   const FourPacked* packed;
-  NodeCounts nodes;
   float scale[3]; ///< nodes of `from` per node
   FourPacked* out;
 
-  LIMPID_HD void operator()(Index node) const
+  LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    const CellPlace place(this->from, float(this->nodes.ColumnOf(node)) * this->scale[0],
-      float(this->nodes.RowOf(node)) * this->scale[1],
-      float(this->nodes.SliceOf(node)) * this->scale[2]);
-    const FourFloats value = place.Sample(this->from, this->packed);
+    const float at[3] = { float(i) * this->scale[0], float(j) * this->scale[1],
+      float(k) * this->scale[2] };
+    const CellPlace place(this->from, at);
+    const auto value = AnySampler::Interpolate(this->from, this->packed + place.cell,
+      place.fraction[0], place.fraction[1], place.fraction[2]);
     for (int number = 0; number < 4; ++number)
     {
       this->out[node].values[number] = static_cast<std::int16_t>(value[number] + 0.5f);
@@ -84,126 +141,70 @@ struct ResampledNode
   }
 };
 
-/// A transmittance of 1.
-struct UnshadowedNode
-{
-  std::int16_t* packed;
-
-  LIMPID_HD void operator()(Index node) const
-  {
-    this->packed[4 * node + 2] = std::int16_t(packedOne);
-  }
-};
-
-/// Takes a transmittance from the nodes of the same or another grid over the same box.
+/// Takes the transmittance of the same node.
 struct ShadowedNode
 {
-  NodeCounts from;
   const float* transmittance;
-  NodeCounts nodes;
-  std::int16_t* packed;
+  FourPacked* packed; ///< in and out
 
   LIMPID_HD void operator()(Index node) const
   {
-    this->packed[4 * node + 2] = PackShare(this->At(node));
-  }
-
-private:
-  LIMPID_HD LIMPID_INLINE float At(Index node) const
-  {
-    if (this->from.x == this->nodes.x && this->from.y == this->nodes.y &&
-      this->from.z == this->nodes.z)
-    {
-      return this->transmittance[node];
-    }
-    const AxisPlace x = AxisPlace::Of(this->nodes.ColumnOf(node), this->from.x, this->nodes.x);
-    const AxisPlace y = AxisPlace::Of(this->nodes.RowOf(node), this->from.y, this->nodes.y);
-    const AxisPlace z = AxisPlace::Of(this->nodes.SliceOf(node), this->from.z, this->nodes.z);
-    const Index row = this->from.x;
-    const Index slice = row * this->from.y;
-    const float* first = this->transmittance + x.before + row * y.before + slice * z.before;
-    const auto column = [&](const float* at)
-    {
-      const float front = Blend(at[0], at[row], y.share);
-      return Blend(front, Blend(at[slice], at[slice + row], y.share), z.share);
-    };
-    return Blend(column(first), column(first + 1), x.share);
+    this->packed[node].values[2] = PackShare(this->transmittance[node]);
   }
 };
 
-/// Extinction of the transfer function at a node.
-struct ClassifiedNode
+/// Where a node of an axis lies between those of another one over the same length.
+struct AxisPlace
 {
-  OpticalTable<FourFloats> table;
-  const float* scalars;
-  const float* filled; ///< null: all are
+  int before;  ///< the other node at or before
+  float share; ///< of the way to the one behind it
 
-  /// [majorant]
-  LIMPID_HD LIMPID_INLINE float At(Index node) const
+  /// `from`: nodes of the other axis; `to`: of this one.
+  AxisPlace(int node, int from, int to)
   {
-    const float extinction = this->table.At(this->table.Position(this->scalars[node]))[0];
-    return this->filled ? extinction * this->filled[node] : extinction;
+    const double ratio = double(from - 1) / std::max(to - 1, 1);
+    this->before = std::min(static_cast<int>(node * ratio), std::max(from - 2, 0));
+    this->share = static_cast<float>(node * ratio - this->before);
   }
 };
 
-/// The same as a field.
-struct BaseNode
+/// The linear interpolation of a field along one axis, at the nodes of a grid that differs in the
+/// number of nodes along this axis only, over the same box.
+struct InterpolatedAlong
 {
-  ClassifiedNode classified;
-  float majorant; ///< [1/length]
-  float* out;     ///< [1/length]
-
-  LIMPID_HD void operator()(Index node) const
-  {
-    this->out[node] = this->classified.At(node) * this->majorant;
-  }
-};
-
-/// A field on a grid with fewer nodes along one axis, over the same box: Restrict, one axis at a
-/// time. Every node is the mean of the finer ones about it, weighted by its hat function.
-struct RestrictedNode
-{
-  NodeCounts from;
-  const float* field;
-  NodeCounts nodes;
   int axis;
+  const AxisPlace* places; ///< of the nodes along the axis
+  const float* field;
+  Int3 from; ///< nodes of the field
   float* out;
 
-  LIMPID_HD void operator()(Index node) const
+  LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    int at[3] = { this->nodes.ColumnOf(node), this->nodes.RowOf(node), this->nodes.SliceOf(node) };
-    const int fine =
-      this->axis == 0 ? this->from.x : (this->axis == 1 ? this->from.y : this->from.z);
-    const int coarse =
-      this->axis == 0 ? this->nodes.x : (this->axis == 1 ? this->nodes.y : this->nodes.z);
-    const double ratio = coarse > 1 ? (fine - 1.0) / (coarse - 1.0) : 1.0;
-    const double width = ratio > 1.0 ? ratio : 1.0;
-    const double centre = at[this->axis] * ratio;
-    const int low = static_cast<int>(std::ceil(centre - width));
-    const int high = static_cast<int>(std::floor(centre + width));
-    const int first = low > 0 ? low : 0;
-    const int last = high < fine - 1 ? high : fine - 1;
-    double sum = 0;
-    for (int source = first; source <= last; ++source)
-    {
-      sum += Hat(source, centre, width);
-    }
-    float mean = 0;
-    for (int source = first; source <= last; ++source)
-    {
-      at[this->axis] = source;
-      const auto weight = static_cast<float>(float(Hat(source, centre, width)) / sum);
-      mean += weight * this->field[at[0] + this->from.x * (at[1] + Index(this->from.y) * at[2])];
-    }
-    this->out[node] = mean;
+    this->out[node] = this->At(i, j, k);
   }
 
-private:
-  LIMPID_HD static LIMPID_INLINE double Hat(int source, double centre, double width)
+  LIMPID_HD LIMPID_INLINE float At(int i, int j, int k) const
   {
-    const double distance = source > centre ? source - centre : centre - source;
-    const double height = 1.0 - distance / width;
-    return height > 0.0 ? height : 0.0;
+    const AxisPlace place = this->places[this->axis == 0 ? i : (this->axis == 1 ? j : k)];
+    const Index column = this->axis == 0 ? place.before : i;
+    const Index row = this->axis == 1 ? place.before : j;
+    const Index slice = this->axis == 2 ? place.before : k;
+    const float* first = this->field + column + this->from.x * (row + this->from.y * slice);
+    const Index stride =
+      this->axis == 0 ? 1 : (this->axis == 1 ? this->from.x : Index(this->from.x) * this->from.y);
+    return Blend(first[0], first[stride], place.share);
+  }
+};
+
+/// Takes a transmittance that is interpolated along the last axis.
+struct InterpolatedShadowNode
+{
+  InterpolatedAlong transmittance;
+  FourPacked* packed; ///< in and out
+
+  LIMPID_HD void operator()(Index node, int i, int j, int k) const
+  {
+    this->packed[node].values[2] = PackShare(this->transmittance.At(i, j, k));
   }
 };
 }

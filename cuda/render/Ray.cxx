@@ -3,8 +3,34 @@
 
 #include "render/Ray.h"
 
+#include "math/Require.h"
+
+#include <cmath>
+
 namespace limpid
 {
+void RequireView(const View& view)
+{
+  bool finite = true;
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      finite &= std::isfinite(view.clipToWorld[column][row]);
+    }
+  }
+  LIMPID_REQUIRE(finite && glm::determinant(view.clipToWorld) != 0,
+    "The view's matrix is singular or not finite (no ray belongs to a pixel). Check the camera: "
+    "position, focal point, clipping range.");
+  LIMPID_REQUIRE(view.sampleDistance > 0 && std::isfinite(view.sampleDistance),
+    "The sample distance is " << view.sampleDistance
+                              << " (rays would not advance). Set a number above zero.");
+  LIMPID_REQUIRE(view.opaqueBelow >= 0 && view.opaqueBelow < 1,
+    "Rays end below the transmittance " << view.opaqueBelow
+                                        << " (transmittance lies between 0 and 1, and a ray begins "
+                                           "with 1). Set a number from 0 to below 1.");
+}
+
 RayMaker::RayMaker(const Grid& grid, double stepLength, const View& view)
   : Direction(grid.direction)
   , Spacing(grid.spacing)

@@ -35,6 +35,9 @@ struct Ray
   }
 };
 
+/// Throws limpid::Error unless rays can be made of a view.
+void RequireView(const View& view);
+
 /// Makes the rays of a view through the box of a grid: Eq. (11), for any projection.
 class RayMaker
 {

@@ -3,12 +3,13 @@
 
 #include "render/RayLight.h"
 
+#include "math/Require.h"
+
 namespace limpid
 {
 namespace
 {
-/// Direction of travel of the light in the middle of the volume, and its
-/// place.
+/// Direction of travel of the light in the middle of the volume, and its place.
 void PlaceLight(const Light& light, const Grid& grid, RayLight& target, Vec3& travel)
 {
   const Vec3 place = (light.position - grid.Centre()) / grid.Radius();
@@ -43,6 +44,35 @@ Vec3 ToViewer(const Grid& grid, const View& view)
 }
 }
 
+void RequireLighting(const Lighting& lighting)
+{
+  LIMPID_REQUIRE(lighting.anisotropy > -1 && lighting.anisotropy < 1,
+    "The anisotropy is " << lighting.anisotropy
+                         << " (the Henyey-Greenstein function is not defined there). Keep it "
+                            "between -1 and 1.");
+  LIMPID_REQUIRE(lighting.specularPower >= 0 && std::isfinite(lighting.specularPower),
+    "The specular power is " << lighting.specularPower
+                             << " (the highlight would not be finite). Keep it at or above zero.");
+  LIMPID_REQUIRE(lighting.intensity >= 0 && std::isfinite(lighting.intensity) &&
+      lighting.surface >= 0 && std::isfinite(lighting.surface),
+    "The light's intensity is " << lighting.intensity << " and the surface share "
+                                << lighting.surface
+                                << " (light does not become less than none). Keep both finite and "
+                                   "at or above zero.");
+  LIMPID_REQUIRE(lighting.ambient >= 0 && lighting.ambient <= 1 && lighting.shadowStrength >= 0 &&
+      lighting.shadowStrength <= 1,
+    "The ambient light is " << lighting.ambient << " and the strength of shadows "
+                            << lighting.shadowStrength << " (both are shares). Keep them between 0 "
+                            << "and 1.");
+  for (const float channel : lighting.color)
+  {
+    LIMPID_REQUIRE(channel >= 0 && std::isfinite(channel),
+      "A channel of the light's colour is " << channel
+                                            << " (light does not become less than none). Keep it "
+                                               "finite and at or above zero.");
+  }
+}
+
 RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& view)
 {
   RayLight light;
@@ -51,7 +81,7 @@ RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& vi
   const double middle =
     HenyeyGreenstein(settings.anisotropy, glm::dot(travel, ToViewer(grid, view)));
   light.ambient = static_cast<float>(settings.ambient);
-  // In a dense overlay that is lit from the viewer's side, light and view fade alike: what arrives
+  // In a dense medium that is lit from the viewer's side, light and view fade alike: what arrives
   // from optical depth d is exp(-2 d), half of all. That half is to keep its colour.
   const double shadow = settings.shadows ? settings.shadowStrength : 0.0;
   const double exposure = settings.intensity / (1 - 0.5 * shadow);

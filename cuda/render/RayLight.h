@@ -7,6 +7,7 @@
 #define limpid_render_RayLight_h
 
 #include "math/Exp.h"
+#include "render/FourFloats.h"
 #include "render/PhaseFunction.h"
 #include "render/Ray.h"
 
@@ -14,9 +15,6 @@
 
 namespace limpid
 {
-/// Largest absolute value of a packed number; it stands for 1.
-constexpr float packedOne = 32767.0f;
-
 /// factor x^power for x in [0, 1].
 struct Lobe
 {
@@ -44,6 +42,9 @@ struct RayLight
   float shadow = 0;     ///< shadow strength
   Lobe lobe;            ///< of Blinn and Phong, normalised [1/steradian]
 };
+
+/// Throws limpid::Error unless a picture can be lit like this.
+void RequireLighting(const Lighting& lighting);
 
 /// The light of a picture. `grid`: of the scalars.
 RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& view);
@@ -91,7 +92,7 @@ struct LightOnRay
     const float cosine = x * this->viewX + y * this->viewY + z * this->viewZ;
 
     // The gradient's length is k_s, relative to its largest; its direction the normal, which points
-    // into the overlay, while the halfway vector points out of it.
+    // into the volume, while the halfway vector points out of it.
     const float gradientX = packedX * (1 / packedOne);
     const float gradientY = packedY * (1 / packedOne);
     const float gradientZ = packedZ * (1 / packedOne);

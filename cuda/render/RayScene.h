@@ -6,9 +6,9 @@
 #ifndef limpid_render_RayScene_h
 #define limpid_render_RayScene_h
 
-#include "render/CellGrid.h"
-#include "render/OpticalTable.h"
+#include "render/Classification.h"
 #include "render/RayLight.h"
+#include "render/Trilinear.h"
 
 #include <cmath>
 
@@ -110,16 +110,15 @@ private:
   }
 };
 
-template <class Optical>
-struct RaySceneOf
+struct RayScene
 {
   CellGrid grid;
   const float* scalars = nullptr;
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
-  OpticalTable<Optical> table;
-  const std::int16_t* gradient = nullptr; ///< see GradientField; null: not lit
+  OpticalTable<FourFloats> table;
+  const FourPacked* gradient = nullptr; ///< see PackedGradientNode; null: not lit
   CellGrid overlayGrid;
-  const std::int16_t* overlay = nullptr; ///< see OverlayField; null: neither changed nor shadowed
+  const FourPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: nothing to add
   BrickDistances bricks;
   float overlayScale[3] = { 1, 1, 1 }; ///< nodes of the overlay per node of the scalars
   float opaqueBelow = 0;

@@ -3,11 +3,12 @@
 
 #include "render/Renderer.h"
 
+#include "backend/ComputeBackend.h"
 #include "energy/TransmittanceVolume.h"
 #include "math/Require.h"
 #include "optimize/Levels.h"
-#include "render/PictureEngine.h"
 #include "render/RayScene.h"
+#include "render/RenderBackend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,58 +17,6 @@ namespace limpid
 {
 namespace
 {
-void RequireView(const View& view)
-{
-  bool finite = true;
-  for (int column = 0; column < 4; ++column)
-  {
-    for (int row = 0; row < 4; ++row)
-    {
-      finite &= std::isfinite(view.clipToWorld[column][row]);
-    }
-  }
-  LIMPID_REQUIRE(finite && glm::determinant(view.clipToWorld) != 0,
-    "The view's matrix is singular or not finite (no ray belongs "
-    "to a pixel). Check the camera: "
-    "position, focal point, clipping range.");
-  LIMPID_REQUIRE(view.sampleDistance > 0 && std::isfinite(view.sampleDistance),
-    "The sample distance is " << view.sampleDistance
-                              << " (rays would not advance). Set a number above zero.");
-  LIMPID_REQUIRE(view.opaqueBelow >= 0 && view.opaqueBelow < 1,
-    "Rays end below the transmittance " << view.opaqueBelow
-                                        << " (transmittance lies between 0 and 1, and a ray begins "
-                                           "with 1). Set a number from 0 to below 1.");
-}
-
-void RequireLighting(const Lighting& lighting)
-{
-  LIMPID_REQUIRE(lighting.anisotropy > -1 && lighting.anisotropy < 1,
-    "The anisotropy is " << lighting.anisotropy
-                         << " (the Henyey-Greenstein function is not defined there). Keep it "
-                            "between -1 and 1.");
-  LIMPID_REQUIRE(lighting.specularPower >= 0 && std::isfinite(lighting.specularPower),
-    "The specular power is " << lighting.specularPower
-                             << " (the highlight would not be finite). Keep it at or above zero.");
-  LIMPID_REQUIRE(lighting.intensity >= 0 && std::isfinite(lighting.intensity) &&
-      lighting.surface >= 0 && std::isfinite(lighting.surface),
-    "The light's intensity is " << lighting.intensity << " and the surface share "
-                                << lighting.surface
-                                << " (light does not become less than none). Keep both finite and "
-                                   "at or above zero.");
-  LIMPID_REQUIRE(lighting.ambient >= 0 && lighting.ambient <= 1 && lighting.shadowStrength >= 0 &&
-      lighting.shadowStrength <= 1,
-    "The ambient light is " << lighting.ambient << " and the strength of shadows "
-                            << lighting.shadowStrength << " (both are shares). Keep them between 0 "
-                            << "and 1.");
-  for (const float channel : lighting.color)
-  {
-    LIMPID_REQUIRE(channel >= 0 && std::isfinite(channel),
-      "A channel of the light's colour is " << channel
-                                            << " (light does not become less than none). Keep it "
-                                               "finite and at or above zero.");
-  }
-}
-
 /// The extinction's grid has to cover the scalars' box: rays read both by the same position.
 void RequireSameBox(const Grid& scalars, const Grid& extinction)
 {
@@ -86,12 +35,12 @@ void RequireSameBox(const Grid& scalars, const Grid& extinction)
 
 struct Renderer::Internals
 {
-  explicit Internals(std::unique_ptr<PictureEngine> pictures)
-    : engine(std::move(pictures))
+  explicit Internals(std::unique_ptr<RenderBackend> drawing)
+    : backend(std::move(drawing))
   {
   }
 
-  std::unique_ptr<PictureEngine> engine;
+  std::unique_ptr<RenderBackend> backend;
   Grid grid; ///< of the scalars
   bool hasScalars = false;
   bool hasFunctions = false;
@@ -111,7 +60,7 @@ struct Renderer::Internals
   {
     this->extinctionGrid = CoarseGrid(this->grid, this->shadowCoarseness);
     this->usesTransferFunction = true;
-    this->engine->UseTransferFunction(this->extinctionGrid);
+    this->backend->UseTransferFunction(this->extinctionGrid);
   }
 
   void ForgetTransferFunction()
@@ -119,7 +68,7 @@ struct Renderer::Internals
     if (this->usesTransferFunction)
     {
       this->usesTransferFunction = false;
-      this->engine->ClearExtinction();
+      this->backend->ClearExtinction();
       this->shadowIsCurrent = false;
     }
   }
@@ -142,7 +91,7 @@ struct Renderer::Internals
     this->extinctionGrid = nodes;
     if (!base || !extinction)
     {
-      this->engine->ClearExtinction();
+      this->backend->ClearExtinction();
       return false;
     }
     LIMPID_REQUIRE(share > 0 && share <= 1,
@@ -159,22 +108,22 @@ struct Renderer::Internals
   bool UpdateShadow()
   {
     const bool wanted = this->lighting.enabled && this->lighting.shadows;
-    if (this->shadowIsCurrent || (this->engine->HasNoExtinction() && !wanted))
+    if (this->shadowIsCurrent || (this->backend->HasNoExtinction() && !wanted))
     {
       return false;
     }
     this->shadowIsCurrent = true;
-    if (this->engine->HasNoExtinction())
+    if (this->backend->HasNoExtinction())
     {
       this->UseTransferFunction();
     }
     if (!wanted)
     {
-      this->engine->ClearShadows();
+      this->backend->ClearShadows();
       return true;
     }
     const Grid nodes = this->ShadowGrid();
-    this->engine->CastShadows(
+    this->backend->CastShadows(
       nodes, SourceOfLight(this->lighting.light, nodes), this->shadowRayDensity);
     return true;
   }
@@ -182,7 +131,7 @@ struct Renderer::Internals
   /// Makes what rays read and is not current.
   void Prepare()
   {
-    if (!this->engine->HasNoExtinction())
+    if (!this->backend->HasNoExtinction())
     {
       RequireSameBox(this->grid, this->extinctionGrid);
     }
@@ -194,12 +143,12 @@ struct Renderer::Internals
     this->UpdateShadow();
     if (this->lighting.enabled && !this->gradientIsCurrent)
     {
-      this->engine->FindGradient();
+      this->backend->FindGradient();
       this->gradientIsCurrent = true;
     }
     if (!this->bricksAreCurrent)
     {
-      this->engine->FindEmptyBricks();
+      this->backend->FindEmptyBricks();
       this->bricksAreCurrent = true;
     }
   }
@@ -224,12 +173,12 @@ struct Renderer::Internals
 };
 
 Renderer::Renderer()
-  : Renderer(CpuPictures())
+  : Renderer(ProcessorBackend().MakeRenderBackend())
 {
 }
 
-Renderer::Renderer(std::unique_ptr<PictureEngine> engine)
-  : State(std::make_unique<Internals>(std::move(engine)))
+Renderer::Renderer(std::unique_ptr<RenderBackend> backend)
+  : State(std::make_unique<Internals>(std::move(backend)))
 {
 }
 
@@ -243,7 +192,7 @@ void Renderer::SetScalars(const Grid& grid, const float* scalars)
   LIMPID_REQUIRE(
     scalars != nullptr, "There are no scalars (nothing tells what is where). Give an array.");
   Internals& state = *this->State;
-  state.engine->SetScalars(grid, scalars);
+  state.backend->SetScalars(grid, scalars);
   state.grid = grid;
   state.hasScalars = true;
   state.bricksAreCurrent = false;
@@ -255,7 +204,7 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
 {
   Internals& state = *this->State;
   const Classification classification(functions);
-  state.engine->SetTransferFunctions(classification);
+  state.backend->SetTransferFunctions(classification);
   state.majorant = classification.Majorant();
   state.hasFunctions = true;
   state.ForgetTransferFunction();
@@ -268,7 +217,7 @@ void Renderer::SetExtinction(const Grid& grid, const float* base, const float* e
 {
   if (this->State->WillShow(grid, base, extinction, share))
   {
-    this->State->engine->SetExtinction(grid, base, extinction, share, lightExtinction);
+    this->State->backend->SetExtinction(grid, base, extinction, share, lightExtinction);
   }
 }
 
@@ -277,7 +226,7 @@ void Renderer::ShowThere(const Grid& grid, const float* base, const float* extin
 {
   if (this->State->WillShow(grid, base, extinction, share))
   {
-    this->State->engine->ShowThere(grid, base, extinction, share, lightExtinction);
+    this->State->backend->ShowThere(grid, base, extinction, share, lightExtinction);
   }
 }
 
@@ -346,7 +295,7 @@ void Renderer::Render(const View& view, Picture& picture)
   }
   RequireView(view);
   state.Prepare();
-  state.engine->Cast(state.CastingOf(view), view, picture);
+  state.backend->Cast(state.CastingOf(view), view, picture);
 }
 
 double Renderer::LightTransmittanceAt(const Vec3& world)
@@ -354,7 +303,7 @@ double Renderer::LightTransmittanceAt(const Vec3& world)
   this->UpdateShadows();
   const Internals& state = *this->State;
   const bool wanted = state.lighting.enabled && state.lighting.shadows;
-  if (state.engine->HasNoExtinction() || !wanted || !state.shadowIsCurrent)
+  if (state.backend->HasNoExtinction() || !wanted || !state.shadowIsCurrent)
   {
     return 1;
   }
@@ -366,6 +315,6 @@ double Renderer::LightTransmittanceAt(const Vec3& world)
       return 1;
     }
   }
-  return state.engine->LightTransmittanceAt(index);
+  return state.backend->LightTransmittanceAt(index);
 }
 } // namespace limpid

@@ -13,7 +13,7 @@
 
 namespace limpid
 {
-class PictureEngine;
+class RenderBackend;
 
 /// Transfer functions of a scalar, sampled at equal steps from `low` to `high`, constant outside.
 struct TransferFunctions
@@ -90,7 +90,7 @@ public:
   Renderer();
 
   /// Draws with what is given.
-  explicit Renderer(std::unique_ptr<PictureEngine> engine);
+  explicit Renderer(std::unique_ptr<RenderBackend> backend);
 
   ~Renderer();
   Renderer(Renderer&&) noexcept;

@@ -56,9 +56,15 @@ struct Segment
   }
 };
 
+/// A pixel of a picture, see Picture.
+struct alignas(4) Rgba
+{
+  std::uint8_t values[4];
+};
+
 /// What a pixel has received so far.
 template <class Optical>
-struct PixelOf
+struct Pixel
 {
   Optical light = { 0, 0, 0, 0 }; ///< second to fourth: red, green, blue
   float transmittance = 1;
@@ -70,14 +76,11 @@ struct PixelOf
     this->transmittance *= segment.passed;
   }
 
-  /// `rgba`: out, in 8 bits.
-  LIMPID_HD LIMPID_INLINE void Store(const float* lightColor, std::uint8_t* rgba) const
+  /// In 8 bits.
+  LIMPID_HD LIMPID_INLINE Rgba Shown(const float* lightColor) const
   {
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      rgba[channel] = ToByte(this->light[channel + 1] * lightColor[channel]);
-    }
-    rgba[3] = ToByte(1.0f - this->transmittance);
+    return { { ToByte(this->light[1] * lightColor[0]), ToByte(this->light[2] * lightColor[1]),
+      ToByte(this->light[3] * lightColor[2]), ToByte(1.0f - this->transmittance) } };
   }
 
 private:

@@ -1,23 +1,60 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Trilinear interpolation number by number, for devices. RaySamples.h has the same blends in the
-// same order for the registers of the processor.
+// Trilinear interpolation in a grid.
 
 #ifndef limpid_render_Trilinear_h
 #define limpid_render_Trilinear_h
 
-#include "render/CellGrid.h"
 #include "render/FourFloats.h"
 
 namespace limpid
 {
-/// Four packed numbers of a node, see OverlayField and GradientField.
-struct alignas(8) FourPacked
+/// A grid's nodes as trilinear interpolation reads them.
+struct CellGrid
 {
-  std::int16_t values[4];
+  float lastNode[3] = { 0, 0, 0 };
+  float lastCell[3] = { 0, 0, 0 };
+  Index stride[3] = { 1, 1, 1 };
+
+  CellGrid() = default;
+  explicit CellGrid(const Int3& nodes)
+    : lastNode{ float(nodes.x - 1), float(nodes.y - 1), float(nodes.z - 1) }
+    , lastCell{ float(nodes.x - 2), float(nodes.y - 2), float(nodes.z - 2) }
+    , stride{ 1, nodes.x, Index(nodes.x) * nodes.y }
+  {
+  }
+
+  /// Splits a coordinate into the node before and the fraction of a cell.
+  LIMPID_HD LIMPID_INLINE Index Split(int axis, float position, float& fraction) const
+  {
+    float inside = position > 0.0f ? position : 0.0f;
+    inside = inside < this->lastNode[axis] ? inside : this->lastNode[axis];
+    const float limit = inside < this->lastCell[axis] ? inside : this->lastCell[axis];
+    const int before = static_cast<int>(limit);
+    fraction = inside - static_cast<float>(before);
+    return before;
+  }
 };
 
+/// A position in a grid.
+struct CellPlace
+{
+  Index cell = 0; ///< first node of the cell
+  float fraction[3];
+
+  /// `position`: [nodes]
+  LIMPID_HD LIMPID_INLINE CellPlace(const CellGrid& grid, const float* position)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->cell += grid.stride[axis] * grid.Split(axis, position[axis], this->fraction[axis]);
+    }
+  }
+};
+
+namespace detail
+{
 LIMPID_HD LIMPID_INLINE float Unpacked(float value)
 {
   return value;
@@ -29,37 +66,40 @@ LIMPID_HD LIMPID_INLINE FourFloats Unpacked(const FourPacked& packed)
   return { { float(values[0]), float(values[1]), float(values[2]), float(values[3]) } };
 }
 
-/// A position in a grid.
-struct CellPlace
+/// Blends along z, y and x.
+template <class Node>
+LIMPID_HD LIMPID_INLINE auto InCell(
+  const CellGrid& grid, const Node* first, float x, float y, float z)
 {
-  Index cell = 0; ///< first node of the cell
-  float fraction[3] = { 0, 0, 0 };
+  const Index row = grid.stride[1];
+  const Index slice = grid.stride[2];
+  const auto along = [&](const Node* front)
+  { return Blend(Unpacked(front[0]), Unpacked(front[slice]), z); };
+  const auto near = Blend(along(first), along(first + row), y);
+  const auto far = Blend(along(first + 1), along(first + 1 + row), y);
+  return Blend(near, far, x);
+}
+}
 
-  LIMPID_HD LIMPID_INLINE CellPlace(const CellGrid& grid, float x, float y, float z)
+/// Reads the samples of a ray one by one, number by number: for devices. BlockSampler does the same
+/// in the same order of operations with the registers of the processor.
+struct SingleSampler
+{
+  using Optical = FourFloats;
+  static constexpr int segments = 1; ///< of a ray at a time
+
+  /// Interpolates a field. `first`: at the first node of the cell; x, y, z: fractions of the cell.
+  LIMPID_HD static LIMPID_INLINE float Interpolate(
+    const CellGrid& grid, const float* first, float x, float y, float z)
   {
-    this->cell = grid.Split(0, x, this->fraction[0]) * grid.stride[0] +
-      grid.Split(1, y, this->fraction[1]) * grid.stride[1] +
-      grid.Split(2, z, this->fraction[2]) * grid.stride[2];
+    return detail::InCell(grid, first, x, y, z);
   }
 
-  /// `field`: numbers, or four packed ones per node.
-  template <class Node>
-  LIMPID_HD LIMPID_INLINE auto Sample(const CellGrid& grid, const Node* field) const
+  /// Interpolates four packed numbers per node [packedOne].
+  LIMPID_HD static LIMPID_INLINE FourFloats Interpolate(
+    const CellGrid& grid, const FourPacked* first, float x, float y, float z)
   {
-    const Node* front = field + this->cell;
-    const Node* back = front + grid.stride[2];
-    const auto near = Blend(this->BlendAlong(front, back),
-      this->BlendAlong(front + grid.stride[1], back + grid.stride[1]), this->fraction[1]);
-    const auto far = Blend(this->BlendAlong(front + 1, back + 1),
-      this->BlendAlong(front + 1 + grid.stride[1], back + 1 + grid.stride[1]), this->fraction[1]);
-    return Blend(near, far, this->fraction[0]);
-  }
-
-private:
-  template <class Node>
-  LIMPID_HD LIMPID_INLINE auto BlendAlong(const Node* front, const Node* back) const
-  {
-    return Blend(Unpacked(*front), Unpacked(*back), this->fraction[2]);
+    return detail::InCell(grid, first, x, y, z);
   }
 };
 }

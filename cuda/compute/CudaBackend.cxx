@@ -3,12 +3,13 @@
 
 // For the CUDA compiler.
 
-#include "render/RendererOnDevice.h"
+#include "compute/BackendOn.h"
 
 namespace limpid
 {
-std::unique_ptr<PictureEngine> CudaPictures()
+const ComputeBackend& CudaBackend()
 {
-  return PicturesOn(CudaDevice::Shared());
+  static const BackendOn<CudaDevice> backend(CudaDevice::Shared());
+  return backend;
 }
 }

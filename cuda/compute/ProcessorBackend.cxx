@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "BackendOn.h"
+#include "compute/BackendOn.h"
 
 namespace limpid
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_render_PictureEngine_h
-#define limpid_render_PictureEngine_h
+#ifndef limpid_render_RenderBackend_h
+#define limpid_render_RenderBackend_h
 
 #include "render/Classification.h"
 #include "render/RayLight.h"
@@ -25,62 +25,58 @@ struct Casting
 };
 
 /**
- * What draws for a Renderer: the processor or a GPU. It holds the fields in the form in which rays
- * read them; the renderer knows what has changed and calls what has to be done, no more.
+ * Draws for a Renderer, on the processor or on a GPU. The backend holds the fields in the form in
+ * which rays read them; the renderer knows what has changed and calls no pass without need.
  *
  * Arrays that are given belong to the caller, who keeps them.
  */
-class PictureEngine
+class RenderBackend
 {
 public:
-  virtual ~PictureEngine() = default;
+  virtual ~RenderBackend() = default;
 
   /// See Renderer. The grid may be without volume; then nothing else is called.
   virtual void SetScalars(const Grid& grid, const float* scalars) = 0;
 
   virtual void SetTransferFunctions(const Classification& classification) = 0;
 
-  /// See Renderer; no array but the last one is null. Call it with transfer functions.
+  /// See Renderer; no array but the last one is null. Transfer functions were set before.
   virtual void SetExtinction(const Grid& grid, const float* base, const float* extinction,
     double share, const float* lightExtinction) = 0;
 
-  /// The same with arrays in the memory of the device that draws, which takes what it needs of them
-  /// before what follows there.
+  /// SetExtinction with arrays in the memory of the device that draws. It takes what it needs of
+  /// them before what follows there.
   virtual void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
     const float* lightExtinction) = 0;
 
-  /// The transfer function's extinction of the scalars, unchanged, on a grid over the same box.
+  /// Shows the transfer function's extinction of the scalars, on a grid over the same box.
   virtual void UseTransferFunction(const Grid& grid) = 0;
 
-  /// No extinction is given any more, and there are no shadows.
+  /// Forgets the extinction and its shadows.
   virtual void ClearExtinction() = 0;
 
   /// Whether there is neither a given nor a used extinction.
   virtual bool HasNoExtinction() const = 0;
 
-  /// What is shown, or the lightExtinction that was given, casts shadows. `grid`: over the same
-  /// box. Call it with an extinction.
+  /// Finds the shadows of what is shown, or of the lightExtinction that was given, on a grid over
+  /// the same box. There is an extinction.
   virtual void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) = 0;
 
+  /// Forgets the shadows. No picture asks for them before they are cast again.
   virtual void ClearShadows() = 0;
 
-  /// The gradient of the transfer function's extinction.
+  /// Finds the gradient of the transfer function's extinction.
   virtual void FindGradient() = 0;
 
-  /// Where there is no extinction.
+  /// Finds where there is no extinction.
   virtual void FindEmptyBricks() = 0;
 
-  /// `picture`: of the size of the view.
+  /// Draws a picture, which has the size of the view.
   virtual void Cast(const Casting& casting, const View& view, Picture& picture) = 0;
 
   /// Transmittance of the light at a position among the nodes of the extinction [index].
   virtual double LightTransmittanceAt(const Vec3& position) = 0;
 };
-
-std::unique_ptr<PictureEngine> CpuPictures();
-
-/// Throws limpid::Error if there is no GPU.
-std::unique_ptr<PictureEngine> CudaPictures();
 }
 
 #endif

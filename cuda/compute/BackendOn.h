@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// All that computes, put together for one device. This stands above the folders of the steps.
-
-#ifndef limpid_BackendOn_h
-#define limpid_BackendOn_h
+#ifndef limpid_compute_BackendOn_h
+#define limpid_compute_BackendOn_h
 
 #include "backend/ComputeBackend.h"
 #include "optimize/SolverBackend.h"
+#include "render/RenderPasses.h"
 #include "viewpoint/ScoreSweep.h"
 
 #include <memory>
@@ -15,6 +14,7 @@
 
 namespace limpid
 {
+/// All that computes, put together for one device.
 template <class AnyDevice>
 class BackendOn : public ComputeBackend
 {
@@ -32,6 +32,11 @@ public:
   std::unique_ptr<ScoreSweep> MakeScoreSweep(const ViewFields& fields) const override
   {
     return limpid::MakeScoreSweep(this->Device, fields);
+  }
+
+  std::unique_ptr<RenderBackend> MakeRenderBackend() const override
+  {
+    return std::make_unique<RenderPasses<AnyDevice>>(this->Device);
   }
 
 private:

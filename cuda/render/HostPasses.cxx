@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The passes that the processor does in a form of its own.
+
+#include "backend/HostDevice.h"
+#include "render/ExtinctionOverlay.h"
+#include "render/Raycast.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+
+namespace limpid
+{
+namespace
+{
+/// Reads samples of a ray block by block with the registers of the processor. The blends and their
+/// order are those of SingleSampler.
+struct BlockSampler
+{
+  using Optical = float __attribute__((vector_size(16)));
+  static constexpr int segments = 16; ///< of a ray at a time
+
+  static LIMPID_INLINE float Interpolate(
+    const CellGrid& grid, const float* first, float x, float y, float z)
+  {
+    const Float4 front = LoadRows(first, grid.stride[1]);
+    const Float4 back = LoadRows(first + grid.stride[2], grid.stride[1]);
+    const Float4 between = front + z * (back - front);
+    const float near = between[0] + y * (between[2] - between[0]);
+    const float far = between[1] + y * (between[3] - between[1]);
+    return near + x * (far - near);
+  }
+
+  static LIMPID_INLINE Optical Interpolate(
+    const CellGrid& grid, const FourPacked* first, float x, float y, float z)
+  {
+    Float8 rows[4];
+    for (int row = 0; row < 4; ++row)
+    {
+      Packed8 pair;
+      std::memcpy(
+        &pair, first + (row & 1) * grid.stride[1] + (row >> 1) * grid.stride[2], sizeof(pair));
+      rows[row] = __builtin_convertvector(pair, Float8);
+    }
+    const Float8 low = rows[0] + z * (rows[2] - rows[0]);
+    const Float8 high = rows[1] + z * (rows[3] - rows[1]);
+    const Float8 between = low + y * (high - low);
+    const Float4 near = { between[0], between[1], between[2], between[3] };
+    const Float4 far = { between[4], between[5], between[6], between[7] };
+    return near + x * (far - near);
+  }
+
+private:
+  using Packed8 = std::int16_t __attribute__((vector_size(16)));
+  using Float8 = float __attribute__((vector_size(32)));
+  using Float4 = Optical;
+
+  /// Two rows of two nodes that follow each other along y, eight bytes each, in one register.
+  static LIMPID_INLINE Float4 LoadRows(const float* first, Index stride)
+  {
+    using Halves = std::int64_t __attribute__((vector_size(16)));
+    std::int64_t near;
+    std::int64_t far;
+    std::memcpy(&near, first, sizeof(near));
+    std::memcpy(&far, first + stride, sizeof(far));
+    return reinterpret_cast<Float4>(Halves{ near, far });
+  }
+};
+
+constexpr int tileWidth = 32;
+constexpr int tileHeight = 8;
+
+using HostPixel = Pixel<BlockSampler::Optical>;
+using TraceOneRay = void (*)(const RayScene&, const Ray&, HostPixel&);
+
+#define LIMPID_TRACE(name, lit, overlaid)                                                          \
+  LIMPID_MULTIVERSION void name(const RayScene& scene, const Ray& ray, HostPixel& pixel)           \
+  {                                                                                                \
+    TraceRay<BlockSampler, lit, overlaid>(scene, ray, pixel);                                      \
+  }
+LIMPID_TRACE(TracePlain, false, false)
+LIMPID_TRACE(TraceOverlaid, false, true)
+LIMPID_TRACE(TraceLit, true, false)
+LIMPID_TRACE(TraceLitOverlaid, true, true)
+#undef LIMPID_TRACE
+}
+
+void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays)
+{
+  const TraceOneRay trace = scene.gradient ? (scene.overlay ? TraceLitOverlaid : TraceLit)
+                                           : (scene.overlay ? TraceOverlaid : TracePlain);
+  const int across = (rays.columns + tileWidth - 1) / tileWidth;
+  const int down = (rays.rows + tileHeight - 1) / tileHeight;
+  ParallelFor(Index(across) * down,
+    [&](Index tile)
+    {
+      const int left = int(tile % across) * tileWidth;
+      const int bottom = int(tile / across) * tileHeight;
+      for (int row = bottom; row < std::min(bottom + tileHeight, rays.rows); ++row)
+      {
+        for (int column = left; column < std::min(left + tileWidth, rays.columns); ++column)
+        {
+          rays.Draw<BlockSampler::Optical>(
+            column, row, [&](const Ray& ray, HostPixel& pixel) { trace(scene, ray, pixel); });
+        }
+      }
+    });
+}
+
+bool MoveNodes(HostDevice& device, const MovedNode& body, bool)
+{
+  std::atomic<bool> changed{ false };
+  device.ForRows("move the overlay", body.nodes,
+    [&](Index first, int j, int k)
+    {
+      const MovedNode moved = body; // a copy: nothing that is written below can be part of it
+      bool any = false;
+      for (int i = 0; i < moved.nodes.x; ++i)
+      {
+        any |= moved.Move(first + i, i, j, k);
+      }
+      for (int i = 0; i < moved.nodes.x && moved.shown; ++i)
+      {
+        moved.Tell(first + i);
+      }
+      if (any)
+      {
+        changed = true;
+      }
+    });
+  return changed;
+}
+
+void ResampleNodes(HostDevice& device, const Int3& nodes, const ResampledNode<SingleSampler>& body)
+{
+  device.ForNodes("resample the overlay", nodes,
+    ResampledNode<BlockSampler>{
+      body.from, body.packed, { body.scale[0], body.scale[1], body.scale[2] }, body.out });
+}
+}

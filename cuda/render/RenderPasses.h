@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_render_RenderPasses_h
+#define limpid_render_RenderPasses_h
+
+#include "optimize/AxisFilter.h"
+#include "render/Bricks.h"
+#include "render/ExtinctionOverlay.h"
+#include "render/GradientKernels.h"
+#include "render/Raycast.h"
+#include "render/RenderBackend.h"
+#include "render/ScalarField.h"
+#include "render/ShadowVolume.h"
+
+#include <memory>
+
+namespace limpid
+{
+/**
+ * What a Renderer does, on a device: the processor or a GPU. All fields stay there. To a GPU
+ * travels what the renderer was given anew and the depths of opaque things, and the picture travels
+ * back. Only Cast and LightTransmittanceAt wait.
+ *
+ * Bytes on a GPU per node: scalars 4, gradient 8, overlay 8, what casts the shadows 4, and 8 while
+ * two extinctions are on their way in or a gradient is found; 32 in all. At 256^3 nodes: 0.54 GB,
+ * and the plan of the shadows (0.1 GB). The processor reads scalars and extinctions in place.
+ *
+ * Bytes that a picture moves, counted: 1024^2 pixels of which half see a box of 256^3 nodes, 92 M
+ * samples at the distance of the nodes if nothing is empty or opaque. A lit sample in an overlay
+ * reads 8 scalars, 8 nodes each of overlay and gradient, and 4 entries of the table: 224 bytes,
+ * 20.6 GB through the first-level caches; its neighbours read the same nodes, and the fields
+ * themselves are 0.34 GB. The picture that comes back is 4.2 MB, as are the depths that go there,
+ * if any. With new shadows add those of TransmittanceVolumeOnDevice.
+ */
+template <class AnyDevice>
+class RenderPasses : public RenderBackend
+{
+public:
+  explicit RenderPasses(std::shared_ptr<AnyDevice> device)
+    : Device(std::move(device))
+    , Empty(this->Device)
+    , Shown(this->Device)
+    , Shadows(this->Device)
+  {
+  }
+
+  void SetScalars(const Grid& grid, const float* scalars) override
+  {
+    this->Nodes = grid;
+    this->Scalars = {};
+    this->Filled = {};
+    this->Mended = {};
+    if (!grid.HasVolume())
+    {
+      return;
+    }
+    const auto count = static_cast<std::size_t>(grid.NodeCount());
+    ScalarField field(grid, scalars);
+    this->Scalars.Borrow(this->Device, field.values, count, "the scalars");
+    if (!field.filled.empty())
+    {
+      this->Filled.Borrow(this->Device, field.filled.data(), count, "the empty nodes");
+    }
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      this->Mended = std::move(field);
+    }
+    this->Empty.SetScalars(grid.nodes, this->Scalars.Data());
+  }
+
+  void SetTransferFunctions(const Classification& classification) override
+  {
+    this->Functions = classification;
+    const auto borrow = [this](auto& array, const auto& values)
+    { array.Borrow(this->Device, values.data(), values.size(), "the transfer functions"); };
+    borrow(this->Entries, this->Functions.Entries());
+    borrow(this->Integrals, this->Functions.IntegralsOfEntries());
+    borrow(this->Largest, this->Functions.LargestOfEntries());
+    this->Table = this->Functions.Table();
+    this->Table.values = this->Entries.Data();
+    this->Table.integrals = this->Integrals.Data();
+    this->Table.maxima = this->Largest.Data();
+  }
+
+  void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share,
+    const float* lightExtinction) override
+  {
+    const auto count = static_cast<std::size_t>(grid.NodeCount());
+    const char* what = "the extinction";
+    const BorrowedArray<AnyDevice, float> baseThere(this->Device, base, count, what);
+    BorrowedArray<AnyDevice, float> other;
+    if (base != extinction)
+    {
+      other.Borrow(this->Device, extinction, count, what);
+    }
+    this->Move(grid, baseThere.Data(), base == extinction ? baseThere.Data() : other.Data(), share,
+      lightExtinction == nullptr);
+    if (lightExtinction)
+    {
+      this->Device->Upload(this->Opaque.Data(), lightExtinction, count * sizeof(float));
+    }
+  }
+
+  void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
+    const float* lightExtinction) override
+  {
+    this->Move(grid, base, extinction, share, lightExtinction == nullptr);
+    if (lightExtinction)
+    {
+      this->Device->Copy(this->Opaque.Data(), lightExtinction,
+        static_cast<std::size_t>(grid.NodeCount()) * sizeof(float));
+    }
+  }
+
+  void UseTransferFunction(const Grid& grid) override
+  {
+    Field base = this->Classified(this->Functions.Majorant());
+    if (grid.nodes != this->Nodes.nodes)
+    {
+      Field coarse(this->Device, std::size_t(grid.NodeCount()), "a coarser extinction");
+      Resample(this->Device, this->Nodes, base.Data(), grid, coarse.Data());
+      base = std::move(coarse);
+    }
+    this->Move(grid, base.Data(), base.Data(), 1, true);
+  }
+
+  void ClearExtinction() override
+  {
+    this->CoarseOpaque = {};
+    this->Opaque = {};
+    this->Shown.Clear();
+  }
+
+  bool HasNoExtinction() const override { return this->Shown.Empty(); }
+
+  void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) override
+  {
+    const float* opaque = this->ShadowExtinction(grid);
+    Field transmittance(this->Device, std::size_t(grid.NodeCount()), "the shadows");
+    this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
+    this->Shown.SetShadow(grid.nodes, transmittance.Data());
+  }
+
+  void ClearShadows() override { this->Shown.ClearShadow(); }
+
+  void FindGradient() override
+  {
+    const Int3 nodes = this->Nodes.nodes;
+    const Index rows = Index(nodes.y) * nodes.z;
+    const char* what = "gradients";
+    const Field extinction = this->Classified(1);
+    const GradientNode gradient{ extinction.Data(), nodes, this->Nodes.direction,
+      this->Nodes.spacing };
+    Field ofNodes(this->Device, std::size_t(rows * nodes.x), what);
+    Field ofRows(this->Device, std::size_t(rows), what);
+    Field ofSlices(this->Device, std::size_t(nodes.z), what);
+    Field largest(this->Device, 1, what);
+    this->Device->ForNodes("steepness", nodes, SteepnessNode{ gradient, ofNodes.Data() });
+    const auto find = [&](const Field& values, int length, Field& ofRuns)
+    {
+      this->Device->ForIndices(
+        "steepness", Index(ofRuns.Size()), LargestOfRun{ values.Data(), length, ofRuns.Data() });
+    };
+    find(ofNodes, nodes.x, ofRows);
+    find(ofRows, nodes.y, ofSlices);
+    find(ofSlices, nodes.z, largest);
+    FourPacked* packed = this->Gradient.RoomFor(this->Device, ofNodes.Size(), what);
+    this->Device->ForNodes(
+      "gradient", nodes, PackedGradientNode{ gradient, largest.Data(), packed });
+  }
+
+  void FindEmptyBricks() override
+  {
+    const bool changed = !this->Shown.Empty() && this->Shown.Changed();
+    this->Empty.FindEmpty(
+      this->Table, changed ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
+  }
+
+  void Cast(const Casting& casting, const View& view, Picture& picture) override
+  {
+    const std::size_t count = std::size_t(view.width) * std::size_t(view.height);
+    const char* what = "a picture";
+    if (view.depth)
+    {
+      this->Depth.Borrow(this->Device, view.depth, count, what);
+    }
+    Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
+    CastRays(*this->Device, this->SceneOf(casting),
+      PictureRays{ RayMaker(this->Nodes, casting.stepLength, view), view.width, view.height,
+        view.depth ? this->Depth.Data() : nullptr,
+        { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] }, pixels });
+    this->Device->Download(picture.rgba.data(), pixels, count * sizeof(Rgba));
+  }
+
+  double LightTransmittanceAt(const Vec3& position) override
+  {
+    return this->Shown.ShadowAt(position);
+  }
+
+private:
+  using Field = DeviceArray<AnyDevice, float>;
+
+  /// Moves what is shown. `casts`: whether it casts the shadows.
+  void Move(const Grid& grid, const float* base, const float* extinction, double share, bool casts)
+  {
+    const auto count = static_cast<std::size_t>(grid.NodeCount());
+    float* opaque = this->Opaque.RoomFor(this->Device, count, "what casts the shadows");
+    this->CoarseOpaque = {};
+    this->Shown.MoveTo(
+      grid, base, extinction, this->Functions.Majorant(), share, casts ? opaque : nullptr);
+  }
+
+  /// The transfer function's extinction of all scalars in some unit [1/length].
+  Field Classified(float majorant) const
+  {
+    const Index count = this->Nodes.NodeCount();
+    Field extinction(this->Device, std::size_t(count), "the transfer function's extinction");
+    this->Device->ForIndices("classify", count,
+      ClassifiedNode{
+        this->Table, this->Scalars.Data(), this->Filled.Data(), majorant, extinction.Data() });
+    return extinction;
+  }
+
+  /// What casts the shadows, at the nodes of their grid.
+  const float* ShadowExtinction(const Grid& grid)
+  {
+    const Grid& from = this->Shown.Nodes();
+    if (grid.nodes == from.nodes)
+    {
+      return this->Opaque.Data();
+    }
+    if (this->CoarseOpaque.Empty() || grid.nodes != this->CoarseNodes)
+    {
+      this->CoarseOpaque = {};
+      this->CoarseNodes = grid.nodes;
+      Resample(this->Device, from, this->Opaque.Data(), grid,
+        this->CoarseOpaque.RoomFor(
+          this->Device, std::size_t(grid.NodeCount()), "a coarser extinction"));
+    }
+    return this->CoarseOpaque.Data();
+  }
+
+  RayScene SceneOf(const Casting& casting) const
+  {
+    RayScene scene;
+    scene.grid = CellGrid(this->Nodes.nodes);
+    scene.scalars = this->Scalars.Data();
+    scene.filled = this->Filled.Data();
+    scene.table = this->Table;
+    scene.majorant = this->Functions.Majorant();
+    scene.opaqueBelow = casting.opaqueBelow;
+    scene.stepLength = casting.stepLength;
+    scene.light = casting.light;
+    scene.gradient = casting.lit ? this->Gradient.Data() : nullptr;
+    const bool shadowed = this->Shown.Shadowed() && casting.lit;
+    if (!this->Shown.Empty() && (this->Shown.Changed() || shadowed))
+    {
+      scene.overlay = this->Shown.Packed();
+      scene.PlaceOverlay(this->Shown.Nodes().nodes, this->Nodes.nodes);
+      scene.addedUnit = this->Shown.Majorant() / scene.majorant;
+    }
+    if (casting.skipEmpty)
+    {
+      scene.bricks = this->Empty.Distances();
+    }
+    return scene;
+  }
+
+  std::shared_ptr<AnyDevice> Device;
+  Grid Nodes;         ///< of the scalars
+  ScalarField Mended; ///< what the device reads in place, if it does
+  BorrowedArray<AnyDevice, float> Scalars;
+  BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are
+
+  Classification Functions;
+  BorrowedArray<AnyDevice, FourFloats> Entries;
+  BorrowedArray<AnyDevice, FourFloats> Integrals;
+  BorrowedArray<AnyDevice, float> Largest; ///< see OpticalTable
+  OpticalTable<FourFloats> Table;
+
+  DeviceArray<AnyDevice, FourPacked> Gradient;
+  Bricks<AnyDevice> Empty;
+  ExtinctionOverlay<AnyDevice> Shown;
+  ShadowVolume<AnyDevice> Shadows;
+  Field Opaque;       ///< casts the shadows, at the nodes of the extinction
+  Field CoarseOpaque; ///< the same on a coarser grid; empty: not current, or not wanted
+  Int3 CoarseNodes{ 0 };
+
+  BorrowedArray<AnyDevice, float> Depth;
+  DeviceArray<AnyDevice, Rgba> Pixels;
+};
+}
+
+#endif

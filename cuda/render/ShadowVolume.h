@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_render_ShadowVolume_h
+#define limpid_render_ShadowVolume_h
+
+#include "backend/CompiledDevice.h"
+#include "backend/HostDevice.h"
+#include "energy/TransmittanceVolume.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace limpid
+{
+/// Finds how much light arrives at the nodes of a grid, on a device.
+template <class AnyDevice>
+class ShadowVolume
+{
+public:
+  explicit ShadowVolume(std::shared_ptr<AnyDevice> device)
+    : Device(std::move(device))
+  {
+  }
+
+  /// FillTransmittance on the device, where both fields are. Does not wait.
+  void Fill(const Grid& grid, const float* extinction, const RaySource& light, double rayDensity,
+    float* transmittance)
+  {
+    if (!this->Now || !this->Now->IsOf(grid, light, rayDensity))
+    {
+      this->Now.reset(); // first, so that there is room for the other one
+      // Of a volume that is filled everywhere, so that it lasts when the extinction changes.
+      const std::vector<float> nothing(static_cast<std::size_t>(grid.NodeCount()));
+      const Occupancy everywhere(grid, nothing.data(), nothing.data(), false);
+      this->Now.emplace(
+        Plan{ grid, light, rayDensity, { this->Device, grid, everywhere, light, rayDensity } });
+    }
+    this->Now->volume.Fill(extinction, transmittance);
+  }
+
+private:
+  /// The rays from one light through one grid, whatever the extinction.
+  struct Plan
+  {
+    Grid grid;
+    RaySource light;
+    double rayDensity;
+    TransmittanceSweep<AnyDevice> volume;
+
+    bool IsOf(const Grid& nodes, const RaySource& source, double density) const
+    {
+      return this->grid.nodes == nodes.nodes && this->grid.spacing == nodes.spacing &&
+        this->grid.origin == nodes.origin && this->grid.direction == nodes.direction &&
+        this->light.parallel == source.parallel && this->light.origin == source.origin &&
+        this->light.direction == source.direction && this->rayDensity == density;
+    }
+  };
+
+  std::shared_ptr<AnyDevice> Device;
+  std::optional<Plan> Now;
+};
+
+/// The processor has a sweep of its own.
+template <>
+class ShadowVolume<HostDevice>
+{
+public:
+  explicit ShadowVolume(const std::shared_ptr<HostDevice>&) {}
+
+  void Fill(const Grid& grid, const float* extinction, const RaySource& light, double rayDensity,
+    float* transmittance)
+  {
+    FillTransmittance(grid, extinction, light, rayDensity, transmittance);
+  }
+};
+}
+
+#endif
