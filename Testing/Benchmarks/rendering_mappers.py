@@ -4,12 +4,12 @@
 """Times vtkTransmittanceVolumeMapper against VTK's own volume mappers, and compares their pictures.
 
     bash Testing/with-display.sh /usr/bin/python3 Testing/Benchmarks/rendering_mappers.py \\
-      [--size N] [--repeats N] [--frames N] [--output FILE] NAME.scene.json ...
+      [--size N] [--repeats N] [--frames N] [--output FILE.json] NAME.scene.json ...
 
 Needs the Python package limpid on PYTHONPATH (Testing/run.sh makes it in build/vtk). All mappers
 draw the same volume with the same functions at the same sample distance, in turns, in one process.
 Every picture is of another camera, and unless said otherwise the light goes with it, so that
-nothing can be reused. Writes Markdown.
+nothing can be reused. Writes numbers as JSON, of which Testing/Benchmarks/pages makes Mappers.md.
 """
 
 import argparse
@@ -42,6 +42,9 @@ from vtkmodules.vtkRenderingVolume import (
 )
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "pages"))
+import machine  # noqa: E402 pylint: disable=wrong-import-position
 
 TURN = 0.37  # degrees between one timed picture and the next
 LEARNING = 5  # frames after which a mapper knows what a frame may cost
@@ -186,17 +189,6 @@ def piecewise(points):
     return function
 
 
-def table(headings, rows):
-    lines = ["| " + " | ".join(headings) + " |"]
-    lines.append("| --- |" + " ---: |" * (len(headings) - 1))
-    lines += ["| " + " | ".join(row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
-
-
-def milliseconds(values):
-    return f"{1000 * statistics.median(values):.0f}"
-
-
 def spread(values):
     return (max(values) - min(values)) / statistics.median(values)
 
@@ -207,16 +199,17 @@ def differences(scene):
     others = (scene.fixed_point(), scene.gpu())
     for other in others:
         scene.draw(other)  # the first picture is coarser
-    row = [scene.name]
+    found = []
     for azimuth, elevation in CAMERAS:
         scene.look(azimuth, elevation)
         ours = scene.picture(mapper)
-        for other in others:
+        for name, other in zip(("fixed point", "GPU"), others):
             theirs = scene.picture(other)
             covered = (ours.max(axis=1) > 0) | (theirs.max(axis=1) > 0)
             difference = np.abs(ours - theirs) * 255
-            row.append(f"{difference.mean():.2f} ({difference[covered].mean():.2f})")
-    return row
+            found.append({"mapper": name, "azimuth": azimuth, "elevation": elevation,
+                          "all": difference.mean(), "covered": difference[covered].mean()})
+    return found
 
 
 def still_times(scene, repeats):
@@ -259,85 +252,34 @@ def moving_times(scene, frames, optimization, still_before):
     return times
 
 
-def machine():
-    model = "unknown"
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        for line in file:
-            if line.startswith("model name"):
-                model = line.split(": ", 1)[1].strip()
-                break
-    return (
-        f"* processor: {model}, {os.cpu_count()} cores visible, "
-        f"{vtkMultiThreader.GetGlobalDefaultNumberOfThreads()} threads of VTK's mapper\n"
-        f"* VTK {vtkVersion.GetVTKVersion()}\n"
-        f"* date: {time.strftime('%Y-%m-%d')}\n"
-        f"* load average before the start: {os.getloadavg()[0]:.2f}\n"
-    )
+def summary(times):
+    """Of pairs of seconds and those of all cores."""
+    seconds, cores = zip(*times)
+    return {"median": statistics.median(seconds), "shortest": min(seconds),
+            "longest": max(seconds), "spread": spread(seconds), "cores": statistics.median(cores)}
 
 
-def shown_command():
-    return "python3 " + " ".join(
-        os.path.basename(word) if word.startswith("/") else word for word in sys.argv
-    )
-
-
-def still_rows(times):
-    reference = [statistics.median(values) for values in zip(*times[FIXED_POINT_SHADED])]
-    rows = []
-    for name, pairs in times.items():
-        seconds, cores = zip(*pairs)
-        rows.append([name, milliseconds(seconds), f"{1000 * min(seconds):.0f}",
-                     f"{1000 * max(seconds):.0f}", milliseconds(cores),
-                     f"{statistics.median(seconds) / reference[0]:.2f}",
-                     f"{statistics.median(cores) / reference[1]:.2f}"])
-    return rows
-
-
-def moving_rows(scene, frames):
-    rows = []
+def moving_summaries(scene, frames):
+    found = {}
     for name, optimization, still_before in (
             ("optimised", vtkTransmittanceVolumeMapper.CONTINUOUS, True),
             ("optimised, no still picture before", vtkTransmittanceVolumeMapper.CONTINUOUS, False),
             ("not optimised", vtkTransmittanceVolumeMapper.OFF, True)):
         times = moving_times(scene, frames, optimization, still_before)
-        rows.append([name, f"{1000 * times[0]:.0f}", f"{1000 * max(times[1:LEARNING]):.0f}",
-                     milliseconds(times[LEARNING:]), f"{1000 * max(times[LEARNING:]):.0f}"])
-    return rows
+        after = times[LEARNING:]
+        found[name] = {"first": times[0], "learning": max(times[1:LEARNING]),
+                       "median": statistics.median(after), "longest": max(after)}
+    return found
 
 
 def measure(path, arguments):
-    """Name, tables and how far times of the same kind lay apart of one scene."""
     scene = Scene(path, arguments.size)
     print(scene.name, file=sys.stderr, flush=True)
     compared = differences(scene)
     times = still_times(scene, arguments.repeats)
-    moving = moving_rows(scene, arguments.frames)
-    apart = max(spread([seconds for seconds, _ in pairs]) for pairs in times.values())
-    return scene.name, compared, still_rows(times), moving, apart
-
-
-def write(stream, machine_text, arguments, results):
-    stream.write("# Mappers\n\nWhat the tables mean is in [README.md](README.md).\n\n")
-    stream.write(f"    {shown_command()}\n\n{machine_text}\n")
-    noise = max(result[-1] for result in results)
-    if noise > 0.2:
-        stream.write(
-            f"**Times of the same picture lay up to {100 * noise:.0f} % apart: the machine was "
-            "busy, and the times are preliminary.**\n\n"
-        )
-    size = arguments.size
-    for name, _, still, moving, _ in results:
-        stream.write(f"## {name}, {size} x {size}\n\n")
-        stream.write(table(["still pictures [ms]", "median", "shortest", "longest",
-                            "all cores", "of fixed point, shaded", "all cores"], still) + "\n")
-        stream.write(table(["moving, lit, shadows [ms]", "first frame", "longest of the next "
-                            f"{LEARNING - 1}", "median after", "longest after"], moving) + "\n")
-    stream.write("## Mean absolute difference of unlit pictures, of all (of covered) pixels "
-                 "[1/255]\n\n")
-    headings = ["scene"]
-    for azimuth, elevation in CAMERAS:
-        headings += [f"fixed point, {azimuth}°, {elevation}°", "GPU"]
-    stream.write(table(headings, [result[1] for result in results]))
+    return {"scene": scene.name, "differences": compared,
+            "still": {name: summary(pairs) for name, pairs in times.items()},
+            "moving": moving_summaries(scene, arguments.frames)}
 
 
 def main():
@@ -348,13 +290,12 @@ def main():
     parser.add_argument("--output", help="file to write; default: standard output")
     parser.add_argument("scenes", nargs="+", help="NAME.scene.json")
     arguments = parser.parse_args()
-    before = machine()
-    results = [measure(path, arguments) for path in arguments.scenes]
-    if arguments.output:
-        with open(arguments.output, "w", encoding="utf-8") as file:
-            write(file, before, arguments, results)
-    else:
-        write(sys.stdout, before, arguments, results)
+    threads = vtkMultiThreader.GetGlobalDefaultNumberOfThreads()
+    facts = {**machine.facts(), "facts": [f"{threads} threads of VTK's mapper",
+                                          f"VTK {vtkVersion.GetVTKVersion()}"]}
+    machine.save({"machine": facts, "size": arguments.size, "learning": LEARNING,
+                  "scenes": [measure(path, arguments) for path in arguments.scenes]},
+                 arguments.output)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "MeasurePictures.h"
-
-#include "Repeat.h"
+#include "Measure.h"
 #include "Viewing.h"
 
 #include "render/RendererOnDevice.h"
+
+#include <algorithm>
 
 namespace limpid::benchmark
 {
@@ -31,7 +31,7 @@ TransferFunctions FunctionsOf(float largest)
 }
 
 /// From the scene's camera, turned about the scene by an angle [radians].
-View ViewOf(const GpuScene& scene, int side, double angle)
+View ViewOf(const SceneForSolver& scene, int side, double angle)
 {
   const Vec3 centre = scene.grid.Centre();
   const Vec3 away = scene.camera.position - centre;
@@ -46,7 +46,7 @@ View ViewOf(const GpuScene& scene, int side, double angle)
   return view;
 }
 
-Lighting LightingOf(const GpuScene& scene)
+Lighting LightingOf(const SceneForSolver& scene)
 {
   Lighting lighting;
   lighting.enabled = true;
@@ -55,12 +55,13 @@ Lighting LightingOf(const GpuScene& scene)
 }
 }
 
-void MeasurePictures(const std::shared_ptr<Device>& device, const GpuScene& scene,
-  const std::vector<float>& extinction, const Effort& effort, SceneResult& result)
+void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver& scene,
+  const std::vector<float>& extinction, const Effort& effort, Json& result)
 {
   Renderer renderer(PicturesOn(device));
   renderer.SetScalars(scene.grid, scene.extinction.data());
-  renderer.SetTransferFunctions(FunctionsOf(scene.largest));
+  renderer.SetTransferFunctions(
+    FunctionsOf(*std::max_element(scene.extinction.begin(), scene.extinction.end())));
   renderer.SetLighting(LightingOf(scene));
   const DeviceArray<Device, float> base(device, scene.extinction, "the base extinction");
   const DeviceArray<Device, float> found(device, extinction, "the extinction");
@@ -71,12 +72,12 @@ void MeasurePictures(const std::shared_ptr<Device>& device, const GpuScene& scen
     renderer.Render(ViewOf(scene, effort.pictureSide, 0.002 * ++frame), picture);
     device->Wait();
   };
-  result.picture = Repeat(effort, 2,
+  result["picture"] = Repeat(effort, 2,
     [&]
     {
       renderer.ShowThere(scene.grid, base.Data(), found.Data());
       draw();
     });
-  result.pictureAtRest = Repeat(effort, 2, draw);
+  result["picture_at_rest"] = Repeat(effort, 2, draw);
 }
 }

@@ -50,18 +50,14 @@ void AddDerivative(Traffic& bytes, const Sizes& size, double rays)
 }
 }
 
-Traffic PolicyTraffic(const Problem& problem, Runner runner)
+Traffic PolicyTraffic(const Problem& problem)
 {
   const Sizes size = SizesOf(problem);
-  const bool onDevice = runner == Runner::Device;
   Traffic bytes;
   // Base, importance twice, last, derivative of the light; next is written and read.
   bytes["policy sweep"] = 7 * size.filled;
-  AddDerivative(bytes, size, onDevice ? size.light : 0.0);
-  if (onDevice)
-  {
-    AddSums(bytes, size);
-  }
+  AddDerivative(bytes, size, size.light);
+  AddSums(bytes, size);
   return bytes;
 }
 

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Grids.h"
-
-#include "../Timing.h"
+#include "Errors.h"
 #include "PeakMemory.h"
 
 #include "backend/Backend.h"
@@ -14,7 +12,6 @@
 #include "reference/TransmittanceRay.h"
 #include "reference/VisibleImportanceRay.h"
 
-#include <array>
 #include <cmath>
 
 namespace limpid::benchmark
@@ -29,10 +26,10 @@ using reference::PerspectiveMap;
 class EyeGrids
 {
 public:
-  EyeGrids(const Scene& scene, const Vec3& eye, double samplesPerVoxel)
+  EyeGrids(const SceneForSolver& scene, const Vec3& eye, double samplesPerVoxel)
     : Scenery(scene)
     , Map(reference::LookAtBox<float>(scene.grid, eye, samplesPerVoxel))
-    , Normalized(scene.file.extinction.size())
+    , Normalized(scene.extinction.size())
     , Transmittance(std::size_t(this->Map.CellCount()))
   {
   }
@@ -90,7 +87,7 @@ public:
     reference::GradientVoxel<float> body;
     body.nodes = this->Scenery.grid.nodes;
     body.extinction = body.baseExtinction = this->Normalized.data();
-    body.importance = this->Scenery.file.importance.data();
+    body.importance = this->Scenery.importance.data();
     body.view = { 1.0f, this->Map, this->Seen(), { behind.data(), this->Map.cells } };
     body.gradient = gradient.data();
     reference::Launch(this->Scenery.grid.NodeCount(), body);
@@ -108,23 +105,23 @@ private:
   }
   FieldView<float> Importance() const
   {
-    return { this->Scenery.file.importance.data(), this->Scenery.grid.nodes };
+    return { this->Scenery.importance.data(), this->Scenery.grid.nodes };
   }
   GridView<const float> Seen() const { return { this->Transmittance.data(), this->Map.cells }; }
 
-  const Scene& Scenery;
+  const SceneForSolver& Scenery;
   PerspectiveMap<float> Map;
   std::vector<float> Normalized;
   std::vector<float> Transmittance;
 };
 
-void MeasureErrors(const Truth& truth, GridResult& result)
+void AddErrorsOf(const Truth& truth, double samplesPerVoxel, Json& result)
 {
-  const Scene& scene = truth.Source();
+  const SceneOfFile& scene = truth.Source();
   SampledTransmittance view;
   SampledTransmittance light;
   {
-    EyeGrids camera(scene, scene.camera.position, result.samplesPerVoxel);
+    EyeGrids camera(scene, scene.camera.position, samplesPerVoxel);
     double scores[2] = { 0, 0 };
     for (const int which : { 1, 0 })
     {
@@ -132,49 +129,43 @@ void MeasureErrors(const Truth& truth, GridResult& result)
       scores[which] = camera.Score();
       view[std::size_t(which)] = camera.TransmittanceAt(truth.Voxels());
     }
-    result.score = truth.ErrorsOf(scores[0], scores[1]);
-    const std::vector<float> gradient = camera.Gradient();
-    std::array<double, directionCount> slopes{};
-    for (int which = 0; which < directionCount; ++which)
-    {
-      slopes[std::size_t(which)] = AlongDirection(scene, gradient, Direction(scene, which));
-    }
-    result.slope = truth.ErrorOf(slopes);
+    truth.AddErrors(result, scores[0], scores[1]);
+    result["error_slope"] = truth.SlopeError(camera.Gradient());
   }
-  EyeGrids lamp(scene, scene.light.position, result.samplesPerVoxel);
+  EyeGrids lamp(scene, scene.light.position, samplesPerVoxel);
   for (int which = 0; which < 2; ++which)
   {
     lamp.Transmit(truth.Extinction(which));
     light[std::size_t(which)] = lamp.TransmittanceAt(truth.Voxels());
   }
-  result.transmittance = truth.ErrorsOf(view, light);
+  truth.AddErrors(result, view, light);
 }
 
 /// Adam iterations; the constructor's update of the grids warms up.
-void TimeSteps(const Scene& scene, GridResult& result)
+void TimeSteps(const SceneOfFile& scene, double samplesPerVoxel, Json& result)
 {
   const PeakMemory memory;
   reference::PaperSettings settings;
-  settings.samplesPerVoxel = result.samplesPerVoxel;
+  settings.samplesPerVoxel = samplesPerVoxel;
   reference::PaperScheme<float> paper(
     scene.Fields(), scene.camera.position, scene.light.position, settings);
   std::vector<double> times;
   const int timesAtMost = 5;
   const double secondsAtMost = 5; // for more than one
   double spent = 0;
-  while (result.timed < timesAtMost && (result.timed == 0 || spent < secondsAtMost))
+  while (int(times.size()) < timesAtMost && (times.empty() || spent < secondsAtMost))
   {
     Stopwatch watch;
     paper.Step();
     times.push_back(watch.Lap());
     spent += times.back();
-    ++result.timed;
   }
-  result.seconds = Median(times);
-  result.bytes = memory.Bytes();
+  result["seconds"] = Median(times);
+  result["timed"] = times.size();
+  result["bytes"] = memory.Bytes();
 }
 
-double CellsOf(const Scene& scene, double samplesPerVoxel)
+double CellsOf(const SceneOfFile& scene, double samplesPerVoxel)
 {
   double cells = 0;
   for (const Vec3& eye : { scene.camera.position, scene.light.position })
@@ -185,29 +176,27 @@ double CellsOf(const Scene& scene, double samplesPerVoxel)
 }
 }
 
-std::vector<GridResult> MeasureGrids(
-  const Truth& truth, const Effort& effort, const Options& options)
+Json MeasureGrids(const Truth& truth, const Effort& effort, const Options& options)
 {
-  const Scene& scene = truth.Source();
+  const SceneOfFile& scene = truth.Source();
   const double bytesPerCell = 8; // transmittance and visible importance
-  std::vector<GridResult> results;
+  Json results = Json::array();
   double spent = 0;
   double secondsPerCell = 0;
   for (const double samplesPerVoxel : effort.gridSamples)
   {
-    GridResult result;
-    result.samplesPerVoxel = samplesPerVoxel;
-    result.cells = CellsOf(scene, samplesPerVoxel);
-    const bool fits = result.cells * bytesPerCell < options.gridGigabytes * 1e9;
-    if (!fits || spent + secondsPerCell * result.cells > effort.gridSeconds)
+    const double cells = CellsOf(scene, samplesPerVoxel);
+    const bool fits = cells * bytesPerCell < options.Number("grid-gigabytes") * 1e9;
+    if (!fits || spent + secondsPerCell * cells > effort.gridSeconds)
     {
       break;
     }
+    Json result{ { "samples_per_voxel", samplesPerVoxel }, { "cells", cells } };
     Stopwatch watch;
-    MeasureErrors(truth, result);
-    TimeSteps(scene, result);
+    AddErrorsOf(truth, samplesPerVoxel, result);
+    TimeSteps(scene, samplesPerVoxel, result);
     const double seconds = watch.Lap();
-    secondsPerCell = seconds / result.cells;
+    secondsPerCell = seconds / cells;
     spent += seconds;
     results.push_back(result);
   }

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Quadrature.h"
-
-#include "../Timing.h"
+#include "Errors.h"
 #include "QuadratureRay.h"
 
 #include "reference/Launch.h"
@@ -12,16 +10,15 @@ namespace limpid::benchmark
 {
 namespace
 {
-std::vector<FaceFrustum> PlanOf(const Scene& scene, double rayDensity)
+std::vector<FaceFrustum> PlanOf(const SceneOfFile& scene, double rayDensity)
 {
-  const Occupancy everything(
-    scene.grid, scene.file.extinction.data(), scene.file.importance.data(), false);
+  const Occupancy everything(scene.grid, scene.extinction.data(), scene.importance.data(), false);
   return PlanSweep(
     scene.grid, everything, SourceOfCamera(scene.camera, scene.grid, false), rayDensity);
 }
 
 template <class Rule>
-double ScoreOf(const Scene& scene, const std::vector<FaceFrustum>& frusta,
+double ScoreOf(const SceneOfFile& scene, const std::vector<FaceFrustum>& frusta,
   const std::vector<float>& extinction, int steps)
 {
   double score = 0;
@@ -31,7 +28,7 @@ double ScoreOf(const Scene& scene, const std::vector<FaceFrustum>& frusta,
     QuadratureRay<Rule> body;
     body.frustum = &frustum;
     body.extinction = { extinction.data(), scene.grid.nodes };
-    body.importance = { scene.file.importance.data(), scene.grid.nodes };
+    body.importance = { scene.importance.data(), scene.grid.nodes };
     body.steps = steps;
     body.visible = visible.data();
     reference::Launch(frustum.RayCount(), body);
@@ -51,26 +48,27 @@ double ScoreOf(const Scene& scene, const std::vector<FaceFrustum>& frusta,
 }
 
 template <class Rule>
-QuadratureResult Measure(
+Json Measure(
   const Truth& truth, const std::vector<FaceFrustum>& frusta, const char* name, int steps)
 {
-  const Scene& scene = truth.Source();
   double scores[2] = { 0, 0 };
   std::vector<double> times;
   for (int which = 0; which < 2; ++which)
   {
     Stopwatch watch;
-    scores[which] = ScoreOf<Rule>(scene, frusta, truth.Extinction(which), steps);
+    scores[which] = ScoreOf<Rule>(truth.Source(), frusta, truth.Extinction(which), steps);
     times.push_back(watch.Lap());
   }
-  return { name, steps, truth.ErrorsOf(scores[0], scores[1]), Median(times) };
+  Json result{ { "rule", name }, { "steps", steps }, { "seconds", Median(times) } };
+  truth.AddErrors(result, scores[0], scores[1]);
+  return result;
 }
 }
 
-std::vector<QuadratureResult> MeasureQuadratures(const Truth& truth, const Effort& effort)
+Json MeasureQuadratures(const Truth& truth, const Effort& effort)
 {
   const std::vector<FaceFrustum> frusta = PlanOf(truth.Source(), effort.quadratureRays);
-  std::vector<QuadratureResult> results;
+  Json results;
   for (const int steps : effort.quadratureSteps)
   {
     results.push_back(Measure<LeftRiemann>(truth, frusta, "left Riemann", steps));

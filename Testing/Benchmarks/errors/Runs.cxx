@@ -3,16 +3,15 @@
 
 #include "Runs.h"
 
-#include "../Markdown.h"
-#include "../Timing.h"
+#include "Errors.h"
 #include "PeakMemory.h"
-#include "Truth.h"
 
 #include "backend/Backend.h"
 #include "optimize/Levels.h"
 
-#include <algorithm>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 
 namespace limpid::benchmark
 {
@@ -37,7 +36,9 @@ WholeRun Planned(const std::string& name, const std::string& group, const Settin
 
 std::string Rays(double rayDensity)
 {
-  return "ρ = " + Significant(rayDensity, rayDensity < 1 ? 2 : 1);
+  std::ostringstream text;
+  text << "ρ = " << std::fixed << std::setprecision(rayDensity < 1 ? 2 : 0) << rayDensity;
+  return text.str();
 }
 
 void PlanPolicies(const Options& options, std::vector<WholeRun>& runs)
@@ -58,7 +59,7 @@ void PlanPolicies(const Options& options, std::vector<WholeRun>& runs)
     const bool middle = rayDensity == 0.5 || rayDensity == 2.0;
     for (const int iterations : { 1, 4 })
     {
-      if (middle && !options.quick)
+      if (middle && !options.Flag("quick"))
       {
         settings.maximumIterations = iterations;
         runs.push_back(Planned(
@@ -108,25 +109,16 @@ void PlanAdams(const Options& options, std::vector<WholeRun>& runs)
   add("levels 32, 32, 16", 1, { { 32, 32, 16 } });
   add("full resolution, 64", 1, { { 0, 0, 64 } });
   add(Rays(0.5), 0.5, { { 32, 32, 64 } });
-  if (!options.quick)
+  if (!options.Flag("quick"))
   {
     add("levels 16, 16, 16", 1, { { 16, 16, 16 } });
     add("levels 8, 8, 8", 1, { { 8, 8, 8 } });
   }
 }
 
-std::vector<WholeRun> PlannedRuns(const Options& options)
+Json Follow(Solver& solver, const Stopwatch& start)
 {
-  std::vector<WholeRun> runs;
-  PlanPolicies(options, runs);
-  PlanTimes(runs);
-  PlanAdams(options, runs);
-  return runs;
-}
-
-std::vector<HistoryPoint> Follow(Solver& solver, const Stopwatch& start)
-{
-  std::vector<HistoryPoint> history;
+  Json history = Json::array();
   const auto note = [&]()
   {
     const IterationRecord& record = solver.History().back();
@@ -149,10 +141,10 @@ struct CoarseScene
   std::vector<float> extinction;
   std::vector<float> importance;
 
-  CoarseScene(const Scene& scene, int coarsening)
+  CoarseScene(const SceneForSolver& scene, int coarsening)
     : grid(CoarseGrid(scene.grid, coarsening))
-    , extinction(Restrict(scene.grid, scene.file.extinction.data(), this->grid))
-    , importance(Restrict(scene.grid, scene.file.importance.data(), this->grid))
+    , extinction(Restrict(scene.grid, scene.extinction.data(), this->grid))
+    , importance(Restrict(scene.grid, scene.importance.data(), this->grid))
   {
     for (float& value : this->importance)
     {
@@ -161,21 +153,22 @@ struct CoarseScene
   }
 };
 
-/// Once, for memory and worth. Returns the time if it counts, otherwise 0.
-double FirstRun(const Truth& truth, const Effort& effort, const WholeRun& standard, WholeRun& run)
+Json Describe(const WholeRun& run)
 {
-  const PeakMemory memory;
-  const std::vector<float> extinction = Execute(truth.Source(), run);
-  run.bytes = memory.Bytes();
-  const bool same =
-    extinction == truth.Extinction(1) && !standard.history.empty() && &standard != &run;
-  run.worth = same ? standard.worth
-                   : WorthOf(truth.Source(), extinction, run.settings.weights, effort.worthRays);
-  return run.seconds > effort.warmLimit ? run.seconds : 0;
+  const Settings& settings = run.settings;
+  const bool plotted = run.group == "default" || run.group == "solver";
+  return { { "name", run.name }, { "group", run.group },
+    { "solver", settings.solver == SolverKind::Policy ? "policy" : "Adam" },
+    { "ray_density", settings.rayDensity }, { "maximum_iterations", settings.maximumIterations },
+    { "iterations_per_level", settings.iterationsPerLevel },
+    { "derivative", settings.derivative == Derivative::Volume ? "Volume" : "Ray" },
+    { "skip", settings.skipUnneeded }, { "threads", run.threads }, { "coarsening", run.coarsening },
+    { "iterations", run.iterations },
+    { "history_iteration_level_seconds_S_F", plotted ? run.history : Json::array() } };
 }
 }
 
-std::vector<float> Execute(const Scene& scene, WholeRun& run)
+std::vector<float> Execute(const SceneForSolver& scene, WholeRun& run)
 {
   const ThreadLimit limit(run.threads);
   std::vector<float> extinction;
@@ -201,22 +194,29 @@ std::vector<float> Execute(const Scene& scene, WholeRun& run)
   return extinction;
 }
 
-std::vector<float> DefaultResult(const Scene& scene)
+Json MeasureRuns(const Truth& truth, const Effort& effort, const Options& options)
 {
-  WholeRun run = Planned("default", "default", CpuSettings());
-  return Execute(scene, run);
-}
-
-std::vector<WholeRun> MeasureRuns(const Truth& truth, const Options& options, const Effort& effort)
-{
-  std::vector<WholeRun> runs = PlannedRuns(options);
+  std::vector<WholeRun> runs;
+  PlanPolicies(options, runs);
+  PlanTimes(runs);
+  PlanAdams(options, runs);
   std::vector<std::vector<double>> times(runs.size());
-  for (std::size_t n = 0; n < runs.size(); ++n)
+  Json results;
+  for (std::size_t n = 0; n < runs.size(); ++n) // once, for memory and worth
   {
-    const double seconds = FirstRun(truth, effort, runs.front(), runs[n]);
-    if (seconds > 0)
+    const PeakMemory memory;
+    const std::vector<float> extinction = Execute(truth.Source(), runs[n]);
+    results.push_back(Describe(runs[n]));
+    results[n]["bytes"] = memory.Bytes();
+    const bool same = n > 0 && extinction == truth.Extinction(1);
+    const Json worth = same
+      ? Json{ { "S", results[0]["S"] }, { "S_light", results[0]["S_light"] },
+          { "F", results[0]["F"] } }
+      : WorthOf(truth.Source(), extinction, runs[n].settings.weights, effort.worthRays);
+    results[n].update(worth);
+    if (runs[n].seconds > effort.warmLimit)
     {
-      times[n].push_back(seconds);
+      times[n].push_back(runs[n].seconds);
     }
   }
   for (int turn = 0; turn < effort.repeats; ++turn)
@@ -233,10 +233,8 @@ std::vector<WholeRun> MeasureRuns(const Truth& truth, const Options& options, co
   }
   for (std::size_t n = 0; n < runs.size(); ++n)
   {
-    runs[n].seconds = Median(times[n]);
-    runs[n].spread = Spread(times[n]);
-    runs[n].repeats = static_cast<int>(times[n].size());
+    results[n].update(FigureOf(times[n]));
   }
-  return runs;
+  return results;
 }
 }

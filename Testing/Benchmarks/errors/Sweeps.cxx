@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Sweeps.h"
-
-#include "../Timing.h"
+#include "Errors.h"
 
 #include "backend/Backend.h"
 #include "energy/NodeImportance.h"
@@ -19,19 +17,19 @@ namespace
 /// A scene as the sweeps take it.
 struct Swept
 {
-  explicit Swept(const Scene& scene)
+  explicit Swept(const SceneOfFile& scene)
     : source(scene)
-    , nodeImportance(NodeImportanceOfFilled(
-        scene.grid, scene.file.extinction.data(), scene.file.importance.data()))
-    , needed(scene.grid, scene.file.extinction.data(), this->nodeImportance.data(), true)
-    , everything(scene.grid, scene.file.extinction.data(), this->nodeImportance.data(), false)
+    , nodeImportance(
+        NodeImportanceOfFilled(scene.grid, scene.extinction.data(), scene.importance.data()))
+    , needed(scene.grid, scene.extinction.data(), this->nodeImportance.data(), true)
+    , everything(scene.grid, scene.extinction.data(), this->nodeImportance.data(), false)
     , camera(SourceOfCamera(scene.camera, scene.grid, false))
     , light(SourceOfLight(scene.light, scene.grid))
-    , gradient(scene.file.extinction.size())
+    , gradient(scene.extinction.size())
   {
   }
 
-  const Scene& source;
+  const SceneOfFile& source;
   std::vector<float> nodeImportance;
   Occupancy needed;
   Occupancy everything;
@@ -55,41 +53,33 @@ SampledTransmittance TransmittanceOf(
     std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
     term.AddGradient(
       { extinction, none.data(), ones.data() }, Derivative::Volume, -1.0f, swept.gradient.data());
-    for (const std::size_t voxel : truth.Voxels())
-    {
-      sampled[std::size_t(which)].push_back(swept.gradient[voxel]);
-    }
+    sampled[std::size_t(which)] = truth.AtVoxels(swept.gradient);
   }
   return sampled;
 }
 
 double SlopeError(Swept& swept, const Truth& truth, VisibilityTerm& camera, Derivative derivative)
 {
-  const Scene& scene = swept.source;
-  const TermFields fields{ scene.file.extinction.data(), scene.file.importance.data(),
+  const SceneOfFile& scene = swept.source;
+  const TermFields fields{ scene.extinction.data(), scene.importance.data(),
     swept.nodeImportance.data() };
   std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
   camera.AddGradient(fields, derivative, -1.0f, swept.gradient.data()); // F_q is -q S
-  std::array<double, directionCount> slopes{};
-  for (int which = 0; which < directionCount; ++which)
-  {
-    slopes[std::size_t(which)] = AlongDirection(scene, swept.gradient, Direction(scene, which));
-  }
-  return truth.ErrorOf(slopes);
+  return truth.SlopeError(swept.gradient);
 }
 
-SweepAccuracy AccuracyAt(Swept& swept, const Truth& truth, double rayDensity)
+Json AccuracyAt(Swept& swept, const Truth& truth, double rayDensity)
 {
-  const Scene& scene = swept.source;
+  const SceneOfFile& scene = swept.source;
   VisibilityTerm camera(scene.grid, swept.needed, swept.camera, rayDensity);
   const auto score = [&](int which)
-  { return camera.Forward(truth.Extinction(which).data(), scene.file.importance.data()).visible; };
-  SweepAccuracy accuracy;
-  accuracy.rayDensity = rayDensity;
-  accuracy.score = truth.ErrorsOf(score(0), score(1));
-  accuracy.slope = SlopeError(swept, truth, camera, Derivative::Volume);
-  accuracy.raySlope = SlopeError(swept, truth, camera, Derivative::Ray);
-  accuracy.transmittance = truth.ErrorsOf(TransmittanceOf(swept, truth, swept.camera, rayDensity),
+  { return camera.Forward(truth.Extinction(which).data(), scene.importance.data()).visible; };
+  Json accuracy{ { "ray_density", rayDensity } };
+  const double base = score(0);
+  truth.AddErrors(accuracy, base, score(1));
+  accuracy["error_slope"] = SlopeError(swept, truth, camera, Derivative::Volume);
+  accuracy["error_slope_ray"] = SlopeError(swept, truth, camera, Derivative::Ray);
+  truth.AddErrors(accuracy, TransmittanceOf(swept, truth, swept.camera, rayDensity),
     TransmittanceOf(swept, truth, swept.light, rayDensity));
   return accuracy;
 }
@@ -98,17 +88,22 @@ SweepAccuracy AccuracyAt(Swept& swept, const Truth& truth, double rayDensity)
 class TimedSolver
 {
 public:
-  TimedSolver(const Scene& scene, const IterationTime& what)
-    : What(what)
+  TimedSolver(const SceneOfFile& scene, const Settings& settings, int threads)
+    : Wanted(settings)
+    , Threads(threads)
     , Scenery(scene)
   {
+    this->Wanted.backend = BackendKind::Cpu;
+    this->Wanted.tolerance = 0;
+    this->Wanted.iterationsPerLevel = { { 0, 0, 1000 } };
   }
 
-  const IterationTime& Result()
+  Json Result() const
   {
-    this->What.seconds = Median(this->Times);
-    this->What.timed = static_cast<int>(this->Times.size());
-    return this->What;
+    return { { "solver", this->Wanted.solver == SolverKind::Policy ? "policy" : "Adam" },
+      { "ray_density", this->Wanted.rayDensity }, { "skip", this->Wanted.skipUnneeded },
+      { "threads", this->Threads }, { "seconds", Median(this->Times) },
+      { "timed", this->Times.size() } };
   }
 
   /// One more timed iteration, unless enough time is spent.
@@ -118,10 +113,10 @@ public:
     {
       return;
     }
-    const ThreadLimit limit(this->What.threads);
+    const ThreadLimit limit(this->Threads);
     if (!this->Running || this->Running->Done())
     {
-      this->Running = std::make_unique<Solver>(this->Scenery.MakeSolver(this->Wanted()));
+      this->Running = std::make_unique<Solver>(this->Scenery.MakeSolver(this->Wanted));
       this->Running->Step(1); // knows no light, and warms up
     }
     Stopwatch watch;
@@ -133,30 +128,19 @@ public:
   void Stop() { this->Running.reset(); }
 
 private:
-  Settings Wanted() const
-  {
-    Settings settings;
-    settings.backend = BackendKind::Cpu;
-    settings.solver = this->What.solver;
-    settings.rayDensity = this->What.rayDensity;
-    settings.skipUnneeded = this->What.skip;
-    settings.tolerance = 0;
-    settings.iterationsPerLevel = { { 0, 0, 1000 } };
-    return settings;
-  }
-
-  IterationTime What;
-  const Scene& Scenery;
+  Settings Wanted;
+  int Threads;
+  const SceneOfFile& Scenery;
   std::unique_ptr<Solver> Running;
   std::vector<double> Times;
   double Spent = 0;
 };
 }
 
-std::vector<SweepAccuracy> MeasureSweeps(const Truth& truth, const Effort& effort)
+Json MeasureSweeps(const Truth& truth, const Effort& effort)
 {
   Swept swept(truth.Source());
-  std::vector<SweepAccuracy> results;
+  Json results;
   for (const double rayDensity : effort.rayDensities)
   {
     results.push_back(AccuracyAt(swept, truth, rayDensity));
@@ -164,13 +148,13 @@ std::vector<SweepAccuracy> MeasureSweeps(const Truth& truth, const Effort& effor
   return results;
 }
 
-std::vector<ShadowAccuracy> MeasureShadows(const Truth& truth, const Effort& effort)
+Json MeasureShadows(const Truth& truth, const Effort& effort)
 {
-  const Scene& scene = truth.Source();
+  const SceneOfFile& scene = truth.Source();
   const RaySource eyes[2] = { SourceOfCamera(scene.camera, scene.grid, false),
     SourceOfLight(scene.light, scene.grid) };
-  std::vector<float> transmittance(scene.file.extinction.size());
-  std::vector<ShadowAccuracy> results;
+  std::vector<float> transmittance(scene.extinction.size());
+  Json results;
   for (const double rayDensity : effort.rayDensities)
   {
     SampledTransmittance sampled[2];
@@ -183,30 +167,34 @@ std::vector<ShadowAccuracy> MeasureShadows(const Truth& truth, const Effort& eff
         FillTransmittance(
           scene.grid, truth.Extinction(which).data(), eyes[eye], rayDensity, transmittance.data());
         times.push_back(watch.Lap());
-        for (const std::size_t voxel : truth.Voxels())
-        {
-          sampled[eye][std::size_t(which)].push_back(transmittance[voxel]);
-        }
+        sampled[eye][std::size_t(which)] = truth.AtVoxels(transmittance);
       }
     }
-    const TransmittanceErrors errors = truth.ErrorsOf(sampled[0], sampled[1]);
-    results.push_back({ rayDensity, errors, Median(times) });
+    Json result{ { "ray_density", rayDensity }, { "seconds", Median(times) } };
+    truth.AddErrors(result, sampled[0], sampled[1]);
+    results.push_back(result);
   }
   return results;
 }
 
-std::vector<IterationTime> TimeIterations(const Scene& scene, const Effort& effort)
+Json TimeIterations(const SceneOfFile& scene, const Effort& effort)
 {
   std::vector<TimedSolver> solvers;
   const int all = ThreadCount();
   for (const SolverKind kind : { SolverKind::Policy, SolverKind::Adam })
   {
+    Settings settings;
+    settings.solver = kind;
     for (const double rayDensity : effort.rayDensities)
     {
-      solvers.emplace_back(scene, IterationTime{ kind, rayDensity, true, all, 0, 0 });
+      settings.rayDensity = rayDensity;
+      solvers.emplace_back(scene, settings, all);
     }
-    solvers.emplace_back(scene, IterationTime{ kind, 1, false, all, 0, 0 });
-    solvers.emplace_back(scene, IterationTime{ kind, 1, true, 1, 0, 0 });
+    settings.rayDensity = 1;
+    settings.skipUnneeded = false;
+    solvers.emplace_back(scene, settings, all);
+    settings.skipUnneeded = true;
+    solvers.emplace_back(scene, settings, 1);
   }
   const int timesPerTurn = 3; // of one solver, while its data is in the caches
   for (int turn = 0; turn < effort.repeats; ++turn)
@@ -220,8 +208,8 @@ std::vector<IterationTime> TimeIterations(const Scene& scene, const Effort& effo
       solver.Stop();
     }
   }
-  std::vector<IterationTime> results;
-  for (TimedSolver& solver : solvers)
+  Json results;
+  for (const TimedSolver& solver : solvers)
   {
     results.push_back(solver.Result());
   }

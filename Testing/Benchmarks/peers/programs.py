@@ -71,10 +71,10 @@ class Program:
                          "Linux.")
 
 
-def limpid(path, nodes, threads, skips="on", derivative="volume"):
-    name = "Limpid" if skips == "on" else "Limpid, skips off"
-    return Program(name, [path, "--onion", str(nodes), "--threads", str(threads),
-                          "--skips", skips, "--derivative", derivative])
+def limpid(path, nodes, threads, skips=True, derivative="volume"):
+    flags = ([] if skips else ["--skips-off"]) + (["--derivative-ray"] if derivative == "ray" else [])
+    return Program("Limpid" if skips else "Limpid, skips off",
+                   [path, "--onion", str(nodes), "--threads", str(threads), *flags])
 
 
 def torch(nodes, threads, device="cpu", sampler="planes", parts=1, precision="float32"):
