@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // By Google Benchmark, whose entries are kept: stream/KIND/PLACE, iteration/SCENE, pass/NAME/SCENE,
-// kernel/NAME. Their counters "bytes" and "items" are those of one call: bytes of every array or
-// field that is read or written, once, at the nodes that are visited; rays times layers.
+// kernel/NAME. Their counters are those of one call: "bytes" of every array or field that is read
+// or written, once, at the nodes that are visited; "items" are samples, rays times layers.
 
 #include "Measure.h"
 #include "SweepCounts.h"
@@ -14,11 +14,9 @@
 #include "optimize/PolicySweep.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Terms.h"
-#include "sweep/Rows.h"
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <cstring>
 #include <memory>
 #include <sstream>
@@ -52,11 +50,11 @@ public:
       ->ComputeStatistics("spread", Spread, ::benchmark::kPercentage);
   }
 
-  /// What a call does on one thread and, if `onAll`, on all.
-  void AddCall(const std::string& name, const char* item, double items, double bytes, bool onAll,
-    const std::function<void()>& call) const
+  /// What a call does on one thread and on all.
+  void AddCall(
+    const std::string& name, double samples, double bytes, const std::function<void()>& call) const
   {
-    for (const int threads : onAll ? std::vector<int>{ 1, ThreadCount() } : std::vector<int>{ 1 })
+    for (const int threads : { 1, ThreadCount() })
     {
       this->Add(name + "/threads:" + std::to_string(threads),
         [=](::benchmark::State& state)
@@ -66,12 +64,14 @@ public:
           {
             (void)iteration;
             call();
-            ::benchmark::ClobberMemory();
           }
-          state.SetLabel(item);
-          state.counters["items"] = items;
+          state.counters["items"] = samples;
           state.counters["bytes"] = bytes;
         });
+      if (ThreadCount() == 1)
+      {
+        break;
+      }
     }
   }
 
@@ -84,21 +84,17 @@ public:
     ::benchmark::RunSpecifiedBenchmarks(&reporter);
     ::benchmark::ClearRegisteredBenchmarks();
     const Json all = Json::parse(text.str());
-    for (const Json& entry : all["benchmarks"])
+    for (Json entry : all["benchmarks"])
     {
       const std::string kind = entry.value("aggregate_name", "median");
       if (kind == "median" || kind == "spread" || kind == "least")
       {
-        Json kept;
-        for (const char* key : { "run_name", "aggregate_name", "threads", "real_time", "time_unit",
-               "label", "items", "bytes" })
+        for (const char* key : { "name", "family_index", "per_family_instance_index", "run_type",
+               "repetitions", "repetition_index", "aggregate_unit", "iterations", "cpu_time" })
         {
-          if (entry.contains(key))
-          {
-            kept[key] = entry[key];
-          }
+          entry.erase(key);
         }
-        entries.push_back(kept);
+        entries.push_back(entry);
       }
     }
   }
@@ -171,126 +167,37 @@ void AddStreams(const Runner& runner, bool quick)
       [](float* first, std::size_t count, float)
       { std::memcpy(first, first + count, count * sizeof(float)); } },
   };
-  const std::size_t kibi = 1024;
-  const std::map<std::string, std::size_t> ofAll{ { "L3", 12 * kibi * kibi },
-    { "memory", (quick ? 1 : 384) * kibi * kibi } };
-  const std::map<std::string, std::size_t> ofEach{ { "L1", 24 * kibi }, { "L2", 512 * kibi } };
-  const auto add = [&](const std::string& place, std::size_t bytes, int threads)
-  {
-    for (const Stream& stream : streams)
-    {
-      runner
-        .Add(std::string("stream/") + stream.name + "/" + place,
-          [&stream, bytes](::benchmark::State& state)
-          {
-            const std::size_t count = bytes / sizeof(float) / stream.arrays;
-            std::vector<float> values(count * stream.arrays, 1.0f);
-            float factor = 1;
-            ::benchmark::DoNotOptimize(factor);
-            for (auto iteration : state)
-            {
-              (void)iteration;
-              stream.pass(values.data(), count, factor);
-              ::benchmark::ClobberMemory();
-            }
-            state.counters["bytes"] = double(values.size() * sizeof(float)); // sum over threads
-          })
-        ->Threads(threads)
-        ->ComputeStatistics("least",
-          [](const std::vector<double>& values)
-          { return *std::min_element(values.begin(), values.end()); });
-    }
-  };
   for (int threads = 1; threads <= ThreadCount(); threads *= 2)
   {
-    for (const auto& [place, bytes] : ofEach)
+    const auto share = std::size_t(threads);
+    const std::map<std::string, std::size_t> kibibytes{ { "L1", 24 }, { "L2", 512 },
+      { "L3", 12 * 1024 / share }, { "memory", (quick ? 1 : 384) * 1024 / share } };
+    for (const auto& [place, size] : kibibytes)
     {
-      add(place, bytes, threads);
-    }
-    for (const auto& [place, bytes] : ofAll)
-    {
-      add(place, bytes / std::size_t(threads), threads);
+      for (const Stream& stream : streams)
+      {
+        const auto body = [&stream, bytes = size * 1024](::benchmark::State& state)
+        {
+          const std::size_t count = bytes / sizeof(float) / stream.arrays;
+          std::vector<float> values(count * stream.arrays, 1.0f);
+          float factor = 1;
+          ::benchmark::DoNotOptimize(factor);
+          for (auto iteration : state)
+          {
+            (void)iteration;
+            stream.pass(values.data(), count, factor);
+            ::benchmark::ClobberMemory();
+          }
+          state.counters["bytes"] = double(values.size() * sizeof(float)); // sum over threads
+        };
+        runner.Add(std::string("stream/") + stream.name + "/" + place, body)
+          ->Threads(threads)
+          ->ComputeStatistics("least",
+            [](const std::vector<double>& values)
+            { return *std::min_element(values.begin(), values.end()); });
+      }
     }
   }
-}
-
-/// A row of rays and of voxels, all of which stays in the first cache.
-struct RowArrays
-{
-  static constexpr int count = 256;
-  static constexpr int readBeyond = 32; // see InterpolateRow
-
-  RowArrays()
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      this->map.index.push_back(std::min(count - 2, i * 9 / 10));
-      this->map.weight.push_back(0.1f * float(i % 10));
-      this->length.push_back(1.0f + 1e-3f * float(i));
-      this->extinction.push_back(0.5f + 0.4f * std::sin(0.05f * float(i)));
-      this->importance.push_back(0.5f + 0.4f * std::cos(0.03f * float(i)));
-    }
-    this->extinction.resize(count + readBeyond);
-    this->importance.resize(count + readBeyond);
-  }
-
-  RayRow Rays() const
-  {
-    RayRow rays{};
-    rays.layer = { 0, 1, 0.99f, 1 };
-    rays.row = { -1, 1e6f };
-    rays.columnEntry = this->entry.data();
-    rays.columnExit = this->exit.data();
-    rays.length = this->length.data();
-    rays.extinction[0] = rays.extinction[1] = this->extinction.data();
-    rays.importance[0] = rays.importance[1] = this->importance.data();
-    rays.work = rays.inside = { 0, count };
-    return rays;
-  }
-
-  LinearMap map;
-  std::vector<float> length, extinction, importance;
-  std::vector<float> entry = std::vector<float>(count, -1.0f);
-  std::vector<float> exit = std::vector<float>(count, 1e6f);
-  std::vector<double> opticalDepth = std::vector<double>(count, 1.0);
-  std::vector<float> visible = std::vector<float>(count, 0.1f);
-  std::vector<float> plain = visible;
-  std::vector<float> behind = visible;
-};
-
-void AddRows(const Runner& runner)
-{
-  const auto rows = std::make_shared<RowArrays>();
-  const Range<int> all{ 0, RowArrays::count };
-  const auto add =
-    [&](const std::string& name, int floats, int doubles, const std::function<void()>& call)
-  {
-    const double bytes = RowArrays::count * (4.0 * floats + 8.0 * doubles);
-    runner.AddCall("kernel/" + name, "column", RowArrays::count, bytes, false, call);
-  };
-  add("BlendFourRows", 5, 0,
-    [=]
-    {
-      const float* four[2][2] = { { rows->extinction.data(), rows->importance.data() },
-        { rows->length.data(), rows->visible.data() } };
-      BlendFourRows(four, 0.3f, 0.2f, all.begin, all.end, rows->plain.data());
-    });
-  add("InterpolateRow", 4, 0,
-    [=] { InterpolateRow(rows->extinction.data(), rows->map, all, rows->plain.data()); });
-  // Optical depths and what is visible are read and written; the rows of both halves are the same.
-  add("ForwardRow", 7, 2,
-    [=]
-    {
-      rows->opticalDepth.assign(all.end, 1.0); // a little of the time
-      ForwardRow(rows->Rays(), rows->opticalDepth.data(), rows->visible.data(), rows->plain.data());
-    });
-  add("BackwardRow", 7, 2,
-    [=]
-    {
-      BackwardRow(rows->Rays(),
-        { rows->behind.data(), rows->visible.data(), rows->plain.data(),
-          rows->opticalDepth.data() });
-    });
 }
 
 Settings EndlessSettings()
@@ -357,37 +264,48 @@ private:
   std::vector<float> Lagged;
 };
 
-/// An iteration of the solver and its passes. `volume`: what a formula is called, else empty.
-Json AddScene(const Runner& runner, const SceneForSolver& scene, const std::string& volume)
+/// The sweeps of a scene, and with `floor` also an iteration of the solver. `volume`: what a
+/// formula is called, else empty.
+Json AddScene(
+  const Runner& runner, const SceneForSolver& scene, const std::string& volume, bool floor)
 {
   const auto passes = std::make_shared<Passes>(scene);
-  const auto solver = std::make_shared<Solver>(scene.MakeSolver(EndlessSettings()));
-  solver->Step(2); // makes memory
   const Problem& problem = passes->What();
   const SweepCounts camera = CountSweep(problem, problem.camera);
   const SweepCounts light = CountSweep(problem, problem.light);
-  const NodeSet filled = FilledNodes(problem);
-  NodeSet compared = filled;
+  const double filled = CountOf(FilledNodes(problem));
+  NodeSet compared = FilledNodes(problem);
   Add(camera.read, compared);
   // Rays read the next iterate and importance, voxels base, lagged derivative and importance; both
   // read the last iterate; the next one is written. Rays of all frusta but the last go through
   // extinction and importance once more.
   const double ofPolicy = 4 *
-    (2 * CountOf(camera.read) + CountOf(compared) + 3 * CountOf(filled) + CountOf(camera.updated) +
+    (2 * CountOf(camera.read) + CountOf(compared) + 3 * filled + CountOf(camera.updated) +
       2 * camera.readAgain);
   // Rays read the extinction twice and importance, voxels importance and the derivative, which is
   // written, too.
   const double ofDerivative = 4 * 3 * (CountOf(light.read) + CountOf(light.updated));
-  runner.AddCall("iteration/" + scene.name, "sample", camera.samples + light.samples,
-    ofPolicy + ofDerivative, true, [=] { solver->Step(1); });
-  runner.AddCall("pass/policy sweep, camera/" + scene.name, "sample", camera.samples, ofPolicy,
-    true, [=] { passes->Optimize(); });
-  runner.AddCall("pass/depths and derivative, light/" + scene.name, "sample", light.samples,
-    ofDerivative, true, [=] { passes->Derive(); });
-  if (!volume.empty())
+  const auto add = [&](const std::string& name, const char* eye, double samples, double bytes,
+                     const std::function<void()>& call)
   {
-    runner.AddCall("kernel/forward sweep, " + volume, "sample", camera.samples,
-      8 * CountOf(camera.read), true, [=] { passes->Forward(); });
+    if (floor && *eye)
+    {
+      runner.AddCall("pass/" + name + eye + "/" + scene.name, samples, bytes, call);
+    }
+    if (!volume.empty())
+    {
+      runner.AddCall("kernel/" + name + ", " + volume, samples, bytes, call);
+    }
+  };
+  add("forward sweep", "", camera.samples, 8 * CountOf(camera.read), [=] { passes->Forward(); });
+  add("depths and derivative", ", light", light.samples, ofDerivative, [=] { passes->Derive(); });
+  add("policy sweep", ", camera", camera.samples, ofPolicy, [=] { passes->Optimize(); });
+  if (floor)
+  {
+    const auto solver = std::make_shared<Solver>(scene.MakeSolver(EndlessSettings()));
+    solver->Step(2); // makes memory
+    runner.AddCall("iteration/" + scene.name, camera.samples + light.samples,
+      ofPolicy + ofDerivative, [=] { solver->Step(1); });
   }
   return { { "scene", scene.name }, { "nodes", ToJson(scene.grid.nodes) },
     { "voxels", scene.grid.NodeCount() }, { "filled", problem.occupancy->FilledVoxels() } };
@@ -397,26 +315,32 @@ Json AddScene(const Runner& runner, const SceneForSolver& scene, const std::stri
 void MeasureKernels(const Options& options, Json& results, const std::function<void()>& save)
 {
   const Runner runner(options);
-  Json& entries = results["benchmarks"] = Json::array();
+  results["benchmarks"] = Json::array();
+  Say("streams");
   AddStreams(runner, options.Flag("quick"));
-  AddRows(runner);
-  Say("streams, rows");
-  Runner::Run(entries);
-  const auto measure = [&](const SceneForSolver& scene, const std::string& volume)
+  Runner::Run(results["benchmarks"]);
+  const auto measure = [&](const SceneForSolver& scene, const std::string& volume, bool floor)
   {
     Say(scene.name);
-    results["scenes"].push_back(AddScene(runner, scene, volume));
+    const Json facts = AddScene(runner, scene, volume, floor);
+    if (floor)
+    {
+      results["scenes"].push_back(facts);
+    }
     Runner::Run(results["benchmarks"]);
     save();
   };
   for (const std::string& path : options.words)
   {
-    measure(SceneForSolver(truth::ReadSceneFile(path)), "");
+    measure(SceneForSolver(truth::ReadSceneFile(path)), "", true);
   }
-  const int side = std::min(256, options.Count("largest"));
-  for (const char* filling : { "dense", "onion" })
+  const int large = std::min(256, options.Count("largest"));
+  for (const int side : { large, 32 }) // small ones stay in caches
   {
-    measure(MakeVolume(filling, side), std::string(filling) + " " + std::to_string(side) + "³");
+    for (const std::string filling : { "dense", "onion" })
+    {
+      measure(MakeVolume(filling, side), filling + " " + std::to_string(side) + "³", side == large);
+    }
   }
 }
 }

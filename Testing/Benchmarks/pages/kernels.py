@@ -21,7 +21,7 @@ def gather(measured):
         threads = int(re.search(r"threads:(\d+)", entry["run_name"]).group(1))
         one = found.setdefault((*words, threads), {
             "kind": words[0], "names": words[1:], "threads": threads, "spread": 0,
-            "label": entry.get("label", "")})
+            "item": entry.get("label", "sample")})
         seconds = entry["real_time"] * UNITS[entry["time_unit"]]
         if entry.get("aggregate_name") == "spread":
             one["spread"] = entry["real_time"]
@@ -29,7 +29,9 @@ def gather(measured):
         one["least" if entry.get("aggregate_name") == "least" else "seconds"] = seconds
         one.update({key: entry[key] for key in ("items", "bytes") if key in entry})
     kinds = {kind: [] for kind in ("stream", "iteration", "pass", "kernel")}
-    for one in found.values():
+    names = list(dict.fromkeys(key[:-1] for key in found))
+    for key in sorted(found, key=lambda key: (names.index(key[:-1]), key[-1])):
+        one = found[key]
         one.setdefault("least", one.get("seconds"))  # a single repetition
         kinds[one["kind"]].append(one)
     return kinds
@@ -47,8 +49,9 @@ def iterations(measured):
     results = []
     for scene in measured["scenes"]:
         for whole in (i for i in kinds["iteration"] if i["names"] == [scene["scene"]]):
-            passes = [p for p in kinds["pass"] if p["names"][-1] == scene["scene"]
-                      and p["threads"] == whole["threads"]]
+            passes = sorted((p for p in kinds["pass"] if p["names"][-1] == scene["scene"]
+                             and p["threads"] == whole["threads"]),
+                            key=lambda p: p["names"], reverse=True)
             rate = fastest_stream(kinds["stream"], whole["threads"])
             for one in (whole, *passes):
                 one["floor"] = one["bytes"] / rate
@@ -137,7 +140,7 @@ By Google Benchmark, all in turns, medians. Rows have 256 columns and stay in th
 what a kernel reads and writes, each array once.
 """ + table(kernels, [
         ("kernel", lambda k: k["names"][0]), ("threads", lambda k: k["threads"]), ("call", call),
-        ("item", lambda k: k["label"]),
+        ("item", lambda k: k["item"]),
         ("[10⁶ items/s]", lambda k: significant(k["items"] / k["seconds"] / 1e6)),
         ("[GB/s]", lambda k: significant(k["bytes"] / k["seconds"] / 1e9)),
         ("spread", lambda k: percent(k["spread"]))])

@@ -97,35 +97,34 @@ def bounds(nodes):
 
 def findings(found, nodes):
     """Rows of what is compared, how far it is apart, and the bound; None: no bound."""
-    ours, reference = found["Limpid"], found["march"]
-    paper = found["Limpid, Ray"]
-    planes, double = found["PyTorch, planes"], found["PyTorch, float64"]
+    ours, march, double = found["Limpid"], found["march"], found["PyTorch, float64"]
+    planes, trilinear = found["PyTorch, planes"], found["PyTorch, trilinear"]
     limit = bounds(nodes)
-    majorant = float(ours["base"].max())
-    scene = max(float(np.abs(planes["base"] - ours["base"]).max()) / majorant,
-                float(np.abs(planes["importance"] - ours["importance"]).max()))
     filled = ours["base"] > 0
+    scene = max(float(np.abs(planes["base"] - ours["base"]).max() / ours["base"].max()),
+                float(np.abs(planes["importance"] - ours["importance"]).max()))
+
+    def slopes(one, other):
+        return apart(one["slopes"], other["slopes"])
+
+    def terms(one, other):
+        return energy_apart(one["energy"], other["energy"])
+
     return [
         ("fields of the scene, PyTorch to Limpid [of the largest]", scene,
          float(np.finfo(np.float32).eps)),
-        ("terms of the energy, PyTorch to the march",
-         energy_apart(planes["energy"], reference["energy"]), SCORE),
-        ("terms of the energy, Limpid to the march",
-         energy_apart(ours["energy"], reference["energy"]), SCORE),
-        ("terms of the energy, Limpid to PyTorch",
-         energy_apart(ours["energy"], planes["energy"]), SCORE),
+        ("terms of the energy, PyTorch to the march", terms(planes, march), SCORE),
+        ("terms of the energy, Limpid to the march", terms(ours, march), SCORE),
+        ("terms of the energy, Limpid to PyTorch", terms(ours, planes), SCORE),
         ("derivatives in float64, PyTorch to its own central differences",
-         apart(double["slopes"], found["difference"]["slopes"]), limit["difference"]),
-        ("derivatives, PyTorch in float32 to float64",
-         apart(planes["slopes"], double["slopes"]), limit["sum"]),
-        ("derivatives, PyTorch trilinear to planes",
-         apart(found["PyTorch, trilinear"]["slopes"], planes["slopes"]), limit["sum"]),
-        (THEIRS, apart(planes["slopes"], reference["slopes"]), limit["discrete"]),
-        (OURS, apart(ours["slopes"], reference["slopes"]), limit["discrete"]),
-        ("derivatives, Limpid to PyTorch",
-         apart(ours["slopes"], planes["slopes"]), limit["discrete"]),
+         slopes(double, found["difference"]), limit["difference"]),
+        ("derivatives, PyTorch in float32 to float64", slopes(planes, double), limit["sum"]),
+        ("derivatives, PyTorch trilinear to planes", slopes(trilinear, planes), limit["sum"]),
+        (THEIRS, slopes(planes, march), limit["discrete"]),
+        (OURS, slopes(ours, march), limit["discrete"]),
+        ("derivatives, Limpid to PyTorch", slopes(ours, planes), limit["discrete"]),
         ("the same, each of itself", apart_each(ours["slopes"], planes["slopes"]), None),
-        (PAPER, apart(paper["slopes"], reference["slopes"]), None),
+        (PAPER, slopes(found["Limpid, Ray"], march), None),
         ("gradient at filled nodes, rms, Limpid to PyTorch",
          noise(ours["gradient"], planes["gradient"], filled), None),
         ("the same after a mean over 3 x 3 x 3 nodes",
