@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Errors.h"
-#include "Runs.h"
 
 #include "backend/Backend.h"
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Drawing.h"
-#include "Runs.h"
-#include "Truth.h"
+#include "Errors.h"
 
 #include "backend/Backend.h"
 #include "math/Require.h"

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Runs.h"
-
 #include "Errors.h"
 #include "PeakMemory.h"
 
@@ -17,23 +15,6 @@ namespace limpid::benchmark
 {
 namespace
 {
-Settings CpuSettings()
-{
-  Settings settings;
-  settings.backend = BackendKind::Cpu;
-  return settings;
-}
-
-WholeRun Planned(const std::string& name, const std::string& group, const Settings& settings)
-{
-  WholeRun run;
-  run.name = name;
-  run.group = group;
-  run.settings = settings;
-  run.threads = ThreadCount();
-  return run;
-}
-
 std::string Rays(double rayDensity)
 {
   std::ostringstream text;
@@ -41,79 +22,79 @@ std::string Rays(double rayDensity)
   return text.str();
 }
 
-void PlanPolicies(const Options& options, std::vector<WholeRun>& runs)
+/// All runs that are compared, first the default.
+std::vector<WholeRun> PlannedRuns(bool quick)
 {
-  const Settings standard = CpuSettings();
-  runs.push_back(Planned("default", "default", standard));
+  std::vector<WholeRun> runs;
+  const auto plan = [&](const std::string& name, const char* group,
+                      const std::function<void(WholeRun&, Settings&)>& change)
+  {
+    WholeRun run;
+    run.name = name;
+    run.group = group;
+    run.threads = ThreadCount();
+    run.settings.backend = BackendKind::Cpu;
+    change(run, run.settings);
+    runs.push_back(run);
+  };
+  plan("default", "default", [](WholeRun&, Settings&) {});
   for (const int iterations : { 1, 2, 4 })
   {
-    Settings settings = standard;
-    settings.maximumIterations = iterations;
-    runs.push_back(Planned("iterations ≤ " + std::to_string(iterations), "iterations", settings));
+    plan("iterations ≤ " + std::to_string(iterations), "iterations",
+      [=](WholeRun&, Settings& settings) { settings.maximumIterations = iterations; });
   }
   for (const double rayDensity : { 0.25, 0.5, 2.0, 3.0 })
   {
-    Settings settings = standard;
-    settings.rayDensity = rayDensity;
-    runs.push_back(Planned(Rays(rayDensity), "ray density", settings));
-    const bool middle = rayDensity == 0.5 || rayDensity == 2.0;
+    plan(Rays(rayDensity), "ray density",
+      [=](WholeRun&, Settings& settings) { settings.rayDensity = rayDensity; });
     for (const int iterations : { 1, 4 })
     {
-      if (middle && !options.Flag("quick"))
+      if (!quick && (rayDensity == 0.5 || rayDensity == 2))
       {
-        settings.maximumIterations = iterations;
-        runs.push_back(Planned(
-          Rays(rayDensity) + ", iterations ≤ " + std::to_string(iterations), "grid", settings));
+        plan(Rays(rayDensity) + ", iterations ≤ " + std::to_string(iterations), "grid",
+          [=](WholeRun&, Settings& settings)
+          {
+            settings.rayDensity = rayDensity;
+            settings.maximumIterations = iterations;
+          });
       }
     }
   }
-  Settings ray = standard;
-  ray.derivative = Derivative::Ray;
-  runs.push_back(Planned("derivative Ray", "derivative", ray));
+  plan("derivative Ray", "derivative",
+    [](WholeRun&, Settings& settings) { settings.derivative = Derivative::Ray; });
   for (const int coarsening : { 2, 4 })
   {
-    runs.push_back(
-      Planned("1/" + std::to_string(coarsening) + " of the nodes", "resolution", standard));
-    runs.back().coarsening = coarsening;
+    plan("1/" + std::to_string(coarsening) + " of the nodes", "resolution",
+      [=](WholeRun& run, Settings&) { run.coarsening = coarsening; });
   }
-}
-
-/// Settings that change nothing but the time.
-void PlanTimes(std::vector<WholeRun>& runs)
-{
-  Settings off = CpuSettings();
-  off.skipUnneeded = false;
-  runs.push_back(Planned("skips off", "skips", off));
-  runs.push_back(Planned("1 thread", "threads", CpuSettings()));
-  runs.back().threads = 1;
+  plan("skips off", "skips", [](WholeRun&, Settings& settings) { settings.skipUnneeded = false; });
+  plan("1 thread", "threads", [](WholeRun& run, Settings&) { run.threads = 1; });
   if (FindCuda().usable)
   {
-    Settings cuda;
-    cuda.backend = BackendKind::Cuda;
-    runs.push_back(Planned("CUDA", "backend", cuda));
+    plan("CUDA", "backend",
+      [](WholeRun&, Settings& settings) { settings.backend = BackendKind::Cuda; });
   }
-}
-
-void PlanAdams(const Options& options, std::vector<WholeRun>& runs)
-{
-  Settings adam = CpuSettings();
-  adam.solver = SolverKind::Adam;
-  runs.push_back(Planned("Adam", "solver", adam));
-  const auto add = [&](const std::string& name, double rayDensity, const std::array<int, 3>& levels)
+  const auto adam = [&](
+                      const std::string& name, double rayDensity, const std::array<int, 3>& levels)
   {
-    Settings settings = adam;
-    settings.rayDensity = rayDensity;
-    settings.iterationsPerLevel = levels;
-    runs.push_back(Planned("Adam, " + name, "levels", settings));
+    plan("Adam" + name, name.empty() ? "solver" : "levels",
+      [=](WholeRun&, Settings& settings)
+      {
+        settings.solver = SolverKind::Adam;
+        settings.rayDensity = rayDensity;
+        settings.iterationsPerLevel = levels;
+      });
   };
-  add("levels 32, 32, 16", 1, { { 32, 32, 16 } });
-  add("full resolution, 64", 1, { { 0, 0, 64 } });
-  add(Rays(0.5), 0.5, { { 32, 32, 64 } });
-  if (!options.Flag("quick"))
+  adam("", 1, Settings().iterationsPerLevel);
+  adam(", levels 32, 32, 16", 1, { { 32, 32, 16 } });
+  adam(", full resolution, 64", 1, { { 0, 0, 64 } });
+  adam(", " + Rays(0.5), 0.5, { { 32, 32, 64 } });
+  if (!quick)
   {
-    add("levels 16, 16, 16", 1, { { 16, 16, 16 } });
-    add("levels 8, 8, 8", 1, { { 8, 8, 8 } });
+    adam(", levels 16, 16, 16", 1, { { 16, 16, 16 } });
+    adam(", levels 8, 8, 8", 1, { { 8, 8, 8 } });
   }
+  return runs;
 }
 
 Json Follow(Solver& solver, const Stopwatch& start)
@@ -135,23 +116,20 @@ Json Follow(Solver& solver, const Stopwatch& start)
 }
 
 /// A scene with fewer nodes over the same box.
-struct CoarseScene
+SceneForSolver Coarse(const SceneForSolver& scene, int coarsening)
 {
-  Grid grid;
-  std::vector<float> extinction;
-  std::vector<float> importance;
-
-  CoarseScene(const SceneForSolver& scene, int coarsening)
-    : grid(CoarseGrid(scene.grid, coarsening))
-    , extinction(Restrict(scene.grid, scene.extinction.data(), this->grid))
-    , importance(Restrict(scene.grid, scene.importance.data(), this->grid))
+  SceneForSolver coarse;
+  coarse.camera = scene.camera;
+  coarse.light = scene.light;
+  coarse.grid = CoarseGrid(scene.grid, coarsening);
+  coarse.extinction = Restrict(scene.grid, scene.extinction.data(), coarse.grid);
+  coarse.importance = Restrict(scene.grid, scene.importance.data(), coarse.grid);
+  for (float& value : coarse.importance)
   {
-    for (float& value : this->importance)
-    {
-      value = std::min(value, 1.0f); // a mean of ones may round up
-    }
+    value = std::min(value, 1.0f); // a mean of ones may round up
   }
-};
+  return coarse;
+}
 
 Json Describe(const WholeRun& run)
 {
@@ -171,35 +149,24 @@ Json Describe(const WholeRun& run)
 std::vector<float> Execute(const SceneForSolver& scene, WholeRun& run)
 {
   const ThreadLimit limit(run.threads);
-  std::vector<float> extinction;
+  const bool whole = run.coarsening == 1;
   Stopwatch watch;
-  if (run.coarsening == 1)
+  const SceneForSolver coarse = whole ? SceneForSolver() : Coarse(scene, run.coarsening);
+  Solver solver = (whole ? scene : coarse).MakeSolver(run.settings);
+  run.history = Follow(solver, watch);
+  run.iterations = solver.Iterations();
+  std::vector<float> extinction = std::move(solver.TakeExtinctions()[0]);
+  if (!whole)
   {
-    Solver solver = scene.MakeSolver(run.settings);
-    run.history = Follow(solver, watch);
-    run.iterations = solver.Iterations();
-    run.seconds = watch.Elapsed();
-    extinction = std::move(solver.TakeExtinctions()[0]);
+    extinction = Prolong(coarse.grid, extinction.data(), scene.grid);
   }
-  else
-  {
-    const CoarseScene coarse(scene, run.coarsening);
-    Solver solver({ coarse.grid, coarse.extinction.data(), coarse.importance.data() }, scene.camera,
-      scene.light, run.settings);
-    run.history = Follow(solver, watch);
-    run.iterations = solver.Iterations();
-    extinction = Prolong(coarse.grid, solver.Extinction().data(), scene.grid);
-    run.seconds = watch.Elapsed();
-  }
+  run.seconds = watch.Elapsed();
   return extinction;
 }
 
 Json MeasureRuns(const Truth& truth, const Effort& effort, const Options& options)
 {
-  std::vector<WholeRun> runs;
-  PlanPolicies(options, runs);
-  PlanTimes(runs);
-  PlanAdams(options, runs);
+  std::vector<WholeRun> runs = PlannedRuns(options.Flag("quick"));
   std::vector<std::vector<double>> times(runs.size());
   Json results;
   for (std::size_t n = 0; n < runs.size(); ++n) // once, for memory and worth

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Truth.h"
+#include "Errors.h"
 
 #include "Parallel.h"
 
@@ -15,15 +15,6 @@ namespace limpid::benchmark
 namespace
 {
 constexpr int pointsPerPiece = 2; // of Gauss' rule: a change of 5e-6 against four
-
-/// Indices of a node.
-Int3 NodeAt(const Grid& grid, std::size_t node)
-{
-  const std::size_t row = node / std::size_t(grid.nodes.x);
-  return { static_cast<int>(node % std::size_t(grid.nodes.x)),
-    static_cast<int>(row % std::size_t(grid.nodes.y)),
-    static_cast<int>(row / std::size_t(grid.nodes.y)) };
-}
 
 double MarchOf(const SceneOfFile& scene, const std::vector<float>& extinction,
   const truth::Source& eye, double raysPerVoxel)
@@ -77,23 +68,19 @@ std::vector<float> Direction(const SceneOfFile& scene, std::size_t which)
 double AlongDirection(
   const SceneOfFile& scene, const std::vector<float>& gradient, const std::vector<float>& direction)
 {
-  const auto term = [&](std::size_t node)
-  {
-    double share = 1; // of a cell: half of it on each side of the box
-    const Int3 at = NodeAt(scene.grid, node);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      share *= at[axis] == 0 || at[axis] + 1 == scene.grid.nodes[axis] ? 0.5 : 1.0;
-    }
-    return share * double(gradient[node]) * direction[node];
-  };
   const double sum = ParallelBlockSum(scene.grid.NodeCount(),
     [&](Index begin, Index end)
     {
       double part = 0;
-      for (Index node = begin; node < end; ++node)
+      for (auto node = std::size_t(begin); node < std::size_t(end); ++node)
       {
-        part += direction[std::size_t(node)] == 0 ? 0.0 : term(std::size_t(node));
+        const Int3 at = NodeAt(scene.grid, node);
+        double share = 1; // of a cell: half of it on each side of the box
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          share *= at[axis] == 0 || at[axis] + 1 == scene.grid.nodes[axis] ? 0.5 : 1.0;
+        }
+        part += share * double(gradient[node]) * direction[node];
       }
       return part;
     });
@@ -103,17 +90,15 @@ double AlongDirection(
 double RmsDifference(const SampledTransmittance& one, const SampledTransmittance& other)
 {
   double sum = 0;
-  std::size_t count = 0;
+  double count = 0;
   for (std::size_t field = 0; field < one.size(); ++field)
   {
-    for (std::size_t n = 0; n < one[field].size(); ++n)
+    for (std::size_t n = 0; n < one[field].size(); ++n, ++count)
     {
-      const double difference = one[field][n] - other[field][n];
-      sum += difference * difference;
+      sum += std::pow(one[field][n] - other[field][n], 2);
     }
-    count += one[field].size();
   }
-  return count > 0 ? std::sqrt(sum / double(count)) : 0.0;
+  return count > 0 ? std::sqrt(sum / count) : 0.0;
 }
 }
 
