@@ -8,7 +8,7 @@
 #include "energy/TransmittanceVolume.h"
 #include "energy/VisibilityTerm.h"
 
-#include <memory>
+#include <numeric>
 
 namespace limpid::benchmark
 {
@@ -84,56 +84,30 @@ Json AccuracyAt(Swept& swept, const Truth& truth, double rayDensity)
   return accuracy;
 }
 
-/// A solver whose iterations are timed one by one.
-class TimedSolver
+/// A solver whose iterations are timed, several in a row.
+struct TimedSolver
 {
-public:
-  TimedSolver(const SceneOfFile& scene, const Settings& settings, int threads)
-    : Wanted(settings)
-    , Threads(threads)
-    , Scenery(scene)
-  {
-    this->Wanted.backend = BackendKind::Cpu;
-    this->Wanted.tolerance = 0;
-    this->Wanted.iterationsPerLevel = { { 0, 0, 1000 } };
-  }
+  Settings settings;
+  int threads;
+  std::vector<double> times;
 
-  Json Result() const
+  void Iterate(const SceneOfFile& scene, double secondsAtMost)
   {
-    return { { "solver", this->Wanted.solver == SolverKind::Policy ? "policy" : "Adam" },
-      { "ray_density", this->Wanted.rayDensity }, { "skip", this->Wanted.skipUnneeded },
-      { "threads", this->Threads }, { "seconds", Median(this->Times) },
-      { "timed", this->Times.size() } };
-  }
-
-  /// One more timed iteration, unless enough time is spent.
-  void Iterate(double secondsAtMost)
-  {
-    if (this->Times.size() > 2 && this->Spent > secondsAtMost)
+    const ThreadLimit limit(this->threads);
+    Solver solver = scene.MakeSolver(this->settings);
+    solver.Step(1);             // knows no light, and warms up
+    const int timesPerTurn = 3; // while its data is in the caches
+    for (int n = 0; n < timesPerTurn; ++n)
     {
-      return;
+      const double spent = std::accumulate(this->times.begin(), this->times.end(), 0.0);
+      if (this->times.size() <= 2 || spent <= secondsAtMost)
+      {
+        Stopwatch watch;
+        solver.Step(1);
+        this->times.push_back(watch.Lap());
+      }
     }
-    const ThreadLimit limit(this->Threads);
-    if (!this->Running || this->Running->Done())
-    {
-      this->Running = std::make_unique<Solver>(this->Scenery.MakeSolver(this->Wanted));
-      this->Running->Step(1); // knows no light, and warms up
-    }
-    Stopwatch watch;
-    this->Running->Step(1);
-    this->Times.push_back(watch.Lap());
-    this->Spent += this->Times.back();
   }
-
-  void Stop() { this->Running.reset(); }
-
-private:
-  Settings Wanted;
-  int Threads;
-  const SceneOfFile& Scenery;
-  std::unique_ptr<Solver> Running;
-  std::vector<double> Times;
-  double Spent = 0;
 };
 }
 
@@ -185,33 +159,32 @@ Json TimeIterations(const SceneOfFile& scene, const Effort& effort)
   {
     Settings settings;
     settings.solver = kind;
+    settings.backend = BackendKind::Cpu;
+    settings.tolerance = 0;
+    settings.iterationsPerLevel = { { 0, 0, 1000 } };
     for (const double rayDensity : effort.rayDensities)
     {
       settings.rayDensity = rayDensity;
-      solvers.emplace_back(scene, settings, all);
+      solvers.push_back({ settings, all, {} });
     }
     settings.rayDensity = 1;
+    solvers.push_back({ settings, 1, {} });
     settings.skipUnneeded = false;
-    solvers.emplace_back(scene, settings, all);
-    settings.skipUnneeded = true;
-    solvers.emplace_back(scene, settings, 1);
+    solvers.insert(solvers.end() - 1, { settings, all, {} });
   }
-  const int timesPerTurn = 3; // of one solver, while its data is in the caches
   for (int turn = 0; turn < effort.repeats; ++turn)
   {
     for (TimedSolver& solver : solvers)
     {
-      for (int n = 0; n < timesPerTurn; ++n)
-      {
-        solver.Iterate(effort.secondsPerSetting / 4);
-      }
-      solver.Stop();
+      solver.Iterate(scene, effort.secondsPerSetting / 4);
     }
   }
   Json results;
-  for (const TimedSolver& solver : solvers)
+  for (const auto& [settings, threads, times] : solvers)
   {
-    results.push_back(solver.Result());
+    results.push_back({ { "solver", settings.solver == SolverKind::Policy ? "policy" : "Adam" },
+      { "ray_density", settings.rayDensity }, { "skip", settings.skipUnneeded },
+      { "threads", threads }, { "seconds", Median(times) }, { "timed", times.size() } });
   }
   return results;
 }
