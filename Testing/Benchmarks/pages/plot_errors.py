@@ -8,22 +8,9 @@ import math
 import numpy as np
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter
 
-from fronts import equal_errors, largest_error, seconds_of, short_of_best
-from plot_style import (
-    BLUE,
-    GRAY,
-    GREEN,
-    ORANGE,
-    PURPLE,
-    RED,
-    SKY,
-    logarithmic,
-    make_room,
-    percent,
-    plain,
-    pyplot,
-    save,
-)
+from fronts import DEFAULT_DENSITY, equal_errors, largest_error, seconds_of, short_of_best
+from plot_style import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY
+from plot_style import logarithmic, make_room, percent, plain, pyplot, save
 
 POLICY = {"color": BLUE, "marker": "o", "label": "Limpid, policy"}
 ADAM = {"color": ORANGE, "marker": "s", "label": "Limpid, Adam"}
@@ -47,61 +34,48 @@ BAR = 100  # the paper's grids over Limpid, at equal error
 LEAST = 1e-5  # what is closer to the best is drawn here
 
 
-def iteration_time(scene, solver, density):
-    """[ms]"""
-    return 1e3 * seconds_of(scene, solver, density) or math.nan
+def by_rays(scene, error, solver="policy"):
+    """Points of Limpid's iterations: time [ms], error, and how many rays."""
+    return [(1e3 * seconds_of(scene, solver, s["ray_density"]) or math.nan, error(s),
+             s["ray_density"]) for s in scene["sweeps"]]
 
 
-def write_numbers(axis, points, color, *, above=False):
-    for x, y, text in points:
-        axis.annotate(text, (x, y), textcoords="offset points", xytext=(0, 6 if above else -12),
-                      ha="center", fontsize=6.5, color=color)
+def by_time(entries, error, key):
+    return [(1e3 * entry["seconds"], error(entry), entry[key]) for entry in entries]
+
+
+def draw(axis, points, *, numbers=0, above=False, **style):
+    """A line; `numbers`: texts at every point, every second ..."""
+    axis.plot([x for x, _, _ in points], [y for _, y, _ in points], **style)
+    for x, y, number in points[::numbers] if numbers else ():
+        axis.annotate(f"{number:g}", (x, y), textcoords="offset points",
+                      xytext=(0, 6 if above else -12), ha="center", fontsize=6.5,
+                      color=style["color"])
 
 
 def draw_front(axis, points):
     """A stair along the points (time, error) that no other is faster and better than."""
     front = []
-    for x, y in sorted(points):
+    for x, y, *_ in sorted(points):
         if not front or y < front[-1][1]:
-            front.append((x, y))
-    if front:
-        steps_x, steps_y = [front[0][0]], [front[0][1]]
-        for x, y in front[1:]:
-            steps_x += [x, x]
-            steps_y += [steps_y[-1], y]
-        axis.plot(steps_x, steps_y, color=GRAY, linewidth=4, alpha=0.25, solid_capstyle="butt",
-                  label="Pareto front", zorder=1)
+            front += [(x, front[-1][1] if front else y), (x, y)]
+    axis.plot(*zip(*front[1:]), color=GRAY, linewidth=4, alpha=0.25, solid_capstyle="butt",
+              label="Pareto front", zorder=1)
 
 
-def draw_default(axis, x, y):
-    axis.plot([x], [y], "*", color="black", markersize=12, label="default", zorder=5)
-
-
-def draw_sweeps(axis, scene, error, solvers):
-    """Errors of Limpid's iterations by rays, over their time."""
-    for solver, style in solvers:
-        sweeps = scene["sweeps"]
-        times = [iteration_time(scene, solver, s["ray_density"]) for s in sweeps]
-        axis.plot(times, [error(s) for s in sweeps], **style)
-        if solver == "policy":
-            write_numbers(axis, [(t, error(s), f"{s['ray_density']:g}")
-                                 for t, s in zip(times, sweeps)], style["color"])
-            draw_front(axis, [(t, error(s)) for t, s in zip(times, sweeps)])
-            for t, s in zip(times, sweeps):
-                if s["ray_density"] == 1:
-                    draw_default(axis, t, error(s))
-
-
-def draw_grids(axis, scene, error, **style):
-    grids = scene["paper_grids"]
-    axis.plot([1e3 * g["seconds"] for g in grids], [error(g) for g in grids], **style)
-    write_numbers(axis, [(1e3 * g["seconds"], error(g), f"{g['samples_per_voxel']:g}")
-                         for g in grids[::2]], style["color"], above=True)
+def draw_default(axis, points, number=DEFAULT_DENSITY, label="default"):
+    for x, y, *_ in (p for p in points if p[2] == number):
+        axis.plot([x], [y], "*", color="black", markersize=12, label=label, zorder=5)
 
 
 def draw_scores(axis, scene):
-    draw_sweeps(axis, scene, largest_error, [("policy", POLICY), ("Adam", ADAM)])
-    draw_grids(axis, scene, largest_error, **GRIDS)
+    points = by_rays(scene, largest_error)
+    draw(axis, points, numbers=1, **POLICY)
+    draw_front(axis, points)
+    draw_default(axis, points)
+    draw(axis, by_rays(scene, largest_error, "Adam"), **ADAM)
+    draw(axis, by_time(scene["paper_grids"], largest_error, "samples_per_voxel"), numbers=2,
+         above=True, **GRIDS)
     logarithmic(axis, "time of an iteration [ms]", "error of S")
     uncertain = scene["reference"]["uncertainty"]
     if uncertain > axis.get_ylim()[0]:
@@ -115,23 +89,15 @@ def draw_transmittances(axis, scene):
         def error(entry, key=key):
             return entry[key]
 
-        sweeps = scene["sweeps"]
-        axis.plot([iteration_time(scene, "policy", s["ray_density"]) for s in sweeps],
-                  [error(s) for s in sweeps], line, color=BLUE, marker="o",
-                  label=f"Limpid, policy: {name}")
-        shadows = scene["shadows"]
-        axis.plot([1e3 * s["seconds"] for s in shadows], [error(s) for s in shadows], line,
-                  color=GREEN, marker="D", label=f"Limpid, for shadows: {name}")
-        grids = scene["paper_grids"]
-        axis.plot([1e3 * g["seconds"] for g in grids], [error(g) for g in grids], line,
-                  color=RED, marker="^", label=f"paper's grids: {name}")
-    for s in scene["sweeps"]:
-        if s["ray_density"] == 1:
-            draw_default(axis, iteration_time(scene, "policy", 1), s["rms_T_view"])
-    for s in scene["shadows"]:
-        if s["ray_density"] == 3:
-            axis.plot([1e3 * s["seconds"]], [s["rms_T_view"]], "*", color="black", markersize=12,
-                      zorder=5)
+        for points, color, marker, who in (
+                (by_rays(scene, error), BLUE, "o", "Limpid, policy"),
+                (by_time(scene["shadows"], error, "ray_density"), GREEN, "D",
+                 "Limpid, for shadows"),
+                (by_time(scene["paper_grids"], error, "samples_per_voxel"), RED, "^",
+                 "paper's grids")):
+            draw(axis, points, linestyle=line, color=color, marker=marker, label=f"{who}: {name}")
+    draw_default(axis, by_rays(scene, lambda s: s["rms_T_view"]))
+    draw_default(axis, by_time(scene["shadows"], lambda s: s["rms_T_view"], "ray_density"), 3, None)
     logarithmic(axis, "time of an iteration, or of a sweep for shadows [ms]", "rms error of T",
                 as_percent=False)
     axis.set_title("Transmittance at voxels")
@@ -140,15 +106,13 @@ def draw_transmittances(axis, scene):
 
 
 def draw_slopes(axis, scene):
-    sweeps = scene["sweeps"]
-    times = [iteration_time(scene, "policy", s["ray_density"]) for s in sweeps]
-    axis.plot(times, [s["error_slope"] for s in sweeps], **{**POLICY, "label": "Volume"})
-    axis.plot(times, [s["error_slope_ray"] for s in sweeps], color=PURPLE, marker="P",
-              label="Ray (Eqs. 19, 20 as printed)")
-    draw_grids(axis, scene, lambda g: g["error_slope"], **{**GRIDS, "label": "paper's grids"})
-    for time, s in zip(times, sweeps):
-        if s["ray_density"] == 1:
-            draw_default(axis, time, s["error_slope"])
+    volume = by_rays(scene, lambda s: s["error_slope"])
+    draw(axis, volume, **{**POLICY, "label": "Volume"})
+    draw(axis, by_rays(scene, lambda s: s["error_slope_ray"]), color=PURPLE, marker="P",
+         label="Ray (Eqs. 19, 20 as printed)")
+    draw(axis, by_time(scene["paper_grids"], lambda g: g["error_slope"], "samples_per_voxel"),
+         numbers=2, above=True, **{**GRIDS, "label": "paper's grids"})
+    draw_default(axis, volume)
     logarithmic(axis, "time of an iteration [ms]", "relative error")
     axis.set_title("Derivative of S along three directions")
     make_room(axis, 0.18)
@@ -158,11 +122,7 @@ def draw_slopes(axis, scene):
 def draw_quadratures(axis, scene):
     for rule, style in RULES.items():
         results = [q for q in scene["quadratures"] if q["rule"] == rule]
-        times = [1e3 * q["seconds"] for q in results]
-        errors = [largest_error(q) for q in results]
-        axis.plot(times, errors, label=rule, **style)
-        write_numbers(axis, [(t, e, str(q["steps"]))
-                             for t, e, q in zip(times, errors, results)], style["color"])
+        draw(axis, by_time(results, largest_error, "steps"), numbers=1, label=rule, **style)
     logarithmic(axis, "time of S, simple scorer [ms]", "error of S")
     axis.set_title("Quadrature, by steps per layer")
     axis.legend()
@@ -175,16 +135,16 @@ def best_or_percent(value, _=None):
 def draw_runs(axis, scene, key, title):
     """What whole runs reach, over their time. Returns the entries of a legend."""
     runs = [r for r in scene["runs"] if r["threads"] != 1]
-    points = [(1e3 * r["seconds"], max(LEAST, short_of_best(scene, r, key))) for r in runs]
+    points = [(1e3 * r["seconds"], max(LEAST, short_of_best(scene, r, key)), r["name"])
+              for r in runs]
     draw_front(axis, points)
+    draw_default(axis, points, "default")
     labels = set()
-    for run, (x, y) in zip(runs, points):
+    for run, point in zip(runs, points):
         if run["group"] in RUNS:
             label, color, marker = RUNS[run["group"]]
-            axis.plot([x], [y], marker, color=color, label=None if label in labels else label)
+            axis.plot(*point[:2], marker, color=color, label=None if label in labels else label)
             labels.add(label)
-        if run["name"] == "default":
-            draw_default(axis, x, y)
     logarithmic(axis, "time of a whole run [ms]", "short of the best")
     axis.set_ylim(bottom=LEAST / 1.5)
     axis.yaxis.set_major_formatter(FuncFormatter(best_or_percent))
@@ -212,16 +172,12 @@ def plot_scene(scene, machine, folder):
     save(figure, folder, f"error-{scene['name']}.png")
 
 
-def run_of(scene, name):
-    return next((r for r in scene["runs"] if r["name"] == name), None)
-
-
 def plot_convergence(scenes, folder):
     figure, axes = pyplot.subplots(len(scenes), 2, figsize=(10, 1.75 * len(scenes) + 0.6),
                                    layout="constrained", squeeze=False)
     for row, scene in zip(axes, scenes):
         for name, style in (("default", POLICY), ("Adam", ADAM)):
-            run = run_of(scene, name)
+            run = next(r for r in scene["runs"] if r["name"] == name)
             history = np.array(run["history_iteration_level_seconds_S_F"], dtype=float)
             last = history[-1, 3]
             if name == "default":

@@ -4,27 +4,11 @@
 """Plots of time and memory against voxels, of threads, and of what is left out."""
 
 import numpy as np
-from matplotlib.ticker import (
-    FixedLocator,
-    FuncFormatter,
-    NullFormatter,
-    NullLocator,
-    PercentFormatter,
-)
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
+from matplotlib.ticker import PercentFormatter
 
 from scaling import SMALLEST_FITTED, efficiency, fit_exponents, skipped
-from plot_style import (
-    BLUE,
-    GRAY,
-    GREEN,
-    ORANGE,
-    PURPLE,
-    RED,
-    SKY,
-    plain,
-    pyplot,
-    save,
-)
+from plot_style import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, plain, pyplot, save
 
 STEPS = {
     "policy iteration": (BLUE, "o"),
