@@ -17,65 +17,35 @@ namespace limpid::benchmark
 {
 namespace
 {
-/// Seconds by step, see Scaling.md.
-using Steps = std::map<std::string, double>;
 
-Settings SettingsFor(SolverKind solver, bool skip, int iterations)
+/// `kind` from the base extinction at full resolution, for as long as is wanted.
+Settings SettingsFor(SolverKind kind, bool skip)
 {
   Settings settings;
   settings.skipUnneeded = skip;
   settings.backend = BackendKind::Cpu;
-  settings.solver = solver;
-  settings.tolerance = 0; // as many iterations as wanted
-  settings.maximumIterations = iterations;
-  settings.iterationsPerLevel = { { 0, 0, iterations } };
+  settings.solver = kind;
+  settings.tolerance = 0;
+  settings.maximumIterations = 1000;
+  settings.iterationsPerLevel = { { 0, 0, 1000 } };
   return settings;
 }
 
 /// Median of the iterations to come but the next, which may still make memory. Not many of what
 /// takes long.
-double LaterSteps(Solver& solver, int most)
+double LaterSteps(Solver& solver, std::size_t most)
 {
   solver.Step(1);
-  constexpr int least = 2;
   constexpr double enough = 1; // [s]
   std::vector<double> seconds;
-  double sum = 0;
+  Stopwatch whole;
   Stopwatch watch;
-  while (int(seconds.size()) < least || (int(seconds.size()) < most && sum < enough))
+  while (seconds.size() < 2 || (seconds.size() < most && whole.Elapsed() < enough))
   {
     solver.Step(1);
     seconds.push_back(watch.Lap());
-    sum += seconds.back();
   }
   return Median(seconds);
-}
-
-void TimePolicy(const SceneForSolver& scene, bool skip, Steps& times)
-{
-  constexpr int later = 3;
-  Stopwatch watch;
-  Solver solver = scene.MakeSolver(SettingsFor(SolverKind::Policy, skip, 2 + later));
-  times["setup"] = watch.Lap();
-  solver.Step(1);
-  times["first pass"] = watch.Lap();
-  times["policy iteration"] = LaterSteps(solver, later);
-}
-
-void TimeAdam(const SceneForSolver& scene, Steps& times)
-{
-  constexpr int later = 2;
-  Solver solver = scene.MakeSolver(SettingsFor(SolverKind::Adam, true, 1 + later));
-  times["Adam iteration"] = LaterSteps(solver, later);
-}
-
-void TimeScores(const SceneForSolver& scene, Steps& times)
-{
-  constexpr int directions = 8;
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
-  Stopwatch watch;
-  ScoreViews(score, OrbitAround(scene.grid), SpreadDirections(directions), nullptr);
-  times["score of a direction"] = watch.Lap() / directions;
 }
 
 /// One set of times, or several of what is so quick that a single one tells little.
@@ -85,16 +55,25 @@ void TimeRound(const SceneForSolver& scene, bool skip, Rounds& runs)
   const int sets = voxels < 3e5 ? 5 : (voxels < 3e6 ? 2 : 1);
   for (int set = 0; set < sets; ++set)
   {
-    Steps times;
-    TimePolicy(scene, skip, times);
+    Stopwatch watch;
+    {
+      Solver policy = scene.MakeSolver(SettingsFor(SolverKind::Policy, skip));
+      runs["setup"].push_back(watch.Lap());
+      policy.Step(1);
+      runs["first pass"].push_back(watch.Lap());
+      runs["policy iteration"].push_back(LaterSteps(policy, 3));
+    }
     if (skip) // without skips all takes long, and scores have no such setting
     {
-      TimeAdam(scene, times);
-      TimeScores(scene, times);
-    }
-    for (const auto& [step, seconds] : times)
-    {
-      runs[step].push_back(seconds);
+      {
+        Solver adam = scene.MakeSolver(SettingsFor(SolverKind::Adam, true));
+        runs["Adam iteration"].push_back(LaterSteps(adam, 2));
+      }
+      constexpr int directions = 8;
+      const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+      watch.Lap();
+      ScoreViews(score, OrbitAround(scene.grid), SpreadDirections(directions), nullptr);
+      runs["score of a direction"].push_back(watch.Lap() / directions);
     }
   }
 }

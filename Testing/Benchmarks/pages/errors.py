@@ -24,13 +24,13 @@ def fronts_section(scenes):
     return """
 ## Is the default worth its time?
 
-A setting is on the Pareto front if no other is both faster and better. *Rival*: the setting that is \
-most better in time and error at once, and *factor* by how much, in the one of the two in which it is \
-less so: with time and error divided by it the default would be on the front. Errors of an iteration \
-are compared with the time of a policy iteration by rays, what is reached with that of a whole run of \
-either solver. Errors below the reference's own, and shortfalls below 0.001 %, count as these. F is \
-what the solvers minimise; S is a part of it, and a single pass, which does not know the light, gets \
-more of S and less out of F.
+A setting is on the Pareto front if no other is both faster and better. *Rival*: the setting that \
+is most better in time and error at once, and *factor* by how much, in the one of the two in \
+which it is less so: with time and error divided by it the default would be on the front. Errors \
+of an iteration are compared with the time of a policy iteration by rays, what is reached with \
+that of a whole run of either solver. Errors below the reference's own, and shortfalls below \
+0.001 %, count as these. F is what the solvers minimise; S is a part of it, and a single pass, \
+which does not know the light, gets more of S and less out of F.
 """ + table(rows, [
         ("scene", lambda r: r["scene"]), ("error", lambda r: r["measure"]),
         ("among", lambda r: r["among"]), ("default: time [ms]", lambda r: ms(r["seconds"])),
@@ -53,11 +53,12 @@ def equal_section(scenes):
     return """
 ## The paper's grids at equal error
 
-An Adam iteration, camera and light, on the paper's perspective grids (`cuda/reference`) of several \
-resolutions, and Limpid's cheapest iterations at full resolution whose S is at least as exact: same \
-process, threads, compiler flags, float32. The finest grids are those that fit into the limits of \
-memory and time. *Interpolated*: between the two neighbouring resolutions, straight in the logarithms \
-of error and time. Error of S: the larger of that of the base extinction and of the default result.
+An Adam iteration, camera and light, on the paper's perspective grids (`cuda/reference`) of \
+several resolutions, and Limpid's cheapest iterations at full resolution whose S is at least as \
+exact: same process, threads, compiler flags, float32. The finest grids are those that fit into \
+the limits of memory and time. *Interpolated*: between the two neighbouring resolutions, straight \
+in the logarithms of error and time. Error of S: the larger of that of the base extinction and of \
+the default result.
 """ + table(rows, [
         ("scene", lambda r: r["scene"]),
         ("samples per voxel", lambda r: small(r["samples_per_voxel"])
@@ -123,10 +124,11 @@ def scene_section(scene):
     return f"""
 ## {scene['name']}
 
-{sizes(scene['nodes'])} nodes. Reference: {small(reference['rays_per_voxel'])} rays per voxel and axis, \
-S {significant(reference['S_base'], 6)} (base) and {significant(reference['S_optimized'], 6)} (default \
-result); with two thirds of the rays it moves by at most {share(reference['uncertainty'])}. T at \
-{reference['voxels']} voxels. Measured in {fixed(scene['seconds'])} s.
+{sizes(scene['nodes'])} nodes. Reference: {small(reference['rays_per_voxel'])} rays per voxel and \
+axis, S {significant(reference['S_base'], 6)} (base) and \
+{significant(reference['S_optimized'], 6)} (default result); with two thirds of the rays it moves \
+by at most {share(reference['uncertainty'])}. T at {reference['voxels']} voxels. Measured in \
+{fixed(scene['seconds'])} s.
 
 """ + iterations_section(scene) + "### Skips and threads\n" + table(skips, SKIPS) \
         + "### Transmittance for shadows\n" + table(scene["shadows"], SHADOWS) \
@@ -137,9 +139,9 @@ result); with two thirds of the rays it moves by at most {share(reference['uncer
 def page(measured):
     scenes = measured["scenes"]
     cuda = scenes[0]["cuda"].replace("not measured: ", "not measured (", 1)
-    return head("Run time against error", measured, "bash Testing/Benchmarks/run.sh --pages errors") \
-        + f"""
-Reference: the march of Testing/Reference, double precision, no code of the sweeps. Rays and samples \
-are per voxel and axis. Quadrature: a simple scorer with two rays per voxel and axis (one in scenes \
-above 4 million voxels), no skips. CUDA: {cuda}{')' if '(' in cuda else ''}.
+    command = "bash Testing/Benchmarks/run.sh --pages errors"
+    return head("Run time against error", measured, command) + f"""
+Reference: the march of Testing/Reference, double precision, no code of the sweeps. Rays and \
+samples are per voxel and axis. Quadrature: a simple scorer with two rays per voxel and axis (one \
+in scenes above 4 million voxels), no skips. CUDA: {cuda}{')' if '(' in cuda else ''}.
 """ + fronts_section(scenes) + equal_section(scenes) + "".join(map(scene_section, scenes))

@@ -14,8 +14,8 @@ ROUND_ERRORS = (0.2, 0.1, 0.05, 0.02, 0.01)
 
 
 def front_of(settings):
-    """Names of the settings (name, seconds, error) that no other is faster than and at least as good,
-    fastest first."""
+    """Names of the settings (name, seconds, error) that no other is faster than and at least as
+    good, fastest first."""
     def beaten(one):
         return any(o[1] <= one[1] and o[2] <= one[2] and o[1:] != one[1:] for o in settings)
 

@@ -89,7 +89,8 @@ def missing(measured):
 
 def scene_section(scene, bandwidth):
     steps = [(name, scene[key]) for key, name in STEPS.items() if "seconds" in scene[key]]
-    return (f"\n## {title(scene)}\n\n{significant(100 * scene['filled'])} % of the voxels are swept.\n"
+    filled = significant(100 * scene["filled"])
+    return (f"\n## {title(scene)}\n\n{filled} % of the voxels are swept.\n"
             + iteration(scene, "policy", bandwidth) + iteration(scene, "adam", bandwidth)
             + table(steps, [
                 ("whole steps", lambda s: s[0]), ("ms", lambda s: ms(s[1]["seconds"])),

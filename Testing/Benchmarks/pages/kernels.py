@@ -73,9 +73,9 @@ def streams_section(streams):
     return """
 ## What memory could do
 
-The fastest of several rounds of plain loops over arrays of floats, compiled as the row kernels are: \
-read (sum of an array), copy (one to another), triad (a sum of two to a third), and the library's \
-memcpy. Bytes: every array once. Every thread has arrays of its own; KiB: all of them.
+The fastest of several rounds of plain loops over arrays of floats, compiled as the row kernels \
+are: read (sum of an array), copy (one to another), triad (a sum of two to a third), and the \
+library's memcpy. Bytes: every array once. Every thread has arrays of its own; KiB: all of them.
 """ + table(chosen, [
         ("arrays are in", lambda r: r[0][0]), ("threads", lambda r: r[0][1]),
         ("[KiB]", lambda r: fixed(r[1]["read"]["bytes"] / 1024)),
@@ -111,9 +111,9 @@ def floors_section(results):
 ## A policy iteration and its floor
 
 Camera and light at full resolution. Floor: bytes over the fastest stream in memory with as many \
-threads. Bytes are counted, not measured: every field once for each pass that reads or writes it, 4 \
-bytes a node, at the nodes that the pass visits; rays and tables stay in caches and do not count. \
-Samples: rays times layers.
+threads. Bytes are counted, not measured: every field once for each pass that reads or writes it, \
+4 bytes a node, at the nodes that the pass visits; rays and tables stay in caches and do not \
+count. Samples: rays times layers.
 """ + table(results, [
         ("scene", lambda r: r["scene"]), ("threads", lambda r: r["threads"]),
         ("filled", lambda r: percent(r["filled"] / r["voxels"])),
@@ -122,22 +122,22 @@ Samples: rays times layers.
         ("floor [ms]", lambda r: ms(r["floor"])), ("measured [ms]", lambda r: ms(r["seconds"])),
         ("measured / floor", lambda r: fixed(r["seconds"] / r["floor"], 1)),
         ("spread", lambda r: percent(r["spread"]))]) + """\
-Filled: nodes with extinction or importance. As for a GPU: bytes as the page on the GPU counts them, \
-at every filled node, whether rays come there or not. The passes, medians:
+Filled: nodes with extinction or importance. As for a GPU: bytes as the page on the GPU counts \
+them, at every filled node, whether rays come there or not. The passes, medians:
 """
     return text + "".join(map(passes_section, results))
 
 
 def kernels_section(kernels):
     def call(kernel):
-        is_row = kernel["seconds"] < 1e-4
-        return significant(1e9 * kernel["seconds"]) + " ns" if is_row else ms(kernel["seconds"]) + " ms"
+        seconds = kernel["seconds"]
+        return significant(1e9 * seconds) + " ns" if seconds < 1e-4 else ms(seconds) + " ms"
 
     return """
 ## Kernels
 
-By Google Benchmark, all in turns, medians. Rows have 256 columns and stay in the first cache. Bytes: \
-what a kernel reads and writes, each array once.
+By Google Benchmark, medians. Small volumes, and rows of 256 columns, stay in caches. Bytes: what \
+a kernel reads and writes, each array once.
 """ + table(kernels, [
         ("kernel", lambda k: k["names"][0]), ("threads", lambda k: k["threads"]), ("call", call),
         ("item", lambda k: k["item"]),

@@ -3,7 +3,8 @@
 
 """Makes the pages of a folder from the numbers there, and draws their plots.
 
-  python3 Testing/Benchmarks/pages/make.py FOLDER [--pages PAGE,...] [--no-plots] [--pictures FOLDER]
+  python3 Testing/Benchmarks/pages/make.py FOLDER [--pages PAGE,...] [--no-plots]
+    [--pictures FOLDER]
 
 FOLDER/Errors.json becomes FOLDER/Errors.md and some of FOLDER/Plots. Without --pages: whatever has
 numbers there. Plots need matplotlib (Debian: python3-matplotlib), those of resolutions the pictures

@@ -63,8 +63,8 @@ def noise(spreads, limit=NOISY):
     """A warning if times lie far apart."""
     if max(spreads, default=0) <= limit:
         return ""
-    return (f"**The machine was busy while this was measured (a spread above {percent(limit)}): all "
-            "times are preliminary.**\n\n")
+    return ("**The machine was busy while this was measured (a spread above "
+            f"{percent(limit)}): all times are preliminary.**\n\n")
 
 
 def head(title, measured, command=None):

@@ -5,7 +5,8 @@
 
 from markdown import deviation, fixed, head, percent, plural, significant, table
 
-COMMAND = "python3 Testing/Benchmarks/peers/energy_torch.py --output Documentation/Benchmarks/Peers.json"
+COMMAND = ("python3 Testing/Benchmarks/peers/energy_torch.py "
+           "--output Documentation/Benchmarks/Peers.json")
 NOISY = 0.2  # spread of a program's times above which they are preliminary
 DIRECTIONS = ("important", "unimportant", "wave")
 TIMES = ("value_seconds", "gradient_seconds", "gradient_shortest")

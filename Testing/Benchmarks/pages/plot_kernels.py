@@ -23,7 +23,7 @@ def plot(measured, folder, _):
     places = np.arange(len(results))[::-1]
     start = np.zeros(len(results))
     for name, color in PASSES.items():
-        lengths = 1e3 * np.array([next((p["seconds"] for p in r["passes"] if p["names"][0] == name), 0)
+        lengths = 1e3 * np.array([sum(p["seconds"] for p in r["passes"] if p["names"][0] == name)
                                   for r in results])
         axis.barh(places, lengths, 0.62, left=start, color=color, label=name)
         start += lengths

@@ -38,8 +38,8 @@ def page(measured):
             [s["still"]["spread"]["rays"] for s in scenes], 0.2) + """
 ## Rays
 
-Of the same picture. The last three columns: with shadows, nothing skipped and no ray ended early; the \
-samples per second of that; and how much of its time is saved.
+Of the same picture. The last three columns: with shadows, nothing skipped and no ray ended \
+early; the samples per second of that; and how much of its time is saved.
 """ + table(rays, [
         SCENE, ("extinction", lambda r: r["extinction"]),
         ("samples on all rays [millions]", lambda r: fixed(1e-6 * r["samples"])),
@@ -50,8 +50,8 @@ samples per second of that; and how much of its time is saved.
         ("time left out", lambda r: percent(1 - r["shadowed"] / r["every_sample"]))]) + f"""
 ## A moving frame
 
-{moving} × {moving} pixels, lit, with shadows; {scenes[0]['frames']} frames, each 2 degrees on, with \
-{ms(scenes[0]['preview_seconds'])} ms for one pass of the optimisation. Medians.
+{moving} × {moving} pixels, lit, with shadows; {scenes[0]['frames']} frames, each 2 degrees on, \
+with {ms(scenes[0]['preview_seconds'])} ms for one pass of the optimisation. Medians.
 """ + table(scenes, [
         SCENE, ("optimised on", lambda s: sizes(s["moving"]["nodes"])), *times("moving", FRAMES),
         ("longest frame [ms]", lambda s: ms(s["moving"]["longest"]))]) + """
@@ -59,7 +59,8 @@ samples per second of that; and how much of its time is saved.
 
 A picture composited by a sweep from slice to slice and warped to the screen has the rays of the \
 sweep, here one per voxel and axis; the same number of rays can be cast through pixels. Base \
-extinction, unlit. The sweep sums extinction and importance only: colours and light would come on top.
+extinction, unlit. The sweep sums extinction and importance only: colours and light would come on \
+top.
 """ + table(scenes, [
         SCENE, ("rays", lambda s: s["few_rays"]["rays"]),
         ("one sweep [ms]", lambda s: ms(s["few_rays"]["sweep"])),

@@ -65,10 +65,10 @@ def sizes_section(measured):
     return f"""
 ## Time against voxels
 
-Medians of {measured['options']['repeats']:g} rounds through all sizes (of three at most from 300³ \
-on), {measured['machine']['threads']} threads, wall time. Policy iteration (from the third on) and \
-Adam iteration: camera and light at full resolution. Score: one of several directions. Spread: slowest \
-less fastest policy iteration over the median.
+Medians of {measured['options']['repeats']:g} rounds through all sizes (of three at most from \
+300³ on), {measured['machine']['threads']} threads, wall time. Policy iteration (from the third \
+on) and Adam iteration: camera and light at full resolution. Score: one of several directions. \
+Spread: slowest less fastest policy iteration over the median.
 """ + table(entries, [SCENE, ("nodes", lambda e: f"{e['side']}³"), *time_columns(), SPREAD]) + f"""\
 Exponent e of time ∝ voxels^e, least squares in the logarithms, sizes from {SMALLEST_FITTED}³ on:
 """ + table(fits_of(entries), [
@@ -82,8 +82,8 @@ def memory_section(measured):
 ## Memory against voxels
 
 Peak resident memory of a default run to the end (policy, camera and light), from the solver's \
-constructor on, less what was resident before: the input's two arrays (8 bytes a voxel) are not in it, \
-the result is. Every run has a process of its own.
+constructor on, less what was resident before: the input's two arrays (8 bytes a voxel) are not \
+in it, the result is. Every run has a process of its own.
 """ + table(measured["memory"], [
         SCENE, ("nodes", lambda v: f"{v['side']}³"),
         ("beyond the input [MiB]", lambda v: mebibytes(v["bytes"])),
@@ -96,11 +96,11 @@ def threads_section(measured):
     return f"""
 ## Threads
 
-Medians of {measured['options']['repeats']:g} rounds, numbers of threads in turns in one process, wall \
-time. Efficiency: time on one thread over the product of threads and time on all. Cores: the same for \
-plain arithmetic, times the threads: what the machine lent meanwhile.
-""" + table(rows, [SCENE, ("nodes", lambda r: sizes(r["nodes"])), ("threads", lambda r: r["threads"]),
-                   *time_columns(), SPREAD]) + "Parallel efficiency:\n" + table(results, [
+Medians of {measured['options']['repeats']:g} rounds, numbers of threads in turns in one process, \
+wall time. Efficiency: time on one thread over the product of threads and time on all. Cores: the \
+same for plain arithmetic, times the threads: what the machine lent meanwhile.
+""" + table(rows, [SCENE, ("nodes", lambda r: sizes(r["nodes"])),
+                   ("threads", lambda r: r["threads"]), *time_columns(), SPREAD]) + "Parallel efficiency:\n" + table(results, [
                        SCENE, ("threads", lambda r: r["times"][-1]["threads"]),
                        *((step, lambda r, step=step: percent(efficiency(r, step)))
                          for step in STEPS),
@@ -145,13 +145,13 @@ def is_noisy(measured):
 def page(measured):
     text = head("Scaling", measured) + """
 onion: a core in a shell, the corners of the box are empty; dense: the same in a haze that leaves \
-nothing empty. The core is important. Skips off: whatever the scene does not need is computed, too, as \
-if everything were important.
+nothing empty. The core is important. Skips off: whatever the scene does not need is computed, \
+too, as if everything were important.
 """
     if is_noisy(measured):
         text += """
-**The machine was busy while this was measured (a spread above 25 %, or fewer cores than threads): all \
-times are preliminary.**
+**The machine was busy while this was measured (a spread above 25 %, or fewer cores than \
+threads): all times are preliminary.**
 """
     parts = (("sizes", sizes_section), ("memory", memory_section), ("threads", threads_section),
              ("skips", skips_section))

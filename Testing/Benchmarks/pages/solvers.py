@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Which extinction the solvers find, how fast, in how much memory; the paper's scheme beside them."""
+"""Which extinction the solvers find, how fast, in how much memory; beside the paper's scheme."""
 
 from markdown import arrow, deviation, fixed, head, mebibytes, ms, noise, percent, significant
 from markdown import sizes, table
@@ -32,8 +32,8 @@ def quality(scenes, options):
     return f"""
 ## Policy against Adam
 
-The march is that of Testing/Reference: double precision, {options['march-rays']:g} rays per voxel \
-and axis, four Gauss points in every piece of a cell, no code of the solver.
+The march is that of Testing/Reference: double precision, {options['march-rays']:g} rays per \
+voxel and axis, four Gauss points in every piece of a cell, no code of the solver.
 
 ### Are the reported scores true?
 
@@ -43,10 +43,10 @@ Scores [length²] that the solver reports against those of the march.
                      *checked("Adam S", ["quality", "adam", "S"])]) + """\
 ### Which solver ends lower?
 
-Policy with default settings against Adam with 32, 32 and 64 iterations on a quarter, half and full \
-resolution. F is the energy of Eq. 21; the last column is negative where the policy's is lower, that \
-is, better. S after one iteration is the reported one. Visible: S over the same integral without \
-transmittance. Times are those of one run each, with setup.
+Policy with default settings against Adam with 32, 32 and 64 iterations on a quarter, half and \
+full resolution. F is the energy of Eq. 21; the last column is negative where the policy's is \
+lower, that is, better. S after one iteration is the reported one. Visible: S over the same \
+integral without transmittance. Times are those of one run each, with setup.
 """ + table(scenes, [
         SCENE, ("policy, 1 iteration: F", lambda s: fixed(s["quality"]["policy"]["first_F"])),
         ("S", lambda s: significant(s["quality"]["policy"]["first_S"], 5)),
@@ -86,9 +86,9 @@ def time_of_runs(scenes, measured):
 ## Time
 
 Policy, default settings, camera and light, {measured['machine']['threads']} threads. Wall time, \
-medians of {measured['options']['repeats']:g} runs with skips on and off in turns, after a warm-up of \
-each. Setup ends with score and energy of the base extinction. Spread: slowest less fastest whole run \
-over the median; much more than 10 % means that the machine was busy.
+medians of {measured['options']['repeats']:g} runs with skips on and off in turns, after a \
+warm-up of each. Setup ends with score and energy of the base extinction. Spread: slowest less \
+fastest whole run over the median; much more than 10 % means that the machine was busy.
 """ + table(scenes, [
         SCENE, ("voxels", lambda s: sizes(s["nodes"])), on("setup [ms]", "setup"),
         on("first pass [ms]", "first"), on("setup + first pass [ms]", "ready"),
@@ -130,8 +130,8 @@ sweeps with their defaults, in turns, after one iteration of each as warm-up; me
         ("Limpid [ms]", lambda s: ms(of("limpid", "time")(s)["seconds"])),
         ("ratio", lambda s: fixed(of("paper", "time")(s)["seconds"]
                                   / of("limpid", "time")(s)["seconds"], 1))]) + """\
-Scores that both report themselves, as deviations from the march, and what the same number of Adam \
-iterations from the base extinction led to. F is that of Limpid's sweeps for both fields.
+Scores that both report themselves, as deviations from the march, and what the same number of \
+Adam iterations from the base extinction led to. F is that of Limpid's sweeps for both fields.
 """ + table(scenes, [
         SCENE, ("base S, march", lambda s: significant(s["paper"]["base_march"], 5)),
         ("paper's scheme", base("paper")), ("Limpid", base("limpid")),
@@ -149,12 +149,12 @@ def memory(scenes):
     return """
 ## Memory
 
-Peak resident memory of a run to the end, from the solver's constructor on, less what was resident \
-before: the input's two arrays are not in it, the result is. Each run has a process of its own, forked \
-before any threads are started, that reads the scene, gives free memory back (malloc_trim), resets the \
-peak (/proc/self/clear_refs) and in the end reads VmHWM less the earlier VmRSS from /proc/self/status. \
-Stacks of threads and freshly used pages of libraries count, which shows in small scenes. Policy: \
-default settings; Adam: two iterations per level.
+Peak resident memory of a run to the end, from the solver's constructor on, less what was \
+resident before: the input's two arrays are not in it, the result is. Each run has a process of \
+its own, forked before any threads are started, that reads the scene, gives free memory back \
+(malloc_trim), resets the peak (/proc/self/clear_refs) and in the end reads VmHWM less the \
+earlier VmRSS from /proc/self/status. Stacks of threads and freshly used pages of libraries \
+count, which shows in small scenes. Policy: default settings; Adam: two iterations per level.
 """ + table(scenes, [SCENE, ("voxels", voxels),
                      ("policy [MiB]", lambda s: mebibytes(s["memory"]["policy"])),
                      ("policy [byte/voxel]", per_voxel("policy")),
@@ -167,7 +167,8 @@ def page(measured):
         return [scene for scene in measured["scenes"] if scene.get(part)]
 
     options = measured["options"]
-    parts = (("quality", lambda s: quality(s, options)), ("time", lambda s: time_of_runs(s, measured)),
+    parts = (("quality", lambda s: quality(s, options)),
+             ("time", lambda s: time_of_runs(s, measured)),
              ("paper", lambda s: against_paper(s, options)), ("memory", memory))
     return head("Solvers", measured) + "".join(
         text(having(part)) for part, text in parts if having(part))

@@ -35,13 +35,14 @@ def page(measured):
     return head("Viewpoints", measured) + f"""
 ## A search
 
-Cameras at three radii, rays one per voxel and axis, {measured['machine']['threads']} threads, wall \
-time, medians of {measured['options']['repeats']:g} runs. Score, and score and slope: one direction \
-after the other, mean over {few}. Search: setup, {scenes[0]['directions']} directions, and climbs from \
-the best.
+Cameras at three radii, rays one per voxel and axis, {measured['machine']['threads']} threads, \
+wall time, medians of {measured['options']['repeats']:g} runs. Score, and score and slope: one \
+direction after the other, mean over {few}. Search: setup, {scenes[0]['directions']} directions, \
+and climbs from the best.
 {table(rows, searches)}{noise([r['spread']['search'] for r in rows], 0.2)}## Run time against error
 
 S of {few} directions against the march of Testing/Reference: double precision, \
 {significant(measured['options']['march-rays'], 2)} rays per voxel and axis, four Gauss points in \
-every piece of a cell, no code of the sweeps. ρ: rays per voxel and axis of the sweep; times as above.
+every piece of a cell, no code of the sweeps. ρ: rays per voxel and axis of the sweep; times as \
+above.
 """ + table(rows, densities)

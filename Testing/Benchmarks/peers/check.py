@@ -14,7 +14,6 @@ import numpy as np
 import programs
 
 TERMS = ("regularization", "view", "light")
-RAYS = 3  # per voxel and axis of the reference's march
 SCORE = 5e-3  # what a score may be off
 OURS = "derivatives, Limpid to the march's central differences"
 THEIRS = "derivatives, PyTorch to the march's central differences"
@@ -34,11 +33,9 @@ def evaluated(program):
 
 
 def collect(path, nodes, threads):
-    found = {}
+    found = {"march": programs.march(path, nodes, threads)}
     with programs.limpid(path, nodes, threads) as program:
         found["Limpid"] = evaluated(program)
-        found["march"] = {"energy": program.ask(f"march {RAYS}"),
-                          "slopes": program.ask(f"difference {RAYS}")}
     with programs.limpid(path, nodes, threads, derivative="ray") as program:
         found["Limpid, Ray"] = evaluated(program)
     for sampler in ("planes", "trilinear"):

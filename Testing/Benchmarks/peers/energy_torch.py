@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Times the energy of Eq. (21) and its gradient: PyTorch's automatic differentiation against Limpid.
+"""Times the energy of Eq. (21) and its gradient: PyTorch's automatic differentiation, and Limpid.
 
     python3 energy_torch.py [--limpid PROGRAM] [--nodes N ...] [--threads N ...] [--repeats N]
       [--devices cpu cuda] [--output FILE.json]
@@ -35,7 +35,6 @@ import programs
 sys.path.append(os.path.join(programs.HERE, "..", "pages"))
 import machine  # noqa: E402 pylint: disable=wrong-import-position
 
-MARCH_RAYS = 3  # per voxel and axis
 VIEW, LIGHT = 10.0, 1.0  # weights in the energy
 
 
@@ -92,12 +91,6 @@ def times(chosen, repeats):
     return taken
 
 
-def reference(arguments, nodes):
-    with programs.limpid(arguments.limpid, nodes, max(arguments.threads)) as program:
-        return {"energy": program.ask(f"march {MARCH_RAYS}"),
-                "slopes": program.ask(f"difference {MARCH_RAYS}")}
-
-
 def row_of(result, seconds, truth):
     """Numbers of one program on one size and device."""
     slopes = result["slopes"]
@@ -128,7 +121,8 @@ def measure(arguments, nodes, device, threads, truth):
 
 def measure_all(arguments):
     sizes = arguments.nodes or [64, 96, 128]
-    truths = {nodes: reference(arguments, nodes) for nodes in sizes}
+    truths = {nodes: programs.march(arguments.limpid, nodes, max(arguments.threads))
+              for nodes in sizes}
     measured = []
     for device in arguments.devices:
         if device == "cuda" and not has_gpu():

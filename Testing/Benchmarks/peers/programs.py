@@ -72,9 +72,17 @@ class Program:
 
 
 def limpid(path, nodes, threads, skips=True, derivative="volume"):
-    flags = ([] if skips else ["--skips-off"]) + (["--derivative-ray"] if derivative == "ray" else [])
+    flags = [flag for flag, on in (("--skips-off", not skips),
+                                   ("--derivative-ray", derivative == "ray")) if on]
     return Program("Limpid" if skips else "Limpid, skips off",
                    [path, "--onion", str(nodes), "--threads", str(threads), *flags])
+
+
+def march(path, nodes, threads):
+    """Energy and derivatives by the reference."""
+    rays = 3  # per voxel and axis
+    with limpid(path, nodes, threads) as program:
+        return {"energy": program.ask(f"march {rays}"), "slopes": program.ask(f"difference {rays}")}
 
 
 def torch(nodes, threads, device="cpu", sampler="planes", parts=1, precision="float32"):
