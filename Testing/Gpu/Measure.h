@@ -40,10 +40,6 @@ Json MeasureDevice(const Effort& effort);
 /// All steps of a scene.
 Json MeasureScene(const SceneForSolver& scene, const Effort& effort);
 
-/// Adds pictures of a scene with the extinction that was found [1/length].
-void MeasurePictures(const std::shared_ptr<CompiledDevice>& device, const SceneForSolver& scene,
-  const std::vector<float>& extinction, const Effort& effort, Json& result);
-
 /// What `measure` returns, or why it could not.
 template <class Work>
 Json Try(const Work& measure)
