@@ -208,14 +208,15 @@ launcher=()
 
 reserve=0
 program_step "benchmark" 150 benchmark.log say_figures limpid_bench_gpu --output "$out/Gpu.json"
+
+# The page, and sweeps by the hardware's own counters; nothing depends on them.
+before=$failed
 if [[ -f "$out/Gpu.json" ]] && command -v python3 > /dev/null; then
   step "page" 20 benchmark.log say_done \
     python3 -B "$root/Testing/Benchmarks/pages/make.py" --pages gpu --no-plots "$out"
+  failed=$before
 fi
-
-# Sweeps by the hardware's own counters; nothing depends on it.
 if command -v ncu > /dev/null && ((total_seconds - SECONDS > 20)); then
-  before=$failed
   launcher=(ncu --clock-control none --section SpeedOfLight --section MemoryWorkloadAnalysis
     --section LaunchStats --section Occupancy --kernel-name "regex:VisitEach|VisitPhases"
     --launch-count 24)
