@@ -39,9 +39,8 @@ def plot(measured, folder, _):
     axis.set_yticklabels([f"{r['scene']} ({r['voxels'] / 1e6:.1f} M voxels)" for r in results])
     axis.grid(False, axis="y")
     axis.margins(x=0.14)
-    axis.set_xlim(left=0)
-    axis.set_xlabel("time of a policy iteration [ms]")
-    axis.set_title(f"Passes of an iteration, and what their bytes would take ({threads} threads)")
+    axis.set(xlim=(0, None), xlabel="time of a policy iteration [ms]",
+             title=f"Passes of an iteration, and what their bytes would take ({threads} threads)")
     key.set_axis_off()
     key.legend(*axis.get_legend_handles_labels(), loc="center", ncol=4)
     save(figure, folder, "kernels-floor.png")

@@ -35,8 +35,7 @@ def plot_resolutions(scene, source, folder):
         column = coarsenings.index(picture["coarsening"])
         axis = axes[row, column]
         axis.imshow(read_picture(os.path.join(source, picture["file"])), interpolation="none")
-        axis.set_xticks([])
-        axis.set_yticks([])
+        axis.set(xticks=[], yticks=[])
         axis.grid(False)
         for side in axis.spines.values():
             side.set_visible(False)

@@ -102,9 +102,8 @@ def plot_memory(measured, folder):
     axis.axhline(MOST_BYTES, color="black", linewidth=1, linestyle="--")
     axis.text(0.99, MOST_BYTES, f"at most {MOST_BYTES} on the dense scene", ha="right", va="bottom",
               transform=axis.get_yaxis_transform(), fontsize=8)
-    axis.set_ylim(bottom=0)
-    axis.set_ylabel("bytes per voxel beyond the input")
-    axis.set_title("Peak memory of a default run")
+    axis.set(ylim=(0, None), ylabel="bytes per voxel beyond the input",
+             title="Peak memory of a default run")
     axis.legend(loc="lower left")
     show_sizes(axis, measured["memory"])
     save(figure, folder, "scaling-memory.png")
@@ -123,11 +122,10 @@ def plot_threads(measured, folder):
     axis.set_xticks(np.arange(len(results)))
     axis.set_xticklabels([f"{r['scene']}\n{' × '.join(str(n) for n in r['nodes'])}\n"
                           f"{r['cores']:.2f} cores" for r in results], fontsize=7)
-    axis.set_xlim(-0.6, len(results) - 0.4)
-    axis.set_ylim(bottom=0)
+    axis.set(xlim=(-0.6, len(results) - 0.4), ylim=(0, None))
     axis.yaxis.set_major_formatter(PercentFormatter(1))
-    axis.set_ylabel("parallel efficiency")
-    axis.set_title(f"Time on one thread over {threads} × time on {threads} threads")
+    axis.set(ylabel="parallel efficiency",
+             title=f"Time on one thread over {threads} × time on {threads} threads")
     axis.legend(loc="lower left", ncol=3)
     save(figure, folder, "scaling-threads.png")
 
@@ -154,9 +152,8 @@ def plot_skips(measured, folder):
     bars.set_xticks(np.arange(len(results)))
     bars.set_xticklabels([r["scene"] for r in results], fontsize=7.5)
     bars.grid(False, axis="x")
-    bars.set_ylim(0, 1)
-    bars.set_ylabel("share of what skips off take")
-    bars.set_title("Work left out and time saved")
+    bars.set(ylim=(0, 1), ylabel="share of what skips off take",
+             title="Work left out and time saved")
     bars.legend(loc="upper left", ncol=2)
 
     axis = points
@@ -168,11 +165,8 @@ def plot_skips(measured, folder):
                   MARKERS[number % len(MARKERS)], color=COLORS[number % len(COLORS)],
                   markersize=7, label=result["scene"])
     axis.legend(loc="lower right")
-    axis.set_xlim(0, 1)
-    axis.set_ylim(0, 1)
-    axis.set_xlabel("share of samples skipped")
-    axis.set_ylabel("time saved in an iteration")
-    axis.set_title("On the line, time follows samples")
+    axis.set(xlim=(0, 1), ylim=(0, 1), xlabel="share of samples skipped",
+             ylabel="time saved in an iteration", title="On the line, time follows samples")
     for each in (bars.yaxis, points.xaxis, points.yaxis):
         each.set_major_formatter(PercentFormatter(1))
     save(figure, folder, "scaling-skips.png")

@@ -40,10 +40,7 @@ def plain(value, _=None):
 
 
 def logarithmic(axis, across, up, *, as_percent=True):
-    axis.set_xscale("log")
-    axis.set_yscale("log")
-    axis.set_xlabel(across)
-    axis.set_ylabel(up)
+    axis.set(xscale="log", yscale="log", xlabel=across, ylabel=up)
     axis.margins(x=0.08, y=0.1)
     axis.autoscale()
     for along, form in ((axis.xaxis, plain), (axis.yaxis, percent if as_percent else plain)):
