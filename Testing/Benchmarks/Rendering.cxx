@@ -70,11 +70,12 @@ double SamplesOf(const Grid& grid, const View& view)
   double samples = 0;
   for (int pixel = 0; pixel < view.width * view.height; ++pixel)
   {
+    const int column = pixel % view.width;
+    const int row = pixel / view.width;
     const auto point = [&](double z)
     {
       const glm::dvec4 x = view.clipToWorld *
-        glm::dvec4(2 * (pixel % view.width + 0.5) / view.width - 1,
-          2 * (pixel / view.width + 0.5) / view.height - 1, z, 1.0);
+        glm::dvec4(2 * (column + 0.5) / view.width - 1, 2 * (row + 0.5) / view.height - 1, z, 1.0);
       return grid.PointToIndex(Vec3(x) / x.w);
     };
     const Vec3 from = point(-1);

@@ -109,6 +109,7 @@ void MeasureSizes(const std::string& filling, bool skip, const std::vector<int>&
   constexpr int largeSide = 300;      // volumes from here on take seconds ...
   constexpr int mostLargeRepeats = 3; // ... and are measured so often at most
   std::vector<SceneForSolver> scenes;
+  scenes.reserve(sides.size());
   for (const int side : sides)
   {
     scenes.push_back(MakeVolume(filling, side));

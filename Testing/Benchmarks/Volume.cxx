@@ -38,8 +38,8 @@ SceneForSolver MakeVolume(const std::string& filling, int nodes)
     [&](Index node)
     {
       const Index row = node / nodes;
-      const Vec3 x = scene.grid.PointToWorld(
-        Vec3(double(node % nodes), double(row % nodes), double(row / nodes)));
+      const Int3 place(int(node % nodes), int(row % nodes), int(row / nodes));
+      const Vec3 x = scene.grid.PointToWorld(Vec3(place));
       const double fromCore = glm::length(x - Vec3(0.1, -0.1, 0.15));
       const double value = 0.5 * Bell(glm::length(x) - 0.75, 0.12) + Bell(fromCore, 0.35);
       scene.extinction[std::size_t(node)] =
