@@ -3,49 +3,176 @@
 
 #include "Program.h"
 
-#include "Machine.h"
-
 #include "backend/Backend.h"
 #include "math/Require.h"
 
+#include <algorithm>
+#include <cctype>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <sstream>
-#include <vector>
+#include <thread>
 
 namespace limpid::benchmark
 {
 namespace
 {
-/// Now rather than after minutes of measuring.
-void RequireWritable(const std::string& path)
+bool IsNumber(const std::string& text)
 {
-  LIMPID_REQUIRE(path.empty() || std::ofstream(path, std::ios::app).good(),
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
+}
+
+/// Whether a value is of the kind of its default.
+void RequireFit(const std::string& name, const std::string& standard, const std::string& value)
+{
+  const std::vector<std::string> choice = Split(standard);
+  for (const std::string& item : Split(value))
+  {
+    const bool known = IsNumber(standard)
+      ? std::atof(item.c_str()) > 0
+      : choice.size() < 2 || std::find(choice.begin(), choice.end(), item) != choice.end();
+    LIMPID_REQUIRE(known,
+      "The option --" << name << " is \"" << value << "\" (its default is \"" << standard
+                      << "\"). Give a number above zero, or some of these items.");
+  }
+}
+
+/// What follows ": " in the first line of a file that begins so.
+std::string Line(const char* path, const std::string& begin)
+{
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+  {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind(begin, 0) == 0 && colon != std::string::npos)
+    {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+/// Processes that were running, a mean over the last minute.
+double LoadAverage()
+{
+  double load = 0;
+  std::ifstream("/proc/loadavg") >> load;
+  return load;
+}
+
+/// What is measured on and with. Absolute paths are a matter of one machine: of those only the file
+/// name is shown.
+Json Machine(const std::vector<std::string>& command, double loadBefore)
+{
+  std::string shown;
+  for (const std::string& word : command)
+  {
+    const bool absolute = word.rfind('/', 0) == 0;
+    shown += (shown.empty() ? "" : " ") + (absolute ? word.substr(word.rfind('/') + 1) : word);
+  }
+  const std::time_t now = std::time(nullptr);
+  char date[16] = "";
+  std::strftime(date, sizeof(date), "%Y-%m-%d", std::localtime(&now));
+  return { { "command", shown }, { "processor", Line("/proc/cpuinfo", "model name") },
+    { "cores", std::thread::hardware_concurrency() }, { "threads", ThreadCount() },
+    { "compiler", LIMPID_COMPILER }, { "build_type", LIMPID_BUILD_TYPE }, { "date", date },
+    { "load_before", loadBefore }, { "load_after", LoadAverage() } };
+}
+
+void Save(const std::string& path, const Json& json)
+{
+  std::ofstream file;
+  if (!path.empty())
+  {
+    file.open(path);
+  }
+  std::ostream& stream = path.empty() ? std::cout : file;
+  stream << json.dump(1) << std::endl;
+  LIMPID_REQUIRE(stream.good(),
     "The file " << path << " cannot be written (the results would be lost). Choose another.");
 }
 }
 
-int RunProgram(int argc, char* argv[], const std::string& title, const Measurement& measure)
+std::vector<std::string> Split(const std::string& list)
+{
+  std::vector<std::string> items;
+  std::istringstream stream(list);
+  for (std::string item; std::getline(stream, item, ',');)
+  {
+    items.push_back(item);
+  }
+  return items;
+}
+
+Options::Options(const std::vector<std::string>& arguments, const Table& known)
+  : Values(known)
+{
+  for (std::size_t at = 0; at < arguments.size(); ++at)
+  {
+    if (arguments[at].rfind("--", 0) != 0)
+    {
+      this->words.push_back(arguments[at]);
+      continue;
+    }
+    const auto option = this->Values.find(arguments[at].substr(2));
+    const bool flag = option != this->Values.end() && option->second == "no";
+    std::string usage;
+    for (const auto& [name, value] : known)
+    {
+      usage += " --" + name + (value == "no" ? "" : value.empty() ? " VALUE" : " " + value);
+    }
+    LIMPID_REQUIRE(option != this->Values.end() && (flag || at + 1 < arguments.size()),
+      "The option " << arguments[at] << " is unknown or has no value (nothing would come of it). "
+                    << "There are, with their defaults:" << usage);
+    const std::string value = flag ? "yes" : arguments[++at];
+    RequireFit(option->first, option->second, value);
+    option->second = value;
+  }
+}
+
+bool Options::Has(const std::string& name, const std::string& item) const
+{
+  const std::vector<std::string> items = this->List(name);
+  return std::find(items.begin(), items.end(), item) != items.end();
+}
+
+Json Options::ToJson() const
+{
+  Json json;
+  for (const auto& [name, value] : this->Values)
+  {
+    const bool isList = value.find(',') != std::string::npos;
+    json[name] = IsNumber(value) && !isList ? Json(std::stod(value)) : Json(value);
+  }
+  json.erase("output"); // a place of one machine
+  return json;
+}
+
+int RunProgram(int argc, char* argv[], const Options::Table& known, const Measurement& measure)
 {
   try
   {
     const double load = LoadAverage();
-    const Options options = ParseOptions(std::vector<std::string>(argv + 1, argv + argc));
-    RequireWritable(options.output);
-    std::ostringstream tables;
-    measure(options, tables);
-    const ThreadLimit limit(options.threads > 0 ? options.threads : ThreadCount());
-    std::ostringstream page;
-    page << "# " << title << "\n\nWhat the tables mean is in [README.md](README.md).\n\n";
-    WriteMachine(page, std::vector<std::string>(argv, argv + argc), load);
-    page << tables.str();
-    std::ofstream file;
-    if (!options.output.empty())
+    Options::Table all{ { "output", "" }, { "threads", "0" }, { "quick", "no" } };
+    all.insert(known.begin(), known.end());
+    const Options options(std::vector<std::string>(argv + 1, argv + argc), all);
+    const int threads = options.Count("threads");
+    const ThreadLimit limit(threads > 0 ? threads : ThreadCount());
+    Json results = Json::object();
+    const auto save = [&]
     {
-      file.open(options.output);
-    }
-    (options.output.empty() ? std::cout : file) << page.str() << std::flush;
+      Json whole{ { "machine", Machine(std::vector<std::string>(argv, argv + argc), load) },
+        { "options", options.ToJson() } };
+      whole.update(results);
+      Save(options.Text("output"), whole);
+    };
+    const bool toFile = !options.Text("output").empty();
+    const auto saveInFile = [&] { toFile ? save() : void(); };
+    saveInFile(); // can it be written?
+    measure(options, results, saveInFile);
+    save();
     return 0;
   }
   catch (const std::exception& error)

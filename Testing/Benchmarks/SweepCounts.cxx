@@ -4,81 +4,13 @@
 #include "SweepCounts.h"
 
 #include "backend/Backend.h"
-#include "sweep/Plan.h"
+#include "sweep/PlanSweep.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace limpid::benchmark
 {
-namespace
-{
-/// A frustum's slices and rows as nodes of the grid.
-class Marker
-{
-public:
-  Marker(const Grid& grid, const FaceFrustum& frustum)
-    : Source(frustum)
-  {
-    const Index strides[3] = { 1, grid.nodes.x, Index(grid.nodes.x) * grid.nodes.y };
-    this->StrideU = strides[frustum.axisU];
-    this->StrideV = strides[frustum.axisV];
-    this->StrideW = strides[frustum.axisW];
-  }
-
-  void Mark(int slice, int v, const Range<int>& columns, NodeSet& nodes) const
-  {
-    for (int u = columns.begin; u < columns.end; ++u)
-    {
-      nodes[std::size_t(this->StrideW * slice + this->StrideV * v + this->StrideU * u)] = 1;
-    }
-  }
-
-  /// What a row of rays reads in the layer behind a slice.
-  void MarkRead(const Slice& slice, int row, NodeSet& nodes) const
-  {
-    const Range<int>& work = slice.work[std::size_t(row)];
-    if (work.Empty())
-    {
-      return;
-    }
-    for (const Plane& plane : slice.planes)
-    {
-      const std::vector<int>& index = plane.rayColumns.index;
-      const Range<int> columns{ index[std::size_t(work.begin)],
-        index[std::size_t(work.end) - 1] + 2 };
-      const int v = plane.rayRows.index[std::size_t(row)];
-      for (const int node : plane.nodes)
-      {
-        this->Mark(node, v, columns, nodes);
-        this->Mark(node, v + 1, columns, nodes);
-      }
-    }
-  }
-
-  void MarkUpdated(const Slice& slice, const Occupancy& occupancy, NodeSet& nodes) const
-  {
-    if (slice.node < 0)
-    {
-      return;
-    }
-    for (int v = slice.ownedRows.begin; v < slice.ownedRows.end; ++v)
-    {
-      const Range<int> filled = SpansOf(this->Source, occupancy, slice.node, v).filled;
-      const Range<int> seen = this->Source.VoxelColumns(slice, v);
-      this->Mark(
-        slice.node, v, Intersection(Intersection(seen, slice.ownedColumns), filled), nodes);
-    }
-  }
-
-private:
-  const FaceFrustum& Source;
-  Index StrideU;
-  Index StrideV;
-  Index StrideW;
-};
-}
-
 double CountOf(const NodeSet& nodes)
 {
   return std::accumulate(nodes.begin(), nodes.end(), 0.0);
@@ -92,23 +24,50 @@ void Add(const NodeSet& more, NodeSet& nodes)
 
 SweepCounts CountSweep(const Problem& problem, const RaySource& eye)
 {
+  const Index strides[3] = { 1, problem.grid.nodes.x,
+    Index(problem.grid.nodes.x) * problem.grid.nodes.y };
   const NodeSet none(std::size_t(problem.grid.NodeCount()), 0);
   SweepCounts counts{ 0, none, 0, none };
-  const std::vector<FaceFrustum> frusta =
-    PlanSweep(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity);
-  for (const FaceFrustum& frustum : frusta)
+  const std::vector<PlannedFrustum> frusta =
+    PlanSweep(problem.grid, *problem.occupancy, eye, { problem.settings.rayDensity });
+  for (const PlannedFrustum& frustum : frusta)
   {
-    const Marker marker(problem.grid, frustum);
-    NodeSet read = none;
-    for (int s = 0; s <= frustum.LastSlice(); ++s)
+    const auto mark = [&](int node, int v, const Range<int>& columns, NodeSet& nodes)
     {
-      const Slice& slice = frustum.slices[std::size_t(s)];
-      marker.MarkUpdated(slice, *problem.occupancy, counts.updated);
-      for (int row = 0; s < frustum.LastSlice() && row < frustum.rows; ++row)
+      const Index row = strides[frustum.axisW] * node + strides[frustum.axisV] * v;
+      for (int u = columns.begin; u < columns.end; ++u)
       {
-        const Range<int>& work = slice.work[std::size_t(row)];
-        counts.samples += std::max(0, work.end - work.begin);
-        marker.MarkRead(slice, row, read);
+        nodes[std::size_t(row + strides[frustum.axisU] * u)] = 1;
+      }
+    };
+    NodeSet read = none;
+    for (int s = 0; s <= frustum.lastSlice; ++s)
+    {
+      const Slice& slice = frustum.SliceAt(s);
+      for (int v = slice.ownedRows.begin; slice.node >= 0 && v < slice.ownedRows.end; ++v)
+      {
+        const Range<int> filled = SpansOf(frustum, *problem.occupancy, slice.node)[v].filled;
+        mark(slice.node, v, Intersection(frustum.ActiveVoxels(s, v), filled), counts.updated);
+      }
+      for (int row = 0; s < frustum.lastSlice && row < frustum.rows; ++row)
+      {
+        const Range<int>& active = frustum.ActiveRays(s, row);
+        if (active.Empty())
+        {
+          continue;
+        }
+        counts.samples += active.Length();
+        for (const int plane : { 2 * s, 2 * s + 1 }) // of the layer behind the slice
+        {
+          const int* index = frustum.Row(frustum.planeColumns, plane).index;
+          const Range<int> columns{ index[active.begin], index[active.end - 1] + 2 };
+          const int v = frustum.Row(frustum.planeRows, plane).index[row];
+          for (const int node : slice.nodes)
+          {
+            mark(node, v, columns, read);
+            mark(node, v + 1, columns, read);
+          }
+        }
       }
     }
     counts.readAgain += &frustum == &frusta.back() ? 0.0 : CountOf(read);

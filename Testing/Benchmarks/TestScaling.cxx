@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ScalingTimes.h"
 #include "SweepCounts.h"
-#include "Tolerance.h"
+#include "Volume.h"
 
 #include "optimize/PreparedScene.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace
 {
@@ -20,7 +17,7 @@ using namespace limpid::benchmark;
 struct Counted
 {
   explicit Counted(bool skip)
-    : volume(Filling::Dense, 24)
+    : volume(MakeVolume("dense", 24))
     , prepared(volume.Fields())
     , problem(prepared.ProblemFor(volume.camera, volume.light, SettingsWith(skip)))
     , camera(CountSweep(problem, problem.camera))
@@ -35,7 +32,7 @@ struct Counted
     return settings;
   }
 
-  GpuScene volume;
+  SceneForSolver volume;
   PreparedScene prepared;
   Problem problem;
   SweepCounts camera;
@@ -71,27 +68,5 @@ TEST(SweepCounts, SayThatHazeIsFilled)
   const Counted some(true);
 
   EXPECT_EQ(some.problem.occupancy->FilledVoxels(), some.volume.grid.NodeCount());
-}
-
-// The logarithms of a power lie on a straight line, which least squares finds but for rounding: of
-// the exponent, and of the logarithms, whose range of 6.2 it is divided by.
-TEST(Exponents, AreThoseOfAPower)
-{
-  std::vector<SizeResult> sizes;
-  for (const int side : { 32, 64, 128, 512 })
-  {
-    SizeResult size{ "power", side, {} };
-    const double voxels = std::pow(double(side), 3);
-    size.times.seconds[Step::Iteration] = side < 64 ? 1.0 : 3e-9 * std::pow(voxels, 1.25);
-    sizes.push_back(size);
-  }
-
-  const Exponents fit = FitExponents("power", sizes);
-
-  EXPECT_EQ(fit.smallest, 64);
-  EXPECT_EQ(fit.largest, 512);
-  EXPECT_WITHIN(
-    fit.values[Step::Iteration], 1.25, Roundoff<double>(4, 1.25) + Roundoff<double>(12, 20 / 6.2));
-  EXPECT_EQ(fit.values[Step::Adam], 0);
 }
 }

@@ -4,50 +4,34 @@
 """Times vtkTransmittanceVolumeMapper against VTK's own volume mappers, and compares their pictures.
 
     bash Testing/with-display.sh /usr/bin/python3 Testing/Benchmarks/rendering_mappers.py \\
-      [--size N] [--repeats N] [--frames N] [--output FILE] NAME.scene.json ...
+      [--size N] [--repeats N] [--frames N] [--output FILE.json] NAME.scene.json ...
 
 Needs the Python package limpid on PYTHONPATH (Testing/run.sh makes it in build/vtk). All mappers
 draw the same volume with the same functions at the same sample distance, in turns, in one process.
 Every picture is of another camera, and unless said otherwise the light goes with it, so that
-nothing can be reused. Writes Markdown.
+nothing can be reused. Testing/Benchmarks/pages makes Mappers.md of the numbers.
 """
 
 import argparse
 import json
-import math
 import os
 import statistics
 import sys
 import time
 
 import numpy as np
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (registers the window)
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401 (registers the drawing of pictures)
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkMultiThreader, vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader
-from vtkmodules.vtkRenderingCore import (
-    vtkColorTransferFunction,
-    vtkLight,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkVolume,
-    vtkVolumeProperty,
-    vtkWindowToImageFilter,
-)
-from vtkmodules.vtkRenderingVolume import (
-    vtkFixedPointVolumeRayCastMapper,
-    vtkGPUVolumeRayCastMapper,
-)
+from vtkmodules.vtkRenderingCore import vtkLight
 
-from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
+from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path += [os.path.join(HERE, "pages"), os.path.join(HERE, "..", "Python")]
+import machine  # noqa: E402 pylint: disable=wrong-import-position
+import volume_views  # noqa: E402 pylint: disable=wrong-import-position
 
 TURN = 0.37  # degrees between one timed picture and the next
 LEARNING = 5  # frames after which a mapper knows what a frame may cost
-FIXED_POINT = "vtkFixedPointVolumeRayCastMapper"
-FIXED_POINT_SHADED = "vtkFixedPointVolumeRayCastMapper, shaded"
-LIMPID_SHADOWS = "Limpid, lit, shadows"
 CAMERAS = ((0, 0), (70, 20), (200, -35))  # azimuth and elevation of the compared pictures [degrees]
 
 
@@ -55,61 +39,27 @@ class Scene:
     """A scene file in a window of its own, drawn by one mapper at a time."""
 
     def __init__(self, path, size):
+        os.environ["LIMPID_TEST_DATA"] = os.path.dirname(os.path.abspath(path))
+        self.name = os.path.basename(path).split(".")[0]
         with open(path, encoding="utf-8") as file:
             self.json = json.load(file)
-        self.name = self.json["name"]
-        reader = vtkXMLImageDataReader()
-        reader.SetFileName(os.path.join(os.path.dirname(path), self.json["data"]["file"]))
-        reader.Update()
-        self.image = reader.GetOutput()
-        self.image.GetPointData().SetActiveScalars(self.json["data"]["array"])
+        self.image, volume_property, self.importance = volume_views.scene(self.name)
         self.step = min(self.image.GetSpacing())
-        self.importance = piecewise(self.json["importance_tf"])
-
-        self.volume = vtkVolume()
-        self.volume.SetProperty(self.make_property())
-        self.renderer = vtkRenderer()
-        self.renderer.SetBackground(0, 0, 0)
-        self.renderer.AddVolume(self.volume)
-        self.renderer.AutomaticLightCreationOff()
-        self.headlight = vtkLight()
+        self.view = volume_views.View((size, size))
+        self.view.renderer.SetBackground(0, 0, 0)
+        self.view.renderer.AutomaticLightCreationOff()
+        self.volume = self.view.add(self.image, volume_property, self.fixed_point())
+        self.headlight, self.fixed_light = vtkLight(), vtkLight()
         self.headlight.SetLightTypeToHeadlight()
-        self.fixed_light = self.make_light()
-        self.renderer.AddLight(self.headlight)
-        self.renderer.AddLight(self.fixed_light)
+        self.fixed_light.SetLightTypeToSceneLight()
+        self.fixed_light.SetPositional(True)
+        self.fixed_light.SetConeAngle(180)
+        self.fixed_light.SetPosition(self.json["light"]["position"])
+        self.fixed_light.SetFocalPoint(self.json["camera"]["focal_point"])
+        for light in (self.headlight, self.fixed_light):
+            self.view.renderer.AddLight(light)
         self.shine(self.headlight)
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(1)
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(size, size)
-        self.window.AddRenderer(self.renderer)
         self.look()
-
-    def make_property(self):
-        made = vtkVolumeProperty()
-        colors = vtkColorTransferFunction()
-        for value, red, green, blue in self.json["color_tf"]:
-            colors.AddRGBPoint(value, red, green, blue)
-        # Opacity is linear between its points, extinction was: so many points.
-        extinction = piecewise(self.json["extinction_tf"])
-        opacity = vtkPiecewiseFunction()
-        low, high = extinction.GetRange()
-        for value in np.linspace(low, high, 1025):
-            opacity.AddPoint(value, 1 - math.exp(-extinction.GetValue(value) * self.step))
-        made.SetColor(colors)
-        made.SetScalarOpacity(opacity)
-        made.SetScalarOpacityUnitDistance(self.step)
-        made.SetInterpolationTypeToLinear()
-        return made
-
-    def make_light(self):
-        light = vtkLight()
-        light.SetLightTypeToSceneLight()
-        light.SetPositional(True)
-        light.SetConeAngle(180)
-        light.SetPosition(self.json["light"]["position"])
-        light.SetFocalPoint(self.json["camera"]["focal_point"])
-        return light
 
     def shine(self, light):
         """Switches this light on and all others off."""
@@ -117,8 +67,7 @@ class Scene:
             other.SetSwitch(other is light)
 
     def look(self, azimuth=0.0, elevation=0.0):
-        camera = self.renderer.GetActiveCamera()
-        of_file = self.json["camera"]
+        camera, of_file = self.view.camera, self.json["camera"]
         camera.SetPosition(of_file["position"])
         camera.SetFocalPoint(of_file["focal_point"])
         camera.SetViewUp(of_file["view_up"])
@@ -126,31 +75,24 @@ class Scene:
         camera.Azimuth(azimuth)
         camera.Elevation(elevation)
         camera.OrthogonalizeViewUp()
-        self.renderer.ResetCameraClippingRange()
+        self.view.renderer.ResetCameraClippingRange()
 
     def draw(self, mapper, shade=False, moving=False):
         """Draws a frame; returns the seconds that it took, and those of all cores together."""
-        if self.volume.GetMapper() is not mapper:
-            self.volume.SetMapper(mapper)
+        self.volume.SetMapper(mapper)
         self.volume.GetProperty().SetShade(shade)
-        self.window.SetDesiredUpdateRate(10 if moving else 1e-4)
+        self.view.interact(moving)
         start, cores = time.perf_counter(), time.process_time()
-        self.window.Render()
-        self.window.WaitForCompletion()
+        self.view.window.Render()
+        self.view.window.WaitForCompletion()
         return time.perf_counter() - start, time.process_time() - cores
 
-    def picture(self, mapper, **how):
-        """Colours over black, as doubles in [0, 1]."""
-        self.draw(mapper, **how)
-        grabber = vtkWindowToImageFilter()
-        grabber.SetInput(self.window)
-        grabber.ReadFrontBufferOff()
-        grabber.ShouldRerenderOff()
-        grabber.Update()
-        return vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars()) / 255.0
+    def picture(self, mapper):
+        self.draw(mapper)
+        return self.view.pixels().reshape(-1, 3)
 
-    def limpid(self, optimization=vtkTransmittanceVolumeMapper.OFF, shadows=True):
-        mapper = vtkTransmittanceVolumeMapper()
+    def limpid(self, optimization=Mapper.OFF, shadows=True):
+        mapper = volume_views.plain_mapper()
         mapper.SetInputData(self.image)
         mapper.SetOptimization(optimization)
         mapper.SetShadows(shadows)
@@ -159,77 +101,47 @@ class Scene:
         return mapper
 
     def fixed_point(self):
-        mapper = vtkFixedPointVolumeRayCastMapper()
-        mapper.SetInputData(self.image)
-        mapper.LockSampleDistanceToInputSpacingOff()
-        mapper.AutoAdjustSampleDistancesOff()
-        mapper.SetSampleDistance(self.step)
+        mapper = volume_views.fixed_point_mapper(self.step)
         mapper.SetInteractiveSampleDistance(self.step)
-        mapper.SetImageSampleDistance(1)
-        mapper.IntermixIntersectingGeometryOff()
+        mapper.SetInputData(self.image)
         return mapper
 
     def gpu(self):
-        mapper = vtkGPUVolumeRayCastMapper()
+        mapper = volume_views.gpu_mapper(self.step)
         mapper.SetInputData(self.image)
-        mapper.LockSampleDistanceToInputSpacingOff()
-        mapper.AutoAdjustSampleDistancesOff()
-        mapper.SetSampleDistance(self.step)
-        mapper.UseJitteringOff()
         return mapper
-
-
-def piecewise(points):
-    function = vtkPiecewiseFunction()
-    for value, result in points:
-        function.AddPoint(value, result)
-    return function
-
-
-def table(headings, rows):
-    lines = ["| " + " | ".join(headings) + " |"]
-    lines.append("| --- |" + " ---: |" * (len(headings) - 1))
-    lines += ["| " + " | ".join(row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
-
-
-def milliseconds(values):
-    return f"{1000 * statistics.median(values):.0f}"
-
-
-def spread(values):
-    return (max(values) - min(values)) / statistics.median(values)
 
 
 def differences(scene):
     """Mean absolute differences [1/255] of unlit, unoptimised pictures from VTK's mappers."""
     mapper = scene.limpid(shadows=False)
-    others = (scene.fixed_point(), scene.gpu())
-    for other in others:
+    others = {"fixed point": scene.fixed_point(), "GPU": scene.gpu()}
+    for other in others.values():
         scene.draw(other)  # the first picture is coarser
-    row = [scene.name]
+    found = []
     for azimuth, elevation in CAMERAS:
         scene.look(azimuth, elevation)
         ours = scene.picture(mapper)
-        for other in others:
+        for name, other in others.items():
             theirs = scene.picture(other)
             covered = (ours.max(axis=1) > 0) | (theirs.max(axis=1) > 0)
-            difference = np.abs(ours - theirs) * 255
-            row.append(f"{difference.mean():.2f} ({difference[covered].mean():.2f})")
-    return row
+            difference = np.abs(ours - theirs)
+            found.append({"mapper": name, "azimuth": azimuth, "elevation": elevation,
+                          "all": difference.mean(), "covered": difference[covered].mean()})
+    return found
 
 
 def still_times(scene, repeats):
-    """Seconds, and those of all cores, of still pictures by their kind, all kinds in turns."""
-    optimized = scene.limpid(vtkTransmittanceVolumeMapper.CONTINUOUS)
+    """Times of still pictures by their kind, all kinds in turns."""
+    optimized = scene.limpid(Mapper.CONTINUOUS)
     # Mapper, shade, whether the light stays where it is, whether it is the picture of a new camera.
     kinds = {
-        FIXED_POINT: (scene.fixed_point(), False, False, True),
-        FIXED_POINT_SHADED: (scene.fixed_point(), True, False, True),
+        "vtkFixedPointVolumeRayCastMapper": (scene.fixed_point(), False, False, True),
+        "vtkFixedPointVolumeRayCastMapper, shaded": (scene.fixed_point(), True, False, True),
         "Limpid, unlit": (scene.limpid(shadows=False), False, False, True),
         "Limpid, lit": (scene.limpid(shadows=False), True, False, True),
         "Limpid, lit, shadows, light at rest": (scene.limpid(), True, True, True),
-        LIMPID_SHADOWS: (scene.limpid(), True, False, True),
+        "Limpid, lit, shadows": (scene.limpid(), True, False, True),
         "the same, optimised for this picture": (optimized, True, False, True),
         "the same once more, nothing to be computed": (optimized, True, False, False),
     }
@@ -243,11 +155,17 @@ def still_times(scene, repeats):
             if repeat >= 0:
                 times[name].append(taken)
     scene.shine(scene.headlight)
-    return times
+    return {name: summary(*zip(*pairs)) for name, pairs in times.items()}
 
 
-def moving_times(scene, frames, optimization, still_before):
-    """Seconds of the frames of an orbit with shadows and shading, turning by two degrees."""
+def summary(seconds, cores):
+    median = statistics.median(seconds)
+    return {"median": median, "shortest": min(seconds), "longest": max(seconds),
+            "spread": (max(seconds) - min(seconds)) / median, "cores": statistics.median(cores)}
+
+
+def moving_times(scene, frames, optimization, still_before=True):
+    """Of the frames of an orbit with shadows and shading, turning by two degrees."""
     mapper = scene.limpid(optimization)
     scene.look()
     if still_before:
@@ -256,88 +174,22 @@ def moving_times(scene, frames, optimization, still_before):
     for frame in range(frames + LEARNING):
         scene.look(azimuth=2.0 * (frame + 1))
         times.append(scene.draw(mapper, shade=True, moving=True)[0])
-    return times
-
-
-def machine():
-    model = "unknown"
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        for line in file:
-            if line.startswith("model name"):
-                model = line.split(": ", 1)[1].strip()
-                break
-    return (
-        f"* processor: {model}, {os.cpu_count()} cores visible, "
-        f"{vtkMultiThreader.GetGlobalDefaultNumberOfThreads()} threads of VTK's mapper\n"
-        f"* VTK {vtkVersion.GetVTKVersion()}\n"
-        f"* date: {time.strftime('%Y-%m-%d')}\n"
-        f"* load average before the start: {os.getloadavg()[0]:.2f}\n"
-    )
-
-
-def shown_command():
-    return "python3 " + " ".join(
-        os.path.basename(word) if word.startswith("/") else word for word in sys.argv
-    )
-
-
-def still_rows(times):
-    reference = [statistics.median(values) for values in zip(*times[FIXED_POINT_SHADED])]
-    rows = []
-    for name, pairs in times.items():
-        seconds, cores = zip(*pairs)
-        rows.append([name, milliseconds(seconds), f"{1000 * min(seconds):.0f}",
-                     f"{1000 * max(seconds):.0f}", milliseconds(cores),
-                     f"{statistics.median(seconds) / reference[0]:.2f}",
-                     f"{statistics.median(cores) / reference[1]:.2f}"])
-    return rows
-
-
-def moving_rows(scene, frames):
-    rows = []
-    for name, optimization, still_before in (
-            ("optimised", vtkTransmittanceVolumeMapper.CONTINUOUS, True),
-            ("optimised, no still picture before", vtkTransmittanceVolumeMapper.CONTINUOUS, False),
-            ("not optimised", vtkTransmittanceVolumeMapper.OFF, True)):
-        times = moving_times(scene, frames, optimization, still_before)
-        rows.append([name, f"{1000 * times[0]:.0f}", f"{1000 * max(times[1:LEARNING]):.0f}",
-                     milliseconds(times[LEARNING:]), f"{1000 * max(times[LEARNING:]):.0f}"])
-    return rows
+    after = times[LEARNING:]
+    return {"first": times[0], "learning": max(times[1:LEARNING]),
+            "median": statistics.median(after), "longest": max(after)}
 
 
 def measure(path, arguments):
-    """Name, tables and how far times of the same kind lay apart of one scene."""
     scene = Scene(path, arguments.size)
     print(scene.name, file=sys.stderr, flush=True)
-    compared = differences(scene)
-    times = still_times(scene, arguments.repeats)
-    moving = moving_rows(scene, arguments.frames)
-    apart = max(spread([seconds for seconds, _ in pairs]) for pairs in times.values())
-    return scene.name, compared, still_rows(times), moving, apart
-
-
-def write(stream, machine_text, arguments, results):
-    stream.write("# Mappers\n\nWhat the tables mean is in [README.md](README.md).\n\n")
-    stream.write(f"    {shown_command()}\n\n{machine_text}\n")
-    noise = max(result[-1] for result in results)
-    if noise > 0.2:
-        stream.write(
-            f"**Times of the same picture lay up to {100 * noise:.0f} % apart: the machine was "
-            "busy, and the times are preliminary.**\n\n"
-        )
-    size = arguments.size
-    for name, _, still, moving, _ in results:
-        stream.write(f"## {name}, {size} x {size}\n\n")
-        stream.write(table(["still pictures [ms]", "median", "shortest", "longest",
-                            "all cores", "of fixed point, shaded", "all cores"], still) + "\n")
-        stream.write(table(["moving, lit, shadows [ms]", "first frame", "longest of the next "
-                            f"{LEARNING - 1}", "median after", "longest after"], moving) + "\n")
-    stream.write("## Mean absolute difference of unlit pictures, of all (of covered) pixels "
-                 "[1/255]\n\n")
-    headings = ["scene"]
-    for azimuth, elevation in CAMERAS:
-        headings += [f"fixed point, {azimuth}°, {elevation}°", "GPU"]
-    stream.write(table(headings, [result[1] for result in results]))
+    frames = arguments.frames
+    return {"scene": scene.name, "differences": differences(scene),
+            "still": still_times(scene, arguments.repeats),
+            "moving": {
+                "optimised": moving_times(scene, frames, Mapper.CONTINUOUS),
+                "optimised, no still picture before":
+                    moving_times(scene, frames, Mapper.CONTINUOUS, still_before=False),
+                "not optimised": moving_times(scene, frames, Mapper.OFF)}}
 
 
 def main():
@@ -348,13 +200,12 @@ def main():
     parser.add_argument("--output", help="file to write; default: standard output")
     parser.add_argument("scenes", nargs="+", help="NAME.scene.json")
     arguments = parser.parse_args()
-    before = machine()
-    results = [measure(path, arguments) for path in arguments.scenes]
-    if arguments.output:
-        with open(arguments.output, "w", encoding="utf-8") as file:
-            write(file, before, arguments, results)
-    else:
-        write(sys.stdout, before, arguments, results)
+    threads = vtkMultiThreader.GetGlobalDefaultNumberOfThreads()
+    facts = [f"{threads} threads of VTK's mapper", f"VTK {vtkVersion.GetVTKVersion()}"]
+    machine.save({"machine": {**machine.facts(), "facts": facts}, "size": arguments.size,
+                  "learning": LEARNING,
+                  "scenes": [measure(path, arguments) for path in arguments.scenes]},
+                 arguments.output)
 
 
 if __name__ == "__main__":

@@ -3,22 +3,17 @@
 
 #include "Measure.h"
 
-#include "MeasurePictures.h"
-#include "Repeat.h"
 #include "Traffic.h"
+#include "Viewing.h"
+#include "Volume.h"
 
 #include "backend/Backend.h"
 #include "backend/CompiledDevice.h"
-#include "optimize/EngineOnDevice.h"
-#include "optimize/FieldsOnDevice.h"
 #include "optimize/PreparedScene.h"
-#include "sweep/Plan.h"
-#include "viewpoint/Search.h"
-
-#include <cmath>
-#include <initializer_list>
-#include <memory>
-#include <vector>
+#include "optimize/ProblemFields.h"
+#include "optimize/SolverBackend.h"
+#include "render/RenderPasses.h"
+#include "sweep/PlanSweep.h"
 
 namespace limpid::benchmark
 {
@@ -35,7 +30,7 @@ std::shared_ptr<Device> MakeDevice()
 /// A scene and what stays when the camera moves.
 struct Prepared
 {
-  Prepared(const GpuScene& fields, const Settings& wanted)
+  Prepared(const SceneForSolver& fields, const Settings& wanted)
     : scene(&fields)
     , settings(wanted)
     , values(fields.Fields())
@@ -45,70 +40,52 @@ struct Prepared
     this->problem.resident = std::make_shared<Resident>();
   }
 
-  std::unique_ptr<Minimizer> Begin(Engine& engine, bool warm = false) const
+  std::unique_ptr<Minimizer> Begin(SolverBackend& backend, bool warm = false) const
   {
-    return engine.MakeMinimizer(this->problem, std::vector<float>(this->scene->extinction), warm);
+    return backend.MakeMinimizer(this->problem, std::vector<float>(this->scene->extinction), warm);
   }
 
-  const GpuScene* scene;
+  const SceneForSolver* scene;
   Settings settings;
   PreparedScene values;
   Problem problem;
 };
 
-std::vector<Part> PartsOf(const LaunchTimes& times, int iterations, const Traffic& traffic)
+/// Launches of a kind in one iteration, by the device's own clock. Bytes: see Traffic.h; 0: they
+/// are not counted.
+Json PartsOf(const LaunchTimes& times, double iterations, const Traffic& traffic)
 {
-  std::vector<Part> parts;
+  Json parts = Json::array();
   for (const LaunchTimes::Entry& entry : times.Entries())
   {
     const auto bytes = traffic.find(entry.label);
-    parts.push_back({ entry.label, double(entry.count) / iterations, entry.seconds / iterations,
-      bytes == traffic.end() ? 0.0 : bytes->second });
+    parts.push_back({ { "label", entry.label }, { "launches", double(entry.count) / iterations },
+      { "seconds", entry.seconds / iterations },
+      { "bytes", bytes == traffic.end() ? 0.0 : bytes->second } });
   }
   return parts;
 }
 
 /// Iterations after the first ones, which allocate.
-IterationResult MeasureIterations(
-  const Prepared& prepared, const Traffic& traffic, const Effort& effort)
+Json MeasureIterations(const Prepared& prepared, const Traffic& traffic, const Effort& effort)
 {
   constexpr int warmUps = 4;
   const std::shared_ptr<Device> device = MakeDevice();
-  const std::shared_ptr<Engine> engine = EngineOn(device);
-  IterationResult result;
-  const std::unique_ptr<Minimizer> minimizer = prepared.Begin(*engine);
+  const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
+  const std::unique_ptr<Minimizer> minimizer = prepared.Begin(*backend);
   minimizer->Start();
-  result.wall = Repeat(effort, warmUps, [&] { minimizer->Iterate(); });
+  Json result = Repeat(effort, warmUps, [&] { minimizer->Iterate(); });
   LaunchTimes times;
-  const int timed = result.wall.repetitions;
+  const int timed = result["repeats"].get<int>();
   device->Time(&times);
   for (int iteration = 0; iteration < timed; ++iteration)
   {
     minimizer->Iterate();
   }
   device->Time(nullptr);
-  result.parts = PartsOf(times, timed, traffic);
-  for (const Part& part : result.parts)
-  {
-    result.bytes += part.bytes;
-  }
-  result.deviceMemory = device->PeakBytes();
+  result["parts"] = PartsOf(times, timed, traffic);
+  result["device_memory"] = device->PeakBytes();
   return result;
-}
-
-IterationResult TryIterations(
-  const Prepared& prepared, const Traffic& traffic, const Effort& effort)
-{
-  try
-  {
-    return MeasureIterations(prepared, traffic, effort);
-  }
-  catch (const std::exception& error)
-  {
-    IterationResult result;
-    result.wall.missing = error.what();
-    return result;
-  }
 }
 
 Settings OfAdam()
@@ -119,15 +96,14 @@ Settings OfAdam()
   return settings;
 }
 
-void MeasureSetUp(const GpuScene& scene, const Effort& effort, SceneResult& result)
+void MeasureSetUp(const SceneForSolver& scene, const Effort& effort, Json& result)
 {
-  Effort few = effort;
-  few.repetitions = 5;
-  result.prepare = Try([&] { return Repeat(few, 1, [&] { Prepared(scene, Settings()); }); });
+  const Effort few = effort.With(5);
+  result["prepare"] = Try([&] { return Repeat(few, 1, [&] { Prepared(scene, Settings()); }); });
   const Prepared prepared(scene, Settings());
   const Problem& problem = prepared.problem;
-  result.filled = double(problem.occupancy->FilledVoxels()) / double(scene.grid.NodeCount());
-  result.plan = Try(
+  result["filled"] = double(problem.occupancy->FilledVoxels()) / double(scene.grid.NodeCount());
+  result["plan"] = Try(
     [&]
     {
       return Repeat(effort, 1,
@@ -135,109 +111,73 @@ void MeasureSetUp(const GpuScene& scene, const Effort& effort, SceneResult& resu
         {
           for (const RaySource& eye : { problem.camera, problem.light })
           {
-            PlanSweep(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity);
+            PlanSweep(problem.grid, *problem.occupancy, eye, { problem.settings.rayDensity });
           }
         });
     });
-  result.upload = Try(
+  result["upload"] = Try(
     [&]
     {
       const std::shared_ptr<Device> device = MakeDevice();
       return Repeat(few, 1,
         [&]
         {
-          const FieldsOnDevice<Device> fields(device, problem);
+          const ProblemFields<Device> fields(device, problem);
           device->Wait();
         });
     });
 }
 
 /// As every frame does it when the camera has moved: the fields are there, the result stays there.
-std::vector<float> MeasureRun(const GpuScene& scene, const Effort& effort, SceneResult& result)
+std::vector<float> MeasureRun(const SceneForSolver& scene, const Effort& effort, Json& result)
 {
   const Prepared prepared(scene, Settings());
   const std::shared_ptr<Device> device = MakeDevice();
-  const std::shared_ptr<Engine> engine = EngineOn(device);
-  const auto fields = FieldsOnDevice<Device>::Of(device, prepared.problem);
-  result.begin = Repeat(effort, 2,
+  const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
+  const auto fields = ProblemFields<Device>::Of(device, prepared.problem);
+  result["begin"] = Repeat(effort, 2,
     [&]
     {
-      const auto minimizer = prepared.Begin(*engine);
+      const auto minimizer = prepared.Begin(*backend);
       device->Wait();
     });
   std::unique_ptr<Minimizer> minimizer;
+  int iterations = 0;
   const auto run = [&]
   {
-    minimizer = prepared.Begin(*engine);
+    minimizer = prepared.Begin(*backend);
     minimizer->Start();
-    result.runIterations = 0;
-    while (!minimizer->Converged() && result.runIterations < minimizer->IterationLimit())
+    iterations = 0;
+    while (!minimizer->Converged() && iterations < minimizer->IterationLimit())
     {
       minimizer->Iterate();
-      ++result.runIterations;
+      ++iterations;
     }
     device->Wait();
   };
-  result.run = Repeat(effort, 2, run);
+  result["run"] = Repeat(effort, 2, run);
+  result["run_iterations"] = iterations;
   std::vector<float> found;
-  Effort once = effort;
-  once.repetitions = 1;
-  result.download = Repeat(once, 0, [&] { found = minimizer->TakeBest(); });
+  result["download"] = Repeat(effort.With(1), 0, [&] { found = minimizer->TakeBest(); });
   return found;
 }
 
-/// Directions all over a sphere, about equally far apart.
-std::vector<Vec3> Directions(int count)
-{
-  const double turn = std::acos(-1.0) * (3 - std::sqrt(5.0));
-  std::vector<Vec3> directions;
-  for (int n = 0; n < count; ++n)
-  {
-    const double height = 1 - (2 * n + 1.0) / count;
-    const double radius = std::sqrt(1 - height * height);
-    directions.emplace_back(radius * std::cos(n * turn), height, radius * std::sin(n * turn));
-  }
-  return directions;
-}
-
 /// Of the importance proxy, as the viewpoint search does it.
-Figure MeasureSphere(const GpuScene& scene, const Effort& effort)
+Json MeasureSphere(const SceneForSolver& scene, const Effort& effort)
 {
-  std::vector<float> proxy(scene.importance.size());
-  for (std::size_t node = 0; node < proxy.size(); ++node)
-  {
-    proxy[node] = scene.largest * scene.importance[node];
-  }
+  const std::vector<float> proxy = scene.Proxy();
   const ViewScore score(scene.grid, proxy.data(), scene.importance.data(), 1.0, BackendKind::Cuda);
-  Orbit orbit;
-  orbit.centre = scene.grid.Centre();
-  orbit.distance = 3 * scene.grid.Radius();
-  const std::vector<Vec3> directions = Directions(effort.directions);
-  Effort few = effort;
-  few.repetitions = 3;
-  return Repeat(few, 1, [&] { ScoreViews(score, orbit, directions, [](double) { return true; }); });
+  const std::vector<Vec3> directions = SpreadDirections(effort.directions);
+  return Repeat(effort.With(3), 1,
+    [&] { ScoreViews(score, OrbitAround(scene.grid), directions, [](double) { return true; }); });
 }
 
-Figure MeasureProcessor(const GpuScene& scene, const Effort& effort)
+Json MeasureProcessor(const SceneForSolver& scene, const Effort& effort)
 {
   const Prepared prepared(scene, Settings());
-  const auto minimizer = prepared.Begin(*CpuEngine());
+  const auto minimizer = prepared.Begin(*MakeSolverBackend(HostDevice::Shared()));
   minimizer->Start();
-  Effort few = effort;
-  few.repetitions = 5;
-  return Repeat(few, 2, [&] { minimizer->Iterate(); });
-}
-
-/// Why there are no figures but those that there are.
-void Explain(const std::exception& error, std::initializer_list<Figure*> figures)
-{
-  for (Figure* figure : figures)
-  {
-    if (!figure->Measured())
-    {
-      figure->missing = error.what();
-    }
-  }
+  return Repeat(effort.With(5), 2, [&] { minimizer->Iterate(); });
 }
 
 /// Memory may be faster with zeros than with what looks like data.
@@ -252,15 +192,79 @@ std::vector<unsigned> Noise(int bytes)
     });
   return values;
 }
+/// Blue to yellow with more and more extinction; the scalar is the extinction.
+TransferFunctions FunctionsOf(float largest)
+{
+  TransferFunctions functions;
+  functions.low = 0;
+  functions.high = largest;
+  constexpr int last = 256;
+  for (int entry = 0; entry <= last; ++entry)
+  {
+    const float share = float(entry) / last;
+    functions.extinction.push_back(share * largest);
+    functions.color.push_back({ { share, 0.2f + 0.6f * share, 1 - 0.7f * share } });
+  }
+  return functions;
 }
 
-DeviceResult MeasureDevice(const Effort& effort)
+/// From the scene's camera, turned about the scene by an angle [radians].
+View ViewOf(const SceneForSolver& scene, int side, double angle)
+{
+  const Vec3 centre = scene.grid.Centre();
+  const Vec3 away = scene.camera.position - centre;
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const Vec3 turned(c * away.x + s * away.z, away.y, c * away.z - s * away.x);
+  const double radius = scene.grid.Radius();
+  View view;
+  view.width = view.height = side;
+  view.clipToWorld = Perspective(LookAt(centre + turned, centre, Vec3(0, 1, 0)),
+    scene.camera.viewAngle, 1, 1.5 * radius, 6 * radius);
+  return view;
+}
+
+Lighting LightingOf(const SceneForSolver& scene)
+{
+  Lighting lighting;
+  lighting.enabled = true;
+  lighting.light = scene.light;
+  return lighting;
+}
+
+/// Of the scene with the extinction that was found [1/length].
+void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver& scene,
+  const std::vector<float>& extinction, const Effort& effort, Json& result)
+{
+  Renderer renderer(std::make_unique<RenderPasses<Device>>(device));
+  renderer.SetScalars(scene.grid, scene.extinction.data());
+  renderer.SetTransferFunctions(
+    FunctionsOf(*std::max_element(scene.extinction.begin(), scene.extinction.end())));
+  renderer.SetLighting(LightingOf(scene));
+  const DeviceArray<Device, float> base(device, scene.extinction, "the base extinction");
+  const DeviceArray<Device, float> found(device, extinction, "the extinction");
+  Picture picture;
+  int frame = 0;
+  const auto draw = [&]
+  {
+    renderer.Render(ViewOf(scene, effort.pictureSide, 0.002 * ++frame), picture);
+    device->Wait();
+  };
+  result["picture"] = Repeat(effort, 2,
+    [&]
+    {
+      renderer.ShowThere(scene.grid, base.Data(), found.Data());
+      draw();
+    });
+  result["picture_at_rest"] = Repeat(effort, 2, draw);
+}
+}
+
+Json MeasureDevice(const Effort& effort)
 {
   const std::shared_ptr<Device> device = MakeDevice();
-  DeviceResult result;
-  result.name = device->Name();
-  result.copyBytes = 2.0 * effort.copySize;
-  result.copy = Try(
+  Json result{ { "device", device->Name() }, { "copy_bytes", 2.0 * effort.copySize } };
+  result["copy"] = Try(
     [&]
     {
       const DeviceArray<Device, unsigned> from(device, Noise(effort.copySize), "a copy");
@@ -275,20 +279,23 @@ DeviceResult MeasureDevice(const Effort& effort)
   return result;
 }
 
-SceneResult MeasureScene(const GpuScene& scene, const Effort& effort)
+Json MeasureScene(const SceneForSolver& scene, const Effort& effort)
 {
-  SceneResult result;
-  result.name = scene.name;
-  result.nodes = scene.grid.nodes.x;
+  Json result{ { "scene", scene.name }, { "nodes", scene.grid.nodes.x },
+    { "directions", effort.directions } };
   MeasureSetUp(scene, effort, result);
-  {
-    const Prepared prepared(scene, Settings());
-    result.policy = TryIterations(prepared, PolicyTraffic(prepared.problem), effort);
-  }
-  {
-    const Prepared prepared(scene, OfAdam());
-    result.adam = TryIterations(prepared, AdamTraffic(prepared.problem), effort);
-  }
+  result["policy"] = Try(
+    [&]
+    {
+      const Prepared prepared(scene, Settings());
+      return MeasureIterations(prepared, PolicyTraffic(prepared.problem), effort);
+    });
+  result["adam"] = Try(
+    [&]
+    {
+      const Prepared prepared(scene, OfAdam());
+      return MeasureIterations(prepared, AdamTraffic(prepared.problem), effort);
+    });
   try
   {
     const std::vector<float> found = MeasureRun(scene, effort, result);
@@ -296,12 +303,16 @@ SceneResult MeasureScene(const GpuScene& scene, const Effort& effort)
   }
   catch (const std::exception& error)
   {
-    Explain(error,
-      { &result.begin, &result.run, &result.download, &result.picture, &result.pictureAtRest });
+    for (const char* name : { "begin", "run", "download", "picture", "picture_at_rest" })
+    {
+      if (!result.contains(name))
+      {
+        result[name]["missing"] = error.what();
+      }
+    }
   }
-  result.directions = effort.directions;
-  result.sphere = Try([&] { return MeasureSphere(scene, effort); });
-  result.processor = Try([&] { return MeasureProcessor(scene, effort); });
+  result["sphere"] = Try([&] { return MeasureSphere(scene, effort); });
+  result["processor"] = Try([&] { return MeasureProcessor(scene, effort); });
   return result;
 }
 }

@@ -1,32 +1,78 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h: what takes how long on the GPU, and with the processor in
-// the role of one to see whether this program works.
+// What takes how long on the GPU. Its sources are compiled twice, see CompiledDevice.h: with the
+// processor in the role of a GPU they show whether this program works. Times are seconds; what
+// could not be measured says why, as "missing".
 
 #ifndef limpid_testing_gpu_Measure_h
 #define limpid_testing_gpu_Measure_h
 
-#include "GpuScene.h"
-#include "Results.h"
+#include "Program.h"
+#include "SceneForSolver.h"
+
+#include "backend/CompiledDevice.h"
+
+#include <exception>
+#include <memory>
 
 namespace limpid::benchmark
 {
 struct Effort
 {
-  bool quick = false;     ///< only to see whether this program works
   int repetitions = 30;   ///< of short things, at most
   double mostSeconds = 2; ///< no further repetition of a thing after [s]
   int directions = 642;   ///< of the viewpoint search
   int pictureSide = 1024; ///< [pixels]
   int copySize = 1 << 30; ///< of what is copied to learn the rate [bytes]
+
+  Effort With(int repetitionsAtMost) const
+  {
+    Effort effort = *this;
+    effort.repetitions = repetitionsAtMost;
+    return effort;
+  }
 };
 
 /// Name and copy rate of the GPU.
-DeviceResult MeasureDevice(const Effort& effort);
+Json MeasureDevice(const Effort& effort);
 
-/// What cannot be had says why, in its figure.
-SceneResult MeasureScene(const GpuScene& scene, const Effort& effort);
+/// All steps of a scene.
+Json MeasureScene(const SceneForSolver& scene, const Effort& effort);
+
+/// What `measure` returns, or why it could not.
+template <class Work>
+Json Try(const Work& measure)
+{
+  try
+  {
+    return measure();
+  }
+  catch (const std::exception& error)
+  {
+    return { { "missing", error.what() } };
+  }
+}
+
+/// Times `work`, which waits for the device itself, after some runs that do not count.
+template <class Work>
+Json Repeat(const Effort& effort, int warmUps, const Work& work)
+{
+  for (int run = 0; run < warmUps; ++run)
+  {
+    work();
+  }
+  std::vector<double> seconds;
+  double total = 0;
+  while (static_cast<int>(seconds.size()) < effort.repetitions && total < effort.mostSeconds)
+  {
+    Stopwatch watch;
+    work();
+    seconds.push_back(watch.Lap());
+    total += seconds.back();
+  }
+  return FigureOf(seconds);
+}
 }
 
 #endif

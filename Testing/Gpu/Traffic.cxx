@@ -3,7 +3,7 @@
 
 #include "Traffic.h"
 
-#include "sweep/Plan.h"
+#include "sweep/PlanSweep.h"
 
 namespace limpid::benchmark
 {
@@ -21,10 +21,10 @@ struct Sizes
 double RaysOf(const Problem& problem, const RaySource& eye)
 {
   double rays = 0;
-  for (const FaceFrustum& frustum :
-    PlanSweep(problem.grid, *problem.occupancy, eye, problem.settings.rayDensity))
+  for (const PlannedFrustum& frustum :
+    PlanSweep(problem.grid, *problem.occupancy, eye, { problem.settings.rayDensity }))
   {
-    rays += double(frustum.RayCount()) * double(frustum.slices.size());
+    rays += double(frustum.RayCount()) * double(frustum.SliceCount());
   }
   return rays;
 }
@@ -50,18 +50,14 @@ void AddDerivative(Traffic& bytes, const Sizes& size, double rays)
 }
 }
 
-Traffic PolicyTraffic(const Problem& problem, Runner runner)
+Traffic PolicyTraffic(const Problem& problem)
 {
   const Sizes size = SizesOf(problem);
-  const bool onDevice = runner == Runner::Device;
   Traffic bytes;
   // Base, importance twice, last, derivative of the light; next is written and read.
   bytes["policy sweep"] = 7 * size.filled;
-  AddDerivative(bytes, size, onDevice ? size.light : 0.0);
-  if (onDevice)
-  {
-    AddSums(bytes, size);
-  }
+  AddDerivative(bytes, size, size.light);
+  AddSums(bytes, size);
   return bytes;
 }
 

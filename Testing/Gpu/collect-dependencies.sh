@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Copies what the core and its tests need beside a compiler, GLM, oneTBB and GoogleTest, from this
-# Debian machine into a folder, for a machine with a GPU that has none of them:
+# Copies what the core and its tests need beside a compiler, GLM, oneTBB, GoogleTest and
+# nlohmann-json, from this Debian machine into a folder, for a machine with a GPU that has none:
 #   bash Testing/Gpu/collect-dependencies.sh [FOLDER]
 # run.sh looks for build-gpu-dependencies, which is the default.
 
@@ -11,7 +11,7 @@ set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 folder="${1:-$root/build-gpu-dependencies}"
-packages=(libglm-dev libgtest-dev libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2)
+packages=(libglm-dev libgtest-dev nlohmann-json3-dev libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2)
 
 if ! command -v dpkg > /dev/null || ! dpkg --listfiles "${packages[@]}" > /dev/null; then
   echo "The packages ${packages[*]} are not all installed (their files are to be copied). Run" \

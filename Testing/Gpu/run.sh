@@ -5,10 +5,10 @@
 # On a machine with a GPU, in less than eight minutes: builds the core without VTK, runs the tests
 # of the CUDA backend on the GPU, repeats some of them under compute-sanitizer, and measures.
 #   bash Testing/Gpu/run.sh [--out FOLDER] [--build-only]
-# FOLDER (build-gpu/results) gets summary.md, Gpu.md, gpu.json and logs. --build-only needs no GPU.
-# Needs nvcc and CMake. GLM, oneTBB and GoogleTest may lie in build-gpu-dependencies, where
-# collect-dependencies.sh puts them, or where LIMPID_GPU_DEPENDENCIES says. Fails if a step fails;
-# what could not be run is in the summary with the reason.
+# FOLDER (build-gpu/results) gets summary.md, Gpu.json, logs and, where there is a python3, Gpu.md.
+# --build-only needs no GPU. Needs nvcc and CMake. GLM, oneTBB, GoogleTest and nlohmann-json may lie in
+# build-gpu-dependencies, where collect-dependencies.sh puts them, or where LIMPID_GPU_DEPENDENCIES
+# says. Fails if a step fails; what could not be run is in the summary with the reason.
 
 set -uo pipefail
 
@@ -101,6 +101,14 @@ say_findings() { # the tool's own last line, then the tests
   echo "$(grep -ao '\(ERROR\|RACECHECK\) SUMMARY.*' "$1" | tail -1), $(say_tests "$1")"
 }
 
+say_figures() { # milliseconds of the first figure of each step, scene by scene
+  sed -n 's/^   "\(scene\|nodes\)": "\?\([^",]*\).*/\2/p
+    s/^   "\([a-z_]*\)": {$/\1/p; s/^    "seconds": \([^,]*\),$/= \1/p' "$out/Gpu.json" |
+    awk '$1 == "=" { printf " %s %.3g ms,", step, 1000 * $2; next }
+      $1 ~ /^(onion|dense)$/ { printf "; %s", $1; next }
+      $1 ~ /^[0-9]+$/ { printf " %s:", $1; next } { step = $1 }' | sed 's/^; //; s/,\(;\|$\)/\1/g'
+}
+
 # program_step NAME LIMIT LOG WORDS PROGRAM ARGUMENT...: step, if there is such a program.
 program_step() {
   if [[ -x "$build/bin/$5" ]]; then
@@ -112,7 +120,7 @@ program_step() {
 }
 
 printf '# GPU run\n\n| step | result | s |\n| --- | --- | ---: |\n' > "$summary"
-rm -f "$out"/{build,tests,sanitizers,benchmark,profile}.log "$out"/{Gpu.md,gpu.json}
+rm -f "$out"/{build,tests,sanitizers,benchmark,profile}.log "$out"/Gpu.{md,json}
 launcher=()
 
 # --- what there is -----------------------------------------------------------------------------
@@ -143,7 +151,7 @@ if command -v ninja > /dev/null && [[ ! -f "$build/CMakeCache.txt" ]]; then
   configuration+=(-G Ninja)
 fi
 if [[ -d "$dependencies" ]]; then
-  for package in glm GTest TBB; do
+  for package in glm GTest TBB nlohmann_json; do
     file="$(find "$dependencies" -name "${package}Config.cmake" | head -1)"
     configuration+=("-D${package}_DIR=$(dirname "$file")")
   done
@@ -152,7 +160,7 @@ targets=(test_gpu limpid_bench_gpu "${core_tests[@]}")
 step "configure" 60 build.log say_done cmake "${configuration[@]}"
 if ((failed)); then
   grep -v '^--' "$build/step.log" | head -40
-  give_up "CMake cannot configure the core (see above). If GLM, oneTBB or GoogleTest is missing here, run Testing/Gpu/collect-dependencies.sh on a Debian machine that has them and bring build-gpu-dependencies along."
+  give_up "CMake cannot configure the core (see above). If GLM, oneTBB, GoogleTest or nlohmann-json is missing here, run Testing/Gpu/collect-dependencies.sh on a Debian machine that has them and bring build-gpu-dependencies along."
 fi
 keep_going=(-- -k)
 if grep -q 'CMAKE_GENERATOR:INTERNAL=Ninja' "$build/CMakeCache.txt" 2> /dev/null; then
@@ -199,11 +207,16 @@ done
 launcher=()
 
 reserve=0
-program_step "benchmark" 150 benchmark.log say_done limpid_bench_gpu --out "$out"
+program_step "benchmark" 150 benchmark.log say_figures limpid_bench_gpu --output "$out/Gpu.json"
 
-# Sweeps by the hardware's own counters; nothing depends on it.
+# The page, and sweeps by the hardware's own counters; nothing depends on them.
+before=$failed
+if [[ -f "$out/Gpu.json" ]] && command -v python3 > /dev/null; then
+  step "page" 20 benchmark.log say_done \
+    python3 -B "$root/Testing/Benchmarks/pages/make.py" --pages gpu --no-plots "$out"
+  failed=$before
+fi
 if command -v ncu > /dev/null && ((total_seconds - SECONDS > 20)); then
-  before=$failed
   launcher=(ncu --clock-control none --section SpeedOfLight --section MemoryWorkloadAnalysis
     --section LaunchStats --section Occupancy --kernel-name "regex:VisitEach|VisitPhases"
     --launch-count 24)
@@ -221,7 +234,8 @@ grep -ah '^=========' "$out/sanitizers.log" | grep -v 'COMPUTE-SANITIZER\|SUMMAR
 if [[ -f "$out/Gpu.md" ]]; then
   awk '/^## / { ++section } section < 3' "$out/Gpu.md" # the bars and the first scene
 else
-  echo "There is no table: the benchmark did not finish a single scene."
+  echo "There is no page: see the step \"benchmark\". With Gpu.json, Testing/Benchmarks/pages/make.py" \
+    "makes it anywhere."
 fi
 echo
 cat "$summary"

@@ -10,7 +10,9 @@
 
 #include "optimize/Solver.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limpid
@@ -70,6 +72,42 @@ struct SceneForSolver
   Solver MakeSolver(const Settings& settings) const
   {
     return Solver(this->Fields(), this->camera, this->light, settings);
+  }
+
+  /// The extinction of Field "Importance Proxy": the majorant times importance.
+  std::vector<float> Proxy() const
+  {
+    const float majorant = *std::max_element(this->extinction.begin(), this->extinction.end());
+    std::vector<float> proxy = this->importance;
+    std::for_each(proxy.begin(), proxy.end(), [=](float& value) { value *= majorant; });
+    return proxy;
+  }
+};
+
+/// A scene file, and what a solver needs of it.
+struct SceneOfFile : SceneForSolver
+{
+  truth::SceneFile file;
+
+  explicit SceneOfFile(truth::SceneFile read)
+    : SceneForSolver(read)
+    , file(std::move(read))
+  {
+  }
+
+  /// Throws std::runtime_error with the reason when the scene cannot be read.
+  explicit SceneOfFile(const std::string& path)
+    : SceneOfFile(truth::ReadSceneFile(path))
+  {
+  }
+
+  /// S by the independent ray march of an extinction [length^2].
+  double March(const std::vector<float>& extinctionThere, double raysPerVoxel = 3) const
+  {
+    truth::Sampling sampling;
+    sampling.raysPerVoxel = raysPerVoxel;
+    return truth::VisibilityScore(
+      this->file.FieldsWith(extinctionThere), this->file.Eye(), sampling);
   }
 };
 }

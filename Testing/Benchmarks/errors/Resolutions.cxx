@@ -1,123 +1,96 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Resolutions.h"
-
-#include "../Timing.h"
-#include "Effort.h"
-#include "Runs.h"
-#include "SceneFunctions.h"
-#include "Truth.h"
-#include "Viewing.h"
+#include "Drawing.h"
+#include "Errors.h"
 
 #include "backend/Backend.h"
+#include "math/Require.h"
 
 #include <cmath>
+#include <fstream>
 
 namespace limpid::benchmark
 {
 namespace
 {
-View ViewOf(const Camera& camera, int pixels)
-{
-  const double distance = glm::length(camera.position - camera.focalPoint);
-  View view;
-  view.width = view.height = pixels;
-  view.sampleDistance = 0.5;
-  view.clipToWorld = Perspective(LookAt(camera.position, camera.focalPoint, camera.viewUp),
-    camera.viewAngle, 1, 0.1 * distance, 3 * distance);
-  return view;
-}
+constexpr int pictureSize = 320; // pixels along each side
 
-/// Draws extinctions of a scene as seen from its camera, lit and shadowed.
-class Drawer
-{
-public:
-  Drawer(const Scene& scene, int pixels)
-    : Source(scene)
-    , Scalars(scene.file.scalars.begin(), scene.file.scalars.end())
-    , Pixels(pixels)
-  {
-    this->Paint.SetScalars(scene.grid, this->Scalars.data());
-    this->Paint.SetTransferFunctions(FunctionsOf(scene.file));
-    Lighting lighting;
-    lighting.enabled = true;
-    lighting.light = scene.light;
-    this->Paint.SetLighting(lighting);
-  }
-
-  Picture Draw(const std::vector<float>& extinction)
-  {
-    Picture picture;
-    this->Paint.SetExtinction(
-      this->Source.grid, this->Source.file.extinction.data(), extinction.data());
-    this->Paint.Render(ViewOf(this->Source.camera, this->Pixels), picture);
-    return picture;
-  }
-
-private:
-  const Scene& Source;
-  std::vector<float> Scalars;
-  int Pixels;
-  Renderer Paint;
-};
-
-double RmsOf(const Picture& one, const Picture& other)
+double RmsDifference(const Picture& one, const Picture& other)
 {
   double sum = 0;
   for (std::size_t n = 0; n < one.rgba.size(); ++n)
   {
-    const double difference = double(one.rgba[n]) - double(other.rgba[n]);
-    sum += difference * difference;
+    sum += std::pow(double(one.rgba[n]) - double(other.rgba[n]), 2);
   }
   return std::sqrt(sum / double(one.rgba.size()));
 }
 
-WholeRun PlannedAt(int coarsening, double rayDensity)
+/// Over black, first row at the top.
+void Save(const std::string& path, const Picture& picture)
 {
-  WholeRun run;
-  run.settings.backend = BackendKind::Cpu;
-  run.settings.rayDensity = rayDensity;
-  run.coarsening = coarsening;
-  run.threads = ThreadCount();
-  return run;
+  std::ofstream file(path, std::ios::binary);
+  LIMPID_REQUIRE(file.good(),
+    "The file " << path << " cannot be written (the plot shows it). Choose another --output.");
+  file << "P6\n" << picture.width << " " << picture.height << "\n255\n";
+  for (int row = picture.height; row-- > 0;)
+  {
+    for (int column = 0; column < picture.width; ++column)
+    {
+      const std::size_t pixel = std::size_t(row) * picture.width + column;
+      file.write(reinterpret_cast<const char*>(picture.rgba.data() + 4 * pixel), 3);
+    }
+  }
 }
 }
 
-ResolutionResults MeasureResolutions(const Scene& scene, int repeats, int pixels)
+Json MeasureResolutions(const SceneOfFile& scene, const Options& options)
 {
-  const Effort effort(Options(), double(scene.grid.NodeCount()));
-  Drawer drawer(scene, pixels);
-  ResolutionResults all;
-  all.scene = scene.file.name;
+  const std::string& output = options.Text("output");
+  const Effort effort(options, double(scene.grid.NodeCount()));
+  const Drawable drawable(scene);
+  Renderer renderer;
+  drawable.Prepare(renderer);
+  drawable.Light(renderer);
+  View view = ViewOf(scene.camera, pictureSize);
+  view.sampleDistance = 0.5;
+  std::vector<Picture> pictures;
+  Json results;
   for (const int coarsening : { 4, 2, 1 })
   {
-    for (const double rayDensity : { 0.25, 0.5, 1.0, 2.0 })
+    for (const int percent : { 25, 50, 100, 200 })
     {
-      ResolutionResult result;
-      result.run = PlannedAt(coarsening, rayDensity);
+      WholeRun run;
+      run.settings.backend = BackendKind::Cpu;
+      run.settings.rayDensity = percent / 100.0;
+      run.coarsening = coarsening;
+      run.threads = ThreadCount();
       std::vector<double> times;
-      std::vector<float> extinction;
-      for (int repeat = -1; repeat < repeats; ++repeat) // the first run warms up
+      std::vector<float> extinction = Execute(scene, run); // warms up
+      for (int repeat = 0; repeat < options.Count("repeats"); ++repeat)
       {
-        extinction = Execute(scene, result.run);
-        if (repeat >= 0)
-        {
-          times.push_back(result.run.seconds);
-        }
+        extinction = Execute(scene, run);
+        times.push_back(run.seconds);
       }
-      result.run.seconds = Median(times);
-      result.run.spread = Spread(times);
-      result.run.repeats = repeats;
-      result.run.worth = WorthOf(scene, extinction, result.run.settings.weights, effort.worthRays);
-      result.picture = drawer.Draw(extinction);
-      all.results.push_back(std::move(result));
+      drawable.Show(renderer, extinction);
+      pictures.emplace_back();
+      renderer.Render(view, pictures.back());
+      const std::string file =
+        scene.name + "-" + std::to_string(coarsening) + "-" + std::to_string(percent) + ".ppm";
+      if (!output.empty())
+      {
+        Save(output.substr(0, output.rfind('/') + 1) + file, pictures.back());
+      }
+      results.push_back({ { "file", file }, { "coarsening", coarsening },
+        { "ray_density", run.settings.rayDensity } });
+      results.back().update(FigureOf(times));
+      results.back().update(WorthOf(scene, extinction, run.settings.weights, effort.worthRays));
     }
   }
-  for (ResolutionResult& result : all.results)
+  for (std::size_t n = 0; n < pictures.size(); ++n)
   {
-    result.difference = RmsOf(result.picture, all.results.back().picture);
+    results[n]["rms_difference"] = RmsDifference(pictures[n], pictures.back());
   }
-  return all;
+  return { { "name", scene.name }, { "pictures", results } };
 }
 }

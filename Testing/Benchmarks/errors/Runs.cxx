@@ -1,132 +1,105 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Runs.h"
-
-#include "../Markdown.h"
-#include "../Timing.h"
+#include "Errors.h"
 #include "PeakMemory.h"
-#include "Truth.h"
 
 #include "backend/Backend.h"
 #include "optimize/Levels.h"
 
-#include <algorithm>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 
 namespace limpid::benchmark
 {
 namespace
 {
-Settings CpuSettings()
-{
-  Settings settings;
-  settings.backend = BackendKind::Cpu;
-  return settings;
-}
-
-WholeRun Planned(const std::string& name, const std::string& group, const Settings& settings)
-{
-  WholeRun run;
-  run.name = name;
-  run.group = group;
-  run.settings = settings;
-  run.threads = ThreadCount();
-  return run;
-}
-
 std::string Rays(double rayDensity)
 {
-  return "ρ = " + Significant(rayDensity, rayDensity < 1 ? 2 : 1);
+  std::ostringstream text;
+  text << "ρ = " << std::fixed << std::setprecision(rayDensity < 1 ? 2 : 0) << rayDensity;
+  return text.str();
 }
 
-void PlanPolicies(const Options& options, std::vector<WholeRun>& runs)
+/// All runs that are compared, first the default.
+std::vector<WholeRun> PlannedRuns(bool quick)
 {
-  const Settings standard = CpuSettings();
-  runs.push_back(Planned("default", "default", standard));
+  std::vector<WholeRun> runs;
+  const auto plan = [&](const std::string& name, const char* group,
+                      const std::function<void(WholeRun&, Settings&)>& change)
+  {
+    WholeRun run;
+    run.name = name;
+    run.group = group;
+    run.threads = ThreadCount();
+    run.settings.backend = BackendKind::Cpu;
+    change(run, run.settings);
+    runs.push_back(run);
+  };
+  plan("default", "default", [](WholeRun&, Settings&) {});
   for (const int iterations : { 1, 2, 4 })
   {
-    Settings settings = standard;
-    settings.maximumIterations = iterations;
-    runs.push_back(Planned("iterations ≤ " + std::to_string(iterations), "iterations", settings));
+    plan("iterations ≤ " + std::to_string(iterations), "iterations",
+      [=](WholeRun&, Settings& settings) { settings.maximumIterations = iterations; });
   }
   for (const double rayDensity : { 0.25, 0.5, 2.0, 3.0 })
   {
-    Settings settings = standard;
-    settings.rayDensity = rayDensity;
-    runs.push_back(Planned(Rays(rayDensity), "ray density", settings));
-    const bool middle = rayDensity == 0.5 || rayDensity == 2.0;
+    plan(Rays(rayDensity), "ray density",
+      [=](WholeRun&, Settings& settings) { settings.rayDensity = rayDensity; });
     for (const int iterations : { 1, 4 })
     {
-      if (middle && !options.quick)
+      if (!quick && (rayDensity == 0.5 || rayDensity == 2))
       {
-        settings.maximumIterations = iterations;
-        runs.push_back(Planned(
-          Rays(rayDensity) + ", iterations ≤ " + std::to_string(iterations), "grid", settings));
+        plan(Rays(rayDensity) + ", iterations ≤ " + std::to_string(iterations), "grid",
+          [=](WholeRun&, Settings& settings)
+          {
+            settings.rayDensity = rayDensity;
+            settings.maximumIterations = iterations;
+          });
       }
     }
   }
-  Settings ray = standard;
-  ray.derivative = Derivative::Ray;
-  runs.push_back(Planned("derivative Ray", "derivative", ray));
+  plan("derivative Ray", "derivative",
+    [](WholeRun&, Settings& settings) { settings.derivative = Derivative::Ray; });
   for (const int coarsening : { 2, 4 })
   {
-    runs.push_back(
-      Planned("1/" + std::to_string(coarsening) + " of the nodes", "resolution", standard));
-    runs.back().coarsening = coarsening;
+    plan("1/" + std::to_string(coarsening) + " of the nodes", "resolution",
+      [=](WholeRun& run, Settings&) { run.coarsening = coarsening; });
   }
-}
-
-/// Settings that change nothing but the time.
-void PlanTimes(std::vector<WholeRun>& runs)
-{
-  Settings off = CpuSettings();
-  off.skipUnneeded = false;
-  runs.push_back(Planned("skips off", "skips", off));
-  runs.push_back(Planned("1 thread", "threads", CpuSettings()));
-  runs.back().threads = 1;
+  plan("skips off", "skips", [](WholeRun&, Settings& settings) { settings.skipUnneeded = false; });
+  plan("1 thread", "threads", [](WholeRun& run, Settings&) { run.threads = 1; });
   if (FindCuda().usable)
   {
-    Settings cuda;
-    cuda.backend = BackendKind::Cuda;
-    runs.push_back(Planned("CUDA", "backend", cuda));
+    plan("CUDA", "backend",
+      [](WholeRun&, Settings& settings) { settings.backend = BackendKind::Cuda; });
   }
-}
-
-void PlanAdams(const Options& options, std::vector<WholeRun>& runs)
-{
-  Settings adam = CpuSettings();
-  adam.solver = SolverKind::Adam;
-  runs.push_back(Planned("Adam", "solver", adam));
-  const auto add = [&](const std::string& name, double rayDensity, const std::array<int, 3>& levels)
+  const auto adam = [&](
+                      const std::string& name, double rayDensity, const std::array<int, 3>& levels)
   {
-    Settings settings = adam;
-    settings.rayDensity = rayDensity;
-    settings.iterationsPerLevel = levels;
-    runs.push_back(Planned("Adam, " + name, "levels", settings));
+    plan("Adam" + name, name.empty() ? "solver" : "levels",
+      [=](WholeRun&, Settings& settings)
+      {
+        settings.solver = SolverKind::Adam;
+        settings.rayDensity = rayDensity;
+        settings.iterationsPerLevel = levels;
+      });
   };
-  add("levels 32, 32, 16", 1, { { 32, 32, 16 } });
-  add("full resolution, 64", 1, { { 0, 0, 64 } });
-  add(Rays(0.5), 0.5, { { 32, 32, 64 } });
-  if (!options.quick)
+  adam("", 1, Settings().iterationsPerLevel);
+  adam(", levels 32, 32, 16", 1, { { 32, 32, 16 } });
+  adam(", full resolution, 64", 1, { { 0, 0, 64 } });
+  adam(", " + Rays(0.5), 0.5, { { 32, 32, 64 } });
+  if (!quick)
   {
-    add("levels 16, 16, 16", 1, { { 16, 16, 16 } });
-    add("levels 8, 8, 8", 1, { { 8, 8, 8 } });
+    adam(", levels 16, 16, 16", 1, { { 16, 16, 16 } });
+    adam(", levels 8, 8, 8", 1, { { 8, 8, 8 } });
   }
-}
-
-std::vector<WholeRun> PlannedRuns(const Options& options)
-{
-  std::vector<WholeRun> runs;
-  PlanPolicies(options, runs);
-  PlanTimes(runs);
-  PlanAdams(options, runs);
   return runs;
 }
 
-std::vector<HistoryPoint> Follow(Solver& solver, const Stopwatch& start)
+Json Follow(Solver& solver, const Stopwatch& start)
 {
-  std::vector<HistoryPoint> history;
+  Json history = Json::array();
   const auto note = [&]()
   {
     const IterationRecord& record = solver.History().back();
@@ -143,80 +116,74 @@ std::vector<HistoryPoint> Follow(Solver& solver, const Stopwatch& start)
 }
 
 /// A scene with fewer nodes over the same box.
-struct CoarseScene
+SceneForSolver Coarse(const SceneForSolver& scene, int coarsening)
 {
-  Grid grid;
-  std::vector<float> extinction;
-  std::vector<float> importance;
-
-  CoarseScene(const Scene& scene, int coarsening)
-    : grid(CoarseGrid(scene.grid, coarsening))
-    , extinction(Restrict(scene.grid, scene.file.extinction.data(), this->grid))
-    , importance(Restrict(scene.grid, scene.file.importance.data(), this->grid))
+  SceneForSolver coarse;
+  coarse.camera = scene.camera;
+  coarse.light = scene.light;
+  coarse.grid = CoarseGrid(scene.grid, coarsening);
+  coarse.extinction = Restrict(scene.grid, scene.extinction.data(), coarse.grid);
+  coarse.importance = Restrict(scene.grid, scene.importance.data(), coarse.grid);
+  for (float& value : coarse.importance)
   {
-    for (float& value : this->importance)
-    {
-      value = std::min(value, 1.0f); // a mean of ones may round up
-    }
+    value = std::min(value, 1.0f); // a mean of ones may round up
   }
-};
+  return coarse;
+}
 
-/// Once, for memory and worth. Returns the time if it counts, otherwise 0.
-double FirstRun(const Truth& truth, const Effort& effort, const WholeRun& standard, WholeRun& run)
+Json Describe(const WholeRun& run)
 {
-  const PeakMemory memory;
-  const std::vector<float> extinction = Execute(truth.Source(), run);
-  run.bytes = memory.Bytes();
-  const bool same =
-    extinction == truth.Extinction(1) && !standard.history.empty() && &standard != &run;
-  run.worth = same ? standard.worth
-                   : WorthOf(truth.Source(), extinction, run.settings.weights, effort.worthRays);
-  return run.seconds > effort.warmLimit ? run.seconds : 0;
+  const Settings& settings = run.settings;
+  const bool plotted = run.group == "default" || run.group == "solver";
+  return { { "name", run.name }, { "group", run.group },
+    { "solver", settings.solver == SolverKind::Policy ? "policy" : "Adam" },
+    { "ray_density", settings.rayDensity }, { "maximum_iterations", settings.maximumIterations },
+    { "iterations_per_level", settings.iterationsPerLevel },
+    { "derivative", settings.derivative == Derivative::Volume ? "Volume" : "Ray" },
+    { "skip", settings.skipUnneeded }, { "threads", run.threads }, { "coarsening", run.coarsening },
+    { "iterations", run.iterations },
+    { "history_iteration_level_seconds_S_F", plotted ? run.history : Json::array() } };
 }
 }
 
-std::vector<float> Execute(const Scene& scene, WholeRun& run)
+std::vector<float> Execute(const SceneForSolver& scene, WholeRun& run)
 {
   const ThreadLimit limit(run.threads);
-  std::vector<float> extinction;
+  const bool whole = run.coarsening == 1;
   Stopwatch watch;
-  if (run.coarsening == 1)
+  const SceneForSolver coarse = whole ? SceneForSolver() : Coarse(scene, run.coarsening);
+  Solver solver = (whole ? scene : coarse).MakeSolver(run.settings);
+  run.history = Follow(solver, watch);
+  run.iterations = solver.Iterations();
+  std::vector<float> extinction = std::move(solver.TakeExtinctions()[0]);
+  if (!whole)
   {
-    Solver solver = scene.MakeSolver(run.settings);
-    run.history = Follow(solver, watch);
-    run.iterations = solver.Iterations();
-    run.seconds = watch.Elapsed();
-    extinction = std::move(solver.TakeExtinctions()[0]);
+    extinction = Prolong(coarse.grid, extinction.data(), scene.grid);
   }
-  else
-  {
-    const CoarseScene coarse(scene, run.coarsening);
-    Solver solver({ coarse.grid, coarse.extinction.data(), coarse.importance.data() }, scene.camera,
-      scene.light, run.settings);
-    run.history = Follow(solver, watch);
-    run.iterations = solver.Iterations();
-    extinction = Prolong(coarse.grid, solver.Extinction().data(), scene.grid);
-    run.seconds = watch.Elapsed();
-  }
+  run.seconds = watch.Elapsed();
   return extinction;
 }
 
-std::vector<float> DefaultResult(const Scene& scene)
+Json MeasureRuns(const Truth& truth, const Effort& effort, const Options& options)
 {
-  WholeRun run = Planned("default", "default", CpuSettings());
-  return Execute(scene, run);
-}
-
-std::vector<WholeRun> MeasureRuns(const Truth& truth, const Options& options, const Effort& effort)
-{
-  std::vector<WholeRun> runs = PlannedRuns(options);
+  std::vector<WholeRun> runs = PlannedRuns(options.Flag("quick"));
   std::vector<std::vector<double>> times(runs.size());
-  for (std::size_t n = 0; n < runs.size(); ++n)
+  Json results;
+  for (std::size_t n = 0; n < runs.size(); ++n) // once, for memory and worth
   {
-    const double seconds = FirstRun(truth, effort, runs.front(), runs[n]);
-    if (seconds > 0)
+    const PeakMemory memory;
+    const std::vector<float> extinction = Execute(truth.Source(), runs[n]);
+    results.push_back(Describe(runs[n]));
+    results[n]["bytes"] = memory.Bytes();
+    const bool same = n > 0 && extinction == truth.Extinction(1);
+    const Json worth = same
+      ? Json{ { "S", results[0]["S"] }, { "S_light", results[0]["S_light"] },
+          { "F", results[0]["F"] } }
+      : WorthOf(truth.Source(), extinction, runs[n].settings.weights, effort.worthRays);
+    results[n].update(worth);
+    if (runs[n].seconds > effort.warmLimit)
     {
-      times[n].push_back(seconds);
+      times[n].push_back(runs[n].seconds);
     }
   }
   for (int turn = 0; turn < effort.repeats; ++turn)
@@ -233,10 +200,8 @@ std::vector<WholeRun> MeasureRuns(const Truth& truth, const Options& options, co
   }
   for (std::size_t n = 0; n < runs.size(); ++n)
   {
-    runs[n].seconds = Median(times[n]);
-    runs[n].spread = Spread(times[n]);
-    runs[n].repeats = static_cast<int>(times[n].size());
+    results[n].update(FigureOf(times[n]));
   }
-  return runs;
+  return results;
 }
 }

@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Sweeps.h"
-
-#include "../Timing.h"
+#include "Errors.h"
 
 #include "backend/Backend.h"
 #include "energy/NodeImportance.h"
 #include "energy/TransmittanceVolume.h"
 #include "energy/VisibilityTerm.h"
 
-#include <memory>
+#include <numeric>
 
 namespace limpid::benchmark
 {
@@ -19,19 +17,19 @@ namespace
 /// A scene as the sweeps take it.
 struct Swept
 {
-  explicit Swept(const Scene& scene)
+  explicit Swept(const SceneOfFile& scene)
     : source(scene)
-    , nodeImportance(NodeImportanceOfFilled(
-        scene.grid, scene.file.extinction.data(), scene.file.importance.data()))
-    , needed(scene.grid, scene.file.extinction.data(), this->nodeImportance.data(), true)
-    , everything(scene.grid, scene.file.extinction.data(), this->nodeImportance.data(), false)
+    , nodeImportance(
+        NodeImportanceOfFilled(scene.grid, scene.extinction.data(), scene.importance.data()))
+    , needed(scene.grid, scene.extinction.data(), this->nodeImportance.data(), true)
+    , everything(scene.grid, scene.extinction.data(), this->nodeImportance.data(), false)
     , camera(SourceOfCamera(scene.camera, scene.grid, false))
     , light(SourceOfLight(scene.light, scene.grid))
-    , gradient(scene.file.extinction.size())
+    , gradient(scene.extinction.size())
   {
   }
 
-  const Scene& source;
+  const SceneOfFile& source;
   std::vector<float> nodeImportance;
   Occupancy needed;
   Occupancy everything;
@@ -45,7 +43,9 @@ struct Swept
 SampledTransmittance TransmittanceOf(
   Swept& swept, const Truth& truth, const RaySource& eye, double rayDensity)
 {
-  VisibilityTerm term(swept.source.grid, swept.everything, eye, rayDensity);
+  VisibilityTerm<HostDevice> term(
+    HostDevice::Shared(), swept.source.grid, swept.everything, eye, rayDensity);
+  Visible seen;
   const std::vector<float> none(swept.gradient.size(), 0.0f);
   const std::vector<float> ones(swept.gradient.size(), 1.0f);
   SampledTransmittance sampled;
@@ -53,110 +53,78 @@ SampledTransmittance TransmittanceOf(
   {
     const float* extinction = truth.Extinction(which).data();
     std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
-    term.AddGradient(
-      { extinction, none.data(), ones.data() }, Derivative::Volume, -1.0f, swept.gradient.data());
-    for (const std::size_t voxel : truth.Voxels())
-    {
-      sampled[std::size_t(which)].push_back(swept.gradient[voxel]);
-    }
+    term.Differentiate({ extinction, none.data(), ones.data() }, Derivative::Volume,
+      { 1.0f, -1.0f }, swept.gradient.data(), &seen);
+    sampled[std::size_t(which)] = truth.AtVoxels(swept.gradient);
   }
   return sampled;
 }
 
-double SlopeError(Swept& swept, const Truth& truth, VisibilityTerm& camera, Derivative derivative)
+double SlopeError(
+  Swept& swept, const Truth& truth, VisibilityTerm<HostDevice>& camera, Derivative derivative)
 {
-  const Scene& scene = swept.source;
-  const TermFields fields{ scene.file.extinction.data(), scene.file.importance.data(),
+  const SceneOfFile& scene = swept.source;
+  const TermFields fields{ scene.extinction.data(), scene.importance.data(),
     swept.nodeImportance.data() };
   std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
-  camera.AddGradient(fields, derivative, -1.0f, swept.gradient.data()); // F_q is -q S
-  std::array<double, directionCount> slopes{};
-  for (int which = 0; which < directionCount; ++which)
-  {
-    slopes[std::size_t(which)] = AlongDirection(scene, swept.gradient, Direction(scene, which));
-  }
-  return truth.ErrorOf(slopes);
+  Visible seen;
+  camera.Differentiate( // F_q is -q S
+    fields, derivative, { 1.0f, -1.0f }, swept.gradient.data(), &seen);
+  return truth.SlopeError(swept.gradient);
 }
 
-SweepAccuracy AccuracyAt(Swept& swept, const Truth& truth, double rayDensity)
+Json AccuracyAt(Swept& swept, const Truth& truth, double rayDensity)
 {
-  const Scene& scene = swept.source;
-  VisibilityTerm camera(scene.grid, swept.needed, swept.camera, rayDensity);
+  const SceneOfFile& scene = swept.source;
+  VisibilityTerm<HostDevice> camera(
+    HostDevice::Shared(), scene.grid, swept.needed, swept.camera, rayDensity);
   const auto score = [&](int which)
-  { return camera.Forward(truth.Extinction(which).data(), scene.file.importance.data()).visible; };
-  SweepAccuracy accuracy;
-  accuracy.rayDensity = rayDensity;
-  accuracy.score = truth.ErrorsOf(score(0), score(1));
-  accuracy.slope = SlopeError(swept, truth, camera, Derivative::Volume);
-  accuracy.raySlope = SlopeError(swept, truth, camera, Derivative::Ray);
-  accuracy.transmittance = truth.ErrorsOf(TransmittanceOf(swept, truth, swept.camera, rayDensity),
+  {
+    Visible seen;
+    camera.Forward(truth.Extinction(which).data(), scene.importance.data(), &seen);
+    return seen.visible;
+  };
+  Json accuracy{ { "ray_density", rayDensity } };
+  const double base = score(0);
+  truth.AddErrors(accuracy, base, score(1));
+  accuracy["error_slope"] = SlopeError(swept, truth, camera, Derivative::Volume);
+  accuracy["error_slope_ray"] = SlopeError(swept, truth, camera, Derivative::Ray);
+  truth.AddErrors(accuracy, TransmittanceOf(swept, truth, swept.camera, rayDensity),
     TransmittanceOf(swept, truth, swept.light, rayDensity));
   return accuracy;
 }
 
-/// A solver whose iterations are timed one by one.
-class TimedSolver
+/// A solver whose iterations are timed, several in a row.
+struct TimedSolver
 {
-public:
-  TimedSolver(const Scene& scene, const IterationTime& what)
-    : What(what)
-    , Scenery(scene)
-  {
-  }
+  Settings settings;
+  int threads;
+  std::vector<double> times;
 
-  const IterationTime& Result()
+  void Iterate(const SceneOfFile& scene, double secondsAtMost)
   {
-    this->What.seconds = Median(this->Times);
-    this->What.timed = static_cast<int>(this->Times.size());
-    return this->What;
-  }
-
-  /// One more timed iteration, unless enough time is spent.
-  void Iterate(double secondsAtMost)
-  {
-    if (this->Times.size() > 2 && this->Spent > secondsAtMost)
+    const ThreadLimit limit(this->threads);
+    Solver solver = scene.MakeSolver(this->settings);
+    solver.Step(1);             // knows no light, and warms up
+    const int timesPerTurn = 3; // while its data is in the caches
+    for (int n = 0; n < timesPerTurn; ++n)
     {
-      return;
+      const double spent = std::accumulate(this->times.begin(), this->times.end(), 0.0);
+      if (this->times.size() <= 2 || spent <= secondsAtMost)
+      {
+        Stopwatch watch;
+        solver.Step(1);
+        this->times.push_back(watch.Lap());
+      }
     }
-    const ThreadLimit limit(this->What.threads);
-    if (!this->Running || this->Running->Done())
-    {
-      this->Running = std::make_unique<Solver>(this->Scenery.MakeSolver(this->Wanted()));
-      this->Running->Step(1); // knows no light, and warms up
-    }
-    Stopwatch watch;
-    this->Running->Step(1);
-    this->Times.push_back(watch.Lap());
-    this->Spent += this->Times.back();
   }
-
-  void Stop() { this->Running.reset(); }
-
-private:
-  Settings Wanted() const
-  {
-    Settings settings;
-    settings.backend = BackendKind::Cpu;
-    settings.solver = this->What.solver;
-    settings.rayDensity = this->What.rayDensity;
-    settings.skipUnneeded = this->What.skip;
-    settings.tolerance = 0;
-    settings.iterationsPerLevel = { { 0, 0, 1000 } };
-    return settings;
-  }
-
-  IterationTime What;
-  const Scene& Scenery;
-  std::unique_ptr<Solver> Running;
-  std::vector<double> Times;
-  double Spent = 0;
 };
 }
 
-std::vector<SweepAccuracy> MeasureSweeps(const Truth& truth, const Effort& effort)
+Json MeasureSweeps(const Truth& truth, const Effort& effort)
 {
   Swept swept(truth.Source());
-  std::vector<SweepAccuracy> results;
+  Json results;
   for (const double rayDensity : effort.rayDensities)
   {
     results.push_back(AccuracyAt(swept, truth, rayDensity));
@@ -164,13 +132,13 @@ std::vector<SweepAccuracy> MeasureSweeps(const Truth& truth, const Effort& effor
   return results;
 }
 
-std::vector<ShadowAccuracy> MeasureShadows(const Truth& truth, const Effort& effort)
+Json MeasureShadows(const Truth& truth, const Effort& effort)
 {
-  const Scene& scene = truth.Source();
+  const SceneOfFile& scene = truth.Source();
   const RaySource eyes[2] = { SourceOfCamera(scene.camera, scene.grid, false),
     SourceOfLight(scene.light, scene.grid) };
-  std::vector<float> transmittance(scene.file.extinction.size());
-  std::vector<ShadowAccuracy> results;
+  std::vector<float> transmittance(scene.extinction.size());
+  Json results;
   for (const double rayDensity : effort.rayDensities)
   {
     SampledTransmittance sampled[2];
@@ -183,47 +151,50 @@ std::vector<ShadowAccuracy> MeasureShadows(const Truth& truth, const Effort& eff
         FillTransmittance(
           scene.grid, truth.Extinction(which).data(), eyes[eye], rayDensity, transmittance.data());
         times.push_back(watch.Lap());
-        for (const std::size_t voxel : truth.Voxels())
-        {
-          sampled[eye][std::size_t(which)].push_back(transmittance[voxel]);
-        }
+        sampled[eye][std::size_t(which)] = truth.AtVoxels(transmittance);
       }
     }
-    const TransmittanceErrors errors = truth.ErrorsOf(sampled[0], sampled[1]);
-    results.push_back({ rayDensity, errors, Median(times) });
+    Json result{ { "ray_density", rayDensity }, { "seconds", Median(times) } };
+    truth.AddErrors(result, sampled[0], sampled[1]);
+    results.push_back(result);
   }
   return results;
 }
 
-std::vector<IterationTime> TimeIterations(const Scene& scene, const Effort& effort)
+Json TimeIterations(const SceneOfFile& scene, const Effort& effort)
 {
   std::vector<TimedSolver> solvers;
   const int all = ThreadCount();
   for (const SolverKind kind : { SolverKind::Policy, SolverKind::Adam })
   {
+    Settings settings;
+    settings.solver = kind;
+    settings.backend = BackendKind::Cpu;
+    settings.tolerance = 0;
+    settings.iterationsPerLevel = { { 0, 0, 1000 } };
     for (const double rayDensity : effort.rayDensities)
     {
-      solvers.emplace_back(scene, IterationTime{ kind, rayDensity, true, all, 0, 0 });
+      settings.rayDensity = rayDensity;
+      solvers.push_back({ settings, all, {} });
     }
-    solvers.emplace_back(scene, IterationTime{ kind, 1, false, all, 0, 0 });
-    solvers.emplace_back(scene, IterationTime{ kind, 1, true, 1, 0, 0 });
+    settings.rayDensity = 1;
+    solvers.push_back({ settings, 1, {} });
+    settings.skipUnneeded = false;
+    solvers.insert(solvers.end() - 1, { settings, all, {} });
   }
-  const int timesPerTurn = 3; // of one solver, while its data is in the caches
   for (int turn = 0; turn < effort.repeats; ++turn)
   {
     for (TimedSolver& solver : solvers)
     {
-      for (int n = 0; n < timesPerTurn; ++n)
-      {
-        solver.Iterate(effort.secondsPerSetting / 4);
-      }
-      solver.Stop();
+      solver.Iterate(scene, effort.secondsPerSetting / 4);
     }
   }
-  std::vector<IterationTime> results;
-  for (TimedSolver& solver : solvers)
+  Json results;
+  for (const auto& [settings, threads, times] : solvers)
   {
-    results.push_back(solver.Result());
+    results.push_back({ { "solver", settings.solver == SolverKind::Policy ? "policy" : "Adam" },
+      { "ray_density", settings.rayDensity }, { "skip", settings.skipUnneeded },
+      { "threads", threads }, { "seconds", Median(times) }, { "timed", times.size() } });
   }
   return results;
 }

@@ -14,7 +14,6 @@ import numpy as np
 import programs
 
 TERMS = ("regularization", "view", "light")
-RAYS = 3  # per voxel and axis of the reference's march
 SCORE = 5e-3  # what a score may be off
 OURS = "derivatives, Limpid to the march's central differences"
 THEIRS = "derivatives, PyTorch to the march's central differences"
@@ -34,11 +33,9 @@ def evaluated(program):
 
 
 def collect(path, nodes, threads):
-    found = {}
+    found = {"march": programs.march(path, nodes, threads)}
     with programs.limpid(path, nodes, threads) as program:
         found["Limpid"] = evaluated(program)
-        found["march"] = {"energy": program.ask(f"march {RAYS}"),
-                          "slopes": program.ask(f"difference {RAYS}")}
     with programs.limpid(path, nodes, threads, derivative="ray") as program:
         found["Limpid, Ray"] = evaluated(program)
     for sampler in ("planes", "trilinear"):
@@ -97,35 +94,34 @@ def bounds(nodes):
 
 def findings(found, nodes):
     """Rows of what is compared, how far it is apart, and the bound; None: no bound."""
-    ours, reference = found["Limpid"], found["march"]
-    paper = found["Limpid, Ray"]
-    planes, double = found["PyTorch, planes"], found["PyTorch, float64"]
+    ours, march, double = found["Limpid"], found["march"], found["PyTorch, float64"]
+    planes, trilinear = found["PyTorch, planes"], found["PyTorch, trilinear"]
     limit = bounds(nodes)
-    majorant = float(ours["base"].max())
-    scene = max(float(np.abs(planes["base"] - ours["base"]).max()) / majorant,
-                float(np.abs(planes["importance"] - ours["importance"]).max()))
     filled = ours["base"] > 0
+    scene = max(float(np.abs(planes["base"] - ours["base"]).max() / ours["base"].max()),
+                float(np.abs(planes["importance"] - ours["importance"]).max()))
+
+    def slopes(one, other):
+        return apart(one["slopes"], other["slopes"])
+
+    def terms(one, other):
+        return energy_apart(one["energy"], other["energy"])
+
     return [
         ("fields of the scene, PyTorch to Limpid [of the largest]", scene,
          float(np.finfo(np.float32).eps)),
-        ("terms of the energy, PyTorch to the march",
-         energy_apart(planes["energy"], reference["energy"]), SCORE),
-        ("terms of the energy, Limpid to the march",
-         energy_apart(ours["energy"], reference["energy"]), SCORE),
-        ("terms of the energy, Limpid to PyTorch",
-         energy_apart(ours["energy"], planes["energy"]), SCORE),
+        ("terms of the energy, PyTorch to the march", terms(planes, march), SCORE),
+        ("terms of the energy, Limpid to the march", terms(ours, march), SCORE),
+        ("terms of the energy, Limpid to PyTorch", terms(ours, planes), SCORE),
         ("derivatives in float64, PyTorch to its own central differences",
-         apart(double["slopes"], found["difference"]["slopes"]), limit["difference"]),
-        ("derivatives, PyTorch in float32 to float64",
-         apart(planes["slopes"], double["slopes"]), limit["sum"]),
-        ("derivatives, PyTorch trilinear to planes",
-         apart(found["PyTorch, trilinear"]["slopes"], planes["slopes"]), limit["sum"]),
-        (THEIRS, apart(planes["slopes"], reference["slopes"]), limit["discrete"]),
-        (OURS, apart(ours["slopes"], reference["slopes"]), limit["discrete"]),
-        ("derivatives, Limpid to PyTorch",
-         apart(ours["slopes"], planes["slopes"]), limit["discrete"]),
+         slopes(double, found["difference"]), limit["difference"]),
+        ("derivatives, PyTorch in float32 to float64", slopes(planes, double), limit["sum"]),
+        ("derivatives, PyTorch trilinear to planes", slopes(trilinear, planes), limit["sum"]),
+        (THEIRS, slopes(planes, march), limit["discrete"]),
+        (OURS, slopes(ours, march), limit["discrete"]),
+        ("derivatives, Limpid to PyTorch", slopes(ours, planes), limit["discrete"]),
         ("the same, each of itself", apart_each(ours["slopes"], planes["slopes"]), None),
-        (PAPER, apart(paper["slopes"], reference["slopes"]), None),
+        (PAPER, slopes(found["Limpid, Ray"], march), None),
         ("gradient at filled nodes, rms, Limpid to PyTorch",
          noise(ours["gradient"], planes["gradient"], filled), None),
         ("the same after a mean over 3 x 3 x 3 nodes",

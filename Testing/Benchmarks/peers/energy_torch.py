@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Times the energy of Eq. (21) and its gradient: PyTorch's automatic differentiation against Limpid.
+"""Times the energy of Eq. (21) and its gradient: PyTorch's automatic differentiation, and Limpid.
 
     python3 energy_torch.py [--limpid PROGRAM] [--nodes N ...] [--threads N ...] [--repeats N]
-      [--devices cpu cuda] [--output FILE.md] [--json FILE.json]
+      [--devices cpu cuda] [--output FILE.json]
     python3 energy_torch.py --check [--limpid PROGRAM] [--nodes N ...]
 
 Needs the packages torch and numpy (`pip install torch numpy`, best in a virtual environment), the
@@ -20,21 +20,21 @@ centre, s the distance from (0.1, -0.1, 0.15),
 
 camera and light at R (0.9, 1.3, -3) and R (-1, 3, -0.7). The energy is evaluated at 0.8 times the
 base extinction, so that no term is zero. All programs evaluate in turns and one at a time; the
-first round warms up. --check compares scenes, energies and derivatives instead of times.
+first round warms up. Testing/Benchmarks/pages makes the page. --check compares scenes, energies and derivatives instead of times.
 """
 
 import argparse
 import importlib.util
-import json
 import os
 import statistics
 import sys
 import time
 
 import programs
-import report
 
-MARCH_RAYS = 3  # per voxel and axis
+sys.path.append(os.path.join(programs.HERE, "..", "pages"))
+import machine  # noqa: E402 pylint: disable=wrong-import-position
+
 VIEW, LIGHT = 10.0, 1.0  # weights in the energy
 
 
@@ -51,7 +51,7 @@ def competitors(arguments, nodes, device, threads):
     chosen = []
     if device == "cpu":
         chosen += [programs.limpid(arguments.limpid, nodes, threads),
-                   programs.limpid(arguments.limpid, nodes, threads, skips="off")]
+                   programs.limpid(arguments.limpid, nodes, threads, skips=False)]
     for sampler in ("planes", "trilinear"):
         chosen += [programs.torch(nodes, threads, device, sampler, parts)
                    for parts in arguments.parts]
@@ -91,12 +91,6 @@ def times(chosen, repeats):
     return taken
 
 
-def reference(arguments, nodes):
-    with programs.limpid(arguments.limpid, nodes, max(arguments.threads)) as program:
-        return {"energy": program.ask(f"march {MARCH_RAYS}"),
-                "slopes": program.ask(f"difference {MARCH_RAYS}")}
-
-
 def row_of(result, seconds, truth):
     """Numbers of one program on one size and device."""
     slopes = result["slopes"]
@@ -127,7 +121,8 @@ def measure(arguments, nodes, device, threads, truth):
 
 def measure_all(arguments):
     sizes = arguments.nodes or [64, 96, 128]
-    truths = {nodes: reference(arguments, nodes) for nodes in sizes}
+    truths = {nodes: programs.march(arguments.limpid, nodes, max(arguments.threads))
+              for nodes in sizes}
     measured = []
     for device in arguments.devices:
         if device == "cuda" and not has_gpu():
@@ -157,8 +152,7 @@ def parsed():
     parser.add_argument("--parts", type=int, nargs="+", default=[1, 4],
                         help="PyTorch: groups of rays, one after the other (default: 1 4)")
     parser.add_argument("--devices", nargs="+", default=["cpu", "cuda"], choices=["cpu", "cuda"])
-    parser.add_argument("--output", help="Markdown page to write; default: standard output")
-    parser.add_argument("--json", help="file for all numbers")
+    parser.add_argument("--output", help="file for all numbers; default: standard output")
     parser.add_argument("--check", action="store_true", help="compare results instead of times")
     return parser.parse_args()
 
@@ -171,18 +165,8 @@ def main():
 
         good = check.run(arguments.limpid, arguments.nodes or [32, 64], max(arguments.threads))
         sys.exit(0 if good else 1)
-    machine = report.machine()
-    measured = measure_all(arguments)
-    page = report.page(machine, measured)
-    if arguments.json:
-        with open(arguments.json, "w", encoding="utf-8") as file:
-            json.dump({"machine": machine, "measured": measured}, file, indent=1)
-            file.write("\n")
-    if arguments.output:
-        with open(arguments.output, "w", encoding="utf-8") as file:
-            file.write(page)
-    else:
-        sys.stdout.write(page)
+    facts = machine.facts()
+    machine.save({"machine": facts, "measured": measure_all(arguments)}, arguments.output)
 
 
 if __name__ == "__main__":

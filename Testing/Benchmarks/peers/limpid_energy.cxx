@@ -4,158 +4,215 @@
 // The energy of Eq. (21) and its derivative on demand: Limpid's side of energy_torch.py. Reads
 // commands from standard input, one a line, and answers each with a line of JSON; README.md has
 // them.
+//   limpid_energy [--onion NODES] [--threads N] [--skips-off] [--derivative-ray]
 
-#include "OnionEnergy.h"
+#include "BoxScene.h"
+#include "Program.h"
 
 #include "backend/Backend.h"
 #include "math/Require.h"
+#include "optimize/PreparedScene.h"
+#include "optimize/Terms.h"
 
-#include <cstdlib>
+#include <optional>
+
 #include <exception>
-#include <functional>
+#include <fstream>
 #include <iostream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace
 {
 using namespace limpid;
 using namespace limpid::benchmark;
 
-const char* const usage =
-  "limpid_energy [--onion NODES] [--threads N] [--skips on|off] [--derivative volume|ray]\n"
-  "NODES: along each axis. Commands come from standard input: build, plan, value, gradient, "
-  "slopes, march RAYS, difference RAYS, save FILE, quit.\n";
-
-struct Options
+/// The terms of Eq. (21) with their weights [length^2], and the time since the watch was started.
+Json Answer(const Energy& energy, Stopwatch& watch)
 {
-  int nodes = 64;
-  int threads = ThreadCount();
-  Settings settings;
+  return { { "regularization", energy.regularization }, { "view", energy.view },
+    { "light", energy.light }, { "seconds", watch.Lap() } };
+}
+
+/// The energy and its derivative at one extinction of the onion scene (BoxScene::FillOnion): 0.8
+/// times the base extinction, so that no term is zero.
+class OnionEnergy
+{
+public:
+  OnionEnergy(int nodes, const Settings& settings)
+    : Scene(BoxScene::Cube(nodes))
+  {
+    this->Scene.FillOnion();
+    this->Scene.settings = settings;
+    for (const float value : this->Scene.extinction)
+    {
+      this->Extinction.push_back(0.8f * value);
+    }
+    this->Gradient.resize(this->Extinction.size());
+  }
+
+  /// Makes what does not depend on the extinction: rays, spans, importance of nodes.
+  Json Plan()
+  {
+    Stopwatch watch;
+    this->Prepared = std::make_unique<PreparedScene>(this->Scene.Fields());
+    this->Task =
+      this->Prepared->ProblemFor(this->Scene.camera, this->Scene.light, this->Scene.settings);
+    this->Both.emplace(HostDevice::Shared(), this->Task);
+    return { { "seconds", watch.Lap() } };
+  }
+
+  Json Value()
+  {
+    Stopwatch watch;
+    return Answer(this->Both->Measure(this->Extinction.data()).energy, watch);
+  }
+
+  Json ValueAndGradient()
+  {
+    const auto weight = static_cast<float>(this->Task.RegularizationWeight());
+    float* gradient = this->Gradient.data();
+    Stopwatch watch;
+    ParallelFor(this->Scene.grid.NodeCount(), 65536,
+      [&](Index node)
+      { gradient[node] = weight * (this->Extinction[node] - this->Task.baseExtinction[node]); });
+    this->Both->Differentiate(this->Extinction.data(), gradient);
+    this->Both->SumSquares(this->Extinction.data());
+    return Answer(this->Both->Record().energy, watch);
+  }
+
+  /// Derivatives of F, by the gradient, along all directions [length^2].
+  Json Slopes() const
+  {
+    Json slopes;
+    for (const auto& [name, direction] : this->Directions())
+    {
+      // All of a cell belongs to every node: the scene is empty on the sides of the box.
+      double sum = 0;
+      for (std::size_t node = 0; node < direction.size(); ++node)
+      {
+        sum += double(this->Gradient[node]) * direction[node];
+      }
+      slopes[name] = sum * this->Scene.grid.CellVolume();
+    }
+    return slopes;
+  }
+
+  /// By the reference: double precision, no code of the core.
+  Json March(double raysPerVoxel) const
+  {
+    Stopwatch watch;
+    return Answer(
+      this->Truth({ this->Extinction.begin(), this->Extinction.end() }, raysPerVoxel), watch);
+  }
+
+  /// Central differences of the reference's energy along all directions [length^2].
+  Json Differences(double raysPerVoxel) const
+  {
+    // A share of the base extinction: the optical depths change by about 1e-3, and truncation is a
+    // share of a sixth of the square of that.
+    const double step = 1e-4;
+    Json differences;
+    for (const auto& [name, direction] : this->Directions())
+    {
+      double totals[2];
+      for (const int side : { 0, 1 })
+      {
+        std::vector<double> extinction(this->Extinction.begin(), this->Extinction.end());
+        for (std::size_t node = 0; node < direction.size(); ++node)
+        {
+          extinction[node] += (2 * side - 1) * step * direction[node];
+        }
+        totals[side] = this->Truth(extinction, raysPerVoxel).Total();
+      }
+      differences[name] = (totals[1] - totals[0]) / (2 * step);
+    }
+    return differences;
+  }
+
+  /// Base extinction, importance and gradient: float32, first axis fastest.
+  Json Save(const std::string& path) const
+  {
+    std::ofstream file(path, std::ios::binary);
+    for (const std::vector<float>* field :
+      { &this->Scene.extinction, &this->Scene.importance, &this->Gradient })
+    {
+      file.write(reinterpret_cast<const char*>(field->data()),
+        static_cast<std::streamsize>(field->size() * sizeof(float)));
+    }
+    LIMPID_REQUIRE(file.good(),
+      "The file " << path << " cannot be written (the fields would be lost). Choose another.");
+    return Json::object();
+  }
+
+private:
+  Energy Truth(const std::vector<double>& extinction, double raysPerVoxel) const
+  {
+    const BoxScene& scene = this->Scene;
+    const std::vector<double> importance(scene.importance.begin(), scene.importance.end());
+    const truth::Volume<double> volume{ scene.Lattice(), extinction.data(), importance.data() };
+    truth::Sampling sampling;
+    sampling.raysPerVoxel = raysPerVoxel;
+    double squares = 0;
+    for (std::size_t node = 0; node < extinction.size(); ++node)
+    {
+      squares += std::pow(extinction[node] - scene.extinction[node], 2);
+    }
+    const Weights& weights = scene.settings.weights;
+    Energy energy;
+    energy.regularization =
+      0.5 * weights.regularization * scene.grid.Radius() * scene.grid.CellVolume() * squares;
+    energy.view = -weights.view * truth::VisibilityScore(volume, scene.Eye(), sampling);
+    energy.light = -weights.light * truth::VisibilityScore(volume, scene.Lamp(), sampling);
+    return energy;
+  }
+
+  /// Shares of the base extinction: of what is important, of what is not, and a wave through it.
+  std::map<std::string, std::vector<double>> Directions() const
+  {
+    std::map<std::string, std::vector<double>> directions;
+    this->Scene.ForEachNode(
+      [&](std::size_t node, int i, int j, int k)
+      {
+        const double base = this->Scene.extinction[node];
+        const double importance = this->Scene.importance[node];
+        const Vec3 x = this->Scene.grid.PointToWorld(Vec3(i, j, k));
+        directions["important"].push_back(base * importance);
+        directions["unimportant"].push_back(base * (1 - importance));
+        directions["wave"].push_back(base * std::sin(3 * (x.x + 2 * x.y - x.z)));
+      });
+    return directions;
+  }
+
+  BoxScene Scene;
+  std::vector<float> Extinction; ///< where the energy is asked for [1/length]
+  std::vector<float> Gradient;   ///< of F at the nodes, per volume [1]
+  std::unique_ptr<PreparedScene> Prepared;
+  Problem Task;
+  std::optional<Terms<HostDevice>> Both;
 };
 
-int Count(const std::string& option, const std::string& text, int least)
+Json Obey(const std::string& line, OnionEnergy& energy)
 {
-  const int value = std::atoi(text.c_str());
-  LIMPID_REQUIRE(value >= least,
-    "The option " << option << " is \"" << text << "\" (it counts, from " << least << "). Usage:\n"
-                  << usage);
-  return value;
-}
-
-bool Choice(const std::string& option, const std::string& text, const std::string& first,
-  const std::string& second)
-{
-  LIMPID_REQUIRE(text == first || text == second,
-    "The option " << option << " is \"" << text << "\" (it is " << first << " or " << second
-                  << "). Usage:\n"
-                  << usage);
-  return text == first;
-}
-
-Options Parse(const std::vector<std::string>& arguments)
-{
-  using Text = const std::string&;
-  Options options;
-  Settings& settings = options.settings;
-  const std::map<std::string, std::function<void(Text, Text)>> known{
-    { "--onion", [&](Text name, Text text) { options.nodes = Count(name, text, 4); } },
-    { "--threads", [&](Text name, Text text) { options.threads = Count(name, text, 1); } },
-    { "--skips",
-      [&](Text name, Text text) { settings.skipUnneeded = Choice(name, text, "on", "off"); } },
-    { "--derivative",
-      [&](Text name, Text text)
+  const std::string command = line.substr(0, line.find(' '));
+  const std::string value = line.substr(std::min(line.size(), command.size() + 1));
+  const std::map<std::string, std::function<Json()>> known{
+    { "build",
+      []
       {
-        settings.derivative =
-          Choice(name, text, "volume", "ray") ? Derivative::Volume : Derivative::Ray;
+        return Json{ { "name", "Limpid, " LIMPID_COMPILER ", build type " LIMPID_BUILD_TYPE },
+          { "threads", ThreadCount() } };
       } },
-  };
-  for (std::size_t at = 0; at < arguments.size(); at += 2)
-  {
-    const auto option = known.find(arguments[at]);
-    LIMPID_REQUIRE(option != known.end() && at + 1 < arguments.size(),
-      "The option " << arguments[at] << " is unknown or has no value (nothing would come of it). "
-                    << "Usage:\n"
-                    << usage);
-    option->second(arguments[at], arguments[at + 1]);
-  }
-  return options;
-}
-
-/// A JSON object, numbers with all their digits.
-std::string Object(const std::map<std::string, double>& members)
-{
-  std::ostringstream text;
-  text.precision(17);
-  const char* separator = "{";
-  for (const auto& [name, value] : members)
-  {
-    text << separator << '"' << name << "\": " << value;
-    separator = ", ";
-  }
-  return members.empty() ? "{}" : text.str() + "}";
-}
-
-std::string Object(const Evaluation& evaluation)
-{
-  const Energy& energy = evaluation.energy;
-  return Object({ { "regularization", energy.regularization }, { "view", energy.view },
-    { "light", energy.light }, { "seconds", evaluation.seconds } });
-}
-
-std::string Build()
-{
-  return "{\"name\": \"Limpid, " LIMPID_COMPILER ", build type " LIMPID_BUILD_TYPE
-         "\", \"threads\": " +
-    std::to_string(ThreadCount()) + "}";
-}
-
-double Rays(const std::string& text)
-{
-  const double rays = std::atof(text.c_str());
-  LIMPID_REQUIRE(rays > 0,
-    "The rays per voxel are \"" << text << "\" (a march needs some). Send a number above zero.");
-  return rays;
-}
-
-std::string Obey(const std::string& line, OnionEnergy& energy)
-{
-  const std::size_t space = line.find(' ');
-  const std::string command = line.substr(0, space);
-  const std::string value = space == std::string::npos ? "" : line.substr(space + 1);
-  const std::map<std::string, std::function<std::string()>> known{
-    { "build", Build },
-    { "plan",
-      [&] {
-        return Object({ { "seconds", energy.Plan() } });
-      } },
-    { "value", [&] { return Object(energy.Value()); } },
-    { "gradient", [&] { return Object(energy.ValueAndGradient()); } },
-    { "slopes", [&] { return Object(energy.Slopes()); } },
-    { "march", [&] { return Object(energy.March(Rays(value))); } },
-    { "difference", [&] { return Object(energy.Differences(Rays(value))); } },
-    { "save",
-      [&]
-      {
-        energy.Save(value);
-        return std::string("{}");
-      } },
+    { "plan", [&] { return energy.Plan(); } },
+    { "value", [&] { return energy.Value(); } },
+    { "gradient", [&] { return energy.ValueAndGradient(); } },
+    { "slopes", [&] { return energy.Slopes(); } },
+    { "march", [&] { return energy.March(std::stod(value)); } },
+    { "difference", [&] { return energy.Differences(std::stod(value)); } },
+    { "save", [&] { return energy.Save(value); } },
   };
   const auto found = known.find(command);
   LIMPID_REQUIRE(found != known.end(),
-    "The command \"" << command << "\" is unknown (nothing would be answered). Usage:\n"
-                     << usage);
+    "The command \"" << command << "\" is unknown (nothing would be answered). See README.md.");
   return found->second();
-}
-
-/// Threads are started and pages of libraries used, so that they are no part of what is measured.
-void WarmUp(const Settings& settings)
-{
-  OnionEnergy small(8, settings);
-  small.Plan();
-  small.ValueAndGradient();
 }
 }
 
@@ -163,14 +220,22 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const Options options = Parse(std::vector<std::string>(argv + 1, argv + argc));
-    const ThreadLimit limit(options.threads);
-    WarmUp(options.settings);
-    OnionEnergy energy(options.nodes, options.settings);
+    const Options options(std::vector<std::string>(argv + 1, argv + argc),
+      { { "onion", "64" }, { "threads", std::to_string(ThreadCount()) }, { "skips-off", "no" },
+        { "derivative-ray", "no" } });
+    Settings settings;
+    settings.backend = BackendKind::Cpu;
+    settings.skipUnneeded = !options.Flag("skips-off");
+    settings.derivative = options.Flag("derivative-ray") ? Derivative::Ray : Derivative::Volume;
+    const ThreadLimit limit(options.Count("threads"));
+    OnionEnergy small(8, settings); // starts threads and pages of libraries, which do not count
+    small.Plan();
+    small.ValueAndGradient();
+    OnionEnergy energy(options.Count("onion"), settings);
     std::cout << "{}" << std::endl; // the scene is there
     for (std::string line; std::getline(std::cin, line) && line != "quit";)
     {
-      std::cout << Obey(line, energy) << std::endl;
+      std::cout << Obey(line, energy).dump() << std::endl;
     }
     return 0;
   }

@@ -71,10 +71,18 @@ class Program:
                          "Linux.")
 
 
-def limpid(path, nodes, threads, skips="on", derivative="volume"):
-    name = "Limpid" if skips == "on" else "Limpid, skips off"
-    return Program(name, [path, "--onion", str(nodes), "--threads", str(threads),
-                          "--skips", skips, "--derivative", derivative])
+def limpid(path, nodes, threads, skips=True, derivative="volume"):
+    flags = [flag for flag, on in (("--skips-off", not skips),
+                                   ("--derivative-ray", derivative == "ray")) if on]
+    return Program("Limpid" if skips else "Limpid, skips off",
+                   [path, "--onion", str(nodes), "--threads", str(threads), *flags])
+
+
+def march(path, nodes, threads):
+    """Energy and derivatives by the reference."""
+    rays = 3  # per voxel and axis
+    with limpid(path, nodes, threads) as program:
+        return {"energy": program.ask(f"march {rays}"), "slopes": program.ask(f"difference {rays}")}
 
 
 def torch(nodes, threads, device="cpu", sampler="planes", parts=1, precision="float32"):

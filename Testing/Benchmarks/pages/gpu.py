@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""How long the steps of the optimisation take on a GPU."""
+
+from markdown import head, ms, plural, significant, table
+
+GROUPS = {  # labels of launches by their line in the tables; others have their own
+    "forward sweep": "forward sweeps", "backward sweep": "backward sweeps",
+    "derivative": "derivative at the voxels", "Adam": "Adam's step",
+    "sum of rays": "sums", "regularization": "sums", "change": "sums",
+    "set to zero": "clearing and copying", "start rays": "clearing and copying",
+    "copy": "clearing and copying", "upload": "to and from the host",
+    "download": "to and from the host"}
+STEPS = {
+    "prepare": "scene: checks, importance of nodes, spans (host)",
+    "upload": "scene: its fields to the GPU",
+    "plan": "view: planning the rays (host)",
+    "begin": "view: planning, tables and first iterate to the GPU",
+    "run": "view: whole default run, these included",
+    "download": "result to the host",
+    "sphere": "scores of all directions",
+    "picture": "picture of another extinction, with its shadows",
+    "picture_at_rest": "picture of the same extinction",
+    "processor": "policy iteration on the processor"}
+ITERATIONS = {"policy": "policy iteration", "adam": "Adam iteration"}
+
+
+def title(scene):
+    return f"{scene['scene']}, {scene['nodes']}³"
+
+
+def cell(key, text=lambda scene, figure: ms(figure["seconds"])):
+    return lambda scene: text(scene, scene[key]) if "seconds" in scene[key] else "not measured"
+
+
+def bars(scenes):
+    def gigabytes(_, figure):
+        return significant(1e-9 * figure["device_memory"])
+
+    rows = [
+        ("policy iteration [ms]", "256³ ≤ 2, 472³ ≤ 12", cell("policy")),
+        ("Adam iteration [ms]", "256³ ≤ 2, 472³ ≤ 12", cell("adam")),
+        ("whole default run [ms]", "256³ ≤ 12", cell("run", lambda s, f: (
+            f"{ms(f['seconds'])} ({plural(s['run_iterations'], 'iteration')})"))),
+        ("picture with shadows [ms]", "1024² pixels ≤ 4", cell("picture")),
+        ("scores of all directions [ms]", "none", cell("sphere", lambda s, f: (
+            f"{ms(f['seconds'])} ({plural(s['directions'], 'direction')})"))),
+        ("device memory, policy [GB]", "256³ ≤ 0.7, 472³ ≤ 4.5", cell("policy", gigabytes)),
+        ("device memory, Adam [GB]", "256³ ≤ 0.7, 472³ ≤ 4.5", cell("adam", gigabytes))]
+    return "\n## Against the bars\n" + table(rows, [
+        ("what", lambda r: r[0]), ("bar (NVIDIA H200)", lambda r: r[1]),
+        *((title(scene), lambda r, scene=scene: r[2](scene)) for scene in scenes)])
+
+
+def iteration(scene, key, bandwidth):
+    result = scene[key]
+    if "seconds" not in result:
+        return ""
+    rows = {}
+    for part in result["parts"]:
+        name = GROUPS.get(part["label"], part["label"])
+        row = rows.setdefault(name, {"name": name, "launches": 0, "seconds": 0, "bytes": 0})
+        for figure in ("launches", "seconds", "bytes"):
+            row[figure] += part[figure]
+    total = {figure: sum(row[figure] for row in rows.values()) for figure in ("seconds", "bytes")}
+    lines = [*rows.values(), {"name": "sum", **total},
+             {**total, "name": "wall clock, not taken apart", "seconds": result["seconds"]}]
+
+    def rate(row):
+        known = row["bytes"] > 0 and row["seconds"] > 0 and bandwidth > 0
+        return f"{significant(100 * row['bytes'] / row['seconds'] / bandwidth)} %" if known else "-"
+
+    return table(lines, [
+        (ITERATIONS[key], lambda r: r["name"]),
+        ("launches", lambda r: significant(r["launches"]) if "launches" in r else ""),
+        ("ms", lambda r: ms(r["seconds"])), ("MB", lambda r: significant(1e-6 * r["bytes"], 4)),
+        ("of the copy rate", rate)])
+
+
+def missing(measured):
+    """What could not be measured, and why."""
+    figures = [("copy rate", measured["copy"])]
+    figures += [(f"{title(scene)}, {name}", scene[key]) for scene in measured["scenes"]
+                for key, name in (*ITERATIONS.items(), *STEPS.items())]
+    return "".join(f"* Not measured: {name}. {figure['missing']}\n"
+                   for name, figure in figures if "missing" in figure)
+
+
+def scene_section(scene, bandwidth):
+    steps = [(name, scene[key]) for key, name in STEPS.items() if "seconds" in scene[key]]
+    filled = significant(100 * scene["filled"])
+    return (f"\n## {title(scene)}\n\n{filled} % of the voxels are swept.\n"
+            + iteration(scene, "policy", bandwidth) + iteration(scene, "adam", bandwidth)
+            + table(steps, [
+                ("whole steps", lambda s: s[0]), ("ms", lambda s: ms(s[1]["seconds"])),
+                ("spread", lambda s: f"{significant(100 * s[1]['spread'], 2)} %"),
+                ("repetitions", lambda s: s[1]["repeats"])]))
+
+
+def page(measured):
+    text = head("Gpu", measured, "bash Testing/Gpu/run.sh")
+    if measured["options"]["quick"] == "yes":
+        text += "\n**A quick run: small pictures, few directions, figures without meaning.**\n"
+    text += f"\n* device: {measured['device']}\n"
+    bandwidth = 0
+    if "seconds" in measured["copy"]:
+        bandwidth = measured["copy_bytes"] / measured["copy"]["seconds"]
+        text += ("* copy rate, from one place on the device to another: "
+                 f"{significant(1e-9 * bandwidth, 4)} GB/s, bytes read and bytes written\n")
+    return text + bars(measured["scenes"]) + missing(measured) + "".join(
+        scene_section(scene, bandwidth) for scene in measured["scenes"])

@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Numbers, tables and heads of the pages."""
+
+import math
+
+NOISY = 0.25  # spread above which times are preliminary
+
+
+def fixed(value, decimals=0):
+    return f"{value:.{decimals}f}"
+
+
+def significant(value, digits=3):
+    """So many digits, never in powers of ten."""
+    if value == 0 or not math.isfinite(value):
+        return fixed(value)
+    before = math.floor(math.log10(abs(value))) + 1
+    return fixed(value, max(0, digits - before))
+
+
+def ms(seconds):
+    return significant(1e3 * seconds)
+
+
+def percent(share, decimals=0):
+    return f"{100 * share:.{decimals}f} %"
+
+
+def short_percent(share):
+    return significant(100 * share, 2) + " %"
+
+
+def deviation(value, truth, decimals=2):
+    return f"{100 * (value - truth) / abs(truth):+.{decimals}f} %"
+
+
+def sizes(nodes):
+    return " × ".join(map(str, nodes))
+
+
+def arrow(before, after):
+    return f"{100 * before:.1f} → {percent(after, 1)}"
+
+
+def mebibytes(count):
+    return fixed(count / 2**20, 1)
+
+
+def plural(count, word):
+    return f"{count} {word}" + ("" if count == 1 else "s")
+
+
+def table(rows, columns):
+    """`columns`: pairs of a heading and what makes a row's cell; the first column has names."""
+    lines = [[heading for heading, _ in columns], ["---"] + ["---:"] * (len(columns) - 1)]
+    lines += [[str(cell(row)) for _, cell in columns] for row in rows]
+    return "\n" + "".join("| " + " | ".join(line) + " |\n" for line in lines) + "\n"
+
+
+def noise(spreads, limit=NOISY):
+    """A warning if times lie far apart."""
+    if max(spreads, default=0) <= limit:
+        return ""
+    return ("**The machine was busy while this was measured (a spread above "
+            f"{percent(limit)}): all times are preliminary.**\n\n")
+
+
+def head(title, measured, command=None):
+    """Title, the page's command, what it was measured with and on."""
+    machine = measured["machine"]
+    command = command or f"bash Testing/Benchmarks/run.sh --pages {title.lower()}"
+    threads = f", {machine['threads']} threads used" if "threads" in machine else ""
+    text = (f"# {title}\n\nWhat the tables mean is in [README.md](README.md). The command of this "
+            f"page is `{command}`; its numbers are from\n\n    {machine['command']}\n\n"
+            f"* processor: {machine['processor']}, {machine['cores']} cores visible{threads}\n")
+    if "compiler" in machine:
+        text += f"* compiler: {machine['compiler']}, build type {machine['build_type']}\n"
+    text += "".join(f"* {fact}\n" for fact in machine.get("facts", []))
+    text += (f"* date: {machine['date']}\n"
+             f"* load average before the start: {machine['load_before']:.2f}\n")
+    if machine["load_before"] > 0.5:
+        text += ("\n**The machine was not idle: times are preliminary.** Scores, energies and "
+                 "memory do not depend on the load.\n")
+    if "load_after" in machine:
+        text += (f"\nLoad average at the end: {machine['load_after']:.2f}, this program "
+                 "included.\n")
+    return text

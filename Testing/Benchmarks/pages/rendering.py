@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""How long pictures take, stage by stage."""
+
+from markdown import fixed, head, ms, noise, percent, sizes, table
+
+SCENE = ("scene", lambda s: s["scene"])
+STAGES = {"scalars [ms]": "scalars", "functions, extinction [ms]": "functions",
+          "shadow volume [ms]": "shadow", "gradient, bricks [ms]": "gradient and bricks",
+          "rays [ms]": "rays"}
+FRAMES = {"optimisation [ms]": "optimisation", "extinction, shadow volume [ms]": "shadow",
+          "rays [ms]": "rays", "frame [ms]": "frame"}
+
+
+def times(part, names):
+    return [(heading, lambda s, key=key: ms(s[part]["seconds"][key]))
+            for heading, key in names.items()]
+
+
+def page(measured):
+    scenes = measured["scenes"]
+    rays = [{"scene": scene["scene"], "extinction": extinction, **of}
+            for scene in scenes for extinction, of in scene["rays"].items()]
+
+    def time(key):
+        return lambda r: ms(r[key])
+
+    size, moving = scenes[0]["pixels"], scenes[0]["moving_pixels"]
+    return head("Rendering", measured) + f"""
+## A still picture, stage by stage
+
+{size} × {size} pixels, lit, with shadows, of the optimised extinction, everything from the start.
+""" + table(scenes, [
+        SCENE, ("nodes", lambda s: sizes(s["nodes"])), *times("still", STAGES),
+        ("all [ms]", lambda s: ms(sum(s["still"]["seconds"].values()))),
+        ("spread of rays", lambda s: percent(s["still"]["spread"]["rays"]))]) + noise(
+            [s["still"]["spread"]["rays"] for s in scenes], 0.2) + """
+## Rays
+
+Of the same picture. The last three columns: with shadows, nothing skipped and no ray ended \
+early; the samples per second of that; and how much of its time is saved.
+""" + table(rays, [
+        SCENE, ("extinction", lambda r: r["extinction"]),
+        ("samples on all rays [millions]", lambda r: fixed(1e-6 * r["samples"])),
+        ("empty pixels", lambda r: percent(r["empty_share"])), ("unlit [ms]", time("unlit")),
+        ("lit [ms]", time("lit")), ("with shadows [ms]", time("shadowed")),
+        ("every sample taken [ms]", time("every_sample")),
+        ("[million samples/s]", lambda r: fixed(1e-6 * r["samples"] / r["every_sample"])),
+        ("time left out", lambda r: percent(1 - r["shadowed"] / r["every_sample"]))]) + f"""
+## A moving frame
+
+{moving} × {moving} pixels, lit, with shadows; {scenes[0]['frames']} frames, each 2 degrees on, \
+with {ms(scenes[0]['preview_seconds'])} ms for one pass of the optimisation. Medians.
+""" + table(scenes, [
+        SCENE, ("optimised on", lambda s: sizes(s["moving"]["nodes"])), *times("moving", FRAMES),
+        ("longest frame [ms]", lambda s: ms(s["moving"]["longest"]))]) + """
+## Few rays, or a sweep
+
+A picture composited by a sweep from slice to slice and warped to the screen has the rays of the \
+sweep, here one per voxel and axis; the same number of rays can be cast through pixels. Base \
+extinction, unlit. The sweep sums extinction and importance only: colours and light would come on \
+top.
+""" + table(scenes, [
+        SCENE, ("rays", lambda s: s["few_rays"]["rays"]),
+        ("one sweep [ms]", lambda s: ms(s["few_rays"]["sweep"])),
+        ("as many pixels cast [ms]", lambda s: ms(s["few_rays"]["cast"])),
+        ("sweep / cast", lambda s: fixed(s["few_rays"]["sweep"] / s["few_rays"]["cast"], 1))])
