@@ -92,7 +92,7 @@ struct FinishBehind
   }
 };
 
-/// Front to back, Eqs. (15) and (16): the optical depth grows by that of the layer. It is that
+/// Front to back, Eqs. (2), (15) and (16): the optical depth grows by that of the layer. It is that
 /// since the entry into the box, negative before, and goes on behind the exit, so that nothing
 /// jumps between neighbouring rays.
 struct DeepenStep
