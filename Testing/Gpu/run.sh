@@ -33,7 +33,7 @@ core_tests=(test_core_backends test_core_closed_form test_core_invariance test_c
   test_core_stress test_core_input test_core_progressive test_core_renderer)
 # One of everything that launches, and what makes or frees memory.
 sanitized='Device.*:CudaDevice.Runs*:CudaDevice.Works*:CudaDevice.Gives*:*LeavesNothingBehind*'
-sanitized+=':AdamOfDevice.*:EngineOfDevice.*:*ViewsOfDevice*/Onion:*ViewsOfDevice*/ParallelWaves'
+sanitized+=':AdamOfDevice.*:BackendOfDevice.*:*ViewsOfDevice*/Onion:*ViewsOfDevice*/ParallelWaves'
 sanitized+=':*PolicyOfDevice*/Outside:*PolicyOfDevice*/Inside:*PolicyOfDevice*/InView'
 sanitized+=':*TransmittanceOfDevice.IsThatOfTheProcessor/Point*:*Renderer*:*Picture*'
 

@@ -13,7 +13,7 @@
 namespace limpid
 {
 /// Values in the memory of a device, which lives at least as long.
-template <class Device, class Value>
+template <class AnyDevice, class Value>
 class DeviceArray
 {
   static_assert(std::is_trivially_copyable<Value>::value, "is moved as bytes");
@@ -22,31 +22,31 @@ public:
   DeviceArray() = default;
 
   /// Room for `count` values, not set. `what`: for the message if there is not enough memory.
-  DeviceArray(std::shared_ptr<Device> device, std::size_t count, const char* what)
-    : Home(std::move(device))
-    , Memory(static_cast<Value*>(this->Home->Allocate(count * sizeof(Value), what)))
+  DeviceArray(std::shared_ptr<AnyDevice> device, std::size_t count, const char* what)
+    : Device(std::move(device))
+    , Memory(static_cast<Value*>(this->Device->Allocate(count * sizeof(Value), what)))
     , Count(count)
   {
   }
 
   DeviceArray(
-    std::shared_ptr<Device> device, const Value* values, std::size_t count, const char* what)
+    std::shared_ptr<AnyDevice> device, const Value* values, std::size_t count, const char* what)
     : DeviceArray(std::move(device), count, what)
   {
     this->Upload(values);
   }
 
-  DeviceArray(std::shared_ptr<Device> device, const std::vector<Value>& values, const char* what)
+  DeviceArray(std::shared_ptr<AnyDevice> device, const std::vector<Value>& values, const char* what)
     : DeviceArray(std::move(device), values.data(), values.size(), what)
   {
   }
 
   /// Room for `count` values that are 0.
-  static DeviceArray Zeros(std::shared_ptr<Device> device, std::size_t count, const char* what)
+  static DeviceArray Zeros(std::shared_ptr<AnyDevice> device, std::size_t count, const char* what)
   {
     DeviceArray array;
     array.Memory = static_cast<Value*>(device->AllocateZeros(count * sizeof(Value), what));
-    array.Home = std::move(device);
+    array.Device = std::move(device);
     array.Count = count;
     return array;
   }
@@ -69,24 +69,24 @@ public:
 
   void Upload(const Value* values)
   {
-    this->Home->Upload(this->Memory, values, this->Count * sizeof(Value));
+    this->Device->Upload(this->Memory, values, this->Count * sizeof(Value));
   }
 
   void Download(Value* values) const
   {
-    this->Home->Download(values, this->Memory, this->Count * sizeof(Value));
+    this->Device->Download(values, this->Memory, this->Count * sizeof(Value));
   }
 
   /// Of the same size.
   void CopyFrom(const DeviceArray& other)
   {
-    this->Home->Copy(this->Memory, other.Memory, this->Count * sizeof(Value));
+    this->Device->Copy(this->Memory, other.Memory, this->Count * sizeof(Value));
   }
 
-  void SetZero() { this->Home->SetZero(this->Memory, this->Count * sizeof(Value)); }
+  void SetZero() { this->Device->SetZero(this->Memory, this->Count * sizeof(Value)); }
 
   /// Makes room for at least `count` values, whose content is lost if there has not been enough.
-  Value* RoomFor(const std::shared_ptr<Device>& device, std::size_t count, const char* what)
+  Value* RoomFor(const std::shared_ptr<AnyDevice>& device, std::size_t count, const char* what)
   {
     if (this->Count < count)
     {
@@ -99,20 +99,20 @@ public:
 private:
   void Swap(DeviceArray& other) noexcept
   {
-    std::swap(this->Home, other.Home);
+    std::swap(this->Device, other.Device);
     std::swap(this->Memory, other.Memory);
     std::swap(this->Count, other.Count);
   }
 
   void Release() noexcept
   {
-    if (this->Home)
+    if (this->Device)
     {
-      this->Home->Free(this->Memory, this->Count * sizeof(Value));
+      this->Device->Free(this->Memory, this->Count * sizeof(Value));
     }
   }
 
-  std::shared_ptr<Device> Home;
+  std::shared_ptr<AnyDevice> Device;
   Value* Memory = nullptr;
   std::size_t Count = 0;
 };
@@ -121,23 +121,23 @@ private:
  * Values of a caller, who keeps them as long as they are read here. A device that reads the host's
  * memory reads them in place; others get a copy.
  */
-template <class Device, class Value>
+template <class AnyDevice, class Value>
 class BorrowedArray
 {
 public:
   BorrowedArray() = default;
 
-  BorrowedArray(
-    const std::shared_ptr<Device>& device, const Value* values, std::size_t count, const char* what)
+  BorrowedArray(const std::shared_ptr<AnyDevice>& device, const Value* values, std::size_t count,
+    const char* what)
   {
     this->Borrow(device, values, count, what);
   }
 
   /// Takes these values instead of those before. A copy stays in the room that it has if it fits.
-  void Borrow(
-    const std::shared_ptr<Device>& device, const Value* values, std::size_t count, const char* what)
+  void Borrow(const std::shared_ptr<AnyDevice>& device, const Value* values, std::size_t count,
+    const char* what)
   {
-    if constexpr (Device::readsHostMemory)
+    if constexpr (AnyDevice::readsHostMemory)
     {
       this->InPlace = values;
     }
@@ -148,13 +148,16 @@ public:
     this->Count = count;
   }
 
-  const Value* Data() const { return Device::readsHostMemory ? this->InPlace : this->Copy.Data(); }
+  const Value* Data() const
+  {
+    return AnyDevice::readsHostMemory ? this->InPlace : this->Copy.Data();
+  }
   std::size_t Size() const { return this->Count; }
   bool Empty() const { return this->Count == 0; }
 
 private:
   const Value* InPlace = nullptr;
-  DeviceArray<Device, Value> Copy;
+  DeviceArray<AnyDevice, Value> Copy;
   std::size_t Count = 0;
 };
 }

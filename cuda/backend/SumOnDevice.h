@@ -43,14 +43,14 @@ struct PartialSum
 }
 
 /// Sums on a device, in double precision and in a fixed order.
-template <class Device>
+template <class AnyDevice>
 class SumOnDevice
 {
 public:
   SumOnDevice() = default;
-  explicit SumOnDevice(std::shared_ptr<Device> device)
-    : Home(std::move(device))
-    , Partial(this->Home, std::size_t(Wide + Narrow), "partial sums")
+  explicit SumOnDevice(std::shared_ptr<AnyDevice> device)
+    : Device(std::move(device))
+    , Partial(this->Device, std::size_t(Wide + Narrow), "partial sums")
   {
   }
 
@@ -72,11 +72,11 @@ private:
   template <class Lane>
   void Pass(const char* label, const Lane& lane)
   {
-    this->Home->ForIndices(label, lane.lanes, lane);
+    this->Device->ForIndices(label, lane.lanes, lane);
   }
 
-  std::shared_ptr<Device> Home;
-  DeviceArray<Device, double> Partial;
+  std::shared_ptr<AnyDevice> Device;
+  DeviceArray<AnyDevice, double> Partial;
 };
 }
 

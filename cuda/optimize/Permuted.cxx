@@ -107,19 +107,19 @@ public:
   PermutedMinimizer(const Problem& problem, const AxisPermutation& order)
     : Nodes(problem.grid)
     , Fields(FieldsFor(problem, order))
-    , Work(problem)
+    , Inside(problem)
   {
-    this->Work.grid = order.Of(problem.grid);
-    this->Work.camera = order.Of(problem.camera);
-    this->Work.light = order.Of(problem.light);
-    this->Work.baseExtinction = this->Fields->base.Data();
-    this->Work.importance = this->Fields->importance.Data();
-    this->Work.nodeImportance = this->Fields->nodeImportance.Data();
-    this->Work.occupancy = this->Fields->occupancy;
-    this->Work.resident = nullptr; // it keeps what is in the problem's order
+    this->Inside.grid = order.Of(problem.grid);
+    this->Inside.camera = order.Of(problem.camera);
+    this->Inside.light = order.Of(problem.light);
+    this->Inside.baseExtinction = this->Fields->base.Data();
+    this->Inside.importance = this->Fields->importance.Data();
+    this->Inside.nodeImportance = this->Fields->nodeImportance.Data();
+    this->Inside.occupancy = this->Fields->occupancy;
+    this->Inside.resident = nullptr; // it keeps what is in the problem's order
   }
 
-  const Problem& Task() const { return this->Work; }
+  const Problem& ProblemInside() const { return this->Inside; }
 
   /// `start`: in the order of the problem; empty: the base extinction.
   std::vector<float> FirstIterate(const std::vector<float>& start) const
@@ -183,7 +183,7 @@ private:
 
   Grid Nodes; ///< of the problem
   std::shared_ptr<const PermutedFields> Fields;
-  Problem Work;
+  Problem Inside; ///< the problem in that order
   std::unique_ptr<Minimizer> Inner;
   mutable std::vector<float> Restored; ///< the best iterate in the order of the problem, if asked
   mutable bool RestoredIsBest = false;
@@ -214,7 +214,8 @@ std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, std::vector<floa
     return make(problem, std::move(start));
   }
   auto minimizer = std::make_unique<PermutedMinimizer>(problem, order);
-  minimizer->Use(make(minimizer->Task(), minimizer->FirstIterate(std::exchange(start, {}))));
+  minimizer->Use(
+    make(minimizer->ProblemInside(), minimizer->FirstIterate(std::exchange(start, {}))));
   return minimizer;
 }
 }

@@ -245,13 +245,17 @@ public:
     return true;
   }
 
-  struct Seen
+  /// See FindSeen.
+  struct SeenByVoxel
   {
     const float* transmittance;
     const float* behind;
   };
 
-  LIMPID_HD LIMPID_INLINE Seen SeenHere() const { return { &this->Transmittance, &this->Behind }; }
+  LIMPID_HD LIMPID_INLINE SeenByVoxel SeenHere() const
+  {
+    return { &this->Transmittance, &this->Behind };
+  }
 
   LIMPID_HD LIMPID_INLINE const float* ImportanceInView(Field nodeImportance)
   {
