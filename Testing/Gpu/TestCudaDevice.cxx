@@ -8,8 +8,8 @@
 #include "TestedDevice.h"
 
 #include "math/Require.h"
-#include "optimize/EngineOnDevice.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/SolverBackend.h"
 
 #include <gtest/gtest.h>
 
@@ -144,9 +144,9 @@ TEST(CudaDevice, SurvivesAnOptimizationThatDoesNotFit)
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
   const auto device = MakeTestedDevice();
-  const std::shared_ptr<Engine> engine = EngineOn(device);
+  const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
   const auto begin = [&]
-  { return engine->MakeMinimizer(problem, std::vector<float>(scene.extinction), false); };
+  { return backend->MakeMinimizer(problem, std::vector<float>(scene.extinction), false); };
   {
     const std::vector<Bytes> all = TakeAll(device);
     const std::size_t taken = device->Bytes();
