@@ -147,7 +147,7 @@ private:
     return extinction;
   }
 
-  void Enter(int number, std::vector<float> extinction)
+  void Enter(int number, const std::vector<float>& extinction)
   {
     this->Here = std::make_unique<Level>();
     Level& here = *this->Here;

@@ -59,7 +59,7 @@ struct DrawnPixel
     const int row = tileRow * height + thread % (width * height) / width;
     if (column < this->rays.columns && row < this->rays.rows)
     {
-      this->rays.Draw<FourFloats>(column, row,
+      this->rays.template Draw<FourFloats>(column, row,
         [this](const Ray& ray, Pixel<FourFloats>& pixel)
         { TraceRay<SingleSampler, Lit, Overlaid>(this->scene, ray, pixel); });
     }

@@ -97,7 +97,8 @@ struct OccupiedRays::Memory
     std::fill(this->columnsUpTo.begin(), this->columnsUpTo.end(), 0);
     for (std::size_t ray = 0; ray < this->columnNodes.size(); ++ray)
     {
-      this->columnsUpTo[std::size_t(this->columnNodes[ray] + 3)] = static_cast<int>(ray) + 1;
+      const int next = this->columnNodes[ray] + 3;
+      this->columnsUpTo[std::size_t(next)] = static_cast<int>(ray) + 1;
     }
     int most = 0;
     for (int& count : this->columnsUpTo)

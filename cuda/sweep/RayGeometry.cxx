@@ -86,10 +86,10 @@ void HideBehind(
 
 void FindRayLengths(PlannedFrustum& frustum)
 {
-  std::vector<double> slopes;
+  std::vector<double> slopes(static_cast<std::size_t>(frustum.columns));
   for (int column = 0; column < frustum.columns; ++column)
   {
-    slopes.push_back(frustum.lateralU.Slope(column));
+    slopes[std::size_t(column)] = frustum.lateralU.Slope(column);
   }
   ParallelFor(frustum.rows, 16,
     [&](Index row)
