@@ -230,19 +230,14 @@ public:
       this->Given.baseExtinction, this->Given.importance, &this->Energy.Sums()->camera);
   }
 
-  void Derive()
-  {
-    this->Energy.light->Differentiate(this->Energy.FieldsWith(this->Next.data()),
-      this->Given.settings.derivative, { 0.0f, 1.0f }, this->Lagged.data(),
-      &this->Energy.Sums()->light);
-  }
+  void Derive() { this->Energy.DifferentiateLagged(this->Next.data(), this->Lagged.data()); }
 
   void Optimize()
   {
     std::swap(this->Last, this->Next);
     Differences moved;
     SweepPolicy(*HostDevice::Shared(), *this->Energy.camera, this->Given, this->Energy.Fields(),
-      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, 1,
+      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10,
         Transmittance::OfLastIterate },
       moved);
   }

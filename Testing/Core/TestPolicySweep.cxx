@@ -72,7 +72,7 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
   Differences moved;
 
   SweepPolicy(*HostDevice::Shared(), *terms.camera, problem, terms.Fields(),
-    { scene.extinction.data(), nullptr, next.data(), problem.settings.weights.view, 0.0,
+    { scene.extinction.data(), nullptr, next.data(), problem.settings.weights.view,
       Transmittance::AssumeOne },
     moved);
 
@@ -116,7 +116,7 @@ TEST_P(SweepFromTheBack, FindsTheScoreAlongWithTheDerivative)
   {
     const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
     Terms<HostDevice> terms(HostDevice::Shared(), problem);
-    const TermFields fields = terms.FieldsWith(scene.extinction.data());
+    const TermFields fields{ scene.extinction.data(), problem.importance, problem.nodeImportance };
     Visible truth;
     terms.camera->Forward(fields.extinction, fields.importance, &truth);
     std::vector<float> added(scene.extinction.size(), 1.0f);

@@ -23,7 +23,7 @@ PolicyKernel<const float*, float*> KernelOf(
   const double p = std::max(problem.RegularizationWeight(), 1e-30);
   const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
   return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
-    sweep.lagged, sweep.next, { gainOf(sweep.weight), gainOf(sweep.lagWeight), problem.majorant },
+    sweep.lagged, sweep.next, { gainOf(sweep.weight), gainOf(1.0), problem.majorant },
     sweep.transmittance, problem.settings.derivative == Derivative::Volume };
 }
 
@@ -176,8 +176,6 @@ public:
   }
 
 private:
-  bool Joint() const { return this->Energy.camera && this->Energy.light; }
-
   /// The term that is swept: the camera's or, without one, the light's.
   VisibilityTerm<AnyDevice>& Swept()
   {
@@ -198,22 +196,22 @@ private:
   /// One policy sweep, and what the next iterate is worth.
   IterationRecord Sweep(const float* last, float* next, Transmittance transmittance)
   {
-    if (transmittance == Transmittance::OfLastIterate && this->Joint() && !this->LagIsFresh)
+    const bool lags = this->Energy.HasLagged();
+    if (transmittance == Transmittance::OfLastIterate && lags && !this->LagIsFresh)
     {
       this->FindLagged(last);
     }
     this->SweepOnce(last, next, transmittance);
-    const double change = this->Given->MeanChange(this->Energy.Read().moved.changes);
     const bool again = this->Count < this->IterationLimit();
-    this->LagIsFresh = this->Joint() && again && !(change < this->Given->settings.tolerance);
+    this->LagIsFresh =
+      lags && again && !(this->Energy.MeanChange() < this->Given->settings.tolerance);
     if (this->LagIsFresh)
     {
-      this->FindLagged(next); // sees the light of the next iterate along the way
+      this->FindLagged(next); // sees the next iterate along the way
     }
-    else if (this->Joint())
+    else if (lags)
     {
-      this->Energy.light->Forward(
-        next, this->Energy.Fields().importance.Data(), &this->Energy.Sums()->light);
+      this->Energy.MeasureLagged(next);
     }
     return this->Energy.Record();
   }
@@ -221,11 +219,9 @@ private:
   void SweepOnce(const float* last, float* next, Transmittance transmittance)
   {
     const Weights& weights = this->Given->settings.weights;
-    const bool lags = !this->Lagged.Empty();
     Differences moved;
     SweepPolicy(*this->Device, this->Swept(), *this->Given, this->Energy.Fields(),
-      { last, lags ? this->Lagged.Data() : nullptr, next,
-        this->Energy.camera ? weights.view : weights.light, lags ? weights.light : 0.0,
+      { last, this->Lagged.Data(), next, this->Energy.camera ? weights.view : weights.light,
         transmittance },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
@@ -249,11 +245,9 @@ private:
     if (this->Lagged.Empty())
     {
       this->Lagged = DeviceArray<AnyDevice, float>::Zeros(this->Device,
-        static_cast<std::size_t>(this->Given->grid.NodeCount()), "the light's derivative");
+        static_cast<std::size_t>(this->Given->grid.NodeCount()), "the lagged derivative");
     }
-    this->Energy.light->Differentiate(this->Energy.FieldsWith(extinction),
-      this->Given->settings.derivative, { 0.0f, 1.0f }, this->Lagged.Data(),
-      &this->Energy.Sums()->light);
+    this->Energy.DifferentiateLagged(extinction, this->Lagged.Data());
   }
 
   const Problem* Given;
@@ -266,9 +260,9 @@ private:
   std::array<limpid::Iterate<AnyDevice>, 3> Iterates; ///< filled as needed
   std::size_t Now = 0;                                ///< the last iterate
   std::size_t BestOf = 0;                             ///< the best
-  DeviceArray<AnyDevice, float> Lagged;               ///< T_L (V_L - g) of an iterate; empty: none
-  bool LagIsFresh = false;                            ///< whether that is the last iterate
-  mutable std::vector<float> OnHost;                  ///< the best; empty: not read yet
+  DeviceArray<AnyDevice, float> Lagged; ///< derivative of the other terms; empty: none
+  bool LagIsFresh = false;              ///< whether that is the last iterate
+  mutable std::vector<float> OnHost;    ///< the best; empty: not read yet
 };
 }
 
@@ -297,7 +291,7 @@ void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const 
   const ProblemFields<AnyDevice>& fields, double weight, float* next)
 {
   const PolicyKernel<const float*, float*> kernel = KernelOf(
-    problem, fields, { fields.base.Data(), nullptr, next, weight, 0.0, Transmittance::AssumeOne });
+    problem, fields, { fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne });
   for (FrustumRays<AnyDevice>& rays : term.Frusta())
   {
     SweepFrustum(device, rays, term.Occupied(), kernel, nullptr);

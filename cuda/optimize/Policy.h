@@ -17,10 +17,9 @@ namespace limpid
 struct PolicySweep
 {
   const float* last;   ///< the last iterate [1/length]
-  const float* lagged; ///< T (V - g) of the other term; null: none
+  const float* lagged; ///< derivative of the other terms, with weights; null: none
   float* next;         ///< the next iterate [1/length]
   double weight;       ///< of the term
-  double lagWeight;    ///< of the other one
   Transmittance transmittance;
 };
 
@@ -30,7 +29,7 @@ template <class AnyDevice>
 void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
   const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, Differences& moved);
 
-/// The first policy sweep of one term alone: nothing is known of transmittance or the other term.
+/// The first policy sweep of one term alone: nothing is known of transmittance or other terms.
 /// Leaves nothing with the rays.
 template <class AnyDevice>
 void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,

@@ -27,7 +27,7 @@ struct PolicyStep
   const float* behind;        ///< mean of what it leaves of the importance behind [scale^2]
   const float* importance;    ///< of the node, as far as it is in view [0, 1]
   const float* base;          ///< [1/length]
-  const float* lagged;        ///< T (V - g) of the other term; null: none
+  const float* lagged;        ///< derivative of the other terms, with weights; null: none
   float* next;                ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
@@ -39,7 +39,7 @@ struct PolicyStep
 };
 
 /// The next iterate at a voxel that no important structure of the swept term needs: only the other
-/// term counts.
+/// terms count.
 struct IdleStep
 {
   PolicyVoxel<float> policy;
@@ -70,7 +70,7 @@ struct PolicyKernel
   Input importance;     ///< [0, 1]
   Input nodeImportance; ///< see NodeImportance.h [0, 1]
   Input last;           ///< the last iterate [1/length]
-  Input lagged;         ///< T (V - g) of the other term; null: none
+  Input lagged;         ///< derivative of the other terms, with weights; null: none
   Output next;          ///< the next iterate [1/length]
   PolicyVoxel<float> policy;
   Transmittance transmittance;

@@ -20,10 +20,11 @@ template <class Real>
 struct PolicyVoxel
 {
   Real gain;     ///< weight of the term that is swept over p [1/length]
-  Real lagGain;  ///< weight of the other term over p [1/length]
+  Real lagGain;  ///< 1 over p [1/length]
   Real majorant; ///< [1/length]
 
-  /// `derivative`, `lagged`: T (V - g) of the swept and of the other term.
+  /// `derivative`: T (V - g) of the term that is swept; `lagged`: the derivative of all others,
+  /// with their weights.
   LIMPID_HD LIMPID_INLINE Real operator()(Real base, Real derivative, Real lagged) const
   {
     const Real wanted = base - (this->gain * derivative + this->lagGain * lagged);

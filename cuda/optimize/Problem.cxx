@@ -4,7 +4,7 @@
 #include "optimize/Problem.h"
 
 #include "backend/Backend.h"
-#include "optimize/Terms.h"
+#include "optimize/Differences.h"
 
 #include <algorithm>
 #include <numeric>
@@ -53,18 +53,5 @@ double Problem::MeanChange(double changes) const
 {
   const auto filled = double(this->occupancy->FilledVoxels());
   return filled > 0 && this->majorant > 0 ? changes / filled / this->majorant : 0.0;
-}
-
-IterationRecord RecordOf(const Problem& problem, const TermSums& sums)
-{
-  const Weights& weights = problem.settings.weights;
-  IterationRecord record;
-  record.energy.regularization = problem.Regularization(sums.moved.squares); // Eq. (22)
-  record.energy.view = -weights.view * sums.camera.visible;                  // Eq. (23)
-  record.energy.light = -weights.light * sums.light.visible;                 // Eq. (24)
-  record.visibilityScore = sums.camera.visible;                              // Eq. (32)
-  record.visibleFraction = sums.camera.Fraction();
-  record.meanChange = problem.MeanChange(sums.moved.changes);
-  return record;
 }
 }

@@ -5,7 +5,9 @@
 
 #include "math/Require.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace limpid
@@ -21,12 +23,10 @@ void RequireNotNegative(const char* name, const char* why, double value)
 
 void Settings::Require() const
 {
-  RequireNotNegative("regularization weight", "the energy of Eq. (21) would have no minimum",
-    this->weights.regularization);
-  RequireNotNegative(
-    "view weight", "important structures would be hidden on purpose", this->weights.view);
-  RequireNotNegative(
-    "light weight", "important structures would be darkened on purpose", this->weights.light);
+  for (const WeightInfo& info : allWeights)
+  {
+    RequireNotNegative(info.name, info.whyNotNegative, this->weights.*info.weight);
+  }
   RequireNotNegative("tolerance", "no change can be smaller", this->tolerance);
   RequireNotNegative("time limit", "it has passed already", this->maximumSeconds);
   LIMPID_REQUIRE(
@@ -54,10 +54,13 @@ bool operator==(const Settings& one, const Settings& other)
 {
   const auto values = [](const Settings& s)
   {
-    return std::tie(s.weights.regularization, s.weights.view, s.weights.light, s.mode, s.solver,
-      s.maximumIterations, s.iterationsPerLevel, s.learningRate, s.tolerance, s.maximumSeconds,
-      s.derivative, s.rayDensity, s.skipUnneeded, s.restrictToView, s.backend);
+    return std::tie(s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel, s.learningRate,
+      s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded, s.restrictToView,
+      s.backend);
   };
-  return values(one) == values(other);
+  const auto sameWeight = [&](const WeightInfo& info)
+  { return one.weights.*info.weight == other.weights.*info.weight; };
+  return values(one) == values(other) &&
+    std::all_of(std::begin(allWeights), std::end(allWeights), sameWeight);
 }
 }

@@ -33,6 +33,22 @@ struct Weights
   double light = 1;             ///< r of Eq. (24)
 };
 
+/// A weight, and what to tell whoever sets it below zero.
+struct WeightInfo
+{
+  double Weights::*weight;
+  const char* name;
+  const char* whyNotNegative;
+};
+
+/// All weights.
+inline constexpr WeightInfo allWeights[] = {
+  { &Weights::regularization, "regularization weight",
+    "the energy of Eq. (21) would have no minimum" },
+  { &Weights::view, "view weight", "important structures would be hidden on purpose" },
+  { &Weights::light, "light weight", "important structures would be darkened on purpose" },
+};
+
 struct Settings
 {
   Weights weights;

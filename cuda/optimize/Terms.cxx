@@ -75,18 +75,39 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 template <class AnyDevice>
 void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 {
-  const Settings& settings = this->Given->settings;
-  const TermFields fields = this->FieldsWith(extinction);
+  const Weights& weights = this->Given->settings.weights;
   if (this->camera)
   {
-    this->camera->Differentiate(fields, settings.derivative,
-      { 1.0f, static_cast<float>(settings.weights.view) }, gradient, &this->Sums()->camera);
+    this->DifferentiateOne(*this->camera, extinction, { 1.0f, static_cast<float>(weights.view) },
+      gradient, &this->Sums()->camera);
   }
   if (this->light)
   {
-    this->light->Differentiate(fields, settings.derivative,
-      { 1.0f, static_cast<float>(settings.weights.light) }, gradient, &this->Sums()->light);
+    this->DifferentiateOne(*this->light, extinction, { 1.0f, static_cast<float>(weights.light) },
+      gradient, &this->Sums()->light);
   }
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::DifferentiateLagged(const float* extinction, float* lagged)
+{
+  const auto weight = static_cast<float>(this->Given->settings.weights.light);
+  this->DifferentiateOne(*this->light, extinction, { 0.0f, weight }, lagged, &this->Sums()->light);
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::MeasureLagged(const float* extinction)
+{
+  this->light->Forward(extinction, this->Scene->importance.Data(), &this->Sums()->light);
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
+  const GradientTarget& target, float* gradient, Visible* sum)
+{
+  const TermFields fields{ extinction, this->Scene->importance.Data(),
+    this->Scene->nodeImportance.Data() };
+  term.Differentiate(fields, this->Given->settings.derivative, target, gradient, sum);
 }
 
 template <class AnyDevice>
@@ -108,6 +129,21 @@ void Terms<AnyDevice>::SumSquares(const float* extinction)
     this->Add("regularization", this->Given->grid.NodeCount(),
       SquaredDifference{ extinction, this->Scene->base.Data() }, &this->Sums()->moved.squares);
   }
+}
+
+template <class AnyDevice>
+IterationRecord Terms<AnyDevice>::Record() const
+{
+  const TermSums sums = this->Read();
+  const Weights& weights = this->Given->settings.weights;
+  IterationRecord record;
+  record.energy.regularization = this->Given->Regularization(sums.moved.squares); // Eq. (22)
+  record.energy.view = -weights.view * sums.camera.visible;                       // Eq. (23)
+  record.energy.light = -weights.light * sums.light.visible;                      // Eq. (24)
+  record.visibilityScore = sums.camera.visible;                                   // Eq. (32)
+  record.visibleFraction = sums.camera.Fraction();
+  record.meanChange = this->Given->MeanChange(sums.moved.changes);
+  return record;
 }
 
 template <class AnyDevice>

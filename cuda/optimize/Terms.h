@@ -21,9 +21,6 @@ struct TermSums
   Differences moved; ///< from the base extinction and from the last iterate
 };
 
-/// Energy and score of an extinction, Eqs. (21)-(24) and (32).
-IterationRecord RecordOf(const Problem& problem, const TermSums& sums);
-
 /// The terms of a problem's energy; a visibility term of weight zero is not there and costs
 /// nothing. Fields are addresses on the device, one value per node each.
 template <class AnyDevice>
@@ -39,26 +36,32 @@ public:
   /// the extinction for the next record along the way.
   void Differentiate(const float* extinction, float* gradient);
 
+  /// Whether there are terms besides the regularisation and the one that policy sweeps minimise:
+  /// there, they act with their derivative at the last iterate.
+  bool HasLagged() const { return this->camera && this->light; }
+
+  /// Finds the derivative of those terms with their weights, and sees the extinction for the next
+  /// record along the way. Only voxels that they depend on are written, always the same ones.
+  void DifferentiateLagged(const float* extinction, float* lagged);
+
+  /// Sees the extinction for the next record as DifferentiateLagged does.
+  void MeasureLagged(const float* extinction);
+
   /// Sums what an iteration has changed, for the next record. `last`: null: `next` is the change.
   void SumChanges(const float* next, const float* last);
 
   /// Sums how far an extinction is from the base, for the next record.
   void SumSquares(const float* extinction);
 
-  /// The record of what all terms have seen and summed. Waits.
-  IterationRecord Record() const { return RecordOf(*this->Given, this->Read()); }
+  /// Energy and score of the extinction that all terms have seen and summed, Eqs. (21)-(24) and
+  /// (32). Waits.
+  IterationRecord Record() const;
 
-  /// The sums so far. Waits.
-  TermSums Read() const;
+  /// Mean change of the extinction, as summed so far [majorant]. Waits.
+  double MeanChange() const { return this->Given->MeanChange(this->Read().moved.changes); }
 
   /// The sums of the next record, on the device.
   TermSums* Sums() { return this->Found.Data(); }
-
-  /// The fields of a derivative by an extinction.
-  TermFields FieldsWith(const float* extinction) const
-  {
-    return { extinction, this->Scene->importance.Data(), this->Scene->nodeImportance.Data() };
-  }
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
@@ -66,6 +69,13 @@ public:
   std::optional<VisibilityTerm<AnyDevice>> light;
 
 private:
+  /// The sums so far. Waits.
+  TermSums Read() const;
+
+  /// The derivative of a visibility term by an extinction.
+  void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
+    const GradientTarget& target, float* gradient, Visible* sum);
+
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
