@@ -33,10 +33,12 @@ struct Weights
   double light = 1;             ///< r of Eq. (24)
 };
 
+using WeightOf = double Weights::*;
+
 /// A weight, and what to tell whoever sets it below zero.
 struct WeightInfo
 {
-  double Weights::*weight;
+  WeightOf weight;
   const char* name;
   const char* whyNotNegative;
 };
