@@ -26,7 +26,7 @@ struct PlannedFrustum : FaceFrustum
 
   struct Free
   {
-    void operator()(unsigned char* bytes) const noexcept { std::free(bytes); }
+    void operator()(unsigned char* room) const noexcept { std::free(room); }
   };
   std::unique_ptr<unsigned char[], Free> memory; ///< what `tables` points to
   std::size_t bytes = 0;
