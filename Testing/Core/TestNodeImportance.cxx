@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "NodeImportanceOfAll.h"
 #include "Tolerance.h"
 
 #include "energy/NodeImportance.h"
@@ -91,7 +92,7 @@ TEST_P(NodeImportanceOf, IsTheMeanOverTheHatOfEveryNode)
 {
   const Fields fields = Blobs(GetParam());
 
-  const std::vector<float> mean = NodeImportance(fields.grid, fields.importance.data());
+  const std::vector<float> mean = NodeImportanceOfAll(fields.grid, fields.importance.data());
 
   for (int k = 0; k < fields.grid.nodes.z; ++k)
   {
@@ -111,7 +112,7 @@ TEST_P(NodeImportanceOf, IsTheMeanOverTheHatOfEveryNode)
 TEST_P(NodeImportanceOf, IsZeroWhereThereIsNothingAndElseTheSame)
 {
   const Fields fields = Blobs(GetParam());
-  const std::vector<float> mean = NodeImportance(fields.grid, fields.importance.data());
+  const std::vector<float> mean = NodeImportanceOfAll(fields.grid, fields.importance.data());
 
   const std::vector<float> ofFilled =
     NodeImportanceOfFilled(fields.grid, fields.extinction.data(), fields.importance.data());

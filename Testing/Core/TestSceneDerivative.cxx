@@ -4,9 +4,9 @@
 // The derivative of the score on real scenes, against central differences of the march.
 
 #include "LoadedScene.h"
+#include "NodeImportanceOfAll.h"
 #include "Tolerance.h"
 
-#include "energy/NodeImportance.h"
 #include "energy/VisibilityTerm.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST_P(RealDerivative, IsThatOfTheMarch)
   VisibilityTerm<HostDevice> term(HostDevice::Shared(), scene.grid, everything,
     SourceOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(file.extinction.size(), 0.0f);
-  const std::vector<float> nodeImportance = NodeImportance(scene.grid, file.importance.data());
+  const std::vector<float> nodeImportance = NodeImportanceOfAll(scene.grid, file.importance.data());
   Visible seen;
   term.Differentiate({ file.extinction.data(), file.importance.data(), nodeImportance.data() },
     Derivative::Volume, { 1.0f, 1.0f }, gradient.data(), &seen);

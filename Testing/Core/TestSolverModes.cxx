@@ -172,17 +172,16 @@ TEST(SolverModes, KeepsTheBaseForTheLightWhenStoppedBeforeItsRun)
   }
 }
 
-TEST(SolverModes, RefusesCudaWhenItStartsAgain)
+TEST(SolverModes, RefusesCudaWhereThereIsNone)
 {
   if (FindCuda().usable)
   {
     GTEST_SKIP() << "there is a GPU";
   }
   BoxScene scene = Onion();
-  Solver solver = scene.MakeSolver();
   scene.settings.backend = BackendKind::Cuda;
 
-  EXPECT_THROW(solver.Restart(scene.camera, scene.light, scene.settings), Error);
+  EXPECT_THROW(scene.MakeSolver(), Error);
 }
 
 TEST(SolverModes, StopsAfterTheIterationsItWasGiven)

@@ -4,9 +4,9 @@
 // The derivative of a visibility term against central differences of the reference's score.
 
 #include "BoxScene.h"
+#include "NodeImportanceOfAll.h"
 #include "Tolerance.h"
 
-#include "energy/NodeImportance.h"
 #include "energy/VisibilityTerm.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,8 @@ double FromGradient(const BoxScene& scene, const Field& direction, Derivative de
   VisibilityTerm<HostDevice> term(HostDevice::Shared(), scene.grid, everything,
     SourceOfCamera(scene.camera, scene.grid, false), scene.settings.rayDensity);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
-  const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
+  const std::vector<float> nodeImportance =
+    NodeImportanceOfAll(scene.grid, scene.importance.data());
   Visible seen;
   term.Differentiate({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
     derivative, { 1.0f, 1.0f }, gradient.data(), &seen);
@@ -305,7 +306,8 @@ TEST(ScoreDerivative, OfANodeIsTheMeanOverItsHatAndNotTheValueThere)
   VisibilityTerm<HostDevice> term(HostDevice::Shared(), scene.grid, everything,
     SourceOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
-  const std::vector<float> nodeImportance = NodeImportance(scene.grid, scene.importance.data());
+  const std::vector<float> nodeImportance =
+    NodeImportanceOfAll(scene.grid, scene.importance.data());
   Visible seen;
   term.Differentiate({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
     Derivative::Volume, { 1.0f, 1.0f }, gradient.data(), &seen);

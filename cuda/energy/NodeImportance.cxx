@@ -185,25 +185,31 @@ private:
       const Index at = Index(row) * nx;
       float* mean = this->Mean + first;
       WeighRows(below.values + at, own.values + at, above.values + at, taps, nx, mean);
-      if (this->BaseExtinction)
-      {
-        ClearEmpty(this->BaseExtinction + first, this->Importance + first, nx, mean);
-      }
+      ClearEmpty(this->BaseExtinction + first, this->Importance + first, nx, mean);
     }
   }
 
   Int3 Nodes;
-  const float* BaseExtinction; ///< null: no node counts as empty
+  const float* BaseExtinction;
   const float* Importance;
   float* Mean;
 };
+}
 
-/// In place of zeros, see FillNodeImportanceOfFilled.
-void FillMean(const Grid& grid, const float* baseExtinction, const float* importance, float* mean,
-  const MeanRows& done)
+std::vector<float> NodeImportanceOfFilled(
+  const Grid& grid, const float* baseExtinction, const float* importance)
+{
+  std::vector<float> mean(static_cast<std::size_t>(grid.NodeCount()));
+  FillNodeImportanceOfFilled(
+    grid, baseExtinction, importance, mean.data(), [](int, const Range<int>&) {});
+  return mean;
+}
+
+void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
+  const float* importance, float* zeros, const MeanRows& done)
 {
   const Int3& nodes = grid.nodes;
-  const TileMean body(grid, baseExtinction, importance, mean);
+  const TileMean body(grid, baseExtinction, importance, zeros);
   ParallelFor((nodes.z + slicesPerTile - 1) / slicesPerTile,
     [&](Index slab)
     {
@@ -214,29 +220,5 @@ void FillMean(const Grid& grid, const float* baseExtinction, const float* import
         body.Fill({ { y, std::min(y + rowsPerTile, nodes.y) }, slices }, done);
       }
     });
-}
-
-void TellNobody(int, const Range<int>&) {}
-}
-
-std::vector<float> NodeImportance(const Grid& grid, const float* importance)
-{
-  std::vector<float> mean(static_cast<std::size_t>(grid.NodeCount()));
-  FillMean(grid, nullptr, importance, mean.data(), TellNobody);
-  return mean;
-}
-
-std::vector<float> NodeImportanceOfFilled(
-  const Grid& grid, const float* baseExtinction, const float* importance)
-{
-  std::vector<float> mean(static_cast<std::size_t>(grid.NodeCount()));
-  FillMean(grid, baseExtinction, importance, mean.data(), TellNobody);
-  return mean;
-}
-
-void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
-  const float* importance, float* zeros, const MeanRows& done)
-{
-  FillMean(grid, baseExtinction, importance, zeros, done);
 }
 }

@@ -20,11 +20,9 @@ namespace limpid
  *
  * The extinction of a node acts on its whole neighbourhood with weight phi_i, so this, not g at the
  * node, stands in the derivative of Eqs. (23) and (24) with respect to the node's extinction
- * (deviation D8). `importance`: grid.NodeCount() values in [0, 1]; so is the result.
+ * (deviation D8). It is 0 at nodes that have neither extinction nor importance: they are no one's
+ * concern. `importance`: grid.NodeCount() values in [0, 1]; so is the result.
  */
-std::vector<float> NodeImportance(const Grid& grid, const float* importance);
-
-/// The same, 0 at nodes that have neither extinction nor importance: they are no one's concern.
 std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance);
 

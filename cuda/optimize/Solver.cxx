@@ -271,19 +271,6 @@ void Solver::SetInitialExtinction(const float* extinction)
   state.Begin();
 }
 
-void Solver::Restart(const Camera& camera, const Light& light, const Settings& settings)
-{
-  Internals& state = *this->State;
-  RequireSettings(settings);
-  if (settings.mode == Mode::Joint && state.settings.mode == Mode::Joint)
-  {
-    state.initial = this->Extinction();
-    state.warm = true;
-  }
-  state.Set(camera, light, settings);
-  state.Begin();
-}
-
 bool Solver::Step(int iterations, const Progress& progress)
 {
   Internals& state = *this->State;

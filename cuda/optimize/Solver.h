@@ -62,9 +62,6 @@ public:
   /// to [0, majorant] [1/length]. Joint mode only.
   void SetInitialExtinction(const float* extinction);
 
-  /// A new camera, light or new weights; goes on from the current extinction.
-  void Restart(const Camera& camera, const Light& light, const Settings& settings);
-
   /// Runs up to `iterations` further iterations. Returns whether there is nothing left to do:
   /// converged, or iterations or time used up, or stopped by `progress`.
   bool Step(int iterations, const Progress& progress = {});
