@@ -95,6 +95,7 @@ public:
     const auto placesOf = [&](int axis)
     {
       std::vector<AxisPlace> places;
+      places.reserve(static_cast<std::size_t>(to[axis]));
       for (int node = 0; node < to[axis]; ++node)
       {
         places.emplace_back(node, nodes[axis], to[axis]);
