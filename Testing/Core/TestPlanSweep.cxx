@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "RaySources.h"
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
@@ -62,21 +63,6 @@ struct Viewing
 std::ostream& operator<<(std::ostream& stream, const Viewing& viewing)
 {
   return stream << viewing.name;
-}
-
-RaySource PointAt(const Vec3& origin)
-{
-  RaySource eye;
-  eye.origin = origin;
-  return eye;
-}
-
-RaySource Parallel(const Vec3& direction)
-{
-  RaySource eye;
-  eye.parallel = true;
-  eye.direction = direction;
-  return eye;
 }
 
 const Int3 nodes(31, 24, 27);

@@ -3,6 +3,7 @@
 
 // Means of what rays carry over the hat functions of voxels.
 
+#include "RaySources.h"
 #include "Tolerance.h"
 
 #include "sweep/FrustumRays.h"
@@ -30,21 +31,6 @@ struct Rays
 std::ostream& operator<<(std::ostream& stream, const Rays& rays)
 {
   return stream << rays.name;
-}
-
-RaySource PointAt(const Vec3& origin)
-{
-  RaySource eye;
-  eye.origin = origin;
-  return eye;
-}
-
-RaySource Parallel(const Vec3& direction)
-{
-  RaySource eye;
-  eye.parallel = true;
-  eye.direction = direction;
-  return eye;
 }
 
 const Rays cases[] = {

@@ -156,10 +156,7 @@ public:
 
   std::vector<float> TakeBest() override
   {
-    if (!this->RestoredIsBest)
-    {
-      this->Put(this->Inner->BestValues());
-    }
+    this->Best();
     return std::move(this->Restored);
   }
 

@@ -31,7 +31,7 @@ namespace limpid
  * reads 8 scalars, 8 nodes each of overlay and gradient, and 4 entries of the table: 224 bytes,
  * 20.6 GB through the first-level caches; its neighbours read the same nodes, and the fields
  * themselves are 0.34 GB. The picture that comes back is 4.2 MB, as are the depths that go there,
- * if any. With new shadows add those of TransmittanceVolumeOnDevice.
+ * if any. With new shadows add those of TransmittanceSweep.
  */
 template <class AnyDevice>
 class RenderPasses : public RenderBackend

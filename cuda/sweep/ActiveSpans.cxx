@@ -225,7 +225,7 @@ private:
   }
 
   /// A ray that is needed before it has entered the box is needed until it has: its optical depth
-  /// there is counted from the entry (Rows.h). `extents`: per slice.
+  /// there is counted from the entry (RaySteps.h). `extents`: per slice.
   void FollowToBack(const Range<int>& rows, VisitedRays* extents)
   {
     const int count = rows.end - rows.begin;

@@ -254,6 +254,19 @@ inline Extent ExtentOfRays(const FaceFrustum& frustum)
 {
   return { frustum.columns, frustum.rows };
 }
+
+/// The rays through some slices, and then the voxels on them, which read what the rays left.
+template <template <class> class RayThrough, class AnyDevice, class Kernel>
+void LaunchSlices(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel,
+  const Range<int>& slices, float* images)
+{
+  const FaceFrustum& frustum = rays.Plan();
+  const SliceImages here{ images, frustum.RayCount(), slices.begin };
+  device.ForEach(Kernel::label, ExtentOfRays(frustum),
+    RayThrough<Kernel>{ frustum, rays.States(), kernel, slices, here });
+  device.ForEach(Kernel::voxelLabel, { frustum.nodesU, frustum.nodesV * slices.Length() },
+    VoxelOfSlices<Kernel>{ frustum, kernel, here });
+}
 }
 
 /// Front to back: every ray through all layers, in one launch.
@@ -278,11 +291,7 @@ void SweepBackward(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevi
   for (int end = frustum.SliceCount(); end > frustum.firstNodeSlice; end -= slicesPerLaunch)
   {
     const Range<int> slices{ std::max(frustum.firstNodeSlice, end - slicesPerLaunch), end };
-    const detail::SliceImages here{ images.Data(), frustum.RayCount(), slices.begin };
-    device->ForEach(Kernel::label, detail::ExtentOfRays(frustum),
-      detail::BackwardRay<Kernel>{ frustum, rays.States(), kernel, slices, here });
-    device->ForEach(Kernel::voxelLabel, { frustum.nodesU, frustum.nodesV * slices.Length() },
-      detail::VoxelOfSlices<Kernel>{ frustum, kernel, here });
+    detail::LaunchSlices<detail::BackwardRay>(*device, rays, kernel, slices, images.Data());
   }
 }
 
@@ -308,11 +317,7 @@ void SweepFrontToBack(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyD
   for (int begin = 0; begin < frustum.SliceCount(); begin += slicesPerLaunch)
   {
     const Range<int> slices{ begin, std::min(begin + slicesPerLaunch, frustum.SliceCount()) };
-    const detail::SliceImages here{ images.Data(), frustum.RayCount(), begin };
-    device->ForEach(Kernel::label, detail::ExtentOfRays(frustum),
-      detail::FrontToBackRay<Kernel>{ frustum, rays.States(), kernel, slices, here });
-    device->ForEach(Kernel::voxelLabel, { frustum.nodesU, frustum.nodesV * slices.Length() },
-      detail::VoxelOfSlices<Kernel>{ frustum, kernel, here });
+    detail::LaunchSlices<detail::FrontToBackRay>(*device, rays, kernel, slices, images.Data());
   }
 }
 }
