@@ -129,6 +129,35 @@ TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
   }
 }
 
+TEST_P(ViewsOfDevice, HaveTheSlopesOfTheProcessor)
+{
+  const BoxScene scene = Filled(GetParam().content);
+  const ViewFields fields(scene.grid, scene.extinction.data(), scene.importance.data());
+  const auto there = MakeScoreSweep(MakeTestedDevice(), fields);
+  const auto here = MakeScoreSweep(HostDevice::Shared(), fields);
+  const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
+
+  for (const Vec3& direction : RandomDirections(3))
+  {
+    const Vec3 right = glm::normalize(glm::cross(direction, Vec3(0.3, 0.5, 0.8)));
+    const EyeMoves moves{ { right, glm::cross(right, direction) }, orbit.distance };
+    std::vector<ViewFields::Part> parts = fields.PartsOf(orbit.At(direction), 2);
+    std::vector<ViewFields::Part> same = fields.PartsOf(orbit.At(direction), 2);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      const ViewDerivative expected = here->Differentiate(std::move(parts[i]), moves, 2);
+      const ViewDerivative found = there->Differentiate(std::move(same[i]), moves, 2);
+      const double visible = expected.score.visible;
+      EXPECT_NEAR(found.score.visible, visible, 1e-5 * visible);
+      for (int m = 0; m < 2; ++m)
+      {
+        // Rays gain and lose; what rounds is up to the size of a change by a turn of one radian.
+        EXPECT_NEAR(found.slope[m], expected.slope[m], 1e-5 * visible / orbit.distance);
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Boxes, ViewsOfDevice,
   ::testing::Values(Case{ "Onion", Content::Onion, false },
     Case{ "Borders", Content::Borders, false }, Case{ "ParallelWaves", Content::Waves, true }),

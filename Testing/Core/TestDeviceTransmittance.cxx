@@ -8,7 +8,7 @@
 #include "TestedDevice.h"
 #include "Tolerance.h"
 
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 
 #include <gtest/gtest.h>
 

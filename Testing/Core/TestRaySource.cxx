@@ -4,6 +4,7 @@
 // What a camera shows: opening angle and corners against each other and against a frustum whose
 // sides are tested one by one.
 
+#include "RandomScene.h"
 #include "Tolerance.h"
 
 #include "math/Require.h"
@@ -259,4 +260,32 @@ TEST(RaySource, SeesAllRaysWithoutRestriction)
   camera.corners = CornersOf(camera, 1);
 
   EXPECT_TRUE(SourceOfCamera(camera, grid, false).viewPlanes.empty());
+}
+
+TEST(RaySource, StaysOnThePlanesOfNodesOfATurnedGrid)
+{
+  for (unsigned seed = 0; seed < 500; ++seed)
+  {
+    SCOPED_TRACE("grid " + std::to_string(seed));
+    RandomNumbers random(seed);
+    Grid grid;
+    grid.nodes = Int3(9, 7, 3);
+    grid.spacing = Vec3(random.PowerOfTen(-1, 1), random.PowerOfTen(-1, 1), 1);
+    grid.origin = 5.0 * random.Direction();
+    grid.direction = random.Rotation();
+    const Vec3 node(random.IntegerBetween(-20, 20), random.IntegerBetween(0, 8), 2);
+    Vec3 alongAxis(0.0);
+    alongAxis[random.IntegerBetween(0, 2)] = random.Sign();
+    Camera camera;
+    camera.position = grid.PointToWorld(node);
+    camera.focalPoint = camera.position + grid.direction * (alongAxis * 3.0);
+
+    const RaySource source = SourceOfCamera(camera, grid, false);
+
+    EXPECT_EQ(source.origin, node);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(source.direction[axis] == 0, alongAxis[axis] == 0);
+    }
+  }
 }

@@ -66,6 +66,14 @@ double PathOf(const RenderScene& scene, int column, int row, double margin)
     first = std::fmax(first, std::fmin(low, high));
     last = std::fmin(last, std::fmax(low, high));
   }
+  for (const glm::dvec4& plane : scene.view.planes)
+  {
+    const double at = glm::dot(plane, glm::dvec4(from, 1.0));
+    const double behind = glm::dot(plane, glm::dvec4(from + way, 1.0));
+    const double crossing = at / (at - behind);
+    first = at < 0 ? std::fmax(first, behind < 0 ? 1.0 : crossing) : first;
+    last = at >= 0 && behind < 0 ? std::fmin(last, crossing) : last;
+  }
   return glm::length(way) * std::max(0.0, last - first);
 }
 
@@ -228,6 +236,22 @@ TEST_P(HomogeneousBox, FollowsBeersLawUpToOpaqueGeometry)
   }
   scene.depth[400] = -1;
   scene.depth[401] = 1;
+
+  ExpectBeersLaw(scene, extinction);
+}
+
+TEST_P(HomogeneousBox, FollowsBeersLawBetweenPlanes)
+{
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
+  const auto behind = [&](const Vec3& normal, double distance)
+  {
+    const Vec3 point = scene.grid.Centre() + distance * normal;
+    scene.view.planes.emplace_back(normal, -glm::dot(normal, point));
+  };
+  behind({ 0.8, 0.6, 0 }, -2.3);
+  behind({ 0, -0.6, 0.8 }, -1.7);
+  behind({ 0, 0, -1 }, -3);
 
   ExpectBeersLaw(scene, extinction);
 }

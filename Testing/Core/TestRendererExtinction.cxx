@@ -79,6 +79,26 @@ TEST(RendererExtinction, WithoutAnyIsThatOfTheTransferFunction)
   EXPECT_NE(plain.rgba, changed.rgba);
 }
 
+TEST(RendererExtinction, IsThePartThatIsLeftAtTheNodes)
+{
+  RenderScene scene = Ordinary();
+  scene.extinction.clear();
+  scene.base.clear();
+  scene.lighting.enabled = false;
+  Renderer renderer;
+  scene.SetUp(renderer);
+  const std::vector<float> half(scene.scalars.size(), 0.5f);
+  renderer.SetScalars(scene.grid, scene.scalars.data(), half.data());
+  const Picture halved = Drawn(renderer, scene);
+
+  for (float& extinction : scene.functions.extinction)
+  {
+    extinction *= 0.5f;
+  }
+
+  ExpectSameButRounding(scene, halved, scene.Render(), 1);
+}
+
 TEST(RendererExtinction, IsForgottenWhenNullIsGiven)
 {
   RenderScene scene = Ordinary();

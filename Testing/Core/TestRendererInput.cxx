@@ -132,6 +132,17 @@ TEST(RendererInput, RejectsMatricesThatAreSingularOrNoNumbers)
   ExpectMessage([](RenderScene& s) { s.view.clipToWorld[3][3] = infinity; }, "finite");
 }
 
+TEST(RendererInput, RejectsMorePlanesThanRaysAreCutBy)
+{
+  const auto set = [](int count)
+  {
+    return [count](RenderScene& s)
+    { s.view.planes.assign(std::size_t(count), glm::dvec4(0, 0, 0, 1)); };
+  };
+  EXPECT_EQ(MessageAfter(set(16)), "");
+  ExpectMessage(set(17), "17");
+}
+
 TEST(RendererInput, RejectsSampleDistancesThatDoNotAdvance)
 {
   ExpectMessage([](RenderScene& s) { s.view.sampleDistance = 0; }, " 0");

@@ -109,7 +109,7 @@ int WrongValues(
 }
 }
 
-TEST(Slices, AreTheFieldWhateverWasThereBefore)
+TEST(SliceWindow, AreTheFieldWhateverWasThereBefore)
 {
   for (const double eyeX : { -60.0, 140.0 })
   {
@@ -125,7 +125,7 @@ TEST(Slices, AreTheFieldWhateverWasThereBefore)
   }
 }
 
-TEST(Slices, TwoWindowsDoNotShareMemory)
+TEST(SliceWindow, TwoWindowsDoNotShareMemory)
 {
   const SlicedScene scene(-60.0);
   const FaceFrustum& frustum = scene.frusta.front();

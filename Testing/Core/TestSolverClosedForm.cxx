@@ -6,7 +6,7 @@
 #include "BoxScene.h"
 #include "Tolerance.h"
 
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 
 #include <gtest/gtest.h>
 

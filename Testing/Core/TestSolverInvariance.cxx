@@ -235,6 +235,36 @@ TEST(SolverInvariance, KeepsUntouchedVoxelsBitForBit)
   EXPECT_GT(changed, 100u);
 }
 
+TEST(SolverInvariance, KeepsVoxelsOffTheLineOfSightOfABorderVoxelBitForBit)
+{
+  // One important voxel on a face along which rays graze.
+  const Vec3 along(-0.425, 1.0, -0.162); // the line of sight, per slice across y [index]
+  const Int3 important(0, 18, 0);
+  BoxScene scene(Int3(24), Vec3(0), Vec3(2.64, 0.647, 2.631));
+  scene.Fill(Everywhere(0.0118), Everywhere(0));
+  scene.importance[std::size_t(important.x + 24 * (important.y + 24 * important.z))] = 1;
+  scene.camera.parallel = true;
+  scene.camera.focalPoint = scene.grid.Centre();
+  scene.camera.position = scene.grid.Centre() - 40.0 * along * scene.grid.spacing;
+  scene.settings.weights.light = 0;
+
+  Solver solver = scene.MakeSolver();
+  solver.Run();
+
+  // The voxel is seen within one node; a node reads the rays about its neighbours, which are a node
+  // apart.
+  constexpr double reach = 3;
+  scene.ForEachNode(
+    [&](std::size_t node, int i, int j, int k)
+    {
+      const Vec3 line = Vec3(important) + along * double(j - important.y);
+      if (std::abs(i - line.x) > reach || std::abs(k - line.z) > reach)
+      {
+        EXPECT_EQ(solver.Extinction()[node], scene.extinction[node]) << i << ' ' << j << ' ' << k;
+      }
+    });
+}
+
 TEST(SolverInvariance, NeverTouchesEmptyVoxels)
 {
   const BoxScene scene = Onion();

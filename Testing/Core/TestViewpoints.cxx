@@ -117,6 +117,29 @@ TEST(ViewScore, IsFiniteFromInsideAndFromVeryFarAway)
   }
 }
 
+TEST(ViewScore, HasAFiniteSlopeWhereVoxelsAreOpaque)
+{
+  for (const float opticalDepth : { 10.0f, 100.0f, 1e4f, 1e8f })
+  {
+    BoxScene scene = Filled(Content::Borders);
+    std::mt19937 generator(11);
+    for (float& extinction : scene.extinction)
+    {
+      extinction = generator() % 2 == 0 ? opticalDepth : 0.0f; // voxels are about 1 wide
+    }
+    const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+    for (const Vec3& direction : RandomDirections(5))
+    {
+      for (const bool parallel : { false, true })
+      {
+        const ViewSlope slope = score.SlopeAt(OrbitOf(scene.grid, parallel).At(direction));
+        EXPECT_TRUE(std::isfinite(slope.score.visible)) << opticalDepth;
+        EXPECT_TRUE(std::isfinite(glm::length(slope.slope))) << opticalDepth;
+      }
+    }
+  }
+}
+
 TEST(ViewScore, DoesNotDependOnThreads)
 {
   const BoxScene scene = Filled(Content::Waves);

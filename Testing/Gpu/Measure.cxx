@@ -109,9 +109,9 @@ void MeasureSetUp(const SceneForSolver& scene, const Effort& effort, Json& resul
       return Repeat(effort, 1,
         [&]
         {
-          for (const RaySource& eye : { problem.camera, problem.light })
+          for (const RaySource& source : { problem.camera, problem.light })
           {
-            PlanSweep(problem.grid, *problem.occupancy, eye, { problem.settings.rayDensity });
+            PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity });
           }
         });
     });

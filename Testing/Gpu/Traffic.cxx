@@ -18,11 +18,11 @@ struct Sizes
   double light = 0;
 };
 
-double RaysOf(const Problem& problem, const RaySource& eye)
+double RaysOf(const Problem& problem, const RaySource& source)
 {
   double rays = 0;
   for (const PlannedFrustum& frustum :
-    PlanSweep(problem.grid, *problem.occupancy, eye, { problem.settings.rayDensity }))
+    PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity }))
   {
     rays += double(frustum.RayCount()) * double(frustum.SliceCount());
   }

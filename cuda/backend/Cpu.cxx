@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "backend/Backend.h"
+#include "backend/Interruption.h"
 #include "backend/ThreadTeam.h"
 
 #include <tbb/blocked_range.h>
@@ -55,6 +56,7 @@ void detail::ParallelRanges(Index count, Index grain, RangeFunction function, co
   {
     return;
   }
+  Interruptible::Check();
   if (count <= grain)
   {
     function(body, 0, count);
@@ -65,6 +67,10 @@ void detail::ParallelRanges(Index count, Index grain, RangeFunction function, co
     return;
   }
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, static_cast<std::size_t>(grain)),
-    [=](const tbb::blocked_range<Index>& range) { function(body, range.begin(), range.end()); });
+    [=](const tbb::blocked_range<Index>& range)
+    {
+      Interruptible::Check();
+      function(body, range.begin(), range.end());
+    });
 }
 }

@@ -21,7 +21,7 @@ class DeviceArray
 public:
   DeviceArray() = default;
 
-  /// Room for `count` values, not set. `what`: for the message if there is not enough memory.
+  /// Room for `count` values, not set. `what`: for the message if a GPU has not enough memory.
   DeviceArray(std::shared_ptr<AnyDevice> device, std::size_t count, const char* what)
     : Device(std::move(device))
     , Memory(static_cast<Value*>(this->Device->Allocate(count * sizeof(Value), what)))

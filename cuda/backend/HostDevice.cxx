@@ -4,43 +4,36 @@
 #include "backend/HostDevice.h"
 
 #include "backend/LargePages.h"
-#include "math/Require.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace limpid
 {
-namespace
-{
-void RequireMemory(const void* memory, std::size_t bytes, const char* what)
-{
-  LIMPID_REQUIRE(memory != nullptr,
-    "There are no " << bytes / 1000000 << " MB of memory for " << what
-                    << " (the optimisation needs them). Use a smaller volume.");
-}
-}
-
 std::shared_ptr<HostDevice> HostDevice::Shared()
 {
   static const auto shared = std::make_shared<HostDevice>();
   return shared;
 }
 
-void* HostDevice::Allocate(std::size_t bytes, const char* what)
+void* HostDevice::Allocate(std::size_t bytes, const char*)
 {
-  void* memory = std::malloc(std::max<std::size_t>(bytes, 1));
-  RequireMemory(memory, bytes, what);
-  UseLargePages(memory, bytes);
-  this->Memory.Add(bytes);
-  return memory;
+  return this->Take(std::malloc(std::max<std::size_t>(bytes, 1)), bytes);
 }
 
-void* HostDevice::AllocateZeros(std::size_t bytes, const char* what)
+void* HostDevice::AllocateZeros(std::size_t bytes, const char*)
 {
-  void* memory = std::calloc(std::max<std::size_t>(bytes, 1), 1);
-  RequireMemory(memory, bytes, what);
+  return this->Take(std::calloc(std::max<std::size_t>(bytes, 1), 1), bytes);
+}
+
+void* HostDevice::Take(void* memory, std::size_t bytes)
+{
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
   UseLargePages(memory, bytes);
   this->Memory.Add(bytes);
   return memory;

@@ -41,8 +41,8 @@ public:
 
   std::string Name() const { return CpuName(); }
 
-  /// Throws limpid::Error if there is not enough memory. `what`: for the message. This and all that
-  /// follows may be called by several threads.
+  /// Throws std::bad_alloc if there is not enough memory, as all that is not on a device does. This
+  /// and all that follows may be called by several threads.
   void* Allocate(std::size_t bytes, const char* what);
 
   /// Memory whose bytes are 0. What stays 0 takes no memory and no time where it is large.
@@ -158,6 +158,9 @@ private:
     const char* Label;
     Clock::time_point Start = Clock::now();
   };
+
+  /// What was allocated, or not.
+  void* Take(void* memory, std::size_t bytes);
 
   template <class Body>
   static void Visit(const Extent& extent, const Body& body)

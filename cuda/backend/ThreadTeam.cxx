@@ -76,17 +76,21 @@ public:
   explicit Members(int threads)
     : Shares(static_cast<std::size_t>(threads))
   {
-    for (int helper = 1; helper < threads; ++helper)
+    try
     {
-      this->Helpers.run([this, helper] { this->Help(static_cast<std::size_t>(helper)); });
+      for (int helper = 1; helper < threads; ++helper)
+      {
+        this->Helpers.run([this, helper] { this->Help(static_cast<std::size_t>(helper)); });
+      }
+    }
+    catch (...)
+    {
+      this->End(); // what has begun uses this object
+      throw;
     }
   }
 
-  ~Members()
-  {
-    this->Over.store(true, std::memory_order_relaxed);
-    this->Helpers.wait();
-  }
+  ~Members() { this->End(); }
 
   Members(const Members&) = delete;
   Members& operator=(const Members&) = delete;
@@ -126,6 +130,12 @@ private:
   {
     std::atomic<std::uint64_t> open{ 0 };
   };
+
+  void End()
+  {
+    this->Over.store(true, std::memory_order_relaxed);
+    this->Helpers.wait();
+  }
 
   /// What another thread does as long as the team lives. One that comes here while it waits for
   /// something else would never get it: for what the team's owner waits for, say.

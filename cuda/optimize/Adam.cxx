@@ -28,13 +28,13 @@ struct Level
   int count = 0; ///< of steps
 };
 
-/// The eye as seen from a grid over the same box with other nodes.
-RaySource Rescaled(const RaySource& eye, const Grid& from, const Grid& to)
+/// The source as seen from a grid over the same box with other nodes.
+RaySource Rescaled(const RaySource& source, const Grid& from, const Grid& to)
 {
-  RaySource other = eye;
+  RaySource other = source;
   const Vec3 scale = from.spacing / to.spacing;
-  other.origin = eye.origin * scale;
-  other.direction = eye.direction * scale;
+  other.origin = source.origin * scale;
+  other.direction = source.direction * scale;
   for (RaySource::Plane& plane : other.viewPlanes)
   {
     plane.normal = plane.normal / scale;

@@ -13,11 +13,11 @@ namespace limpid
 {
 namespace
 {
-/// The grid axis that an eye looks along, more than along the others.
-int DepthAxisOf(const RaySource& eye, const Grid& grid)
+/// The grid axis that rays from a source run along, more than along the others.
+int DepthAxisOf(const RaySource& source, const Grid& grid)
 {
   const Vec3 middle = 0.5 * Vec3(grid.nodes - 1);
-  const Vec3 along = glm::abs(eye.parallel ? eye.direction : middle - eye.origin);
+  const Vec3 along = glm::abs(source.parallel ? source.direction : middle - source.origin);
   const int xOrY = along.y > along.x ? 1 : 0;
   return along.z >= along[xOrY] ? 2 : xOrY;
 }

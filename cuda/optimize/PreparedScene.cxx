@@ -49,10 +49,10 @@ void RequireRange(const CheckedField& field, const FieldRange& found)
            << " (the energy of Eq. (21) is not defined there). Keep it " << field.range << '.');
 }
 
-void RequireDistance(const char* what, const RaySource& eye, const Grid& grid)
+void RequireDistance(const char* what, const RaySource& source, const Grid& grid)
 {
-  const double distance = glm::length(eye.origin - 0.5 * Vec3(grid.nodes - 1));
-  LIMPID_REQUIRE(eye.parallel || distance < 1e12 * glm::length(Vec3(grid.nodes)),
+  const double distance = glm::length(source.origin - 0.5 * Vec3(grid.nodes - 1));
+  LIMPID_REQUIRE(source.parallel || distance < 1e12 * glm::length(Vec3(grid.nodes)),
     "The " << what << " is " << distance / glm::length(Vec3(grid.nodes))
            << " image diagonals away (its rays cannot be told apart). Move it closer or use a "
               "parallel projection.");

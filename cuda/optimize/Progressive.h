@@ -49,7 +49,8 @@ public:
   void Preview(double seconds);
 
   /// The next iteration at full resolution; the first call for a view only prepares. Previews stay
-  /// shown until the first iteration. Returns whether there is nothing left to do.
+  /// shown until the first iteration. Returns whether there is nothing left to do. After an
+  /// exception from here or Preview, this object is of no more use.
   bool Refine();
 
   bool Converged() const; ///< whether Refine has nothing left to do for the present view

@@ -4,7 +4,7 @@
 #include "optimize/Solver.h"
 
 #include "backend/Backend.h"
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 #include "math/Require.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/SolverBackend.h"

@@ -63,7 +63,8 @@ public:
   void SetInitialExtinction(const float* extinction);
 
   /// Runs up to `iterations` further iterations. Returns whether there is nothing left to do:
-  /// converged, or iterations or time used up, or stopped by `progress`.
+  /// converged, or iterations or time used up, or stopped by `progress`. After an exception, the
+  /// solver is of no more use; the scene is.
   bool Step(int iterations, const Progress& progress = {});
 
   /// Step until there is nothing left to do.

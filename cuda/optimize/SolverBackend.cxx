@@ -5,7 +5,7 @@
 
 #include "optimize/SolverBackend.h"
 
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 #include "optimize/Adam.h"
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"

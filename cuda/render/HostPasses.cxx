@@ -4,6 +4,7 @@
 // The passes that the processor does in a form of its own.
 
 #include "backend/HostDevice.h"
+#include "backend/Interruption.h"
 #include "render/ExtinctionOverlay.h"
 #include "render/Raycast.h"
 
@@ -96,6 +97,7 @@ void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays)
   ParallelFor(Index(across) * down,
     [&](Index tile)
     {
+      Interruptible::Check();
       const int left = int(tile % across) * tileWidth;
       const int bottom = int(tile / across) * tileHeight;
       for (int row = bottom; row < std::min(bottom + tileHeight, rays.rows); ++row)

@@ -29,6 +29,10 @@ void RequireView(const View& view)
     "Rays end below the transmittance " << view.opaqueBelow
                                         << " (transmittance lies between 0 and 1, and a ray begins "
                                            "with 1). Set a number from 0 to below 1.");
+  LIMPID_REQUIRE(view.planes.size() <= std::size_t(RayMaker::mostPlanes),
+    "There are " << view.planes.size()
+                 << " clipping planes, with 6 for a crop box (rays are cut by "
+                 << RayMaker::mostPlanes << " at most). Remove some.");
 }
 
 RayMaker::RayMaker(const Grid& grid, double stepLength, const View& view)
@@ -51,5 +55,10 @@ RayMaker::RayMaker(const Grid& grid, double stepLength, const View& view)
   }
   worldToIndex[3] = glm::dvec4(grid.PointToIndex(Vec3(0.0)), 1.0);
   this->ClipToIndex = worldToIndex * view.clipToWorld;
+  const glm::dmat4 indexToWorld = glm::inverse(worldToIndex);
+  for (const glm::dvec4& plane : view.planes)
+  {
+    this->Planes[this->PlaneCount++] = plane * indexToWorld;
+  }
 }
 }

@@ -42,10 +42,12 @@ void RequireView(const View& view);
 class RayMaker
 {
 public:
+  static constexpr int mostPlanes = 16;
+
   /// `stepLength`: between samples [length].
   RayMaker(const Grid& grid, double stepLength, const View& view);
 
-  /// The ray of a pixel up to clip z = `end`; false: it misses the box.
+  /// The ray of a pixel up to clip z = `end`; false: it misses what the planes leave of the box.
   LIMPID_HD bool Make(int column, int row, double end, Ray& ray) const
   {
     const double x = 2 * (column + 0.5) / this->Width - 1;
@@ -67,6 +69,21 @@ public:
         last = out < last ? out : last;
       }
       else if (from[axis] < 0 || from[axis] > far)
+      {
+        return false;
+      }
+    }
+    for (int i = 0; i < this->PlaneCount; ++i)
+    {
+      const double at = glm::dot(this->Planes[i], glm::dvec4(from, 1.0));
+      const double along = glm::dot(Vec3(this->Planes[i]), way);
+      if (along != 0)
+      {
+        const double crossing = -at / along;
+        first = along > 0 && first < crossing ? crossing : first;
+        last = along < 0 && crossing < last ? crossing : last;
+      }
+      else if (at < 0)
       {
         return false;
       }
@@ -118,6 +135,8 @@ private:
   }
 
   glm::dmat4 ClipToIndex;
+  glm::dvec4 Planes[mostPlanes]; ///< of the view [index]
+  int PlaneCount = 0;
   Mat3 Direction;
   Vec3 Spacing;
   Vec3 Origin;

@@ -36,7 +36,7 @@ public:
   virtual ~RenderBackend() = default;
 
   /// See Renderer. The grid may be without volume; then nothing else is called.
-  virtual void SetScalars(const Grid& grid, const float* scalars) = 0;
+  virtual void SetScalars(const Grid& grid, const float* scalars, const float* shares) = 0;
 
   virtual void SetTransferFunctions(const Classification& classification) = 0;
 

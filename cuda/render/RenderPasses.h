@@ -45,7 +45,7 @@ public:
   {
   }
 
-  void SetScalars(const Grid& grid, const float* scalars) override
+  void SetScalars(const Grid& grid, const float* scalars, const float* shares) override
   {
     this->Nodes = grid;
     this->Scalars = {};
@@ -56,7 +56,7 @@ public:
       return;
     }
     const auto count = static_cast<std::size_t>(grid.NodeCount());
-    ScalarField field(grid, scalars);
+    ScalarField field(grid, scalars, shares);
     this->Scalars.Borrow(this->Device, field.values, count, "the scalars");
     if (!field.filled.empty())
     {
@@ -201,14 +201,23 @@ public:
 private:
   using Field = DeviceArray<AnyDevice, float>;
 
-  /// Moves what is shown. `casts`: whether it casts the shadows.
+  /// Moves what is shown; if that cannot be done, nothing is. `casts`: whether it casts the
+  /// shadows.
   void Move(const Grid& grid, const float* base, const float* extinction, double share, bool casts)
   {
-    const auto count = static_cast<std::size_t>(grid.NodeCount());
-    float* opaque = this->Opaque.RoomFor(this->Device, count, "what casts the shadows");
-    this->CoarseOpaque = {};
-    this->Shown.MoveTo(
-      grid, base, extinction, this->Functions.Majorant(), share, casts ? opaque : nullptr);
+    try
+    {
+      const auto count = static_cast<std::size_t>(grid.NodeCount());
+      float* opaque = this->Opaque.RoomFor(this->Device, count, "what casts the shadows");
+      this->CoarseOpaque = {};
+      this->Shown.MoveTo(
+        grid, base, extinction, this->Functions.Majorant(), share, casts ? opaque : nullptr);
+    }
+    catch (...)
+    {
+      this->ClearExtinction();
+      throw;
+    }
   }
 
   /// The transfer function's extinction of all scalars in some unit [1/length].
@@ -232,11 +241,11 @@ private:
     }
     if (this->CoarseOpaque.Empty() || grid.nodes != this->CoarseNodes)
     {
-      this->CoarseOpaque = {};
+      this->CoarseOpaque = {}; // first, so that there is room for the other one
+      Field coarse(this->Device, std::size_t(grid.NodeCount()), "a coarser extinction");
+      Resample(this->Device, from, this->Opaque.Data(), grid, coarse.Data());
+      this->CoarseOpaque = std::move(coarse);
       this->CoarseNodes = grid.nodes;
-      Resample(this->Device, from, this->Opaque.Data(), grid,
-        this->CoarseOpaque.RoomFor(
-          this->Device, std::size_t(grid.NodeCount()), "a coarser extinction"));
     }
     return this->CoarseOpaque.Data();
   }

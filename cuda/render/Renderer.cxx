@@ -4,7 +4,7 @@
 #include "render/Renderer.h"
 
 #include "backend/ComputeBackend.h"
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 #include "math/Require.h"
 #include "optimize/Levels.h"
 #include "render/RayScene.h"
@@ -112,19 +112,21 @@ struct Renderer::Internals
     {
       return false;
     }
-    this->shadowIsCurrent = true;
     if (this->backend->HasNoExtinction())
     {
       this->UseTransferFunction();
     }
-    if (!wanted)
+    if (wanted)
+    {
+      const Grid nodes = this->ShadowGrid();
+      this->backend->CastShadows(
+        nodes, SourceOfLight(this->lighting.light, nodes), this->shadowRayDensity);
+    }
+    else
     {
       this->backend->ClearShadows();
-      return true;
     }
-    const Grid nodes = this->ShadowGrid();
-    this->backend->CastShadows(
-      nodes, SourceOfLight(this->lighting.light, nodes), this->shadowRayDensity);
+    this->shadowIsCurrent = true;
     return true;
   }
 
@@ -186,13 +188,14 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::SetScalars(const Grid& grid, const float* scalars)
+void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* shares)
 {
   grid.Require();
   LIMPID_REQUIRE(
     scalars != nullptr, "There are no scalars (nothing tells what is where). Give an array.");
   Internals& state = *this->State;
-  state.backend->SetScalars(grid, scalars);
+  state.hasScalars = false; // in case that the next line throws
+  state.backend->SetScalars(grid, scalars, shares);
   state.grid = grid;
   state.hasScalars = true;
   state.bricksAreCurrent = false;
@@ -204,6 +207,7 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
 {
   Internals& state = *this->State;
   const Classification classification(functions);
+  state.hasFunctions = false; // in case that the next line throws
   state.backend->SetTransferFunctions(classification);
   state.majorant = classification.Majorant();
   state.hasFunctions = true;

@@ -60,6 +60,10 @@ struct View
   /// Clip z in [-1, 1] at which the ray of a pixel ends, width * height values; null: all at 1.
   const float* depth = nullptr;
 
+  /// Rays run where dot(plane, (x, y, z, 1)) >= 0 for all of these planes, in world coordinates;
+  /// RayMaker::mostPlanes at most.
+  std::vector<glm::dvec4> planes;
+
   double sampleDistance = 1; ///< between samples, in units of the smallest spacing, > 0
   bool jitter = false;       ///< shift the samples of each ray by a fixed pseudo-random amount
   bool skipEmpty = true;     ///< leave out what is empty; never changes the picture
@@ -96,8 +100,10 @@ public:
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// The scalars at the nodes of a grid, NodeCount() values; NaN: an empty node.
-  void SetScalars(const Grid& grid, const float* scalars);
+  /// The scalars at the nodes of a grid, NodeCount() values; NaN: an empty node. `shares`: the part
+  /// of the transfer function's extinction that is left at each node [0, 1]; null: all of it. They
+  /// are copied.
+  void SetScalars(const Grid& grid, const float* scalars, const float* shares = nullptr);
 
   /// Call it again when a function has changed.
   void SetTransferFunctions(const TransferFunctions& functions);

@@ -36,10 +36,14 @@ float NeighbourMean(const Int3& nodes, const float* values, const Int3& at, floa
 }
 }
 
-ScalarField::ScalarField(const Grid& grid, const float* scalars)
+ScalarField::ScalarField(const Grid& grid, const float* scalars, const float* shares)
   : values(scalars)
 {
   const Index count = grid.NodeCount();
+  if (shares)
+  {
+    this->filled.assign(shares, shares + count);
+  }
   const double bad = ParallelBlockSum(count,
     [&](Index begin, Index end)
     {
@@ -55,7 +59,10 @@ ScalarField::ScalarField(const Grid& grid, const float* scalars)
     return;
   }
   this->mended.assign(scalars, scalars + count);
-  this->filled.assign(std::size_t(count), 1.0f);
+  if (!shares)
+  {
+    this->filled.assign(std::size_t(count), 1.0f);
+  }
   const float* finite =
     std::find_if(scalars, scalars + count, [](float value) { return std::isfinite(value); });
   const float otherwise = finite < scalars + count ? *finite : 0.0f;

@@ -15,10 +15,10 @@ struct ScalarField
 {
   const float* values = nullptr; ///< finite
   std::vector<float> mended;     ///< the values, if some were not finite: those of a neighbour
-  std::vector<float> filled;     ///< 0 at those nodes, 1 elsewhere; empty: all are filled
+  std::vector<float> filled;     ///< 0 at those nodes, else what is left; empty: all are filled
 
   ScalarField() = default;
-  ScalarField(const Grid& grid, const float* scalars);
+  ScalarField(const Grid& grid, const float* scalars, const float* shares);
 };
 }
 

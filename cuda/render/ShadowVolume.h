@@ -6,7 +6,7 @@
 
 #include "backend/CompiledDevice.h"
 #include "backend/HostDevice.h"
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 
 #include <memory>
 #include <optional>

@@ -89,11 +89,11 @@ Grid AxisPermutation::Of(const Grid& grid) const
   return ordered;
 }
 
-RaySource AxisPermutation::Of(const RaySource& eye) const
+RaySource AxisPermutation::Of(const RaySource& source) const
 {
-  RaySource ordered = eye;
-  ordered.origin = InOrder(eye.origin, this->axes);
-  ordered.direction = InOrder(eye.direction, this->axes);
+  RaySource ordered = source;
+  ordered.origin = InOrder(source.origin, this->axes);
+  ordered.direction = InOrder(source.direction, this->axes);
   for (RaySource::Plane& plane : ordered.viewPlanes)
   {
     plane.normal = InOrder(plane.normal, this->axes);

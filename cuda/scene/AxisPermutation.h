@@ -20,7 +20,7 @@ struct AxisPermutation
   Grid Of(const Grid& grid) const;
 
   /// The same rays in the index space of that grid.
-  RaySource Of(const RaySource& eye) const;
+  RaySource Of(const RaySource& source) const;
 };
 
 /// Copies a field on a grid to the other order, whole.

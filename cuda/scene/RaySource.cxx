@@ -7,6 +7,7 @@
 #include "scene/Grid.h"
 
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace limpid
@@ -28,6 +29,24 @@ std::ostream& operator<<(std::ostream& stream, const Text& text)
   return stream << '(' << text.v.x << ", " << text.v.y << ", " << text.v.z << ')';
 }
 
+/// What conversions to index space may be off by, relative to what goes in.
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// A position in index space; on a plane of nodes where only rounding puts it beside. On which side
+/// of a face an eye is decides whether it sees along the face.
+Vec3 IndexOf(const Vec3& position, const Grid& grid)
+{
+  Vec3 index = grid.PointToIndex(position);
+  const double size = glm::length(position) + glm::length(grid.origin);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double node = std::round(index[axis]);
+    const bool beside = std::abs(index[axis] - node) * grid.spacing[axis] <= rounding * size;
+    index[axis] = beside ? node : index[axis];
+  }
+  return index;
+}
+
 /// From `from` to `to`, normalised.
 Vec3 DirectionOf(const char* what, const Vec3& from, const Vec3& to)
 {
@@ -40,6 +59,19 @@ Vec3 DirectionOf(const char* what, const Vec3& from, const Vec3& to)
     "The " << what << " is at its own focal point " << Text{ to }
            << " (it looks in no direction). Move one of the two.");
   return difference / length;
+}
+
+/// DirectionOf in index space; along a plane of nodes where only rounding lets it leave one.
+Vec3 IndexDirectionOf(const char* what, const Vec3& from, const Vec3& to, const Grid& grid)
+{
+  Vec3 index = grid.DirectionToIndex(DirectionOf(what, from, to));
+  const double size = (glm::length(from) + glm::length(to)) / glm::length(to - from);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool leaves = std::abs(index[axis]) * grid.spacing[axis] > rounding * (1 + size);
+    index[axis] = leaves ? index[axis] : 0.0;
+  }
+  return index;
 }
 
 /// A world plane through `point` with inward `normal` as a condition on rays in index space.
@@ -162,8 +194,8 @@ RaySource SourceOfCamera(const Camera& camera, const Grid& grid, bool restrictTo
   hasCorners ? RequireCorners(camera) : RequireOpening(camera);
   RaySource eye;
   eye.parallel = camera.parallel;
-  eye.origin = grid.PointToIndex(camera.position);
-  eye.direction = grid.DirectionToIndex(forward);
+  eye.origin = IndexOf(camera.position, grid);
+  eye.direction = IndexDirectionOf("camera", camera.position, camera.focalPoint, grid);
   if (restrictToView)
   {
     hasCorners ? AddCorners(eye, camera, grid, forward) : AddOpening(eye, camera, grid, forward);
@@ -177,7 +209,7 @@ RaySource SourceOfLight(const Light& light, const Grid& grid)
   eye.parallel = light.type == LightType::Directional;
   if (eye.parallel)
   {
-    eye.direction = grid.DirectionToIndex(DirectionOf("light", light.position, light.focalPoint));
+    eye.direction = IndexDirectionOf("light", light.position, light.focalPoint, grid);
   }
   else
   {
@@ -185,7 +217,7 @@ RaySource SourceOfLight(const Light& light, const Grid& grid)
       "The light's position " << Text{ light.position }
                               << " is not finite (no ray starts there). Set finite coordinates.");
   }
-  eye.origin = grid.PointToIndex(light.position);
+  eye.origin = IndexOf(light.position, grid);
   return eye;
 }
 }

@@ -30,23 +30,90 @@ void ExtendRows(const ColumnSpans& by, int count, const ColumnSpans& spans)
   }
 }
 
-/// One ray more on every side: voxels there read these rays, too. `spans`: those of the row in
-/// front come first.
-LIMPID_MULTIVERSION
-void WidenRows(const ColumnSpans& spans, int count, int columns, Range<int>* __restrict wider)
+/// The voxels of a slice along one axis, as readers of its rays.
+struct AxisReaders
 {
-  const int* __restrict begins = spans.begins;
-  const int* __restrict ends = spans.ends;
-  for (int i = 0; i < count; ++i)
+  const int* index;       ///< of the map from voxels to rays
+  const int* firstVoxels; ///< see FaceFrustum::firstVoxels
+  int nodes;
+  Range<int> owned;    ///< those that the frustum owns
+  Range<int> sides[2]; ///< those of them that are not between rays that enter in front
+
+  /// `front`: rays that enter in front.
+  AxisReaders(const int* indices, const int* first, int count, const Range<int>& ownVoxels,
+    const Range<int>& front)
+    : index(indices)
+    , firstVoxels(first)
+    , nodes(count)
+    , owned(ownVoxels)
   {
-    const int sideBegin = begins[i] < begins[i + 2] ? begins[i] : begins[i + 2];
-    const int begin = begins[i + 1] < sideBegin ? begins[i + 1] : sideBegin;
-    const int sideEnd = ends[i] > ends[i + 2] ? ends[i] : ends[i + 2];
-    const int end = ends[i + 1] > sideEnd ? ends[i + 1] : sideEnd;
-    wider[i].begin = begin > 0 ? begin - 1 : 0;
-    wider[i].end = end < columns ? end + 1 : columns;
+    const Range<int> between =
+      front.Empty() ? Range<int>{} : Range<int>{ first[front.begin], first[front.end - 1] };
+    const Range<int> inFront =
+      between.Empty() ? Range<int>{ ownVoxels.end, ownVoxels.end } : between;
+    this->sides[0] = Intersection(ownVoxels, { 0, inFront.begin });
+    this->sides[1] = Intersection(ownVoxels, { inFront.end, count });
   }
-}
+
+  /// The rays that one of the voxels reads together with one of `rays`: a voxel reads those about
+  /// itself and about its neighbours (VoxelRow::FindSeen).
+  Range<int> ReadWith(const Range<int>& rays, const Range<int>& voxels) const
+  {
+    const Range<int> read = Intersection(rays, this->ReadBy(voxels));
+    if (read.Empty())
+    {
+      return {};
+    }
+    return this->ReadBy(Intersection(voxels,
+      { this->firstVoxels[std::max(read.begin - 1, 0)] - 1, this->firstVoxels[read.end] + 1 }));
+  }
+
+private:
+  Range<int> ReadBy(const Range<int>& voxels) const
+  {
+    return voxels.Empty() ? Range<int>{}
+                          : Range<int>{ this->index[std::max(voxels.begin - 1, 0)],
+                              this->index[std::min(voxels.end, this->nodes - 1)] + 2 };
+  }
+};
+
+/// The voxels of a slice, as readers of its rays.
+struct SliceReaders
+{
+  AxisReaders rows;
+  AxisReaders columns;
+  ColumnSpans needed; ///< rays at stake
+
+  /// The rays of a row that voxels read together with those at stake, where their transmittance
+  /// counts even if nothing is seen along them: between rays that enter through a side, as there
+  /// the mean over rays is exchanged (VoxelRow::FindSeen).
+  Range<int> ReadWithNeeded(int row) const
+  {
+    const Range<int> here = this->NeededBy(this->rows.owned, row);
+    Range<int> read;
+    for (int side = 0; side < 2 && !here.Empty(); ++side)
+    {
+      const Range<int> there = this->NeededBy(this->rows.sides[side], row);
+      read = Hull(read, this->columns.ReadWith(there, this->columns.owned));
+      read = Hull(read, this->columns.ReadWith(here, this->columns.sides[side]));
+    }
+    return read;
+  }
+
+private:
+  /// What the rows of rays need that voxels read together with this one.
+  Range<int> NeededBy(const Range<int>& voxels, int row) const
+  {
+    const Range<int> read = this->rows.ReadWith({ row, row + 1 }, voxels);
+    Range<int> hull{ noColumn, -noColumn };
+    for (int other = read.begin; other < read.end; ++other)
+    {
+      hull = { std::min(hull.begin, this->needed.begins[other]),
+        std::max(hull.end, this->needed.ends[other]) };
+    }
+    return hull;
+  }
+};
 
 /// Rays that have not entered the box at a depth.
 struct Outside
@@ -136,8 +203,9 @@ VisitedRays ExtentOf(const Range<int>* active, int count)
 class ActiveSpanFinder
 {
 public:
-  ActiveSpanFinder(PlannedFrustum& frustum, const Occupancy& occupancy)
+  ActiveSpanFinder(PlannedFrustum& frustum, const Occupancy& occupancy, Readers readers)
     : Target(frustum)
+    , ReadByVoxels(readers == Readers::RaysAndVoxels)
     , Skips(occupancy.Skips())
     , Slices(frustum.SliceCount())
     , Occupied(frustum, occupancy)
@@ -149,12 +217,12 @@ public:
 
   void Find()
   {
-    ParallelFor(this->Blocks,
-      [&](Index block)
+    this->FindFirstRows();
+    this->ForBlocks([&](Index, const Range<int>& rows) { this->FollowToFront(rows); });
+    this->ForBlocks(
+      [&](Index block, const Range<int>& rows)
       {
-        const int first = static_cast<int>(block) * rowsPerBlock;
-        const Range<int> rows{ first, std::min(first + rowsPerBlock, this->Target.rows) };
-        this->FollowToFront(rows);
+        this->Activate(rows);
         this->FollowToBack(rows, this->Extents.data() + block * this->Slices);
       });
     this->FindTouched();
@@ -162,6 +230,18 @@ public:
 
 private:
   static constexpr int rowsPerBlock = 64;
+
+  /// Calls visit(block, rows) for all blocks of rows.
+  template <class Visit>
+  void ForBlocks(const Visit& visit)
+  {
+    ParallelFor(this->Blocks,
+      [&](Index block)
+      {
+        const int first = static_cast<int>(block) * rowsPerBlock;
+        visit(block, Range<int>{ first, std::min(first + rowsPerBlock, this->Target.rows) });
+      });
+  }
 
   /// Columns of rays that enter the box in u behind each slice. They are neighbours, as these
   /// rays all come from the same side.
@@ -200,6 +280,36 @@ private:
   /// What is important on a slice is at stake on all slices in front of it.
   void FollowToFront(const Range<int>& rows)
   {
+    for (int s = this->Slices - 2; s >= 0; --s)
+    {
+      ExtendRows(From(this->Occupied.Important(s + 1), rows.begin), rows.end - rows.begin,
+        From(this->Occupied.Important(s), rows.begin));
+    }
+  }
+
+  /// Finds the first voxel rows that read every row of rays, see FaceFrustum::firstVoxels.
+  void FindFirstRows()
+  {
+    this->FirstRows.resize(std::size_t(this->Slices) * std::size_t(this->Target.rows + 1));
+    ParallelFor(this->Slices,
+      [&](Index s)
+      {
+        if (this->IsRead(static_cast<int>(s)))
+        {
+          FindFirstTargets(this->Target.Row(this->Target.voxelRows, s).index, this->Target.nodesV,
+            this->Target.rows, this->FirstRows.data() + s * (this->Target.rows + 1));
+        }
+      });
+  }
+
+  /// Whether voxels of a slice read rays.
+  bool IsRead(int s) const { return this->ReadByVoxels && this->Target.SliceAt(s).node >= 0; }
+
+  /// Finds the active columns of every row: those at stake, and where voxels need the
+  /// transmittance of all the rays that they read, all these. What is active on a slice is so on
+  /// all slices in front of it.
+  void Activate(const Range<int>& rows)
+  {
     const int count = rows.end - rows.begin;
     if (!this->Skips)
     {
@@ -209,19 +319,37 @@ private:
       }
       return;
     }
-    int begins[rowsPerBlock + 2];
-    int ends[rowsPerBlock + 2];
-    std::fill_n(begins, rowsPerBlock + 2, noColumn);
-    std::fill_n(ends, rowsPerBlock + 2, -noColumn);
-    const ColumnSpans needed{ begins, ends };
-    const int first = std::max(rows.begin - 1, 0);
-    const int last = std::min(rows.end + 1, this->Target.rows);
     for (int s = this->Slices - 1; s >= 0; --s)
     {
-      ExtendRows(From(this->Occupied.Important(s), first), last - first,
-        From(needed, first - (rows.begin - 1)));
-      WidenRows(needed, count, this->Target.columns, this->ActiveOf(s, rows.begin));
+      const Range<int>* behind = s + 1 < this->Slices ? this->ActiveOf(s + 1, 0) : nullptr;
+      Range<int>* active = this->ActiveOf(s, 0);
+      const ColumnSpans needed = this->Occupied.Important(s);
+      for (int row = rows.begin; row < rows.end; ++row)
+      {
+        const Range<int> here{ needed.begins[row], needed.ends[row] };
+        active[row] = behind ? Hull(here, behind[row]) : here;
+      }
+      if (this->IsRead(s))
+      {
+        const SliceReaders readers = this->ReadersOf(s);
+        for (int row = rows.begin; row < rows.end; ++row)
+        {
+          active[row] = Hull(active[row], readers.ReadWithNeeded(row));
+        }
+      }
     }
+  }
+
+  SliceReaders ReadersOf(int s) const
+  {
+    const FaceFrustum& frustum = this->Target;
+    const Slice& slice = frustum.SliceAt(s);
+    return { AxisReaders(frustum.Row(frustum.voxelRows, s).index,
+               this->FirstRows.data() + Index(s) * (frustum.rows + 1), frustum.nodesV,
+               slice.ownedRows, frustum.frontRows),
+      AxisReaders(frustum.Row(frustum.voxelColumns, s).index, frustum.Row(frustum.firstVoxels, s),
+        frustum.nodesU, slice.ownedColumns, frustum.frontColumns),
+      this->Occupied.Important(s) };
   }
 
   /// A ray that is needed before it has entered the box is needed until it has: its optical depth
@@ -291,17 +419,19 @@ private:
   }
 
   PlannedFrustum& Target;
+  bool ReadByVoxels;
   bool Skips;
   int Slices;
   OccupiedRays Occupied;
   std::vector<Range<int>> Outsides; ///< per slice
   Index Blocks;
   std::vector<VisitedRays> Extents; ///< [block][slice]
+  std::vector<int> FirstRows;       ///< [slice][row]
 };
 }
 
-void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy)
+void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy, Readers readers)
 {
-  ActiveSpanFinder(frustum, occupancy).Find();
+  ActiveSpanFinder(frustum, occupancy, readers).Find();
 }
 }

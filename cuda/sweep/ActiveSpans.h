@@ -10,8 +10,8 @@ namespace limpid
 {
 /// Finds the columns of every row of rays that can matter in every layer
 /// (FaceFrustum::activeRays), and the voxels that they touch. All other tables of rays have to be
-/// there.
-void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy);
+/// there, and the maps from voxels to rays if voxels read.
+void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy, Readers readers);
 }
 
 #endif

@@ -1,26 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The plan of a sweep: numbers and flat tables, which the processor and a device read alike.
+// The plan of a sweep: numbers and flat tables.
 
 #ifndef limpid_sweep_FaceFrustum_h
 #define limpid_sweep_FaceFrustum_h
 
-#include "math/Macros.h"
 #include "math/Range.h"
 #include "math/Vec.h"
+#include "sweep/FlatTables.h"
 #include "sweep/HalfLayer.h"
 
 namespace limpid
 {
-/// Linear interpolation at the targets of a row: target t reads source[index[t]] and
-/// source[index[t] + 1] with the weights 1 - weight[t] and weight[t].
-struct LinearMap
-{
-  const int* index;
-  const float* weight;
-};
-
 /// Where samples lie: a slice of voxels, or the plane of a point source itself; and the layer
 /// behind it up to the next slice, in which the last slice has none.
 struct Slice
@@ -42,20 +34,6 @@ struct Slice
   LIMPID_HD LIMPID_INLINE float RelativeDepth() const { return this->layer.front; }
 };
 
-/// Rows of values among the tables of a plan.
-template <class Value>
-struct Table
-{
-  Index offset = 0; ///< of the first row [bytes]
-  int rowLength = 0;
-};
-
-struct MapTable
-{
-  Table<int> index;
-  Table<float> weight;
-};
-
 /**
  * One family of rays and the slices it crosses.
  *
@@ -66,7 +44,7 @@ struct MapTable
  *
  * Rays have one guard on either side, which only serves interpolation.
  */
-struct FaceFrustum
+struct FaceFrustum : FlatTables
 {
   int axisU = 0; ///< grid axis of the columns
   int axisV = 1; ///< grid axis of the rows
@@ -89,7 +67,6 @@ struct FaceFrustum
   double cellMeasure = 0;
   bool seesAll = true; ///< whether the picture shows all rays
 
-  const unsigned char* tables = nullptr;
   Table<Slice> slices;
   MapTable planeColumns;         ///< [2 slice + half][column]: voxel column at a Gauss point
   MapTable planeRows;            ///< [2 slice + half][row]
@@ -111,18 +88,6 @@ struct FaceFrustum
   Table<int> firstVoxels; ///< [slice][column]: first voxel that reads the ray first, or later
   Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns whose rays matter
   Table<Range<int>> filledVoxels; ///< [slice][voxel row]: columns that may change
-
-  /// Row `row` of a table.
-  template <class Value>
-  LIMPID_HD LIMPID_INLINE const Value* Row(const Table<Value>& table, Index row = 0) const
-  {
-    return reinterpret_cast<const Value*>(this->tables + table.offset) + row * table.rowLength;
-  }
-
-  LIMPID_HD LIMPID_INLINE LinearMap Row(const MapTable& table, Index row) const
-  {
-    return { this->Row(table.index, row), this->Row(table.weight, row) };
-  }
 
   LIMPID_HD LIMPID_INLINE const Slice& SliceAt(int s) const { return this->Row(this->slices)[s]; }
   int SliceCount() const { return this->lastSlice + 1; }

@@ -134,21 +134,13 @@ OccupiedRays::OccupiedRays(const PlannedFrustum& frustum, const Occupancy& occup
       const int begin = static_cast<int>(task) * slicesPerTask;
       for (int slice = begin; slice < std::min(begin + slicesPerTask, slices); ++slice)
       {
-        frustum.SliceAt(slice).node < 0 ? this->FindAtEye(slice, frustum.columns)
-                                        : this->FindOnSlice(frustum, occupancy, slice, memory);
+        this->FindOnSlice(frustum, occupancy, slice, memory);
       }
     });
 }
 
-/// All rays start in the eye's cell; whatever it holds, the piece is short.
-void OccupiedRays::FindAtEye(int slice, int columns)
-{
-  std::fill_n(this->Filled(slice).begins, this->Rows, 0);
-  std::fill_n(this->Filled(slice).ends, this->Rows, columns);
-  std::fill_n(this->Important(slice).begins, this->Rows, noColumn);
-  std::fill_n(this->Important(slice).ends, this->Rows, -noColumn);
-}
-
+/// In the plane of an eye inside the grid there are no voxels: rays there are interpolated from the
+/// slice behind the eye.
 void OccupiedRays::FindOnSlice(
   const PlannedFrustum& frustum, const Occupancy& occupancy, int s, Memory& memory)
 {
@@ -156,7 +148,7 @@ void OccupiedRays::FindOnSlice(
   frustum.lateralU.FindRayNodes(slice.depth, memory.columnNodes.data());
   frustum.lateralV.FindRayNodes(slice.depth, memory.rowNodes.data());
   memory.CountColumns();
-  const SpanRows spans = SpansOf(frustum, occupancy, slice.node);
+  const SpanRows spans = SpansOf(frustum, occupancy, slice.node < 0 ? slice.nodes[0] : slice.node);
   std::fill(memory.reaches.begin(), memory.reaches.end(), outOfReach);
   Reach* reaches = memory.reaches.data() + rowsBefore;
   for (int v = 0; v < frustum.nodesV; ++v)

@@ -44,7 +44,6 @@ private:
     return { first, first + this->Rows };
   }
 
-  void FindAtEye(int slice, int columns);
   void FindOnSlice(
     const PlannedFrustum& frustum, const Occupancy& occupancy, int slice, Memory& memory);
 

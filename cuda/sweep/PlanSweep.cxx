@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <utility>
 
 namespace limpid
@@ -98,42 +97,6 @@ std::vector<Slice> PlaceSlices(const DepthAxis& depth)
   return slices;
 }
 
-/// Makes room for the tables of a plan.
-class TableRoom
-{
-public:
-  template <class Value>
-  void Add(Table<Value>& table, Index rows, int rowLength)
-  {
-    constexpr Index alignment = 256;
-    table.offset = this->Bytes;
-    table.rowLength = rowLength;
-    const Index end = this->Bytes + rows * rowLength * Index(sizeof(Value));
-    this->Bytes = (end + alignment - 1) / alignment * alignment;
-  }
-
-  void Add(MapTable& table, Index rows, int rowLength)
-  {
-    this->Add(table.index, rows, rowLength);
-    this->Add(table.weight, rows, rowLength);
-  }
-
-  /// Large memory comes as pages of zeros that need not be written.
-  void Give(PlannedFrustum& frustum) const
-  {
-    frustum.bytes = static_cast<std::size_t>(this->Bytes);
-    frustum.memory.reset(static_cast<unsigned char*>(std::calloc(frustum.bytes, 1)));
-    if (!frustum.memory)
-    {
-      throw std::bad_alloc();
-    }
-    frustum.tables = frustum.memory.get();
-  }
-
-private:
-  Index Bytes = 0;
-};
-
 void MakeTables(PlannedFrustum& frustum, Readers readers)
 {
   const Index count = frustum.SliceCount();
@@ -167,35 +130,27 @@ void MakeTables(PlannedFrustum& frustum, Readers readers)
   room.Give(frustum);
 }
 
-/// Fills the tables of the rays along one axis. A guard that does not enter the slab of the box
-/// before `back` runs along its border all the way. `scale`: width of a unit of the rays'
-/// coordinate at the far depth [index].
+/// Fills the tables of the rays along one axis. A guard that is beside the slab of the box all the
+/// way to `back` reads its border for as long as the ray beside it is inside. `scale`: width of a
+/// unit of the rays' coordinate at the far depth [index].
 void DescribeRays(const Lateral& lateral, double base, float back, double scale, float* entry,
   float* exit, float* share)
 {
-  constexpr Range<float> everywhere{ -1e30f, 1e30f };
   for (int ray = 0; ray < lateral.count; ++ray)
   {
     share[ray] = static_cast<float>(lateral.Width(ray) * scale);
     const Range<float> stay = lateral.StayOf(ray, base);
-    const bool misses = stay.begin >= back || stay.end <= 0 || stay.begin >= stay.end;
-    const Range<float> kept = misses && share[ray] == 0 ? everywhere : stay;
-    entry[ray] = kept.begin;
-    exit[ray] = kept.end;
+    entry[ray] = stay.begin;
+    exit[ray] = stay.end;
   }
-}
-
-/// Per ray, and one more: the first target whose first source it is, or a later one.
-void FindFirstTargets(const int* index, int targets, int sources, int* first)
-{
-  int target = 0;
-  for (int source = 0; source <= sources; ++source)
+  const int last = lateral.count - 1;
+  for (const auto& [guard, inner] : { std::pair{ 0, 1 }, std::pair{ last, last - 1 } })
   {
-    while (target < targets && index[target] < source)
+    if (entry[guard] >= back || exit[guard] <= 0 || entry[guard] >= exit[guard])
     {
-      ++target;
+      entry[guard] = entry[inner];
+      exit[guard] = exit[inner];
     }
-    first[source] = target;
   }
 }
 
@@ -383,7 +338,7 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
   frustum.frontRows =
     RaysEnteredBy(frustum.Row(frustum.rowEntry), frustum.rows, frustum.frontDepth);
   FillTables(frustum, slices, settings.readers);
-  FindActiveSpans(frustum, occupancy);
+  FindActiveSpans(frustum, occupancy, settings.readers);
   if (settings.readers == Readers::RaysAndVoxels)
   {
     FindVoxelSpans(frustum, occupancy);
@@ -402,6 +357,19 @@ bool RunAlong(const RaySource& source, int axis, double sign)
   return size[axis] >= size[(axis + 1) % 3] && size[axis] >= size[(axis + 2) % 3] &&
     source.direction[axis] * sign > 0;
 }
+}
+
+void FindFirstTargets(const int* index, int targets, int sources, int* first)
+{
+  int target = 0;
+  for (int source = 0; source <= sources; ++source)
+  {
+    while (target < targets && index[target] < source)
+    {
+      ++target;
+    }
+    first[source] = target;
+  }
 }
 
 Range<int> RaysEnteredBy(const float* entries, int count, float depth)

@@ -11,32 +11,16 @@
 #include "sweep/Occupancy.h"
 
 #include <array>
-#include <cstdlib>
-#include <memory>
 #include <vector>
 
 namespace limpid
 {
 /// A frustum that owns its tables, and what only its making needs.
-struct PlannedFrustum : FaceFrustum
+struct PlannedFrustum : OwnedTables<FaceFrustum>
 {
   Lateral lateralU;    ///< where the columns are
   Lateral lateralV;    ///< where the rows are
   Vec3 spacing{ 1.0 }; ///< world length of an index step along u, v, w
-
-  struct Free
-  {
-    void operator()(unsigned char* room) const noexcept { std::free(room); }
-  };
-  std::unique_ptr<unsigned char[], Free> memory; ///< what `tables` points to
-  std::size_t bytes = 0;
-
-  /// A row of a table to be written.
-  template <class Value>
-  Value* Room(const Table<Value>& table, Index row = 0)
-  {
-    return const_cast<Value*>(this->Row(table, row));
-  }
 };
 
 /// Who will read a plan.
@@ -62,6 +46,9 @@ std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupan
 /// Rays along an axis, guards apart, that are in the slab of the box by the time they come to a
 /// relative depth. They are neighbours. `entries`: of `count` rays.
 Range<int> RaysEnteredBy(const float* entries, int count, float depth);
+
+/// Per source of a map, and one more: the first target that reads the source first, or a later one.
+void FindFirstTargets(const int* index, int targets, int sources, int* first);
 
 /// The spans of all voxel rows on a slice of a frustum.
 struct SpanRows

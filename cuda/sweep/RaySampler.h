@@ -24,9 +24,9 @@ public:
   LIMPID_HD LIMPID_INLINE RaySampler(
     const FaceFrustum& frustum, const RayStates& here, int column, int row)
     : Frustum(frustum)
-    , Here(here)
     , I(column)
     , J(row)
+    , Here(here)
   {
   }
 
@@ -104,6 +104,10 @@ public:
 
   LIMPID_HD LIMPID_INLINE const FaceFrustum& Plan() const { return this->Frustum; }
 
+  /// This one.
+  LIMPID_HD LIMPID_INLINE int FirstColumn() const { return this->I; }
+  LIMPID_HD LIMPID_INLINE int FirstRow() const { return this->J; }
+
   LIMPID_HD LIMPID_INLINE RayStates States() const { return this->Here; }
 
   template <class Step>
@@ -151,8 +155,8 @@ public:
     }
   }
 
-private:
-  /// Where the ray meets the plane at a Gauss point.
+protected:
+  /// Where a ray meets a plane across the depth axis.
   struct Corner
   {
     Index offset;   ///< of the first of four nodes in a slice
@@ -160,24 +164,21 @@ private:
     float across;   ///< ... along v
   };
 
-  LIMPID_HD LIMPID_INLINE Corner CornerOf(int half) const
+  LIMPID_HD LIMPID_INLINE Corner CornerAt(
+    const LinearMap& columns, int column, const LinearMap& rows, int row) const
   {
-    const Index plane = 2 * Index(this->S) + half;
-    const LinearMap columns = this->Frustum.Row(this->Frustum.planeColumns, plane);
-    const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
-    return { this->Frustum.strideU * columns.index[this->I] +
-        this->Frustum.strideV * rows.index[this->J],
-      columns.weight[this->I], rows.weight[this->J] };
+    return { this->Frustum.strideU * columns.index[column] +
+        this->Frustum.strideV * rows.index[row],
+      columns.weight[column], rows.weight[row] };
   }
 
-  LIMPID_HD LIMPID_INLINE float SamplePlane(Field field, int half) const
+  /// Trilinear in the layer; `along`: weight of its second slice.
+  LIMPID_HD LIMPID_INLINE float SampleLayer(Field field, const Corner& corner, float along) const
   {
-    const Corner corner = this->CornerOf(half);
     const Slice& slice = this->Frustum.SliceAt(this->S);
     const Index strideV = this->Frustum.strideV;
     const float* front = field + this->Frustum.strideW * slice.nodes[0] + corner.offset;
     const float* back = field + this->Frustum.strideW * slice.nodes[1] + corner.offset;
-    const float along = slice.fractions[half];
     const auto column = [&](const float* f, const float* b)
     {
       const float first = f[0] + along * (b[0] - f[0]);
@@ -189,17 +190,33 @@ private:
     return left + corner.sideways * (right - left);
   }
 
+  const FaceFrustum& Frustum;
+  int I;
+  int J;
+  int S = 0; ///< slice in front of the layer
+  RayInLayer<Passage::Clipped> Ray{};
+
+private:
+  /// On the plane at a Gauss point.
+  LIMPID_HD LIMPID_INLINE Corner CornerOf(int half) const
+  {
+    const Index plane = 2 * Index(this->S) + half;
+    return this->CornerAt(this->Frustum.Row(this->Frustum.planeColumns, plane), this->I,
+      this->Frustum.Row(this->Frustum.planeRows, plane), this->J);
+  }
+
+  LIMPID_HD LIMPID_INLINE float SamplePlane(Field field, int half) const
+  {
+    return this->SampleLayer(
+      field, this->CornerOf(half), this->Frustum.SliceAt(this->S).fractions[half]);
+  }
+
   LIMPID_HD LIMPID_INLINE float InView() const
   {
     return this->Frustum.seesAll ? 1.0f : this->Frustum.Row(this->Frustum.inView, this->J)[this->I];
   }
 
-  const FaceFrustum& Frustum;
   RayStates Here;
-  int I;
-  int J;
-  int S = 0; ///< slice in front of the layer
-  RayInLayer<Passage::Clipped> Ray{};
 };
 
 /// One voxel on a slice of a frustum.

@@ -74,15 +74,16 @@ bool RayRow::EnterLayer(const FaceFrustum& frustum, int s, int number)
   return true;
 }
 
-RowSampler::RowSampler(const FaceFrustum& frustum, const RayStates& states, int row)
+RowSampler::RowSampler(
+  const FaceFrustum& frustum, const RayStates& states, int row, std::size_t more)
   : Frustum(frustum)
+  , RowNumber(row)
   , All(states)
   , First(frustum.RayAt(0, row))
-  , RowNumber(row)
 {
   const auto columns = std::size_t(frustum.columns);
   const std::size_t blend = RowScratch(std::max(frustum.nodesU, frustum.columns));
-  float* memory = ThreadScratch(4 * columns + 2 * blend);
+  float* memory = ThreadScratch(4 * columns + 2 * blend + more);
   for (std::size_t half = 0; half < 2; ++half)
   {
     this->Samples.extinction[half] = memory + half * columns;
@@ -91,6 +92,7 @@ RowSampler::RowSampler(const FaceFrustum& frustum, const RayStates& states, int 
     // Steps that count no importance do not read it, but it has to be somewhere.
     this->Rays.extinction[half] = this->Rays.importance[half] = this->Samples.extinction[half];
   }
+  this->More = memory + 4 * columns + 2 * blend;
   this->Rays.EnterRow(frustum, row);
 }
 

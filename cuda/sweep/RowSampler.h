@@ -77,6 +77,19 @@ LIMPID_MULTIVERSION void StepThroughLayer(const RayRow& row, const Step& step)
   }
 }
 
+/// Calls step(ray, column) for all columns of a row, each as one that may enter or leave the box.
+template <class Step>
+LIMPID_MULTIVERSION void StepClipped(const RayRow& row, const Step& step)
+{
+  const RayRow rays = row;
+  const Step body = step;
+#pragma GCC ivdep
+  for (int i = rays.columns.begin; i < rays.columns.end; ++i)
+  {
+    body(rays.template At<Passage::Clipped>(i), i);
+  }
+}
+
 /// Calls step(ray, column) for all columns of a row as if they were inside the box.
 template <class Step>
 LIMPID_MULTIVERSION void StepRegardless(const RayRow& row, const Step& step)
@@ -110,8 +123,8 @@ class RowSampler
 public:
   using Field = SliceWindow*;
 
-  /// Takes the calling thread's scratch memory.
-  RowSampler(const FaceFrustum& frustum, const RayStates& states, int row);
+  /// Takes the calling thread's scratch memory; `more`: values of it that are for others.
+  RowSampler(const FaceFrustum& frustum, const RayStates& states, int row, std::size_t more = 0);
 
   /// Selects the rays that have to be visited in the layer behind slice `s`; with `areaWeighted`
   /// they widen (Deviation D1). Returns whether there are any.
@@ -140,6 +153,10 @@ public:
   bool SelectReadBySlice(int s, bool entered, const Range<int>& dimmed);
 
   const FaceFrustum& Plan() const { return this->Frustum; }
+
+  /// The first ray.
+  int FirstColumn() const { return 0; }
+  int FirstRow() const { return this->RowNumber; }
 
   /// What the rays of this row carry.
   RayStates States() const { return this->All.From(this->First); }
@@ -180,6 +197,13 @@ public:
     }
   }
 
+protected:
+  const FaceFrustum& Frustum;
+  int RowNumber;
+  int S = 0; ///< slice in front of the layer
+  RayRow Rays{};
+  float* More; ///< scratch memory that was asked for
+
 private:
   /// Rows of samples; `blend` is for what is not kept.
   struct Scratch
@@ -196,12 +220,8 @@ private:
   void HideOutOfView(float* importance) const;
   void Prefetch(Field field, const Range<int>& columns) const;
 
-  const FaceFrustum& Frustum;
   RayStates All;
   Index First; ///< ray of the row
-  int RowNumber;
-  int S = 0; ///< slice in front of the layer
-  RayRow Rays{};
   Scratch Samples{};
 };
 

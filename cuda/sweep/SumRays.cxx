@@ -8,6 +8,7 @@ namespace limpid
 double SumOfRays(const FaceFrustum& frustum, const float* values)
 {
   constexpr Index rowsPerTask = 16;
+  constexpr int guard = 1; // on either side; it stands for no part of the box, see FaceFrustum
   const float* columnShare = frustum.Row(frustum.columnShare);
   std::vector<double> rows(std::size_t(frustum.rows));
   ParallelFor(frustum.rows, rowsPerTask,
@@ -16,11 +17,12 @@ double SumOfRays(const FaceFrustum& frustum, const float* values)
       const float* length = frustum.Row(frustum.length, row);
       const float* here = values + row * frustum.columns;
       double part = 0;
-      for (int column = 0; column < frustum.columns; ++column)
+      for (int column = guard; column < frustum.columns - guard; ++column)
       {
         part += columnShare[column] / double(length[column]) * here[column];
       }
-      rows[std::size_t(row)] = part * frustum.Row(frustum.rowShare)[row];
+      const bool counts = row >= guard && row < frustum.rows - guard;
+      rows[std::size_t(row)] = counts ? part * frustum.Row(frustum.rowShare)[row] : 0.0;
     });
   return frustum.cellMeasure * std::accumulate(rows.begin(), rows.end(), 0.0);
 }

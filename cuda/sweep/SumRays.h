@@ -10,7 +10,9 @@
 #include "backend/SumOnDevice.h"
 #include "sweep/FrustumRays.h"
 
+#include <algorithm>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace limpid
@@ -28,10 +30,11 @@ struct Visible
     return *this;
   }
 
-  /// How much of what is important can be seen [0, 1].
+  /// How much of what is important can be seen [0, 1]. Of thin media the two sums differ by
+  /// rounding only.
   double Fraction() const
   {
-    return this->unattenuated > 0 ? this->visible / this->unattenuated : 0.0;
+    return this->unattenuated > 0 ? std::min(this->visible / this->unattenuated, 1.0) : 0.0;
   }
 };
 
@@ -67,10 +70,33 @@ struct WeightedRay
     const Index ray = number - part.first;
     const double shareU = frustum.Row(frustum.columnShare)[ray % frustum.columns];
     const double shareV = frustum.Row(frustum.rowShare)[ray / frustum.columns];
-    return frustum.cellMeasure * shareU * shareV / double(frustum.Row(frustum.length)[ray]) *
-      part.values[ray];
+    const double share = frustum.cellMeasure * shareU * shareV;
+    // What a guard carries may be no number.
+    return share > 0 ? share / double(frustum.Row(frustum.length)[ray]) * part.values[ray] : 0.0;
   }
 };
+}
+
+/// The same on a device, for the host: waits.
+template <class AnyDevice>
+double SumOfRays(
+  const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, const float* values)
+{
+  if constexpr (std::is_same_v<AnyDevice, HostDevice>)
+  {
+    return SumOfRays(frustum, values);
+  }
+  else
+  {
+    detail::WeightedRay rays;
+    rays.parts[rays.count++] = { frustum, values, 0 };
+    SumOnDevice<AnyDevice> add(device);
+    DeviceArray<AnyDevice, double> there(device, 1, "sums");
+    add("sum of rays", frustum.RayCount(), rays, there.Data());
+    double sum = 0;
+    there.Download(&sum);
+    return sum;
+  }
 }
 
 /// What all rays have seen, into `sum` on the device. Does not wait.

@@ -99,7 +99,7 @@ struct SliceImages
 };
 
 /// A ray through all layers, front to back.
-template <class Kernel>
+template <class Ray, class Kernel>
 struct ForwardRay
 {
   FaceFrustum frustum;
@@ -110,7 +110,7 @@ struct ForwardRay
   {
     RayHere here;
     StartInFront{ here.States() }(0);
-    RaySampler ray(this->frustum, here.States(), i, j);
+    Ray ray(this->frustum, here.States(), i, j);
     for (int s = 0; s < this->frustum.lastSlice; ++s)
     {
       this->kernel.RayStep(ray, s);
@@ -269,14 +269,14 @@ void LaunchSlices(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel&
 }
 }
 
-/// Front to back: every ray through all layers, in one launch.
-template <class AnyDevice, class Kernel>
+/// Front to back: every ray through all layers, in one launch. `Ray`: how it is sampled.
+template <class Ray = RaySampler, class AnyDevice, class Kernel>
 void SweepForward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
 {
   const FaceFrustum& frustum = rays.Plan();
   device.ForEach(Kernel::label, detail::ExtentOfRays(frustum),
-    detail::ForwardRay<Kernel>{ frustum, rays.States(), kernel });
+    detail::ForwardRay<Ray, Kernel>{ frustum, rays.States(), kernel });
 }
 
 /// Back to front over all slices of voxels, for a kernel whose rays do not depend on what it does

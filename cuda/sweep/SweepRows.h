@@ -64,8 +64,9 @@ private:
   std::deque<SliceWindow> All;
 };
 
-/// Front to back: every ray through all layers. `occupancy`: see SliceWindow.
-template <class Kernel>
+/// Front to back: every row of rays through all layers. `Rays`: how they are sampled; `occupancy`:
+/// see SliceWindow.
+template <class Rays = RowSampler, class Kernel>
 void SweepForward(
   HostDevice&, FrustumRays<HostDevice>& rays, const Occupancy& occupancy, const Kernel& kernel)
 {
@@ -80,7 +81,7 @@ void SweepForward(
     ParallelFor(frustum.rows, rowsPerTask / 2,
       [&](Index row)
       {
-        RowSampler sampler(frustum, states, static_cast<int>(row));
+        Rays sampler(frustum, states, static_cast<int>(row));
         for (int s = slab.begin; s < std::min(slab.end, frustum.lastSlice); ++s)
         {
           rowKernel.RayStep(sampler, s);

@@ -7,6 +7,7 @@
 
 #include "energy/ScoreKernel.h"
 #include "sweep/Sweeps.h"
+#include "viewpoint/SlopeSampler.h"
 
 namespace limpid
 {
@@ -29,8 +30,7 @@ public:
     Visible sum;
     for (ViewFields::Part& part : parts)
     {
-      const Fields& fields =
-        part.fields == &this->Source.InOrder() ? this->Straight : this->Exchanged;
+      const Fields& fields = this->FieldsOf(part);
       std::vector<FrustumRays<AnyDevice>> rays;
       rays.emplace_back(this->Device, std::move(part.frustum));
       SweepForward(*this->Device, rays.front(), *part.fields->occupancy,
@@ -45,12 +45,40 @@ public:
     return sum;
   }
 
+  ViewDerivative Differentiate(
+    ViewFields::Part&& part, const EyeMoves& moves, int cuts) const override
+  {
+    const Fields& fields = this->FieldsOf(part);
+    const OwnedTables<ViewDerivativePlan> planned =
+      PlanViewDerivative(part.frustum, part.fields->grid, moves, cuts);
+    const BorrowedArray<AnyDevice, unsigned char> tables(
+      this->Device, planned.memory.get(), planned.bytes, "the plan of a derivative");
+    ViewDerivativePlan plan = planned;
+    plan.tables = tables.Data();
+    FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum));
+    const FaceFrustum& frustum = rays.Plan();
+    auto values = DeviceArray<AnyDevice, float>::Zeros(
+      this->Device, std::size_t(EyeMoveStates::images * frustum.RayCount()), "moves of the eye");
+    const EyeMoveStates states{ values.Data(), frustum.RayCount() };
+    SweepForward<SlopeSampler<AnyDevice>>(*this->Device, rays, *part.fields->occupancy,
+      ViewDerivativeKernel<const float*>{
+        fields.extinction.Data(), fields.importance.Data(), plan, states });
+    const auto sum = [&](const float* image) { return SumOfRays(this->Device, frustum, image); };
+    return { { sum(rays.States().visible), sum(rays.States().unattenuated) },
+      { -sum(states.Gain(0)), -sum(states.Gain(1)) } };
+  }
+
 private:
   struct Fields
   {
     BorrowedArray<AnyDevice, float> extinction;
     BorrowedArray<AnyDevice, float> importance;
   };
+
+  const Fields& FieldsOf(const ViewFields::Part& part) const
+  {
+    return part.fields == &this->Source.InOrder() ? this->Straight : this->Exchanged;
+  }
 
   Fields Borrow(const SweptFields& fields) const
   {

@@ -6,6 +6,7 @@
 
 #include "backend/CompiledDevice.h"
 #include "sweep/SumRays.h"
+#include "viewpoint/ViewDerivativePlan.h"
 #include "viewpoint/ViewFields.h"
 
 #include <memory>
@@ -13,6 +14,13 @@
 
 namespace limpid
 {
+/// The score of a family of rays and how it changes when their eye moves.
+struct ViewDerivative
+{
+  Visible score;
+  double slope[2] = { 0, 0 }; ///< by either move [length]
+};
+
 /// Sums up what families of rays see.
 class ScoreSweep
 {
@@ -21,6 +29,11 @@ public:
 
   /// May be called by several threads. The parts are used up.
   virtual Visible Score(std::vector<ViewFields::Part>&& parts) const = 0;
+
+  /// Follows two moves of the eye (ViewDerivativeKernel.h), with layers cut into `cuts` parts. May
+  /// be called by several threads. The part is used up.
+  virtual ViewDerivative Differentiate(
+    ViewFields::Part&& part, const EyeMoves& moves, int cuts) const = 0;
 };
 
 /// For parts of these fields, which stay with the caller.

@@ -99,16 +99,18 @@ constexpr double uncertainty = 3e-4;
 class Climb
 {
 public:
-  Climb(const ViewScore& score, const Orbit& orbit, const SearchSettings& settings)
+  Climb(const ViewScore& score, const Orbit& orbit, const SearchSettings& settings,
+    const SearchProgress& progress)
     : Score(score)
     , From(orbit)
     , Options(settings)
+    , Report(progress)
   {
   }
 
   Index Evaluations() const { return this->Count; }
 
-  /// The way up from a sample. Every step is one to a higher score.
+  /// The way up from a sample, as far as the user let it go. Every step is one to a higher score.
   std::vector<ScoredView> Run(const ScoredView& sample)
   {
     std::vector<ScoredView> path{ sample };
@@ -116,6 +118,11 @@ public:
     double step = this->Options.firstStep;
     for (int i = 0; i < this->Options.largestNumberOfSteps && step > 0; ++i)
     {
+      this->Share = double(i) / this->Options.largestNumberOfSteps;
+      if (!this->GoOn())
+      {
+        return path;
+      }
       const ScoredView here = path.back();
       ascent = this->AscentAt(here.direction).slope;
       const double steepness = glm::length(ascent);
@@ -125,7 +132,7 @@ public:
       }
       step = this->Step(here, ascent / steepness, steepness, step, path);
     }
-    if (step <= 0)
+    if (step <= 0 && !this->Stopped)
     {
       this->Centre(ascent, path);
     }
@@ -133,6 +140,12 @@ public:
   }
 
 private:
+  bool GoOn()
+  {
+    this->Stopped = this->Stopped || !this->Report(this->Share);
+    return !this->Stopped;
+  }
+
   /// The score and its derivative by the direction [length^2/rad].
   ViewSlope AscentAt(const Vec3& direction)
   {
@@ -156,6 +169,10 @@ private:
     for (int way = 0; way < 2; ++way)
     {
       const Vec3 beside = Turned(top.direction, ways[way], bendingAngle);
+      if (!this->GoOn())
+      {
+        return;
+      }
       const Vec3 there = this->AscentAt(beside).slope;
       const Vec3 ahead = Turned(ways[way], -top.direction, bendingAngle);
       const double along = glm::dot(there, ahead);
@@ -171,7 +188,7 @@ private:
     }
     const glm::dvec2 way = -glm::inverse(bend) * slope;
     const double angle = glm::length(way);
-    if (!(angle > 0 && angle < this->Options.firstStep))
+    if (!(angle > 0 && angle < this->Options.firstStep) || !this->GoOn())
     {
       return;
     }
@@ -203,7 +220,7 @@ private:
   double Step(const ScoredView& here, const Vec3& along, double steepness, double length,
     std::vector<ScoredView>& path)
   {
-    while (length >= this->Options.precision)
+    while (length >= this->Options.precision && this->GoOn())
     {
       ScoredView next;
       next.direction = Turned(here.direction, along, length);
@@ -226,7 +243,10 @@ private:
   const ViewScore& Score;
   const Orbit& From;
   const SearchSettings& Options;
+  const SearchProgress& Report;
   Index Count = 0;
+  double Share = 0; ///< of the climb that is done, if it takes all steps that it may
+  bool Stopped = false;
 };
 }
 
@@ -258,11 +278,13 @@ SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
     samples.begin(), samples.end(), [](const ScoredView& view) { return view.valid; });
   for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
   {
-    if (progress && !progress(double(i) / double(starts.size())))
+    const SearchProgress climbed = [&](double share)
+    { return !progress || progress((double(i) + share) / double(starts.size())); };
+    if (!climbed(0))
     {
       break;
     }
-    Climb climb(score, orbit, settings);
+    Climb climb(score, orbit, settings, climbed);
     result.paths.push_back(climb.Run(starts[i]));
     result.evaluations += climb.Evaluations();
     candidates.push_back(result.paths.back().back());

@@ -102,7 +102,7 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
   for (PlannedFrustum& frustum : PlanSweep(fields.grid, *fields.occupancy, eye,
          { rayDensity, Placement::ForIntegrals, Readers::Rays, depthAxes }))
   {
-    parts.push_back({ &fields, std::move(frustum), eye });
+    parts.push_back({ &fields, std::move(frustum) });
   }
 }
 }

@@ -44,7 +44,6 @@ public:
   {
     const SweptFields* fields;
     PlannedFrustum frustum;
-    RaySource eye; ///< in the index space of the fields
   };
 
   /// All rays of a camera, in view or not.

@@ -4,7 +4,6 @@
 #include "viewpoint/ViewScore.h"
 
 #include "backend/ComputeBackend.h"
-#include "viewpoint/ViewDerivativeSweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,14 +49,15 @@ ViewSlope ViewScore::SlopeAt(const Camera& camera) const
   const Vec3 forward = way / distance;
   const Vec3 right =
     glm::normalize(glm::cross(forward, std::abs(forward.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
-  const Vec3 moves[2] = { right, glm::cross(right, forward) };
+  const EyeMoves by{ { right, glm::cross(right, forward) }, distance };
+  const int cuts = std::max(1, static_cast<int>(std::lround(this->RayDensity)));
 
   ViewSlope result;
-  for (const ViewFields::Part& part : this->Fields->PartsOf(camera, this->RayDensity))
+  for (ViewFields::Part& part : this->Fields->PartsOf(camera, this->RayDensity))
   {
-    const ViewDerivative turn = SweepViewDerivative(part, moves, distance, this->RayDensity);
+    const ViewDerivative turn = this->Sweep->Differentiate(std::move(part), by, cuts);
     result.score += turn.score;
-    result.slope += turn.slope[0] * moves[0] + turn.slope[1] * moves[1];
+    result.slope += turn.slope[0] * by.moves[0] + turn.slope[1] * by.moves[1];
   }
   return result;
 }

@@ -33,7 +33,7 @@ public:
   ViewScore(const Grid& grid, const float* extinction, const float* importance, double rayDensity,
     BackendKind backend = BackendKind::Cpu);
 
-  /// What computes At, for the user; slopes are the processor's.
+  /// What computes, for the user.
   const std::string& BackendName() const { return this->Name; }
 
   /// S of Eq. (32) and its bound. May be called by several threads.

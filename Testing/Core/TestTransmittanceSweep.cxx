@@ -7,7 +7,7 @@
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 
 #include <gtest/gtest.h>
 
@@ -92,11 +92,11 @@ double RmsError(const BoxScene& scene, double rayDensity)
 }
 }
 
-class TransmittanceVolume : public ::testing::TestWithParam<Lamp>
+class TransmittanceOfNodes : public ::testing::TestWithParam<Lamp>
 {
 };
 
-TEST_P(TransmittanceVolume, IsOneWhereNothingAbsorbs)
+TEST_P(TransmittanceOfNodes, IsOneWhereNothingAbsorbs)
 {
   const BoxScene scene = Scene(GetParam());
 
@@ -106,7 +106,7 @@ TEST_P(TransmittanceVolume, IsOneWhereNothingAbsorbs)
   }
 }
 
-TEST_P(TransmittanceVolume, FollowsBeersLawInAHomogeneousBox)
+TEST_P(TransmittanceOfNodes, FollowsBeersLawInAHomogeneousBox)
 {
   BoxScene scene = Scene(GetParam());
   const double depth = 4; // over the half diagonal
@@ -124,7 +124,7 @@ TEST_P(TransmittanceVolume, FollowsBeersLawInAHomogeneousBox)
   EXPECT_WITHIN(worst, 0, tolerance);
 }
 
-TEST_P(TransmittanceVolume, FollowsTheMarchToSecondOrder)
+TEST_P(TransmittanceOfNodes, FollowsTheMarchToSecondOrder)
 {
   BoxScene scene = Scene(GetParam());
   FillClouds(scene, 3);
@@ -139,7 +139,7 @@ TEST_P(TransmittanceVolume, FollowsTheMarchToSecondOrder)
   EXPECT_LE(fine, coarse / 8 + 1e-4) << coarse << " " << usual << " " << fine;
 }
 
-TEST_P(TransmittanceVolume, StaysBetweenZeroAndOneAndDoesNotDependOnThreads)
+TEST_P(TransmittanceOfNodes, StaysBetweenZeroAndOneAndDoesNotDependOnThreads)
 {
   BoxScene scene = Scene(GetParam());
   scene.FillOnion(1000);
@@ -158,4 +158,4 @@ TEST_P(TransmittanceVolume, StaysBetweenZeroAndOneAndDoesNotDependOnThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Lamps, TransmittanceVolume, ::testing::ValuesIn(lamps), ::testing::PrintToStringParamName());
+  Lamps, TransmittanceOfNodes, ::testing::ValuesIn(lamps), ::testing::PrintToStringParamName());

@@ -3,7 +3,7 @@
 
 // Compiled twice, see CompiledDevice.h.
 
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 
 #include "backend/CompiledDevice.h"
 #include "energy/TransmittanceKernel.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_energy_TransmittanceVolume_h
-#define limpid_energy_TransmittanceVolume_h
+#ifndef limpid_energy_TransmittanceSweep_h
+#define limpid_energy_TransmittanceSweep_h
 
 #include "scene/Grid.h"
 #include "scene/RaySource.h"

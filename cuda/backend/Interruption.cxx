@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "backend/Interruption.h"
+
+#include <utility>
+
+namespace limpid
+{
+thread_local Interruptible* Interruptible::Innermost = nullptr;
+
+Interruptible::Interruptible(std::function<bool()> goOn, double seconds)
+  : GoOn(std::move(goOn))
+  , Interval(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
+  , Outer(std::exchange(Innermost, this))
+{
+}
+
+Interruptible::~Interruptible()
+{
+  Innermost = this->Outer;
+}
+
+void Interruptible::Ask()
+{
+  if (!this->Stopped && Clock::now() >= this->Next)
+  {
+    // Whatever is computed by the one who is asked is not part of this.
+    Innermost = nullptr;
+    try
+    {
+      this->Stopped = !this->GoOn();
+    }
+    catch (...)
+    {
+      Innermost = this;
+      throw;
+    }
+    Innermost = this;
+    this->Next = Clock::now() + this->Interval;
+  }
+  if (this->Stopped)
+  {
+    throw Interrupted();
+  }
+}
+}

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Tables in one piece of memory, which the processor and a device read alike: to move them is to
+// copy it.
+
+#ifndef limpid_sweep_FlatTables_h
+#define limpid_sweep_FlatTables_h
+
+#include "math/Macros.h"
+#include "math/Vec.h"
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace limpid
+{
+/// Linear interpolation at the targets of a row: target t reads source[index[t]] and
+/// source[index[t] + 1] with the weights 1 - weight[t] and weight[t].
+struct LinearMap
+{
+  const int* index;
+  const float* weight;
+};
+
+/// Rows of values among the tables of a plan.
+template <class Value>
+struct Table
+{
+  Index offset = 0; ///< of the first row [bytes]
+  int rowLength = 0;
+};
+
+struct MapTable
+{
+  Table<int> index;
+  Table<float> weight;
+};
+
+/// Where tables are; what derives from it says which there are.
+struct FlatTables
+{
+  const unsigned char* tables = nullptr;
+
+  /// Row `row` of a table.
+  template <class Value>
+  LIMPID_HD LIMPID_INLINE const Value* Row(const Table<Value>& table, Index row = 0) const
+  {
+    return reinterpret_cast<const Value*>(this->tables + table.offset) + row * table.rowLength;
+  }
+
+  LIMPID_HD LIMPID_INLINE LinearMap Row(const MapTable& table, Index row) const
+  {
+    return { this->Row(table.index, row), this->Row(table.weight, row) };
+  }
+};
+
+/// Tables that own their memory.
+template <class Tables>
+struct OwnedTables : Tables
+{
+  struct Free
+  {
+    void operator()(unsigned char* room) const noexcept { std::free(room); }
+  };
+  std::unique_ptr<unsigned char[], Free> memory; ///< what `tables` points to
+  std::size_t bytes = 0;
+
+  /// A row of a table to be written.
+  template <class Value>
+  Value* Room(const Table<Value>& table, Index row = 0)
+  {
+    return const_cast<Value*>(this->Row(table, row));
+  }
+};
+
+/// Makes room for tables.
+class TableRoom
+{
+public:
+  template <class Value>
+  void Add(Table<Value>& table, Index rows, int rowLength)
+  {
+    constexpr Index alignment = 256;
+    table.offset = this->Bytes;
+    table.rowLength = rowLength;
+    const Index end = this->Bytes + rows * rowLength * Index(sizeof(Value));
+    this->Bytes = (end + alignment - 1) / alignment * alignment;
+  }
+
+  void Add(MapTable& table, Index rows, int rowLength)
+  {
+    this->Add(table.index, rows, rowLength);
+    this->Add(table.weight, rows, rowLength);
+  }
+
+  /// Large memory comes as pages of zeros that need not be written.
+  template <class Tables>
+  void Give(OwnedTables<Tables>& to) const
+  {
+    to.bytes = static_cast<std::size_t>(this->Bytes);
+    to.memory.reset(static_cast<unsigned char*>(std::calloc(to.bytes, 1)));
+    if (!to.memory)
+    {
+      throw std::bad_alloc();
+    }
+    to.tables = to.memory.get();
+  }
+
+private:
+  Index Bytes = 0;
+};
+}
+
+#endif
