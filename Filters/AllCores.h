@@ -4,28 +4,36 @@
 #ifndef limpid_AllCores_h
 #define limpid_AllCores_h
 
-#include "vtkSMPTools.h"
+#include "vtkType.h"
 
-#include <cstdlib>
-#include <string>
+#include "backend/Backend.h"
+#include "backend/Interruption.h"
+
+#include <algorithm>
 
 namespace limpid
 {
-/// vtkSMPTools::For over [0, count) on all cores. vtkSMPTools itself may run on one core only, for
-/// instance in Debian's ParaView: unless the user has asked for that, we use its threads.
+/**
+ * Calls body(begin, end) for parts of [0, count) on all cores, with the threads of the core.
+ *
+ * vtkSMPTools runs on one core in Debian's ParaView, and what could be done about it is a setting
+ * of the whole process, which other threads would meet; and an exception in its threads ends the
+ * process.
+ */
 template <class Body>
 void ForOnAllCores(vtkIdType count, const Body& body)
 {
-  const bool sequential = vtkSMPTools::GetBackend() == std::string("Sequential");
-  if (sequential && !std::getenv("VTK_SMP_BACKEND_IN_USE"))
-  {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ std::string("STDThread") },
-      [count, &body]() { vtkSMPTools::For(0, count, body); });
-  }
-  else
-  {
-    vtkSMPTools::For(0, count, body);
-  }
+  constexpr vtkIdType mostParts = 256; // more than cores, so that none waits long for another
+  const vtkIdType parts = std::min(count, mostParts);
+  ParallelFor(parts,
+    [&](Index part)
+    {
+      Interruptible::Check();
+      const vtkIdType length = count / parts;
+      const vtkIdType rest = count % parts; // the first parts have one more
+      const vtkIdType begin = part * length + std::min<vtkIdType>(part, rest);
+      body(begin, begin + length + (part < rest ? 1 : 0));
+    });
 }
 }
 

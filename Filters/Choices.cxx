@@ -6,8 +6,10 @@
 #include "ScalarMapping.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkPointData.h"
 
 #include "math/Require.h"
@@ -52,5 +54,20 @@ std::string ArrayNames(vtkDataSet* data)
 {
   return "of the points: " + NamesIn(data->GetPointData()) +
     "; of the cells: " + NamesIn(data->GetCellData());
+}
+
+std::string RefusalOf(vtkDataObject* input, const std::string& worker)
+{
+  if (!input || vtkImageData::SafeDownCast(input))
+  {
+    return {};
+  }
+  const std::string what = "The input is a " + std::string(input->GetClassName()) + " (" + worker +
+    " one image with the same spacing everywhere). ";
+  return what +
+    (vtkCompositeDataSet::SafeDownCast(input)
+        ? "Take one of its blocks with the filter Extract Block, or make an image of all of them "
+          "with Merge Blocks and Resample To Image."
+        : "Make it one with the filter Resample To Image.");
 }
 }

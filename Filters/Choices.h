@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Choices that a user makes by number or by name, and what to say about impossible ones.
+// Choices that a user makes by number, by name or by connecting things, and what to say about
+// impossible ones.
 
 #ifndef limpid_Choices_h
 #define limpid_Choices_h
@@ -11,6 +12,7 @@
 #include <string>
 
 class vtkDataArray;
+class vtkDataObject;
 class vtkDataSet;
 
 namespace limpid
@@ -27,6 +29,9 @@ VTKLIMPIDFILTERS_EXPORT std::string NameOf(vtkDataArray* array);
 
 /// The names of all arrays for a message: "of the points: a, b; of the cells: none".
 VTKLIMPIDFILTERS_EXPORT std::string ArrayNames(vtkDataSet* data);
+
+/// Why `worker` cannot work with an input; nothing if it is an image, or there is none.
+VTKLIMPIDFILTERS_EXPORT std::string RefusalOf(vtkDataObject* input, const std::string& worker);
 }
 
 #endif

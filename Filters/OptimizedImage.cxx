@@ -5,6 +5,7 @@
 
 #include "AllCores.h"
 #include "FieldValues.h"
+#include "Memory.h"
 #include "SceneConversion.h"
 
 #include "vtkDoubleArray.h"
@@ -26,17 +27,9 @@ namespace limpid
 {
 namespace
 {
-vtkNew<vtkFloatArray> NewField(const char* name, vtkIdType count)
-{
-  vtkNew<vtkFloatArray> field;
-  field->SetName(name);
-  field->SetNumberOfTuples(count);
-  return field;
-}
-
 void AddCopy(const char* name, const float* values, vtkIdType count, vtkImageData* output)
 {
-  vtkNew<vtkFloatArray> field = NewField(name, count);
+  const vtkSmartPointer<vtkFloatArray> field = NewArray<vtkFloatArray>(name, count);
   float* copy = field->GetPointer(0);
   ForOnAllCores(count,
     [=](vtkIdType begin, vtkIdType end) { std::copy(values + begin, values + end, copy + begin); });
@@ -45,7 +38,8 @@ void AddCopy(const char* name, const float* values, vtkIdType count, vtkImageDat
 
 void AddConstant(const char* name, float value, vtkImageData* output)
 {
-  vtkNew<vtkFloatArray> field = NewField(name, output->GetNumberOfPoints());
+  const vtkSmartPointer<vtkFloatArray> field =
+    NewArray<vtkFloatArray>(name, output->GetNumberOfPoints());
   field->FillValue(value);
   output->GetPointData()->AddArray(field);
 }
@@ -53,7 +47,8 @@ void AddConstant(const char* name, float value, vtkImageData* output)
 // Opacity of one unit distance, for volume renderers that want opacities.
 void AddOpacity(const float* extinction, double unitDistance, vtkImageData* output)
 {
-  vtkNew<vtkFloatArray> field = NewField("Opacity", output->GetNumberOfPoints());
+  const vtkSmartPointer<vtkFloatArray> field =
+    NewArray<vtkFloatArray>("Opacity", output->GetNumberOfPoints());
   float* opacity = field->GetPointer(0);
   const auto distance = static_cast<float>(unitDistance);
   ForOnAllCores(field->GetNumberOfTuples(),
@@ -95,10 +90,12 @@ void AddFields(
   output->GetPointData()->AddArray(arrays.baseExtinction);
   output->GetPointData()->AddArray(arrays.importance);
 
-  vtkNew<vtkFloatArray> transmittance = NewField("Transmittance", count);
+  const vtkSmartPointer<vtkFloatArray> transmittance =
+    NewArray<vtkFloatArray>("Transmittance", count);
   solver.Transmittance(transmittance->GetPointer(0));
   output->GetPointData()->AddArray(transmittance);
-  vtkNew<vtkFloatArray> lightTransmittance = NewField("LightTransmittance", count);
+  const vtkSmartPointer<vtkFloatArray> lightTransmittance =
+    NewArray<vtkFloatArray>("LightTransmittance", count);
   solver.LightTransmittance(lightTransmittance->GetPointer(0));
   output->GetPointData()->AddArray(lightTransmittance);
 }

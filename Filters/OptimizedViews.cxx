@@ -24,18 +24,23 @@ OptimizedViews::OptimizedViews(
 {
 }
 
-ScoredView OptimizedViews::At(const Vec3& direction, std::vector<float>* extinction) const
+// A view that is not valid if `goOn`, which is asked after every iteration, says no.
+ScoredView OptimizedViews::At(
+  const Vec3& direction, const GoOn& goOn, std::vector<float>* extinction) const
 {
+  ScoredView view;
+  view.direction = direction;
   const Camera camera = this->From.At(direction);
   Light light;
   light.focalPoint = camera.focalPoint;
   PlaceLight(camera, light);
   Solver solver(this->Scene, camera, light, this->Options);
-  solver.Run();
-
+  solver.Run([&goOn](double, const std::string&) { return goOn(); });
+  if (solver.Stopped())
+  {
+    return view;
+  }
   const Score best = solver.BestScore();
-  ScoredView view;
-  view.direction = direction;
   view.score.visible = best.visibility;
   view.score.unattenuated = best.fraction > 0 ? best.visibility / best.fraction : 0;
   view.valid = true;
@@ -50,37 +55,51 @@ std::vector<ScoredView> OptimizedViews::ScoreAll(
   const std::vector<Vec3>& directions, const SearchProgress& progress) const
 {
   std::vector<ScoredView> views(directions.size());
-  bool goOn = true;
+  bool stopped = false;
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    views[i].direction = directions[i];
-    if (goOn)
+    const auto report = [&](std::size_t done)
     {
-      views[i] = this->At(directions[i], nullptr);
-      goOn = progress(double(i + 1) / double(directions.size()));
+      stopped = stopped || !progress(double(done) / double(directions.size()));
+      return !stopped;
+    };
+    views[i].direction = directions[i];
+    if (!stopped)
+    {
+      views[i] = this->At(
+        directions[i], [&] { return report(i); }, nullptr);
+      report(i + 1);
     }
   }
   return views;
 }
 
-// Returns the number of solver runs, scores and derivatives.
-Index OptimizedViews::Climb(
-  const ScoredView& sample, const SearchSettings& settings, std::vector<ScoredView>& path) const
+// The way up from a sample, as far as it came before `goOn` said no. Returns the number of solver
+// runs, scores and derivatives.
+Index OptimizedViews::Climb(const ScoredView& sample, const SearchSettings& settings,
+  const GoOn& goOn, std::vector<ScoredView>& path) const
 {
   const SceneFields& scene = this->Scene->Arrays();
   Index evaluations = 1;
   std::vector<float> extinction;
-  path.push_back(this->At(sample.direction, &extinction));
+  path.push_back(sample);
+  const ScoredView start = this->At(sample.direction, goOn, &extinction);
+  if (!start.valid)
+  {
+    return evaluations;
+  }
+  path.back() = start;
   SearchSettings climb = settings;
   climb.viewpoints = 1;
   for (int round = 0; round < LargestNumberOfRounds; ++round)
   {
     const ViewScore fixed(
       scene.grid, extinction.data(), scene.importance, this->Options.rayDensity);
-    const SearchResult top = FindViewpoints(fixed, this->From, { path.back() }, climb, {});
-    const ScoredView next = this->At(top.viewpoints.front().direction, &extinction);
+    const SearchResult top =
+      FindViewpoints(fixed, this->From, { path.back() }, climb, [&goOn](double) { return goOn(); });
+    const ScoredView next = this->At(top.viewpoints.front().direction, goOn, &extinction);
     evaluations += top.evaluations + 1;
-    if (!(next.score.visible > path.back().score.visible))
+    if (!next.valid || !(next.score.visible > path.back().score.visible))
     {
       break;
     }
@@ -99,12 +118,13 @@ SearchResult OptimizedViews::Find(const std::vector<ScoredView>& samples,
   std::vector<ScoredView> candidates = samples;
   for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
   {
-    if (!progress(double(i) / double(starts.size())))
+    const auto goOn = [&] { return progress(double(i) / double(starts.size())); };
+    if (!goOn())
     {
       break;
     }
     result.paths.emplace_back();
-    result.evaluations += this->Climb(starts[i], settings, result.paths.back());
+    result.evaluations += this->Climb(starts[i], settings, goOn, result.paths.back());
     candidates.push_back(result.paths.back().back());
   }
   result.viewpoints = RankedViews(std::move(candidates), settings);

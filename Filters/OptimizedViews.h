@@ -9,6 +9,7 @@
 #include "optimize/PreparedScene.h"
 #include "viewpoint/Search.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -32,9 +33,11 @@ public:
     const SearchProgress& progress) const;
 
 private:
-  ScoredView At(const Vec3& direction, std::vector<float>* extinction) const;
-  Index Climb(
-    const ScoredView& sample, const SearchSettings& settings, std::vector<ScoredView>& path) const;
+  using GoOn = std::function<bool()>;
+
+  ScoredView At(const Vec3& direction, const GoOn& goOn, std::vector<float>* extinction) const;
+  Index Climb(const ScoredView& sample, const SearchSettings& settings, const GoOn& goOn,
+    std::vector<ScoredView>& path) const;
 
   std::shared_ptr<PreparedScene> Scene;
   Orbit From;

@@ -3,11 +3,12 @@
 
 #include "SceneConversion.h"
 
+#include "Blanking.h"
 #include "Choices.h"
+#include "Memory.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -24,6 +25,7 @@
 #include <cstring>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace limpid
 {
@@ -33,20 +35,21 @@ namespace
 // functions apply to the data at the points, as they do for point arrays.
 vtkSmartPointer<vtkFloatArray> AverageToPoints(vtkImageData* image, const FieldSource& source)
 {
-  vtkNew<vtkFloatArray> cellValues;
-  cellValues->SetName("value");
-  cellValues->SetNumberOfTuples(source.array->GetNumberOfTuples());
+  const auto cellValues = NewArray<vtkFloatArray>("value", source.array->GetNumberOfTuples());
   MapArray(source.array, source.component, KeepValue(), cellValues->GetPointer(0));
 
-  vtkNew<vtkUniformGrid> cells; // a vtkUniformGrid knows hidden cells, which do not count
-  cells->CopyStructure(image);
+  // Of the input it is given nothing that it might change: it writes to ghost arrays of points. A
+  // vtkUniformGrid knows hidden cells, which do not count.
+  vtkNew<vtkUniformGrid> cells;
+  cells->SetExtent(image->GetExtent());
   cells->GetCellData()->AddArray(cellValues);
-  if (vtkUnsignedCharArray* ghosts = image->GetCellGhostArray())
+  if (const auto hidden = Blanking(image).HiddenCells())
   {
-    cells->GetCellData()->AddArray(ghosts);
+    cells->GetCellData()->AddArray(hidden);
   }
   vtkNew<vtkCellDataToPointData> average;
   average->SetInputData(cells);
+  NewArray<vtkFloatArray>("tried", image->GetNumberOfPoints()); // what VTK will need
   average->Update();
   return vtkFloatArray::SafeDownCast(
     average->GetImageDataOutput()->GetPointData()->GetArray("value"));
@@ -70,21 +73,27 @@ bool AreWithin(vtkFloatArray* array, float largest)
   return outside == 0;
 }
 
+// Makes points empty that are not there.
+void EmptyPoints(const std::vector<float>& shares, vtkFloatArray* field)
+{
+  float* values = field->GetPointer(0);
+  std::transform(shares.begin(), shares.end(), values, values,
+    [](float share, float value) { return share > 0 ? value : 0.0F; });
+}
+
 // Makes points empty that cannot be used, and moves importance into [0, 1].
-void CorrectPoints(SceneArrays& arrays, vtkUnsignedCharArray* ghosts)
+void CorrectPoints(SceneArrays& arrays)
 {
   float* extinction = arrays.baseExtinction->GetPointer(0);
   float* importance = arrays.importance->GetPointer(0);
   const vtkIdType count = arrays.baseExtinction->GetNumberOfTuples();
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const bool hidden = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-    const bool invalid = !hidden && !(std::isfinite(extinction[i]) && std::isfinite(importance[i]));
-    const bool negative = !hidden && !invalid && extinction[i] < 0;
-    arrays.hiddenPoints += hidden ? 1 : 0;
+    const bool invalid = !(std::isfinite(extinction[i]) && std::isfinite(importance[i]));
+    const bool negative = !invalid && extinction[i] < 0;
     arrays.invalidPoints += invalid ? 1 : 0;
     arrays.negativePoints += negative ? 1 : 0;
-    if (hidden || invalid || negative)
+    if (invalid || negative)
     {
       extinction[i] = 0;
       importance[i] = 0;
@@ -145,9 +154,7 @@ Grid GridOfImage(vtkImageData* image)
 vtkSmartPointer<vtkFloatArray> ConvertField(
   vtkImageData* image, const FieldSource& source, const char* name)
 {
-  vtkNew<vtkFloatArray> field;
-  field->SetName(name);
-  field->SetNumberOfTuples(image->GetNumberOfPoints());
+  auto field = NewArray<vtkFloatArray>(name, image->GetNumberOfPoints());
   const vtkIdType expected =
     source.onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
   LIMPID_REQUIRE(source.array->GetNumberOfTuples() == expected,
@@ -168,18 +175,31 @@ vtkSmartPointer<vtkFloatArray> ConvertField(
   return field;
 }
 
+void TakeShares(const std::vector<float>& shares, vtkFloatArray* field)
+{
+  float* values = field->GetPointer(0);
+  std::transform(shares.begin(), shares.end(), values, values,
+    [](float share, float value) { return share * value; });
+}
+
 SceneArrays ConvertScene(
   vtkImageData* image, const FieldSource& extinction, const FieldSource& importance)
 {
   SceneArrays arrays;
   arrays.baseExtinction = ConvertField(image, extinction, "BaseExtinction");
   arrays.importance = ConvertField(image, importance, "Importance");
-  vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
+  const Blanking blanking(image);
+  const std::vector<float> ofExtinction = blanking.Shares(extinction.onCells);
+  const std::vector<float> ofImportance = blanking.Shares(importance.onCells);
+  EmptyPoints(ofExtinction, arrays.baseExtinction);
+  EmptyPoints(ofImportance, arrays.importance);
   constexpr float largest = std::numeric_limits<float>::max();
-  if (ghosts || !AreWithin(arrays.baseExtinction, largest) || !AreWithin(arrays.importance, 1))
+  if (!AreWithin(arrays.baseExtinction, largest) || !AreWithin(arrays.importance, 1))
   {
-    CorrectPoints(arrays, ghosts);
+    CorrectPoints(arrays);
   }
+  TakeShares(ofExtinction, arrays.baseExtinction);
+  TakeShares(ofImportance, arrays.importance);
   return arrays;
 }
 }

@@ -14,6 +14,7 @@
 #include "vtkType.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkImageData;
@@ -38,7 +39,6 @@ struct VTKLIMPIDFILTERS_EXPORT SceneArrays
   vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
   vtkIdType invalidPoints = 0;                   ///< NaN or infinity: empty
   vtkIdType negativePoints = 0;                  ///< extinction below zero: empty
-  vtkIdType hiddenPoints = 0;                    ///< blanked: empty
   vtkIdType clampedPoints = 0;                   ///< importance outside [0, 1]: moved there
 
   /// What a user has to know about values that could not be taken as they are; may be nothing.
@@ -51,6 +51,9 @@ VTKLIMPIDFILTERS_EXPORT Grid GridOfImage(vtkImageData* image);
 /// A field at the points of the image; NaN where it has no finite value.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(
   vtkImageData* image, const FieldSource& source, const char* name);
+
+/// Leaves of a field what Blanking::Shares says.
+VTKLIMPIDFILTERS_EXPORT void TakeShares(const std::vector<float>& shares, vtkFloatArray* field);
 
 /// Both fields of a scene. An empty point has neither extinction nor importance; importance is
 /// moved into [0, 1].

@@ -21,11 +21,6 @@ namespace limpid
 {
 namespace
 {
-double FractionOf(const Visible& score)
-{
-  return score.unattenuated > 0 ? score.visible / score.unattenuated : 0;
-}
-
 bool IsWorse(const ScoredView& a, const ScoredView& b)
 {
   return a.score.visible < b.score.visible;
@@ -73,8 +68,7 @@ void AddScores(const std::vector<ScoredView>& views, vtkPolyData* output)
   AddNumbers(
     "VisibilityScore", views, [](const ScoredView& view) { return view.score.visible; }, output);
   AddNumbers(
-    "VisibleFraction", views, [](const ScoredView& view) { return FractionOf(view.score); },
-    output);
+    "VisibleFraction", views, [](const ScoredView& view) { return view.score.Fraction(); }, output);
   output->GetPointData()->SetActiveScalars("VisibilityScore");
 }
 
@@ -154,7 +148,7 @@ void AddView(
 {
   const Camera camera = orbit.At(view.direction);
   AddValue<vtkDoubleArray>((prefix + "VisibilityScore").c_str(), view.score.visible, output);
-  AddValue<vtkDoubleArray>((prefix + "VisibleFraction").c_str(), FractionOf(view.score), output);
+  AddValue<vtkDoubleArray>((prefix + "VisibleFraction").c_str(), view.score.Fraction(), output);
   AddVector((prefix + "CameraPosition").c_str(), camera.position, output);
   AddVector((prefix + "CameraViewUp").c_str(), camera.viewUp, output);
   AddValue<vtkDoubleArray>((prefix + "Azimuth").c_str(), AzimuthOf(view), output);

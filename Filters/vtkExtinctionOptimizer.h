@@ -19,7 +19,7 @@
  *   "Importance"         the importance that was used [0, 1],
  *   "Transmittance"      camera to point through Extinction [0, 1],
  *   "LightTransmittance" light to point [0, 1],
- * an input array of the same name is replaced; and field data with one tuple each:
+ * an input array of the same name is replaced, with a warning; and field data with one tuple each:
  * "VisibilityScore" and "BaseVisibilityScore" (S of Eq. (32), [length^2]), "VisibleFraction" and
  * "BaseVisibleFraction" (S over the integral of importance times extinction, [0, 1]), "Energy",
  * "Iterations", "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",

@@ -3,31 +3,62 @@
 
 #include "vtkOcclusionPhantom.h"
 
+#include "Abort.h"
 #include "AllCores.h"
+#include "Memory.h"
+#include "OwnArrays.h"
 #include "PhantomScenes.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include "backend/Interruption.h"
+
 #include <algorithm>
 #include <array>
+#include <exception>
 
 vtkStandardNewMacro(vtkOcclusionPhantom);
 
 namespace
 {
-vtkNew<vtkFloatArray> NewArray(const char* name, vtkIdType count)
+const limpid::MemoryNeed Need{ 3 * sizeof(float), "Set a smaller Resolution." };
+
+vtkSmartPointer<vtkFloatArray> NewField(const char* name, vtkIdType count)
 {
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(count);
-  return array;
+  vtkSmartPointer<vtkFloatArray> field = limpid::NewArray<vtkFloatArray>(name, count);
+  limpid::MarkAsOwn(field);
+  return field;
+}
+
+void FillPoints(const limpid::PhantomScene& scene, vtkImageData* output)
+{
+  const vtkIdType count = output->GetNumberOfPoints();
+  const vtkSmartPointer<vtkFloatArray> scalars = NewField("Scalars", count);
+  const vtkSmartPointer<vtkFloatArray> importance = NewField("Importance", count);
+  const vtkSmartPointer<vtkFloatArray> extinction = NewField("BaseExtinction", count);
+  const double edge = std::max(0.03, 0.75 * output->GetSpacing()[0]);
+  limpid::ForOnAllCores(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        limpid::PhantomPoint point;
+        output->GetPoint(i, point.data());
+        const limpid::Material material = scene(point, edge);
+        scalars->SetValue(i, static_cast<float>(material.scalar));
+        importance->SetValue(i, static_cast<float>(material.importance));
+        extinction->SetValue(i, static_cast<float>(material.extinction));
+      }
+    });
+  output->GetPointData()->SetScalars(scalars);
+  output->GetPointData()->AddArray(importance);
+  output->GetPointData()->AddArray(extinction);
 }
 }
 
@@ -64,29 +95,23 @@ int vtkOcclusionPhantom::RequestData(
   output->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
   output->SetSpacing(info->Get(vtkDataObject::SPACING()));
-
-  const vtkIdType count = output->GetNumberOfPoints();
-  vtkNew<vtkFloatArray> scalars = NewArray("Scalars", count);
-  vtkNew<vtkFloatArray> importance = NewArray("Importance", count);
-  vtkNew<vtkFloatArray> extinction = NewArray("BaseExtinction", count);
-  const double edge = std::max(0.03, 0.75 * output->GetSpacing()[0]);
-  limpid::ForOnAllCores(count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        limpid::PhantomPoint point;
-        output->GetPoint(i, point.data());
-        const limpid::Material material = scene(point, edge);
-        scalars->SetValue(i, static_cast<float>(material.scalar));
-        importance->SetValue(i, static_cast<float>(material.importance));
-        extinction->SetValue(i, static_cast<float>(material.extinction));
-      }
-    });
-  output->GetPointData()->SetScalars(scalars);
-  output->GetPointData()->AddArray(importance);
-  output->GetPointData()->AddArray(extinction);
-  return 1;
+  try
+  {
+    const limpid::Interruptible interruptible(limpid::GoOn(this));
+    FillPoints(scene, output);
+    return 1;
+  }
+  catch (const limpid::Interrupted&)
+  {
+    output->Initialize(); // never a part of the points
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< limpid::WordsOf(error, output, Need));
+    output->Initialize();
+    return 1; // after 0 the executive would join this extent to the next one that is asked for
+  }
 }
 
 void vtkOcclusionPhantom::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,14 +3,18 @@
 
 #include "vtkViewpointSearch.h"
 
+#include "Memory.h"
 #include "PropertyPrinter.h"
 #include "vtkViewpointSearchInternals.h"
 
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include "backend/Interruption.h"
 
 #include <algorithm>
 #include <exception>
@@ -84,19 +88,30 @@ int vtkViewpointSearch::RequestData(
   {
     outputs[port] = vtkPolyData::GetData(outputVector, port);
   }
+  const auto clear = [&outputs]()
+  {
+    for (vtkPolyData* output : outputs)
+    {
+      output->Initialize(); // never half a sphere
+    }
+  };
   try
   {
     const bool isLaterPiece = IsLaterPiece(request, outputVector);
     this->State->Search(inputVector, isLaterPiece, outputs);
     return 1;
   }
+  catch (const limpid::Interrupted&)
+  {
+    clear(); // aborted before there was anything to see
+    return 1;
+  }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
-    for (vtkPolyData* output : outputs)
-    {
-      output->Initialize(); // never half a sphere
-    }
+    const limpid::MemoryNeed need{ this->Field == OPTIMIZE_PER_VIEW ? 50.0 : 22.0,
+      limpid::fewerPoints }; // by Testing/Benchmarks/filter_memory.py
+    vtkErrorMacro(<< limpid::WordsOf(error, vtkImageData::GetData(inputVector[0]), need));
+    clear();
     return 0;
   }
 }

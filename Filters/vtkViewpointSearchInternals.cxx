@@ -3,6 +3,7 @@
 
 #include "vtkViewpointSearchInternals.h"
 
+#include "Abort.h"
 #include "AllCores.h"
 #include "Choices.h"
 #include "OptimizedViews.h"
@@ -16,6 +17,7 @@
 #include "vtkPolyData.h"
 
 #include "backend/Choice.h"
+#include "backend/Interruption.h"
 #include "math/Require.h"
 #include "optimize/PreparedScene.h"
 #include "viewpoint/Search.h"
@@ -73,6 +75,14 @@ double ShareOfSamples(std::size_t samples, const limpid::SearchSettings& search)
 }
 }
 
+// Calls a function that the user may interrupt.
+template <class Function>
+auto vtkViewpointSearch::Internals::Interruptibly(const Function& function) const
+{
+  const limpid::Interruptible interruptible(limpid::GoOn(this->Self));
+  return function();
+}
+
 void vtkViewpointSearch::Internals::Search(
   vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3])
 {
@@ -85,13 +95,15 @@ void vtkViewpointSearch::Internals::Search(
   const Clock::time_point start = Clock::now();
   const int source =
     this->Self->Field == EXTINCTION_ARRAY ? int(ARRAY) : this->Self->ExtinctionSource;
-  const limpid::ImageScene image = this->Reader.Read(input, source);
+  const limpid::ImageScene image =
+    this->Interruptibly([&] { return this->Reader.Read(input, source); });
   LIMPID_REQUIRE(image.grid.HasVolume(),
     "The image has " << image.grid.nodes.x << " x " << image.grid.nodes.y << " x "
                      << image.grid.nodes.z
                      << " points (without a volume nothing hides anything from any side). Give an "
                         "image with at least two points per axis.");
-  const auto scene = std::make_shared<limpid::PreparedScene>(image.Fields());
+  const auto scene = this->Interruptibly(
+    [&image] { return std::make_shared<limpid::PreparedScene>(image.Fields()); });
   this->WarnOfSceneWithoutScore(*scene);
 
   limpid::FoundViews found;
@@ -125,11 +137,15 @@ void vtkViewpointSearch::Internals::SearchOneField(
 {
   const limpid::SceneFields& fields = scene.Arrays();
   const limpid::Settings settings = this->MakeSettings();
-  const std::vector<float> proxy = this->Self->Field == IMPORTANCE_PROXY
-    ? ProxyOf(fields, scene.Majorant())
-    : std::vector<float>();
-  const limpid::ViewScore score(fields.grid, proxy.empty() ? fields.baseExtinction : proxy.data(),
-    fields.importance, settings.rayDensity, settings.backend);
+  const auto score = this->Interruptibly(
+    [&]
+    {
+      const std::vector<float> proxy = this->Self->Field == IMPORTANCE_PROXY
+        ? ProxyOf(fields, scene.Majorant())
+        : std::vector<float>();
+      return limpid::ViewScore(fields.grid, proxy.empty() ? fields.baseExtinction : proxy.data(),
+        fields.importance, settings.rayDensity, settings.backend);
+    });
   found.backend = score.BackendName();
   this->ScoreAndFind([&](const limpid::SearchProgress& progress)
     { return limpid::ScoreViews(score, found.orbit, found.sphere.directions, progress); },
@@ -152,7 +168,7 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
       return views.ScoreAll(found.sphere.directions,
         [&](double share)
         {
-          const double expected = SecondsSince(start) / share;
+          const double expected = share > 0 ? SecondsSince(start) / share : 0;
           if (isFirst && expected > LongSeconds)
           {
             vtkWarningWithObjectMacro(this->Self,
@@ -161,7 +177,7 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
                                                        << " minutes. Set NumberOfDirections or "
                                                           "Field to something else to be faster.");
           }
-          isFirst = false;
+          isFirst = isFirst && !(share > 0);
           return progress(share);
         });
     },
@@ -176,10 +192,10 @@ void vtkViewpointSearch::Internals::ScoreAndFind(
 {
   vtkViewpointSearch* self = this->Self;
   limpid::SearchReport report(
-    [this, self](double share)
+    [self](double share)
     {
       self->UpdateProgress(share);
-      return !this->Reader.IsAborted();
+      return !limpid::IsAborted(self);
     });
   limpid::SearchSettings search = this->MakeSearchSettings(found.sphere.Spacing());
   const double share = ShareOfSamples(found.sphere.directions.size(), search);

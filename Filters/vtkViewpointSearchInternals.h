@@ -39,6 +39,8 @@ struct vtkViewpointSearch::Internals
   void SearchOneField(const limpid::PreparedScene& scene, limpid::FoundViews& found) const;
   void SearchOptimizedFields(
     const std::shared_ptr<limpid::PreparedScene>& scene, limpid::FoundViews& found) const;
+  template <class Function>
+  auto Interruptibly(const Function& function) const;
   template <class Score, class Find>
   void ScoreAndFind(const Score& score, const Find& find, limpid::FoundViews& found) const;
 

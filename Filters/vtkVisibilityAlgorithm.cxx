@@ -48,6 +48,15 @@ vtkMTimeType vtkVisibilityAlgorithm::GetMTime()
   return function ? std::max(time, function->GetMTime()) : time;
 }
 
+int vtkVisibilityAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Composite data come to the filter, which refuses them; the executive would give it block by
+  // block.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
 int vtkVisibilityAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {

@@ -13,11 +13,15 @@
  *   index 0: scalar field; default: the active scalars;
  *   index 1: importance, dimensionless; default: "Importance";
  *   index 2: extinction [1/length], where a filter is told to take one; default: "BaseExtinction".
- * Points with a NaN or an infinite value and hidden (blanked) points are empty: they have neither
- * extinction nor importance.
+ * Points with a NaN or an infinite value and blanked points are empty: they have neither extinction
+ * nor importance. So are the points of blanked cells for arrays of points; in arrays of cells,
+ * blanked cells count as zero. Blanked are, by "vtkGhostType", hidden and duplicate points, and
+ * hidden, duplicate and refined cells.
  *
  * Any point may hide any other, so with several processes each one needs the whole image. Where a
  * source cannot give it to them, there is an error.
+ *
+ * Composite data are refused: what hides a structure may lie in another block.
  *
  * The unit of length is that of the input's spacing.
  *
@@ -94,6 +98,7 @@ protected:
   vtkVisibilityAlgorithm();
   ~vtkVisibilityAlgorithm() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
 

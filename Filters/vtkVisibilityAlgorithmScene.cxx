@@ -15,7 +15,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
 #include "math/Require.h"
 
@@ -49,6 +48,9 @@ SceneFields ImageScene::Fields() const
 vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   vtkInformationVector** inputVector) const
 {
+  const std::string refusal =
+    limpid::RefusalOf(vtkDataObject::GetData(inputVector[0]), "this filter works on");
+  LIMPID_REQUIRE(refusal.empty(), refusal);
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   LIMPID_REQUIRE(input && input->GetNumberOfPoints() > 0,
     "The input has no points (there is nothing to be seen). Give it an image with data.");
@@ -95,29 +97,22 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
     scene.majorant = static_cast<float>(
       limpid::ExtinctionOfOpacity(limpid::LargestValue(opacity), scene.unitDistance));
   }
-  scene.arrays = limpid::ConvertScene(input, extinction, this->ImportanceSource(input));
+  const limpid::FieldSource importance = this->ImportanceSource(input);
+  scene.arrays = limpid::ConvertScene(input, extinction, importance);
+  if (extinctionSource == ARRAY)
+  {
+    scene.taken.push_back(extinction.array);
+  }
+  if (!this->Self->GetUseImportanceFunction() && importance.array->GetNumberOfComponents() == 1)
+  {
+    scene.taken.push_back(importance.array);
+  }
   if (!scene.arrays.Warning().empty())
   {
     vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
   }
   return scene;
 }
-
-// vtkAlgorithm::CheckAbort came between VTK's releases 9.2 and 9.3; ParaView 5.11 has it.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-bool vtkVisibilityAlgorithm::SceneReader::IsAborted() const
-{
-  const bool aborted = this->Self->CheckAbort();
-  // The executive would empty the output, but we leave a valid one.
-  this->Self->SetAbortOutput(false);
-  return aborted;
-}
-#else
-bool vtkVisibilityAlgorithm::SceneReader::IsAborted() const
-{
-  return this->Self->GetAbortExecute() != 0;
-}
-#endif
 
 vtkDataArray* vtkVisibilityAlgorithm::SceneReader::FindArray(
   int index, const char* role, const char* fallback, vtkImageData* input, bool& onCells) const

@@ -11,6 +11,8 @@
 
 #include "optimize/Solver.h"
 
+#include <vector>
+
 namespace limpid
 {
 /// A scene that was read from an image, and what it was read with.
@@ -20,6 +22,9 @@ struct ImageScene
   double unitDistance = 1; ///< of opacities [length]
   SceneArrays arrays;
   float majorant = 0; ///< of the opacity function; zero: that of the arrays [1/length]
+
+  /// Arrays of the input that are fields of the scene as they are.
+  std::vector<vtkDataArray*> taken;
 
   /// What the core takes of it; the arrays stay here.
   SceneFields Fields() const;
@@ -42,9 +47,6 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// The scene of the input, with the base extinction from `extinctionSource`. Warns of values that
   /// cannot be used.
   limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
-
-  /// Whether the user wants to stop. Call it from the thread of the request.
-  bool IsAborted() const;
 
 private:
   vtkDataArray* FindArray(

@@ -22,14 +22,14 @@ void Add(const NodeSet& more, NodeSet& nodes)
     [](unsigned char a, unsigned char b) { return static_cast<unsigned char>(a | b); });
 }
 
-SweepCounts CountSweep(const Problem& problem, const RaySource& eye)
+SweepCounts CountSweep(const Problem& problem, const RaySource& source)
 {
   const Index strides[3] = { 1, problem.grid.nodes.x,
     Index(problem.grid.nodes.x) * problem.grid.nodes.y };
   const NodeSet none(std::size_t(problem.grid.NodeCount()), 0);
   SweepCounts counts{ 0, none, 0, none };
   const std::vector<PlannedFrustum> frusta =
-    PlanSweep(problem.grid, *problem.occupancy, eye, { problem.settings.rayDensity });
+    PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity });
   for (const PlannedFrustum& frustum : frusta)
   {
     const auto mark = [&](int node, int v, const Range<int>& columns, NodeSet& nodes)

@@ -18,7 +18,7 @@ using NodeSet = std::vector<unsigned char>;
 double CountOf(const NodeSet& nodes);
 void Add(const NodeSet& more, NodeSet& nodes);
 
-/// What the sweeps from one eye visit.
+/// What the sweeps from one source visit.
 struct SweepCounts
 {
   double samples = 0;   ///< rays times layers
@@ -27,7 +27,7 @@ struct SweepCounts
   NodeSet updated;      ///< not empty nodes that rays are interpolated to
 };
 
-SweepCounts CountSweep(const Problem& problem, const RaySource& eye);
+SweepCounts CountSweep(const Problem& problem, const RaySource& source);
 
 /// In every row along x all nodes from the first to the last that is not empty.
 NodeSet FilledNodes(const Problem& problem);

@@ -8,11 +8,13 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkMultiBlockDataSet,
+                                           vtkPiecewiseFunction)
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import FilterTest, filter_on, function_of, image_of, phantom, values
+from images import (FilterTest, abort_at_every_event, filter_on, function_of, image_of, memory_limited_to, phantom,
+                    values)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -82,6 +84,18 @@ class TestOutput(OptimizerTest):
         self.assertGreaterEqual(number(output, "VisibleFraction"), 0)
         self.assertLessEqual(number(output, "VisibleFraction"), 1)
         self.assertNotEqual(output.GetFieldData().GetAbstractArray("Backend").GetValue(0), "")
+
+    def test_shares_of_thin_media_are_not_above_one(self):
+        ones = np.ones(512)
+        for extinction in (1e-8, 1e-10, 1e-12):
+            result = optimizer(image_of((8, 8, 8), BaseExtinction=extinction * ones, Importance=ones),
+                               CameraPosition=(22, 11, 10))
+            result.Update()
+            for name in ("VisibleFraction", "BaseVisibleFraction"):
+                share = number(result.GetOutput(), name)
+                self.assertTrue(1 - 1e-6 <= share <= 1, f"{name} is 1 + {share - 1}")
+            table = result.GetConvergence().GetColumnByName("VisibleFraction")
+            self.assertLessEqual(table.GetRange()[1], 1)
 
     def test_has_one_row_per_iteration_in_the_table(self):
         result = optimizer(phantom())
@@ -323,6 +337,57 @@ class TestMajorant(OptimizerTest):
         self.assertEqual(largest, np.float32(-np.log(1 - 0.9)))
 
 
+class TestArraysWithNamesOfResults(OptimizerTest):
+    def warning(self, image, **properties):
+        """What is said about names, and the output."""
+        result = optimizer(image, **properties)
+        result.Update()
+        self.assert_no_error(result)
+        warnings = result.messages["WarningEvent"]
+        self.assertLessEqual(len(warnings), 1)
+        return "".join(warnings), result.GetOutput()
+
+    def scene(self, **arrays):
+        ones = np.ones(512)
+        return image_of((8, 8, 8), **{"Importance": ones, "BaseExtinction": ones, **arrays})
+
+    def test_are_named_and_the_results_are_there(self):
+        image = self.scene(Opacity=np.full(512, 7.0), Extinction=np.full(512, 7.0))
+        energy = numpy_to_vtk(np.full(3, 7.0), deep=1)
+        energy.SetName("Energy")
+        image.GetFieldData().AddArray(energy)
+        text, output = self.warning(image)
+
+        self.assertIn('"Opacity", "Extinction", "Energy"', text)
+        self.assertIn("other names", text)
+        plain = self.run_filter(self.scene())
+        for name in ("Opacity", "Extinction"):
+            np.testing.assert_array_equal(values(output, name), values(plain, name))
+        self.assertEqual(number(output, "Energy"), number(plain, "Energy"))
+        np.testing.assert_array_equal(values(image, "Opacity"), 7)
+
+    def test_are_fine_where_they_are_what_the_scene_is_made_of(self):
+        self.assertEqual(self.warning(self.scene())[0], "")
+
+        function = {"UseImportanceFunction": 1, "ImportanceFunction": function_of((0, 0), (4, 1))}
+        self.assertIn('"Importance"', self.warning(self.scene(), **function)[0])
+        opacity = {"ExtinctionSource": 0, "ScalarOpacityFunction": function_of((0, 0), (1, 0.5))}
+        image = self.scene(s=np.linspace(0, 1, 512))
+        image.GetPointData().SetActiveScalars("s")
+        self.assertIn('"BaseExtinction"', self.warning(image, **opacity)[0])
+
+    def test_are_fine_where_they_are_results_of_a_filter_before(self):
+        text, output = self.warning(self.scene())
+        self.assertEqual(text, "")
+        self.assertEqual(self.warning(output)[0], "")
+        copy = vtkImageData()
+        copy.DeepCopy(output)
+        self.assertEqual(self.warning(copy)[0], "")
+
+    def test_are_fine_where_they_are_those_of_the_phantom(self):
+        self.assertEqual(self.warning(phantom(12), ExtinctionSource=0)[0], "")
+
+
 class TestValuesThatCannotBeUsed(OptimizerTest):
     def test_nan_and_infinity_are_empty_and_reported_once(self):
         image = phantom(12)
@@ -375,6 +440,13 @@ class TestValuesThatCannotBeUsed(OptimizerTest):
 class TestDegenerateInput(OptimizerTest):
     def test_no_points(self):
         self.assert_refuses("no points", filter_=optimizer(vtkImageData()))
+
+    def test_composite_data_are_refused_whole(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, phantom(12))
+        blocks.SetBlock(1, phantom(12))
+        self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
+                            "Resample To Image", filter_=optimizer(blocks))
 
     def test_flat_images_keep_their_extinction_with_a_warning(self):
         for shape in ((5, 5, 1), (5, 1, 1), (1, 1, 1), (1, 6, 7)):
@@ -562,11 +634,38 @@ class TestRuns(OptimizerTest):
                            if result.GetProgress() > 0 else None)
         result.Update()
 
+        self.assert_is_input(result, image)
+
+    def test_an_abort_at_any_event_leaves_a_filter_that_can_run(self):
+        image = phantom(16)
+        for properties, step in (
+                ({}, 1), ({"Mode": vtkExtinctionOptimizer.SEPARATE}, 3),
+                ({"Solver": vtkExtinctionOptimizer.ADAM, "IterationsPerLevel": (2, 2, 2)}, 2),
+                ({"OptimizeViewpoint": 1}, 9)):
+            with self.subTest(**properties):
+                undisturbed = optimizer(image, **properties)
+                undisturbed.Update()
+                result = optimizer(image, **properties)
+
+                def look():
+                    if result.GetOutput().GetPointData().GetArray("Extinction") is None:
+                        self.assert_is_input(result, image)
+                        return False
+                    for name in RESULTS:
+                        np.testing.assert_array_equal(values(result.GetOutput(), name),
+                                                      values(undisturbed.GetOutput(), name))
+                    return True
+                self.assertGreater(abort_at_every_event(result, look, step), 5)
+                self.assertTrue(look())
+                self.assert_no_error(result)
+
+    def assert_is_input(self, result, image):
         output = result.GetOutput()
         self.assertEqual(output.GetExtent(), image.GetExtent())
         names = [output.GetPointData().GetArrayName(i)
                  for i in range(output.GetPointData().GetNumberOfArrays())]
         self.assertEqual(names, ["Scalars", "Importance", "BaseExtinction"])
+        self.assertEqual(output.GetFieldData().GetNumberOfArrays(), 0)
         self.assertEqual(result.GetConvergence().GetNumberOfRows(), 0)
 
     def test_changed_data_is_a_new_run(self):
@@ -608,6 +707,20 @@ class TestRuns(OptimizerTest):
         else:
             backend = result.GetOutput().GetFieldData().GetAbstractArray("Backend").GetValue(0)
             self.assertIn("CUDA", backend)
+
+    def test_says_how_much_memory_is_missing_and_goes_on(self):
+        result = optimizer(phantom(8), Solver=1, IterationsPerLevel=(1, 1, 1))
+        result.Update()  # its threads are there
+        result.SetInputData(phantom(208))
+        with memory_limited_to(2 ** 20):
+            self.assert_refuses("208 x 208 x 208 points (about 0.352 GiB", "Resample To Image",
+                                filter_=result)
+
+        result.SetInputData(phantom(8))
+        result.messages["ErrorEvent"].clear()
+        result.Update()
+        self.assert_no_error(result)
+        self.assertEqual(result.GetOutput().GetNumberOfPoints(), 512)
 
     def test_recovers_from_an_error(self):
         result = optimizer(phantom(), ViewWeight=-1)

@@ -8,7 +8,7 @@ import numpy as np
 from limpid.vtkLimpidFilters import vtkOcclusionPhantom
 
 import images
-from images import values
+from images import abort_at_every_event, caught, memory_limited_to, values
 
 SCENES = {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3}
 
@@ -69,6 +69,41 @@ class TestOcclusionPhantom(unittest.TestCase):
         piece = values(source.GetOutput(), "Scalars").reshape(1, 16, 6)
 
         np.testing.assert_array_equal(piece, whole[3:4, :, 4:10])
+
+    def test_an_abort_at_any_event_leaves_all_or_nothing(self):
+        expected = values(phantom("Head", 64), "Scalars")
+        source = vtkOcclusionPhantom()
+        source.SetResolution(64)
+
+        def look():
+            output = source.GetOutput()
+            if output.GetNumberOfPoints() > 0:
+                np.testing.assert_array_equal(values(output, "Scalars"), expected)
+            else:
+                self.assertEqual(output.GetPointData().GetNumberOfArrays(), 0)
+        errors = caught(source)
+        abort_at_every_event(source, look)
+
+        self.assertEqual(source.GetOutput().GetNumberOfPoints(), 64 ** 3)
+        self.assertEqual(errors, [])
+
+    def test_says_how_much_memory_is_missing_and_goes_on(self):
+        source = vtkOcclusionPhantom()
+        source.SetResolution(8)
+        source.Update()  # its threads are there
+        errors = caught(source, "ErrorEvent")
+        source.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        source.SetResolution(2000)
+        with memory_limited_to(2 ** 30):
+            source.Update()
+
+        self.assertEqual(len(errors), 1)
+        self.assertIn("2000 x 2000 x 2000 points (about 89.4 GiB", errors[0])
+        self.assertIn("Resolution", errors[0])
+        self.assertEqual(source.GetOutput().GetNumberOfPoints(), 0)
+        source.SetResolution(8)
+        source.Update()
+        self.assertEqual(source.GetOutput().GetNumberOfPoints(), 512)
 
 
 if __name__ == "__main__":

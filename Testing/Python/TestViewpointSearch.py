@@ -7,12 +7,13 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
-from images import FilterTest, filter_on, function_of, image_of, phantom, values
+from images import (FilterTest, abort_at_every_event, filter_on, function_of, image_of, memory_limited_to, phantom,
+                    values)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -490,10 +491,24 @@ class TestRuns(SearchTest):
     def test_an_abort_before_the_first_direction_leaves_no_view(self):
         result = self.abort_at(-1)
 
-        np.testing.assert_array_equal(values(result.GetOutput(), "Valid"), 0)
-        np.testing.assert_array_equal(values(result.GetOutput(), "VisibilityScore"), 0)
-        self.assertEqual(result.GetViewpoints().GetNumberOfPoints(), 0)
-        self.assertNotIn("BestVisibilityScore", names_of(result.GetOutput().GetFieldData()))
+        for port in range(3):
+            self.assertEqual(result.GetOutput(port).GetNumberOfPoints(), 0)
+
+    def test_an_abort_at_any_event_leaves_a_filter_that_can_run(self):
+        for properties in ({}, {"Field": PER_VIEW}):
+            with self.subTest(**properties):
+                properties = {**properties, "NumberOfDirections": 12, "NumberOfViewpoints": 1}
+                undisturbed = self.run_filter(phantom(16), **properties)
+                result = search(phantom(16), **properties)
+                self.assertGreater(
+                    abort_at_every_event(result, lambda: self.assert_finite(result), 5), 12)
+
+                self.assert_no_error(result)
+                for port in range(3):
+                    for name in ("VisibilityScore", "CameraPosition"):
+                        np.testing.assert_array_equal(
+                            values(result.GetOutput(port), name),
+                            values(undisturbed.GetOutput(port), name))
 
     def test_is_the_same_bits_again(self):
         first, second = self.run_filter(phantom()), self.run_filter(phantom())
@@ -523,6 +538,20 @@ class TestRuns(SearchTest):
             self.assertEqual(result.GetOutput(port).GetNumberOfPoints(), 0)
         result.UpdatePiece(0, 2, 0)
         self.assertEqual(result.GetOutput().GetNumberOfPoints(), 42)
+
+    def test_says_how_much_memory_is_missing_and_goes_on(self):
+        result = search(phantom(8))
+        result.Update()  # its threads are there
+        result.SetInputData(phantom(208))
+        with memory_limited_to(2 ** 20):
+            self.assert_refuses("208 x 208 x 208 points (about", "GiB are needed",
+                                "Resample To Image", filter_=result)
+
+        result.SetInputData(phantom(8))
+        result.messages["ErrorEvent"].clear()
+        result.Update()
+        self.assert_no_error(result)
+        self.assertGreater(result.GetOutput().GetNumberOfPoints(), 0)
 
     def test_recovers_from_an_error(self):
         result = search(phantom(), CameraDistance=0.5)
@@ -590,6 +619,13 @@ class TestDegenerateInput(SearchTest):
 
     def test_no_points_are_refused(self):
         self.assert_refuses("no points", filter_=search(vtkImageData()))
+
+    def test_composite_data_are_refused_whole(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, phantom(12))
+        blocks.SetBlock(1, phantom(12))
+        self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
+                            "Resample To Image", filter_=search(blocks))
 
     def test_the_smallest_volume_has_scores(self):
         image = image_on(2, Importance=np.ones(8), BaseExtinction=np.ones(8))

@@ -3,6 +3,8 @@
 
 """What the tests with VTK alone share: images, functions, filters and their messages."""
 
+import contextlib
+import resource
 import unittest
 
 import numpy as np
@@ -59,6 +61,19 @@ def caught(thing, *events):
     return texts
 
 
+@contextlib.contextmanager
+def memory_limited_to(more):
+    """No more bytes than those that the process has and so many."""
+    with open("/proc/self/statm") as file:
+        pages = int(file.read().split()[0])
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    resource.setrlimit(resource.RLIMIT_AS, (pages * resource.getpagesize() + more, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)
+
+
 def filter_on(image, filter_class, **properties):
     """A filter that takes its extinction from the array BaseExtinction, with messages caught."""
     result = filter_class()
@@ -70,6 +85,27 @@ def filter_on(image, filter_class, **properties):
     for event in result.messages:
         result.GetExecutive().AddObserver(event, lambda *_: None)
     return result
+
+
+def abort_at_every_event(filter_, look, step=1):
+    """Aborts one run at the first event of its progress, the next `step` events later, …, and looks
+    at what each leaves, until one comes to its end. Returns how many events that one had."""
+    wanted, seen = 1 - step, 0
+
+    def observe(*_):
+        nonlocal seen
+        seen += 1
+        if seen == wanted:
+            filter_.SetAbortExecute(1)
+    tag = filter_.AddObserver("ProgressEvent", observe)
+    while seen >= wanted:
+        wanted, seen = wanted + step, 0
+        filter_.SetAbortExecute(0)
+        filter_.Modified()
+        filter_.Update()
+        look()
+    filter_.RemoveObserver(tag)
+    return seen
 
 
 class FilterTest(unittest.TestCase):

@@ -5,7 +5,7 @@
 
 #include "backend/Backend.h"
 #include "energy/NodeImportance.h"
-#include "energy/TransmittanceVolume.h"
+#include "energy/TransmittanceSweep.h"
 #include "energy/VisibilityTerm.h"
 
 #include <numeric>
@@ -41,10 +41,10 @@ struct Swept
 /// Transmittance at voxels as a sweep back to front has it in an iteration. Without importance
 /// along the rays and with 1 at the nodes, the derivative of a term is -T.
 SampledTransmittance TransmittanceOf(
-  Swept& swept, const Truth& truth, const RaySource& eye, double rayDensity)
+  Swept& swept, const Truth& truth, const RaySource& source, double rayDensity)
 {
   VisibilityTerm<HostDevice> term(
-    HostDevice::Shared(), swept.source.grid, swept.everything, eye, rayDensity);
+    HostDevice::Shared(), swept.source.grid, swept.everything, source, rayDensity);
   Visible seen;
   const std::vector<float> none(swept.gradient.size(), 0.0f);
   const std::vector<float> ones(swept.gradient.size(), 1.0f);
@@ -135,7 +135,7 @@ Json MeasureSweeps(const Truth& truth, const Effort& effort)
 Json MeasureShadows(const Truth& truth, const Effort& effort)
 {
   const SceneOfFile& scene = truth.Source();
-  const RaySource eyes[2] = { SourceOfCamera(scene.camera, scene.grid, false),
+  const RaySource sources[2] = { SourceOfCamera(scene.camera, scene.grid, false),
     SourceOfLight(scene.light, scene.grid) };
   std::vector<float> transmittance(scene.extinction.size());
   Json results;
@@ -143,15 +143,15 @@ Json MeasureShadows(const Truth& truth, const Effort& effort)
   {
     SampledTransmittance sampled[2];
     std::vector<double> times;
-    for (int eye = 0; eye < 2; ++eye)
+    for (int i = 0; i < 2; ++i)
     {
       for (int which = 0; which < 2; ++which)
       {
         Stopwatch watch;
         FillTransmittance(
-          scene.grid, truth.Extinction(which).data(), eyes[eye], rayDensity, transmittance.data());
+          scene.grid, truth.Extinction(which).data(), sources[i], rayDensity, transmittance.data());
         times.push_back(watch.Lap());
-        sampled[eye][std::size_t(which)] = truth.AtVoxels(transmittance);
+        sampled[i][std::size_t(which)] = truth.AtVoxels(transmittance);
       }
     }
     Json result{ { "ray_density", rayDensity }, { "seconds", Median(times) } };

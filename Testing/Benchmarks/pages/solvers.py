@@ -44,7 +44,7 @@ Scores [length²] that the solver reports against those of the march.
 ### Which solver ends lower?
 
 Policy with default settings against Adam with 32, 32 and 64 iterations on a quarter, half and \
-full resolution. F is the energy of Eq. 21; the last column is negative where the policy's is \
+full resolution. F is the energy of Eq. (21); the last column is negative where the policy's is \
 lower, that is, better. S after one iteration is the reported one. Visible: S over the same \
 integral without transmittance. Times are those of one run each, with setup.
 """ + table(scenes, [
