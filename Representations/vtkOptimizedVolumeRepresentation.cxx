@@ -3,6 +3,7 @@
 
 #include "vtkOptimizedVolumeRepresentation.h"
 
+#include "Choices.h"
 #include "ScoreText.h"
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
@@ -12,12 +13,10 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
 #include "vtkRenderer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolumeProperty.h"
 
 vtkStandardNewMacro(vtkOptimizedVolumeRepresentation);
@@ -25,22 +24,6 @@ vtkStandardNewMacro(vtkRepresentedVolumeMapper);
 
 namespace
 {
-// Why an input cannot be drawn; empty if it can.
-std::string RefusalOf(vtkDataObject* input)
-{
-  if (!input || vtkImageData::SafeDownCast(input))
-  {
-    return {};
-  }
-  const std::string what = "The input is a " + std::string(input->GetClassName()) +
-    " (Optimized Volume draws one image with the same spacing everywhere). ";
-  return what +
-    (vtkCompositeDataSet::SafeDownCast(input)
-        ? "Take one of its blocks with the filter Extract Block, or make an image of all of them "
-          "with Resample To Image."
-        : "Make it one with the filter Resample To Image.");
-}
-
 void GetBounds(vtkDataObject* input, double bounds[6])
 {
   if (auto* data = vtkDataSet::SafeDownCast(input))
@@ -73,28 +56,13 @@ vtkOptimizedVolumeRepresentation::~vtkOptimizedVolumeRepresentation()
   this->State->Annotation->SetTextSource(nullptr); // a renderer may keep it longer
 }
 
-int vtkOptimizedVolumeRepresentation::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool severalPieces = controller && controller->GetNumberOfProcesses() > 1;
-  for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects() && severalPieces; ++i)
-  {
-    // The neighbours' layer, for what is interpolated or averaged at the borders of pieces.
-    inputVector[0]->GetInformationObject(i)->Set(
-      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 1);
-  }
-  return 1;
-}
-
 int vtkOptimizedVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() > 0
     ? vtkDataObject::GetData(inputVector[0], 0)
     : nullptr;
-  this->State->Refusal = RefusalOf(input);
+  this->State->Refusal = limpid::RefusalOf(input, "Optimized Volume draws");
   if (this->State->Refusal.empty())
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);

@@ -160,8 +160,6 @@ protected:
   vtkOptimizedVolumeRepresentation();
   ~vtkOptimizedVolumeRepresentation() override;
 
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void UpdateMapperParameters() override;

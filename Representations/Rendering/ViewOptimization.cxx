@@ -128,7 +128,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   }
   if (!data.HasImportance() || !frame.measure || (!frame.optimize && !frame.still))
   {
-    this->ShowBase();
+    this->ShowBase(frame, data);
     return;
   }
   bool changed = false;
@@ -145,12 +145,13 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   const bool frozen = frame.optimize ? frame.paused && !changed && !this->ShowsBase : found;
   if (!frozen && !this->TakeView(frame, camera))
   {
-    this->ShowBase();
+    this->ShowBase(frame, data);
     result.converged = false;
     return;
   }
   changed = (!frozen && this->Work(frame, clock, isAborted)) || changed;
-  frame.optimize ? this->Show(frame, clock.SecondsSinceLast(), changed) : this->ShowBase();
+  frame.optimize ? this->Show(frame, clock.SecondsSinceLast(), changed)
+                 : this->ShowBase(frame, data);
 
   const Scores scores = this->Measure(frame, camera, changed);
   result.score = frame.optimize ? scores.best : scores.base;
@@ -161,12 +162,15 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     frame.still && (frozen || this->Optimizer->Converged()) && this->Remaining == 0;
 }
 
-void ViewOptimization::ShowBase()
+void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& data)
 {
-  if (!this->ShowsBase)
+  const float* caster = frame.lit ? data.ShadowCaster() : nullptr;
+  const std::uint64_t version = caster ? data.FunctionsVersion() : 0;
+  if (!this->ShowsBase || version != this->CasterVersion)
   {
-    this->Pictures.SetExtinction(Grid(), nullptr, nullptr);
+    this->Pictures.SetExtinction(caster ? data.Nodes() : Grid(), caster, caster);
     this->ShowsBase = true;
+    this->CasterVersion = version;
   }
   this->Remaining = 0;
 }
@@ -175,13 +179,14 @@ void ViewOptimization::Release()
 {
   this->Optimizer.reset();
   this->ShowsBase = true;
+  this->CasterVersion = 0;
   this->Remaining = 0;
 }
 
 void ViewOptimization::Stop()
 {
-  this->Optimizer.reset();
-  this->ShowBase();
+  this->Pictures.SetExtinction(Grid(), nullptr, nullptr);
+  this->Release();
 }
 
 void ViewOptimization::Reset()

@@ -54,7 +54,7 @@ private:
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
   void Show(const FrameSettings& frame, double seconds, bool changed);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
-  void ShowBase();
+  void ShowBase(const FrameSettings& frame, const VolumeData& data);
 
   Renderer& Pictures;
   std::unique_ptr<Progressive> Optimizer;
@@ -69,7 +69,8 @@ private:
   std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for the one above
   Camera ElsewhereCamera;
   bool ShowsBase = true;
-  double Remaining = 0; ///< share of the last change that has not eased in yet
+  std::uint64_t CasterVersion = 0; ///< of what casts shadows with the base; 0: the base does
+  double Remaining = 0;            ///< share of the last change that has not eased in yet
 };
 }
 

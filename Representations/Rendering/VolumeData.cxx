@@ -4,12 +4,12 @@
 #include "VolumeData.h"
 
 #include "AllCores.h"
+#include "Blanking.h"
+#include "Memory.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -62,36 +62,6 @@ vtkIdType CountNodes(const Grid& grid, const Body& body)
 }
 }
 
-bool CropRegion::Contains(const Vec3& point) const
-{
-  for (const glm::dvec4& plane : this->planes)
-  {
-    if (!(glm::dot(plane, glm::dvec4(point, 1.0)) >= 0))
-    {
-      return false;
-    }
-  }
-  if (!this->hasRegions)
-  {
-    return true;
-  }
-  int region = 0;
-  int stride = 1;
-  for (int axis = 0; axis < 3; ++axis, stride *= 3)
-  {
-    const double low = this->limits[2 * std::size_t(axis)];
-    const double high = this->limits[2 * std::size_t(axis) + 1];
-    region += stride * (point[axis] < low ? 0 : (point[axis] > high ? 2 : 1));
-  }
-  return (this->regions & (1 << region)) != 0;
-}
-
-bool CropRegion::operator==(const CropRegion& other) const
-{
-  return std::tie(this->planes, this->hasRegions, this->limits, this->regions) ==
-    std::tie(other.planes, other.hasRegions, other.limits, other.regions);
-}
-
 bool VolumeData::ArrayKey::operator==(const ArrayKey& other) const
 {
   return std::tie(this->array, this->ghosts, this->mapping, this->component, this->onCells) ==
@@ -106,10 +76,7 @@ VolumeData::ArrayKey VolumeData::KeyOf(
   key.mapping = mapping;
   key.component = source.component;
   key.onCells = source.onCells;
-  for (vtkUnsignedCharArray* ghosts : { image->GetPointGhostArray(), image->GetCellGhostArray() })
-  {
-    key.ghosts = std::max(key.ghosts, ghosts ? ghosts->GetMTime() : 0);
-  }
+  key.ghosts = Blanking(image).MTime();
   return key;
 }
 
@@ -135,18 +102,16 @@ ValueUnit VolumeData::ChooseUnit(const FieldSource& source)
   return unit;
 }
 
-// Hidden points and points outside of the crop region become empty.
-void VolumeData::EmptyScalars(vtkImageData* image, const CropRegion& crop)
+// Blanked points become empty, and points outside of the crop region but those of the cells that
+// its planes cut. Returns how many values are NaN.
+vtkIdType VolumeData::EmptyScalars(const CropRegion& crop, const float* shares, float* values) const
 {
-  vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
-  float* values = this->ScalarValues->GetPointer(0);
-  this->InvalidScalars = CountNodes(this->NodeGrid,
+  const vtkIdType invalidScalars = CountNodes(this->NodeGrid,
     [=](vtkIdType node, const Vec3&)
     {
-      const bool hidden =
-        ghosts && (ghosts->GetValue(node) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-      const bool invalid = !hidden && std::isnan(values[node]);
-      values[node] = hidden ? Empty : values[node];
+      const bool blanked = shares && shares[node] == 0;
+      const bool invalid = !blanked && std::isnan(values[node]);
+      values[node] = blanked ? Empty : values[node];
       return invalid;
     });
   if (!crop.IsEverything())
@@ -155,11 +120,12 @@ void VolumeData::EmptyScalars(vtkImageData* image, const CropRegion& crop)
     CountNodes(grid,
       [=, &crop, &grid](vtkIdType node, const Vec3& index)
       {
-        const bool inside = crop.Contains(grid.PointToWorld(index));
+        const bool inside = crop.Contains(grid, index, 1);
         values[node] = inside ? values[node] : Empty;
         return false;
       });
   }
+  return invalidScalars;
 }
 
 void VolumeData::UpdateScalars(
@@ -183,8 +149,10 @@ void VolumeData::UpdateScalars(
     { return (value - unit.offset) * unit.scale; };
   }
   this->NodeGrid = grid;
-  this->ScalarValues = ConvertField(image, scaled, "Scalars");
-  this->EmptyScalars(image, crop);
+  const vtkSmartPointer<vtkFloatArray> values = ConvertField(image, scaled, "Scalars");
+  this->ScalarShares = Blanking(image).Shares(source.onCells);
+  this->InvalidScalars = this->EmptyScalars(crop, this->Shares(), values->GetPointer(0));
+  this->ScalarValues = values; // wholly or not at all
   this->ScalarsKey = key;
   this->Crop = crop;
   ++this->ScalarChanges;
@@ -204,26 +172,30 @@ void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
     return;
   }
   const TransferFunctions before = std::exchange(this->Tables, TransferFunctions());
+  const float majorant = std::exchange(this->Majorant, LargestExtinction(property));
   this->Tables = SampleFunctions(property, this->Low, this->High, this->Unit);
   this->Property = property;
   this->PropertyTime = time;
   this->FunctionsScalars = this->ScalarChanges;
   // A property changes with much that is no function, and VTK changes it while it draws.
-  const float majorant = std::exchange(this->Majorant, LargestExtinction(property));
   const bool same = HaveSameTables(before, this->Tables) && majorant == this->Majorant;
   this->FunctionChanges += sameScalars && same ? 0 : 1;
 }
 
-// Moves importance into [0, 1]; none where there is no value or nothing to be seen.
-void VolumeData::CorrectImportance()
+// Moves importance into [0, 1]; none where there is no value or nothing to be seen. `shares`: what
+// is left of it at each point; no values: all of it.
+void VolumeData::CorrectImportance(const std::vector<float>& shares)
 {
   const float* scalars = this->Scalars();
   float* importance = this->Arrays.importance->GetPointer(0);
+  const bool isCut = !this->Crop.planes.empty();
   this->Arrays.invalidPoints = this->InvalidScalars +
     CountNodes(this->NodeGrid,
-      [=](vtkIdType node, const Vec3&)
+      [=, &shares](vtkIdType node, const Vec3& index)
       {
-        const bool empty = std::isnan(scalars[node]);
+        const bool blanked = !shares.empty() && shares[std::size_t(node)] == 0;
+        const bool outside = isCut && !this->Crop.Contains(this->NodeGrid, index, 0);
+        const bool empty = blanked || outside || std::isnan(scalars[node]);
         const bool invalid = !empty && std::isnan(importance[node]);
         importance[node] = empty || invalid ? 0.0F : importance[node];
         return invalid;
@@ -235,16 +207,28 @@ void VolumeData::CorrectImportance()
       importance[node] = std::min(std::max(value, 0.0F), 1.0F);
       return importance[node] != value;
     });
+  TakeShares(shares, this->Arrays.importance);
 }
 
 void VolumeData::UpdateBaseExtinction()
 {
   if (this->BaseVersion != this->FunctionChanges || !this->Arrays.baseExtinction)
   {
-    this->Arrays.baseExtinction = vtkSmartPointer<vtkFloatArray>::New();
-    this->Arrays.baseExtinction->SetNumberOfTuples(this->NodeGrid.NodeCount());
+    this->Arrays.baseExtinction =
+      NewArray<vtkFloatArray>("BaseExtinction", this->NodeGrid.NodeCount());
     LookUpExtinction(this->Tables, this->Scalars(), this->NodeGrid.NodeCount(),
       this->Arrays.baseExtinction->GetPointer(0));
+    TakeShares(this->ScalarShares, this->Arrays.baseExtinction);
+    if (!this->Crop.planes.empty())
+    {
+      float* base = this->Arrays.baseExtinction->GetPointer(0);
+      CountNodes(this->NodeGrid,
+        [=](vtkIdType node, const Vec3& index)
+        {
+          base[node] = this->Crop.Contains(this->NodeGrid, index, 0) ? base[node] : 0.0F;
+          return false;
+        });
+    }
     this->BaseVersion = this->FunctionChanges;
   }
 }
@@ -254,7 +238,13 @@ void VolumeData::UpdateImportance(
 {
   if (!source.array)
   {
+    const vtkSmartPointer<vtkFloatArray> base = this->Arrays.baseExtinction;
     this->Arrays = SceneArrays();
+    if (!this->Crop.planes.empty())
+    {
+      this->Arrays.baseExtinction = base;
+      this->UpdateBaseExtinction();
+    }
     return;
   }
   const ArrayKey key = KeyOf(image, source, functionTime);
@@ -264,7 +254,7 @@ void VolumeData::UpdateImportance(
   {
     this->Arrays.importance = nullptr;
     this->Arrays.importance = ConvertField(image, source, "Importance");
-    this->CorrectImportance();
+    this->CorrectImportance(Blanking(image).Shares(source.onCells));
     this->ImportanceKey = key;
     this->ImportanceScalars = this->ScalarChanges;
     ++this->ImportanceChanges;
@@ -302,6 +292,7 @@ std::string VolumeData::Warning() const
 void VolumeData::Release()
 {
   this->ScalarValues = nullptr;
+  this->ScalarShares = {};
   this->Arrays = SceneArrays();
   this->Tables.extinction.clear();
 }

@@ -7,13 +7,13 @@
 #ifndef limpid_VolumeData_h
 #define limpid_VolumeData_h
 
+#include "CropRegion.h"
 #include "SceneConversion.h"
 #include "TransferTables.h"
 
 #include "optimize/Solver.h"
 #include "render/Renderer.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,23 +23,6 @@ class vtkVolumeProperty;
 
 namespace limpid
 {
-/// The part of space that is left in, in data coordinates.
-struct CropRegion
-{
-  /// Half-spaces: inside where dot(plane, (x, y, z, 1)) >= 0.
-  std::vector<glm::dvec4> planes;
-
-  /// Two planes across each axis, which make 27 regions, and a bit for each that is left in, x
-  /// fastest, as in vtkVolumeMapper.
-  bool hasRegions = false;
-  std::array<double, 6> limits{ {} };
-  int regions = 0;
-
-  bool IsEverything() const { return this->planes.empty() && !this->hasRegions; }
-  bool Contains(const Vec3& point) const;
-  bool operator==(const CropRegion& other) const;
-};
-
 class VolumeData
 {
 public:
@@ -57,12 +40,27 @@ public:
   void Release();
 
   const Grid& Nodes() const { return this->NodeGrid; }
-  const float* Scalars() const { return this->ScalarValues->GetPointer(0); }
+  const float* Scalars() const { return this->ScalarValues->GetPointer(0); } ///< NaN: empty
+  const CropRegion& Cropped() const { return this->Crop; }
+
+  /// The part of the extinction that is left at each point [0, 1]; null: all of it.
+  const float* Shares() const
+  {
+    return this->ScalarShares.empty() ? nullptr : this->ScalarShares.data();
+  }
+
   const TransferFunctions& Functions() const { return this->Tables; }
   bool HasImportance() const { return this->Arrays.importance != nullptr; }
 
   /// The scene for the optimisation. HasImportance() must be true.
   SceneFields Scene() const;
+
+  /// What casts shadows, if that is less than what the scalars have, because planes cut between
+  /// points; else null.
+  const float* ShadowCaster() const
+  {
+    return this->Crop.planes.empty() ? nullptr : this->Arrays.baseExtinction->GetPointer(0);
+  }
 
   /// Grows with every change of the scalars that is more than making them again.
   std::uint64_t DataVersion() const { return this->DataChanges; }
@@ -89,8 +87,8 @@ private:
 
   static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);
   ValueUnit ChooseUnit(const FieldSource& source);
-  void EmptyScalars(vtkImageData* image, const CropRegion& crop);
-  void CorrectImportance();
+  vtkIdType EmptyScalars(const CropRegion& crop, const float* shares, float* values) const;
+  void CorrectImportance(const std::vector<float>& shares);
   void UpdateBaseExtinction();
 
   Grid NodeGrid;
@@ -100,6 +98,7 @@ private:
   double Low = 0;  ///< smallest value of the data
   double High = 0; ///< largest value of the data
   vtkSmartPointer<vtkFloatArray> ScalarValues;
+  std::vector<float> ScalarShares; ///< see Blanking::Shares
   vtkIdType InvalidScalars = 0;
   std::uint64_t DataChanges = 0;
   std::uint64_t ScalarChanges = 0;

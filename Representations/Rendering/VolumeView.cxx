@@ -10,12 +10,14 @@
 #include "vtkVolume.h"
 
 #include "backend/ComputeBackend.h"
+#include "backend/Interruption.h"
 #include "optimize/Levels.h"
 #include "render/RenderBackend.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limpid
@@ -110,7 +112,7 @@ void VolumeView::ChoosePictures(BackendKind wish, const Grid& grid)
   constexpr std::size_t bytesPerNode = 32;
   const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
   const bool cuda = wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
-  this->Release();
+  this->ReleaseNow();
   this->Caster = Renderer(BackendOf(cuda).MakeRenderBackend());
   this->PicturesFor = wish;
 }
@@ -121,7 +123,7 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   if (this->ScalarsVersion != data.ScalarsVersion())
   {
     this->ScalarsVersion = 0;
-    this->Caster.SetScalars(data.Nodes(), data.Scalars());
+    this->Caster.SetScalars(data.Nodes(), data.Scalars(), data.Shares());
     this->ScalarsVersion = data.ScalarsVersion();
   }
   if (this->FunctionsVersion != data.FunctionsVersion())
@@ -176,8 +178,8 @@ double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geo
   return this->Budget.PixelSize(pixels, left);
 }
 
-void VolumeView::MakePicture(
-  const FrameSettings& frame, const ViewGeometry& geometry, double pixelSize)
+void VolumeView::MakePicture(const FrameSettings& frame, const ViewGeometry& geometry,
+  const std::vector<glm::dvec4>& planes, double pixelSize)
 {
   this->Frame = FrameOf(geometry, pixelSize);
   this->Depth = geometry.nearest;
@@ -188,6 +190,7 @@ void VolumeView::MakePicture(
   view.height = this->Frame.size[1];
   view.clipToWorld = ClipToData(geometry, this->Frame);
   view.depth = depth.empty() ? nullptr : depth.data();
+  view.planes = planes;
   view.sampleDistance = frame.sampleDistance;
   view.jitter = frame.jitter;
   const auto start = FrameClock::SteadyClock::now();
@@ -196,6 +199,37 @@ void VolumeView::MakePicture(
 }
 
 FrameResult VolumeView::Draw(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  this->IsDrawing = true;
+  FrameResult result;
+  try
+  {
+    result = this->DrawNow(frame, data, messages);
+  }
+  catch (...)
+  {
+    this->EndDrawing();
+    throw;
+  }
+  this->EndDrawing();
+  return result;
+}
+
+void VolumeView::EndDrawing()
+{
+  this->IsDrawing = false;
+  if (std::exchange(this->ResetAfter, false))
+  {
+    this->Reset();
+  }
+  if (std::exchange(this->ReleaseAfter, false))
+  {
+    this->Release();
+  }
+}
+
+FrameResult VolumeView::DrawNow(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   this->Clock.Begin(this->GoesOn);
@@ -222,25 +256,36 @@ FrameResult VolumeView::Draw(
 
   FrameResult result;
   result.light = frame.light.description;
+  const auto isAborted = [this]()
+  { return this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
   try
   {
-    this->Optimization.Advance(
-      frame, data, geometry.camera, this->Clock,
-      [this]() { return this->Target->GetRenderWindow()->CheckAbortStatus() != 0; }, result);
+    this->Optimization.Advance(frame, data, geometry.camera, this->Clock, isAborted, result);
   }
   catch (const std::exception& error)
   {
+    const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(
-      error.what() + std::string(" The volume is drawn without optimization."));
+      WordsOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
     this->Optimization.Stop();
   }
   // While there is something left to do, the next picture follows at once.
   this->GoesOn = frame.still && frame.stepwise && !result.converged;
   const bool fine = frame.still && !this->GoesOn;
   const Grid* shown = this->Optimization.ShownGrid();
-  this->MakeShadows(frame, shown ? *shown : data.Nodes(), fine);
-  this->Caster.Prepare();
-  this->MakePicture(frame, geometry, fine ? 1 : this->PixelSize(frame, geometry));
+  try
+  {
+    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+    this->MakeShadows(frame, shown ? *shown : data.Nodes(), fine);
+    this->Caster.Prepare();
+    this->MakePicture(
+      frame, geometry, data.Cropped().planes, fine ? 1 : this->PixelSize(frame, geometry));
+  }
+  catch (const Interrupted&)
+  {
+    this->Image = Picture(); // VTK does not show what was aborted
+    result.converged = false;
+  }
   if (!this->Image.rgba.empty())
   {
     this->Quad.Draw(this->Target, this->Image, this->Frame, this->Depth);
@@ -259,10 +304,25 @@ void VolumeView::DrawMask(const float color[3])
 
 void VolumeView::Reset()
 {
+  if (this->IsDrawing)
+  {
+    this->ResetAfter = true;
+    return;
+  }
   this->Optimization.Reset();
 }
 
 void VolumeView::Release()
+{
+  if (this->IsDrawing)
+  {
+    this->ReleaseAfter = true;
+    return;
+  }
+  this->ReleaseNow();
+}
+
+void VolumeView::ReleaseNow()
 {
   this->Optimization.Release();
   this->Caster = Renderer();

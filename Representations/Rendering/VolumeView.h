@@ -8,6 +8,7 @@
 
 #include "Frame.h"
 #include "FrameBudget.h"
+#include "Memory.h"
 #include "PictureQuad.h"
 #include "ViewGeometry.h"
 #include "ViewOptimization.h"
@@ -27,6 +28,9 @@ class vtkObject;
 
 namespace limpid
 {
+/// With optimisation and light, and either solver; measured.
+inline const MemoryNeed drawingNeed{ 56, fewerPoints };
+
 class VolumeView
 {
 public:
@@ -48,8 +52,10 @@ public:
   /// Draws the last picture's visible pixels in one colour, for a selection.
   void DrawMask(const float color[3]);
 
-  void Reset();   ///< forgets what has been optimised
-  void Release(); ///< gives back what can be made again
+  /// Forgets what has been optimised, or gives back what can be made again; while the volume is
+  /// drawn, for instance when an observer asks for it, as soon as that is over.
+  void Reset();
+  void Release();
   void ReleaseGraphicsResources(vtkWindow* window);
 
   /// Where the volume is in the present frame of the renderer. Ahead: drawn before its turn, so
@@ -63,17 +69,25 @@ public:
   Turn InFrame = Turn::NotYet;
 
 private:
+  FrameResult DrawNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void EndDrawing();
+  void ReleaseNow();
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
   void ChoosePictures(BackendKind wish, const Grid& grid);
   void UpdateRenderer(const FrameSettings& frame, const VolumeData& data);
   void MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine);
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
-  void MakePicture(const FrameSettings& frame, const ViewGeometry& geometry, double pixelSize);
+  void MakePicture(const FrameSettings& frame, const ViewGeometry& geometry,
+    const std::vector<glm::dvec4>& planes, double pixelSize);
 
   vtkWeakPointer<vtkRenderer> Target;
   vtkWeakPointer<vtkVolume> Volume;
   std::function<void()> WhenHidden;
   vtkNew<vtkCallbackCommand> Observer;
+
+  bool IsDrawing = false;
+  bool ResetAfter = false;   ///< of the drawing that goes on
+  bool ReleaseAfter = false; ///< likewise
 
   Renderer Caster;
   std::optional<BackendKind> PicturesFor; ///< for which wish it was chosen what makes pictures

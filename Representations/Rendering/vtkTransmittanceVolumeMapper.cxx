@@ -134,6 +134,8 @@ void vtkTransmittanceVolumeMapper::ReleaseMemory()
 
 void vtkTransmittanceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
+  // An observer may take this mapper off the volume, which may be all that holds it.
+  const vtkSmartPointer<vtkTransmittanceVolumeMapper> alive = this;
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     this->State->RenderSelection(renderer, volume, selector);

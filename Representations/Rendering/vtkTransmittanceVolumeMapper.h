@@ -35,8 +35,9 @@
  * there is a warning for both. Volumes that do not overlap are drawn in the right order if this
  * class draws them; see also SortBackToFront.
  *
- * Clipping planes and cropping make the points outside of them empty; these do not count in the
- * optimization and the score either.
+ * Clipping planes and the box of a cropping region cut the picture where they are, 16 planes at
+ * most with 6 of a box; cropping regions that are no box end between points. Points outside do not
+ * count in the optimization and the score and cast no shadow.
  *
  * With several processes each one has its own piece only, and what crosses from piece to piece is
  * not built yet: there is a warning, and the volume is drawn without optimization and light and has

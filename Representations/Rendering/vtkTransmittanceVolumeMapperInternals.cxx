@@ -3,6 +3,8 @@
 
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
+#include "Memory.h"
+
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
@@ -41,7 +43,7 @@ limpid::VolumeView& vtkTransmittanceVolumeMapper::Internals::ViewOf(
       this->Views.begin(), this->Views.end(), [](const auto& view) { return view->IsHidden(); });
     if (unused)
     {
-      this->Data.Release();
+      this->ReleaseData();
     }
   };
   this->Views.push_back(std::make_unique<limpid::VolumeView>(renderer, volume, releaseUnused));
@@ -54,7 +56,17 @@ void vtkTransmittanceVolumeMapper::Internals::ReleaseMemory()
   {
     view->Release();
   }
-  this->Data.Release();
+  this->ReleaseData();
+}
+
+// As soon as nothing is drawn from them.
+void vtkTransmittanceVolumeMapper::Internals::ReleaseData()
+{
+  this->ReleaseAfter = this->Drawing > 0;
+  if (!this->ReleaseAfter)
+  {
+    this->Data.Release();
+  }
 }
 
 // The renderer visits volumes in the order in which they were added: the ones that this one hides
@@ -90,6 +102,24 @@ void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
 
 void vtkTransmittanceVolumeMapper::Internals::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
+  ++this->Drawing;
+  try
+  {
+    this->RenderInTurn(renderer, volume);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(this->Self, << this->WordsOf(error));
+  }
+  --this->Drawing;
+  if (this->ReleaseAfter)
+  {
+    this->ReleaseData();
+  }
+}
+
+void vtkTransmittanceVolumeMapper::Internals::RenderInTurn(vtkRenderer* renderer, vtkVolume* volume)
+{
   using Turn = limpid::VolumeView::Turn;
   limpid::VolumeView& view = this->ViewOf(renderer, volume);
   const bool ahead = view.InFrame == Turn::Ahead;
@@ -108,7 +138,7 @@ void vtkTransmittanceVolumeMapper::Internals::Render(vtkRenderer* renderer, vtkV
   }
   catch (const std::exception& error)
   {
-    this->Error(error.what());
+    this->Error(this->WordsOf(error));
     this->Last = limpid::FrameResult();
   }
   this->Log.End(&view);
@@ -134,7 +164,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     // Without optimisation, importance is for the score only.
     if (frame.optimize)
     {
-      this->Error(error.what() + std::string(" The volume is drawn without optimization."));
+      this->Error(this->WordsOf(error) + " The volume is drawn without optimization.");
     }
     this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
     frame.optimize = false;
@@ -168,6 +198,12 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   }
 }
 
+std::string vtkTransmittanceVolumeMapper::Internals::WordsOf(const std::exception& error) const
+{
+  return limpid::WordsOf(
+    error, vtkImageData::SafeDownCast(this->Self->GetDataObjectInput()), limpid::drawingNeed);
+}
+
 // A pass of a hardware selection: ids instead of colours. Which point or cell it is cannot be told
 // from a picture, so these passes get the id of nothing.
 void vtkTransmittanceVolumeMapper::Internals::RenderSelection(
@@ -186,7 +222,7 @@ void vtkTransmittanceVolumeMapper::Internals::RenderSelection(
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(this->Self, << error.what());
+    vtkErrorWithObjectMacro(this->Self, << this->WordsOf(error));
   }
   selector->EndRenderProp();
 }

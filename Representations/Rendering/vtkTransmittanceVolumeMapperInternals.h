@@ -32,8 +32,10 @@ struct vtkTransmittanceVolumeMapper::Internals
 
   // Drawing
   void Render(vtkRenderer* renderer, vtkVolume* volume);
+  void RenderInTurn(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSelection(vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector);
   void ReleaseMemory();
+  void ReleaseData();
   limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);
   void DrawWhatIsBehind(vtkRenderer* renderer, vtkVolume* volume);
   void Draw(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume);
@@ -52,6 +54,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   // Messages about what is drawn otherwise than it was meant
   void Warn(const std::string& text);
   void Error(const std::string& text);
+  std::string WordsOf(const std::exception& error) const;
   void ReportIgnored(vtkVolume* volume);
   void ReportNumbers(vtkVolumeProperty* property);
   void ReportNeighbours(vtkRenderer* renderer, vtkVolume* volume);
@@ -63,6 +66,8 @@ struct vtkTransmittanceVolumeMapper::Internals
   limpid::FrameResult Last; ///< of the last frame, in whichever view
   limpid::MessageLog Log;
   std::string Messages; ///< of the last frame
+  int Drawing = 0;      ///< volumes, one within the other
+  bool ReleaseAfter = false;
 };
 
 #endif

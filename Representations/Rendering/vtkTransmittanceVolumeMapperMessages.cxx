@@ -15,6 +15,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -109,6 +110,11 @@ void vtkTransmittanceVolumeMapper::Internals::ReportIgnored(vtkVolume* volume)
     this->Warn("The interpolation type of the volume property is nearest (light has no gradient in "
                "steps to be reflected by): scalars are interpolated linearly. Call "
                "SetInterpolationTypeToLinear.");
+  }
+  if (volume->GetShaderProperty()->GetNumberOfShaderReplacements() > 0)
+  {
+    this->Warn("The volume has replacements for parts of VTK's shaders (this mapper draws without "
+               "them): they are not used. Call ClearAllShaderReplacements of its shader property.");
   }
   this->ReportNumbers(property);
   if (property->GetScalarOpacity(0)->GetSize() == 0)

@@ -159,11 +159,25 @@ limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolu
         glm::transpose(toWorld) * glm::dvec4(normal[0], normal[1], normal[2], -offset));
     }
   }
-  if (this->Self->GetCropping())
+  if (!this->Self->GetCropping())
   {
-    region.hasRegions = true;
-    std::copy_n(this->Self->GetCroppingRegionPlanes(), 6, region.limits.begin());
-    region.regions = this->Self->GetCroppingRegionFlags();
+    return region;
+  }
+  std::copy_n(this->Self->GetCroppingRegionPlanes(), 6, region.limits.begin());
+  region.regions = this->Self->GetCroppingRegionFlags();
+  region.hasRegions = region.regions != VTK_CROP_SUBVOLUME;
+  if (!region.hasRegions)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::dvec4 inward(0.0);
+      inward[axis] = 1;
+      inward.w = -region.limits[2 * std::size_t(axis)];
+      region.planes.push_back(inward);
+      inward[axis] = -1;
+      inward.w = region.limits[2 * std::size_t(axis) + 1];
+      region.planes.push_back(inward);
+    }
   }
   return region;
 }

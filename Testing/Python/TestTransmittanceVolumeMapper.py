@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume, vtkWindowToImage
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
+from images import memory_limited_to
 from mapper_tests import MapperTest, show
 from volume_views import View, difference, opacity_of, phantom, phantom_property, save, values
 
@@ -380,6 +381,63 @@ class TestViews(MapperTest):
         capture.Update()
         for score in scores:
             self.assertAlmostEqual(score, whole, delta=1e-6 * whole)
+
+    def test_an_abort_at_any_check_leaves_a_mapper_that_draws(self):
+        view, mapper = show(size=(500, 500))  # VTK asks five times a second: never, if it is fast
+        expected = view.picture()
+        wanted, seen = 0, 0
+
+        def observe(*_):
+            nonlocal seen
+            seen += 1
+            if seen == wanted:
+                view.window.SetAbortRender(1)
+        while seen >= wanted:
+            wanted, seen = wanted + 1, 0
+            mapper.Reset()
+            tag = view.window.AddObserver("AbortCheckEvent", observe)
+            time.sleep(0.25)  # so that it asks in this frame, too
+            view.window.Render()
+            view.window.RemoveObserver(tag)
+            if wanted % 2:  # goes on with what there is, or begins anew
+                mapper.Reset()
+            np.testing.assert_array_equal(view.picture(), expected)
+        self.assertGreater(wanted, 1)
+        self.assert_fine(view)
+
+    def test_says_how_much_memory_is_missing_and_goes_on(self):
+        view, mapper = show()
+        expected = view.picture()
+        small = mapper.GetInput()
+        mapper.SetInputData(phantom(160))
+        with memory_limited_to(2 ** 22):
+            view.window.Render()
+
+        self.assertEqual(len(view.messages), 1, view.messages)
+        for words in ("160 x 160 x 160 points (about", "GiB are needed", "Resample To Image"):
+            self.assertIn(words, view.messages[0])
+        view.messages.clear()
+        mapper.SetInputData(small)
+        np.testing.assert_array_equal(view.picture(), expected)
+        self.assert_fine(view)
+
+    def test_says_what_memory_the_optimization_lacks_and_draws_without(self):
+        image = phantom(160)
+        view, mapper = show(image, Method=Mapper.ORDINARY)
+        view.window.Render()
+        mapper.SetMethod(Mapper.OPTIMIZED)
+        with memory_limited_to(2 ** 24):
+            view.window.Render()
+
+        self.assertEqual(len(view.messages), 1, view.messages)
+        for words in ("160 x 160 x 160 points (about", "GiB are needed", "Resample To Image",
+                      "without optimization"):
+            self.assertIn(words, view.messages[0])
+        view.messages.clear()
+        optimized = view.picture()
+        self.assert_fine(view)
+        fresh, _ = show(image)
+        np.testing.assert_array_equal(optimized, fresh.picture())
 
     def test_memory_is_given_back_and_everything_made_again(self):
         view, mapper = show()

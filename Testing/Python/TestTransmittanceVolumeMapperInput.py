@@ -6,7 +6,7 @@
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkRectilinearGrid
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
@@ -197,6 +197,18 @@ class TestBadInput(MapperTest):
         self.assert_fine(view)
         self.assertEqual(mapper.GetVisibilityScore(), 0)
 
+    def test_ghost_arrays_of_a_wrong_kind_are_refused(self):
+        image = phantom()
+        flags = numpy_to_vtk(np.zeros(100, np.uint8), deep=1)
+        flags.SetName("vtkGhostType")
+        image.GetPointData().AddArray(flags)
+        view, mapper = show(image)
+        self.assert_says(view, '"vtkGhostType"', "100 tuples", "32768 points")
+        self.assert_empty(view.pixels())
+
+        image.GetPointData().RemoveArray("vtkGhostType")
+        self.assertGreater(view.picture().std(), 3)
+
     def test_everything_nan(self):
         view, mapper = show(image_of((4, 4, 4), s=np.full(64, np.nan), Importance=np.ones(64)))
         self.assert_says(view, "64 of 64")
@@ -293,10 +305,15 @@ class TestBadInput(MapperTest):
         def nearest(view):
             view.volume.GetProperty().SetInterpolationTypeToNearest()
 
+        def shader(view):
+            view.volume.GetShaderProperty().AddFragmentShaderReplacement(
+                "//VTK::Base::Impl", True, "//VTK::Base::Impl", False)
+
         def nothing(view):
             view.volume.GetProperty().SetScalarOpacity(vtkPiecewiseFunction())
         for act, word in ((nearest, "nearest"), (gradient, "gradient opacity"),
                           (two_dimensional, "two-dimensional"), (blend, "blend mode"),
+                          (shader, "shaders"),
                           (nothing, "no points")):
             with self.subTest(word=word):
                 view, mapper = show(phantom(16))
