@@ -3,11 +3,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Checks the sources in ways that the build does not.
-#   bash Testing/check.sh [format] [tidy] [tidy-tests] [clang]     (without arguments: all)
+#   bash Testing/check.sh [format] [tidy] [tidy-tests] [clang] [sanitize] [fuzz]
+# Without arguments: all.
 # format      compares the layout of all sources with .clang-format.
 # tidy        runs clang-tidy on the product, as the C++ compiler sees it in build/: build there first.
 # tidy-tests  does so on Testing/, which takes as long again and more.
 # clang       builds the core and its tests with clang, in build/clang, and runs the quick ones.
+# sanitize    builds the core and its tests with the sanitizers of addresses and of undefined
+#             behaviour, in build/sanitize, and runs most of the quick ones.
+# fuzz        feeds solver and filter with what libFuzzer makes up, LIMPID_FUZZ_SECONDS (60) each, in
+#             build/fuzz, which keeps what it has found: the next run goes on from there.
 
 set -euo pipefail
 
@@ -66,11 +71,39 @@ check_clang()
   ctest --preset clang --label-regex '^quick$' --parallel "$(nproc)"
 }
 
+# What tests the references, or pretends to be a GPU, takes long and tells nothing of the product.
+check_sanitize()
+{
+  cmake --preset sanitize
+  cmake --build --preset sanitize
+  ctest --preset sanitize --label-regex '^quick$' --parallel "$(nproc)" \
+    --exclude-regex '^(PretendedGpu|RayMarch|PictureMarch|PaperScheme|ClosedForm/ObliqueView)'
+}
+
+check_fuzz()
+{
+  local vtk
+  vtk="$(ls -d /usr/lib/*/cmake/paraview-*/vtk 2> /dev/null | sort -V | tail -1)"
+  cmake --preset fuzz -Wno-dev -DVTK_DIR="$vtk" -DPython3_EXECUTABLE=/usr/bin/python3
+  cmake --build --preset fuzz
+  for fuzzer in fuzz_solver fuzz_filter; do
+    mkdir -p "build/fuzz/corpus/$fuzzer"
+    # VTK keeps some things to the end, which are no leaks.
+    "build/fuzz/bin/$fuzzer" -max_total_time="${LIMPID_FUZZ_SECONDS:-60}" -max_len=4096 \
+      -len_control=0 -detect_leaks=0 -print_final_stats=1 -verbosity=0 \
+      -artifact_prefix="build/fuzz/$fuzzer-" "build/fuzz/corpus/$fuzzer"
+  done
+}
+
 bash Testing/install-packages.sh
 for check in "${@:-all}"; do
   case "$check" in
-    all) check_format; check_tidy; check_tidy-tests; check_clang ;;
-    format | tidy | tidy-tests | clang) "check_$check" ;;
-    *) echo "Unknown check: $check. There are format, tidy, tidy-tests and clang." >&2; exit 1 ;;
+    all)
+      check_format; check_tidy; check_tidy-tests; check_clang; check_sanitize; check_fuzz ;;
+    format | tidy | tidy-tests | clang | sanitize | fuzz) "check_$check" ;;
+    *)
+      echo "Unknown check: $check. There are format, tidy, tidy-tests, clang, sanitize and fuzz." >&2
+      exit 1
+      ;;
   esac
 done

@@ -47,6 +47,9 @@ while (($# > 0)); do
   esac
 done
 
+if ((${#scenes[@]} > 0)); then
+  python3 "$examples/scene_file.py" "${scenes[@]}"
+fi
 mkdir -p "$output"
 echo "Installing what is missing and building (details in $output/build.log) ..."
 bash "$root/Testing/build.sh" > "$output/build.log" 2>&1 || {

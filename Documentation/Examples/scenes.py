@@ -4,13 +4,14 @@
 """Scenes for the examples: a volume, what is important in it, and who looks at it."""
 
 import dataclasses
-import json
 import math
-import os
 
 import numpy as np
 from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from paraview.vtk.vtkCommonCore import vtkObject
 from paraview.vtk.vtkIOXML import vtkXMLImageDataReader
+
+from scene_file import SceneFile
 
 EXTINCTION = "SceneExtinction"
 STEPS = 16  # of an opacity function between two nodes of an extinction function
@@ -78,18 +79,23 @@ def phantom_scene(simple):
 
 
 def read_scene(simple, path):
-    """A scene file: JSON beside an image file."""
-    with open(path, encoding="utf-8") as file:
-        description = json.load(file)
+    """A scene file: JSON beside an image file. Ends the program where it is broken."""
+    file = SceneFile(path).check()
+    description = file.description
     data = description["data"]
     reader = vtkXMLImageDataReader()
-    reader.SetFileName(os.path.join(os.path.dirname(os.path.abspath(path)), data["file"]))
+    reader.SetFileName(file.image_path())
+    vtkObject.GlobalWarningDisplayOff()  # one line says it all
     reader.Update()
+    vtkObject.GlobalWarningDisplayOn()
     image = reader.GetOutput()
+    if reader.GetErrorCode() != 0 or image.GetNumberOfPoints() == 0:
+        file.refuse("data.file", 'is "{}", which is damaged (it has no end that fits its '
+                    "beginning)".format(data["file"]), "Copy it again")
     scalars = image.GetPointData().GetArray(data["array"])
-    if scalars is None:
-        raise SystemExit('{} has no point array "{}" (the scene is made from it). Correct "array" '
-                         "in {}.".format(data["file"], data["array"], path))
+    if scalars is None or scalars.GetNumberOfComponents() != 1:
+        file.refuse("data.array", 'is "{}", which is no point array of numbers in {} (the scene is '
+                    "made from it)".format(data["array"], data["file"]), "Name one of its arrays")
 
     # A scene's transfer function is linear in extinction, not in opacity, between its nodes.
     nodes, extinction = np.array(description["extinction_tf"], dtype=float).T
