@@ -213,6 +213,7 @@ TEST(RendererInput, RejectsImagesWithoutPointsSpacingOrPlace)
 {
   ExpectMessage([](RenderScene& s) { s.grid.nodes.y = 0; }, " 0 ");
   ExpectMessage([](RenderScene& s) { s.grid.spacing.z = 0; }, " 0");
+  ExpectMessage([](RenderScene& s) { s.grid.spacing.z = 1e38; }, "1e+38");
   ExpectMessage([](RenderScene& s) { s.grid.origin.x = notANumber; }, "nan");
   ExpectMessage([](RenderScene& s) { s.grid.direction[0] = Vec3(1, 0.5, 0); }, "0.5");
 }

@@ -129,6 +129,8 @@ TEST(SolverInput, RejectsImagesWithoutPointsSpacingOrPlace)
   ExpectMessage([](BoxScene& s) { s.grid.spacing.z = 0; }, " 0");
   ExpectMessage([](BoxScene& s) { s.grid.spacing.z = -1; }, "-1");
   ExpectMessage([](BoxScene& s) { s.grid.spacing.x = notANumber; }, "nan");
+  ExpectMessage([](BoxScene& s) { s.grid.spacing.x = 1e300; }, "1e+300");
+  ExpectMessage([](BoxScene& s) { s.grid.spacing.y = 1e-38; }, "1e-38");
   ExpectMessage([](BoxScene& s) { s.grid.origin.x = infinity; }, "inf");
   ExpectMessage([](BoxScene& s) { s.grid.direction[0] = Vec3(1, 0.5, 0); }, "0.5");
 }
