@@ -110,20 +110,20 @@ TEST(BackendOfDevice, MakesTheSameFirstPassAndTransmittance)
 
 class ViewsOfDevice : public ::testing::TestWithParam<Case>
 {
+protected:
+  const BoxScene Scene = Filled(GetParam().content);
+  const ViewFields Fields{ Scene.grid, Scene.extinction.data(), Scene.importance.data() };
+  const Orbit Around = OrbitOf(Scene.grid, GetParam().parallel);
+  const std::unique_ptr<ScoreSweep> There = MakeScoreSweep(MakeTestedDevice(), Fields);
+  const std::unique_ptr<ScoreSweep> Here = MakeScoreSweep(HostDevice::Shared(), Fields);
 };
 
 TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
 {
-  const BoxScene scene = Filled(GetParam().content);
-  const ViewFields fields(scene.grid, scene.extinction.data(), scene.importance.data());
-  const auto there = MakeScoreSweep(MakeTestedDevice(), fields);
-  const auto here = MakeScoreSweep(HostDevice::Shared(), fields);
-  const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
-
   for (const Vec3& direction : RandomDirections(10))
   {
-    const Visible expected = here->Score(fields.PartsOf(orbit.At(direction), 2));
-    const Visible found = there->Score(fields.PartsOf(orbit.At(direction), 2));
+    const Visible expected = this->Here->Score(this->Fields.PartsOf(this->Around.At(direction), 2));
+    const Visible found = tthis->Here->Score(this->Fields.PartsOf(this->Around.At(direction), 2));
     EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
     EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
   }
@@ -131,28 +131,22 @@ TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
 
 TEST_P(ViewsOfDevice, HaveTheSlopesOfTheProcessor)
 {
-  const BoxScene scene = Filled(GetParam().content);
-  const ViewFields fields(scene.grid, scene.extinction.data(), scene.importance.data());
-  const auto there = MakeScoreSweep(MakeTestedDevice(), fields);
-  const auto here = MakeScoreSweep(HostDevice::Shared(), fields);
-  const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
-
   for (const Vec3& direction : RandomDirections(3))
   {
     const Vec3 right = glm::normalize(glm::cross(direction, Vec3(0.3, 0.5, 0.8)));
-    const EyeMoves moves{ { right, glm::cross(right, direction) }, orbit.distance };
-    std::vector<ViewFields::Part> parts = fields.PartsOf(orbit.At(direction), 2);
-    std::vector<ViewFields::Part> same = fields.PartsOf(orbit.At(direction), 2);
+    const EyeMoves moves{ { right, glm::cross(right, direction) }, this->Around.distance };
+    std::vector<ViewFields::Part> parts = this->Fields.PartsOf(this->Around.At(direction), 2);
+    std::vector<ViewFields::Part> same = this->Fields.PartsOf(this->Around.At(direction), 2);
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
-      const ViewDerivative expected = here->Differentiate(std::move(parts[i]), moves, 2);
-      const ViewDerivative found = there->Differentiate(std::move(same[i]), moves, 2);
+      const ViewDerivative expected = this->Here->Differentiate(std::move(parts[i]), moves, 2);
+      const ViewDerivative found = tthis->Here->Differentiate(std::move(same[i]), moves, 2);
       const double visible = expected.score.visible;
       EXPECT_NEAR(found.score.visible, visible, 1e-5 * visible);
       for (int m = 0; m < 2; ++m)
       {
         // Rays gain and lose; what rounds is up to the size of a change by a turn of one radian.
-        EXPECT_NEAR(found.slope[m], expected.slope[m], 1e-5 * visible / orbit.distance);
+        EXPECT_NEAR(found.slope[m], expected.slope[m], 1e-5 * visible / this->Around.distance);
       }
     }
   }

@@ -3,6 +3,7 @@
 
 // What holds for every scene, on scenes at random.
 
+#include "Outcome.h"
 #include "RandomScene.h"
 #include "Shrinking.h"
 
@@ -38,36 +39,6 @@ BoxScene MakeAnyScene(unsigned seed)
   scene.camera.parallelScale = 0.7 * std::max(scene.grid.Radius(), 1e-3);
   scene.camera.viewAngle = random.Between(5, 120);
   return scene;
-}
-
-struct Outcome
-{
-  std::vector<float> extinction;
-  std::vector<float> lightExtinction;
-  std::vector<float> transmittance;
-  std::vector<float> lightTransmittance;
-  Score base;
-  Score best;
-  Energy energy;
-  double majorant = 0;
-};
-
-Outcome Optimize(const BoxScene& scene)
-{
-  Solver solver = scene.MakeSolver();
-  solver.Run();
-  Outcome outcome;
-  outcome.extinction = solver.Extinction();
-  outcome.lightExtinction = solver.LightExtinction();
-  outcome.transmittance.resize(scene.extinction.size());
-  outcome.lightTransmittance.resize(scene.extinction.size());
-  solver.Transmittance(outcome.transmittance.data());
-  solver.LightTransmittance(outcome.lightTransmittance.data());
-  outcome.base = solver.BaseScore();
-  outcome.best = solver.BestScore();
-  outcome.energy = solver.BestEnergy();
-  outcome.majorant = solver.Majorant();
-  return outcome;
 }
 
 bool AreWithin(const std::vector<float>& values, double low, double high)

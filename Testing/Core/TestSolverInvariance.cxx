@@ -4,6 +4,7 @@
 // What must not change the result: skips, threads, units, place, orientation, unused weights.
 
 #include "BoxScene.h"
+#include "Outcome.h"
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
@@ -18,36 +19,6 @@ using namespace limpid;
 
 namespace
 {
-struct Result
-{
-  std::vector<float> extinction;
-  std::vector<float> lightExtinction;
-  std::vector<float> transmittance;
-  std::vector<float> lightTransmittance;
-  Score base;
-  Score score;
-  Energy energy;
-  double majorant = 0;
-};
-
-Result Optimize(const BoxScene& scene)
-{
-  Solver solver = scene.MakeSolver();
-  solver.Run();
-  Result result;
-  result.extinction = solver.Extinction();
-  result.lightExtinction = solver.LightExtinction();
-  result.transmittance.resize(scene.extinction.size());
-  result.lightTransmittance.resize(scene.extinction.size());
-  solver.Transmittance(result.transmittance.data());
-  solver.LightTransmittance(result.lightTransmittance.data());
-  result.base = solver.BaseScore();
-  result.score = solver.BestScore();
-  result.energy = solver.BestEnergy();
-  result.majorant = solver.Majorant();
-  return result;
-}
-
 double LargestDifference(const std::vector<float>& a, const std::vector<float>& b, double scale = 1)
 {
   EXPECT_EQ(a.size(), b.size());
@@ -109,8 +80,8 @@ void ExpectTheSameMoved(double unit, const Mat3& rotation, const Vec3& shift)
 {
   const BoxScene scene = FlatOnion();
 
-  const Result here = Optimize(scene);
-  const Result there = Optimize(Moved(scene, unit, rotation, shift));
+  const Outcome here = Optimize(scene);
+  const Outcome there = Optimize(Moved(scene, unit, rotation, shift));
 
   // Lengths differ in their last digits (float extinction, double positions of a shifted box), and
   // the switch between 0 and majorant is sharp only within the regularisation.
@@ -118,8 +89,8 @@ void ExpectTheSameMoved(double unit, const Mat3& rotation, const Vec3& shift)
   const std::string reason = "the same problem but for rounding";
   EXPECT_WITHIN(there.base.visibility, here.base.visibility * area,
     Relative(1e-5, here.base.visibility * area, reason));
-  EXPECT_WITHIN(there.score.visibility, here.score.visibility * area,
-    Relative(1e-4, here.score.visibility * area, reason));
+  EXPECT_WITHIN(there.best.visibility, here.best.visibility * area,
+    Relative(1e-4, here.best.visibility * area, reason));
   EXPECT_WITHIN(there.energy.Total(), here.energy.Total() * area,
     Relative(1e-4, here.energy.Total() * area, reason));
   EXPECT_WITHIN(RmsDifference(there.extinction, here.extinction, unit), 0,
@@ -159,7 +130,7 @@ TEST(SolverInvariance, LeavesTheBaseExtinctionBitForBitWithoutWeights)
     {
       scene.settings.solver = kind;
       scene.settings.mode = mode;
-      const Result result = Optimize(scene);
+      const Outcome result = Optimize(scene);
 
       EXPECT_EQ(result.extinction, scene.extinction);
       if (mode == Mode::Separate)
@@ -167,7 +138,7 @@ TEST(SolverInvariance, LeavesTheBaseExtinctionBitForBitWithoutWeights)
         EXPECT_EQ(result.lightExtinction, scene.extinction);
       }
       EXPECT_GT(result.base.visibility, 0);
-      EXPECT_EQ(result.base.visibility, result.score.visibility);
+      EXPECT_EQ(result.base.visibility, result.best.visibility);
     }
   }
 }
@@ -177,7 +148,7 @@ TEST(SolverInvariance, LeavesTheBaseExtinctionBitForBitWithoutIterations)
   BoxScene scene = Onion();
   scene.settings.maximumIterations = 0;
 
-  const Result result = Optimize(scene);
+  const Outcome result = Optimize(scene);
 
   EXPECT_EQ(result.extinction, scene.extinction);
 }
@@ -191,13 +162,13 @@ TEST(SolverInvariance, SkipsOnlyWhatDoesNotMatter)
     scene.settings.solver = kind;
     scene.settings.iterationsPerLevel = { { 4, 4, 8 } };
 
-    const Result skipping = Optimize(scene);
+    const Outcome skipping = Optimize(scene);
     scene.settings.skipUnneeded = false;
-    const Result full = Optimize(scene);
+    const Outcome full = Optimize(scene);
 
     const std::string reason = "the same sums in another order";
-    EXPECT_WITHIN(skipping.score.visibility, full.score.visibility,
-      Relative(1e-5, full.score.visibility, reason));
+    EXPECT_WITHIN(
+      skipping.best.visibility, full.best.visibility, Relative(1e-5, full.best.visibility, reason));
     EXPECT_WITHIN(
       skipping.base.visibility, full.base.visibility, Relative(1e-6, full.base.visibility, reason));
     EXPECT_WITHIN(
@@ -219,7 +190,7 @@ TEST(SolverInvariance, KeepsUntouchedVoxelsBitForBit)
   scene.light.type = LightType::Directional;
   scene.light.position = Vec3(0, 0, 3);
 
-  const Result result = Optimize(scene);
+  const Outcome result = Optimize(scene);
 
   std::size_t changed = 0;
   scene.ForEachNode(
@@ -269,7 +240,7 @@ TEST(SolverInvariance, NeverTouchesEmptyVoxels)
 {
   const BoxScene scene = Onion();
 
-  const Result result = Optimize(scene);
+  const Outcome result = Optimize(scene);
 
   scene.ForEachNode(
     [&](std::size_t node, int i, int j, int k)
@@ -291,19 +262,19 @@ TEST(SolverInvariance, DoesNotDependOnTheNumberOfThreads)
       scene.settings.solver = kind;
       scene.settings.mode = mode;
       scene.settings.iterationsPerLevel = { { 2, 2, 3 } };
-      std::vector<Result> results;
+      std::vector<Outcome> results;
       for (const int threads : { 1, 2, 3, 4 })
       {
         const ThreadLimit limit(threads);
         results.push_back(Optimize(scene));
       }
-      for (const Result& result : results)
+      for (const Outcome& result : results)
       {
         EXPECT_EQ(result.extinction, results[0].extinction);
         EXPECT_EQ(result.lightExtinction, results[0].lightExtinction);
         EXPECT_EQ(result.transmittance, results[0].transmittance);
         EXPECT_EQ(result.lightTransmittance, results[0].lightTransmittance);
-        EXPECT_EQ(result.score.visibility, results[0].score.visibility);
+        EXPECT_EQ(result.best.visibility, results[0].best.visibility);
         EXPECT_EQ(result.energy.Total(), results[0].energy.Total());
       }
     }
@@ -314,8 +285,8 @@ TEST(SolverInvariance, RepeatsItselfBitForBit)
 {
   const BoxScene scene = FlatOnion();
 
-  const Result once = Optimize(scene);
-  const Result again = Optimize(scene);
+  const Outcome once = Optimize(scene);
+  const Outcome again = Optimize(scene);
 
   EXPECT_EQ(once.extinction, again.extinction);
   EXPECT_EQ(once.energy.Total(), again.energy.Total());
@@ -329,7 +300,7 @@ TEST(SolverInvariance, GivesTheSameInSingleStepsAsInOneRun)
   {
   }
 
-  const Result run = Optimize(scene);
+  const Outcome run = Optimize(scene);
 
   EXPECT_EQ(stepped.Extinction(), run.extinction);
   EXPECT_EQ(stepped.BestEnergy().Total(), run.energy.Total());
@@ -368,7 +339,7 @@ TEST(SolverInvariance, SeesTheSameAlongAllThreeAxes)
 {
   // The same scene with its axes exchanged, so that sweeps run along x, y and z.
   const BoxScene scene = Onion();
-  const Result here = Optimize(scene);
+  const Outcome here = Optimize(scene);
   for (const int turn : { 1, 2 })
   {
     BoxScene turned = scene;
@@ -387,12 +358,12 @@ TEST(SolverInvariance, SeesTheSameAlongAllThreeAxes)
     turned.camera.position = exchanged(scene.camera.position);
     turned.light.position = exchanged(scene.light.position);
 
-    const Result there = Optimize(turned);
+    const Outcome there = Optimize(turned);
 
     const std::string reason = "the same sums in another order";
     EXPECT_WITHIN(
       there.base.visibility, here.base.visibility, Relative(1e-5, here.base.visibility, reason));
     EXPECT_WITHIN(
-      there.score.visibility, here.score.visibility, Relative(1e-4, here.score.visibility, reason));
+      there.best.visibility, here.best.visibility, Relative(1e-4, here.best.visibility, reason));
   }
 }

@@ -21,22 +21,25 @@ Interruptible::~Interruptible()
   Innermost = this->Outer;
 }
 
+/// Whatever is computed by the one who is asked is not part of what asks.
+class Interruptible::Pause
+{
+public:
+  Pause() { Innermost = nullptr; }
+  ~Pause() { Innermost = this->Paused; }
+  Pause(const Pause&) = delete;
+  Pause& operator=(const Pause&) = delete;
+
+private:
+  Interruptible* const Paused = Innermost;
+};
+
 void Interruptible::Ask()
 {
   if (!this->Stopped && Clock::now() >= this->Next)
   {
-    // Whatever is computed by the one who is asked is not part of this.
-    Innermost = nullptr;
-    try
-    {
-      this->Stopped = !this->GoOn();
-    }
-    catch (...)
-    {
-      Innermost = this;
-      throw;
-    }
-    Innermost = this;
+    const Pause pause;
+    this->Stopped = !this->GoOn();
     this->Next = Clock::now() + this->Interval;
   }
   if (this->Stopped)

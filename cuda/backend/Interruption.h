@@ -41,6 +41,8 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  class Pause;
+
   void Ask();
 
   static thread_local Interruptible* Innermost;

@@ -77,29 +77,16 @@ LIMPID_MULTIVERSION void StepThroughLayer(const RayRow& row, const Step& step)
   }
 }
 
-/// Calls step(ray, column) for all columns of a row, each as one that may enter or leave the box.
-template <class Step>
-LIMPID_MULTIVERSION void StepClipped(const RayRow& row, const Step& step)
+/// Calls step(ray, column) for all columns of a row, all of which are taken to pass in one way.
+template <Passage passage, class Step>
+LIMPID_MULTIVERSION void StepAllAs(const RayRow& row, const Step& step)
 {
   const RayRow rays = row;
   const Step body = step;
 #pragma GCC ivdep
   for (int i = rays.columns.begin; i < rays.columns.end; ++i)
   {
-    body(rays.template At<Passage::Clipped>(i), i);
-  }
-}
-
-/// Calls step(ray, column) for all columns of a row as if they were inside the box.
-template <class Step>
-LIMPID_MULTIVERSION void StepRegardless(const RayRow& row, const Step& step)
-{
-  const RayRow rays = row;
-  const Step body = step;
-#pragma GCC ivdep
-  for (int i = rays.columns.begin; i < rays.columns.end; ++i)
-  {
-    body(rays.template At<Passage::Through>(i), i);
+    body(rays.template At<passage>(i), i);
   }
 }
 
@@ -170,7 +157,7 @@ public:
   template <class Step>
   void ForEachRegardless(const Step& step) const
   {
-    detail::StepRegardless(this->Rays, step);
+    detail::StepAllAs<Passage::Through>(this->Rays, step);
   }
 
   template <class Step>
@@ -192,7 +179,7 @@ public:
       part.columns = Intersection(all, columns);
       if (!part.columns.Empty())
       {
-        detail::StepRegardless(part, step);
+        detail::StepAllAs<Passage::Through>(part, step);
       }
     }
   }

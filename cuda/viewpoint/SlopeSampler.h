@@ -34,7 +34,7 @@ public:
   template <class Step>
   void ForEachClipped(const Step& step) const
   {
-    detail::StepClipped(this->Rays, step);
+    detail::StepAllAs<Passage::Clipped>(this->Rays, step);
   }
 
 private:
