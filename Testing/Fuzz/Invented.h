@@ -29,9 +29,8 @@ public:
   /// In [low, high] but for one of 16.
   double Number(double low, double high)
   {
-    constexpr double odd[] = { 0.0, -1.0, 1e-300, 1e300, 1e-38, 1e38, 1e-18, 1e-9,
-      1e9, 1e18, std::numeric_limits<double>::infinity(),
-      std::numeric_limits<double>::quiet_NaN() };
+    constexpr double odd[] = { 0.0, -1.0, 1e-300, 1e300, 1e-38, 1e38, 1e-18, 1e-9, 1e9, 1e18,
+      std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() };
     if (this->Integer(0, 15) == 0)
     {
       return this->Bytes.PickValueInArray(odd);
