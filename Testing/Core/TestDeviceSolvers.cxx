@@ -123,7 +123,7 @@ TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
   for (const Vec3& direction : RandomDirections(10))
   {
     const Visible expected = this->Here->Score(this->Fields.PartsOf(this->Around.At(direction), 2));
-    const Visible found = tthis->Here->Score(this->Fields.PartsOf(this->Around.At(direction), 2));
+    const Visible found = this->There->Score(this->Fields.PartsOf(this->Around.At(direction), 2));
     EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
     EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
   }
@@ -140,7 +140,7 @@ TEST_P(ViewsOfDevice, HaveTheSlopesOfTheProcessor)
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       const ViewDerivative expected = this->Here->Differentiate(std::move(parts[i]), moves, 2);
-      const ViewDerivative found = tthis->Here->Differentiate(std::move(same[i]), moves, 2);
+      const ViewDerivative found = this->There->Differentiate(std::move(same[i]), moves, 2);
       const double visible = expected.score.visible;
       EXPECT_NEAR(found.score.visible, visible, 1e-5 * visible);
       for (int m = 0; m < 2; ++m)
