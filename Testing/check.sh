@@ -3,16 +3,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Checks the sources in ways that the build does not.
-#   bash Testing/check.sh [format] [tidy] [tidy-tests] [clang] [sanitize] [fuzz]
-# Without arguments: all.
-# format      compares the layout of all sources with .clang-format.
-# tidy        runs clang-tidy on the product, as the C++ compiler sees it in build/: build there first.
-# tidy-tests  does so on Testing/, which takes as long again and more.
-# clang       builds the core and its tests with clang, in build/clang, and runs the quick ones.
-# sanitize    builds the core and its tests with the sanitizers of addresses and of undefined
-#             behaviour, in build/sanitize, and runs most of the quick ones.
-# fuzz        feeds solver and filter with what libFuzzer makes up, LIMPID_FUZZ_SECONDS (60) each, in
-#             build/fuzz, which keeps what it has found: the next run goes on from there.
+#   bash Testing/check.sh [format] [tidy] [tidy-tests] [clang] [sanitize] [threads] [fuzz]
+#     [sanitize-all] [threads-all]
+# Without arguments: all but the last two.
+# format        compares the layout of all sources with .clang-format.
+# tidy          runs clang-tidy on the product, as the C++ compiler sees it in build/: build there first.
+# tidy-tests    does so on Testing/, which takes as long again and more.
+# clang         builds the core and its tests with clang, in build/clang, and runs the quick ones.
+# sanitize      builds core, filters and their tests with the sanitizers of addresses and of undefined
+#               behaviour, in build/sanitize, and runs a selection of the quick ones.
+# sanitize-all  runs all of the quick ones there, which takes half an hour.
+# threads       builds the same with the sanitizer of threads, in build/sanitize-thread, against a
+#               oneTBB that is built so, and runs what has threads.
+# threads-all   runs all of the quick tests there.
+# fuzz          feeds solver and filter with what libFuzzer makes up, LIMPID_FUZZ_SECONDS (60) each, in
+#               build/sanitize, which keeps what it has found: the next run goes on from there.
 
 set -euo pipefail
 
@@ -71,27 +76,71 @@ check_clang()
   ctest --preset clang --label-regex '^quick$' --parallel "$(nproc)"
 }
 
-# What tests the references, or pretends to be a GPU, takes long and tells nothing of the product.
+# Configures a preset of sanitizers, with VTK from ParaView; then come other options.
+configure_sanitized()
+{
+  local vtk
+  vtk="$(ls -d /usr/lib/*/cmake/paraview-*/vtk 2> /dev/null | sort -V | tail -1)"
+  cmake --preset "$1" -Wno-dev -DVTK_DIR="$vtk" -DPython3_EXECUTABLE=/usr/bin/python3 "${@:2}"
+}
+
+# VTK and the drivers keep some things to the end, which are no leaks.
+sanitizer_options()
+{
+  export ASAN_OPTIONS=detect_leaks=0
+  export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+  export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
+}
+
+# Python would have to load the sanitizer first. What tests the references, or pretends to be a GPU,
+# takes long and tells nothing of the product.
+not_sanitized='^(Python|House|Benchmarks|Scenes|PretendedGpu|RayMarch|PictureMarch|PaperScheme)'
+
+check_sanitize-all()
+{
+  configure_sanitized sanitize
+  cmake --build --preset sanitize
+  sanitizer_options
+  ctest --preset sanitize --label-regex '^quick$' --parallel "$(nproc)" --exclude-regex "$not_sanitized"
+}
+
+# Some of the random scenes, and no tests that take more than seconds.
 check_sanitize()
 {
-  cmake --preset sanitize
+  configure_sanitized sanitize
   cmake --build --preset sanitize
-  ctest --preset sanitize --label-regex '^quick$' --parallel "$(nproc)" \
-    --exclude-regex '^(PretendedGpu|RayMarch|PictureMarch|PaperScheme|ClosedForm/ObliqueView)'
+  sanitizer_options
+  LIMPID_ONE_OF=25 ctest --preset sanitize --label-regex '^quick$' --parallel "$(nproc)" \
+    --exclude-regex "$not_sanitized|^Quick/|FindViewpoints|ViewScore|ScoreDerivative|ObliqueView|TurnedBox|ScoredBox|AndSearch|OfTheViewpoint|Guide|^Faults|OfDevice|^Gpu"
+}
+
+check_threads()
+{
+  configure_sanitized sanitize-thread \
+    -DTBB_DIR="$(bash Testing/thread-sanitized-tbb.sh build/sanitize-thread/tbb | tail -1)"
+  cmake --build --preset sanitize-thread --target test_core_plan test_core_properties \
+    test_core_sequences test_core_invariance test_core_renderer test_filter_threads
+  sanitizer_options
+  LIMPID_ONE_OF=25 ctest --preset sanitize-thread --parallel "$(nproc)" --tests-regex \
+    '^(ThreadTeam|FilterThreads|SceneProperties|Sequences|SolverInvariance|SolverSkips|RendererInvariance)'
+}
+
+check_threads-all()
+{
+  check_threads
+  cmake --build --preset sanitize-thread
+  ctest --preset sanitize-thread --label-regex '^quick$' --parallel "$(nproc)" --exclude-regex "$not_sanitized"
 }
 
 check_fuzz()
 {
-  local vtk
-  vtk="$(ls -d /usr/lib/*/cmake/paraview-*/vtk 2> /dev/null | sort -V | tail -1)"
-  cmake --preset fuzz -Wno-dev -DVTK_DIR="$vtk" -DPython3_EXECUTABLE=/usr/bin/python3
-  cmake --build --preset fuzz
+  configure_sanitized sanitize
+  cmake --build --preset sanitize --target fuzz_solver fuzz_filter
   for fuzzer in fuzz_solver fuzz_filter; do
-    mkdir -p "build/fuzz/corpus/$fuzzer"
-    # VTK keeps some things to the end, which are no leaks.
-    "build/fuzz/bin/$fuzzer" -max_total_time="${LIMPID_FUZZ_SECONDS:-60}" -max_len=4096 \
+    mkdir -p "build/sanitize/corpus/$fuzzer"
+    "build/sanitize/bin/$fuzzer" -max_total_time="${LIMPID_FUZZ_SECONDS:-60}" -max_len=4096 \
       -len_control=0 -detect_leaks=0 -print_final_stats=1 -verbosity=0 \
-      -artifact_prefix="build/fuzz/$fuzzer-" "build/fuzz/corpus/$fuzzer"
+      -artifact_prefix="build/sanitize/$fuzzer-" "build/sanitize/corpus/$fuzzer"
   done
 }
 
@@ -99,10 +148,10 @@ bash Testing/install-packages.sh
 for check in "${@:-all}"; do
   case "$check" in
     all)
-      check_format; check_tidy; check_tidy-tests; check_clang; check_sanitize; check_fuzz ;;
-    format | tidy | tidy-tests | clang | sanitize | fuzz) "check_$check" ;;
+      check_format; check_tidy; check_tidy-tests; check_clang; check_sanitize; check_threads; check_fuzz ;;
+    format | tidy | tidy-tests | clang | sanitize | sanitize-all | threads | threads-all | fuzz) "check_$check" ;;
     *)
-      echo "Unknown check: $check. There are format, tidy, tidy-tests, clang, sanitize and fuzz." >&2
+      echo "Unknown check: $check. There are those that the first lines of this file name." >&2
       exit 1
       ;;
   esac

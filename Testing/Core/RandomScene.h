@@ -8,6 +8,7 @@
 #define limpid_testing_RandomScene_h
 
 #include "BoxScene.h"
+#include "OneOf.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #ifndef limpid_testing_Shrinking_h
 #define limpid_testing_Shrinking_h
 
-#include "BoxScene.h"
+#include "RandomScene.h"
 
 #include <gtest/gtest.h>
 
@@ -152,7 +152,7 @@ template <class MakeScene>
 void CheckAtRandom(
   unsigned first, unsigned count, const MakeScene& makeScene, const Property& property)
 {
-  for (unsigned seed = first; seed < first + count; ++seed)
+  for (unsigned seed = first; seed < first + count; seed += unsigned(OneOf()))
   {
     const BoxScene scene = makeScene(seed);
     if (!property(scene).empty())
