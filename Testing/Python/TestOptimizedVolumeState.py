@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # What is saved or traced of the representation type "Optimized Volume" makes the same pictures in
-# another process: state files of both kinds, traces; several volumes, two views.
+# another process: state files of both kinds, traces; several volumes, two views. So does what earlier
+# versions have saved, in Saved/VERSION; this version's files are made by
+#   LIMPID_PLUGIN=PLUGIN pvpython TestOptimizedVolumeState.py --save FOLDER
 
 import contextlib
 import os
@@ -26,6 +28,8 @@ vars(simple).update(OcclusionPhantom=OcclusionPhantom)
 
 SECONDS = 120  # for another process
 CHILD = "--replay"
+SAVE = "--save"
+SAVED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "Saved")
 SIZE = [160, 160]
 
 # Not the defaults.
@@ -73,6 +77,60 @@ def traced(proxy):
     change.finalize()
 
 
+def show_much():
+    """Two views; in one of them two volumes."""
+    view = new_view()
+    source = OcclusionPhantom(Resolution=32, Scene="Head")
+    display = displays.show(source, view)
+    for name, value in SETTINGS.items():
+        setattr(display, name, value)
+    display.ImportanceFunction.Points = [0, 0, 0.5, 0, 0.7, 0, 0.5, 0, 1, 1, 0.5, 0]
+    other = displays.show(OcclusionPhantom(Resolution=24, Scene="Shells"), view)
+    moved = "Translation" if "Translation" in other.ListProperties() else "Position"
+    setattr(other, moved, [0.5, 2.5, 0.3])
+    other.Shadows = 0
+    second = new_view()
+    displays.look(second, displays.POSITIONS[1])
+    displays.show(source, second).Method = "Ordinary"
+    return display
+
+
+def trace_much():
+    """A view with a volume, and the trace of how it came about."""
+    smtrace.start_trace()
+    view = simple.CreateView("RenderView")
+    with traced(view):
+        view.ViewSize = SIZE
+        view.UseFXAA = view.OrientationAxesVisibility = 0
+    display = simple.Show(OcclusionPhantom(Resolution=32), view)
+    display.SetRepresentationType("Optimized Volume")
+    with traced(display):
+        for name, value in SETTINGS.items():
+            setattr(display, name, value)
+        display.ImportanceFunction.Points = [0, 0, 0.5, 0, 0.7, 0, 0.5, 0, 1, 1, 0.5, 0]
+    displays.look(view, displays.POSITIONS[2])
+    return smtrace.stop_trace()
+
+
+def save_states(folder):
+    simple.SaveState(os.path.join(folder, "state.pvsm"))
+    with open(os.path.join(folder, "state.py"), "w", encoding="utf-8") as file:
+        file.write(smstate.get_state())
+
+
+def save_trace(folder, trace):
+    with open(os.path.join(folder, "trace.py"), "w", encoding="utf-8") as file:
+        file.write(trace)
+
+
+def save_all(folder):
+    """What this version saves and traces of the scenes here."""
+    show_much()
+    save_states(folder)
+    displays.clear()
+    save_trace(folder, trace_much())
+
+
 class TestOptimizedVolumeState(unittest.TestCase):
     def setUp(self):
         displays.clear()
@@ -99,29 +157,10 @@ class TestOptimizedVolumeState(unittest.TestCase):
             self.assertGreater(second.std(), 10)  # there is something to be seen
             np.testing.assert_array_equal(first, second)
 
-    def show_much(self):
-        """Two views; in one of them two volumes."""
-        view = new_view()
-        source = OcclusionPhantom(Resolution=32, Scene="Head")
-        display = displays.show(source, view)
-        for name, value in SETTINGS.items():
-            setattr(display, name, value)
-        display.ImportanceFunction.Points = [0, 0, 0.5, 0, 0.7, 0, 0.5, 0, 1, 1, 0.5, 0]
-        other = displays.show(OcclusionPhantom(Resolution=24, Scene="Shells"), view)
-        moved = "Translation" if "Translation" in other.ListProperties() else "Position"
-        setattr(other, moved, [0.5, 2.5, 0.3])
-        other.Shadows = 0
-        second = new_view()
-        displays.look(second, displays.POSITIONS[1])
-        displays.show(source, second).Method = "Ordinary"
-        return display
-
     def test_state_files_make_the_same_pictures(self):
-        self.show_much()
+        show_much()
         expected = take_all()
-        simple.SaveState(self.path("state.pvsm"))
-        with open(self.path("state.py"), "w", encoding="utf-8") as file:
-            file.write(smstate.get_state())
+        save_states(self.folder.name)
         for name in ("state.pvsm", "state.py"):
             with self.subTest(name):
                 self.assert_replays(self.path(name), expected)
@@ -130,7 +169,7 @@ class TestOptimizedVolumeState(unittest.TestCase):
         def values():
             display = simple.GetDisplayProperties(simple.FindSource("before"), views_by_name()[-1])
             return {name: getattr(display, name) for name in SETTINGS}
-        display = self.show_much()
+        display = show_much()
         simple.RenameSource("before", display.Input)
         before = values()
         simple.SaveState(self.path("state.pvsm"))
@@ -141,29 +180,29 @@ class TestOptimizedVolumeState(unittest.TestCase):
                          {name: str(value) for name, value in before.items()})
 
     def test_a_trace_makes_the_same_picture(self):
-        smtrace.start_trace()
-        view = simple.CreateView("RenderView")
-        with traced(view):
-            view.ViewSize = SIZE
-            view.UseFXAA = view.OrientationAxesVisibility = 0
-        display = simple.Show(OcclusionPhantom(Resolution=32), view)
-        display.SetRepresentationType("Optimized Volume")
-        with traced(display):
-            for name, value in SETTINGS.items():
-                setattr(display, name, value)
-            display.ImportanceFunction.Points = [0, 0, 0.5, 0, 0.7, 0, 0.5, 0, 1, 1, 0.5, 0]
-        displays.look(view, displays.POSITIONS[2])
-        trace = smtrace.stop_trace()
-        with open(self.path("trace.py"), "w", encoding="utf-8") as file:
-            file.write(trace)
+        trace = trace_much()
+        save_trace(self.folder.name, trace)
 
         for name in [*SETTINGS, "SetRepresentationType('Optimized Volume')"]:
             self.assertIn("Display." + name, trace)
         self.assert_replays(self.path("trace.py"), take_all())
 
+    def test_what_earlier_versions_saved_makes_the_same_pictures(self):
+        versions = sorted(os.listdir(SAVED))
+        self.assertTrue(versions)
+        for make, names in ((show_much, ("state.pvsm", "state.py")), (trace_much, ("trace.py",))):
+            displays.clear()
+            make()
+            expected = take_all()
+            for path in [os.path.join(SAVED, version, name) for version in versions for name in names]:
+                with self.subTest(path):
+                    self.assert_replays(path, expected)
+
 
 if __name__ == "__main__":
     if CHILD in sys.argv:
         replay(*sys.argv[2:])
+    elif SAVE in sys.argv:
+        save_all(sys.argv[-1])
     else:
         runner.run()
