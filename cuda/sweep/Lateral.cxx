@@ -21,7 +21,9 @@ constexpr double facePart = 0.25;
 void AddParts(double begin, double end, double perUnit, double fewest, std::vector<double>& edges)
 {
   constexpr double most = 1e6;
-  const double wanted = std::max(std::ceil((end - begin) * perUnit - 1e-9), fewest);
+  constexpr double margin = 1e-9; // numbers that are integers but for rounding are taken as such
+  const double wanted =
+    std::max(std::ceil((end - begin) * perUnit - margin), std::floor(fewest + margin));
   const int parts = static_cast<int>(std::min(std::max(wanted, 1.0), most));
   for (int part = 1; part < parts; ++part)
   {
