@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace limpid
@@ -350,12 +351,31 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
   return frustum;
 }
 
-/// Whether parallel rays run along an axis more than along the others, and this way.
-bool RunAlong(const RaySource& source, int axis, double sign)
+/// Which of two axes that parallel rays run along alike is taken: a matter of the scene and not of
+/// the order in which its axes are numbered, so that the order of the nodes changes nothing.
+bool ComesBefore(const Grid& grid, int axis, int other)
 {
+  const auto place = [&grid](int of)
+  {
+    const Vec3 world = glm::abs(grid.direction[of]);
+    return std::make_tuple(grid.nodes[of], world.x, world.y, world.z);
+  };
+  return place(axis) > place(other);
+}
+
+/// The axis that parallel rays run along more than along the others.
+int DepthAxisOf(const Grid& grid, const RaySource& source)
+{
+  constexpr double rounding = 1e-12;
   const Vec3 size = glm::abs(source.direction);
-  return size[axis] >= size[(axis + 1) % 3] && size[axis] >= size[(axis + 2) % 3] &&
-    source.direction[axis] * sign > 0;
+  int found = 0;
+  for (const int axis : { 1, 2 })
+  {
+    const bool alike = std::abs(size[axis] - size[found]) <= rounding * size[found];
+    const bool taken = alike ? ComesBefore(grid, axis, found) : size[axis] > size[found];
+    found = taken ? axis : found;
+  }
+  return found;
 }
 }
 
@@ -409,8 +429,9 @@ std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupan
   {
     for (const double sign : { 1.0, -1.0 })
     {
-      const bool wanted = settings.depthAxes[std::size_t(axis)] &&
-        (!source.parallel || (frusta.empty() && RunAlong(source, axis, sign)));
+      const bool seen = !source.parallel ||
+        (axis == DepthAxisOf(grid, source) && source.direction[axis] * sign > 0);
+      const bool wanted = seen && settings.depthAxes[std::size_t(axis)];
       if (!wanted)
       {
         continue;
