@@ -16,8 +16,9 @@
 # threads       builds the same with the sanitizer of threads, in build/sanitize-thread, against a
 #               oneTBB that is built so, and runs what has threads.
 # threads-all   runs all of the quick tests there.
-# fuzz          feeds solver and filter with what libFuzzer makes up, LIMPID_FUZZ_SECONDS (60) each, in
-#               build/sanitize, which keeps what it has found: the next run goes on from there.
+# fuzz          feeds solver and filter with what libFuzzer makes up of LIMPID_FUZZ_SEED (1), which is
+#               about the same each time, for LIMPID_FUZZ_SECONDS (60) each, in build/sanitize, which
+#               keeps what it has found: the next run goes on from there.
 
 set -euo pipefail
 
@@ -138,7 +139,8 @@ check_fuzz()
   cmake --build --preset sanitize --target fuzz_solver fuzz_filter
   for fuzzer in fuzz_solver fuzz_filter; do
     mkdir -p "build/sanitize/corpus/$fuzzer"
-    "build/sanitize/bin/$fuzzer" -max_total_time="${LIMPID_FUZZ_SECONDS:-60}" -max_len=4096 \
+    "build/sanitize/bin/$fuzzer" -seed="${LIMPID_FUZZ_SEED:-1}" \
+      -max_total_time="${LIMPID_FUZZ_SECONDS:-60}" -max_len=4096 \
       -len_control=0 -detect_leaks=0 -print_final_stats=1 -verbosity=0 \
       -artifact_prefix="build/sanitize/$fuzzer-" "build/sanitize/corpus/$fuzzer"
   done
