@@ -5,6 +5,8 @@
 
 #include "ViewGeometry.h"
 
+#include "backend/Interruption.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +55,18 @@ bool ViewOptimization::TakeView(const FrameSettings& frame, const Camera& camera
   return true;
 }
 
+// The next step, which is an iteration but for the first one: that takes longer, and may be stopped
+// in its midst. Returns whether there is nothing left to do.
+bool ViewOptimization::Refine(const std::function<bool()>& isAborted)
+{
+  std::optional<Interruptible> beginning;
+  if (!this->Optimizer->HasBegun())
+  {
+    beginning.emplace([&isAborted]() { return !isAborted(); });
+  }
+  return this->Optimizer->Refine();
+}
+
 // Lets the optimiser work for as long as the frame allows. Returns whether it has.
 bool ViewOptimization::Work(
   const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted)
@@ -70,7 +84,7 @@ bool ViewOptimization::Work(
   bool goOn = true;
   while (goOn)
   {
-    const bool done = this->Optimizer->Refine();
+    const bool done = this->Refine(isAborted);
     const bool outOfTime = frame.stepwise && clock.Seconds() > until;
     goOn = !done && !outOfTime && !isAborted();
   }

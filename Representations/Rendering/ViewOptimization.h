@@ -31,7 +31,8 @@ public:
   /**
    * Optimises for a frame for as long as it may, brings what was found into the pictures, at once
    * or bit by bit, and sets scores and progress in `result`. The camera is in data coordinates.
-   * `isAborted` tells whether the user has had enough. Throws when the optimisation is impossible.
+   * `isAborted` tells whether the user has had enough. Throws when the optimisation is impossible,
+   * and Interrupted, which changes nothing, when it is not to begin.
    */
   void Advance(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
     const FrameClock& clock, const std::function<bool()>& isAborted, FrameResult& result);
@@ -50,6 +51,7 @@ public:
 
 private:
   bool TakeView(const FrameSettings& frame, const Camera& camera);
+  bool Refine(const std::function<bool()>& isAborted);
   bool Work(
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
   void Show(const FrameSettings& frame, double seconds, bool changed);

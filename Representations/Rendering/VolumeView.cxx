@@ -229,6 +229,27 @@ void VolumeView::EndDrawing()
   }
 }
 
+void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
+  const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result)
+{
+  try
+  {
+    this->Optimization.Advance(frame, data, camera, this->Clock, isAborted, result);
+  }
+  catch (const Interrupted&)
+  {
+    result = this->LastResult;
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    const Int3& points = data.Nodes().nodes;
+    messages.errors.push_back(
+      WordsOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
+    this->Optimization.Stop();
+  }
+}
+
 FrameResult VolumeView::DrawNow(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
@@ -260,21 +281,11 @@ FrameResult VolumeView::DrawNow(
   { return this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
   try
   {
-    this->Optimization.Advance(frame, data, geometry.camera, this->Clock, isAborted, result);
-  }
-  catch (const std::exception& error)
-  {
-    const Int3& points = data.Nodes().nodes;
-    messages.errors.push_back(
-      WordsOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
-    this->Optimization.Stop();
-  }
-  // While there is something left to do, the next picture follows at once.
-  this->GoesOn = frame.still && frame.stepwise && !result.converged;
-  const bool fine = frame.still && !this->GoesOn;
-  const Grid* shown = this->Optimization.ShownGrid();
-  try
-  {
+    this->Optimize(frame, data, geometry.camera, isAborted, messages, result);
+    // While there is something left to do, the next picture follows at once.
+    this->GoesOn = frame.still && frame.stepwise && !result.converged;
+    const bool fine = frame.still && !this->GoesOn;
+    const Grid* shown = this->Optimization.ShownGrid();
     const Interruptible interruptible([&isAborted]() { return !isAborted(); });
     this->MakeShadows(frame, shown ? *shown : data.Nodes(), fine);
     this->Caster.Prepare();

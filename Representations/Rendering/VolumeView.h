@@ -75,6 +75,8 @@ private:
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
   void ChoosePictures(BackendKind wish, const Grid& grid);
   void UpdateRenderer(const FrameSettings& frame, const VolumeData& data);
+  void Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
+    const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   void MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine);
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
   void MakePicture(const FrameSettings& frame, const ViewGeometry& geometry,

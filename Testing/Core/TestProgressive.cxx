@@ -6,6 +6,7 @@
 #include "BoxScene.h"
 #include "Tolerance.h"
 
+#include "backend/Interruption.h"
 #include "math/Require.h"
 #include "optimize/PassTime.h"
 #include "optimize/Progressive.h"
@@ -447,4 +448,35 @@ TEST(PassTime, LearnsFromWhatIsSlow)
   time.Learn(1000000, 0.5);
 
   EXPECT_EQ(time.Choose(nodes, 0.1, 0), 1u);
+}
+
+TEST(Progressive, GoesOnAsIfNothingHadHappenedWhenItsBeginningIsInterrupted)
+{
+  BoxScene scene = Onion();
+  Progressive progressive = MakeProgressive(scene);
+  RefineAll(progressive);
+  const std::vector<float> before = Copy(progressive, progressive.Extinction());
+  scene.camera = Turned(scene, 100);
+  progressive.SetView(scene.camera, scene.light, scene.settings);
+
+  bool interrupted = true;
+  for (int number = 1; interrupted; ++number)
+  {
+    int asked = 0;
+    interrupted = false;
+    try
+    {
+      const Interruptible interruptible([&] { return ++asked < number; }, 0);
+      progressive.Refine();
+    }
+    catch (const Interrupted&)
+    {
+      interrupted = true;
+      ASSERT_FALSE(progressive.HasBegun());
+      ASSERT_EQ(Copy(progressive, progressive.Extinction()), before);
+    }
+  }
+
+  RefineAll(progressive);
+  ExpectWhatASolverFinds(progressive, scene);
 }

@@ -219,6 +219,11 @@ bool Progressive::Refine()
   return this->Converged();
 }
 
+bool Progressive::HasBegun() const
+{
+  return this->State->solver != nullptr;
+}
+
 bool Progressive::Converged() const
 {
   return this->State->solver && this->State->solver->Done();

@@ -49,10 +49,12 @@ public:
   void Preview(double seconds);
 
   /// The next iteration at full resolution; the first call for a view only prepares. Previews stay
-  /// shown until the first iteration. Returns whether there is nothing left to do. After an
-  /// exception from here or Preview, this object is of no more use.
+  /// shown until the first iteration. Returns whether there is nothing left to do. An exception
+  /// from the first call changes nothing; after one from another call or from Preview, this object
+  /// is of no more use.
   bool Refine();
 
+  bool HasBegun() const;  ///< whether Refine was called for the present view
   bool Converged() const; ///< whether Refine has nothing left to do for the present view
 
   /// What is to be shown now; the same box as the scene's grid. Valid after Preview or Refine.
