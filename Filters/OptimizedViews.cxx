@@ -5,6 +5,8 @@
 
 #include "ScenePlacement.h"
 
+#include "backend/Interruption.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -24,9 +26,24 @@ OptimizedViews::OptimizedViews(
 {
 }
 
-// A view that is not valid if `goOn`, which is asked after every iteration, says no.
+// A view that is not valid if `goOn` says no.
 ScoredView OptimizedViews::At(
   const Vec3& direction, const GoOn& goOn, std::vector<float>* extinction) const
+{
+  try
+  {
+    const Interruptible interruptible(goOn);
+    return this->Optimized(direction, extinction);
+  }
+  catch (const Interrupted&)
+  {
+    ScoredView view;
+    view.direction = direction;
+    return view;
+  }
+}
+
+ScoredView OptimizedViews::Optimized(const Vec3& direction, std::vector<float>* extinction) const
 {
   ScoredView view;
   view.direction = direction;
@@ -35,11 +52,7 @@ ScoredView OptimizedViews::At(
   light.focalPoint = camera.focalPoint;
   PlaceLight(camera, light);
   Solver solver(this->Scene, camera, light, this->Options);
-  solver.Run([&goOn](double, const std::string&) { return goOn(); });
-  if (solver.Stopped())
-  {
-    return view;
-  }
+  solver.Run();
   const Score best = solver.BestScore();
   view.score.visible = best.visibility;
   view.score.unattenuated = best.fraction > 0 ? best.visibility / best.fraction : 0;
@@ -74,12 +87,30 @@ std::vector<ScoredView> OptimizedViews::ScoreAll(
   return views;
 }
 
+// Where a climb with one extinction ends; no viewpoint if `goOn` says no.
+SearchResult OptimizedViews::Top(const ScoredView& start, const std::vector<float>& extinction,
+  const SearchSettings& settings, const GoOn& goOn) const
+{
+  try
+  {
+    const Interruptible interruptible(goOn);
+    const SceneFields& scene = this->Scene->Arrays();
+    const ViewScore fixed(
+      scene.grid, extinction.data(), scene.importance, this->Options.rayDensity);
+    return FindViewpoints(
+      fixed, this->From, { start }, settings, [&goOn](double) { return goOn(); });
+  }
+  catch (const Interrupted&)
+  {
+    return {};
+  }
+}
+
 // The way up from a sample, as far as it came before `goOn` said no. Returns the number of solver
 // runs, scores and derivatives.
 Index OptimizedViews::Climb(const ScoredView& sample, const SearchSettings& settings,
   const GoOn& goOn, std::vector<ScoredView>& path) const
 {
-  const SceneFields& scene = this->Scene->Arrays();
   Index evaluations = 1;
   std::vector<float> extinction;
   path.push_back(sample);
@@ -93,10 +124,11 @@ Index OptimizedViews::Climb(const ScoredView& sample, const SearchSettings& sett
   climb.viewpoints = 1;
   for (int round = 0; round < LargestNumberOfRounds; ++round)
   {
-    const ViewScore fixed(
-      scene.grid, extinction.data(), scene.importance, this->Options.rayDensity);
-    const SearchResult top =
-      FindViewpoints(fixed, this->From, { path.back() }, climb, [&goOn](double) { return goOn(); });
+    const SearchResult top = this->Top(path.back(), extinction, climb, goOn);
+    if (top.viewpoints.empty())
+    {
+      break;
+    }
     const ScoredView next = this->At(top.viewpoints.front().direction, goOn, &extinction);
     evaluations += top.evaluations + 1;
     if (!next.valid || !(next.score.visible > path.back().score.visible))

@@ -36,6 +36,9 @@ private:
   using GoOn = std::function<bool()>;
 
   ScoredView At(const Vec3& direction, const GoOn& goOn, std::vector<float>* extinction) const;
+  ScoredView Optimized(const Vec3& direction, std::vector<float>* extinction) const;
+  SearchResult Top(const ScoredView& start, const std::vector<float>& extinction,
+    const SearchSettings& settings, const GoOn& goOn) const;
   Index Climb(const ScoredView& sample, const SearchSettings& settings, const GoOn& goOn,
     std::vector<ScoredView>& path) const;
 
