@@ -29,6 +29,10 @@ vars(simple).update(OcclusionPhantom=OcclusionPhantom)
 SECONDS = 120  # for another process
 CHILD = "--replay"
 SAVE = "--save"
+LICENCE = """# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""
 SAVED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "Saved")
 SIZE = [160, 160]
 
@@ -115,12 +119,12 @@ def trace_much():
 def save_states(folder):
     simple.SaveState(os.path.join(folder, "state.pvsm"))
     with open(os.path.join(folder, "state.py"), "w", encoding="utf-8") as file:
-        file.write(smstate.get_state())
+        file.write(LICENCE + smstate.get_state())
 
 
 def save_trace(folder, trace):
     with open(os.path.join(folder, "trace.py"), "w", encoding="utf-8") as file:
-        file.write(trace)
+        file.write(LICENCE + trace)
 
 
 def save_all(folder):

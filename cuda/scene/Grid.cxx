@@ -52,8 +52,7 @@ void Grid::Require() const
       "The spacing along axis " << axis << " is " << this->spacing[axis]
                                 << " (lengths and extinctions are computed in single precision, "
                                    "which holds for spacings from "
-                                << least << " to " << most
-                                << "). Give lengths in another unit.");
+                                << least << " to " << most << "). Give lengths in another unit.");
     LIMPID_REQUIRE(std::isfinite(this->origin[axis]),
       "The origin along axis " << axis << " is " << this->origin[axis]
                                << " (rays cannot reach it). Set a finite origin.");

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
 # state file generated using paraview version 5.11.0
 import paraview
 paraview.compatibility.major = 5
