@@ -496,6 +496,12 @@ class TestDegenerateInput(OptimizerTest):
                 self.assert_refuses(role, '"Absent"', "Scalars, Importance, BaseExtinction",
                                     filter_=result)
 
+    def test_unit_distances_that_no_float_holds_are_refused(self):
+        for distance in (1e300, 1e-300):
+            result = optimizer(phantom(8), ScalarOpacityUnitDistance=distance)
+            self.assert_refuses("ScalarOpacityUnitDistance", "{:g}".format(distance),
+                                filter_=result)
+
     def test_settings_that_make_no_sense_are_named(self):
         cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0,
                      ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
