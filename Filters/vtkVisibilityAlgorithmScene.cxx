@@ -78,12 +78,12 @@ void vtkVisibilityAlgorithm::SceneReader::RequireChoices() const
     "ScalarOpacityUnitDistance is " << unitDistance
                                     << " (opacity is light lost on a distance). Set a length above "
                                        "zero, or zero for the mean length of a cell.");
-  constexpr double least = 1e-20; // as for spacings
-  constexpr double most = 1e24;
-  LIMPID_REQUIRE(unitDistance == 0 || (unitDistance >= least && unitDistance <= most),
+  LIMPID_REQUIRE(unitDistance == 0 ||
+      (unitDistance >= limpid::leastLength && unitDistance <= limpid::mostLength),
     "ScalarOpacityUnitDistance is "
-      << unitDistance << " (single precision holds extinctions for distances from " << least
-      << " to " << most << "). Set one of them, or zero for the mean length of a cell.");
+      << unitDistance << " (single precision holds extinctions for distances from "
+      << limpid::leastLength << " to " << limpid::mostLength
+      << "). Set one of them, or zero for the mean length of a cell.");
 }
 
 limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(

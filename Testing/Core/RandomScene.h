@@ -133,6 +133,20 @@ inline RandomEye MakeRandomEye(RandomNumbers& random, const Grid& grid)
   return eye;
 }
 
+inline void LookFrom(const RandomEye& eye, Camera& camera)
+{
+  camera.parallel = eye.parallel;
+  camera.position = eye.position;
+  camera.focalPoint = eye.focalPoint;
+}
+
+inline void ShineFrom(const RandomEye& lamp, Light& light)
+{
+  light.type = lamp.parallel ? LightType::Directional : LightType::Point;
+  light.position = lamp.position;
+  light.focalPoint = lamp.focalPoint;
+}
+
 /// One to twelve nodes along each axis, at a ray density of about 1.
 inline BoxScene MakeRandomScene(std::uint64_t seed)
 {
@@ -164,14 +178,8 @@ inline BoxScene MakeRandomScene(std::uint64_t seed)
   }
   scene.importance[scene.importance.size() / 2] = 1;
 
-  const RandomEye eye = MakeRandomEye(random, scene.grid);
-  scene.camera.parallel = eye.parallel;
-  scene.camera.position = eye.position;
-  scene.camera.focalPoint = eye.focalPoint;
-  const RandomEye lamp = MakeRandomEye(random, scene.grid);
-  scene.light.type = lamp.parallel ? LightType::Directional : LightType::Point;
-  scene.light.position = lamp.position;
-  scene.light.focalPoint = lamp.focalPoint;
+  LookFrom(MakeRandomEye(random, scene.grid), scene.camera);
+  ShineFrom(MakeRandomEye(random, scene.grid), scene.light);
   scene.settings.rayDensity = random.Chance(0.5) ? 1.0 : random.Between(0.5, 3);
   scene.settings.weights.light = random.Chance(0.5) ? 0 : 1;
   return scene;

@@ -4,7 +4,7 @@
 // Volumes of transmittances as devices fill them, against those of the processor's own sweep, and
 // against the march.
 
-#include "BoxScene.h"
+#include "Lamp.h"
 #include "TestedDevice.h"
 #include "Tolerance.h"
 
@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -24,19 +23,6 @@ using namespace limpid;
 
 namespace
 {
-struct Lamp
-{
-  const char* name;
-  LightType type;
-  Vec3 position; ///< point: in half diagonals from the centre; directional: where it comes from
-  double rayDensity;
-};
-
-std::ostream& operator<<(std::ostream& stream, const Lamp& lamp)
-{
-  return stream << lamp.name;
-}
-
 const Lamp lamps[] = {
   { "PointOutside", LightType::Point, { -1, 3, -0.7 }, 3 },
   { "PointAlongX", LightType::Point, { 2.5, 0.1, -0.2 }, 3 },
@@ -53,11 +39,7 @@ const Lamp lamps[] = {
 
 BoxScene Scene(const Lamp& lamp)
 {
-  BoxScene scene({ 27, 31, 23 }, { 100, -50, 3 }, { 1.0, 0.8, 1.3 });
-  scene.light.type = lamp.type;
-  scene.light.position = scene.grid.Centre() + scene.grid.Radius() * lamp.position;
-  scene.light.focalPoint = scene.grid.Centre();
-  return scene;
+  return BoxUnder(lamp, { 27, 31, 23 });
 }
 
 /// As a device fills it, with the plan for another extinction that is filled in the same places or

@@ -22,18 +22,12 @@ void Vary(BoxScene& scene, RandomNumbers& random)
 {
   if (random.Chance(0.6))
   {
-    const RandomEye eye = MakeRandomEye(random, scene.grid);
-    scene.camera.parallel = eye.parallel;
-    scene.camera.position = eye.position;
-    scene.camera.focalPoint = eye.focalPoint;
+    LookFrom(MakeRandomEye(random, scene.grid), scene.camera);
     scene.camera.parallelScale = 0.7 * std::max(scene.grid.Radius(), 1e-3);
   }
   if (random.Chance(0.4))
   {
-    const RandomEye lamp = MakeRandomEye(random, scene.grid);
-    scene.light.type = lamp.parallel ? LightType::Directional : LightType::Point;
-    scene.light.position = lamp.position;
-    scene.light.focalPoint = lamp.focalPoint;
+    ShineFrom(MakeRandomEye(random, scene.grid), scene.light);
   }
   if (random.Chance(0.5))
   {

@@ -3,7 +3,7 @@
 
 // Transmittance at the nodes against closed forms and the march, for lights; cameras are no others.
 
-#include "BoxScene.h"
+#include "Lamp.h"
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
@@ -20,18 +20,6 @@ using namespace limpid;
 
 namespace
 {
-struct Lamp
-{
-  const char* name;
-  LightType type;
-  Vec3 position; ///< point: in half diagonals from the centre; directional: where it comes from
-};
-
-std::ostream& operator<<(std::ostream& stream, const Lamp& lamp)
-{
-  return stream << lamp.name;
-}
-
 const Lamp lamps[] = {
   { "PointOutside", LightType::Point, { -1, 3, -0.7 } },
   { "PointNearASide", LightType::Point, { 0.2, 0.8, -0.1 } },
@@ -45,11 +33,7 @@ const Lamp lamps[] = {
 
 BoxScene Scene(const Lamp& lamp)
 {
-  BoxScene scene({ 17, 21, 13 }, { 100, -50, 3 }, { 1.0, 0.8, 1.3 });
-  scene.light.type = lamp.type;
-  scene.light.position = scene.grid.Centre() + scene.grid.Radius() * lamp.position;
-  scene.light.focalPoint = scene.grid.Centre();
-  return scene;
+  return BoxUnder(lamp, { 17, 21, 13 });
 }
 
 /// Clouds as wide as eight nodes, thick in the middle; `depth`: of the thickest over the half

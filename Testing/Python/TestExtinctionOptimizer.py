@@ -8,13 +8,12 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray
-from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkMultiBlockDataSet,
-                                           vtkPiecewiseFunction)
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import (FilterTest, abort_at_every_event, filter_on, function_of, image_of, memory_limited_to, phantom,
-                    values)
+from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, function_of, image_of,
+                    memory_limited_to, phantom, values)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -442,9 +441,7 @@ class TestDegenerateInput(OptimizerTest):
         self.assert_refuses("no points", filter_=optimizer(vtkImageData()))
 
     def test_composite_data_are_refused_whole(self):
-        blocks = vtkMultiBlockDataSet()
-        blocks.SetBlock(0, phantom(12))
-        blocks.SetBlock(1, phantom(12))
+        blocks = blocks_of(phantom(12), phantom(12))
         self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
                             "Resample To Image", filter_=optimizer(blocks))
 

@@ -7,13 +7,13 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
-from images import (FilterTest, abort_at_every_event, filter_on, function_of, image_of, memory_limited_to, phantom,
-                    values)
+from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, function_of, image_of,
+                    memory_limited_to, phantom, values)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -621,9 +621,7 @@ class TestDegenerateInput(SearchTest):
         self.assert_refuses("no points", filter_=search(vtkImageData()))
 
     def test_composite_data_are_refused_whole(self):
-        blocks = vtkMultiBlockDataSet()
-        blocks.SetBlock(0, phantom(12))
-        blocks.SetBlock(1, phantom(12))
+        blocks = blocks_of(phantom(12), phantom(12))
         self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
                             "Resample To Image", filter_=search(blocks))
 

@@ -9,7 +9,7 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction
 
 from limpid.vtkLimpidFilters import vtkOcclusionPhantom, vtkVisibilityAlgorithm
 
@@ -35,6 +35,13 @@ def phantom(resolution=20, scene=0):
     image = vtkImageData()
     image.ShallowCopy(source.GetOutput())
     return image
+
+
+def blocks_of(*images):
+    blocks = vtkMultiBlockDataSet()
+    for number, image in enumerate(images):
+        blocks.SetBlock(number, image)
+    return blocks
 
 
 def function_of(*nodes):

@@ -36,9 +36,6 @@ double Grid::Radius() const
 
 void Grid::Require() const
 {
-  // Results hold within (SceneProperties.DoNotDependOnTheUnitOfLength); beyond 1e-23 and 1e26 not.
-  constexpr double least = 1e-20;
-  constexpr double most = 1e24;
   LIMPID_REQUIRE(this->nodes.x > 0 && this->nodes.y > 0 && this->nodes.z > 0,
     "The image has " << this->nodes.x << " x " << this->nodes.y << " x " << this->nodes.z
                      << " points (there is nothing to optimise). Give an image with points.");
@@ -48,11 +45,12 @@ void Grid::Require() const
       "The spacing along axis " << axis << " is " << this->spacing[axis]
                                 << " (lengths along a ray are made from it). Set a spacing above "
                                    "zero.");
-    LIMPID_REQUIRE(this->spacing[axis] >= least && this->spacing[axis] <= most,
+    LIMPID_REQUIRE(this->spacing[axis] >= leastLength && this->spacing[axis] <= mostLength,
       "The spacing along axis " << axis << " is " << this->spacing[axis]
                                 << " (lengths and extinctions are computed in single precision, "
                                    "which holds for spacings from "
-                                << least << " to " << most << "). Give lengths in another unit.");
+                                << leastLength << " to " << mostLength
+                                << "). Give lengths in another unit.");
     LIMPID_REQUIRE(std::isfinite(this->origin[axis]),
       "The origin along axis " << axis << " is " << this->origin[axis]
                                << " (rays cannot reach it). Set a finite origin.");

@@ -8,6 +8,11 @@
 
 namespace limpid
 {
+/// Lengths within which single precision holds whatever is computed of them and of extinctions
+/// (SceneProperties.DoNotDependOnTheUnitOfLength); beyond 1e-23 and 1e26 results change.
+constexpr double leastLength = 1e-20;
+constexpr double mostLength = 1e24;
+
 /**
  * The nodes of an image: where they are, and how index space maps to the world.
  *
