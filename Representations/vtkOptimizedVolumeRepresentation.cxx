@@ -146,13 +146,14 @@ void vtkOptimizedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Messages: " << this->GetMessages() << "\n";
 }
 
-// ParaView peels volumes along with translucent polygons by default. That works in the shaders of
-// its GPU mapper only; a picture that was computed elsewhere comes out as garbage.
+// ParaView peels volumes by default, whether there is something to be peeled or not. Without that,
+// a picture is cast at once and need not be read back.
 void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned long, void*)
 {
   this->State->Mapper->HasDrawn = false;
   auto* renderer = static_cast<vtkRenderer*>(object);
-  this->State->PeelsVolumes = this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes();
+  this->State->PeelsVolumes = this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes() &&
+    !vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer, this->State->Mapper->Prop);
   if (this->State->PeelsVolumes)
   {
     renderer->UseDepthPeelingForVolumesOff();

@@ -59,7 +59,7 @@ struct vtkOptimizedVolumeRepresentation::Internals
 
   std::string Refusal;                  // of the input: why it cannot be drawn; empty if it can
   std::vector<unsigned long> Observers; // of the renderer's frames
-  bool PeelsVolumes = false;            // whether the renderer does, but for the present frame
+  bool PeelsVolumes = false;            // whether it does, but for the present frame
 
   std::vector<std::string> Messages; // about the last picture
   std::string Text;                  // the same, and the mapper's, one a line

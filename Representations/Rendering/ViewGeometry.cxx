@@ -314,24 +314,12 @@ std::vector<float> ReadDepth(
                            << " pixels cannot be read (the volume would be drawn over opaque "
                               "geometry). Use a render window with a depth buffer.");
 
-  std::vector<float> depth;
-  depth.reserve(std::size_t(frame.size[0]) * std::size_t(frame.size[1]));
-  const auto sourceOf = [&](std::size_t axis, int pixel, int first, int count)
-  {
-    const double place =
-      (frame.origin[axis] + pixel + 0.5) * geometry.size[axis] / frame.whole[axis];
-    return std::min(std::max(static_cast<int>(place) - first, 0), count - 1);
-  };
-  for (int row = 0; row < frame.size[1]; ++row)
-  {
-    const int from = sourceOf(1, row, geometry.covered[2], rows) * columns;
-    for (int column = 0; column < frame.size[0]; ++column)
+  return ValuesOf(geometry, frame,
+    [&](int column, int row)
     {
-      const int at = from + sourceOf(0, column, geometry.covered[0], columns);
-      depth.push_back(2 * buffer[std::size_t(at)] - 1);
-    }
-  }
-  return depth;
+      const int at = (row - geometry.covered[2]) * columns + column - geometry.covered[0];
+      return 2 * buffer[std::size_t(at)] - 1;
+    });
 }
 
 bool AreSame(const Camera& a, const Camera& b)

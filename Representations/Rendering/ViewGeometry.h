@@ -9,6 +9,7 @@
 #include "render/Renderer.h"
 #include "scene/RaySource.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -67,6 +68,31 @@ PictureFrame FrameOf(const ViewGeometry& geometry, double pixelSize);
 
 /// From clip coordinates of the frame to data coordinates.
 glm::dmat4 ClipToData(const ViewGeometry& geometry, const PictureFrame& frame);
+
+/// A value for every pixel of a frame: at(column, row) of the view's pixel in its middle, counted
+/// in the viewport and within what the box covers.
+template <class At>
+std::vector<float> ValuesOf(const ViewGeometry& geometry, const PictureFrame& frame, const At& at)
+{
+  const auto pixelAt = [&](std::size_t axis, int pixel)
+  {
+    const double place =
+      (frame.origin[axis] + pixel + 0.5) * geometry.size[axis] / frame.whole[axis];
+    return std::clamp(
+      static_cast<int>(place), geometry.covered[2 * axis], geometry.covered[2 * axis + 1] - 1);
+  };
+  std::vector<float> values;
+  values.reserve(std::size_t(frame.size[0]) * std::size_t(frame.size[1]));
+  for (int row = 0; row < frame.size[1]; ++row)
+  {
+    const int viewRow = pixelAt(1, row);
+    for (int column = 0; column < frame.size[0]; ++column)
+    {
+      values.push_back(at(pixelAt(0, column), viewRow));
+    }
+  }
+  return values;
+}
 
 /**
  * Where the rays of a frame end at geometry that has been drawn before, in clip coordinates; empty

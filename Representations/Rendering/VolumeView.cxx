@@ -178,34 +178,51 @@ double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geo
   return this->Budget.PixelSize(pixels, left);
 }
 
-void VolumeView::MakePicture(const FrameSettings& frame, const ViewGeometry& geometry,
+void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
   const std::vector<glm::dvec4>& planes, double pixelSize)
 {
+  this->Geometry = geometry;
   this->Frame = FrameOf(geometry, pixelSize);
-  this->Depth = geometry.nearest;
-  const std::vector<float> depth = ReadDepth(this->Target, geometry, this->Frame);
-
-  View view;
-  view.width = this->Frame.size[0];
-  view.height = this->Frame.size[1];
-  view.clipToWorld = ClipToData(geometry, this->Frame);
-  view.depth = depth.empty() ? nullptr : depth.data();
-  view.planes = planes;
-  view.sampleDistance = frame.sampleDistance;
-  view.jitter = frame.jitter;
-  const auto start = FrameClock::SteadyClock::now();
-  this->Caster.Render(view, this->Image);
-  this->Budget.Record(double(view.width) * view.height, FrameClock::SecondsSince(start));
+  this->Rays = View();
+  this->Rays.width = this->Frame.size[0];
+  this->Rays.height = this->Frame.size[1];
+  this->Rays.clipToWorld = ClipToData(geometry, this->Frame);
+  this->Rays.planes = planes;
+  this->Rays.sampleDistance = frame.sampleDistance;
+  this->Rays.jitter = frame.jitter;
 }
 
-FrameResult VolumeView::Draw(
-  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+// Of the rays between two depths per pixel, in clip coordinates; empty: as far as they go. Returns
+// whether it was not aborted.
+bool VolumeView::MakePicture(const std::vector<float>& nearDepth, const std::vector<float>& depth)
 {
-  this->IsDrawing = true;
-  FrameResult result;
+  View view = this->Rays;
+  view.nearDepth = nearDepth.empty() ? nullptr : nearDepth.data();
+  view.depth = depth.empty() ? nullptr : depth.data();
+  const auto start = FrameClock::SteadyClock::now();
   try
   {
-    result = this->DrawNow(frame, data, messages);
+    const std::function<bool()> isAborted = this->AbortCheck();
+    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+    this->Caster.Render(view, this->Part);
+  }
+  catch (const Interrupted&)
+  {
+    this->Part = Picture(); // VTK does not show what was aborted
+    return false;
+  }
+  this->CastSeconds += FrameClock::SecondsSince(start);
+  return true;
+}
+
+// What is asked of the view by observers meanwhile is done afterwards.
+template <class Action>
+void VolumeView::WhileDrawing(const Action& action)
+{
+  this->IsDrawing = true;
+  try
+  {
+    action();
   }
   catch (...)
   {
@@ -213,7 +230,80 @@ FrameResult VolumeView::Draw(
     throw;
   }
   this->EndDrawing();
+}
+
+FrameResult VolumeView::Prepare(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  FrameResult result;
+  this->WhileDrawing([&]() { result = this->PrepareNow(frame, data, messages); });
   return result;
+}
+
+FrameResult VolumeView::Draw(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  this->WhileDrawing(
+    [&]()
+    {
+      this->LastResult = this->PrepareNow(frame, data, messages);
+      if (!this->Geometry)
+      {
+        return;
+      }
+      if (this->MakePicture({}, ReadDepth(this->Target, *this->Geometry, this->Frame)))
+      {
+        this->Image = std::move(this->Part);
+        this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
+      }
+      else
+      {
+        this->LastResult.converged = false;
+      }
+    });
+  return this->LastResult;
+}
+
+void VolumeView::DrawPart(const RayParts& parts, std::size_t part)
+{
+  if (this->Geometry)
+  {
+    this->WhileDrawing([&]() { this->DrawPartNow(parts, part); });
+  }
+}
+
+void VolumeView::DrawPartNow(const RayParts& parts, std::size_t part)
+{
+  bool empty = true;
+  const std::array<int, 2>& size = this->Geometry->size;
+  const auto clip = [&](std::size_t end)
+  {
+    return ValuesOf(*this->Geometry, this->Frame,
+      [&](int column, int row)
+      {
+        const Index x = Index(column) * parts.size[0] / size[0];
+        const Index y = Index(row) * parts.size[1] / size[1];
+        const std::size_t pixel = std::size_t(y * parts.size[0] + x);
+        const float* depths = parts.depths.data() + 4 * pixel + 2 * part;
+        empty = empty && !(depths[1] > depths[0]);
+        return 2 * depths[end] - 1;
+      });
+  };
+  const std::vector<float> nearDepth = clip(0);
+  const std::vector<float> depth = clip(1);
+  if (empty || !this->MakePicture(nearDepth, depth))
+  {
+    return;
+  }
+  this->Quad.Draw(this->Target, this->Part, this->Frame, this->Geometry->nearest);
+  this->Image.width = this->Part.width;
+  this->Image.height = this->Part.height;
+  this->Image.rgba.resize(this->Part.rgba.size());
+  for (std::size_t alpha = 3; alpha < this->Image.rgba.size(); alpha += 4)
+  {
+    const int both = this->Image.rgba[alpha] + this->Part.rgba[alpha];
+    this->Image.rgba[alpha] = static_cast<std::uint8_t>(std::min(both, 255));
+  }
 }
 
 void VolumeView::EndDrawing()
@@ -250,10 +340,21 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
   }
 }
 
-FrameResult VolumeView::DrawNow(
+std::function<bool()> VolumeView::AbortCheck() const
+{
+  return [this]() { return this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
+}
+
+FrameResult VolumeView::PrepareNow(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   this->Clock.Begin(this->GoesOn);
+  if (this->CastSeconds > 0)
+  {
+    this->Budget.Record(double(this->Rays.width) * this->Rays.height, this->CastSeconds);
+  }
+  this->CastSeconds = 0;
+  this->Geometry.reset();
   this->Image = Picture();
   const ViewGeometry geometry = GeometryOf(this->Target, this->Volume, data.Nodes());
   if (geometry.size[0] < 1 || geometry.size[1] < 1)
@@ -277,8 +378,7 @@ FrameResult VolumeView::DrawNow(
 
   FrameResult result;
   result.light = frame.light.description;
-  const auto isAborted = [this]()
-  { return this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
+  const std::function<bool()> isAborted = this->AbortCheck();
   try
   {
     this->Optimize(frame, data, geometry.camera, isAborted, messages, result);
@@ -289,17 +389,12 @@ FrameResult VolumeView::DrawNow(
     const Interruptible interruptible([&isAborted]() { return !isAborted(); });
     this->MakeShadows(frame, shown ? *shown : data.Nodes(), fine);
     this->Caster.Prepare();
-    this->MakePicture(
+    this->PlacePicture(
       frame, geometry, data.Cropped().planes, fine ? 1 : this->PixelSize(frame, geometry));
   }
   catch (const Interrupted&)
   {
-    this->Image = Picture(); // VTK does not show what was aborted
     result.converged = false;
-  }
-  if (!this->Image.rgba.empty())
-  {
-    this->Quad.Draw(this->Target, this->Image, this->Frame, this->Depth);
   }
   this->LastResult = result;
   return result;
@@ -307,9 +402,10 @@ FrameResult VolumeView::DrawNow(
 
 void VolumeView::DrawMask(const float color[3])
 {
-  if (!this->Image.rgba.empty() && this->Target)
+  if (!this->Image.rgba.empty() && this->Target && this->Geometry)
   {
-    this->Quad.DrawMask(this->Target, this->Image, this->Frame, this->Depth, color, VisibleAlpha);
+    this->Quad.DrawMask(
+      this->Target, this->Image, this->Frame, this->Geometry->nearest, color, VisibleAlpha);
   }
 }
 
@@ -340,11 +436,14 @@ void VolumeView::ReleaseNow()
   this->PicturesFor.reset();
   this->ScalarsVersion = 0;
   this->FunctionsVersion = 0;
+  this->Geometry.reset();
   this->Image = Picture();
+  this->Part = Picture();
 }
 
 void VolumeView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Quad.ReleaseGraphicsResources(window);
+  this->Peeling.ReleaseGraphicsResources(window);
 }
 }

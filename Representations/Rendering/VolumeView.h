@@ -6,6 +6,7 @@
 #ifndef limpid_VolumeView_h
 #define limpid_VolumeView_h
 
+#include "DepthPeeling.h"
 #include "Frame.h"
 #include "FrameBudget.h"
 #include "Memory.h"
@@ -22,6 +23,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 class vtkCallbackCommand;
 class vtkObject;
@@ -49,7 +51,12 @@ public:
   /// is added to the messages. Throws when nothing can be drawn.
   FrameResult Draw(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
 
-  /// Draws the last picture's visible pixels in one colour, for a selection.
+  /// Draw in two steps: makes everything that the rays of the frame's pictures need, and draws
+  /// one part of them, 0 or 1. Draws nothing where the first step threw or was aborted.
+  FrameResult Prepare(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void DrawPart(const RayParts& parts, std::size_t part);
+
+  /// Draws the last frame's visible pixels in one colour, for a selection.
   void DrawMask(const float color[3]);
 
   /// Forgets what has been optimised, or gives back what can be made again; while the volume is
@@ -59,7 +66,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   /// Where the volume is in the present frame of the renderer. Ahead: drawn before its turn, so
-  /// that one in front of it could be drawn.
+  /// that one in front of it could be drawn, or along with another one.
   enum class Turn
   {
     NotYet,
@@ -68,8 +75,17 @@ public:
   };
   Turn InFrame = Turn::NotYet;
 
+  /// If VTK peels the volume: how, and which volumes are drawn along with it, from back to front.
+  DepthPeeling Peeling;
+  std::vector<vtkWeakPointer<vtkVolume>> Peeled;
+
 private:
-  FrameResult DrawNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  template <class Action>
+  void WhileDrawing(const Action& action);
+  FrameResult PrepareNow(
+    const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  bool MakePicture(const std::vector<float>& nearDepth, const std::vector<float>& depth);
+  void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();
   void ReleaseNow();
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
@@ -79,8 +95,9 @@ private:
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   void MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine);
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
-  void MakePicture(const FrameSettings& frame, const ViewGeometry& geometry,
+  void PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
     const std::vector<glm::dvec4>& planes, double pixelSize);
+  std::function<bool()> AbortCheck() const;
 
   vtkWeakPointer<vtkRenderer> Target;
   vtkWeakPointer<vtkVolume> Volume;
@@ -106,9 +123,12 @@ private:
   FrameClock Clock;
   bool GoesOn = false; ///< whether the last frame was one of several on the way to the still one
 
-  Picture Image;
+  std::optional<ViewGeometry> Geometry; ///< of the frame; none: there is nothing to be drawn
   PictureFrame Frame;
-  double Depth = 0.5; ///< of the picture in the depth buffer
+  View Rays;     ///< of the frame's pictures, but for where they begin and end
+  Picture Image; ///< of the frame; of several parts, their alpha only
+  Picture Part;
+  double CastSeconds = 0; ///< what the pictures of the frame took
   PictureQuad Quad;
 };
 }

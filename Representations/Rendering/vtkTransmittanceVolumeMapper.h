@@ -30,10 +30,11 @@
  * frame takes about InteractiveFrameTime: with one pass of the optimization on a grid, shadows on a
  * grid, and a picture on pixels that are as fine as the time allows, and changes ease in.
  *
- * Opaque geometry hides and is hidden correctly. Translucent geometry is drawn by VTK before any
- * volume, so it is right behind the volume only, and volumes that overlap cannot be drawn right;
- * there is a warning for both. Volumes that do not overlap are drawn in the right order if this
- * class draws them; see also SortBackToFront.
+ * Opaque geometry hides and is hidden correctly. Translucent geometry does behind a volume, and
+ * anywhere if the renderer peels volumes (UseDepthPeeling, UseDepthPeelingForVolumes): rays are
+ * cast from surface to surface then. Without that it is drawn by VTK before any volume, and volumes
+ * that overlap cannot be drawn right; there is a warning for both. Volumes that do not overlap are
+ * drawn in the right order if this class draws them; see also SortBackToFront.
  *
  * Clipping planes and the box of a cropping region cut the picture where they are, 16 planes at
  * most with 6 of a box; cropping regions that are no box end between points. Points outside do not
@@ -347,6 +348,12 @@ public:
    * none.
    */
   static void SortBackToFront(vtkRenderer* renderer);
+
+  /**
+   * Whether there is translucent geometry in front of a volume or reaching into it, which is drawn
+   * right only by a renderer that peels volumes.
+   */
+  static bool NeedsDepthPeeling(vtkRenderer* renderer, vtkVolume* volume);
 
   /**
    * Gives back the memory of everything that can be made again: fields, optimizations, pictures.

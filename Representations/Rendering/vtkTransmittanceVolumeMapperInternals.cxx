@@ -11,6 +11,7 @@
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -69,43 +70,74 @@ void vtkTransmittanceVolumeMapper::Internals::ReleaseData()
   }
 }
 
-// The renderer visits volumes in the order in which they were added: the ones that this one hides
-// are drawn now, and not when it comes to them.
-void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
-  vtkRenderer* renderer, vtkVolume* volume)
+namespace
 {
-  const limpid::Box box = limpid::BoxOf(volume);
+// The mapper of a volume that is to be drawn by this class; null: it is not.
+vtkTransmittanceVolumeMapper* MapperOf(vtkVolume* volume)
+{
+  auto* mapper = volume && volume->GetVisibility()
+    ? vtkTransmittanceVolumeMapper::SafeDownCast(volume->GetMapper())
+    : nullptr;
+  return mapper && mapper->GetDataObjectInput() ? mapper : nullptr;
+}
+
+std::vector<vtkSmartPointer<vtkVolume>> VolumesOf(vtkRenderer* renderer)
+{
+  std::vector<vtkSmartPointer<vtkVolume>> volumes;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);
   while (vtkProp* prop = props->GetNextProp(position))
   {
-    vtkVolume* other = vtkVolume::SafeDownCast(prop);
-    auto* mapper = other && other != volume && other->GetVisibility()
-      ? vtkTransmittanceVolumeMapper::SafeDownCast(other->GetMapper())
-      : nullptr;
-    if (!mapper || !mapper->GetDataObjectInput())
+    vtkVolume* volume = vtkVolume::SafeDownCast(prop);
+    if (MapperOf(volume))
     {
-      continue;
+      volumes.emplace_back(volume);
     }
-    const bool behind =
-      limpid::OrderOf(box, limpid::BoxOf(other), renderer) == limpid::Order::SecondFirst;
-    limpid::VolumeView& view = mapper->State->ViewOf(renderer, other);
-    if (behind && view.InFrame == limpid::VolumeView::Turn::NotYet)
+  }
+  return volumes;
+}
+}
+
+// The renderer visits volumes in the order in which they were added: the ones that this one hides
+// are drawn now, and not when it comes to them.
+void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->ForThoseBehind(renderer, volume,
+    [renderer](vtkTransmittanceVolumeMapper* mapper, vtkVolume* other)
+    {
+      mapper->State->Render(renderer, other);
+      mapper->State->ViewOf(renderer, other).InFrame = limpid::VolumeView::Turn::Ahead;
+    });
+}
+
+// Of our volumes, those that a volume hides and that have not been drawn in the frame yet.
+void vtkTransmittanceVolumeMapper::Internals::ForThoseBehind(vtkRenderer* renderer,
+  vtkVolume* volume, const std::function<void(vtkTransmittanceVolumeMapper*, vtkVolume*)>& action)
+{
+  const limpid::Box box = limpid::BoxOf(volume);
+  for (const auto& other : VolumesOf(renderer))
+  {
+    vtkTransmittanceVolumeMapper* mapper = MapperOf(other);
+    if (mapper && other != volume &&
+      limpid::OrderOf(box, limpid::BoxOf(other), renderer) == limpid::Order::SecondFirst &&
+      mapper->State->ViewOf(renderer, other).InFrame == limpid::VolumeView::Turn::NotYet)
     {
       other->Update();
-      mapper->State->Render(renderer, other);
-      view.InFrame = limpid::VolumeView::Turn::Ahead;
+      action(mapper, other);
     }
   }
 }
 
-void vtkTransmittanceVolumeMapper::Internals::Render(vtkRenderer* renderer, vtkVolume* volume)
+// Whatever goes wrong ends here.
+template <class Action>
+void vtkTransmittanceVolumeMapper::Internals::WhileDrawing(const Action& action)
 {
   ++this->Drawing;
   try
   {
-    this->RenderInTurn(renderer, volume);
+    action();
   }
   catch (const std::exception& error)
   {
@@ -116,6 +148,16 @@ void vtkTransmittanceVolumeMapper::Internals::Render(vtkRenderer* renderer, vtkV
   {
     this->ReleaseData();
   }
+}
+
+void vtkTransmittanceVolumeMapper::Internals::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->WhileDrawing(
+    [&]()
+    {
+      limpid::DepthPeeling::IsUnderWay(volume) ? this->RenderParts(renderer, volume)
+                                               : this->RenderInTurn(renderer, volume);
+    });
 }
 
 void vtkTransmittanceVolumeMapper::Internals::RenderInTurn(vtkRenderer* renderer, vtkVolume* volume)
@@ -129,12 +171,76 @@ void vtkTransmittanceVolumeMapper::Internals::RenderInTurn(vtkRenderer* renderer
     return;
   }
   this->DrawWhatIsBehind(renderer, volume);
+  this->DrawFrame(view, renderer, volume, false);
+}
 
+// VTK comes to each volume several times per frame and does not mix what several of them give it:
+// the first one that it comes to takes the others along.
+void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer, vtkVolume* volume)
+{
+  using Turn = limpid::VolumeView::Turn;
+  const vtkSmartPointer<vtkVolume> alive = volume; // an observer may take it off the renderer
+  limpid::VolumeView& view = this->ViewOf(renderer, volume);
+  if (view.InFrame == Turn::Ahead)
+  {
+    return;
+  }
+  if (view.InFrame == Turn::NotYet)
+  {
+    view.Peeled.clear();
+    this->PrepareFromBack(renderer, volume, view);
+    for (const auto& other : VolumesOf(renderer))
+    {
+      if (MapperOf(other))
+      {
+        MapperOf(other)->State->PrepareFromBack(renderer, other, view);
+      }
+    }
+    view.InFrame = Turn::Over;
+  }
+  const limpid::RayParts parts = view.Peeling.Ask(renderer, volume, this->Self);
+  for (std::size_t part = 0; part < 2; ++part)
+  {
+    view.Peeling.DrawPart(renderer, part,
+      [&]()
+      {
+        for (vtkVolume* peeled : view.Peeled)
+        {
+          if (MapperOf(peeled))
+          {
+            MapperOf(peeled)->State->ViewOf(renderer, peeled).DrawPart(parts, part);
+          }
+        }
+      });
+  }
+  view.Peeling.Answer(renderer, volume, this->Self);
+}
+
+void vtkTransmittanceVolumeMapper::Internals::PrepareFromBack(
+  vtkRenderer* renderer, vtkVolume* volume, limpid::VolumeView& leader)
+{
+  limpid::VolumeView& view = this->ViewOf(renderer, volume);
+  if (view.InFrame != limpid::VolumeView::Turn::NotYet)
+  {
+    return;
+  }
+  view.InFrame = limpid::VolumeView::Turn::Ahead;
+  this->ForThoseBehind(renderer, volume,
+    [&](vtkTransmittanceVolumeMapper* mapper, vtkVolume* other)
+    { mapper->State->PrepareFromBack(renderer, other, leader); });
+  this->WhileDrawing([&]() { this->DrawFrame(view, renderer, volume, true); });
+  leader.Peeled.emplace_back(volume);
+}
+
+// With the messages of a frame. In parts: only makes what they need.
+void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
+  limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
+{
   this->Log.Begin();
   this->Messages.clear();
   try
   {
-    this->Draw(view, renderer, volume);
+    this->Draw(view, renderer, volume, inParts);
   }
   catch (const std::exception& error)
   {
@@ -145,7 +251,7 @@ void vtkTransmittanceVolumeMapper::Internals::RenderInTurn(vtkRenderer* renderer
 }
 
 void vtkTransmittanceVolumeMapper::Internals::Draw(
-  limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume)
+  limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
   vtkImageData* image = this->RequireImage();
   this->RequireAvailableChoices();
@@ -184,10 +290,11 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     this->Last = limpid::FrameResult();
     return;
   }
-  this->ReportNeighbours(renderer, volume);
+  this->ReportNeighbours(renderer, volume, inParts);
 
   limpid::FrameMessages messages;
-  this->Last = view.Draw(frame, this->Data, messages);
+  this->Last =
+    inParts ? view.Prepare(frame, this->Data, messages) : view.Draw(frame, this->Data, messages);
   for (const std::string& text : messages.errors)
   {
     this->Error(text);

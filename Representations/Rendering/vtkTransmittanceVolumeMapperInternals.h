@@ -14,6 +14,7 @@
 #include "VolumeData.h"
 #include "VolumeView.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,13 +33,20 @@ struct vtkTransmittanceVolumeMapper::Internals
 
   // Drawing
   void Render(vtkRenderer* renderer, vtkVolume* volume);
+  template <class Action>
+  void WhileDrawing(const Action& action);
   void RenderInTurn(vtkRenderer* renderer, vtkVolume* volume);
+  void RenderParts(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSelection(vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector);
   void ReleaseMemory();
   void ReleaseData();
   limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);
   void DrawWhatIsBehind(vtkRenderer* renderer, vtkVolume* volume);
-  void Draw(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume);
+  void PrepareFromBack(vtkRenderer* renderer, vtkVolume* volume, limpid::VolumeView& leader);
+  void ForThoseBehind(vtkRenderer* renderer, vtkVolume* volume,
+    const std::function<void(vtkTransmittanceVolumeMapper*, vtkVolume*)>& action);
+  void DrawFrame(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts);
+  void Draw(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts);
 
   // From properties to what the core wants
   vtkImageData* RequireImage() const;
@@ -57,7 +65,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   std::string WordsOf(const std::exception& error) const;
   void ReportIgnored(vtkVolume* volume);
   void ReportNumbers(vtkVolumeProperty* property);
-  void ReportNeighbours(vtkRenderer* renderer, vtkVolume* volume);
+  void ReportNeighbours(vtkRenderer* renderer, vtkVolume* volume, bool inParts);
   bool ReportVolume(vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later);
 
   vtkTransmittanceVolumeMapper* Self;

@@ -171,12 +171,12 @@ bool vtkTransmittanceVolumeMapper::Internals::ReportVolume(
 }
 
 void vtkTransmittanceVolumeMapper::Internals::ReportNeighbours(
-  vtkRenderer* renderer, vtkVolume* volume)
+  vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
   const limpid::Box box = limpid::BoxOf(volume);
   bool later = false;
   bool outOfOrder = false;
-  bool translucent = false;
+  bool foreign = false;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);
@@ -187,26 +187,44 @@ void vtkTransmittanceVolumeMapper::Internals::ReportNeighbours(
     if (other && other != volume && other->GetVisibility() && HasBounds(other))
     {
       outOfOrder |= this->ReportVolume(renderer, other, box, later);
+      foreign |= !vtkTransmittanceVolumeMapper::SafeDownCast(other->GetMapper());
     }
-    translucent |= IsTranslucentInFront(prop, box, renderer);
   }
-  if (outOfOrder && !IsSortingBackToFront(renderer))
+  if (inParts && foreign)
+  {
+    this->Warn("A volume that another mapper draws is in a view that peels volumes (VTK does not "
+               "mix two volumes that it peels): where both are seen, each channel is that of the "
+               "brighter one. Call UseDepthPeelingForVolumesOff of the renderer.");
+  }
+  if (!inParts && outOfOrder && !IsSortingBackToFront(renderer))
   {
     this->Warn(
       "A volume that another mapper draws is on the wrong side of this one (the renderer "
       "draws volumes in the order in which they were added): the farther one is drawn over "
       "the nearer one. Call vtkTransmittanceVolumeMapper::SortBackToFront for the renderer.");
   }
-  if (translucent)
+  if (!inParts && vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer, volume))
   {
     this->Warn(
       "Translucent geometry is in front of this volume or reaches into it (the renderer "
-      "draws it before any volume): it is drawn behind the volume. Make it opaque, or move "
-      "it behind the volume.");
+      "draws it before any volume): it is drawn behind the volume. Call UseDepthPeelingOn and "
+      "UseDepthPeelingForVolumesOn of the renderer; in ParaView, tick Depth Peeling and Depth "
+      "Peeling for Volumes.");
   }
-  if (translucent && renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes())
+}
+
+bool vtkTransmittanceVolumeMapper::NeedsDepthPeeling(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const limpid::Box box = limpid::BoxOf(volume);
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
   {
-    this->Warn("Depth peeling of volumes is on (a picture has one depth, so nothing can be peeled "
-               "off it): the picture is wrong. Call UseDepthPeelingForVolumesOff of the renderer.");
+    if (IsTranslucentInFront(prop, box, renderer))
+    {
+      return true;
+    }
   }
+  return false;
 }

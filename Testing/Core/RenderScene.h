@@ -80,7 +80,8 @@ struct RenderScene
   Lighting lighting;
   double shadowRayDensity = 3; // as in Renderer.h
   View view;
-  std::vector<float> depth; ///< of `view`; empty: nothing opaque
+  std::vector<float> nearDepth; ///< of `view`; empty: rays begin where they can
+  std::vector<float> depth;     ///< of `view`; empty: nothing opaque
 
   /// Scalars and a transfer function without structure: extinction and colour everywhere.
   static RenderScene Homogeneous(
@@ -188,6 +189,7 @@ struct RenderScene
   View WholeView() const
   {
     View whole = view;
+    whole.nearDepth = nearDepth.empty() ? nullptr : nearDepth.data();
     whole.depth = depth.empty() ? nullptr : depth.data();
     return whole;
   }

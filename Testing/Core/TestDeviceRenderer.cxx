@@ -137,6 +137,18 @@ void StandInTheWay(RenderScene& scene)
   }
 }
 
+/// The same, and something translucent in front of it.
+void StandBetween(RenderScene& scene)
+{
+  StandInTheWay(scene);
+  std::mt19937 generator(12);
+  std::uniform_real_distribution<float> depth(-1.0f, 0.6f);
+  for (int pixel = 0; pixel < scene.view.width * scene.view.height; ++pixel)
+  {
+    scene.nearDepth.push_back(depth(generator));
+  }
+}
+
 void LeaveHoles(RenderScene& scene)
 {
   for (std::size_t node = 0; node < scene.scalars.size(); node += 7)
@@ -200,6 +212,13 @@ const Case cases[] = {
       StandInTheWay(scene);
       Illuminate(scene);
       scene.Change(scene.grid.nodes, 5);
+    } },
+  { "BetweenTwoSurfaces",
+    [](RenderScene& scene)
+    {
+      StandBetween(scene);
+      scene.view.jitter = true;
+      Illuminate(scene);
     } },
   { "WithHoles",
     [](RenderScene& scene)

@@ -52,8 +52,13 @@ double PathOf(const RenderScene& scene, int column, int row, double margin)
     return Vec3(x) / x.w;
   };
   const std::size_t pixel = std::size_t(row) * std::size_t(scene.view.width) + std::size_t(column);
+  const double start = scene.nearDepth.empty() ? -1.0 : scene.nearDepth[pixel];
   const double end = scene.depth.empty() ? 1.0 : scene.depth[pixel];
-  const Vec3 from = point(-1);
+  if (start >= end)
+  {
+    return 0;
+  }
+  const Vec3 from = point(start);
   const Vec3 way = point(end) - from;
   const Vec3 index = scene.grid.PointToIndex(from);
   const Vec3 indexWay = scene.grid.DirectionToIndex(way);
@@ -220,20 +225,44 @@ TEST_P(HomogeneousBox, FollowsBeersLaw)
   ExpectBeersLaw(scene, extinction);
 }
 
+/// Clip z around that of a node, for every pixel.
+std::vector<float> DepthsAround(const RenderScene& scene, const Vec3& node, unsigned seed)
+{
+  const glm::dvec4 there =
+    glm::inverse(scene.view.clipToWorld) * glm::dvec4(scene.grid.PointToWorld(node), 1.0);
+  const double z = there.w > 0 ? std::min(1.0, std::max(-1.0, there.z / there.w)) : 0.5;
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> around(-0.05, 0.05);
+  std::vector<float> depths;
+  for (int pixel = 0; pixel < scene.view.width * scene.view.height; ++pixel)
+  {
+    depths.push_back(float(std::min(1.0, std::max(-1.0, z + (1 - z) * around(generator)))));
+  }
+  return depths;
+}
+
+TEST_P(HomogeneousBox, FollowsBeersLawBetweenTwoSurfaces)
+{
+  RenderScene scene = HomogeneousScene();
+  scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
+  scene.nearDepth = DepthsAround(scene, { 5, 5, 6 }, 3);
+  scene.depth = DepthsAround(scene, { 5, 5, 6 }, 4); // behind it for every other pixel
+  std::fill_n(scene.depth.begin() + 200, 150, 1.0f);
+  std::fill_n(scene.nearDepth.begin() + 500, 150, -1.0f);
+  scene.nearDepth[400] = -1;
+  scene.depth[401] = 1;
+
+  ExpectBeersLaw(scene, extinction);
+  scene.view.jitter = true;
+  scene.view.sampleDistance = 2.7;
+  ExpectBeersLaw(scene, extinction);
+}
+
 TEST_P(HomogeneousBox, FollowsBeersLawUpToOpaqueGeometry)
 {
   RenderScene scene = HomogeneousScene();
   scene.view.clipToWorld = GetParam().clipToWorld(scene.grid);
-  const glm::dvec4 middle =
-    glm::inverse(scene.view.clipToWorld) * glm::dvec4(scene.grid.PointToWorld({ 5, 5, 6 }), 1.0);
-  const double behind = middle.w > 0 ? std::min(1.0, std::max(-1.0, middle.z / middle.w)) : 0.5;
-  std::mt19937 generator(3);
-  std::uniform_real_distribution<double> around(-0.05, 0.05);
-  for (int pixel = 0; pixel < scene.view.width * scene.view.height; ++pixel)
-  {
-    scene.depth.push_back(
-      float(std::min(1.0, std::max(-1.0, behind + (1 - behind) * around(generator)))));
-  }
+  scene.depth = DepthsAround(scene, { 5, 5, 6 }, 3);
   scene.depth[400] = -1;
   scene.depth[401] = 1;
 

@@ -317,6 +317,46 @@ TEST(RendererInvariance, EarlyTerminationCostsNoMoreThanItsBound)
   }
 }
 
+TEST(RendererInvariance, TwoPartsOfRaysThatMeetWhereItIsEmptyAreTheWhole)
+{
+  // Above the middle and below, with a gap wider than a segment between: every segment is that of
+  // the whole ray, however long.
+  RenderScene scene = Balls({ 37, 30, 43 });
+  const Index slice = Index(37) * 30;
+  std::fill(scene.scalars.begin() + 17 * slice, scene.scalars.begin() + 26 * slice, 0.0f);
+  scene.lighting.enabled = true;
+  scene.view.opaqueBelow = 0;
+  scene.view.jitter = true;
+  scene.view.clipToWorld =
+    Parallel(LookAt(scene.grid.Centre() - Vec3(0, 0, 3 * scene.grid.Radius()), scene.grid.Centre(),
+               { 0, 1, 0 }),
+      scene.grid.Radius(), 1, scene.grid.Radius(), 5 * scene.grid.Radius());
+  for (const double sampleDistance : { 0.7, 1.0, 2.3 })
+  {
+    scene.view.sampleDistance = sampleDistance;
+    scene.nearDepth.clear();
+    scene.depth.clear();
+    const Picture whole = scene.Render();
+    // The middle of the box is in the middle of the clipping range.
+    scene.depth.assign(std::size_t(scene.view.width) * std::size_t(scene.view.height), 0.0f);
+    const Picture front = scene.Render();
+    scene.nearDepth = scene.depth;
+    scene.depth.clear();
+    const Picture back = scene.Render();
+
+    double worst = 0;
+    for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+    {
+      const double through = 1 - front.rgba[i / 4 * 4 + 3] / 255.0;
+      const double both = std::min(255.0, front.rgba[i] + through * back.rgba[i]);
+      worst = std::max(worst, std::abs(both - whole.rgba[i]));
+    }
+    EXPECT_LE(worst, 2) << sampleDistance; // four numbers that are rounded by half
+    EXPECT_GT(MeanAlpha(front), 0.01);
+    EXPECT_GT(MeanAlpha(back), 0.01);
+  }
+}
+
 TEST(RendererInvariance, JitterIsDeterministic)
 {
   RenderScene scene = Balls();

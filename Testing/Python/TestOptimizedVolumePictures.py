@@ -159,18 +159,32 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         add_surface(wall, self.view, [1, 1, 0], opacity=0.5)
         picture = pictures.take(self.view)
 
-        # With this on, which it is by default, ParaView's own CPU rendering comes out as garbage.
+        # With this on, which it is by default, VTK's CPU rendering comes out as garbage.
         self.view.DepthPeelingForVolumes = 0
         self.assert_same_rendering(picture, stock(display, self.view))
         self.assertEqual(display.Messages, "")
 
-    def test_says_that_translucent_surfaces_in_front_come_out_behind(self):
+    def test_translucent_surfaces_in_front_and_inside_are_peeled(self):
+        display = displays.show_head(self.view, **ORDINARY)
+        for y in (-2, 0.1):
+            wall = simple.Plane(Origin=[-3, y, -3], Point1=[3, y, -3], Point2=[-3, y, 3])
+            add_surface(wall, self.view, [1, 1, 0], opacity=0.5)
+        picture = pictures.take(self.view)
+        self.assertEqual(display.Messages, "")
+
+        display.SetRepresentationType("Volume")
+        display.VolumeRenderingMode = "GPU Based"
+        reference = pictures.take(self.view)
+        self.assertLessEqual(pictures.difference(picture, reference)[0], displays.SAME_RENDERING)
+
+    def test_says_that_translucent_surfaces_come_out_behind_without_peeling(self):
         display = displays.show_head(self.view, **ORDINARY)
         wall = simple.Plane(Origin=[-3, -2, -3], Point1=[3, -2, -3], Point2=[-3, -2, 3])
         add_surface(wall, self.view, [1, 1, 0], opacity=0.5)
+        self.view.DepthPeelingForVolumes = 0
         picture = pictures.take(self.view)
 
-        self.assertIn("Translucent", display.Messages)
+        self.assertIn("UseDepthPeelingForVolumesOn", display.Messages)
         self.assertGreater(picture.std(), 10)
 
     def test_volumes_are_drawn_from_back_to_front(self):

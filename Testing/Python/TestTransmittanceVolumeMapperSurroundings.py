@@ -342,33 +342,6 @@ class TestSeveralVolumes(MapperTest):
         self.assertEqual(renderer.GetCullers().GetNumberOfItems(), 1)
 
 
-class TestTranslucentGeometry(MapperTest):
-    def add_sphere(self, view, *center):
-        source = vtkSphereSource()
-        source.SetCenter(*center)
-        source.SetRadius(0.5)
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputConnection(source.GetOutputPort())
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetOpacity(0.5)
-        view.renderer.AddActor(actor)
-        view.renderer.ResetCameraClippingRange()
-
-    def test_behind_the_volume_is_right(self):
-        view, _ = show()
-        self.add_sphere(view, *(-0.6 * np.array(view.camera.GetPosition())))
-        view.window.Render()
-        self.assert_fine(view)
-
-    def test_in_front_and_inside_get_a_warning(self):
-        for share in (0.5, 0):
-            with self.subTest(share=share):
-                view, _ = show()
-                self.add_sphere(view, *(share * np.array(view.camera.GetPosition())))
-                self.assert_says(view, "ranslucent")
-
-
 class TestSelection(MapperTest):
     def select(self, view, x, y, association=vtkDataObject.FIELD_ASSOCIATION_CELLS):
         selector = vtkHardwareSelector()

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The scenes of VTK's tests of its volume mappers (Rendering/Volume/Testing), set for any mapper.
+"""The scenes of VTK's tests of its volume mappers, set for any mapper: those of
+Rendering/Volume/Testing, and of depth peeling in Rendering/VolumeOpenGL2/Testing.
 
 A scene is named after VTK's test and yields its pictures. Everything is interpolated linearly and
 not shaded, whatever the test has. The scenes of tests that read a file of VTK's have the wavelet
@@ -677,6 +678,140 @@ def GPURayCastMultiVolumeAddRemove(stage):
     yield stage.picture()
 
 
+# Among translucent surfaces.
+
+def add_ball(renderer, center, radius, color, opacity):
+    source = vtkSphereSource()
+    source.SetCenter(*center)
+    source.SetRadius(radius)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().SetOpacity(opacity)
+    renderer.AddActor(actor)
+
+
+def peel(renderer, peels=17):
+    renderer.UseDepthPeelingOn()
+    renderer.UseDepthPeelingForVolumesOn()
+    renderer.SetMaximumNumberOfPeels(peels)
+    renderer.SetOcclusionRatio(0)
+
+
+def vase(stage, renderer, top, balls, color=3 * (0.6,)):
+    """What VTK's tests of depth peeling have in place of a vase: a volume, and two balls in it of
+    these opacities."""
+    image = wavelet(-32, 32)
+    volume = stage.add(image, property_of(colors_of((0, *color)), opacity_of((120, 0), (180, top)),
+                                          1), 0.1, renderer)
+    for shift, color, opacity in zip((0, 10), ((0.5, 0.9, 0.7), (0.9, 0.4, 0.1)), balls):
+        add_ball(renderer, 3 * (shift,), 65 / 3, color, opacity)
+    peel(renderer)
+    renderer.ResetCamera()
+    return volume
+
+
+def vase_from_the_side(stage, top, *balls):
+    renderer = stage.view((400, 400)).renderer
+    volume = vase(stage, renderer, top, balls)
+    outline = vtkOutlineFilter()
+    outline.SetInputData(volume.GetMapper().GetInput())
+    add_actor(stage.stage, outline)
+    look_from_the_side(renderer)
+    return volume
+
+
+def look_from_the_side(renderer):
+    renderer.GetActiveCamera().Azimuth(-55)
+    renderer.GetActiveCamera().Elevation(35)
+    renderer.GetActiveCamera().OrthogonalizeViewUp()
+    renderer.ResetCameraClippingRange()
+
+
+@scene()
+def GPURayCastDepthPeeling(stage):
+    vase_from_the_side(stage, 1, 0.3, 0.3)
+    yield stage.picture()
+
+
+@scene()
+def GPURayCastDepthPeelingOpaque(stage):
+    vase_from_the_side(stage, 1, 0.3, 1)
+    yield stage.picture()
+
+
+@scene()
+def GPURayCastDepthPeelingTransparentPolyData(stage):
+    vase_from_the_side(stage, 0.05, 0, 0)
+    stage.stage.camera.Zoom(2)
+    yield stage.picture()
+
+
+@scene()
+def GPURayCastDepthPeelingClip(stage):
+    mapper = vase_from_the_side(stage, 1, 0.3, 0.3).GetMapper()
+    add_plane(mapper, (-3, 0, 0), (0.8, 0, 0))
+    add_plane(mapper, (-3, -10, 0), (0.2, -0.2, 0))
+    yield stage.picture()
+
+
+@scene()
+def GPURayCastDepthPeelingTransVol(stage):
+    """The same camera for translucent balls, and for one that is wholly transparent."""
+    view = stage.view((800, 400), (1, 1, 1))
+    right = vtkRenderer()
+    right.SetBackground(1, 1, 1)
+    right.SetViewport(0.5, 0, 1, 1)
+    right.SetActiveCamera(view.camera)
+    view.renderer.SetViewport(0, 0, 0.5, 1)
+    view.window.AddRenderer(right)
+    vase(stage, view.renderer, 0.06, (0.3, 0.3), (0.9, 0.4, 0.9))
+    vase(stage, right, 0.06, (0,), (0.9, 0.4, 0.9))
+    look_from_the_side(view.renderer)
+    yield stage.picture()
+
+
+def quarter(stage, renderer, image, i):
+    renderer.SetBackground(*np.roll((0.2, 0, 0), i))
+    if i != 2:
+        stage.add(image, property_of(colors_of((0, 0, 0, 0), (128, 0.8, 0.4, 0.2), (255, 1, 1, 1)),
+                                     opacity_of((0, 0), (50, 0.05), (255, 0.3)), 1), 0.5, renderer)
+    add_ball(renderer, (48 - 15 * (-1) ** (i % 2), 48 + 15 * (-1) ** (i // 2), 48),
+             50 if i == 2 else 20 + 5 * i, ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0))[i],
+             1 if i in (1, 2) else 0.1)
+    peel(renderer, 4)
+    renderer.ResetCamera()
+    renderer.GetActiveCamera().Azimuth(45 * (i or 1))
+    renderer.ResetCameraClippingRange()
+
+
+@scene()
+def GPURayCastDepthPeelingMultiViewport(stage):
+    """In the quarters of a window; VTK 9.2's mapper is right in a window of its own only."""
+    z, y, x = points_of(96) - 47.5
+    distance = np.sqrt(x * x + y * y + z * z) / (47.5 * np.sqrt(3))
+    image = image_of((96, 96, 96), values=np.round(255 * (1 - distance)).astype(np.uint8).ravel())
+    if not stage.ours:
+        for i in range(4):
+            quarter(stage, stage.view((300, 300)).renderer, image, i)
+            yield stage.picture()
+        return
+    window = stage.view((600, 600)).window
+    window.RemoveRenderer(stage.stage.renderer)
+    places = ((0, 0.5), (0.5, 0.5), (0, 0), (0.5, 0))
+    for i, (left, bottom) in enumerate(places):
+        renderer = vtkRenderer()
+        renderer.SetViewport(left, bottom, left + 0.5, bottom + 0.5)
+        window.AddRenderer(renderer)
+        quarter(stage, renderer, image, i)
+    picture = stage.picture()
+    for left, bottom in places:
+        row, column = int(600 * bottom), int(600 * left)
+        yield picture[row:row + 300, column:column + 300]
+
+
 # What is not drawn as VTK draws it. `sayings`: of what there is to be a message.
 
 REFUSED = {}
@@ -700,6 +835,15 @@ def refuse_blending(mode):
 for name, mode in (("CompositeToMIP", 1), ("DataTypesMIP", 1), ("DataTypesMinIP", 2),
                    ("AverageIP", 3), ("Additive", 4)):
     REFUSED["TestGPURayCast" + name] = (refuse_blending(mode), (f"The blend mode is {mode} ",))
+
+
+@refused("The blend mode is 1 ", "The blend mode is 2 ", "The blend mode is 3 ",
+         "The blend mode is 4 ")
+def GPURayCastDepthPeelingBlendModes(stage):
+    for mode in range(1, 5):
+        renderer = stage.view((400, 400)).renderer
+        vase(stage, renderer, 0.8, (0.3, 0.3)).GetMapper().SetBlendMode(mode)
+        yield stage.picture()
 
 
 @refused("The blend mode is 1 ", "The blend mode is 2 ", "The blend mode is 3 ",

@@ -47,9 +47,14 @@ public:
   /// `stepLength`: between samples [length].
   RayMaker(const Grid& grid, double stepLength, const View& view);
 
-  /// The ray of a pixel up to clip z = `end`; false: it misses what the planes leave of the box.
-  LIMPID_HD bool Make(int column, int row, double end, Ray& ray) const
+  /// The ray of a pixel from clip z = `start` to `end`; false: it misses what the planes leave of
+  /// the box.
+  LIMPID_HD bool Make(int column, int row, double start, double end, Ray& ray) const
   {
+    if (!(end > start))
+    {
+      return false;
+    }
     const double x = 2 * (column + 0.5) / this->Width - 1;
     const double y = 2 * (row + 0.5) / this->Height - 1;
     const Vec3 from = this->Point(x, y, -1);
@@ -88,12 +93,19 @@ public:
         return false;
       }
     }
-    if (!(last > first))
+    const double begin = this->ShareAt(x, y, start, from, way);
+    const double entry = first < begin ? begin : first;
+    if (!(last > entry))
     {
       return false;
     }
-    this->Describe(from, way, first, last, ray);
+    const double step = this->Describe(from, way, entry, last, ray);
     ray.shift = this->Jitter ? Noise(column, row) : 0.0f;
+    if (first < begin)
+    {
+      const double before = (begin - first) / step + double(ray.shift);
+      ray.shift = static_cast<float>(before - std::floor(before));
+    }
     ray.segments = static_cast<int>(std::ceil(ray.length + ray.shift));
     return ray.segments > 0;
   }
@@ -105,8 +117,15 @@ private:
     return Vec3(point) / point.w;
   }
 
-  /// The part of a way [index] between two shares of it.
-  LIMPID_HD LIMPID_INLINE void Describe(
+  /// Where a way through (x, y) in clip coordinates reaches clip z = `start`, as a share of it.
+  LIMPID_HD LIMPID_INLINE double ShareAt(
+    double x, double y, double start, const Vec3& from, const Vec3& way) const
+  {
+    return start > -1 ? glm::dot(this->Point(x, y, start) - from, way) / glm::dot(way, way) : 0.0;
+  }
+
+  /// The part of a way [index] between two shares of it. Returns the share that a step takes.
+  LIMPID_HD LIMPID_INLINE double Describe(
     const Vec3& from, const Vec3& way, double first, double last, Ray& ray) const
   {
     const Vec3 worldWay = this->Direction * (way * this->Spacing);
@@ -124,6 +143,7 @@ private:
       ray.toViewer[axis] = static_cast<float>(-worldWay[axis] / wayLength);
     }
     ray.length = static_cast<float>((last - first) / step);
+    return step;
   }
 
   /// A number in [0, 1) that neighbouring pixels do not share: interleaved gradient noise [Jim14].

@@ -17,7 +17,8 @@ struct PictureRays
   RayMaker maker;
   int columns; ///< pixels
   int rows;
-  const float* depth; ///< clip z at which the rays end; null: 1
+  const float* nearDepth; ///< clip z at which the rays begin; null: -1
+  const float* depth;     ///< clip z at which they end; null: 1
   float lightColor[3];
   Rgba* picture; ///< out
 
@@ -28,7 +29,9 @@ struct PictureRays
     const Index pixel = Index(row) * this->columns + column;
     Pixel<Optical> received;
     Ray ray;
-    if (this->maker.Make(column, row, this->depth ? double(this->depth[pixel]) : 1.0, ray))
+    const double start = this->nearDepth ? double(this->nearDepth[pixel]) : -1.0;
+    const double end = this->depth ? double(this->depth[pixel]) : 1.0;
+    if (this->maker.Make(column, row, start, end, ray))
     {
       trace(ray, received);
     }

@@ -181,15 +181,21 @@ public:
   {
     const std::size_t count = std::size_t(view.width) * std::size_t(view.height);
     const char* what = "a picture";
-    if (view.depth)
+    const auto borrow = [&](BorrowedArray<AnyDevice, float>& there, const float* values)
     {
-      this->Depth.Borrow(this->Device, view.depth, count, what);
-    }
+      if (values)
+      {
+        there.Borrow(this->Device, values, count, what);
+      }
+      return values ? there.Data() : nullptr;
+    };
+    const float* nearDepth = borrow(this->NearDepth, view.nearDepth);
+    const float* depth = borrow(this->Depth, view.depth);
     Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
     CastRays(*this->Device, this->SceneOf(casting),
       PictureRays{ RayMaker(this->Nodes, casting.stepLength, view), view.width, view.height,
-        view.depth ? this->Depth.Data() : nullptr,
-        { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] }, pixels });
+        nearDepth, depth, { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] },
+        pixels });
     this->Device->Download(picture.rgba.data(), pixels, count * sizeof(Rgba));
   }
 
@@ -296,6 +302,7 @@ private:
   Field CoarseOpaque; ///< the same on a coarser grid; empty: not current, or not wanted
   Int3 CoarseNodes{ 0 };
 
+  BorrowedArray<AnyDevice, float> NearDepth;
   BorrowedArray<AnyDevice, float> Depth;
   DeviceArray<AnyDevice, Rgba> Pixels;
 };

@@ -60,6 +60,11 @@ struct View
   /// Clip z in [-1, 1] at which the ray of a pixel ends, width * height values; null: all at 1.
   const float* depth = nullptr;
 
+  /// Clip z in [-1, 1] at which it begins, likewise; null: all at -1. Where it begins behind the
+  /// entry into the box, its samples are some of those of the whole ray, so that what two parts of
+  /// a ray meet adds up. A ray that ends before it begins meets nothing.
+  const float* nearDepth = nullptr;
+
   /// Rays run where dot(plane, (x, y, z, 1)) >= 0 for all of these planes, in world coordinates;
   /// RayMaker::mostPlanes at most.
   std::vector<glm::dvec4> planes;
