@@ -32,8 +32,11 @@ RenderScene Balls(const Int3& nodes = { 37, 30, 23 })
   std::fill(scene.scalars.begin(), scene.scalars.end(), 0.0f);
   for (int ball = 0; ball < 12; ++ball)
   {
-    const Vec3 centre(generator() % unsigned(nodes.x), generator() % unsigned(nodes.y),
-      generator() % unsigned(nodes.z));
+    Vec3 centre;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      centre[axis] = generator() % unsigned(nodes[axis]);
+    }
     std::size_t node = 0;
     for (int k = 0; k < nodes.z; ++k)
     {
@@ -324,6 +327,10 @@ TEST(RendererInvariance, TwoPartsOfRaysThatMeetWhereItIsEmptyAreTheWhole)
   RenderScene scene = Balls({ 37, 30, 43 });
   const Index slice = Index(37) * 30;
   std::fill(scene.scalars.begin() + 17 * slice, scene.scalars.begin() + 26 * slice, 0.0f);
+  for (const Index first : { 6 * slice + 37 * 10, 32 * slice + 37 * 12 }) // something in both
+  {
+    std::fill_n(scene.scalars.begin() + first, 37 * 8, 0.7f);
+  }
   scene.lighting.enabled = true;
   scene.view.opaqueBelow = 0;
   scene.view.jitter = true;
