@@ -42,6 +42,7 @@ Settings SettingsOf(vtkVisibilitySettings* settings)
   result.rayDensity = settings->GetRayDensity();
   result.skipUnneeded = settings->GetSkipUnneeded() != 0;
   result.restrictToView = settings->GetRestrictToView() != 0;
+  result.protectImportance = settings->GetProtectImportance();
   result.backend = static_cast<BackendKind>(settings->GetBackend());
   return result;
 }

@@ -49,5 +49,6 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("RayDensity", this->RayDensity);
   print("SkipUnneeded", this->SkipUnneeded);
   print("RestrictToView", this->RestrictToView);
+  print("ProtectImportance", this->ProtectImportance);
   print("Backend", this->Backend);
 }

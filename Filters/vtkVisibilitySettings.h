@@ -219,6 +219,17 @@ public:
 
   ///@{
   /**
+   * How much of what is important stays where it is: a voxel of importance g keeps at least this
+   * share of g times its base extinction, 0 to 1. 0: what is important may be removed to show what
+   * is behind it, as in [HG24], which tears holes into it; 1: what has importance 1 stays whole.
+   * Default is 0.
+   */
+  vtkSetMacro(ProtectImportance, double);
+  vtkGetMacro(ProtectImportance, double);
+  ///@}
+
+  ///@{
+  /**
    * AUTO: the fastest that works here, which the owner's results name. CPU, CUDA: this or an
    * error. Default is AUTO.
    */
@@ -259,6 +270,7 @@ private:
   double RayDensity = 1;
   vtkTypeBool SkipUnneeded = 1;
   vtkTypeBool RestrictToView = 0;
+  double ProtectImportance = 0;
   int Backend = AUTO;
 };
 

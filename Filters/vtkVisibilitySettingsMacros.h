@@ -106,6 +106,7 @@
   LIMPID_FORWARD_SETTING(RayDensity, double)                                                       \
   LIMPID_FORWARD_SWITCH(SkipUnneeded)                                                              \
   LIMPID_FORWARD_SWITCH(RestrictToView)                                                            \
+  LIMPID_FORWARD_SETTING(ProtectImportance, double)                                                \
   LIMPID_FORWARD_SETTING(Backend, int)                                                             \
   static_assert(true, "takes a semicolon")
 

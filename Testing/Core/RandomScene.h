@@ -182,6 +182,7 @@ inline BoxScene MakeRandomScene(std::uint64_t seed)
   ShineFrom(MakeRandomEye(random, scene.grid), scene.light);
   scene.settings.rayDensity = random.Chance(0.5) ? 1.0 : random.Between(0.5, 3);
   scene.settings.weights.light = random.Chance(0.5) ? 0 : 1;
+  scene.settings.protectImportance = random.Chance(0.5) ? 0 : random.Between(0, 1);
   return scene;
 }
 }

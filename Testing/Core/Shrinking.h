@@ -134,7 +134,8 @@ inline std::string DescriptionOf(const BoxScene& scene)
   const Settings& settings = scene.settings;
   text << "  weights " << settings.weights.regularization << ", " << settings.weights.view << ", "
        << settings.weights.light << ", solver " << int(settings.solver) << ", mode "
-       << int(settings.mode) << ", ray density " << settings.rayDensity << "\n";
+       << int(settings.mode) << ", ray density " << settings.rayDensity << ", protection "
+       << settings.protectImportance << "\n";
   scene.ForEachNode(
     [&](std::size_t node, int i, int j, int k)
     {

@@ -91,6 +91,7 @@ void SetProperties(Invented& make, vtkExtinctionOptimizer* filter)
   settings->SetRayDensity(make.Number(0.5, 2));
   settings->SetSkipUnneeded(make.Chance());
   settings->SetRestrictToView(make.Chance());
+  settings->SetProtectImportance(make.Number(-0.1, 1.1));
   settings->SetBackend(make.Integer(0, 1) == 0 ? 1 : make.Integer(-1, 3));
 }
 

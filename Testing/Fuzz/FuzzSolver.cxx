@@ -39,6 +39,7 @@ Settings MakeSettings(Invented& make)
   settings.rayDensity = make.Number(0.5, 2);
   settings.skipUnneeded = make.Chance();
   settings.restrictToView = make.Chance();
+  settings.protectImportance = make.Number(0, 1);
   settings.backend = BackendKind::Cpu;
   return settings;
 }

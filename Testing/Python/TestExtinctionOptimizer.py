@@ -503,7 +503,8 @@ class TestDegenerateInput(OptimizerTest):
         cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0,
                      ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
                      LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=2,
-                     LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1)
+                     LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
+                     ProtectImportance=1.5)
         for name, value in cases.items():
             with self.subTest(name=name):
                 result = optimizer(phantom(8), **{name: value})

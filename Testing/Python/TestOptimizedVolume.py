@@ -71,9 +71,9 @@ class TestOptimizedVolume(displays.DisplayTest):
             {"ImportanceArray", "UseImportanceFunction", "ImportanceFunction",
              "RegularizationWeight", "ViewWeight", "LightWeight", "LightType", "LightPosition",
              "Mode", "Solver", "MaximumIterations", "Tolerance", "MaximumSeconds", "Derivative",
-             "RayDensity", "SkipUnneeded", "RestrictToView", "Backend", "Optimization", "Shadows",
-             "ShadowStrength", "Ambient", "Anisotropy", "SpecularPower", "LightIntensity",
-             "Method", "ShowScore", "VisibilityScore", "VisibleFraction", "Converged"},
+             "RayDensity", "SkipUnneeded", "RestrictToView", "ProtectImportance", "Backend",
+             "Optimization", "Shadows", "ShadowStrength", "Ambient", "Anisotropy",
+             "SpecularPower", "LightIntensity", "Method", "ShowScore", "VisibilityScore", "VisibleFraction", "Converged"},
             set(display.ListProperties()))
 
     def test_is_for_image_data_only(self):
@@ -222,12 +222,13 @@ class TestOptimizedVolume(displays.DisplayTest):
         variants = [{}, {"RestrictToView": 0}, {"LightType": "Directional"}, {"Mode": "Separate"},
                     {"ViewWeight": 2, "LightWeight": 3, "RegularizationWeight": 0.1},
                     {"Solver": "Adam", "IterationsPerLevel": [4, 4, 4], "Derivative": "Ray"},
-                    {"MaximumIterations": 1, "RayDensity": 1.5}]
+                    {"MaximumIterations": 1, "RayDensity": 1.5}, {"ProtectImportance": 0.7}]
         for number, variant in enumerate(variants):
             position = displays.POSITIONS[number % len(displays.POSITIONS)]
             parallel = number % 2
             with self.subTest(variant=variant, position=position, parallel=parallel):
-                defaults = {"RestrictToView": 1, "MaximumIterations": 8, "RayDensity": 1}
+                defaults = {"RestrictToView": 1, "MaximumIterations": 8, "RayDensity": 1,
+                            "ProtectImportance": 0}
                 for name, value in {**defaults, **variant}.items():
                     setattr(display, name, value)
                     setattr(optimizer, name, value)

@@ -30,7 +30,8 @@ class TestPlugin(unittest.TestCase):
              "LightType", "LightPosition", "RegularizationWeight", "ViewWeight", "LightWeight",
              "Mode", "Solver", "MaximumIterations", "IterationsPerLevel", "LearningRate",
              "Tolerance", "MaximumSeconds", "Derivative", "RayDensity", "SkipUnneeded",
-             "RestrictToView", "OptimizeViewpoint", "ViewpointGuide", "Backend"}, names)
+             "RestrictToView", "ProtectImportance", "OptimizeViewpoint", "ViewpointGuide",
+             "Backend"}, names)
         self.assertLessEqual({"Resolution", "Scene"}, set(OcclusionPhantom().ListProperties()))
 
     def test_works_as_it_is_on_the_phantom(self):

@@ -28,7 +28,7 @@ class TestProperties(MapperTest):
                 PauseOptimization=1, RegularizationWeight=0.5, ViewWeight=2.0, LightWeight=3.0,
                 Mode=1, Solver=1, MaximumIterations=3, IterationsPerLevel=(1, 2, 3),
                 LearningRate=0.1, Tolerance=0.01, MaximumSeconds=1.5, Derivative=1, RayDensity=2.0,
-                SkipUnneeded=0, RestrictToView=0, Backend=1, LightSource=1, LightType=1,
+                SkipUnneeded=0, RestrictToView=0, ProtectImportance=0.5, Backend=1, LightSource=1, LightType=1,
                 LightPosition=(1.0, 2.0, 3.0), Shadows=0, ShadowStrength=0.5, Ambient=0.1,
                 Anisotropy=0.1, Specular=0.2, SpecularPower=3.0, LightIntensity=2.0,
                 SampleDistance=0.5, Jitter=1, InteractiveFrameTime=0.2, EaseTime=0.1,

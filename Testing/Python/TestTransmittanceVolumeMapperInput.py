@@ -275,7 +275,8 @@ class TestBadInput(MapperTest):
                      Solver=-1, Derivative=2, Backend=9, LightType=3, LightSource=2, Method=5,
                      Optimization=3, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
                      ShadowStrength=1.5, Ambient=-0.5, Anisotropy=1, Specular=-1, SpecularPower=-2,
-                     LightIntensity=-4, SampleDistance=0, InteractiveFrameTime=0, EaseTime=-1)
+                     LightIntensity=-4, SampleDistance=0, InteractiveFrameTime=0, EaseTime=-1,
+                     ProtectImportance=-0.5)
         for name, value in cases.items():
             with self.subTest(name=name):
                 view, mapper = show(phantom(8), **{name: value})

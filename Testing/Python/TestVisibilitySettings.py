@@ -38,7 +38,7 @@ def other(value):
 
 class TestVisibilitySettings(unittest.TestCase):
     def test_owners_pass_every_setting_on(self):
-        self.assertEqual(len(names()), 21)
+        self.assertEqual(len(names()), 22)
         for owner in OWNERS:
             instance = owner()
             settings = instance.GetVisibilitySettings()

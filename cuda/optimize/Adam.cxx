@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "backend/LargePages.h"
 #include "energy/NodeImportance.h"
+#include "optimize/ExtinctionBounds.h"
 #include "optimize/Levels.h"
 
 #include <algorithm>
@@ -130,19 +131,21 @@ private:
       });
     std::vector<float> extinction = Prolong(coarse.problem.grid, change.data(), target);
     const bool full = target.nodes == this->Given.grid.nodes;
-    const std::vector<float> base =
+    const std::vector<float> coarseBase =
       full ? std::vector<float>() : Restrict(this->Given.grid, this->Given.baseExtinction, target);
-    const std::vector<float> importance =
+    const std::vector<float> coarseImportance =
       full ? std::vector<float>() : Restrict(this->Given.grid, this->Given.importance, target);
-    const float* baseField = full ? this->Given.baseExtinction : base.data();
-    const float* importanceField = full ? this->Given.importance : importance.data();
-    const float majorant = this->Given.majorant;
+    const float* baseField = full ? this->Given.baseExtinction : coarseBase.data();
+    const float* importanceField = full ? this->Given.importance : coarseImportance.data();
+    const ExtinctionBounds<float> bounds = BoundsOf(this->Given);
     ParallelFor(static_cast<Index>(extinction.size()), 65536,
       [&](Index voxel)
       {
         float& value = extinction[std::size_t(voxel)];
-        const bool empty = !(baseField[voxel] > 0) && !(importanceField[voxel] > 0);
-        value = empty ? 0.0f : std::min(std::max(baseField[voxel] + value, 0.0f), majorant);
+        const float base = baseField[voxel];
+        const float importance = importanceField[voxel];
+        const bool empty = !(base > 0) && !(importance > 0);
+        value = empty ? 0.0f : bounds.Clamp(base + value, importance, base);
       });
     return extinction;
   }

@@ -26,7 +26,7 @@ AdamVoxel<float> AdamStep(const Problem& problem, int count)
     static_cast<float>(settings.learningRate * problem.majorant / (1.0 - std::pow(0.9, count)));
   body.secondCorrection = static_cast<float>(1.0 / (1.0 - std::pow(0.999, count)));
   body.floor = static_cast<float>(1e-6 * std::max(settings.weights.view, settings.weights.light));
-  body.majorant = problem.majorant;
+  body.bounds = BoundsOf(problem);
   return body;
 }
 
@@ -121,6 +121,7 @@ public:
     AdamVoxel<float> step = AdamStep(this->Given, count);
     step.gradient = this->Gradient.Data();
     step.base = this->Energy.Fields().base.Data();
+    step.importance = this->Energy.Fields().importance.Data();
     step.first = this->First.Data();
     step.second = this->Second.Data();
     step.extinction = this->Now.Data();

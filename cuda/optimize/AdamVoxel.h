@@ -5,15 +5,15 @@
 #define limpid_optimize_AdamVoxel_h
 
 #include "backend/Simd.h"
-#include "math/Vec.h"
+#include "optimize/ExtinctionBounds.h"
 
 #include <cmath>
 
 namespace limpid
 {
 /**
- * One step of Adam [KB17] at every voxel, projected to the constraint of Eq. (25); replaces the
- * plain step of Eq. (30).
+ * One step of Adam [KB17] at every voxel, projected to its bounds; replaces the plain step of
+ * Eq. (30).
  *
  * Adam divides the gradient by its own size. Where the true gradient is zero that would blow up
  * rounding noise, so `floor` is a small share of the largest weight, not of the gradient.
@@ -21,16 +21,17 @@ namespace limpid
 template <class Real>
 struct AdamVoxel
 {
-  const Real* gradient;  ///< of the visibility terms
-  const Real* base;      ///< mu-bar [1/length]
-  Real* first;           ///< running mean of the gradient
-  Real* second;          ///< running mean of its square
-  Real* extinction;      ///< [1/length]
-  Real regularization;   ///< weight of (mu - mu-bar), Eq. (26) [length]
-  Real step;             ///< learning rate, bias of the first moment removed [1/length]
-  Real secondCorrection; ///< 1 / (1 - beta2^n), removes the bias of the second moment
-  Real floor;            ///< epsilon
-  Real majorant;         ///< [1/length]
+  const Real* gradient;   ///< of the visibility terms
+  const Real* base;       ///< mu-bar [1/length]
+  const Real* importance; ///< [0, 1]
+  Real* first;            ///< running mean of the gradient
+  Real* second;           ///< running mean of its square
+  Real* extinction;       ///< [1/length]
+  Real regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
+  Real step;              ///< learning rate, bias of the first moment removed [1/length]
+  Real secondCorrection;  ///< 1 / (1 - beta2^n), removes the bias of the second moment
+  Real floor;             ///< epsilon
+  ExtinctionBounds<Real> bounds;
 
   LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
   {
@@ -44,8 +45,8 @@ struct AdamVoxel
     this->second[voxel] = square;
     const Real size = std::sqrt(square * this->secondCorrection) + this->floor;
     const Real wanted = now - this->step * mean / size;
-    const Real atLeast = wanted > Real(0) ? wanted : Real(0);
-    this->extinction[voxel] = atLeast < this->majorant ? atLeast : this->majorant;
+    this->extinction[voxel] =
+      this->bounds.Clamp(wanted, this->importance[voxel], this->base[voxel]);
   }
 };
 }

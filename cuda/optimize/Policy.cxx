@@ -23,7 +23,7 @@ PolicyKernel<const float*, float*> KernelOf(
   const double p = std::max(problem.RegularizationWeight(), 1e-30);
   const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
   return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
-    sweep.lagged, sweep.next, { gainOf(sweep.weight), gainOf(1.0), problem.majorant },
+    sweep.lagged, sweep.next, { gainOf(sweep.weight), gainOf(1.0), BoundsOf(problem) },
     sweep.transmittance, problem.settings.derivative == Derivative::Volume };
 }
 

@@ -25,15 +25,16 @@ struct PolicyStep
   GradientVoxel<float> derivative;
   const float* transmittance; ///< mean of the rays [0, 1]
   const float* behind;        ///< mean of what it leaves of the importance behind [scale^2]
-  const float* importance;    ///< of the node, as far as it is in view [0, 1]
+  const float* inView;        ///< importance of the node, as far as it is in view [0, 1]
+  const float* importance;    ///< [0, 1]; null: nothing is protected
   const float* base;          ///< [1/length]
   const float* lagged;        ///< derivative of the other terms, with weights; null: none
   float* next;                ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->next[u] = this->policy(this->base[u],
-      this->derivative(this->transmittance[u], this->behind[u], this->importance[u]),
+    this->next[u] = this->policy(this->base[u], this->importance ? this->importance[u] : 0.0f,
+      this->derivative(this->transmittance[u], this->behind[u], this->inView[u]),
       this->lagged ? this->lagged[u] : 0.0f);
   }
 };
@@ -43,13 +44,15 @@ struct PolicyStep
 struct IdleStep
 {
   PolicyVoxel<float> policy;
-  const float* base;   ///< [1/length]
-  const float* lagged; ///< null: none
-  float* next;         ///< out [1/length]
+  const float* importance; ///< [0, 1]; null: nothing is protected
+  const float* base;       ///< [1/length]
+  const float* lagged;     ///< null: none
+  float* next;             ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->next[u] = this->policy(this->base[u], 0.0f, this->lagged ? this->lagged[u] : 0.0f);
+    this->next[u] = this->policy(this->base[u], this->importance ? this->importance[u] : 0.0f, 0.0f,
+      this->lagged ? this->lagged[u] : 0.0f);
   }
 };
 
@@ -127,14 +130,16 @@ struct PolicyKernel
     voxels.Prefetch(this->nodeImportance);
     voxels.Prefetch(this->next);
     voxels.Prefetch(this->lagged);
-    voxels.ForIdle(IdleStep{
-      this->policy, voxels.Row(this->base), voxels.Row(this->lagged), voxels.Row(this->next) });
+    const float* protects =
+      this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr;
+    voxels.ForIdle(IdleStep{ this->policy, protects, voxels.Row(this->base),
+      voxels.Row(this->lagged), voxels.Row(this->next) });
     if (voxels.FindSeen(rays, rays.ahead))
     {
       const auto seen = voxels.SeenHere();
       voxels.ForActive(
         PolicyStep{ this->policy, GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted),
-          seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance),
+          seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance), protects,
           voxels.Row(this->base), voxels.Row(this->lagged), voxels.Row(this->next) });
     }
   }

@@ -29,6 +29,10 @@ void Settings::Require() const
   }
   RequireNotNegative("tolerance", "no change can be smaller", this->tolerance);
   RequireNotNegative("time limit", "it has passed already", this->maximumSeconds);
+  LIMPID_REQUIRE(this->protectImportance >= 0 && this->protectImportance <= 1,
+    "The protection of important matter is "
+      << this->protectImportance
+      << " (it is the share of its extinction that is kept). Set it between 0 and 1.");
   LIMPID_REQUIRE(
     std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
     "The ray density is " << this->rayDensity
@@ -56,7 +60,7 @@ bool operator==(const Settings& one, const Settings& other)
   {
     return std::tie(s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel, s.learningRate,
       s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded, s.restrictToView,
-      s.backend);
+      s.protectImportance, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)
   { return one.weights.*info.weight == other.weights.*info.weight; };

@@ -65,6 +65,11 @@ struct Settings
   double rayDensity = 1;       ///< rays per voxel and axis on the farthest slice
   bool skipUnneeded = true;    ///< leave out what provably cannot change the result
   bool restrictToView = false; ///< count only what the picture shows
+
+  /// Share of its base extinction that important matter keeps, times its importance [0, 1]; 0: it
+  /// may be removed, as in the paper.
+  double protectImportance = 0;
+
   BackendKind backend = BackendKind::Auto;
 
   /// Throws limpid::Error on a value that cannot be worked with.

@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "energy/TransmittanceSweep.h"
 #include "math/Require.h"
+#include "optimize/ExtinctionBounds.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/SolverBackend.h"
 
@@ -105,14 +106,13 @@ struct Solver::Internals
     std::vector<float> start = this->initial;
     const float* baseField = this->scene.baseExtinction;
     const float* importance = this->scene.importance;
-    const float most = this->prepared->Majorant();
+    const ExtinctionBounds<float> bounds = BoundsOf(this->problem);
     ParallelFor(static_cast<Index>(start.size()), 65536,
       [&](Index voxel)
       {
         float& value = start[std::size_t(voxel)];
         const bool empty = !(baseField[voxel] > 0) && !(importance[voxel] > 0);
-        const float inRange = value > 0 ? std::min(value, most) : 0.0f;
-        value = empty ? 0.0f : inRange;
+        value = empty ? 0.0f : bounds.Clamp(value, importance[voxel], baseField[voxel]);
       });
     return start;
   }
