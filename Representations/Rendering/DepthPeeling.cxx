@@ -3,21 +3,19 @@
 
 #include "DepthPeeling.h"
 
+#include "OpenGl.h"
+
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPixelBufferObject.h"
 #include "vtkProp.h"
-#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-
-#include "math/Require.h"
 
 #include <string>
 
@@ -25,14 +23,6 @@ namespace limpid
 {
 namespace
 {
-// OpenGL's own names and values; VTK's header for them has another name in every other version.
-constexpr unsigned GlColorBufferBit = 0x4000;
-constexpr unsigned GlCullFace = 0x0B44;
-constexpr unsigned GlViewport = 0x0BA2;
-constexpr unsigned GlBlend = 0x0BE2;
-constexpr unsigned GlAdd = 0x8006;
-constexpr unsigned GlBlendEquation = 0x8009;
-
 // What the pass puts into shaders of volumes uses the names that are declared here.
 const char* const FragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
@@ -89,21 +79,11 @@ std::vector<vtkDualDepthPeelingPass*> PassesOf(vtkProp* prop)
   return passes;
 }
 
-vtkOpenGLRenderWindow* WindowOf(vtkRenderer* renderer)
-{
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  LIMPID_REQUIRE(window,
-    "The render window is a "
-      << renderer->GetRenderWindow()->GetClassName()
-      << " (depth peeling is done with OpenGL). Use a window of VTK's OpenGL modules.");
-  return window;
-}
-
 // The pass draws into textures of this size.
 std::array<int, 2> SizeOf(vtkRenderer* renderer)
 {
   std::array<int, 4> viewport{ { 0, 0, 0, 0 } };
-  WindowOf(renderer)->GetState()->vtkglGetIntegerv(GlViewport, viewport.data());
+  WindowOf(renderer)->GetState()->vtkglGetIntegerv(gl::viewport, viewport.data());
   return { { viewport[2], viewport[3] } };
 }
 
@@ -149,8 +129,8 @@ void DepthPeeling::RunShader(vtkRenderer* renderer, vtkProp* volume, vtkAbstract
     "cannot be mingled). Call UseDepthPeelingForVolumesOff of the renderer.");
 
   vtkOpenGLState* state = WindowOf(renderer)->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable culling(state, GlCullFace);
-  state->vtkglDisable(GlCullFace);
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, gl::cullFace);
+  state->vtkglDisable(gl::cullFace);
   for (vtkDualDepthPeelingPass* pass : PassesOf(volume))
   {
     pass->SetShaderParameters(quad.Program, mapper, volume, quad.VAO);
@@ -166,10 +146,10 @@ void DepthPeeling::DrawInto(vtkRenderer* renderer, vtkTextureObject* texture,
 {
   vtkOpenGLRenderWindow* window = WindowOf(renderer);
   vtkOpenGLState* state = window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable blending(state, GlBlend);
+  const vtkOpenGLState::ScopedglEnableDisable blending(state, gl::blend);
   const vtkOpenGLState::ScopedglClearColor clearColor(state);
   int equation = 0;
-  state->vtkglGetIntegerv(GlBlendEquation, &equation);
+  state->vtkglGetIntegerv(gl::blendEquation, &equation);
   state->PushFramebufferBindings();
   const auto restore = [&]()
   {
@@ -183,9 +163,9 @@ void DepthPeeling::DrawInto(vtkRenderer* renderer, vtkTextureObject* texture,
     this->Target->AddColorAttachment(0, texture);
     this->Target->ActivateDrawBuffer(0);
     state->vtkglClearColor(clear[0], clear[1], clear[2], clear[3]);
-    state->vtkglClear(GlColorBufferBit);
-    state->vtkglDisable(GlBlend);
-    state->vtkglBlendEquation(GlAdd);
+    state->vtkglClear(gl::colorBufferBit);
+    state->vtkglDisable(gl::blend);
+    state->vtkglBlendEquation(gl::addToBlend);
     draw();
   }
   catch (...)

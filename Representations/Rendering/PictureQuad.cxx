@@ -3,28 +3,20 @@
 
 #include "PictureQuad.h"
 
+#include "OpenGl.h"
+
 #include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include "math/Require.h"
 #include "render/Renderer.h"
 
 namespace limpid
 {
 namespace
 {
-// OpenGL's own names and values; VTK's header for them has another name in every other version.
-constexpr unsigned GlOne = 1;
-constexpr unsigned GlOneMinusSourceAlpha = 0x0303;
-constexpr unsigned GlCullFace = 0x0B44;
-constexpr unsigned GlDepthTest = 0x0B71;
-constexpr unsigned GlBlend = 0x0BE2;
-
 const char* const VertexShader = R"(//VTK::System::Dec
 in vec4 ndCoordIn;
 in vec2 texCoordIn;
@@ -91,11 +83,7 @@ void PictureQuad::DrawMask(vtkRenderer* renderer, const Picture& picture, const 
 void PictureQuad::Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
   double depth, const std::array<float, 4>& mask)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  LIMPID_REQUIRE(window,
-    "The render window is a "
-      << renderer->GetRenderWindow()->GetClassName()
-      << " (pictures are drawn with OpenGL). Use a window of VTK's OpenGL modules.");
+  vtkOpenGLRenderWindow* window = WindowOf(renderer);
   if (!this->Quad)
   {
     this->Quad =
@@ -125,15 +113,15 @@ void PictureQuad::Draw(vtkRenderer* renderer, const Picture& picture, const Pict
     const_cast<std::uint8_t*>(picture.rgba.data()));
 
   vtkOpenGLState* state = window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable blending(state, GlBlend);
-  const vtkOpenGLState::ScopedglEnableDisable culling(state, GlCullFace);
-  const vtkOpenGLState::ScopedglEnableDisable testing(state, GlDepthTest);
+  const vtkOpenGLState::ScopedglEnableDisable blending(state, gl::blend);
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, gl::cullFace);
+  const vtkOpenGLState::ScopedglEnableDisable testing(state, gl::depthTest);
   const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
   const vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  state->SetEnumState(GlBlend, !masked);
-  state->vtkglDisable(GlCullFace);
-  state->vtkglEnable(GlDepthTest);
-  state->vtkglBlendFunc(GlOne, GlOneMinusSourceAlpha); // colours are multiplied by alpha
+  state->SetEnumState(gl::blend, !masked);
+  state->vtkglDisable(gl::cullFace);
+  state->vtkglEnable(gl::depthTest);
+  state->vtkglBlendFunc(gl::one, gl::oneMinusSourceAlpha); // colours are multiplied by alpha
   state->vtkglDepthMask(0);
 
   const std::array<float, 4> rectangle = RectangleOf(frame);

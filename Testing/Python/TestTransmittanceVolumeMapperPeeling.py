@@ -8,15 +8,14 @@ import unittest
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkCommand
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkHardwareSelector, vtkPolyDataMapper,
-                                         vtkRenderer)
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkHardwareSelector, vtkRenderer
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
-from volume_views import (BACKGROUND, View, caught, difference, gpu_mapper, gray_property, image_of,
-                          phantom, phantom_property, plain_mapper, save)
+from volume_views import (BACKGROUND, View, actor_of, caught, difference, gpu_mapper, gray_property,
+                          image_of, phantom, phantom_property, plain_mapper, save, sphere)
 
 COLOR = (0.9, 0.5, 0.1)
 EXTINCTION = 0.06
@@ -24,14 +23,7 @@ UNIT = 1.0
 
 
 def add_surface(view, source, color, opacity):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*color)
-    actor.GetProperty().SetOpacity(opacity)
-    actor.GetProperty().LightingOff()
+    actor = actor_of(source, color, opacity)
     view.renderer.AddActor(actor)
     view.renderer.ResetCameraClippingRange()
     return actor
@@ -42,15 +34,6 @@ def plane(z, size=40.0):
     source.SetOrigin(-size, -size, z)
     source.SetPoint1(size, -size, z)
     source.SetPoint2(-size, size, z)
-    return source
-
-
-def sphere(center, radius):
-    source = vtkSphereSource()
-    source.SetCenter(*center)
-    source.SetRadius(radius)
-    source.SetThetaResolution(32)
-    source.SetPhiResolution(32)
     return source
 
 

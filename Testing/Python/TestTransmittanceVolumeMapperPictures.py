@@ -8,9 +8,8 @@ import unittest
 
 import numpy as np
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-from volume_views import (View, colors_of, difference, fixed_point_mapper, gpu_mapper,
+from volume_views import (View, actor_of, colors_of, difference, fixed_point_mapper, gpu_mapper,
                           gray_property, image_of, opacity_of, phantom, phantom_property,
                           plain_mapper, property_of, save, values)
 
@@ -377,14 +376,7 @@ class TestFunctionsAndArrays(PictureTest):
 
 def add_surface(source, color=(0.2, 0.8, 0.2), opacity=1):
     def decorate(view, _):
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputConnection(source.GetOutputPort())
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetColor(*color)
-        actor.GetProperty().SetOpacity(opacity)
-        actor.GetProperty().LightingOff()
-        view.renderer.AddActor(actor)
+        view.renderer.AddActor(actor_of(source, color, opacity))
     return decorate
 
 

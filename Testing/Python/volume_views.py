@@ -10,9 +10,11 @@ import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the object factories)
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
-from vtkmodules.vtkRenderingCore import (vtkColorTransferFunction, vtkRenderer, vtkRenderWindow,
-                                         vtkVolume, vtkVolumeProperty, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
+                                         vtkRenderer, vtkRenderWindow, vtkVolume,
+                                         vtkVolumeProperty, vtkWindowToImageFilter)
 from vtkmodules.vtkRenderingVolume import (vtkFixedPointVolumeRayCastMapper,
                                            vtkGPUVolumeRayCastMapper)
 
@@ -60,6 +62,28 @@ def phantom_property():
     return property_of(
         colors_of((0, 0.2, 0.3, 0.9), (0.5, 0.9, 0.8, 0.6), (1, 0.9, 0.2, 0.1)),
         opacity_of((0, 0), (0.2, 0.02), (1, 0.2)), 0.05)
+
+
+def sphere(center, radius):
+    source = vtkSphereSource()
+    source.SetCenter(*center)
+    source.SetRadius(radius)
+    source.SetThetaResolution(32)
+    source.SetPhiResolution(32)
+    return source
+
+
+def actor_of(source, color=(1, 1, 1), opacity=1):
+    """A surface that has its colour without any light."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().SetOpacity(opacity)
+    actor.GetProperty().LightingOff()
+    return actor
 
 
 def gray_property(opacity=0.5, unit_distance=1.0, color=(0.9, 0.5, 0.1)):
