@@ -146,14 +146,14 @@ void vtkOptimizedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Messages: " << this->GetMessages() << "\n";
 }
 
-// ParaView peels volumes by default, whether there is something to be peeled or not. Without that,
-// a picture is cast at once and need not be read back.
+// ParaView peels volumes by default, whether there is something to be peeled or not. Where no
+// volume of the view needs it, a picture is cast at once and need not be read back.
 void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned long, void*)
 {
   this->State->Mapper->HasDrawn = false;
   auto* renderer = static_cast<vtkRenderer*>(object);
   this->State->PeelsVolumes = this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes() &&
-    !vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer, this->State->Mapper->Prop);
+    !vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer);
   if (this->State->PeelsVolumes)
   {
     renderer->UseDepthPeelingForVolumesOff();

@@ -235,9 +235,8 @@ void VolumeView::WhileDrawing(const Action& action)
 FrameResult VolumeView::Prepare(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
-  FrameResult result;
-  this->WhileDrawing([&]() { result = this->PrepareNow(frame, data, messages); });
-  return result;
+  this->WhileDrawing([&]() { this->PrepareNow(frame, data, messages); });
+  return this->LastResult;
 }
 
 FrameResult VolumeView::Draw(
@@ -246,7 +245,7 @@ FrameResult VolumeView::Draw(
   this->WhileDrawing(
     [&]()
     {
-      this->LastResult = this->PrepareNow(frame, data, messages);
+      this->PrepareNow(frame, data, messages);
       if (!this->Geometry)
       {
         return;
@@ -345,7 +344,8 @@ std::function<bool()> VolumeView::AbortCheck() const
   return [this]() { return this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
 }
 
-FrameResult VolumeView::PrepareNow(
+// Leaves the result in LastResult.
+void VolumeView::PrepareNow(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   this->Clock.Begin(this->GoesOn);
@@ -366,7 +366,7 @@ FrameResult VolumeView::PrepareNow(
   if (!geometry.IsVisible())
   {
     this->LastResult.converged = true;
-    return this->LastResult;
+    return;
   }
   if (!frame.light.found && (frame.lit || frame.optimize))
   {
@@ -397,7 +397,6 @@ FrameResult VolumeView::PrepareNow(
     result.converged = false;
   }
   this->LastResult = result;
-  return result;
 }
 
 void VolumeView::DrawMask(const float color[3])

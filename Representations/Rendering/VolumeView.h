@@ -82,8 +82,7 @@ public:
 private:
   template <class Action>
   void WhileDrawing(const Action& action);
-  FrameResult PrepareNow(
-    const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   bool MakePicture(const std::vector<float>& nearDepth, const std::vector<float>& depth);
   void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();

@@ -351,9 +351,11 @@ public:
 
   /**
    * Whether there is translucent geometry in front of a volume or reaching into it, which is drawn
-   * right only by a renderer that peels volumes.
+   * right only by a renderer that peels volumes; without a volume: of any visible one, whatever
+   * draws it.
    */
   static bool NeedsDepthPeeling(vtkRenderer* renderer, vtkVolume* volume);
+  static bool NeedsDepthPeeling(vtkRenderer* renderer);
 
   /**
    * Gives back the memory of everything that can be made again: fields, optimizations, pictures.

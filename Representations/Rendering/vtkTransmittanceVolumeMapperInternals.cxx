@@ -191,9 +191,9 @@ void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer,
     this->PrepareFromBack(renderer, volume, view);
     for (const auto& other : VolumesOf(renderer))
     {
-      if (MapperOf(other))
+      if (vtkTransmittanceVolumeMapper* mapper = MapperOf(other))
       {
-        MapperOf(other)->State->PrepareFromBack(renderer, other, view);
+        mapper->State->PrepareFromBack(renderer, other, view);
       }
     }
     view.InFrame = Turn::Over;
@@ -206,9 +206,9 @@ void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer,
       {
         for (vtkVolume* peeled : view.Peeled)
         {
-          if (MapperOf(peeled))
+          if (vtkTransmittanceVolumeMapper* mapper = MapperOf(peeled))
           {
-            MapperOf(peeled)->State->ViewOf(renderer, peeled).DrawPart(parts, part);
+            mapper->State->ViewOf(renderer, peeled).DrawPart(parts, part);
           }
         }
       });

@@ -228,3 +228,20 @@ bool vtkTransmittanceVolumeMapper::NeedsDepthPeeling(vtkRenderer* renderer, vtkV
   }
   return false;
 }
+
+bool vtkTransmittanceVolumeMapper::NeedsDepthPeeling(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    vtkVolume* volume = vtkVolume::SafeDownCast(prop);
+    if (volume && volume->GetVisibility() && HasBounds(volume) &&
+      NeedsDepthPeeling(renderer, volume))
+    {
+      return true;
+    }
+  }
+  return false;
+}

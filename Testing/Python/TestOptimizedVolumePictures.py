@@ -177,6 +177,18 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         reference = pictures.take(self.view)
         self.assertLessEqual(pictures.difference(picture, reference)[0], displays.SAME_RENDERING)
 
+    def test_volumes_are_peeled_where_one_of_them_needs_it(self):
+        displayed = [displays.show_head(self.view, 24), displays.show_head(self.view, 24)]
+        moved = "Translation" if "Translation" in displayed[0].ListProperties() else "Position"
+        ball = simple.Sphere(Center=[-1.5, -2, 0], Radius=0.4)
+        add_surface(ball, self.view, [1, 1, 0], opacity=0.5)
+        displays.look(self.view, [0, -12, 0])
+        for behind, before in (displayed, displayed[::-1]):  # the ball: the first or the last shown
+            setattr(behind, moved, [-1.5, 0, 0])
+            setattr(before, moved, [1.5, -4, 0])
+            simple.Render(self.view)
+            self.assertEqual(behind.Messages + before.Messages, "")
+
     def test_says_that_translucent_surfaces_come_out_behind_without_peeling(self):
         display = displays.show_head(self.view, **ORDINARY)
         wall = simple.Plane(Origin=[-3, -2, -3], Point1=[3, -2, -3], Point2=[-3, -2, 3])
