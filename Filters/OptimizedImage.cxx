@@ -62,6 +62,28 @@ void AddOpacity(const float* extinction, double unitDistance, vtkImageData* outp
   output->GetPointData()->AddArray(field);
 }
 
+// Of the importance, what cannot be seen: g less the share of its matter that was kept and whose
+// light reaches the camera (energy/Score.h).
+void AddMissedImportance(const SceneArrays& arrays, const float* extinction,
+  const float* transmittance, vtkImageData* output)
+{
+  const vtkSmartPointer<vtkFloatArray> field =
+    NewArray<vtkFloatArray>("MissedImportance", output->GetNumberOfPoints());
+  float* missed = field->GetPointer(0);
+  const float* base = arrays.baseExtinction->GetPointer(0);
+  const float* importance = arrays.importance->GetPointer(0);
+  ForOnAllCores(field->GetNumberOfTuples(),
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const float kept = extinction[i] < base[i] ? extinction[i] / base[i] : 1.0f;
+        missed[i] = base[i] > 0 ? importance[i] * (1 - kept * transmittance[i]) : 0.0f;
+      }
+    });
+  output->GetPointData()->AddArray(field);
+}
+
 // A column of a table with one row per iteration.
 template <class ArrayType, class Member>
 void AddColumn(const char* name, const Solver& solver, const Member& member, vtkTable* table)
@@ -94,6 +116,7 @@ void AddFields(
     NewArray<vtkFloatArray>("Transmittance", count);
   solver.Transmittance(transmittance->GetPointer(0));
   output->GetPointData()->AddArray(transmittance);
+  AddMissedImportance(arrays, extinction, transmittance->GetPointer(0), output);
   const vtkSmartPointer<vtkFloatArray> lightTransmittance =
     NewArray<vtkFloatArray>("LightTransmittance", count);
   solver.LightTransmittance(lightTransmittance->GetPointer(0));
@@ -109,6 +132,7 @@ void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, vtkImageD
   output->GetPointData()->AddArray(arrays.importance);
   AddConstant("Transmittance", 1, output);
   AddConstant("LightTransmittance", 1, output);
+  AddConstant("MissedImportance", 0, output);
 }
 
 void AddSummary(const Solver& solver, vtkFieldData* output)
@@ -117,6 +141,7 @@ void AddSummary(const Solver& solver, vtkFieldData* output)
   AddValue<vtkDoubleArray>("BaseVisibilityScore", solver.BaseScore().visibility, output);
   AddValue<vtkDoubleArray>("VisibleFraction", solver.BestScore().fraction, output);
   AddValue<vtkDoubleArray>("BaseVisibleFraction", solver.BaseScore().fraction, output);
+  AddValue<vtkDoubleArray>("SacrificedFraction", solver.BestScore().sacrificed, output);
   AddValue<vtkDoubleArray>("Energy", solver.BestEnergy().Total(), output);
   AddValue<vtkIntArray>("Iterations", solver.Iterations(), output);
   AddValue<vtkDoubleArray>("Seconds", solver.Seconds(), output);
@@ -156,10 +181,13 @@ void FillConvergence(const Solver& solver, vtkTable* table)
   AddColumn<vtkDoubleArray>(
     "LightEnergy", solver, [](const Record& record) { return record.energy.light; }, table);
   AddColumn<vtkDoubleArray>(
-    "VisibilityScore", solver, [](const Record& record) { return record.visibilityScore; }, table);
+    "VisibilityScore", solver, [](const Record& record) { return record.score.visibility; }, table);
   AddColumn<vtkDoubleArray>(
-    "VisibleFraction", solver, [](const Record& record) { return record.visibleFraction; }, table);
+    "VisibleFraction", solver, [](const Record& record) { return record.score.fraction; }, table);
   AddColumn<vtkDoubleArray>(
     "Seconds", solver, [](const Record& record) { return record.seconds; }, table);
+  AddColumn<vtkDoubleArray>(
+    "SacrificedFraction", solver, [](const Record& record) { return record.score.sacrificed; },
+    table);
 }
 }

@@ -53,9 +53,8 @@ ScoredView OptimizedViews::Optimized(const Vec3& direction, std::vector<float>* 
   PlaceLight(camera, light);
   Solver solver(this->Scene, camera, light, this->Options);
   solver.Run();
-  const Score best = solver.BestScore();
-  view.score.visible = best.visibility;
-  view.score.unattenuated = best.fraction > 0 ? best.visibility / best.fraction : 0;
+  view.score = solver.BestScore();
+  view.worth = view.score.fraction;
   view.valid = true;
   if (extinction)
   {
@@ -88,7 +87,7 @@ std::vector<ScoredView> OptimizedViews::ScoreAll(
 }
 
 // Where a climb with one extinction ends; no viewpoint if `goOn` says no.
-SearchResult OptimizedViews::Top(const ScoredView& start, const std::vector<float>& extinction,
+SearchResult OptimizedViews::Top(const Vec3& start, const std::vector<float>& extinction,
   const SearchSettings& settings, const GoOn& goOn) const
 {
   try
@@ -96,9 +95,9 @@ SearchResult OptimizedViews::Top(const ScoredView& start, const std::vector<floa
     const Interruptible interruptible(goOn);
     const SceneFields& scene = this->Scene->Arrays();
     const ViewScore fixed(
-      scene.grid, extinction.data(), scene.importance, this->Options.rayDensity);
-    return FindViewpoints(
-      fixed, this->From, { start }, settings, [&goOn](double) { return goOn(); });
+      scene.grid, { extinction.data(), scene.importance }, this->Options.rayDensity);
+    return FindViewpoints(fixed, this->From, { ViewAt(fixed, this->From, start) }, settings,
+      [&goOn](double) { return goOn(); });
   }
   catch (const Interrupted&)
   {
@@ -124,14 +123,14 @@ Index OptimizedViews::Climb(const ScoredView& sample, const SearchSettings& sett
   climb.viewpoints = 1;
   for (int round = 0; round < LargestNumberOfRounds; ++round)
   {
-    const SearchResult top = this->Top(path.back(), extinction, climb, goOn);
+    const SearchResult top = this->Top(path.back().direction, extinction, climb, goOn);
     if (top.viewpoints.empty())
     {
       break;
     }
     const ScoredView next = this->At(top.viewpoints.front().direction, goOn, &extinction);
     evaluations += top.evaluations + 1;
-    if (!next.valid || !(next.score.visible > path.back().score.visible))
+    if (!next.valid || !IsBetter(next, path.back()))
     {
       break;
     }

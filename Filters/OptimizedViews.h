@@ -37,7 +37,7 @@ private:
 
   ScoredView At(const Vec3& direction, const GoOn& goOn, std::vector<float>* extinction) const;
   ScoredView Optimized(const Vec3& direction, std::vector<float>* extinction) const;
-  SearchResult Top(const ScoredView& start, const std::vector<float>& extinction,
+  SearchResult Top(const Vec3& start, const std::vector<float>& extinction,
     const SearchSettings& settings, const GoOn& goOn) const;
   Index Climb(const ScoredView& sample, const SearchSettings& settings, const GoOn& goOn,
     std::vector<ScoredView>& path) const;

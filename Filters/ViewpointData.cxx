@@ -23,7 +23,7 @@ namespace
 {
 bool IsWorse(const ScoredView& a, const ScoredView& b)
 {
-  return a.score.visible < b.score.visible;
+  return IsBetter(b, a);
 }
 
 // The views that were evaluated.
@@ -66,9 +66,9 @@ void AddVectors(
 void AddScores(const std::vector<ScoredView>& views, vtkPolyData* output)
 {
   AddNumbers(
-    "VisibilityScore", views, [](const ScoredView& view) { return view.score.visible; }, output);
+    "VisibilityScore", views, [](const ScoredView& view) { return view.score.visibility; }, output);
   AddNumbers(
-    "VisibleFraction", views, [](const ScoredView& view) { return view.score.Fraction(); }, output);
+    "VisibleFraction", views, [](const ScoredView& view) { return view.score.fraction; }, output);
   output->GetPointData()->SetActiveScalars("VisibilityScore");
 }
 
@@ -130,14 +130,14 @@ void AddNormalizedScores(const std::vector<ScoredView>& views, vtkPolyData* outp
 {
   const std::vector<ScoredView> valid = ValidOf(views);
   const auto range = std::minmax_element(valid.begin(), valid.end(), IsWorse);
-  const double least = valid.empty() ? 0 : range.first->score.visible;
-  const double span = valid.empty() ? 0 : range.second->score.visible - least;
+  const double least = valid.empty() ? 0 : range.first->worth;
+  const double span = valid.empty() ? 0 : range.second->worth - least;
   AddNumbers(
     "NormalizedScore", views,
     [least, span](const ScoredView& view)
     {
-      const double same = view.score.visible > 0 ? 1 : 0;
-      const double normalized = span > 0 ? (view.score.visible - least) / span : same;
+      const double same = view.worth > 0 ? 1 : 0;
+      const double normalized = span > 0 ? (view.worth - least) / span : same;
       return view.valid ? normalized : 0;
     },
     output);
@@ -147,8 +147,8 @@ void AddView(
   const std::string& prefix, const ScoredView& view, const Orbit& orbit, vtkFieldData* output)
 {
   const Camera camera = orbit.At(view.direction);
-  AddValue<vtkDoubleArray>((prefix + "VisibilityScore").c_str(), view.score.visible, output);
-  AddValue<vtkDoubleArray>((prefix + "VisibleFraction").c_str(), view.score.Fraction(), output);
+  AddValue<vtkDoubleArray>((prefix + "VisibilityScore").c_str(), view.score.visibility, output);
+  AddValue<vtkDoubleArray>((prefix + "VisibleFraction").c_str(), view.score.fraction, output);
   AddVector((prefix + "CameraPosition").c_str(), camera.position, output);
   AddVector((prefix + "CameraViewUp").c_str(), camera.viewUp, output);
   AddValue<vtkDoubleArray>((prefix + "Azimuth").c_str(), AzimuthOf(view), output);

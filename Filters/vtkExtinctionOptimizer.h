@@ -19,9 +19,12 @@
  *   "Importance"         the importance that was used [0, 1],
  *   "Transmittance"      camera to point through Extinction [0, 1],
  *   "LightTransmittance" light to point [0, 1],
+ *   "MissedImportance"   of the importance, what cannot be seen: less the share of its matter that
+ *                        was kept and whose light reaches the camera; 0 without matter [0, 1],
  * an input array of the same name is replaced, with a warning; and field data with one tuple each:
  * "VisibilityScore" and "BaseVisibilityScore" (S of Eq. (32), [length^2]), "VisibleFraction" and
- * "BaseVisibleFraction" (S over the integral of importance times extinction, [0, 1]), "Energy",
+ * "BaseVisibleFraction" (of the important matter in the data, the share whose light reaches the
+ * camera, [0, 1]), "SacrificedFraction" (the share that was removed, [0, 1]), "Energy",
  * "Iterations", "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
  * "LightPosition", "ScalarOpacityUnitDistance" (all as used), and with OptimizeViewpoint
  * "StartVisibilityScore" and "StartVisibleFraction" (of the extinction alone).

@@ -15,7 +15,8 @@
  *
  * Output port 0: vtkPolyData, the S-sphere: a closed triangulated sphere round the image, one point
  * per direction, with the point arrays
- *   "VisibilityScore" S [length^2], "VisibleFraction" [0, 1],
+ *   "VisibilityScore" S [length^2], "VisibleFraction" (of the important matter in the data, the
+ *                     share whose light reaches the camera) [0, 1],
  *   "NormalizedScore" 0 worst, 1 best of the directions (all the same: 1, or 0 if S is 0),
  *   "Azimuth", "Polar" the angles of Eq. (10) [degrees],
  *   "ViewDirection"   unit vector from the focal point to the camera, R (0, 0, 1) of Eq. (10),

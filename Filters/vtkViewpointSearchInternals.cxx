@@ -143,8 +143,10 @@ void vtkViewpointSearch::Internals::SearchOneField(
       const std::vector<float> proxy = this->Self->Field == IMPORTANCE_PROXY
         ? ProxyOf(fields, scene.Majorant())
         : std::vector<float>();
-      return limpid::ViewScore(fields.grid, proxy.empty() ? fields.baseExtinction : proxy.data(),
-        fields.importance, settings.rayDensity, settings.backend);
+      const limpid::ViewedFields viewed = proxy.empty()
+        ? limpid::ViewedFields{ fields.baseExtinction, fields.importance }
+        : limpid::ViewedFields{ proxy.data(), fields.importance, fields.baseExtinction };
+      return limpid::ViewScore(fields.grid, viewed, settings.rayDensity, settings.backend);
     });
   found.backend = score.BackendName();
   this->ScoreAndFind([&](const limpid::SearchProgress& progress)

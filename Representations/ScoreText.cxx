@@ -50,8 +50,15 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper)
   {
     return {};
   }
-  const std::string visible = "Visible: " + Percent(now) + " of what is important";
-  return IsOptimizing(mapper) ? visible + " (was " + Percent(before) + ")\n" + Progress(mapper)
-                              : visible;
+  std::string text = "Visible: " + Percent(now) + " of what is important";
+  if (IsOptimizing(mapper))
+  {
+    text += " (was " + Percent(before) + ")\n";
+    constexpr double worthTelling = 0.0005; // else it would read 0.0 %
+    const double removed = mapper->GetSacrificedFraction();
+    text += removed >= worthTelling ? Percent(removed) + " removed, " : "";
+    text += Progress(mapper);
+  }
+  return text;
 }
 }

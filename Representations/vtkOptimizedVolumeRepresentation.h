@@ -144,6 +144,7 @@ public:
   double GetBaseVisibilityScore();
   double GetVisibleFraction();
   double GetBaseVisibleFraction();
+  double GetSacrificedFraction();
   int GetConverged();
   int GetIterations();
   const char* GetLightDescription();

@@ -84,6 +84,11 @@ double vtkTransmittanceVolumeMapper::GetBaseVisibleFraction() const
   return this->State->Last.baseScore.fraction;
 }
 
+double vtkTransmittanceVolumeMapper::GetSacrificedFraction() const
+{
+  return this->State->Last.score.sacrificed;
+}
+
 bool vtkTransmittanceVolumeMapper::GetConverged() const
 {
   return this->State->Last.converged;
@@ -199,6 +204,7 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ProgressiveStill", this->ProgressiveStill);
   print("VisibilityScore", this->GetVisibilityScore());
   print("VisibleFraction", this->GetVisibleFraction());
+  print("SacrificedFraction", this->GetSacrificedFraction());
   print("Converged", this->GetConverged());
   print("LightDescription", this->GetLightDescription());
 }

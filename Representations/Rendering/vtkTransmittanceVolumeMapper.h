@@ -309,11 +309,18 @@ public:
 
   ///@{
   /**
-   * The same as shares: S over the integral of importance times extinction, in [0, 1].
+   * Of the important matter in the data, the integral of importance times base extinction, the
+   * share whose light reaches the camera, in [0, 1]: what was removed is not seen, and what was
+   * made thicker is not seen twice.
    */
   double GetVisibleFraction() const;
   double GetBaseVisibleFraction() const;
   ///@}
+
+  /**
+   * The share of it that the optimization removed to show other parts, in [0, 1].
+   */
+  double GetSacrificedFraction() const;
 
   /**
    * Whether the last frame showed all that there is to show: at full resolution, the optimization

@@ -227,7 +227,7 @@ public:
   void Forward()
   {
     this->Energy.camera->Forward(
-      this->Given.baseExtinction, this->Given.importance, &this->Energy.Sums()->camera);
+      { this->Given.baseExtinction, this->Given.importance }, &this->Energy.Sums()->camera);
   }
 
   void Derive() { this->Energy.DifferentiateLagged(this->Next.data(), this->Lagged.data()); }
@@ -237,8 +237,8 @@ public:
     std::swap(this->Last, this->Next);
     Differences moved;
     SweepPolicy(*HostDevice::Shared(), *this->Energy.camera, this->Given, this->Energy.Fields(),
-      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10,
-        Transmittance::OfLastIterate },
+      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, Transmittance::OfLastIterate,
+        Kept::Counted },
       moved);
   }
 

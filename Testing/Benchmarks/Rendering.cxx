@@ -186,9 +186,9 @@ Json TimeFewRays(const Drawable& drawable, int repeats)
   std::vector<double> seconds;
   for (int repeat = -1; repeat < repeats; ++repeat)
   {
-    Visible seen;
+    Seen seen;
     Stopwatch watch;
-    term.Forward(extinction, extinction, &seen);
+    term.Forward({ extinction, extinction }, &seen);
     const double sum = watch.Lap();
     if (repeat >= 0) // the first run warms up
     {

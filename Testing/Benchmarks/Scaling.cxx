@@ -70,7 +70,7 @@ void TimeRound(const SceneForSolver& scene, bool skip, Rounds& runs)
         runs["Adam iteration"].push_back(LaterSteps(adam, 2));
       }
       constexpr int directions = 8;
-      const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+      const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
       watch.Lap();
       ScoreViews(score, OrbitAround(scene.grid), SpreadDirections(directions), nullptr);
       runs["score of a direction"].push_back(watch.Lap() / directions);

@@ -54,7 +54,7 @@ Json RunToTheEnd(const SceneOfFile& scene, SolverKind kind, const Options& optio
   return { { "seconds", seconds }, { "iterations", solver.Iterations() },
     { "S", Checked(scene, solver.BestScore().visibility, solver.Extinction(), options) },
     { "F", solver.BestEnergy().Total() }, { "fraction", solver.BestScore().fraction },
-    { "first_F", first.energy.Total() }, { "first_S", first.visibilityScore } };
+    { "first_F", first.energy.Total() }, { "first_S", first.score.visibility } };
 }
 
 Json QualityOf(const SceneOfFile& scene, const Options& options)

@@ -24,7 +24,7 @@ struct Searched
 
   ViewScore MakeScore(double rayDensity) const
   {
-    return ViewScore(scene.grid, extinction.data(), scene.importance.data(), rayDensity);
+    return ViewScore(scene.grid, { extinction.data(), scene.importance.data() }, rayDensity);
   }
 };
 
@@ -76,12 +76,9 @@ void Search(const Searched& searched, Rounds& rounds, Json& result)
   rounds["slope"].push_back(
     TimePerCamera(orbit, [&](const Camera& camera) { score.SlopeAt(camera); }));
 
-  const auto shareOf = [](const ScoredView& view)
-  { return view.score.unattenuated > 0 ? view.score.visible / view.score.unattenuated : 0; };
   result["evaluations"] = found.evaluations;
-  result["best"] = found.viewpoints.empty() ? 0 : shareOf(found.viewpoints.front());
-  result["worst"] = shareOf(*std::min_element(samples.begin(), samples.end(),
-    [](const ScoredView& a, const ScoredView& b) { return a.score.visible < b.score.visible; }));
+  result["best"] = found.viewpoints.empty() ? 0 : found.viewpoints.front().score.fraction;
+  result["worst"] = std::max_element(samples.begin(), samples.end(), IsBetter)->score.fraction;
 }
 
 /// S of some directions by sweeps of several ray densities, against the march.
@@ -111,7 +108,7 @@ Json MeasureDensities(const Searched& searched, const Options& options)
     {
       const Camera camera = orbit.At(SpreadDirections(fewDirections)[i]);
       const double error =
-        truths[i] > 0 ? std::abs(scores.back().At(camera).visible / truths[i] - 1) : 0;
+        truths[i] > 0 ? std::abs(scores.back().At(camera).visibility / truths[i] - 1) : 0;
       mean += error / double(truths.size());
       largest = std::max(largest, error);
     }

@@ -63,7 +63,7 @@ TEST_P(PolicyOfDevice, IsThatOfTheProcessor)
     EXPECT_NEAR(found.energy.view, expected.energy.view, tolerance * scale) << iteration;
     EXPECT_NEAR(found.energy.light, expected.energy.light, tolerance * scale) << iteration;
     EXPECT_NEAR(found.energy.regularization, expected.energy.regularization, tolerance * scale);
-    EXPECT_NEAR(found.visibleFraction, expected.visibleFraction, tolerance);
+    EXPECT_NEAR(found.score.fraction, expected.score.fraction, tolerance);
     EXPECT_NEAR(found.meanChange, expected.meanChange, tolerance);
     if (iteration < 3)
     {

@@ -96,7 +96,8 @@ TEST_P(SceneOnDevice, HasTheOutputsOfTheProcessor)
   const double transmittance =
     std::max(LargestDifference(found.transmittance, expected.transmittance),
       LargestDifference(found.lightTransmittance, expected.lightTransmittance));
-  const double score = std::abs(found.record.visibilityScore / expected.record.visibilityScore - 1);
+  const double score =
+    std::abs(found.record.score.visibility / expected.record.score.visibility - 1);
   std::cout << GetParam().name << " after one iteration: extinction " << extinction
             << " (root mean square), at most " << largest << " of the majorant, transmittances "
             << transmittance << ", score " << score << '\n';
@@ -109,8 +110,8 @@ TEST_P(SceneOnDevice, HasTheOutputsOfTheProcessor)
 
   const int all = scene.settings.maximumIterations;
   const double optimized =
-    Optimize(*MakeSolverBackend(HostDevice::Shared()), problem, all).record.visibilityScore;
-  const double onDevice = Optimize(*device, problem, all).record.visibilityScore;
+    Optimize(*MakeSolverBackend(HostDevice::Shared()), problem, all).record.score.visibility;
+  const double onDevice = Optimize(*device, problem, all).record.score.visibility;
   std::cout << GetParam().name << " optimised: score off by " << std::abs(onDevice / optimized - 1)
             << '\n';
   EXPECT_LE(std::abs(onDevice / optimized - 1), 1e-3);

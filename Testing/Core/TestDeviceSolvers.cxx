@@ -45,7 +45,7 @@ TEST(AdamOfDevice, IsThatOfTheProcessor)
   const auto here = MakeSolverBackend(HostDevice::Shared())
                       ->MakeMinimizer(problem, std::vector<float>(scene.extinction), false);
 
-  EXPECT_NEAR(there->Start().visibilityScore / here->Start().visibilityScore, 1, 1e-5);
+  EXPECT_NEAR(there->Start().score.visibility / here->Start().score.visibility, 1, 1e-5);
   for (int iteration = 0; iteration < 9; ++iteration)
   {
     const IterationRecord expected = here->Iterate();
@@ -71,15 +71,24 @@ TEST(BackendOfDevice, ScoresLikeTheProcessor)
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
 
-  const Visible found = MakeSolverBackend(MakeTestedDevice())
+  std::vector<float> other = scene.extinction; // thinner here and thicker there
+  for (std::size_t node = 0; node < other.size(); ++node)
+  {
+    other[node] *= static_cast<float>(node % 7) / 3;
+  }
+  for (const float* extinction : { scene.extinction.data(), std::as_const(other).data() })
+  {
+    const Score found = MakeSolverBackend(MakeTestedDevice())
                           ->SweepsFrom(problem, problem.camera)
-                          ->Score(scene.extinction.data());
-  const Visible expected = MakeSolverBackend(HostDevice::Shared())
+                          ->ScoreOf(extinction);
+    const Score expected = MakeSolverBackend(HostDevice::Shared())
                              ->SweepsFrom(problem, problem.camera)
-                             ->Score(scene.extinction.data());
+                             ->ScoreOf(extinction);
 
-  EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
-  EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
+    EXPECT_NEAR(found.visibility, expected.visibility, 1e-5 * expected.visibility);
+    EXPECT_NEAR(found.fraction, expected.fraction, 1e-5);
+    EXPECT_NEAR(found.sacrificed, expected.sacrificed, 1e-5);
+  }
 }
 
 TEST(BackendOfDevice, MakesTheSameFirstPassAndTransmittance)
@@ -112,7 +121,7 @@ class ViewsOfDevice : public ::testing::TestWithParam<Case>
 {
 protected:
   const BoxScene Scene = Filled(GetParam().content);
-  const ViewFields Fields{ Scene.grid, Scene.extinction.data(), Scene.importance.data() };
+  const ViewFields Fields{ Scene.grid, { Scene.extinction.data(), Scene.importance.data() } };
   const Orbit Around = OrbitOf(Scene.grid, GetParam().parallel);
   const std::unique_ptr<ScoreSweep> There = MakeScoreSweep(MakeTestedDevice(), Fields);
   const std::unique_ptr<ScoreSweep> Here = MakeScoreSweep(HostDevice::Shared(), Fields);
@@ -122,10 +131,11 @@ TEST_P(ViewsOfDevice, HaveTheScoresOfTheProcessor)
 {
   for (const Vec3& direction : RandomDirections(10))
   {
-    const Visible expected = this->Here->Score(this->Fields.PartsOf(this->Around.At(direction), 2));
-    const Visible found = this->There->Score(this->Fields.PartsOf(this->Around.At(direction), 2));
-    EXPECT_NEAR(found.visible, expected.visible, 1e-5 * expected.visible);
-    EXPECT_NEAR(found.unattenuated, expected.unattenuated, 1e-5 * expected.unattenuated);
+    const Seen expected = this->Here->See(this->Fields.PartsOf(this->Around.At(direction), 2));
+    const Seen found = this->There->See(this->Fields.PartsOf(this->Around.At(direction), 2));
+    EXPECT_NEAR(found.all.visible, expected.all.visible, 1e-5 * expected.all.visible);
+    EXPECT_NEAR(
+      found.all.unattenuated, expected.all.unattenuated, 1e-5 * expected.all.unattenuated);
   }
 }
 
@@ -141,8 +151,8 @@ TEST_P(ViewsOfDevice, HaveTheSlopesOfTheProcessor)
     {
       const ViewDerivative expected = this->Here->Differentiate(std::move(parts[i]), moves, 2);
       const ViewDerivative found = this->There->Differentiate(std::move(same[i]), moves, 2);
-      const double visible = expected.score.visible;
-      EXPECT_NEAR(found.score.visible, visible, 1e-5 * visible);
+      const double visible = expected.score;
+      EXPECT_NEAR(found.score, visible, 1e-5 * visible);
       for (int m = 0; m < 2; ++m)
       {
         // Rays gain and lose; what rounds is up to the size of a change by a turn of one radian.

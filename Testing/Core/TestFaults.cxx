@@ -194,12 +194,12 @@ TEST_P(FaultsOneIn, OfTheSearchForViewpoints)
   ExpectToSurvive(
     [&]
     {
-      const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+      const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
       const std::vector<ScoredView> samples =
         ScoreViews(score, orbit, { Vec3(0, 0, 1), Vec3(0, 1, 0) }, {});
       const SearchResult found = FindViewpoints(score, orbit, samples, settings, {});
       const ScoredView& best = found.viewpoints.front();
-      return Outcome{ best.score.visible, best.direction.x, best.direction.y, best.direction.z };
+      return Outcome{ best.worth, best.direction.x, best.direction.y, best.direction.z };
     },
     8 * GetParam());
 }

@@ -53,6 +53,12 @@ Tolerance Reordered(double value)
 {
   return Roundoff<float>(100, value);
 }
+
+void ExpectSame(const Visible& found, const Visible& expected)
+{
+  EXPECT_WITHIN(found.visible, expected.visible, Reordered(expected.visible));
+  EXPECT_WITHIN(found.unattenuated, expected.unattenuated, Reordered(expected.unattenuated));
+}
 }
 
 class SweepFromTheBack : public ::testing::TestWithParam<View>
@@ -73,15 +79,17 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
 
   SweepPolicy(*HostDevice::Shared(), *terms.camera, problem, terms.Fields(),
     { scene.extinction.data(), nullptr, next.data(), problem.settings.weights.view,
-      Transmittance::AssumeOne },
+      Transmittance::AssumeOne, Kept::Counted },
     moved);
 
-  Visible met;
-  Visible truth;
-  terms.camera->Sum(&met);
-  others.camera->Forward(next.data(), problem.importance, &truth);
-  EXPECT_WITHIN(met.visible, truth.visible, Reordered(truth.visible));
-  EXPECT_WITHIN(met.unattenuated, truth.unattenuated, Reordered(truth.unattenuated));
+  Seen met;
+  Seen truth;
+  terms.camera->Sum(&met, Kept::Counted);
+  others.camera->Forward(
+    { next.data(), problem.importance, problem.nodeImportance, problem.baseExtinction }, &truth);
+  EXPECT_LT(truth.kept.visible, truth.all.visible);
+  ExpectSame(met.all, truth.all);
+  ExpectSame(met.kept, truth.kept);
   int known = 0;
   for (std::size_t index = 0; index < frusta.size(); ++index)
   {
@@ -116,20 +124,27 @@ TEST_P(SweepFromTheBack, FindsTheScoreAlongWithTheDerivative)
   {
     const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
     Terms<HostDevice> terms(HostDevice::Shared(), problem);
-    const TermFields fields{ scene.extinction.data(), problem.importance, problem.nodeImportance };
-    Visible truth;
-    terms.camera->Forward(fields.extinction, fields.importance, &truth);
+    std::vector<float> base = scene.extinction; // thinner than what is swept, and thicker
+    for (std::size_t node = 0; node < base.size(); ++node)
+    {
+      base[node] *= static_cast<float>(node % 5) / 2;
+    }
+    const TermFields fields{ scene.extinction.data(), problem.importance, problem.nodeImportance,
+      base.data() };
+    Seen truth;
+    terms.camera->Forward(fields, &truth);
+    EXPECT_LT(truth.kept.visible, 0.9 * truth.all.visible);
     std::vector<float> added(scene.extinction.size(), 1.0f);
     std::vector<float> set(scene.extinction.size(), 0.0f);
 
-    Visible seen;
-    Visible again;
+    Seen seen;
+    Seen again;
     terms.camera->Differentiate(fields, derivative, { 1.0f, 2.0f }, added.data(), &seen);
     terms.camera->Differentiate(fields, derivative, { 0.0f, 1.0f }, set.data(), &again);
 
-    EXPECT_WITHIN(seen.visible, truth.visible, Reordered(truth.visible));
-    EXPECT_WITHIN(seen.unattenuated, truth.unattenuated, Reordered(truth.unattenuated));
-    EXPECT_EQ(again.visible, seen.visible);
+    ExpectSame(seen.all, truth.all);
+    ExpectSame(seen.kept, truth.kept);
+    EXPECT_EQ(again.all.visible, seen.all.visible);
     for (std::size_t node = 0; node < set.size(); ++node)
     {
       ASSERT_WITHIN(added[node], 1 + 2 * double(set[node]),

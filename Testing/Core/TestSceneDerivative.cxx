@@ -76,7 +76,7 @@ TEST_P(RealDerivative, IsThatOfTheMarch)
     SourceOfCamera(scene.camera, scene.grid, false), 1.0);
   std::vector<float> gradient(file.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance = NodeImportanceOfAll(scene.grid, file.importance.data());
-  Visible seen;
+  Seen seen;
   term.Differentiate({ file.extinction.data(), file.importance.data(), nodeImportance.data() },
     Derivative::Volume, { 1.0f, 1.0f }, gradient.data(), &seen);
   const std::vector<double> importance(file.importance.begin(), file.importance.end());

@@ -253,11 +253,11 @@ TEST(SceneProperties, HaveViewsWithScoresAndSlopes)
   CheckAtRandom(40000, 150, MakeAnyScene,
     [](const BoxScene& scene) -> std::string
     {
-      const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
-      const Visible seen = score.At(scene.camera);
+      const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
+      const Score seen = score.At(scene.camera);
       const ViewSlope slope = score.SlopeAt(scene.camera);
-      const bool finite = std::isfinite(seen.visible) && std::isfinite(slope.score.visible) &&
+      const bool finite = std::isfinite(seen.visibility) && std::isfinite(slope.score) &&
         std::isfinite(glm::length(slope.slope));
-      return finite && seen.visible >= 0 && seen.Fraction() <= 1 ? "" : "a score is no number";
+      return finite && seen.visibility >= 0 && seen.fraction <= 1 ? "" : "a score is no number";
     });
 }

@@ -78,14 +78,21 @@ TEST_P(RealScene, BecomesVisibleAndReportsTheScoreOfTheMarch)
 
   solver.Run();
 
-  const double march = scene.March(solver.Extinction());
+  const Score truth = scene.MarchScore(solver.Extinction());
+  const double march = truth.visibility;
   RecordProperty("reported", std::to_string(solver.BestScore().visibility));
   RecordProperty("march", std::to_string(march));
   std::cout << GetParam().name << ": base " << solver.BaseScore().visibility << ", reported "
             << solver.BestScore().visibility << ", march " << march << " ("
             << 100 * (solver.BestScore().visibility / march - 1) << " %), " << solver.Iterations()
-            << " iterations, " << solver.Seconds() << " s\n";
+            << " iterations, " << solver.Seconds() << " s, visible " << solver.BaseScore().fraction
+            << " to " << solver.BestScore().fraction << " (march " << truth.fraction
+            << "), sacrificed " << solver.BestScore().sacrificed << " (march " << truth.sacrificed
+            << ")\n";
   EXPECT_WITHIN(solver.BestScore().visibility, march, Relative(0.003, march, bar));
+  const Tolerance ofFractions{ 0.005, "the bar for fractions" };
+  EXPECT_WITHIN(solver.BestScore().fraction, truth.fraction, ofFractions);
+  EXPECT_WITHIN(solver.BestScore().sacrificed, truth.sacrificed, ofFractions);
   EXPECT_GE(march, GetParam().leastAfter);
   EXPECT_LE(solver.Iterations(), 8);
   std::size_t bad = 0;

@@ -287,8 +287,8 @@ void ExpectBounds(const BoxScene& scene)
     EXPECT_GE(record.energy.regularization, 0);
     EXPECT_LE(record.energy.view, 0);
     EXPECT_LE(record.energy.light, 0);
-    EXPECT_GE(record.visibleFraction, 0);
-    EXPECT_LE(record.visibleFraction, 1);
+    EXPECT_GE(record.score.fraction, 0);
+    EXPECT_LE(record.score.fraction, 1);
   }
   EXPECT_LE(solver.BestEnergy().Total(), solver.History().front().energy.Total());
 

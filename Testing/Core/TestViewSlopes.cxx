@@ -104,13 +104,13 @@ class TurnedBox : public ::testing::TestWithParam<Case>
 TEST_P(TurnedBox, ChangesAsTheMarchSaysWhenTheCameraMoves)
 {
   const BoxScene scene = Filled(GetParam().content);
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 3);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 3);
   const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
   std::vector<SlopePair> pairs;
   for (const Vec3& direction : RandomDirections(6))
   {
-    const double visible = score.At(orbit.At(direction)).visible;
-    EXPECT_NEAR(score.SlopeAt(orbit.At(direction)).score.visible, visible, 0.005 * visible);
+    const double visible = score.At(orbit.At(direction)).visibility;
+    EXPECT_NEAR(score.SlopeAt(orbit.At(direction)).score, visible, 0.005 * visible);
     if (!HasKink(scene.grid, orbit, direction))
     {
       pairs.push_back(SlopesOf(score, orbit, scene.TruthWith(scene.extinction), direction,
@@ -166,7 +166,7 @@ TEST_P(TurnedScene, ChangesAsTheMarchSaysWhenTheCameraMoves)
   const LoadedScene scene(one.name);
   const std::vector<float> extinction = one.base ? scene.file.extinction : scene.Proxy();
   const ViewScore score(
-    scene.grid, extinction.data(), scene.file.importance.data(), one.rayDensity);
+    scene.grid, { extinction.data(), scene.file.importance.data() }, one.rayDensity);
   const Orbit orbit = OrbitOf(scene.grid, one.parallel);
   std::vector<SlopePair> pairs;
   for (const Vec3& direction : RandomDirections(20))

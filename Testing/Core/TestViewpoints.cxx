@@ -50,15 +50,15 @@ class ScoredBox : public ::testing::TestWithParam<Case>
 TEST_P(ScoredBox, HasTheScoreOfTheMarchInEveryDirection)
 {
   const BoxScene scene = Filled(GetParam().content);
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
   const Orbit orbit = OrbitOf(scene.grid, GetParam().parallel);
 
   for (const Vec3& direction : RandomDirections(20))
   {
     const Camera camera = orbit.At(direction);
     const double truth = March(scene, camera, 4);
-    EXPECT_WITHIN(
-      score.At(camera).visible, truth, Relative(0.005, truth, "the bar for scores of directions"));
+    EXPECT_WITHIN(score.At(camera).visibility, truth,
+      Relative(0.005, truth, "the bar for scores of directions"));
   }
 }
 
@@ -75,7 +75,7 @@ TEST(ViewScore, OfABallIsTheSameEverywhere)
   const auto ball = [](const Vec3& x)
   { return std::min(1.0, std::max(0.0, (0.7 - glm::length(x)) / 0.1)); };
   scene.Fill([=](const Vec3& x) { return 5 * ball(x); }, ball);
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
   for (const bool parallel : { false, true })
   {
     double least = 1e300;
@@ -83,8 +83,8 @@ TEST(ViewScore, OfABallIsTheSameEverywhere)
     for (const ScoredView& view :
       ScoreViews(score, OrbitOf(scene.grid, parallel), SpreadDirections(100), nullptr))
     {
-      least = std::min(least, view.score.visible);
-      most = std::max(most, view.score.visible);
+      least = std::min(least, view.worth);
+      most = std::max(most, view.worth);
     }
     EXPECT_LE(most, 1.005 * least);
   }
@@ -93,17 +93,17 @@ TEST(ViewScore, OfABallIsTheSameEverywhere)
 TEST(ViewScore, IsZeroWithoutAnythingToSee)
 {
   BoxScene scene = BoxScene::Cube(9);
-  const ViewScore nothing(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const ViewScore nothing(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
   const Camera camera = OrbitOf(scene.grid, false).At(Vec3(0, 0, 1));
 
-  EXPECT_EQ(nothing.At(camera).visible, 0);
+  EXPECT_EQ(nothing.At(camera).visibility, 0);
   EXPECT_EQ(nothing.SlopeAt(camera).slope, Vec3(0));
 }
 
 TEST(ViewScore, IsFiniteFromInsideAndFromVeryFarAway)
 {
   const BoxScene scene = Filled(Content::Borders);
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
   for (const double distance : { 0.01, 0.3, 0.9, 1e5 })
   {
     Orbit orbit = OrbitOf(scene.grid, false);
@@ -111,8 +111,8 @@ TEST(ViewScore, IsFiniteFromInsideAndFromVeryFarAway)
     for (const Vec3& direction : RandomDirections(5))
     {
       const ViewSlope slope = score.SlopeAt(orbit.At(direction));
-      EXPECT_TRUE(std::isfinite(slope.score.visible) && std::isfinite(glm::length(slope.slope)));
-      EXPECT_GT(slope.score.visible, 0);
+      EXPECT_TRUE(std::isfinite(slope.score) && std::isfinite(glm::length(slope.slope)));
+      EXPECT_GT(slope.score, 0);
     }
   }
 }
@@ -127,13 +127,13 @@ TEST(ViewScore, HasAFiniteSlopeWhereVoxelsAreOpaque)
     {
       extinction = generator() % 2 == 0 ? opticalDepth : 0.0f; // voxels are about 1 wide
     }
-    const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+    const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
     for (const Vec3& direction : RandomDirections(5))
     {
       for (const bool parallel : { false, true })
       {
         const ViewSlope slope = score.SlopeAt(OrbitOf(scene.grid, parallel).At(direction));
-        EXPECT_TRUE(std::isfinite(slope.score.visible)) << opticalDepth;
+        EXPECT_TRUE(std::isfinite(slope.score)) << opticalDepth;
         EXPECT_TRUE(std::isfinite(glm::length(slope.slope))) << opticalDepth;
       }
     }
@@ -143,7 +143,7 @@ TEST(ViewScore, HasAFiniteSlopeWhereVoxelsAreOpaque)
 TEST(ViewScore, DoesNotDependOnThreads)
 {
   const BoxScene scene = Filled(Content::Waves);
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
   const Orbit orbit = OrbitOf(scene.grid, false);
   const std::vector<Vec3> directions = RandomDirections(12);
   const std::vector<ScoredView> views = ScoreViews(score, orbit, directions, nullptr);
@@ -151,7 +151,7 @@ TEST(ViewScore, DoesNotDependOnThreads)
 
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    EXPECT_EQ(views[i].score.visible, score.At(orbit.At(directions[i])).visible);
+    EXPECT_EQ(views[i].worth, score.At(orbit.At(directions[i])).visibility);
   }
 }
 
@@ -184,7 +184,7 @@ TEST(FindViewpoints, SeesTwoBlobsFromTheSide)
         1.0, std::exp(-glm::dot(one, one) / 0.08) + std::exp(-glm::dot(other, other) / 0.08));
     };
     scene.Fill([=](const Vec3& x) { return 20 * blobs(x); }, blobs);
-    const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+    const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
     const Orbit orbit = OrbitOf(scene.grid, false);
 
     const SearchResult result = FindViewpoints(score, orbit,
@@ -200,7 +200,7 @@ TEST(FindViewpoints, SeesTwoBlobsFromTheSide)
 TEST(FindViewpoints, RanksDistinctViewsAndNeverEndsBelowASample)
 {
   const BoxScene scene = Filled(Content::Waves);
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
   const Orbit orbit = OrbitOf(scene.grid, false);
   const std::vector<ScoredView> samples = ScoreViews(score, orbit, SpreadDirections(60), nullptr);
   SearchSettings settings;
@@ -211,13 +211,13 @@ TEST(FindViewpoints, RanksDistinctViewsAndNeverEndsBelowASample)
   ASSERT_FALSE(result.viewpoints.empty());
   for (const ScoredView& sample : samples)
   {
-    EXPECT_GE(result.viewpoints.front().score.visible, sample.score.visible);
+    EXPECT_GE(result.viewpoints.front().worth, sample.worth);
   }
   for (std::size_t i = 0; i < result.viewpoints.size(); ++i)
   {
     for (std::size_t k = 0; k < i; ++k)
     {
-      EXPECT_GE(result.viewpoints[k].score.visible, result.viewpoints[i].score.visible);
+      EXPECT_GE(result.viewpoints[k].worth, result.viewpoints[i].worth);
       EXPECT_LE(glm::dot(result.viewpoints[k].direction, result.viewpoints[i].direction),
         std::cos(settings.separation) + 1e-12);
     }
@@ -226,7 +226,7 @@ TEST(FindViewpoints, RanksDistinctViewsAndNeverEndsBelowASample)
   {
     for (std::size_t step = 1; step < path.size(); ++step)
     {
-      EXPECT_GT(path[step].score.visible, path[step - 1].score.visible);
+      EXPECT_GT(path[step].worth, path[step - 1].worth);
     }
   }
 }
@@ -234,7 +234,7 @@ TEST(FindViewpoints, RanksDistinctViewsAndNeverEndsBelowASample)
 TEST(FindViewpoints, KeepsWhatWasDoneWhenItIsStopped)
 {
   const BoxScene scene = Filled(Content::Onion);
-  const ViewScore score(scene.grid, scene.extinction.data(), scene.importance.data(), 1);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
   const Orbit orbit = OrbitOf(scene.grid, false);
   int calls = 0;
 
@@ -263,7 +263,7 @@ TEST_P(SearchedScene, ScoresAsTheMarchAndFindsTheBestOfManyDirections)
   for (const bool base : { false, true })
   {
     const std::vector<float>& extinction = base ? scene.file.extinction : proxy;
-    const ViewScore score(scene.grid, extinction.data(), scene.file.importance.data(), 1);
+    const ViewScore score(scene.grid, { extinction.data(), scene.file.importance.data() }, 1);
     double worst = 0;
     for (const Vec3& direction : RandomDirections(5))
     {
@@ -278,7 +278,7 @@ TEST_P(SearchedScene, ScoresAsTheMarchAndFindsTheBestOfManyDirections)
       sampling.raysPerVoxel = 3;
       const double truth =
         truth::VisibilityScore(seen.FieldsWith(extinction), seen.Eye(), sampling);
-      worst = std::max(worst, std::abs(score.At(camera).visible / truth - 1));
+      worst = std::max(worst, std::abs(score.At(camera).visibility / truth - 1));
     }
     EXPECT_LE(worst, 0.005);
 
@@ -290,14 +290,13 @@ TEST_P(SearchedScene, ScoresAsTheMarchAndFindsTheBestOfManyDirections)
     double best = 0;
     for (const ScoredView& view : ScoreViews(score, orbit, SpreadDirections(2562), nullptr))
     {
-      best = std::max(best, view.score.visible);
+      best = std::max(best, view.worth);
     }
     std::cout << GetParam().name << (base ? ", base" : ", proxy") << ": worst score off by "
-              << 100 * worst << " %, best found "
-              << 100 * result.viewpoints.front().score.visible / best
+              << 100 * worst << " %, best found " << 100 * result.viewpoints.front().worth / best
               << " % of the best of 2562 directions with " << result.evaluations
               << " evaluations\n";
-    EXPECT_GE(result.viewpoints.front().score.visible, 0.998 * best);
+    EXPECT_GE(result.viewpoints.front().worth, 0.998 * best);
     EXPECT_LE(result.evaluations, 2562 / 4);
   }
 }

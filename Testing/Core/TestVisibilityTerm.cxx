@@ -97,7 +97,7 @@ double FromGradient(const BoxScene& scene, const Field& direction, Derivative de
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance =
     NodeImportanceOfAll(scene.grid, scene.importance.data());
-  Visible seen;
+  Seen seen;
   term.Differentiate({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
     derivative, { 1.0f, 1.0f }, gradient.data(), &seen);
   double sum = 0;
@@ -233,7 +233,7 @@ TEST(VisibilityTerm, CarriesTheVisibleImportanceOfTheReferenceToEveryVoxel)
       SourceOfCamera(scene.camera, scene.grid, false), 1.0);
     std::vector<float> gradient(scene.extinction.size(), 0.0f);
     // At a point, as the march computes it, it is g at the point that counts.
-    Visible seen;
+    Seen seen;
     term.Differentiate(
       { scene.extinction.data(), scene.importance.data(), scene.importance.data() }, derivative,
       { 1.0f, 1.0f }, gradient.data(), &seen);
@@ -308,7 +308,7 @@ TEST(ScoreDerivative, OfANodeIsTheMeanOverItsHatAndNotTheValueThere)
   std::vector<float> gradient(scene.extinction.size(), 0.0f);
   const std::vector<float> nodeImportance =
     NodeImportanceOfAll(scene.grid, scene.importance.data());
-  Visible seen;
+  Seen seen;
   term.Differentiate({ scene.extinction.data(), scene.importance.data(), nodeImportance.data() },
     Derivative::Volume, { 1.0f, 1.0f }, gradient.data(), &seen);
 

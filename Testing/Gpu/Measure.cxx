@@ -166,7 +166,8 @@ std::vector<float> MeasureRun(const SceneForSolver& scene, const Effort& effort,
 Json MeasureSphere(const SceneForSolver& scene, const Effort& effort)
 {
   const std::vector<float> proxy = scene.Proxy();
-  const ViewScore score(scene.grid, proxy.data(), scene.importance.data(), 1.0, BackendKind::Cuda);
+  const ViewScore score(
+    scene.grid, { proxy.data(), scene.importance.data() }, 1.0, BackendKind::Cuda);
   const std::vector<Vec3> directions = SpreadDirections(effort.directions);
   return Repeat(effort.With(3), 1,
     [&] { ScoreViews(score, OrbitAround(scene.grid), directions, [](double) { return true; }); });

@@ -18,9 +18,9 @@ from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, func
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
 RESULTS = ("Extinction", "Opacity", "BaseExtinction", "Importance", "Transmittance",
-           "LightTransmittance")
+           "LightTransmittance", "MissedImportance")
 SUMMARY = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
-           "Energy", "Iterations", "Seconds", "Backend")
+           "SacrificedFraction", "Energy", "Iterations", "Seconds", "Backend")
 
 
 def optimizer(image, **properties):
@@ -60,9 +60,9 @@ class TestOutput(OptimizerTest):
             self.assertTrue(np.isfinite(values(output, name)).all())
         largest = values(output, "BaseExtinction").max()
         self.assertLessEqual(values(output, "Extinction").max(), largest)
-        for name in ("Extinction", "Opacity", "Transmittance", "LightTransmittance"):
+        self.assertGreaterEqual(values(output, "Extinction").min(), 0)
+        for name in ("Opacity", "Transmittance", "LightTransmittance", "MissedImportance"):
             self.assertGreaterEqual(values(output, name).min(), 0)
-        for name in ("Opacity", "Transmittance", "LightTransmittance"):
             self.assertLessEqual(values(output, name).max(), 1)
 
     def test_opacity_is_that_of_one_unit_distance(self):
@@ -80,9 +80,28 @@ class TestOutput(OptimizerTest):
             self.assertEqual(output.GetFieldData().GetAbstractArray(name).GetNumberOfTuples(), 1)
         self.assertGreater(number(output, "VisibilityScore"),
                            number(output, "BaseVisibilityScore"))
-        self.assertGreaterEqual(number(output, "VisibleFraction"), 0)
-        self.assertLessEqual(number(output, "VisibleFraction"), 1)
+        self.assertGreater(number(output, "VisibleFraction"), number(output, "BaseVisibleFraction"))
+        self.assertGreater(number(output, "SacrificedFraction"), 0)
+        self.assertLessEqual(number(output, "VisibleFraction") +
+                             number(output, "SacrificedFraction"), 1)
         self.assertNotEqual(output.GetFieldData().GetAbstractArray("Backend").GetValue(0), "")
+
+    def test_missed_importance_is_what_is_removed_or_hidden(self):
+        output = self.run_filter(phantom(64))
+
+        extinction, base, importance, transmittance, missed = (
+            values(output, name).astype(float)
+            for name in ("Extinction", "BaseExtinction", "Importance", "Transmittance",
+                         "MissedImportance"))
+        kept = np.minimum(extinction, base) / np.where(base > 0, base, 1)
+        expected = np.where(base > 0, importance * (1 - kept * transmittance), 0)
+        self.assertLess(np.abs(missed - expected).max(), 4 * SINGLE)
+        # Sums over nodes for the integrals of the fractions: coarse, but of the same thing.
+        important = (importance * base).sum()
+        self.assertAlmostEqual(number(output, "VisibleFraction"),
+                               1 - (missed * base).sum() / important, delta=0.02)
+        self.assertAlmostEqual(number(output, "SacrificedFraction"),
+                               1 - (importance * base * kept).sum() / important, delta=0.02)
 
     def test_shares_of_thin_media_are_not_above_one(self):
         ones = np.ones(512)
@@ -104,7 +123,7 @@ class TestOutput(OptimizerTest):
         names = [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
         self.assertEqual(names, ["Iteration", "Level", "Energy", "RegularizationEnergy",
                                  "ViewEnergy", "LightEnergy", "VisibilityScore",
-                                 "VisibleFraction", "Seconds"])
+                                 "VisibleFraction", "Seconds", "SacrificedFraction"])
         iterations = vtk_to_numpy(table.GetColumnByName("Iteration"))
         np.testing.assert_array_equal(iterations, np.arange(len(iterations)))
         self.assertEqual(len(iterations), number(result.GetOutput(), "Iterations") + 1)

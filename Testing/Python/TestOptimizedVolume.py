@@ -245,6 +245,9 @@ class TestOptimizedVolume(displays.DisplayTest):
                              "BaseVisibleFraction", "Iterations"):
                     expected = optimizer.FieldData[name].GetRange()[0]
                     self.assertAlmostEqual(getattr(display, name) / expected, 1, delta=1 / 4096)
+                self.assertAlmostEqual(display.SacrificedFraction,
+                                       optimizer.FieldData["SacrificedFraction"].GetRange()[0],
+                                       delta=1 / 4096)
 
     def test_information_is_of_the_last_picture(self):
         display = self.shown(OcclusionPhantom(Resolution=32))

@@ -39,7 +39,8 @@ class MapperTest(unittest.TestCase):
     def assert_sane(self, view, mapper):
         for number in (mapper.GetVisibilityScore(), mapper.GetBaseVisibilityScore()):
             self.assertTrue(np.isfinite(number) and number >= 0)
-        for share in (mapper.GetVisibleFraction(), mapper.GetBaseVisibleFraction()):
+        for share in (mapper.GetVisibleFraction(), mapper.GetBaseVisibleFraction(),
+                      mapper.GetSacrificedFraction()):
             self.assertTrue(0 <= share <= 1)
 
     def assert_empty(self, picture):

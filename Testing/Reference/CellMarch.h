@@ -157,8 +157,8 @@ struct March
   }
 
   /// One cell, or the part [s0, s1] of it whose optical depth is small enough for Gauss' rule.
-  void Piece(const Cubic& extinction, const Cubic& importance, double length, double begin,
-    double size, double s0, double s1, double depthAtCell, double& visible) const
+  void Piece(const Cubic& extinction, const Cubic& counted, const Cubic& importance, double length,
+    double begin, double size, double s0, double s1, double depthAtCell, double& visible) const
   {
     const double depth = depthAtCell + length * extinction.Integral(s0);
     if (depth > darkness)
@@ -169,8 +169,8 @@ struct March
     if (thickness > 0.5 && s1 - s0 > 1e-12)
     {
       const double middle = 0.5 * (s0 + s1);
-      Piece(extinction, importance, length, begin, size, s0, middle, depthAtCell, visible);
-      Piece(extinction, importance, length, begin, size, middle, s1, depthAtCell, visible);
+      Piece(extinction, counted, importance, length, begin, size, s0, middle, depthAtCell, visible);
+      Piece(extinction, counted, importance, length, begin, size, middle, s1, depthAtCell, visible);
       return;
     }
     for (std::size_t m = 0; m < rule.points.size(); ++m)
@@ -180,7 +180,7 @@ struct March
       const double weight = widening ? t * t : 1.0;
       const double transmittance = std::exp(-(depthAtCell + length * extinction.Integral(s)));
       visible +=
-        rule.weights[m] * (s1 - s0) * size * importance(s) * extinction(s) * transmittance * weight;
+        rule.weights[m] * (s1 - s0) * size * importance(s) * counted(s) * transmittance * weight;
     }
   }
 
@@ -210,7 +210,9 @@ struct March
           const Corners g = CornersOf(volume.importance, cell);
           if (!g.Empty())
           {
-            Piece(extinction, g.AlongLine(p, d), length, begin, end - begin, 0, 1,
+            const Cubic counted =
+              volume.counted ? CornersOf(volume.counted, cell).AlongLine(p, d) : extinction;
+            Piece(extinction, counted, g.AlongLine(p, d), length, begin, end - begin, 0, 1,
               gathered.opticalDepth, gathered.visible);
           }
         }

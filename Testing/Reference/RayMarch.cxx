@@ -140,7 +140,7 @@ double ImportantExtinction(const Volume<Value>& volume)
     {
       for (int i = 0; i + 1 < lattice.nodes[0]; ++i)
       {
-        const Corners extinction = march.CornersOf(volume.extinction, { { i, j, k } });
+        const Corners extinction = march.CornersOf(volume.Counted(), { { i, j, k } });
         const Corners importance = march.CornersOf(volume.importance, { { i, j, k } });
         if (extinction.Empty() || importance.Empty())
         {

@@ -36,13 +36,19 @@ struct Lattice
   double CellVolume() const { return spacing[0] * spacing[1] * spacing[2]; }
 };
 
-/// Two fields on a lattice, first axis fastest; the caller owns them.
+/// Fields on a lattice, first axis fastest; the caller owns them.
 template <class Value>
 struct Volume
 {
   Lattice lattice;
   const Value* extinction = nullptr; ///< [1/length]
   const Value* importance = nullptr; ///< [0, 1]
+
+  /// The part of the extinction that counts as important where importance is summed; null: all of
+  /// it. It attenuates as a whole [1/length].
+  const Value* counted = nullptr;
+
+  const Value* Counted() const { return counted ? counted : extinction; }
 };
 
 /// Where the rays come from.
@@ -64,8 +70,8 @@ struct Sampling
   unsigned threads = 0;    ///< zero: as many as the machine has; the result is the same
 };
 
-/// S of Eq. (32): the integral of importance x extinction x transmittance over the whole box
-/// [length^2].
+/// S of Eq. (32): the integral of importance x counted extinction x transmittance over the whole
+/// box [length^2].
 template <class Value>
 double VisibilityScore(const Volume<Value>& volume, const Source& source, const Sampling& sampling);
 

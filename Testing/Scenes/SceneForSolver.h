@@ -109,6 +109,22 @@ struct SceneOfFile : SceneForSolver
     return truth::VisibilityScore(
       this->file.FieldsWith(extinctionThere), this->file.Eye(), sampling);
   }
+
+  /// What the march says of an extinction (energy/Score.h).
+  Score MarchScore(const std::vector<float>& extinctionThere, double raysPerVoxel = 3) const
+  {
+    std::vector<float> kept(extinctionThere.size());
+    std::transform(extinctionThere.begin(), extinctionThere.end(), this->file.extinction.begin(),
+      kept.begin(), [](float now, float base) { return std::min(now, base); });
+    truth::Volume<float> counted = this->file.FieldsWith(extinctionThere);
+    counted.counted = kept.data();
+    truth::Sampling sampling;
+    sampling.raysPerVoxel = raysPerVoxel;
+    const double important = truth::ImportantExtinction(this->file.Fields());
+    return { this->March(extinctionThere, raysPerVoxel),
+      truth::VisibilityScore(counted, this->file.Eye(), sampling) / important,
+      1 - truth::ImportantExtinction(counted) / important };
+  }
 };
 }
 

@@ -92,7 +92,7 @@ private:
     for (const IterationRecord& record : solver.History())
     {
       hash.Add(record.energy.regularization).Add(record.energy.view).Add(record.energy.light);
-      hash.Add(record.visibilityScore).Add(record.visibleFraction).Add(record.meanChange);
+      hash.Add(record.score.visibility).Add(record.meanChange);
     }
     this->Print(what, hash);
     return solver.Extinction();
@@ -180,7 +180,7 @@ private:
     const auto count = static_cast<std::size_t>(progressive.ShownGrid().NodeCount());
     Hash hash;
     hash.Add(progressive.Extinction(), count).Add(progressive.BestScore().visibility);
-    this->Print("preview", hash.Add(progressive.BaseScore().fraction));
+    this->Print("preview", hash.Add(progressive.BaseScore().visibility));
   }
 
   void PrintViewpoints() const
@@ -191,7 +191,7 @@ private:
     {
       value *= this->Functions.extinction.empty() ? 1.0f : 3.0f / float(grid.Radius());
     }
-    const ViewScore score(grid, proxy.data(), this->Scene.importance.data(), 1);
+    const ViewScore score(grid, { proxy.data(), this->Scene.importance.data() }, 1);
     Orbit orbit;
     orbit.centre = grid.Centre();
     orbit.distance = 3 * grid.Radius();
@@ -202,12 +202,12 @@ private:
       orbit.parallel = i == 5;
       const Camera camera =
         orbit.At(glm::normalize(Vec3(std::sin(1.0 + i), std::cos(2.3 * i), std::sin(0.7 * i))));
-      const Visible at = score.At(camera);
-      scores.Add(at.visible).Add(at.unattenuated);
+      const Score at = score.At(camera);
+      scores.Add(at.visibility);
       if (i > 3)
       {
         const ViewSlope slope = score.SlopeAt(camera);
-        slopes.Add(slope.score.visible).Add(slope.slope.x).Add(slope.slope.y).Add(slope.slope.z);
+        slopes.Add(slope.score).Add(slope.slope.x).Add(slope.slope.y).Add(slope.slope.z);
       }
     }
     this->Print("view-scores", scores);
@@ -215,7 +215,7 @@ private:
     const Camera& near = this->Scene.camera;
     const ViewSlope slope = score.SlopeAt(near);
     Hash hash;
-    hash.Add(slope.score.visible).Add(slope.slope.x).Add(slope.slope.y).Add(slope.slope.z);
+    hash.Add(slope.score).Add(slope.slope.x).Add(slope.slope.y).Add(slope.slope.z);
     this->Print("view-slope-of-camera", hash);
   }
 

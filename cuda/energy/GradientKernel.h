@@ -49,6 +49,7 @@ struct GradientKernel
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]
   Input nodeImportance; ///< see NodeImportance.h [0, 1]
+  Input base;           ///< [1/length]; null: what is kept is not counted
   Output gradient;
   GradientTarget target;
   bool areaWeighted; ///< whether rays carry the weight of Deviation D1
@@ -57,8 +58,8 @@ struct GradientKernel
   GradientKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
   {
     return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
-      windows(this->nodeImportance, FieldUse{ 0 }), windows(this->gradient, FieldUse{ 0, true }),
-      this->target, this->areaWeighted };
+      windows(this->nodeImportance, FieldUse{ 0 }), windows(this->base, FieldUse{ 1 }),
+      windows(this->gradient, FieldUse{ 0, true }), this->target, this->areaWeighted };
   }
 
   /// From the slice behind to slice `s`.
@@ -116,7 +117,13 @@ private:
   {
     rays.SampleExtinction(this->extinction);
     rays.SampleImportance(this->importance);
-    rays.ForEachInLayer(CarryAndUnwindStep{ rays.States() });
+    if (!this->base)
+    {
+      rays.ForEachInLayer(CarryAndUnwindStep<Kept::Ignored>{ rays.States() });
+      return;
+    }
+    rays.SampleKept(this->extinction, this->base);
+    rays.ForEachInLayer(CarryAndUnwindStep<Kept::Counted>{ rays.States() });
   }
 };
 }

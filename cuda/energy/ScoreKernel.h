@@ -11,7 +11,8 @@ namespace limpid
 {
 /**
  * What a source sees, Eqs. (23), (24) and (32): the integral of importance g, extinction mu and
- * transmittance T along every ray, and the same without transmittance. Leaves the optical depths.
+ * transmittance T along every ray, and the same without transmittance; with a base, both also of
+ * what is kept of it (Kept). Leaves the optical depths.
  */
 template <class Field>
 struct ScoreKernel
@@ -20,23 +21,31 @@ struct ScoreKernel
 
   Field extinction; ///< [1/length]
   Field importance; ///< [0, 1]
+  Field base;       ///< [1/length]; null: what is kept is not counted
 
   template <class Windows>
   ScoreKernel<SliceWindow*> With(Windows& windows) const
   {
-    return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }) };
+    return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
+      windows(this->base, FieldUse{ 1 }) };
   }
 
   /// From slice `s` to the next one.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {
-    if (rays.EnterLayer(s, true))
+    if (!rays.EnterLayer(s, true))
     {
-      rays.SampleExtinction(this->extinction);
-      rays.SampleImportance(this->importance);
-      rays.ForEachInLayer(ScoreStep{ rays.States() });
+      return;
     }
+    rays.SampleExtinction(this->extinction);
+    rays.SampleImportance(this->importance);
+    if (this->base)
+    {
+      rays.SampleKept(this->extinction, this->base);
+      rays.ForEachInLayer(ScoreKeptStep{ rays.States() });
+    }
+    rays.ForEachInLayer(ScoreStep{ rays.States() });
   }
 };
 

@@ -22,33 +22,31 @@ VisibilityTerm<AnyDevice>::VisibilityTerm(std::shared_ptr<AnyDevice> device, con
 }
 
 template <class AnyDevice>
-void VisibilityTerm<AnyDevice>::Forward(
-  const float* extinction, const float* importance, Visible* sum)
+void VisibilityTerm<AnyDevice>::Forward(const TermFields& fields, Seen* sum)
 {
   for (std::size_t index = 0; index < this->Rays.size(); ++index)
   {
-    this->ForwardAt(index, extinction, importance);
+    this->ForwardAt(index, fields);
   }
-  this->Sum(sum);
+  this->Sum(sum, fields.CountsKept());
 }
 
 template <class AnyDevice>
-void VisibilityTerm<AnyDevice>::ForwardAt(
-  std::size_t frustum, const float* extinction, const float* importance)
+void VisibilityTerm<AnyDevice>::ForwardAt(std::size_t frustum, const TermFields& fields)
 {
   SweepForward(*this->Device, this->Rays[frustum], *this->Filled,
-    ScoreKernel<const float*>{ extinction, importance });
+    ScoreKernel<const float*>{ fields.extinction, fields.importance, fields.base });
 }
 
 template <class AnyDevice>
 void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivative derivative,
-  const GradientTarget& target, float* gradient, Visible* sum)
+  const GradientTarget& target, float* gradient, Seen* sum)
 {
   // Without the weight of the rays, what they carry is not the score.
   const bool areaWeighted = derivative == Derivative::Volume;
   if (!areaWeighted)
   {
-    this->Forward(fields.extinction, fields.importance, sum);
+    this->Forward(fields, sum);
   }
   for (FrustumRays<AnyDevice>& rays : this->Rays)
   {
@@ -58,12 +56,12 @@ void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivati
         *this->Device, rays, *this->Filled, DepthKernel<const float*>{ fields.extinction });
     }
     const GradientKernel<const float*, float*> kernel{ fields.extinction, fields.importance,
-      fields.nodeImportance, gradient, target, areaWeighted };
+      fields.nodeImportance, areaWeighted ? fields.base : nullptr, gradient, target, areaWeighted };
     SweepBackward(this->Device, rays, *this->Filled, kernel, this->SliceImages);
   }
   if (areaWeighted)
   {
-    this->Sum(sum);
+    this->Sum(sum, fields.CountsKept());
   }
 }
 

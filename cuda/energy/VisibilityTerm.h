@@ -16,9 +16,12 @@ namespace limpid
 /// What a derivative is taken of; addresses on the device, one value per node each.
 struct TermFields
 {
-  const float* extinction;     ///< [1/length]
-  const float* importance;     ///< [0, 1]
-  const float* nodeImportance; ///< see NodeImportance.h [0, 1]
+  const float* extinction;               ///< [1/length]
+  const float* importance;               ///< [0, 1]
+  const float* nodeImportance = nullptr; ///< for derivatives, see NodeImportance.h [0, 1]
+  const float* base = nullptr; ///< base extinction [1/length]; null: what is kept is not counted
+
+  Kept CountsKept() const { return this->base ? Kept::Counted : Kept::Ignored; }
 };
 
 /**
@@ -35,20 +38,27 @@ public:
   VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid, const Occupancy& occupancy,
     const RaySource& source, double rayDensity);
 
-  /// Integral of g mu T and its bound into `sum`; leaves the optical depths of all rays.
-  void Forward(const float* extinction, const float* importance, Visible* sum);
+  /// What the rays see, into `sum`; leaves the optical depths of all rays.
+  void Forward(const TermFields& fields, Seen* sum);
 
   /// The rays of one frustum alone; what they see is summed by Sum.
-  void ForwardAt(std::size_t frustum, const float* extinction, const float* importance);
+  void ForwardAt(std::size_t frustum, const TermFields& fields);
 
   /// Forward that also finds the derivative, into `gradient` [1]. Leaves no optical depths. Only
   /// voxels that the term depends on are written, which are always the same ones.
   void Differentiate(const TermFields& fields, Derivative derivative, const GradientTarget& target,
-    float* gradient, Visible* sum);
+    float* gradient, Seen* sum);
 
   /// What the rays of all frusta have seen in their last sweep. `first`: the frustum that was swept
   /// first; sums are rounded in that order.
-  void Sum(Visible* sum, std::size_t first = 0) { SumRays(this->Rays, this->Add, sum, first); }
+  void Sum(Seen* sum, Kept kept, std::size_t first = 0)
+  {
+    SumRays(this->Rays, Kept::Ignored, this->Add, &sum->all, first);
+    if (kept == Kept::Counted)
+    {
+      SumRays(this->Rays, Kept::Counted, this->Add, &sum->kept, first);
+    }
+  }
 
   std::vector<FrustumRays<AnyDevice>>& Frusta() { return this->Rays; }
   const Occupancy& Occupied() const { return *this->Filled; }

@@ -46,8 +46,9 @@ RaySource Rescaled(const RaySource& source, const Grid& from, const Grid& to)
 class Adam : public Minimizer
 {
 public:
-  Adam(const Problem& problem, std::vector<float> start, AdamLevelMaker maker)
+  Adam(const Problem& problem, std::vector<float> start, bool fromBase, AdamLevelMaker maker)
     : Given(problem)
+    , FromBase(fromBase)
     , Maker(std::move(maker))
     , Remaining(problem.settings.iterationsPerLevel)
     , BestIterate(std::move(start))
@@ -58,10 +59,14 @@ public:
   {
     // The base is measured where the user sees it, on the full resolution.
     this->Enter(0, std::vector<float>(this->BestIterate));
-    const IterationRecord record = this->Here->state->Measure();
+    const IterationRecord record =
+      this->FromBase ? this->Here->state->MeasureBase() : this->Here->state->Measure();
     this->BestEnergy = record.energy.Total();
+    this->Base = this->Here->state->BaseScore();
     return record;
   }
+
+  Score BaseScore() const override { return this->Base; }
 
   IterationRecord Iterate() override
   {
@@ -178,11 +183,13 @@ private:
   }
 
   const Problem& Given;
+  bool FromBase; ///< whether the iterations start there
   AdamLevelMaker Maker;
   std::array<int, 3> Remaining; ///< iterations left: quarter, half, full
   std::unique_ptr<Level> Here;
   double Change = 0;
   double BestEnergy = 0;
+  Score Base;
   std::vector<float> BestIterate; ///< before there was a better one
   bool BestIsHere = false;        ///< whether that is with the level
 };
@@ -191,11 +198,12 @@ private:
 std::unique_ptr<Minimizer> MakeAdam(
   const Problem& problem, std::vector<float>&& start, const AdamLevelMaker& maker)
 {
-  if (start.empty())
+  const bool fromBase = start.empty();
+  if (fromBase)
   {
     start = RoomFor(problem.grid.NodeCount());
     start.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
   }
-  return std::make_unique<Adam>(problem, std::move(start), maker);
+  return std::make_unique<Adam>(problem, std::move(start), fromBase, maker);
 }
 }

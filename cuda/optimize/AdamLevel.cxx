@@ -103,9 +103,13 @@ public:
     , Energy(device, problem)
     , Now(device, start, "the extinction")
   {
+    this->Energy.SeeBase();
   }
 
+  Score BaseScore() const override { return this->Energy.BaseScore(); }
+
   IterationRecord Measure() override { return this->Energy.Measure(this->Now.Data()); }
+  IterationRecord MeasureBase() override { return this->Energy.MeasureBase(); }
 
   IterationRecord Step(int count) override
   {

@@ -18,8 +18,12 @@ class AdamLevel
 public:
   virtual ~AdamLevel() = default;
 
-  /// The record of the present extinction.
+  /// What the camera sees of the base extinction.
+  virtual Score BaseScore() const = 0;
+
+  /// The record of the present extinction, and of the base extinction, if it is that.
   virtual IterationRecord Measure() = 0;
+  virtual IterationRecord MeasureBase() = 0;
 
   /// Step number `count`, from 1 on, and the record of what it leads to.
   virtual IterationRecord Step(int count) = 0;

@@ -142,6 +142,7 @@ public:
   }
 
   IterationRecord Start() override { return this->Inner->Start(); }
+  Score BaseScore() const override { return this->Inner->BaseScore(); }
   bool Converged() const override { return this->Inner->Converged(); }
   int IterationLimit() const override { return this->Inner->IterationLimit(); }
 

@@ -24,7 +24,7 @@ PolicyKernel<const float*, float*> KernelOf(
   const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
   return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
     sweep.lagged, sweep.next, { gainOf(sweep.weight), gainOf(1.0), BoundsOf(problem) },
-    sweep.transmittance, problem.settings.derivative == Derivative::Volume };
+    sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept };
 }
 
 /// Sweeps one frustum. The processor sums what has `moved` while that is at hand; null: nobody
@@ -118,10 +118,12 @@ public:
 
   IterationRecord Start() override
   {
-    const IterationRecord record = this->Energy.Measure(this->Iterates[0].values);
+    const IterationRecord record = this->MeasureFirst();
     this->BestEnergy = record.energy.Total();
     return record;
   }
+
+  Score BaseScore() const override { return this->Energy.BaseScore(); }
 
   IterationRecord Iterate() override
   {
@@ -182,6 +184,16 @@ private:
     return this->Energy.camera ? *this->Energy.camera : *this->Energy.light;
   }
 
+  IterationRecord MeasureFirst()
+  {
+    if (this->Iterates[0].own.Empty())
+    {
+      return this->Energy.MeasureBase();
+    }
+    this->Energy.SeeBase();
+    return this->Energy.Measure(this->Iterates[0].values);
+  }
+
   /// A place for the next iterate that overwrites neither the last nor the best.
   std::size_t FreeIterate() const
   {
@@ -220,9 +232,10 @@ private:
   {
     const Weights& weights = this->Given->settings.weights;
     Differences moved;
+    const Kept kept = this->Energy.camera ? Kept::Counted : Kept::Ignored;
     SweepPolicy(*this->Device, this->Swept(), *this->Given, this->Energy.Fields(),
       { last, this->Lagged.Data(), next, this->Energy.camera ? weights.view : weights.light,
-        transmittance },
+        transmittance, kept },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
@@ -236,7 +249,7 @@ private:
     const std::size_t frusta = this->Swept().Frusta().size();
     const bool lastFirst = MetNextIterate(frusta - 1, frusta, this->Given->settings.derivative);
     this->Swept().Sum(
-      this->Energy.camera ? &this->Energy.Sums()->camera : &this->Energy.Sums()->light,
+      this->Energy.camera ? &this->Energy.Sums()->camera : &this->Energy.Sums()->light, kept,
       lastFirst ? frusta - 1 : 0);
   }
 
@@ -281,7 +294,9 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
   {
     if (!MetNextIterate(index, frusta, problem.settings.derivative))
     {
-      term.ForwardAt(index, sweep.next, fields.importance.Data());
+      term.ForwardAt(index,
+        { sweep.next, fields.importance.Data(), fields.nodeImportance.Data(),
+          sweep.kept == Kept::Counted ? fields.base.Data() : nullptr });
     }
   }
 }
@@ -290,8 +305,8 @@ template <class AnyDevice>
 void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
   const ProblemFields<AnyDevice>& fields, double weight, float* next)
 {
-  const PolicyKernel<const float*, float*> kernel = KernelOf(
-    problem, fields, { fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne });
+  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields,
+    { fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne, Kept::Ignored });
   for (FrustumRays<AnyDevice>& rays : term.Frusta())
   {
     SweepFrustum(device, rays, term.Occupied(), kernel, nullptr);

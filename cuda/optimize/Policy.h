@@ -21,6 +21,7 @@ struct PolicySweep
   float* next;         ///< the next iterate [1/length]
   double weight;       ///< of the term
   Transmittance transmittance;
+  Kept kept; ///< of the base
 };
 
 /// Sweeps all frusta of a term. Leaves what its rays have seen of the next iterate, and its optical

@@ -78,14 +78,16 @@ struct PolicyKernel
   PolicyVoxel<float> policy;
   Transmittance transmittance;
   bool areaWeighted; ///< whether rays carry the weight of Deviation D1
+  Kept kept;         ///< of the base
 
   template <class Windows>
   PolicyKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
   {
-    return { windows(this->base, FieldUse{ 0 }), windows(this->importance, FieldUse{ 2 }),
+    const FieldUse useOfBase{ this->kept == Kept::Counted ? 2 : 0 };
+    return { windows(this->base, useOfBase), windows(this->importance, FieldUse{ 2 }),
       windows(this->nodeImportance, FieldUse{ 0 }), windows(this->last, FieldUse{ 1 }),
       windows(this->lagged, FieldUse{ 0 }), windows(this->next, FieldUse{ 2, true }), this->policy,
-      this->transmittance, this->areaWeighted };
+      this->transmittance, this->areaWeighted, this->kept };
   }
 
   /// To slice `s`, whose voxels are to be found next. The voxels behind are final.
@@ -163,7 +165,13 @@ private:
       rays.RecallRearImportance(); // LookAhead has sampled it
     }
     rays.SampleFrontImportance(this->importance);
-    rays.ForEachInLayer(CarryAndCollectStep{ rays.States() });
+    if (this->kept == Kept::Ignored)
+    {
+      rays.ForEachInLayer(CarryAndCollectStep<Kept::Ignored>{ rays.States() });
+      return;
+    }
+    rays.SampleKept(this->next, this->base);
+    rays.ForEachInLayer(CarryAndCollectStep<Kept::Counted>{ rays.States() });
   }
 
   /// To the middle of the layer. Its rear half is taken to be as opaque as the slice behind it, as

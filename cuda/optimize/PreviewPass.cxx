@@ -86,7 +86,6 @@ SourceSweeps& PreviewPass::CameraSweeps()
 
 Score PreviewPass::ScoreOf(const float* extinction)
 {
-  const Visible seen = this->CameraSweeps().Score(extinction);
-  return { seen.visible, seen.Fraction() };
+  return this->CameraSweeps().ScoreOf(extinction);
 }
 }

@@ -67,8 +67,11 @@ public:
   /// One more iteration. Returns its record; `seconds` and `iteration` are the caller's business.
   virtual IterationRecord Iterate() = 0;
 
-  /// The record of the extinction that the iterations start from.
+  /// The record of the extinction that the iterations start from; to be called first.
   virtual IterationRecord Start() = 0;
+
+  /// What the camera sees of the base extinction; 0 without a term of its own.
+  virtual Score BaseScore() const = 0;
 
   /// Whether another iteration can still gain something.
   virtual bool Converged() const = 0;

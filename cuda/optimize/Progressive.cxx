@@ -320,12 +320,7 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
   ChosenBackend backend;
   backend.Choose(state.settings, problem.grid);
   const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFrom(problem, problem.camera);
-  const auto scoreOf = [&](const float* extinction) -> Score
-  {
-    const Visible seen = sweeps->Score(extinction);
-    return { seen.visible, seen.Fraction() };
-  };
-  return { scoreOf(this->BaseExtinction()), scoreOf(this->Extinction()) };
+  return { sweeps->ScoreOf(this->BaseExtinction()), sweeps->ScoreOf(this->Extinction()) };
 }
 
 int Progressive::Iterations() const

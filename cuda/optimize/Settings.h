@@ -6,6 +6,7 @@
 
 #include "backend/Choice.h"
 #include "energy/Derivative.h"
+#include "energy/Score.h"
 
 #include <array>
 #include <functional>
@@ -93,10 +94,9 @@ struct IterationRecord
   int iteration = 0; ///< 0 is the base extinction
   int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
   Energy energy;
-  double visibilityScore = 0; ///< S of Eq. (32) [length^2]
-  double visibleFraction = 0; ///< S over the same integral without transmittance [0, 1]
-  double meanChange = 0;      ///< mean |change| of the voxels that may change [majorant]
-  double seconds = 0;         ///< since the start
+  Score score;           ///< from the camera; 0 where its term has no weight
+  double meanChange = 0; ///< mean |change| of the voxels that may change [majorant]
+  double seconds = 0;    ///< since the start
 };
 
 /// Told after every iteration: share of the work done in [0, 1] and a text for the user.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <sstream>
 
 namespace limpid
@@ -43,7 +44,7 @@ struct Solver::Internals
   std::vector<float> lightExtinction;
   std::vector<IterationRecord> history;
   Score base;
-  Score best;
+  mutable std::optional<Score> best; ///< not there: not known yet
   Energy bestEnergy;
   int iterations = 0;
   double seconds = 0;
@@ -131,12 +132,12 @@ struct Solver::Internals
       this->minimizer.reset();
       if (!this->lightRun)
       {
-        this->base = this->best = this->ScoreOf(this->scene.baseExtinction);
+        this->base = this->ScoreOf(this->scene.baseExtinction);
+        this->best = this->base;
         this->bestEnergy.view = -weights.view * this->base.visibility;
         IterationRecord record;
         record.energy = this->bestEnergy;
-        record.visibilityScore = this->base.visibility;
-        record.visibleFraction = this->base.fraction;
+        record.score = this->base;
         this->history.push_back(record);
       }
       return;
@@ -149,18 +150,23 @@ struct Solver::Internals
     {
       return;
     }
-    const Score seen{ record.visibilityScore, record.visibleFraction };
     this->base =
-      this->warm || !(weights.view > 0) ? this->ScoreOf(this->scene.baseExtinction) : seen;
-    this->best = weights.view > 0 ? seen : this->base;
+      this->SeesAlong() ? this->minimizer->BaseScore() : this->ScoreOf(this->scene.baseExtinction);
+    this->best = this->SeesAlong() ? record.score : this->base;
     this->bestEnergy = record.energy;
   }
 
-  Score ScoreOf(const float* field)
+  /// Whether iterations tell what the camera sees.
+  bool SeesAlong() const { return this->problem.settings.weights.view > 0; }
+
+  Score ScoreOf(const float* field) const
   {
-    const Visible seen =
-      this->backend->SweepsFrom(this->problem, this->problem.camera)->Score(field);
-    return { seen.visible, seen.Fraction() };
+    return this->backend->SweepsFrom(this->problem, this->problem.camera)->ScoreOf(field);
+  }
+
+  const std::vector<float>& Extinction() const
+  {
+    return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction;
   }
 
   double Share() const
@@ -184,7 +190,7 @@ struct Solver::Internals
     if (better && !this->lightRun)
     {
       this->bestEnergy = record.energy;
-      this->best = { record.visibilityScore, record.visibleFraction };
+      this->best = this->SeesAlong() ? std::optional<Score>(record.score) : std::nullopt;
     }
     if (progress && !progress(this->Share(), this->Describe(record)))
     {
@@ -208,9 +214,9 @@ struct Solver::Internals
     {
       text << " at 1/" << (1 << record.level) << " resolution";
     }
-    if (!this->lightRun)
+    if (!this->lightRun && this->SeesAlong())
     {
-      text << ": " << 100 * record.visibleFraction << " % of the important structures visible";
+      text << ": " << 100 * record.score.fraction << " % of the important structures visible";
     }
     return text.str();
   }
@@ -310,8 +316,7 @@ bool Solver::Stopped() const
 
 const std::vector<float>& Solver::Extinction() const
 {
-  const Internals& state = *this->State;
-  return state.minimizer && !state.lightRun ? state.minimizer->Best() : state.extinction;
+  return this->State->Extinction();
 }
 
 const std::vector<float>& Solver::LightExtinction() const
@@ -351,7 +356,12 @@ Score Solver::BaseScore() const
 
 Score Solver::BestScore() const
 {
-  return this->State->best;
+  const Internals& state = *this->State;
+  if (!state.best)
+  {
+    state.best = state.ScoreOf(state.Extinction().data());
+  }
+  return *state.best;
 }
 
 Energy Solver::BestEnergy() const

@@ -30,13 +30,6 @@ struct SceneFields
 
 class PreparedScene;
 
-/// Score of an extinction as seen from the camera.
-struct Score
-{
-  double visibility = 0; ///< S of Eq. (32) [length^2]
-  double fraction = 0;   ///< S over the integral of importance times extinction [0, 1]
-};
-
 /**
  * Finds the extinction that minimises Eq. (21) for one camera and one light.
  *

@@ -10,6 +10,8 @@
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"
 
+#include <optional>
+
 namespace limpid
 {
 namespace
@@ -28,14 +30,20 @@ public:
   {
   }
 
-  Visible Score(const float* extinction) override
+  Score ScoreOf(const float* extinction) override
   {
+    const float* base = this->Fields->base.Data();
+    if (!this->Base)
+    {
+      this->Base = this->See(base, nullptr).all;
+    }
+    if (extinction == this->Given.baseExtinction)
+    {
+      return ScoreOfBase(*this->Base);
+    }
     const BorrowedArray<AnyDevice, float> field(this->Device, extinction,
       static_cast<std::size_t>(this->Given.grid.NodeCount()), "the extinction");
-    this->Term.Forward(field.Data(), this->Fields->importance.Data(), this->Sum.Data());
-    Visible seen;
-    this->Sum.Download(&seen);
-    return seen;
+    return limpid::ScoreOf(this->See(field.Data(), base), this->Base->unattenuated);
   }
 
   void SweepPolicyOnce(double weight, std::vector<float>& next) override
@@ -53,6 +61,16 @@ public:
   }
 
 private:
+  /// `base`: null: what is kept is not counted.
+  Seen See(const float* extinction, const float* base)
+  {
+    this->Term.Forward(
+      { extinction, this->Fields->importance.Data(), nullptr, base }, this->Sum.Data());
+    Seen seen;
+    this->Sum.Download(&seen);
+    return seen;
+  }
+
   void Sweep(double weight, float* next)
   {
     SweepFirstPolicy(*this->Device, this->Term, this->Given, *this->Fields, weight, next);
@@ -62,7 +80,8 @@ private:
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Fields;
   VisibilityTerm<AnyDevice> Term;
-  DeviceArray<AnyDevice, Visible> Sum;
+  DeviceArray<AnyDevice, Seen> Sum;
+  std::optional<Visible> Base; ///< not seen yet
 };
 
 template <class AnyDevice>

@@ -20,8 +20,9 @@ class SourceSweeps
 public:
   virtual ~SourceSweeps() = default;
 
-  /// What the source sees of an extinction, grid.NodeCount() values [1/length].
-  virtual Visible Score(const float* extinction) = 0;
+  /// What the source sees of an extinction, grid.NodeCount() values [1/length]. The first call
+  /// costs a sweep more, of the base extinction, unless it is that.
+  virtual Score ScoreOf(const float* extinction) = 0;
 
   /// The first policy sweep, which knows of no transmittance and of this source alone, with the
   /// weight of its term. Writes `next`, grid.NodeCount() values [1/length], where anything may

@@ -58,15 +58,50 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
 }
 
 template <class AnyDevice>
+TermFields Terms<AnyDevice>::FieldsOf(
+  const VisibilityTerm<AnyDevice>& term, const float* extinction) const
+{
+  const bool ofCamera = this->camera && &term == &*this->camera;
+  return { extinction, this->Scene->importance.Data(), this->Scene->nodeImportance.Data(),
+    ofCamera ? this->Scene->base.Data() : nullptr };
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::SeeBase()
+{
+  if (this->camera)
+  {
+    TermFields fields = this->FieldsOf(*this->camera, this->Scene->base.Data());
+    fields.base = nullptr; // all of it is kept
+    this->camera->Forward(fields, &this->Sums()->camera);
+    this->Base = this->Read().camera.all;
+  }
+}
+
+template <class AnyDevice>
+IterationRecord Terms<AnyDevice>::MeasureBase()
+{
+  this->SeeBase();
+  if (this->light)
+  {
+    this->MeasureLagged(this->Scene->base.Data());
+  }
+  this->SumSquares(this->Scene->base.Data());
+  IterationRecord record = this->Record();
+  record.score = this->BaseScore();
+  return record;
+}
+
+template <class AnyDevice>
 IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 {
   if (this->camera)
   {
-    this->camera->Forward(extinction, this->Scene->importance.Data(), &this->Sums()->camera);
+    this->camera->Forward(this->FieldsOf(*this->camera, extinction), &this->Sums()->camera);
   }
   if (this->light)
   {
-    this->light->Forward(extinction, this->Scene->importance.Data(), &this->Sums()->light);
+    this->MeasureLagged(extinction);
   }
   this->SumSquares(extinction);
   return this->Record();
@@ -98,16 +133,15 @@ void Terms<AnyDevice>::DifferentiateLagged(const float* extinction, float* lagge
 template <class AnyDevice>
 void Terms<AnyDevice>::MeasureLagged(const float* extinction)
 {
-  this->light->Forward(extinction, this->Scene->importance.Data(), &this->Sums()->light);
+  this->light->Forward(this->FieldsOf(*this->light, extinction), &this->Sums()->light);
 }
 
 template <class AnyDevice>
 void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
-  const GradientTarget& target, float* gradient, Visible* sum)
+  const GradientTarget& target, float* gradient, Seen* sum)
 {
-  const TermFields fields{ extinction, this->Scene->importance.Data(),
-    this->Scene->nodeImportance.Data() };
-  term.Differentiate(fields, this->Given->settings.derivative, target, gradient, sum);
+  term.Differentiate(
+    this->FieldsOf(term, extinction), this->Given->settings.derivative, target, gradient, sum);
 }
 
 template <class AnyDevice>
@@ -138,10 +172,9 @@ IterationRecord Terms<AnyDevice>::Record() const
   const Weights& weights = this->Given->settings.weights;
   IterationRecord record;
   record.energy.regularization = this->Given->Regularization(sums.moved.squares); // Eq. (22)
-  record.energy.view = -weights.view * sums.camera.visible;                       // Eq. (23)
-  record.energy.light = -weights.light * sums.light.visible;                      // Eq. (24)
-  record.visibilityScore = sums.camera.visible;                                   // Eq. (32)
-  record.visibleFraction = sums.camera.Fraction();
+  record.energy.view = -weights.view * sums.camera.all.visible;                   // Eq. (23)
+  record.energy.light = -weights.light * sums.light.all.visible;                  // Eq. (24)
+  record.score = ScoreOf(sums.camera, this->Base.unattenuated);                   // Eq. (32)
   record.meanChange = this->Given->MeanChange(sums.moved.changes);
   return record;
 }

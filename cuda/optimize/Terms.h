@@ -16,8 +16,8 @@ namespace limpid
 /// What an extinction is worth; zero where there is no such term.
 struct TermSums
 {
-  Visible camera;
-  Visible light;
+  Seen camera;
+  Seen light;        ///< what is kept does not matter
   Differences moved; ///< from the base extinction and from the last iterate
 };
 
@@ -29,8 +29,21 @@ class Terms
 public:
   Terms(std::shared_ptr<AnyDevice> device, const Problem& problem);
 
-  /// Energy and score of an extinction; leaves the optical depths of all rays in the terms.
+  /// Lets the camera see the base extinction, of which records tell shares. Waits.
+  void SeeBase();
+
+  /// The energy and the score of an extinction, once the base was seen; leaves the optical depths
+  /// of all rays in the terms.
   IterationRecord Measure(const float* extinction);
+
+  /// The same of the base extinction, seen on the way.
+  IterationRecord MeasureBase();
+
+  /// Of the base extinction, once it was seen; 0 without a camera.
+  Score BaseScore() const { return ScoreOfBase(this->Base); }
+
+  /// The fields of a term's sweep. What is kept matters to the camera alone.
+  TermFields FieldsOf(const VisibilityTerm<AnyDevice>& term, const float* extinction) const;
 
   /// Finds the derivative of the visibility terms, Eqs. (27) and (28) with their weights, and sees
   /// the extinction for the next record along the way.
@@ -54,7 +67,7 @@ public:
   void SumSquares(const float* extinction);
 
   /// Energy and score of the extinction that all terms have seen and summed, Eqs. (21)-(24) and
-  /// (32). Waits.
+  /// (32), once the base was seen. Waits.
   IterationRecord Record() const;
 
   /// Mean change of the extinction, as summed so far [majorant]. Waits.
@@ -74,13 +87,14 @@ private:
 
   /// The derivative of a visibility term by an extinction.
   void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
-    const GradientTarget& target, float* gradient, Visible* sum);
+    const GradientTarget& target, float* gradient, Seen* sum);
 
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
+  Visible Base;
 };
 }
 

@@ -25,7 +25,7 @@ public:
   RayImages(const std::shared_ptr<AnyDevice>& device, Index rays)
     : Rays(rays)
     , Depths(device, std::size_t(2 * rays), "optical depths")
-    , Others(device, std::size_t(7 * rays), "rays")
+    , Others(device, std::size_t(images * rays), "rays")
   {
   }
 
@@ -37,19 +37,21 @@ public:
     {
       std::swap(depths, collected);
     }
-    float* image[7];
-    for (Index i = 0; i < 7; ++i)
+    float* image[images];
+    for (Index i = 0; i < images; ++i)
     {
       image[i] = this->Others.Data() + i * this->Rays;
     }
     return { depths, collected, image[0], image[1], image[2], image[3], image[4], image[5],
-      image[6] };
+      image[6], image[7], image[8], image[9] };
   }
 
   /// Makes what a sweep has collected the optical depths.
   void KeepCollected() { this->Swapped = !this->Swapped; }
 
 private:
+  static constexpr int images = 10;
+
   Index Rays;
   DeviceArray<AnyDevice, double> Depths;
   DeviceArray<AnyDevice, float> Others;

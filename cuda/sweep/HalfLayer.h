@@ -64,6 +64,15 @@ struct HalfLayer
 
   LIMPID_HD LIMPID_INLINE Real Passed() const { return Real(1) - this->stopped; }
 
+  /// The same half, of whose extinction a share counts as important.
+  LIMPID_HD LIMPID_INLINE HalfLayer CountingShare(Real share) const
+  {
+    HalfLayer half = *this;
+    half.visible *= share;
+    half.unattenuated *= share;
+    return half;
+  }
+
   /// Beyond an optical depth of 1e4 nothing changes any more; sums of such stay exact to 1e-8.
   LIMPID_HD LIMPID_INLINE Real LimitedDepth() const
   {

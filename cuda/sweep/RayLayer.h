@@ -55,6 +55,7 @@ struct RayInLayer
   Range<float> row;    ///< ... in v
   float extinction[2]; ///< [1/length]
   float importance[2]; ///< [0, 1]
+  float kept[2];       ///< what the extinction keeps of the base extinction [1/length]
 
   /// Relative depth where the ray enters the box.
   LIMPID_HD LIMPID_INLINE float Entry() const
@@ -85,9 +86,45 @@ struct RayInLayer
       this->template Half<Cut::Entry>(1).LimitedDepth();
   }
 
+  /// Share of a half's extinction that is kept of the base extinction [0, 1].
+  LIMPID_HD LIMPID_INLINE float KeptShare(int half) const
+  {
+    return this->kept[half] < this->extinction[half] ? this->kept[half] / this->extinction[half]
+                                                     : 1.0f;
+  }
+
   LIMPID_HD LIMPID_INLINE float WholeDepth() const
   {
     return this->Whole(0).LimitedDepth() + this->Whole(1).LimitedDepth();
+  }
+};
+
+/// Both halves of a layer as a ray meets them.
+struct TwoHalves
+{
+  HalfLayer<float> front;
+  HalfLayer<float> rear;
+
+  /// As far as the ray is inside the box.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE static TwoHalves Inside(const RayInLayer<passage>& ray)
+  {
+    return { ray.template Half<Cut::Both>(0), ray.template Half<Cut::Both>(1) };
+  }
+
+  /// Also ahead of its entry.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE static TwoHalves ToExit(const RayInLayer<passage>& ray)
+  {
+    return { ray.template Half<Cut::Exit>(0), ray.template Half<Cut::Exit>(1) };
+  }
+
+  /// What counts where only what is kept of the base extinction does.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE TwoHalves CountingShares(const RayInLayer<passage>& ray) const
+  {
+    return { this->front.CountingShare(ray.KeptShare(0)),
+      this->rear.CountingShare(ray.KeptShare(1)) };
   }
 };
 

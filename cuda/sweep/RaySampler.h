@@ -92,6 +92,15 @@ public:
     this->Ray.importance[1] = this->Here.rearImportance[0];
   }
 
+  LIMPID_HD LIMPID_INLINE void SampleKept(Field extinction, Field base)
+  {
+    for (int half = 0; half < 2; ++half)
+    {
+      this->Ray.kept[half] = this->BlendLayer(LesserOf{ extinction, base }, this->CornerOf(half),
+        this->Frustum.SliceAt(this->S).fractions[half]);
+    }
+  }
+
   /// A device keeps an image of all rays for every slice: it selects each of them.
   LIMPID_HD LIMPID_INLINE bool SelectReadBySlice(int, bool entered, const Range<int>&)
   {
@@ -131,7 +140,8 @@ public:
   {
     step(RayInLayer<Passage::Through>{ this->Ray.layer, this->Ray.length, this->Ray.column,
            this->Ray.row, { this->Ray.extinction[0], this->Ray.extinction[1] },
-           { this->Ray.importance[0], this->Ray.importance[1] } },
+           { this->Ray.importance[0], this->Ray.importance[1] },
+           { this->Ray.kept[0], this->Ray.kept[1] } },
       0);
   }
 
@@ -156,6 +166,18 @@ public:
   }
 
 protected:
+  /// The lesser of two fields at a node.
+  struct LesserOf
+  {
+    Field field;
+    Field other;
+
+    LIMPID_HD LIMPID_INLINE float operator()(Index node) const
+    {
+      return this->field[node] < this->other[node] ? this->field[node] : this->other[node];
+    }
+  };
+
   /// Where a ray meets a plane across the depth axis.
   struct Corner
   {
@@ -175,14 +197,22 @@ protected:
   /// Trilinear in the layer; `along`: weight of its second slice.
   LIMPID_HD LIMPID_INLINE float SampleLayer(Field field, const Corner& corner, float along) const
   {
+    return this->BlendLayer([field](Index node) { return field[node]; }, corner, along);
+  }
+
+  /// The same of values at the nodes.
+  template <class ValueAt>
+  LIMPID_HD LIMPID_INLINE float BlendLayer(
+    const ValueAt& at, const Corner& corner, float along) const
+  {
     const Slice& slice = this->Frustum.SliceAt(this->S);
     const Index strideV = this->Frustum.strideV;
-    const float* front = field + this->Frustum.strideW * slice.nodes[0] + corner.offset;
-    const float* back = field + this->Frustum.strideW * slice.nodes[1] + corner.offset;
-    const auto column = [&](const float* f, const float* b)
+    const Index front = this->Frustum.strideW * slice.nodes[0] + corner.offset;
+    const Index back = this->Frustum.strideW * slice.nodes[1] + corner.offset;
+    const auto column = [&](Index f, Index b)
     {
-      const float first = f[0] + along * (b[0] - f[0]);
-      const float second = f[strideV] + along * (b[strideV] - f[strideV]);
+      const float first = at(f) + along * (at(b) - at(f));
+      const float second = at(f + strideV) + along * (at(b + strideV) - at(f + strideV));
       return first + corner.across * (second - first);
     };
     const float left = column(front, back);

@@ -24,12 +24,28 @@ struct RayStates
   float* ahead;          ///< what `behind` is half way to the slice behind
   float* rearImportance; ///< sampled in the rear half of the layer behind the slice [0, 1]
 
+  float* keptBehind; ///< the same as `behind`, of what is kept of the base extinction; see Kept
+  float* keptVisible;
+  float* keptUnattenuated;
+
   LIMPID_HD LIMPID_INLINE RayStates From(Index ray) const
   {
     return { this->opticalDepth + ray, this->collected + ray, this->behind + ray,
       this->visible + ray, this->unattenuated + ray, this->transmittance + ray, this->density + ray,
-      this->ahead + ray, this->rearImportance + ray };
+      this->ahead + ray, this->rearImportance + ray, this->keptBehind + ray,
+      this->keptVisible + ray, this->keptUnattenuated + ray };
   }
+};
+
+/**
+ * Whether a sweep also counts what is seen of important matter that the data has: the integral of
+ * g min(mu, mu-bar) T, where extinction mu above the base mu-bar attenuates but shows nothing more
+ * (Documentation/Method.md, section on what is visible). min(mu, mu-bar) is taken at the nodes.
+ */
+enum class Kept
+{
+  Ignored,
+  Counted
 };
 
 /// RayStates::visible of a ray whose entry a sweep from the back has not come to yet: no visible
@@ -63,6 +79,9 @@ struct StartBehind
     this->rays.transmittance[i] = 1;
     this->rays.density[i] = 0;
     this->rays.ahead[i] = 0;
+    this->rays.keptBehind[i] = 0;
+    this->rays.keptVisible[i] = notEntered;
+    this->rays.keptUnattenuated[i] = 0;
   }
 };
 
@@ -78,6 +97,8 @@ struct StartInFront
     this->rays.unattenuated[i] = 0;
     this->rays.transmittance[i] = 1;
     this->rays.density[i] = 0;
+    this->rays.keptVisible[i] = 0;
+    this->rays.keptUnattenuated[i] = 0;
   }
 };
 
@@ -89,6 +110,7 @@ struct FinishBehind
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
     this->rays.visible[i] = VisibleOf(this->rays.visible[i], this->rays.behind[i]);
+    this->rays.keptVisible[i] = VisibleOf(this->rays.keptVisible[i], this->rays.keptBehind[i]);
   }
 };
 
@@ -136,6 +158,22 @@ private:
   }
 };
 
+/// The same of what is kept, before ScoreStep goes on: apart from it, so that scores have the same
+/// bits whether that is counted or not.
+struct ScoreKeptStep
+{
+  RayStates rays;
+
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
+  {
+    const TwoHalves kept = TwoHalves::Inside(here).CountingShares(here);
+    const float transmittance = Attenuate(static_cast<float>(this->rays.opticalDepth[i]));
+    this->rays.keptVisible[i] += transmittance * Carried(kept.front, kept.rear, 0);
+    this->rays.keptUnattenuated[i] += kept.front.unattenuated + kept.rear.unattenuated;
+  }
+};
+
 /// Back to front: the optical depth shrinks to that at the front of the layer.
 struct UnwindStep
 {
@@ -150,6 +188,7 @@ struct UnwindStep
 
 /// Back to front, Eqs. (19) and (20): visible importance is carried from the back of the layer to
 /// its front.
+template <Kept kept>
 struct CarryStep
 {
   RayStates rays;
@@ -157,25 +196,36 @@ struct CarryStep
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
-    const float behind = this->rays.behind[i];
-    const HalfLayer<float> front = here.template Half<Cut::Both>(0);
-    const HalfLayer<float> rear = here.template Half<Cut::Both>(1);
-    this->rays.unattenuated[i] += front.unattenuated + rear.unattenuated;
-    const float carried = Carried(front, rear, behind);
-    if (passage == Passage::Through)
+    const TwoHalves inside = TwoHalves::Inside(here);
+    const TwoHalves toExit = TwoHalves::ToExit(here);
+    const bool enters = passage == Passage::Clipped && !HasEntered(this->rays.visible[i]) &&
+      here.Entry() >= here.layer.front;
+    Carry<passage>(inside, toExit, enters, this->rays.behind[i], this->rays.visible[i],
+      this->rays.unattenuated[i]);
+    if (kept == Kept::Counted)
     {
-      this->rays.behind[i] = carried;
-      return;
+      Carry<passage>(inside.CountingShares(here), toExit.CountingShares(here), enters,
+        this->rays.keptBehind[i], this->rays.keptVisible[i], this->rays.keptUnattenuated[i]);
     }
-    const float visible = this->rays.visible[i];
-    const bool enters = !HasEntered(visible) && here.Entry() >= here.layer.front;
-    this->rays.visible[i] = enters ? carried : visible;
-    this->rays.behind[i] =
-      Carried(here.template Half<Cut::Exit>(0), here.template Half<Cut::Exit>(1), behind);
+  }
+
+private:
+  /// `enters`: whether the ray enters the box in the layer.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE static void Carry(const TwoHalves& inside, const TwoHalves& toExit,
+    bool enters, float& behind, float& visible, float& unattenuated)
+  {
+    unattenuated += inside.front.unattenuated + inside.rear.unattenuated;
+    if (passage == Passage::Clipped)
+    {
+      visible = enters ? Carried(inside.front, inside.rear, behind) : visible;
+    }
+    behind = Carried(toExit.front, toExit.rear, behind);
   }
 };
 
 /// Carries visible importance through a layer of a fixed extinction and unwinds the optical depth.
+template <Kept kept>
 struct CarryAndUnwindStep
 {
   RayStates rays;
@@ -183,12 +233,13 @@ struct CarryAndUnwindStep
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
-    CarryStep{ this->rays }(here, i);
+    CarryStep<kept>{ this->rays }(here, i);
     this->rays.opticalDepth[i] += -here.WholeDepth();
   }
 };
 
 /// Carries visible importance through a layer of a new extinction and collects its optical depth.
+template <Kept kept>
 struct CarryAndCollectStep
 {
   RayStates rays;
@@ -196,7 +247,7 @@ struct CarryAndCollectStep
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
-    CarryStep{ this->rays }(here, i);
+    CarryStep<kept>{ this->rays }(here, i);
     this->rays.collected[i] += here.DepthFromEntry();
   }
 };

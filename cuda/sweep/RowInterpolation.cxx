@@ -111,6 +111,30 @@ void InterpolateRow(
 }
 
 LIMPID_MULTIVERSION
+void LesserRow(const float* __restrict first, const float* __restrict second,
+  const Range<int>& columns, float* __restrict out)
+{
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    out[i] = first[i] < second[i] ? first[i] : second[i];
+  }
+}
+
+Range<int> ColumnsAboveZero(const float* values, const Range<int>& columns)
+{
+  Range<int> others = columns;
+  while (!others.Empty() && !(values[others.begin] > 0.0f))
+  {
+    ++others.begin;
+  }
+  while (!others.Empty() && !(values[others.end - 1] > 0.0f))
+  {
+    --others.end;
+  }
+  return others;
+}
+
+LIMPID_MULTIVERSION
 void MultiplyRow(
   float* __restrict values, const float* __restrict factors, const Range<int>& columns)
 {

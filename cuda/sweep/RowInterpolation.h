@@ -43,6 +43,12 @@ void ClampRow(const Range<int>& columns, float* values);
 void InterpolateRow(
   const float* source, const LinearMap& map, const Range<int>& columns, float* out);
 
+/// The lesser of two rows, column by column.
+void LesserRow(const float* first, const float* second, const Range<int>& columns, float* out);
+
+/// The columns of a row outside of which it is 0.
+Range<int> ColumnsAboveZero(const float* values, const Range<int>& columns);
+
 /// values *= factors.
 void MultiplyRow(float* values, const float* factors, const Range<int>& columns);
 }

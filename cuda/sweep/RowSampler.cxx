@@ -17,14 +17,45 @@ namespace
 struct FourRows
 {
   const float* rows[2][2];
+};
 
-  FourRows(const Slice& slice, int v, SliceWindow& field)
+/// Rows of a field.
+struct RowsOfField
+{
+  SliceWindow* field;
+
+  /// Rows v and v + 1 on two slices; of their columns, some are `read`.
+  FourRows At(const int nodes[2], int v, const Range<int>&) const
   {
+    FourRows four{};
     for (int i = 0; i < 2; ++i)
     {
-      this->rows[i][0] = field.Row(slice.nodes[i], v);
-      this->rows[i][1] = field.Row(slice.nodes[i], v + 1);
+      four.rows[i][0] = this->field->Row(nodes[i], v);
+      four.rows[i][1] = this->field->Row(nodes[i], v + 1);
     }
+    return four;
+  }
+};
+
+/// Rows of the lesser of two fields.
+struct RowsOfLesser
+{
+  SliceWindow* field;
+  SliceWindow* other;
+  float* const (&memory)[2][2]; ///< for the four rows
+
+  FourRows At(const int nodes[2], int v, const Range<int>& read) const
+  {
+    const FourRows first = RowsOfField{ this->field }.At(nodes, v, read);
+    const FourRows second = RowsOfField{ this->other }.At(nodes, v, read);
+    FourRows four{};
+    for (int i = 0; i < 4; ++i)
+    {
+      float* lesser = this->memory[i / 2][i % 2];
+      LesserRow(first.rows[i / 2][i % 2], second.rows[i / 2][i % 2], read, lesser);
+      four.rows[i / 2][i % 2] = lesser;
+    }
+    return four;
   }
 };
 
@@ -83,16 +114,26 @@ RowSampler::RowSampler(
 {
   const auto columns = std::size_t(frustum.columns);
   const std::size_t blend = RowScratch(std::max(frustum.nodesU, frustum.columns));
-  float* memory = ThreadScratch(4 * columns + 2 * blend + more);
-  for (std::size_t half = 0; half < 2; ++half)
+  float* memory = ThreadScratch(6 * columns + 6 * blend + more);
+  const auto take = [&memory](std::size_t count)
   {
-    this->Samples.extinction[half] = memory + half * columns;
-    this->Samples.importance[half] = memory + (2 + half) * columns;
-    this->Samples.blend[half] = memory + 4 * columns + half * blend;
+    float* taken = memory;
+    memory += count;
+    return taken;
+  };
+  for (int half = 0; half < 2; ++half)
+  {
+    this->Samples.extinction[half] = take(columns);
+    this->Samples.importance[half] = take(columns);
+    this->Samples.kept[half] = take(columns);
+    this->Samples.blend[half] = take(blend);
+    this->Samples.lesser[half][0] = take(blend);
+    this->Samples.lesser[half][1] = take(blend);
     // Steps that count no importance do not read it, but it has to be somewhere.
     this->Rays.extinction[half] = this->Rays.importance[half] = this->Samples.extinction[half];
+    this->Rays.kept[half] = this->Samples.extinction[half];
   }
-  this->More = memory + 4 * columns + 2 * blend;
+  this->More = memory;
   this->Rays.EnterRow(frustum, row);
 }
 
@@ -110,16 +151,66 @@ bool RowSampler::EnterLayer(int s, bool areaWeighted)
   return true;
 }
 
+/// Brings what a later row of rays will read.
+LIMPID_INLINE void RowSampler::Prefetch(Field field, const Range<int>& columns) const
+{
+  const int later = std::min(this->RowNumber + 2, this->Frustum.rows - 1);
+  const int soon = this->Frustum.Row(this->Frustum.planeRows, 2 * Index(this->S)).index[later] + 1;
+  field->Prefetch(this->Frustum.SliceAt(this->S).nodes[0], soon, columns);
+}
+
+template <class Source>
+void RowSampler::SamplePlane(const Source& source, int half, float* out)
+{
+  const Slice& slice = this->Frustum.SliceAt(this->S);
+  const Index plane = 2 * Index(this->S) + half;
+  const LinearMap columns = this->Frustum.Row(this->Frustum.planeColumns, plane);
+  const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
+  const Range<int> read = ColumnsRead(columns, this->Rays.columns, *source.field);
+  this->Prefetch(source.field, read);
+  const FourRows four = source.At(slice.nodes, rows.index[this->RowNumber], read);
+  BlendFourRows(four.rows, rows.weight[this->RowNumber], slice.fractions[half], read.begin,
+    read.end, this->Samples.blend[0]);
+  InterpolateRow(this->Samples.blend[0], columns, this->Rays.columns, out);
+}
+
+template <class Source>
+void RowSampler::SamplePlanes(const Source& source, float* const out[2])
+{
+  const Index plane = 2 * Index(this->S);
+  const LinearMap columns[2] = { this->Frustum.Row(this->Frustum.planeColumns, plane),
+    this->Frustum.Row(this->Frustum.planeColumns, plane + 1) };
+  const LinearMap rows[2] = { this->Frustum.Row(this->Frustum.planeRows, plane),
+    this->Frustum.Row(this->Frustum.planeRows, plane + 1) };
+  const int v = rows[0].index[this->RowNumber];
+  if (v != rows[1].index[this->RowNumber])
+  {
+    this->SamplePlane(source, 0, out[0]);
+    this->SamplePlane(source, 1, out[1]);
+    return;
+  }
+  const Range<int> read = Hull(ColumnsRead(columns[0], this->Rays.columns, *source.field),
+    ColumnsRead(columns[1], this->Rays.columns, *source.field));
+  this->Prefetch(source.field, read);
+  const float across[2] = { rows[0].weight[this->RowNumber], rows[1].weight[this->RowNumber] };
+  const Slice& slice = this->Frustum.SliceAt(this->S);
+  const FourRows four = source.At(slice.nodes, v, read);
+  BlendFourRowsTwice(four.rows, across, slice.fractions, read.begin, read.end,
+    this->Samples.blend[0], this->Samples.blend[1]);
+  InterpolateRow(this->Samples.blend[0], columns[0], this->Rays.columns, out[0]);
+  InterpolateRow(this->Samples.blend[1], columns[1], this->Rays.columns, out[1]);
+}
+
 void RowSampler::SampleExtinction(Field field)
 {
-  this->SamplePlanes(field, this->Samples.extinction);
+  this->SamplePlanes(RowsOfField{ field }, this->Samples.extinction);
   this->Rays.extinction[0] = this->Samples.extinction[0];
   this->Rays.extinction[1] = this->Samples.extinction[1];
 }
 
 void RowSampler::SampleImportance(Field field)
 {
-  this->SamplePlanes(field, this->Samples.importance);
+  this->SamplePlanes(RowsOfField{ field }, this->Samples.importance);
   for (int half = 0; half < 2; ++half)
   {
     this->HideOutOfView(this->Samples.importance[half]);
@@ -145,7 +236,7 @@ void RowSampler::SampleNothing()
 
 void RowSampler::SampleFrontImportance(Field field)
 {
-  this->SamplePlane(field, 0, this->Samples.importance[0]);
+  this->SamplePlane(RowsOfField{ field }, 0, this->Samples.importance[0]);
   this->HideOutOfView(this->Samples.importance[0]);
   this->Rays.importance[0] = this->Samples.importance[0];
 }
@@ -153,9 +244,28 @@ void RowSampler::SampleFrontImportance(Field field)
 void RowSampler::SampleRearImportance(Field field)
 {
   float* rear = this->States().rearImportance;
-  this->SamplePlane(field, 1, rear);
+  this->SamplePlane(RowsOfField{ field }, 1, rear);
   this->HideOutOfView(rear);
   this->Rays.importance[0] = this->Rays.importance[1] = rear;
+}
+
+void RowSampler::SampleKept(Field extinction, Field base)
+{
+  const Range<int> columns = this->Rays.columns;
+  const Range<int> important = Hull(ColumnsAboveZero(this->Rays.importance[0], columns),
+    ColumnsAboveZero(this->Rays.importance[1], columns));
+  for (int half = 0; half < 2; ++half)
+  {
+    float* kept = this->Samples.kept[half];
+    std::fill(kept + columns.begin, kept + columns.end, 0.0f); // elsewhere it is a share of nothing
+    this->Rays.kept[half] = kept;
+  }
+  if (!important.Empty())
+  {
+    this->Rays.columns = important;
+    this->SamplePlanes(RowsOfLesser{ extinction, base, this->Samples.lesser }, this->Samples.kept);
+    this->Rays.columns = columns;
+  }
 }
 
 bool RowSampler::SelectReadBySlice(int s, bool entered, const Range<int>& dimmed)
@@ -210,54 +320,6 @@ void RowSampler::HideOutOfView(float* importance) const
   }
 }
 
-/// Brings what a later row of rays will read.
-LIMPID_INLINE void RowSampler::Prefetch(Field field, const Range<int>& columns) const
-{
-  const int later = std::min(this->RowNumber + 2, this->Frustum.rows - 1);
-  const int soon = this->Frustum.Row(this->Frustum.planeRows, 2 * Index(this->S)).index[later] + 1;
-  field->Prefetch(this->Frustum.SliceAt(this->S).nodes[0], soon, columns);
-}
-
-void RowSampler::SamplePlane(Field field, int half, float* out)
-{
-  const Slice& slice = this->Frustum.SliceAt(this->S);
-  const Index plane = 2 * Index(this->S) + half;
-  const LinearMap columns = this->Frustum.Row(this->Frustum.planeColumns, plane);
-  const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
-  const Range<int> read = ColumnsRead(columns, this->Rays.columns, *field);
-  this->Prefetch(field, read);
-  const FourRows four(slice, rows.index[this->RowNumber], *field);
-  BlendFourRows(four.rows, rows.weight[this->RowNumber], slice.fractions[half], read.begin,
-    read.end, this->Samples.blend[0]);
-  InterpolateRow(this->Samples.blend[0], columns, this->Rays.columns, out);
-}
-
-void RowSampler::SamplePlanes(Field field, float* const out[2])
-{
-  const Index plane = 2 * Index(this->S);
-  const LinearMap columns[2] = { this->Frustum.Row(this->Frustum.planeColumns, plane),
-    this->Frustum.Row(this->Frustum.planeColumns, plane + 1) };
-  const LinearMap rows[2] = { this->Frustum.Row(this->Frustum.planeRows, plane),
-    this->Frustum.Row(this->Frustum.planeRows, plane + 1) };
-  const int v = rows[0].index[this->RowNumber];
-  if (v != rows[1].index[this->RowNumber])
-  {
-    this->SamplePlane(field, 0, out[0]);
-    this->SamplePlane(field, 1, out[1]);
-    return;
-  }
-  const Range<int> read = Hull(ColumnsRead(columns[0], this->Rays.columns, *field),
-    ColumnsRead(columns[1], this->Rays.columns, *field));
-  this->Prefetch(field, read);
-  const float across[2] = { rows[0].weight[this->RowNumber], rows[1].weight[this->RowNumber] };
-  const Slice& slice = this->Frustum.SliceAt(this->S);
-  const FourRows four(slice, v, *field);
-  BlendFourRowsTwice(four.rows, across, slice.fractions, read.begin, read.end,
-    this->Samples.blend[0], this->Samples.blend[1]);
-  InterpolateRow(this->Samples.blend[0], columns[0], this->Rays.columns, out[0]);
-  InterpolateRow(this->Samples.blend[1], columns[1], this->Rays.columns, out[1]);
-}
-
 /// Where the rays meet the plane at the rear Gauss point, but on the slice behind.
 void RowSampler::SampleBehind(Field field, float* out)
 {
@@ -266,7 +328,8 @@ void RowSampler::SampleBehind(Field field, float* out)
   const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
   const Range<int> read = ColumnsRead(columns, this->Rays.columns, *field);
   this->Prefetch(field, read);
-  const FourRows four(this->Frustum.SliceAt(this->S), rows.index[this->RowNumber], *field);
+  const FourRows four = RowsOfField{ field }.At(
+    this->Frustum.SliceAt(this->S).nodes, rows.index[this->RowNumber], read);
   BlendRows(four.rows[1][0], four.rows[1][1], rows.weight[this->RowNumber], read.begin, read.end,
     this->Samples.blend[0]);
   InterpolateRow(this->Samples.blend[0], columns, this->Rays.columns, out);

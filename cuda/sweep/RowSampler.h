@@ -23,6 +23,7 @@ struct RayRow
   const float* length;        ///< world length per unit of depth
   const float* extinction[2]; ///< at the Gauss points, front and rear [1/length]
   const float* importance[2]; ///< [0, 1]
+  const float* kept[2];       ///< what the extinction keeps of the base extinction [1/length]
   Range<int> columns;         ///< to be visited
   Range<int> inside;          ///< those that are not clipped in u
 
@@ -38,7 +39,7 @@ struct RayRow
   {
     return { this->layer, this->length[i], { this->columnEntry[i], this->columnExit[i] }, this->row,
       { this->extinction[0][i], this->extinction[1][i] },
-      { this->importance[0][i], this->importance[1][i] } };
+      { this->importance[0][i], this->importance[1][i] }, { this->kept[0][i], this->kept[1][i] } };
   }
 
   /// Columns that are inside the box from the front of the layer to its back.
@@ -134,6 +135,10 @@ public:
   /// Takes what SampleRearImportance has left.
   void RecallRearImportance() { this->Rays.importance[1] = this->States().rearImportance; }
 
+  /// Samples what the extinction keeps of the base extinction: the lesser of both at the nodes.
+  /// After SampleExtinction and SampleImportance in the same layer, or what stands for them.
+  void SampleKept(Field extinction, Field base);
+
   /// Selects instead the rays that voxels of slice `s` read with cubics, as far as they have met
   /// anything: the `dimmed` ones before, others in the layer if they entered it (`entered`). Where
   /// they did not, samples are 0. Returns whether there are any.
@@ -197,12 +202,16 @@ private:
   {
     float* extinction[2];
     float* importance[2];
+    float* kept[2];
     float* blend[2];
+    float* lesser[2][2]; ///< rows of voxels, see RowsOfLesser
   };
 
   Range<int> ColumnsFarFromSides() const;
-  void SamplePlane(Field field, int half, float* out);
-  void SamplePlanes(Field field, float* const out[2]);
+  template <class Source>
+  void SamplePlane(const Source& source, int half, float* out);
+  template <class Source>
+  void SamplePlanes(const Source& source, float* const out[2]);
   void SampleBehind(Field field, float* out);
   void HideOutOfView(float* importance) const;
   void Prefetch(Field field, const Range<int>& columns) const;

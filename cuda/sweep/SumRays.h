@@ -10,7 +10,6 @@
 #include "backend/SumOnDevice.h"
 #include "sweep/FrustumRays.h"
 
-#include <algorithm>
 #include <numeric>
 #include <type_traits>
 #include <vector>
@@ -29,12 +28,19 @@ struct Visible
     this->unattenuated += other.unattenuated;
     return *this;
   }
+};
 
-  /// How much of what is important can be seen [0, 1]. Of thin media the two sums differ by
-  /// rounding only.
-  double Fraction() const
+/// What a source sees: of the whole extinction, and of what it keeps of the base extinction.
+struct Seen
+{
+  Visible all;
+  Visible kept; ///< 0 where it is not counted
+
+  Seen& operator+=(const Seen& other)
   {
-    return this->unattenuated > 0 ? std::min(this->visible / this->unattenuated, 1.0) : 0.0;
+    this->all += other.all;
+    this->kept += other.kept;
+    return *this;
   }
 };
 
@@ -99,19 +105,32 @@ double SumOfRays(
   }
 }
 
+/// Of a ray: what it has seen of everything, or of what is kept (Kept::Counted).
+struct SeenByRay
+{
+  const float* visible;
+  const float* unattenuated;
+
+  SeenByRay(const RayStates& rays, Kept kept)
+    : visible(kept == Kept::Counted ? rays.keptVisible : rays.visible)
+    , unattenuated(kept == Kept::Counted ? rays.keptUnattenuated : rays.unattenuated)
+  {
+  }
+};
+
 /// What all rays have seen, into `sum` on the device. Does not wait.
 template <class AnyDevice>
-void SumRays(std::vector<FrustumRays<AnyDevice>>& frusta, SumOnDevice<AnyDevice>& add, Visible* sum,
-  std::size_t)
+void SumRays(std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept, SumOnDevice<AnyDevice>& add,
+  Visible* sum, std::size_t)
 {
   detail::WeightedRay visible;
   detail::WeightedRay unattenuated;
   Index count = 0;
   for (FrustumRays<AnyDevice>& frustum : frusta)
   {
-    const RayStates states = frustum.States();
-    visible.parts[visible.count++] = { frustum.Plan(), states.visible, count };
-    unattenuated.parts[unattenuated.count++] = { frustum.Plan(), states.unattenuated, count };
+    const SeenByRay seen(frustum.States(), kept);
+    visible.parts[visible.count++] = { frustum.Plan(), seen.visible, count };
+    unattenuated.parts[unattenuated.count++] = { frustum.Plan(), seen.unattenuated, count };
     count += frustum.Plan().RayCount();
   }
   add("sum of rays", count, visible, &sum->visible);
@@ -119,16 +138,16 @@ void SumRays(std::vector<FrustumRays<AnyDevice>>& frusta, SumOnDevice<AnyDevice>
 }
 
 /// The processor sums row by row, and the frusta in cyclic order from `first`.
-inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, SumOnDevice<HostDevice>&,
-  Visible* sum, std::size_t first)
+inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept,
+  SumOnDevice<HostDevice>&, Visible* sum, std::size_t first)
 {
   *sum = {};
   for (std::size_t i = 0; i < frusta.size(); ++i)
   {
     FrustumRays<HostDevice>& frustum = frusta[(first + i) % frusta.size()];
-    const RayStates states = frustum.States();
+    const SeenByRay seen(frustum.States(), kept);
     *sum +=
-      { SumOfRays(frustum.Plan(), states.visible), SumOfRays(frustum.Plan(), states.unattenuated) };
+      { SumOfRays(frustum.Plan(), seen.visible), SumOfRays(frustum.Plan(), seen.unattenuated) };
   }
 }
 }

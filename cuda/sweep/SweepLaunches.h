@@ -34,12 +34,15 @@ struct RayHere
   float density = 0;
   float ahead = 0;
   float rearImportance = 0;
+  float keptBehind = 0;
+  float keptVisible = notEntered;
+  float keptUnattenuated = 0;
 
   LIMPID_HD LIMPID_INLINE RayStates States()
   {
     return { &this->opticalDepth, &this->collected, &this->behind, &this->visible,
       &this->unattenuated, &this->transmittance, &this->density, &this->ahead,
-      &this->rearImportance };
+      &this->rearImportance, &this->keptBehind, &this->keptVisible, &this->keptUnattenuated };
   }
 
   LIMPID_HD LIMPID_INLINE void Load(const RayStates& ray)
@@ -50,6 +53,9 @@ struct RayHere
     this->unattenuated = *ray.unattenuated;
     this->transmittance = *ray.transmittance;
     this->density = *ray.density;
+    this->keptBehind = *ray.keptBehind;
+    this->keptVisible = *ray.keptVisible;
+    this->keptUnattenuated = *ray.keptUnattenuated;
   }
 
   LIMPID_HD LIMPID_INLINE void Store(const RayStates& ray) const
@@ -60,6 +66,9 @@ struct RayHere
     *ray.unattenuated = this->unattenuated;
     *ray.transmittance = this->transmittance;
     *ray.density = this->density;
+    *ray.keptBehind = this->keptBehind;
+    *ray.keptVisible = this->keptVisible;
+    *ray.keptUnattenuated = this->keptUnattenuated;
   }
 };
 

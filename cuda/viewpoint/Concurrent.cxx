@@ -122,11 +122,8 @@ private:
       proxy[node] = majorant * this->Fields.importance[node];
     }
     const ViewScore score(
-      this->Fields.grid, proxy.data(), this->Fields.importance, this->Options.rayDensity);
-    ScoredView start;
-    start.direction = this->Direction();
-    start.score = score.At(this->CameraAt(start.direction));
-    start.valid = true;
+      this->Fields.grid, { proxy.data(), this->Fields.importance }, this->Options.rayDensity);
+    const ScoredView start = ViewAt(score, this->Sphere, this->Direction());
     SearchSettings search;
     search.firstStep = firstMove;
     search.viewpoints = 1;
@@ -171,8 +168,9 @@ private:
 
   Vec3 SlopeOfBest() const
   {
-    const ViewScore score(this->Fields.grid, this->Best.solver->Extinction().data(),
-      this->Fields.importance, this->Options.rayDensity);
+    const ViewScore score(this->Fields.grid,
+      { this->Best.solver->Extinction().data(), this->Fields.importance },
+      this->Options.rayDensity);
     return score.SlopeAt(this->Best.camera).slope;
   }
 

@@ -25,22 +25,17 @@ public:
   {
   }
 
-  Visible Score(std::vector<ViewFields::Part>&& parts) const override
+  Seen See(std::vector<ViewFields::Part>&& parts) const override
   {
-    Visible sum;
+    Seen sum;
     for (ViewFields::Part& part : parts)
     {
       const Fields& fields = this->FieldsOf(part);
-      std::vector<FrustumRays<AnyDevice>> rays;
-      rays.emplace_back(this->Device, std::move(part.frustum));
-      SweepForward(*this->Device, rays.front(), *part.fields->occupancy,
-        ScoreKernel<const float*>{ fields.extinction.Data(), fields.importance.Data() });
-      SumOnDevice<AnyDevice> add(this->Device);
-      DeviceArray<AnyDevice, Visible> there(this->Device, 1, "sums");
-      SumRays(rays, add, there.Data(), 0);
-      Visible seen;
-      there.Download(&seen);
-      sum += seen;
+      FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum));
+      SweepForward(*this->Device, rays, *part.fields->occupancy,
+        ScoreKernel<const float*>{
+          fields.extinction.Data(), fields.importance.Data(), fields.base.Data() });
+      sum += this->SumOf(rays, fields);
     }
     return sum;
   }
@@ -64,8 +59,7 @@ public:
       ViewDerivativeKernel<const float*>{
         fields.extinction.Data(), fields.importance.Data(), plan, states });
     const auto sum = [&](const float* image) { return SumOfRays(this->Device, frustum, image); };
-    return { { sum(rays.States().visible), sum(rays.States().unattenuated) },
-      { -sum(states.Gain(0)), -sum(states.Gain(1)) } };
+    return { sum(rays.States().visible), { -sum(states.Gain(0)), -sum(states.Gain(1)) } };
   }
 
 private:
@@ -73,7 +67,20 @@ private:
   {
     BorrowedArray<AnyDevice, float> extinction;
     BorrowedArray<AnyDevice, float> importance;
+    BorrowedArray<AnyDevice, float> base; ///< null: all is kept
   };
+
+  Seen SumOf(FrustumRays<AnyDevice>& rays, const Fields& fields) const
+  {
+    const auto sumOf = [&](Kept kept) -> Visible
+    {
+      const SeenByRay seen(rays.States(), kept);
+      return { SumOfRays(this->Device, rays.Plan(), seen.visible),
+        SumOfRays(this->Device, rays.Plan(), seen.unattenuated) };
+    };
+    const Visible all = sumOf(Kept::Ignored);
+    return { all, fields.base.Data() ? sumOf(Kept::Counted) : all };
+  }
 
   const Fields& FieldsOf(const ViewFields::Part& part) const
   {
@@ -84,7 +91,9 @@ private:
   {
     const std::size_t count = fields.extinction.size();
     return { { this->Device, fields.extinction.data(), count, "the extinction" },
-      { this->Device, fields.importance.data(), count, "the importance" } };
+      { this->Device, fields.importance.data(), count, "the importance" },
+      { this->Device, fields.base.empty() ? nullptr : fields.base.data(), fields.base.size(),
+        "the base extinction" } };
   }
 
   std::shared_ptr<AnyDevice> Device;

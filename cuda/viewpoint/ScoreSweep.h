@@ -5,7 +5,7 @@
 #define limpid_viewpoint_ScoreSweep_h
 
 #include "backend/CompiledDevice.h"
-#include "sweep/SumRays.h"
+#include "energy/Score.h"
 #include "viewpoint/ViewDerivativePlan.h"
 #include "viewpoint/ViewFields.h"
 
@@ -17,7 +17,7 @@ namespace limpid
 /// The score of a family of rays and how it changes when their eye moves.
 struct ViewDerivative
 {
-  Visible score;
+  double score = 0;           ///< [length^2]
   double slope[2] = { 0, 0 }; ///< by either move [length]
 };
 
@@ -28,7 +28,7 @@ public:
   virtual ~ScoreSweep() = default;
 
   /// May be called by several threads. The parts are used up.
-  virtual Visible Score(std::vector<ViewFields::Part>&& parts) const = 0;
+  virtual Seen See(std::vector<ViewFields::Part>&& parts) const = 0;
 
   /// Follows two moves of the eye (ViewDerivativeKernel.h), with layers cut into `cuts` parts. May
   /// be called by several threads. The part is used up.

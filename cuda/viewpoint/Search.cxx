@@ -43,6 +43,16 @@ Camera Orbit::At(const Vec3& direction) const
   return camera;
 }
 
+ScoredView ViewAt(const ViewScore& score, const Orbit& orbit, const Vec3& direction)
+{
+  ScoredView view;
+  view.direction = direction;
+  view.score = score.At(orbit.At(direction));
+  view.worth = view.score.visibility;
+  view.valid = true;
+  return view;
+}
+
 std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress)
 {
@@ -59,8 +69,7 @@ std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
       {
         return;
       }
-      view.score = score.At(orbit.At(view.direction));
-      view.valid = true;
+      view = ViewAt(score, orbit, view.direction);
       const std::lock_guard<std::mutex> lock(mutex);
       ++done;
       if (progress && !progress(double(done) / double(directions.size())))
@@ -76,11 +85,6 @@ namespace
 double AngleBetween(const Vec3& a, const Vec3& b)
 {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
-bool IsBetter(const ScoredView& a, const ScoredView& b)
-{
-  return a.score.visible > b.score.visible;
 }
 
 /// A direction turned by an angle towards another one at right angles to it.
@@ -101,7 +105,7 @@ class Climb
 public:
   Climb(const ViewScore& score, const Orbit& orbit, const SearchSettings& settings,
     const SearchProgress& progress)
-    : Score(score)
+    : Scores(score)
     , From(orbit)
     , Options(settings)
     , Report(progress)
@@ -150,7 +154,7 @@ private:
   ViewSlope AscentAt(const Vec3& direction)
   {
     ++this->Count;
-    ViewSlope slope = this->Score.SlopeAt(this->From.At(direction));
+    ViewSlope slope = this->Scores.SlopeAt(this->From.At(direction));
     slope.slope *= this->From.distance;
     return slope;
   }
@@ -192,16 +196,13 @@ private:
     {
       return;
     }
-    ScoredView middle;
-    middle.direction = Turned(top.direction, (way.x * ways[0] + way.y * ways[1]) / angle, angle);
-    const ViewSlope there = this->AscentAt(middle.direction);
-    middle.score = this->ScoreAt(middle.direction);
-    middle.valid = true;
-    if (glm::length(there.slope) < glm::length(ascent) &&
-      middle.score.visible >= path.front().score.visible &&
-      middle.score.visible >= (1 - uncertainty) * top.score.visible)
+    const Vec3 centre = Turned(top.direction, (way.x * ways[0] + way.y * ways[1]) / angle, angle);
+    const ViewSlope there = this->AscentAt(centre);
+    const ScoredView middle = this->At(centre);
+    if (glm::length(there.slope) < glm::length(ascent) && middle.worth >= path.front().worth &&
+      middle.worth >= (1 - uncertainty) * top.worth)
     {
-      while (path.size() > 1 && path.back().score.visible >= middle.score.visible)
+      while (path.size() > 1 && path.back().worth >= middle.worth)
       {
         path.pop_back();
       }
@@ -209,10 +210,10 @@ private:
     }
   }
 
-  Visible ScoreAt(const Vec3& direction)
+  ScoredView At(const Vec3& direction)
   {
     ++this->Count;
-    return this->Score.At(this->From.At(direction));
+    return ViewAt(this->Scores, this->From, direction);
   }
 
   /// Goes up along a great circle: Eq. (31) with a step that is long enough and not too long
@@ -222,11 +223,8 @@ private:
   {
     while (length >= this->Options.precision && this->GoOn())
     {
-      ScoredView next;
-      next.direction = Turned(here.direction, along, length);
-      next.score = this->ScoreAt(next.direction);
-      next.valid = true;
-      const double gain = next.score.visible - here.score.visible;
+      const ScoredView next = this->At(Turned(here.direction, along, length));
+      const double gain = next.worth - here.worth;
       // The parabola with the slope at the start and the value at the end has its top there.
       const double excess = steepness * length - gain;
       const double top = excess > 0 ? 0.5 * steepness * length * length / excess : 2 * length;
@@ -240,7 +238,7 @@ private:
     return 0;
   }
 
-  const ViewScore& Score;
+  const ViewScore& Scores;
   const Orbit& From;
   const SearchSettings& Options;
   const SearchProgress& Report;

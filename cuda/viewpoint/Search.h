@@ -43,9 +43,18 @@ struct Orbit
 struct ScoredView
 {
   Vec3 direction{ 0.0, 0.0, 1.0 };
-  Visible score;
+  Score score;
+
+  /// What views are ranked by: S where all look at one extinction; the fraction where each has its
+  /// own, whose scores do not compare.
+  double worth = 0;
   bool valid = false; ///< false: it was not evaluated
 };
+
+inline bool IsBetter(const ScoredView& a, const ScoredView& b)
+{
+  return a.worth > b.worth;
+}
 
 struct SearchSettings
 {
@@ -67,6 +76,9 @@ struct SearchResult
 
 /// Called now and then with the share of the work that is done; false: stop and keep what there is.
 using SearchProgress = std::function<bool(double share)>;
+
+/// The view of one extinction from one direction.
+ScoredView ViewAt(const ViewScore& score, const Orbit& orbit, const Vec3& direction);
 
 /// Scores of an orbit from several directions, in parallel. What is not done when `progress` says
 /// stop stays invalid.

@@ -53,8 +53,7 @@ enum class Axes
   Exchanged
 };
 
-SweptFields Copy(const Grid& grid, const float* extinction, const float* importance,
-  const IndexBox& box, Axes axes)
+SweptFields Copy(const Grid& grid, const ViewedFields& viewed, const IndexBox& box, Axes axes)
 {
   SweptFields fields;
   const Int3 size = box.end - box.begin;
@@ -74,6 +73,7 @@ SweptFields Copy(const Grid& grid, const float* extinction, const float* importa
   const auto count = static_cast<std::size_t>(fields.grid.NodeCount());
   fields.extinction.resize(count);
   fields.importance.resize(count);
+  fields.base.resize(viewed.base ? count : 0);
   const Int3& nodes = fields.grid.nodes;
   ParallelFor(Index(nodes.y) * nodes.z, 16,
     [&](Index row)
@@ -86,8 +86,12 @@ SweptFields Copy(const Grid& grid, const float* extinction, const float* importa
       Index source = (Index(first.z) * grid.nodes.y + first.y) * grid.nodes.x + first.x;
       for (Index node = row * nodes.x; node < (row + 1) * nodes.x; ++node, source += step)
       {
-        fields.extinction[std::size_t(node)] = extinction[source];
-        fields.importance[std::size_t(node)] = importance[source];
+        fields.extinction[std::size_t(node)] = viewed.extinction[source];
+        fields.importance[std::size_t(node)] = viewed.importance[source];
+        if (viewed.base)
+        {
+          fields.base[std::size_t(node)] = viewed.base[source];
+        }
       }
     });
   fields.occupancy = std::make_unique<Occupancy>(
@@ -107,12 +111,12 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
 }
 }
 
-ViewFields::ViewFields(const Grid& grid, const float* extinction, const float* importance)
+ViewFields::ViewFields(const Grid& grid, const ViewedFields& viewed)
 {
-  const Occupancy occupancy(grid, extinction, importance, true);
+  const Occupancy occupancy(grid, viewed.extinction, viewed.importance, true);
   const IndexBox box = FilledBox(grid, occupancy);
-  this->Straight = Copy(grid, extinction, importance, box, Axes::Straight);
-  this->Exchanged = Copy(grid, extinction, importance, box, Axes::Exchanged);
+  this->Straight = Copy(grid, viewed, box, Axes::Straight);
+  this->Exchanged = Copy(grid, viewed, box, Axes::Exchanged);
 }
 
 std::vector<ViewFields::Part> ViewFields::PartsOf(const Camera& camera, double rayDensity) const

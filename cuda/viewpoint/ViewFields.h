@@ -13,12 +13,21 @@
 
 namespace limpid
 {
-/// Extinction and importance on a grid, and what is not empty of them.
+/// What views look at: one value per node each; the caller owns them.
+struct ViewedFields
+{
+  const float* extinction;     ///< >= 0 [1/length]
+  const float* importance;     ///< [0, 1]
+  const float* base = nullptr; ///< base extinction [1/length]; null: the extinction is that
+};
+
+/// Copies of such fields, and what is not empty of them.
 struct SweptFields
 {
   Grid grid;
   std::vector<float> extinction;
   std::vector<float> importance;
+  std::vector<float> base;                    ///< empty: the extinction is that
   std::unique_ptr<const Occupancy> occupancy; ///< null: there is nothing to be seen
 };
 
@@ -29,8 +38,8 @@ struct SweptFields
 class ViewFields
 {
 public:
-  /// Both fields: grid.NodeCount() values; they are copied.
-  ViewFields(const Grid& grid, const float* extinction, const float* importance);
+  /// The fields are copied.
+  ViewFields(const Grid& grid, const ViewedFields& viewed);
 
   /// Nodes of the box of what is not empty, along each axis; 0 if all is.
   const Int3& Nodes() const { return this->Straight.grid.nodes; }

@@ -4,6 +4,7 @@
 #include "viewpoint/ViewScore.h"
 
 #include "backend/ComputeBackend.h"
+#include "scene/GridIntegral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,21 +26,25 @@ double DensityOf(const Int3& nodes, double atLeast)
 }
 }
 
-ViewScore::ViewScore(const Grid& grid, const float* extinction, const float* importance,
-  double rayDensity, BackendKind backend)
-  : Fields(std::make_unique<ViewFields>(grid, extinction, importance))
+ViewScore::ViewScore(
+  const Grid& grid, const ViewedFields& viewed, double rayDensity, BackendKind backend)
+  : Fields(std::make_unique<ViewFields>(grid, viewed))
   , RayDensity(DensityOf(this->Fields->Nodes(), rayDensity))
+  , Important(
+      IntegralOfProduct(grid, viewed.importance, viewed.base ? viewed.base : viewed.extinction))
 {
-  // Two fields, twice; the rays of a direction take little.
+  // The fields, twice; the rays of a direction take little.
   const auto nodes = static_cast<std::size_t>(this->Fields->InOrder().grid.NodeCount());
-  const BackendChoice choice = ChooseBackend(backend, 4 * sizeof(float) * nodes);
+  const std::size_t fields = viewed.base ? 3 : 2;
+  const BackendChoice choice = ChooseBackend(backend, 2 * fields * sizeof(float) * nodes);
   this->Name = choice.name;
   this->Sweep = BackendOf(choice.cuda).MakeScoreSweep(*this->Fields);
 }
 
-Visible ViewScore::At(const Camera& camera) const
+Score ViewScore::At(const Camera& camera) const
 {
-  return this->Sweep->Score(this->Fields->PartsOf(camera, this->RayDensity));
+  return ScoreOf(
+    this->Sweep->See(this->Fields->PartsOf(camera, this->RayDensity)), this->Important);
 }
 
 ViewSlope ViewScore::SlopeAt(const Camera& camera) const

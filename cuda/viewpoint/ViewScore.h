@@ -15,7 +15,7 @@ namespace limpid
 /// The score of a camera and how it changes when the camera moves.
 struct ViewSlope
 {
-  Visible score;
+  double score = 0;  ///< S [length^2]
   Vec3 slope{ 0.0 }; ///< dS / d position, across the way to the focal point [length]
 };
 
@@ -24,28 +24,29 @@ struct ViewSlope
  * of the volume counts, in view or not.
  *
  * `backend` as in Settings; throws limpid::Error if it cannot be had. The fields, grid.NodeCount()
- * values each, are copied: extinction >= 0 [1/length], importance
- * [0, 1]. `rayDensity`: rays per voxel and axis, at least; what is small gets more.
+ * values each, are copied. `rayDensity`: rays per voxel and axis, at least; what is small gets
+ * more.
  */
 class ViewScore
 {
 public:
-  ViewScore(const Grid& grid, const float* extinction, const float* importance, double rayDensity,
+  ViewScore(const Grid& grid, const ViewedFields& viewed, double rayDensity,
     BackendKind backend = BackendKind::Cpu);
 
   /// What computes, for the user.
   const std::string& BackendName() const { return this->Name; }
 
-  /// S of Eq. (32) and its bound. May be called by several threads.
-  Visible At(const Camera& camera) const;
+  /// May be called by several threads.
+  Score At(const Camera& camera) const;
 
-  /// The same, from more samples at a `rayDensity` of two and more, and its derivative by the
-  /// camera's position, from one sweep (Documentation/Method.md, section on viewpoints).
+  /// S, from more samples at a `rayDensity` of two and more, and its derivative by the camera's
+  /// position, from one sweep (Documentation/Method.md, section on viewpoints).
   ViewSlope SlopeAt(const Camera& camera) const;
 
 private:
   std::unique_ptr<const ViewFields> Fields; ///< where it is, whoever owns the scores
   double RayDensity;
+  double Important; ///< the integral of importance times base extinction [length^2]
   std::string Name;
   std::unique_ptr<ScoreSweep> Sweep;
 };

@@ -103,7 +103,7 @@ Json Follow(Solver& solver, const Stopwatch& start)
   const auto note = [&]()
   {
     const IterationRecord& record = solver.History().back();
-    history.push_back({ record.iteration, record.level, start.Elapsed(), record.visibilityScore,
+    history.push_back({ record.iteration, record.level, start.Elapsed(), record.score.visibility,
       record.energy.Total() });
   };
   note();

@@ -45,7 +45,7 @@ SampledTransmittance TransmittanceOf(
 {
   VisibilityTerm<HostDevice> term(
     HostDevice::Shared(), swept.source.grid, swept.everything, source, rayDensity);
-  Visible seen;
+  Seen seen;
   const std::vector<float> none(swept.gradient.size(), 0.0f);
   const std::vector<float> ones(swept.gradient.size(), 1.0f);
   SampledTransmittance sampled;
@@ -67,7 +67,7 @@ double SlopeError(
   const TermFields fields{ scene.extinction.data(), scene.importance.data(),
     swept.nodeImportance.data() };
   std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
-  Visible seen;
+  Seen seen;
   camera.Differentiate( // F_q is -q S
     fields, derivative, { 1.0f, -1.0f }, swept.gradient.data(), &seen);
   return truth.SlopeError(swept.gradient);
@@ -80,9 +80,9 @@ Json AccuracyAt(Swept& swept, const Truth& truth, double rayDensity)
     HostDevice::Shared(), scene.grid, swept.needed, swept.camera, rayDensity);
   const auto score = [&](int which)
   {
-    Visible seen;
-    camera.Forward(truth.Extinction(which).data(), scene.importance.data(), &seen);
-    return seen.visible;
+    Seen seen;
+    camera.Forward({ truth.Extinction(which).data(), scene.importance.data() }, &seen);
+    return seen.all.visible;
   };
   Json accuracy{ { "ray_density", rayDensity } };
   const double base = score(0);

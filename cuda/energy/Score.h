@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_Score_h
+#define limpid_energy_Score_h
+
+#include "sweep/SumRays.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+/**
+ * What a camera sees of importance g through an extinction mu.
+ *
+ * The fractions are shares of the important matter that the data has, the integral of g mu-bar with
+ * the base extinction mu-bar. What was removed counts as not seen; what is thicker than the base
+ * attenuates, but does not show the same matter twice (Documentation/Method.md, section on what is
+ * visible).
+ */
+struct Score
+{
+  double visibility = 0; ///< S of Eq. (32) [length^2]
+  double fraction = 0;   ///< whose light reaches the eye: integral of g min(mu, mu-bar) T [0, 1]
+  double sacrificed = 0; ///< that was removed: 1 less the integral of g min(mu, mu-bar) [0, 1]
+};
+
+/// `important`: the integral of g mu-bar [length^2]; 0: there is nothing to be seen.
+inline Score ScoreOf(const Seen& seen, double important)
+{
+  Score score;
+  score.visibility = seen.all.visible;
+  if (important > 0)
+  {
+    // Of thin media these differ by rounding only.
+    score.fraction = std::min(seen.kept.visible / important, 1.0);
+    score.sacrificed = std::clamp(1 - seen.kept.unattenuated / important, 0.0, 1.0);
+  }
+  return score;
+}
+
+/// Of the base extinction itself.
+inline Score ScoreOfBase(const Visible& base)
+{
+  return ScoreOf({ base, base }, base.unattenuated);
+}
+}
+
+#endif
