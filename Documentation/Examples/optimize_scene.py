@@ -42,6 +42,7 @@ def optimize(scene):
     optimizer.CameraViewUp = scene.view_up
     optimizer.CameraViewAngle = scene.view_angle
     optimizer.LightPosition = scene.light
+    optimizer.ProtectImportance = 1  # as the display does by default
     optimizer.UpdatePipeline()
     if optimizer.PointData["Extinction"] is None:
         raise SystemExit("The optimisation failed; its message is above.")
@@ -53,7 +54,8 @@ def results(optimizer):
     fields = optimizer.FieldData
     return {name: fields[name].GetRange()[0]
             for name in ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction",
-                         "BaseVisibleFraction", "Energy", "Iterations", "Seconds")}
+                         "BaseVisibleFraction", "SacrificedFraction", "Energy", "Iterations",
+                         "Seconds")}
 
 
 def make_view(scene):
@@ -127,6 +129,7 @@ Becomes visible: {becomes_visible}
 | --- | --- | --- |
 | visibility score S | {BaseVisibilityScore:.6g} | {VisibilityScore:.6g} |
 | visible share of what is important | {base:.1f} % | {best:.1f} % |
+| removed share of what is important | 0 % | {removed:.1f} % |
 
 {Iterations:.0f} iterations in {Seconds:.2f} s on {backend}.
 
@@ -135,7 +138,7 @@ representation Optimized Volume under the scene's light: before with the method 
 Optimized.
 """.format(title=scene.title, becomes_visible=scene.becomes_visible, backend=backend,
            base=100 * numbers["BaseVisibleFraction"], best=100 * numbers["VisibleFraction"],
-           **numbers)
+           removed=100 * numbers["SacrificedFraction"], **numbers)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 
@@ -164,8 +167,9 @@ def main():
     print("{}: S {:.6g} before, {:.6g} after ({:+.1f} %)".format(
         scene.title, numbers["BaseVisibilityScore"], numbers["VisibilityScore"],
         100 * (numbers["VisibilityScore"] / numbers["BaseVisibilityScore"] - 1)))
-    print("  visible share of what is important: {:.1f} % before, {:.1f} % after".format(
-        100 * numbers["BaseVisibleFraction"], 100 * numbers["VisibleFraction"]))
+    print("  visible share of what is important: {:.1f} % before, {:.1f} % after, {:.1f} % "
+          "removed".format(100 * numbers["BaseVisibleFraction"], 100 * numbers["VisibleFraction"],
+                           100 * numbers["SacrificedFraction"]))
     print("  {:.0f} iterations in {:.2f} s on {}".format(
         numbers["Iterations"], numbers["Seconds"], backend))
 

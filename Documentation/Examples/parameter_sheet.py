@@ -6,7 +6,8 @@
   pvpython parameter_sheet.py --plugin Limpid.so --property NAME --values A B ... --output SHEET.png
     [FILE.scene.json ...]
 
-Without scenes: the embedded phantom. S is the visibility score of each picture.
+Without scenes: the embedded phantom. Above each picture, the shares of what is important that are
+visible and removed.
 """
 
 import argparse
@@ -31,7 +32,8 @@ DOTS = 130  # per inch
 
 
 def pictures(scene, name, values):
-    """A picture and its score for every value."""
+    """A picture for every value, and the display that made it; prints its numbers: S, and the shares
+    of what is important that are visible before and after, and removed, in percent."""
     view = optimize_scene.make_view(scene)
     display = optimize_scene.show(scene, view)
     if name not in display.ListProperties():
@@ -43,7 +45,10 @@ def pictures(scene, name, values):
             setattr(display, name, value)
             simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
             display.UpdatePropertyInformation()
-            yield pyplot.imread(path), display.VisibilityScore
+            print("| {} | {:g} | {:.5g} | {:.1f} | {:.1f} | {:.1f} |".format(
+                scene.title, value, display.VisibilityScore, 100 * display.BaseVisibleFraction,
+                100 * display.VisibleFraction, 100 * display.SacrificedFraction), flush=True)
+            yield pyplot.imread(path), display
     simple.Delete(view)
 
 
@@ -65,12 +70,13 @@ def main():
     for scene, row in zip(rows, axes):
         scene.source.UpdatePipeline()
         shown = pictures(scene, arguments.property, arguments.values)
-        for axis, value, (picture, score) in zip(row, arguments.values, shown):
+        for axis, value, (picture, display) in zip(row, arguments.values, shown):
             axis.set_axis_off()
             axis.imshow(picture)
             title = "{}\n".format(scene.title) if axis is row[0] else "\n"
-            axis.set_title("{}{} {:g}: S {:.5g}".format(title, arguments.property, value, score),
-                           fontsize=7, pad=3, loc="left")
+            axis.set_title("{}{} {:g}: {:.1f} % visible, {:.1f} % removed".format(
+                title, arguments.property, value, 100 * display.VisibleFraction,
+                100 * display.SacrificedFraction), fontsize=6, pad=3, loc="left")
         simple.Delete(scene.source)
     figure.tight_layout(pad=0.4)
     figure.savefig(arguments.output, dpi=DOTS)

@@ -25,6 +25,7 @@ vtkTransmittanceVolumeMapper::vtkTransmittanceVolumeMapper()
 {
   this->Settings->SetScalarComponent(UNDECIDED);
   this->Settings->SetRestrictToView(1);
+  this->Settings->SetProtectImportance(1);
   static_assert(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS == 3,
     "the default of ImportanceArrayAssociation in the header");
 }

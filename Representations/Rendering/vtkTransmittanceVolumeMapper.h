@@ -103,7 +103,7 @@ public:
   /**
    * Importance, weights, own light and solver, see vtkVisibilitySettings; null changes nothing.
    * By default, ScalarComponent is UNDECIDED here, which is MAGNITUDE with a warning if there are
-   * several components, and RestrictToView is on.
+   * several components, RestrictToView is on, and ProtectImportance is 1.
    */
   virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
   vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }

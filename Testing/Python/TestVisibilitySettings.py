@@ -19,7 +19,7 @@ OWN_DEFAULTS = {
     vtkExtinctionOptimizer: {},
     vtkViewpointSearch: {"MaximumIterations": 1},
     vtkTransmittanceVolumeMapper: {"ScalarComponent": vtkTransmittanceVolumeMapper.UNDECIDED,
-                                   "RestrictToView": 1},
+                                   "RestrictToView": 1, "ProtectImportance": 1},
 }
 
 
