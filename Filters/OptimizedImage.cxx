@@ -144,6 +144,7 @@ void AddSummary(const Solver& solver, vtkFieldData* output)
   AddValue<vtkDoubleArray>("SacrificedFraction", solver.BestScore().sacrificed, output);
   AddValue<vtkDoubleArray>("Energy", solver.BestEnergy().Total(), output);
   AddValue<vtkIntArray>("Iterations", solver.Iterations(), output);
+  AddValue<vtkIntArray>("Settled", solver.Settled() ? 1 : 0, output);
   AddValue<vtkDoubleArray>("Seconds", solver.Seconds(), output);
   AddValue<vtkStringArray>("Backend", solver.BackendName(), output);
 }

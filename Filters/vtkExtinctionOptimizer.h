@@ -25,7 +25,8 @@
  * "VisibilityScore" and "BaseVisibilityScore" (S of Eq. (32), [length^2]), "VisibleFraction" and
  * "BaseVisibleFraction" (of the important matter in the data, the share whose light reaches the
  * camera, [0, 1]), "SacrificedFraction" (the share that was removed, [0, 1]), "Energy",
- * "Iterations", "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
+ * "Iterations", "Settled" (1: another iteration would change next to nothing; 0: they ended at a
+ * limit), "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
  * "LightPosition", "ScalarOpacityUnitDistance" (all as used), and with OptimizeViewpoint
  * "StartVisibilityScore" and "StartVisibleFraction" (of the extinction alone).
  * Output port 1: vtkTable, one row per iteration.

@@ -36,7 +36,7 @@ std::string Progress(vtkTransmittanceVolumeMapper* mapper)
     return "optimizing ...";
   }
   const int iterations = mapper->GetIterations();
-  return "converged, " + std::to_string(iterations) +
+  return (mapper->GetSettled() ? "converged, " : "stopped at ") + std::to_string(iterations) +
     (iterations == 1 ? " iteration" : " iterations");
 }
 }

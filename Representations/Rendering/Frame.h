@@ -43,6 +43,7 @@ struct FrameResult
   Score score;
   Score baseScore;
   bool converged = true;
+  bool settled = true; ///< whether the optimisation did not end at a limit
   int iterations = 0;
   std::string light;
   std::string backend;

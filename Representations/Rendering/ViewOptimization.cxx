@@ -171,6 +171,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   result.score = frame.optimize ? scores.best : scores.base;
   result.baseScore = scores.base;
   result.iterations = this->Optimizer->Iterations();
+  result.settled = this->Optimizer->Settled();
   result.backend = this->Optimizer->BackendName();
   result.converged =
     frame.still && (frozen || this->Optimizer->Converged()) && this->Remaining == 0;

@@ -95,6 +95,11 @@ bool vtkTransmittanceVolumeMapper::GetConverged() const
   return this->State->Last.converged;
 }
 
+bool vtkTransmittanceVolumeMapper::GetSettled() const
+{
+  return this->State->Last.settled;
+}
+
 int vtkTransmittanceVolumeMapper::GetIterations() const
 {
   return this->State->Last.iterations;

@@ -329,6 +329,12 @@ public:
   bool GetConverged() const;
 
   /**
+   * Whether the optimization of a converged frame ended because another iteration would change next
+   * to nothing, and not at MaximumIterations or MaximumSeconds.
+   */
+  bool GetSettled() const;
+
+  /**
    * Iterations of the optimization at full resolution for the last frame.
    */
   int GetIterations() const;

@@ -20,7 +20,7 @@ SINGLE = float(np.finfo(np.float32).eps)
 RESULTS = ("Extinction", "Opacity", "BaseExtinction", "Importance", "Transmittance",
            "LightTransmittance", "MissedImportance")
 SUMMARY = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
-           "SacrificedFraction", "Energy", "Iterations", "Seconds", "Backend")
+           "SacrificedFraction", "Energy", "Iterations", "Settled", "Seconds", "Backend")
 
 
 def optimizer(image, **properties):
@@ -85,6 +85,12 @@ class TestOutput(OptimizerTest):
         self.assertLessEqual(number(output, "VisibleFraction") +
                              number(output, "SacrificedFraction"), 1)
         self.assertNotEqual(output.GetFieldData().GetAbstractArray("Backend").GetValue(0), "")
+
+    def test_says_whether_it_ended_at_a_limit(self):
+        for tolerance, settled in ((0, 0), (1, 1)):
+            output = self.run_filter(phantom(), Tolerance=tolerance)
+            self.assertEqual(number(output, "Settled"), settled)
+            self.assertEqual(number(output, "Iterations") < 8, settled == 1)
 
     def test_missed_importance_is_what_is_removed_or_hidden(self):
         output = self.run_filter(phantom(64))

@@ -229,6 +229,11 @@ bool Progressive::Converged() const
   return this->State->solver && this->State->solver->Done();
 }
 
+bool Progressive::Settled() const
+{
+  return !this->State->solver || this->State->solver->Settled();
+}
+
 const Grid& Progressive::ShownGrid() const
 {
   const Internals& state = *this->State;

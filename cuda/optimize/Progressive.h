@@ -56,6 +56,7 @@ public:
 
   bool HasBegun() const;  ///< whether Refine was called for the present view
   bool Converged() const; ///< whether Refine has nothing left to do for the present view
+  bool Settled() const;   ///< false: it has for a limit, if it has, see Solver::Settled
 
   /// What is to be shown now; the same box as the scene's grid. Valid after Preview or Refine.
   const Grid& ShownGrid() const;

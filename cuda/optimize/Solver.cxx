@@ -50,6 +50,7 @@ struct Solver::Internals
   double seconds = 0;
   bool done = false;
   bool stopped = false;
+  bool settled = false;
   bool warm = false;
 
   void Set(const Camera& eye, const Light& lamp, const Settings& wanted)
@@ -69,6 +70,7 @@ struct Solver::Internals
     this->seconds = 0;
     this->done = false;
     this->stopped = false;
+    this->settled = true;
     this->lightRun = false;
     this->base = Score();
     this->best = Score();
@@ -226,6 +228,7 @@ struct Solver::Internals
     std::vector<float>& result = this->lightRun ? this->lightExtinction : this->extinction;
     if (this->minimizer)
     {
+      this->settled = this->settled && this->minimizer->Converged();
       result = this->minimizer->TakeBest();
       this->minimizer.reset();
     }
@@ -323,6 +326,11 @@ const std::vector<float>& Solver::LightExtinction() const
 {
   const Internals& state = *this->State;
   return state.minimizer && state.lightRun ? state.minimizer->Best() : state.lightExtinction;
+}
+
+bool Solver::Settled() const
+{
+  return this->State->done && this->State->settled;
 }
 
 bool Solver::HasResult() const

@@ -66,6 +66,10 @@ public:
   bool Done() const;
   bool Stopped() const; ///< whether `progress` asked to stop
 
+  /// Whether every run ended because another iteration would change next to nothing; else it was a
+  /// limit, of iterations or time, or `progress`.
+  bool Settled() const;
+
   /// Best iterate so far, grid.NodeCount() values [1/length].
   const std::vector<float>& Extinction() const;
 
