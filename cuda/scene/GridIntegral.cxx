@@ -60,7 +60,7 @@ public:
       for (int di = -1; di <= 1; ++di)
       {
         const double weight = Overlap(i, di, this->Nodes.x);
-        along += weight > 0 ? weight * across[std::size_t(i + di)] : 0.0;
+        along += weight > 0 ? weight * across[std::size_t(Index(i) + di)] : 0.0;
       }
       sum += double(row[i]) * along;
     }
