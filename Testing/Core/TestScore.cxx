@@ -5,13 +5,11 @@
 // is seen and is removed. Against the independent march and closed forms.
 
 #include "Tolerance.h"
-#include "TurnedMarch.h"
 #include "ViewScene.h"
 
 #include "backend/HostDevice.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/SolverBackend.h"
-#include "scene/GridIntegral.h"
 
 #include <gtest/gtest.h>
 
@@ -40,28 +38,13 @@ std::vector<float> Changed(const BoxScene& scene)
   return changed;
 }
 
-/// min(mu, mu-bar) at the nodes.
-std::vector<float> KeptOf(const BoxScene& scene, const std::vector<float>& extinction)
-{
-  std::vector<float> kept(extinction.size());
-  std::transform(extinction.begin(), extinction.end(), scene.extinction.begin(), kept.begin(),
-    [](float now, float base) { return std::min(now, base); });
-  return kept;
-}
-
 Score ScoreByMarch(const BoxScene& scene, const std::vector<float>& extinction)
 {
-  const std::vector<float> kept = KeptOf(scene, extinction);
-  const double important = truth::ImportantExtinction(scene.TruthWith(scene.extinction));
-  truth::Volume<float> volume = scene.TruthWith(extinction);
   truth::Sampling sampling;
   sampling.raysPerVoxel = 4;
-  Score score;
-  score.visibility = truth::VisibilityScore(volume, scene.Eye(), sampling);
-  volume.counted = kept.data();
-  score.fraction = truth::VisibilityScore(volume, scene.Eye(), sampling) / important;
-  score.sacrificed = 1 - truth::ImportantExtinction(volume) / important;
-  return score;
+  const truth::Shares shares =
+    truth::SharesOf(scene.TruthWith(extinction), scene.extinction.data(), scene.Eye(), sampling);
+  return { scene.TrueScore(extinction), shares.visible, shares.removed };
 }
 
 Score ScoreOf(const BoxScene& scene, const std::vector<float>& extinction)

@@ -164,6 +164,22 @@ double ImportantExtinction(const Volume<Value>& volume)
 }
 
 template <class Value>
+Shares SharesOf(
+  const Volume<Value>& volume, const Value* base, const Source& source, const Sampling& sampling)
+{
+  const auto count = static_cast<std::size_t>(volume.lattice.Count());
+  std::vector<Value> kept(count);
+  std::transform(volume.extinction, volume.extinction + count, base, kept.begin(),
+    [](Value now, Value before) { return std::min(now, before); });
+  Volume<Value> counted = volume;
+  counted.counted = base;
+  const double important = ImportantExtinction(counted);
+  counted.counted = kept.data();
+  return { VisibilityScore(counted, source, sampling) / important,
+    1 - ImportantExtinction(counted) / important };
+}
+
+template <class Value>
 double OpticalDepth(const Volume<Value>& volume, const Source& source, const Vector& position)
 {
   const GaussRule unused(1);
@@ -207,6 +223,7 @@ template double VisibilityScore(const Volume<float>&, const Source&, const Sampl
 template double VisibilityScore(const Volume<double>&, const Source&, const Sampling&);
 template double ImportantExtinction(const Volume<float>&);
 template double ImportantExtinction(const Volume<double>&);
+template Shares SharesOf(const Volume<float>&, const float*, const Source&, const Sampling&);
 template double OpticalDepth(const Volume<float>&, const Source&, const Vector&);
 template double OpticalDepth(const Volume<double>&, const Source&, const Vector&);
 template double Transmittance(const Volume<float>&, const Source&, const Vector&);

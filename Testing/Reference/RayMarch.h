@@ -79,6 +79,19 @@ double VisibilityScore(const Volume<Value>& volume, const Source& source, const 
 template <class Value>
 double ImportantExtinction(const Volume<Value>& volume);
 
+/// Of the important matter of a base extinction, the shares that are seen through the volume's
+/// extinction and that it has removed [0, 1]. What is kept is the lesser of both at the nodes; the
+/// volume's own `counted` does not matter.
+struct Shares
+{
+  double visible;
+  double removed;
+};
+
+template <class Value>
+Shares SharesOf(
+  const Volume<Value>& volume, const Value* base, const Source& source, const Sampling& sampling);
+
 /// Optical depth between the source and a position in the box.
 template <class Value>
 double OpticalDepth(const Volume<Value>& volume, const Source& source, const Vector& position);

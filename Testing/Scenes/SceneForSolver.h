@@ -113,17 +113,11 @@ struct SceneOfFile : SceneForSolver
   /// What the march says of an extinction (energy/Score.h).
   Score MarchScore(const std::vector<float>& extinctionThere, double raysPerVoxel = 3) const
   {
-    std::vector<float> kept(extinctionThere.size());
-    std::transform(extinctionThere.begin(), extinctionThere.end(), this->file.extinction.begin(),
-      kept.begin(), [](float now, float base) { return std::min(now, base); });
-    truth::Volume<float> counted = this->file.FieldsWith(extinctionThere);
-    counted.counted = kept.data();
     truth::Sampling sampling;
     sampling.raysPerVoxel = raysPerVoxel;
-    const double important = truth::ImportantExtinction(this->file.Fields());
-    return { this->March(extinctionThere, raysPerVoxel),
-      truth::VisibilityScore(counted, this->file.Eye(), sampling) / important,
-      1 - truth::ImportantExtinction(counted) / important };
+    const truth::Shares shares = truth::SharesOf(this->file.FieldsWith(extinctionThere),
+      this->file.extinction.data(), this->file.Eye(), sampling);
+    return { this->March(extinctionThere, raysPerVoxel), shares.visible, shares.removed };
   }
 };
 }

@@ -221,4 +221,36 @@ void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
       }
     });
 }
+
+double ImportantExtinction(const Grid& grid, const float* baseExtinction, const float* importance)
+{
+  const std::vector<float> mean = NodeImportanceOfFilled(grid, baseExtinction, importance);
+  const Int3& nodes = grid.nodes;
+  // Integral of a node's hat along an axis [spacing].
+  const auto hat = [](int k, int count) { return 0.5 * (int(k > 0) + int(k + 1 < count)); };
+  const auto sumOfRow = [&](Index row)
+  {
+    const Index first = row * nodes.x;
+    double sum = 0;
+    for (int i = 0; i < nodes.x; ++i)
+    {
+      sum +=
+        hat(i, nodes.x) * double(baseExtinction[first + i]) * double(mean[std::size_t(first + i)]);
+    }
+    return sum * hat(static_cast<int>(row % nodes.y), nodes.y) *
+      hat(static_cast<int>(row / nodes.y), nodes.z);
+  };
+  const Index rows = Index(nodes.y) * nodes.z;
+  return grid.CellVolume() *
+    ParallelBlockSum(rows,
+      [&](Index begin, Index end)
+      {
+        double sum = 0;
+        for (Index row = begin; row < end; ++row)
+        {
+          sum += sumOfRow(row);
+        }
+        return sum;
+      });
+}
 }

@@ -26,6 +26,10 @@ namespace limpid
 std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance);
 
+/// The integral of importance times base extinction, both trilinear between the nodes, over their
+/// box: all that there is to be seen [length^2]. The same for any number of threads.
+double ImportantExtinction(const Grid& grid, const float* baseExtinction, const float* importance);
+
 /// Is told that some rows of a slice are complete.
 using MeanRows = std::function<void(int slice, const Range<int>& rows)>;
 

@@ -69,7 +69,7 @@ TermFields Terms<AnyDevice>::FieldsOf(
 template <class AnyDevice>
 void Terms<AnyDevice>::SeeBase()
 {
-  if (this->camera)
+  if (this->camera && !this->Base)
   {
     TermFields fields = this->FieldsOf(*this->camera, this->Scene->base.Data());
     fields.base = nullptr; // all of it is kept
@@ -174,7 +174,7 @@ IterationRecord Terms<AnyDevice>::Record() const
   record.energy.regularization = this->Given->Regularization(sums.moved.squares); // Eq. (22)
   record.energy.view = -weights.view * sums.camera.all.visible;                   // Eq. (23)
   record.energy.light = -weights.light * sums.light.all.visible;                  // Eq. (24)
-  record.score = ScoreOf(sums.camera, this->Base.unattenuated);                   // Eq. (32)
+  record.score = ScoreOf(sums.camera, this->Base ? this->Base->unattenuated : 0); // Eq. (32)
   record.meanChange = this->Given->MeanChange(sums.moved.changes);
   return record;
 }

@@ -29,18 +29,18 @@ class Terms
 public:
   Terms(std::shared_ptr<AnyDevice> device, const Problem& problem);
 
-  /// Lets the camera see the base extinction, of which records tell shares. Waits.
+  /// Lets the camera see the base extinction, of which records tell shares, once. Waits.
   void SeeBase();
 
   /// The energy and the score of an extinction, once the base was seen; leaves the optical depths
   /// of all rays in the terms.
   IterationRecord Measure(const float* extinction);
 
-  /// The same of the base extinction, seen on the way.
+  /// The same of the base extinction, seen on the way; before any other extinction is seen.
   IterationRecord MeasureBase();
 
   /// Of the base extinction, once it was seen; 0 without a camera.
-  Score BaseScore() const { return ScoreOfBase(this->Base); }
+  Score BaseScore() const { return this->Base ? ScoreOfBase(*this->Base) : Score(); }
 
   /// The fields of a term's sweep. What is kept matters to the camera alone.
   TermFields FieldsOf(const VisibilityTerm<AnyDevice>& term, const float* extinction) const;
@@ -94,7 +94,7 @@ private:
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
-  Visible Base;
+  std::optional<Visible> Base; ///< not there: not seen yet, or no camera
 };
 }
 

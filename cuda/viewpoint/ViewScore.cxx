@@ -4,7 +4,7 @@
 #include "viewpoint/ViewScore.h"
 
 #include "backend/ComputeBackend.h"
-#include "scene/GridIntegral.h"
+#include "energy/NodeImportance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ ViewScore::ViewScore(
   : Fields(std::make_unique<ViewFields>(grid, viewed))
   , RayDensity(DensityOf(this->Fields->Nodes(), rayDensity))
   , Important(
-      IntegralOfProduct(grid, viewed.importance, viewed.base ? viewed.base : viewed.extinction))
+      ImportantExtinction(grid, viewed.base ? viewed.base : viewed.extinction, viewed.importance))
 {
   // The fields, twice; the rays of a direction take little.
   const auto nodes = static_cast<std::size_t>(this->Fields->InOrder().grid.NodeCount());
