@@ -230,7 +230,10 @@ public:
       { this->Given.baseExtinction, this->Given.importance }, &this->Energy.Sums()->camera);
   }
 
-  void Derive() { this->Energy.DifferentiateLagged(this->Next.data(), this->Lagged.data()); }
+  void Derive()
+  {
+    this->Energy.DifferentiateTerm(*this->Energy.light, this->Next.data(), this->Lagged.data());
+  }
 
   void Optimize()
   {

@@ -183,6 +183,8 @@ inline BoxScene MakeRandomScene(std::uint64_t seed)
   scene.settings.rayDensity = random.Chance(0.5) ? 1.0 : random.Between(0.5, 3);
   scene.settings.weights.light = random.Chance(0.5) ? 0 : 1;
   scene.settings.protectImportance = random.Chance(0.5) ? 0 : random.Between(0, 1);
+  scene.settings.importanceSmoothing =
+    random.Chance(0.7) ? ImportanceSmoothing::Off : ImportanceSmoothing::Median;
   return scene;
 }
 }

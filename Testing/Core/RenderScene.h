@@ -11,6 +11,7 @@
 
 #include "render/Renderer.h"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -78,7 +79,9 @@ struct RenderScene
   std::vector<float> base; ///< with `extinction`; both empty: the transfer function's alone
   std::vector<float> extinction;
   Lighting lighting;
-  double shadowRayDensity = 3; // as in Renderer.h
+  double shadowRayDensity = 3;   // as in Renderer.h
+  std::vector<float> importance; ///< of what is missed, which is painted; empty: it is not
+  std::array<float, 3> missedColor{ { 1, 0, 1 } };
   View view;
   std::vector<float> nearDepth; ///< of `view`; empty: rays begin where they can
   std::vector<float> depth;     ///< of `view`; empty: nothing opaque
@@ -183,6 +186,10 @@ struct RenderScene
     }
     renderer.SetShadowRayDensity(shadowRayDensity);
     renderer.SetLighting(lighting);
+    if (!importance.empty())
+    {
+      renderer.ShowMissed(importance.data(), missedColor);
+    }
   }
 
   /// The view with the scene's depths.

@@ -135,7 +135,8 @@ inline std::string DescriptionOf(const BoxScene& scene)
   text << "  weights " << settings.weights.regularization << ", " << settings.weights.view << ", "
        << settings.weights.light << ", solver " << int(settings.solver) << ", mode "
        << int(settings.mode) << ", ray density " << settings.rayDensity << ", protection "
-       << settings.protectImportance << "\n";
+       << settings.protectImportance << ", smoothing of importance "
+       << int(settings.importanceSmoothing) << ", smoothness " << settings.smoothness << "\n";
   scene.ForEachNode(
     [&](std::size_t node, int i, int j, int k)
     {

@@ -157,6 +157,17 @@ void LeaveHoles(RenderScene& scene)
   }
 }
 
+/// Some of it is important.
+void Miss(RenderScene& scene)
+{
+  std::mt19937 generator(5);
+  scene.importance = RenderScene::Waves(scene.grid, generator);
+  for (float& importance : scene.importance)
+  {
+    importance = importance > 0.6f ? std::min(importance, 1.0f) : 0.0f;
+  }
+}
+
 const Case cases[] = {
   { "Unlit", [](RenderScene&) {} },
   { "Changed", [](RenderScene& scene) { scene.Change(scene.grid.nodes, 21); } },
@@ -237,6 +248,21 @@ const Case cases[] = {
     {
       scene.view.skipEmpty = false;
       Illuminate(scene);
+    } },
+  { "PaintedWithWhatIsMissed", [](RenderScene& scene) { Miss(scene); } },
+  { "PaintedWhereItIsChangedAndLit",
+    [](RenderScene& scene)
+    {
+      scene.Change(scene.grid.nodes, 21);
+      Illuminate(scene);
+      Miss(scene);
+    } },
+  { "PaintedUpToOpaqueThings",
+    [](RenderScene& scene)
+    {
+      scene.Change({ 9, 8, 7 }, 8);
+      StandInTheWay(scene);
+      Miss(scene);
     } },
   { "WithManySamples", [](RenderScene& scene) { scene.view.sampleDistance = 0.3; } },
   { "WithFewSamples", [](RenderScene& scene) { scene.view.sampleDistance = 6; } },
@@ -443,6 +469,7 @@ TEST(RendererOfDevice, LeavesNothingBehind)
     RenderScene scene = Ordinary();
     Illuminate(scene);
     StandInTheWay(scene);
+    Miss(scene);
     Renderer renderer = RendererOn(device);
     scene.SetUp(renderer);
     Drawn(renderer, scene);

@@ -274,6 +274,7 @@ TEST(Faults, LeaveARendererThatDraws)
   const RenderScene scene = Waves();
   const std::vector<float> base(std::size_t(scene.grid.NodeCount()), 1.0f);
   const std::vector<float> extinction(base.size(), 0.25f);
+  const std::vector<float>& importance = scene.scalars;
   for (const bool given : { false, true })
   {
     const auto makeRenderer = [&]
@@ -286,6 +287,7 @@ TEST(Faults, LeaveARendererThatDraws)
       if (given)
       {
         renderer.SetExtinction(scene.grid, base.data(), extinction.data());
+        renderer.ShowMissed(importance.data());
       }
       return renderer;
     };

@@ -4,7 +4,11 @@
 // The policy against the best there is: small columns whose every on-off extinction is tried.
 
 #include "BoxScene.h"
+#include "RandomScene.h"
 #include "Tolerance.h"
+
+#include "optimize/PolicyVoxel.h"
+#include "optimize/ProximalDescent.h"
 
 #include <gtest/gtest.h>
 
@@ -208,6 +212,35 @@ TEST(Policy, FindsWhatIsHiddenBehindAnOpaqueWall)
     << "what the important ball scores alone, 1 % for its rim";
 }
 
+TEST(Policy, LetsTheLightInThroughAWallThatTheCameraDoesNotSee)
+{
+  // The light's transmittance behind the wall is exp(-18): the light has next to no derivative
+  // there, nor in the wall but for the last of its nine layers, and the camera has nothing to gain
+  // from the wall.
+  BoxScene scene = BoxScene::Cube(41);
+  scene.Fill([](const Vec3& x) { return x.y > 0.55        ? 40
+                                   : glm::length(x) < 0.5 ? 5
+                                                          : 0; },
+    [](const Vec3& x) { return glm::length(x) < 0.4 ? 1 : 0; });
+  scene.camera.position = Vec3(0.2, -1, -5);
+  scene.light.position = Vec3(0.1, 5, 0.2);
+  scene.settings.weights.regularization = 1e-9; // or so thick a wall is not worth removing
+  Solver solver = scene.MakeSolver();
+
+  solver.Run();
+
+  scene.ForEachNode(
+    [&](std::size_t node, int i, int j, int k)
+    {
+      const Vec3 x = scene.grid.PointToWorld(Vec3(i, j, k));
+      const Vec3 towards = scene.light.position * (x.y / scene.light.position.y);
+      if (x.y > 0.55 && glm::length(x - towards) < 0.25) // on the way to the ball
+      {
+        EXPECT_WITHIN(solver.Extinction()[node], 0, Relative(1e-3, 40, "regularisation"));
+      }
+    });
+}
+
 TEST(Policy, EndsBelowTheEnergyItStartedFromAndNotAboveAdam)
 {
   BoxScene scene = BoxScene::Cube(33);
@@ -223,6 +256,145 @@ TEST(Policy, EndsBelowTheEnergyItStartedFromAndNotAboveAdam)
   EXPECT_LE(policy.BestEnergy().Total(), adam.BestEnergy().Total() * 0.997)
     << "energies are negative: lower, or within 0.3 %";
   EXPECT_LE(policy.Iterations(), 8);
+}
+
+// What a ray gains by a way through a wall is q V, what it costs p R / 2 mu-bar^2 times its depth.
+TEST(Policy, ClearsTheWayWhereItPaysAndNowhereElse)
+{
+  const double opaque = 4;
+  BoxScene scene(Int3(24, 20, 14), Vec3(0), Vec3(0.5));
+  scene.ForEachNode(
+    [&](std::size_t node, int i, int, int k)
+    {
+      const int wall = i < 12 ? 2 : 6; // nodes
+      const bool important = k >= 9 && k < 12;
+      scene.importance[node] = important ? 1 : 0;
+      scene.extinction[node] = static_cast<float>(important || (k >= 1 && k <= wall) ? opaque : 0);
+    });
+  scene.camera.parallel = true;
+  scene.camera.position = scene.grid.Centre() - Vec3(0, 0, 100);
+  scene.camera.focalPoint = scene.grid.Centre();
+  const double p = 1e-3;
+  const double perDepth = 0.5 * p * scene.grid.Radius() * opaque * opaque;
+  // The walls are 1 and 3 units deep, and V is at most 1.
+  for (const double opticalDepth : { 2.0, 2.5, 3.0 })
+  {
+    scene.settings.weights = { p, opticalDepth * perDepth, 0 };
+    Solver solver = scene.MakeSolver();
+
+    solver.Run();
+
+    const auto at = [&](int i, int k) { return solver.Extinction()[i + 24 * (10 + 20 * k)]; };
+    // In front of the thick wall next to nothing is seen behind it: exp(-8) and less.
+    const double amplified = scene.settings.weights.view / (p * scene.grid.Radius());
+    const Tolerance bar = Tolerance{ amplified * std::exp(-8.0), "what is seen through the wall" } +
+      Relative(1e-3, opaque, "regularisation");
+    for (int i = 0; i < 24; ++i)
+    {
+      if (i < 10)
+      {
+        EXPECT_WITHIN(at(i, 1), 0, bar);
+        EXPECT_WITHIN(at(i, 2), 0, bar);
+      }
+      for (int k = 1; k <= 6 && i >= 14; ++k)
+      {
+        EXPECT_WITHIN(at(i, k), opaque, bar);
+      }
+    }
+    EXPECT_LT(solver.BestEnergy().Total(), solver.History().front().energy.Total());
+  }
+}
+
+TEST(Policy, NeverGoesOnFromAHigherEnergy)
+{
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+  {
+    RandomNumbers random(seed);
+    BoxScene scene = MakeRandomScene(seed);
+    scene.settings.weights.view = random.PowerOfTen(-3, 3);
+    scene.settings.weights.light = random.Chance(0.3) ? 0 : random.PowerOfTen(-3, 3);
+    scene.settings.tolerance = 0;
+    scene.settings.maximumIterations = 12;
+    Solver solver = scene.MakeSolver();
+
+    solver.Run();
+
+    // Iterates that assume that nothing is in the way of camera or light may be worse than the
+    // last.
+    const std::size_t settles = scene.settings.weights.light > 0 ? 3 : 2;
+    const std::vector<IterationRecord>& history = solver.History();
+    for (std::size_t i = settles; i < history.size(); ++i)
+    {
+      EXPECT_LE(history[i].energy.Total(), history[i - 1].energy.Total())
+        << "seed " << seed << ", iteration " << i;
+    }
+    EXPECT_LE(solver.BestEnergy().Total(), history.front().energy.Total()) << "seed " << seed;
+  }
+}
+
+TEST(ProximalDescent, StepsShorterUntilTheEnergyFallsAndThenLonger)
+{
+  ProximalDescent descent(7);
+  descent.BeginAt(5);
+
+  EXPECT_TRUE(descent.Keeps(4, 5));
+  EXPECT_EQ(descent.Proximity(), 0);
+  EXPECT_EQ(descent.EnergyChange(), 0.2);
+  EXPECT_FALSE(descent.Keeps(4, 4)) << "no lower";
+  EXPECT_EQ(descent.Proximity(), 7);
+  EXPECT_FALSE(descent.Keeps(4.5, 4));
+  EXPECT_EQ(descent.Proximity(), 28);
+  EXPECT_TRUE(descent.Keeps(3, 4));
+  EXPECT_LT(descent.Proximity(), 28);
+  for (int i = 0; i < 5; ++i)
+  {
+    EXPECT_TRUE(descent.Keeps(2.0 - i, 3.0 - i));
+  }
+  EXPECT_EQ(descent.Proximity(), 0);
+}
+
+TEST(ProximalDescent, GoesBackToTheBestIterateBeforeItStepsShorter)
+{
+  ProximalDescent descent(7);
+  descent.BeginAt(5);
+
+  EXPECT_FALSE(descent.Keeps(6, 2));
+  EXPECT_EQ(descent.Proximity(), 0);
+  EXPECT_FALSE(descent.Keeps(3, 2));
+  EXPECT_EQ(descent.Proximity(), 7);
+}
+
+// p (mu - mu-bar) + t (mu - mu_last) + derivatives vanishes at the minimum.
+TEST(PolicyVoxel, MinimisesItsEnergyAndTheProximalTerm)
+{
+  const double p = 0.3;
+  const double t = 0.9;
+  const double weight = 2;
+  const PolicyVoxel<double> policy{ weight / (p + t), 1 / (p + t), t / (p + t), { 0, 10 } };
+
+  const double found = policy(1.5, 4, 0, 0.2, -0.7);
+
+  EXPECT_WITHIN(
+    p * (found - 1.5) + t * (found - 4) + weight * 0.2 - 0.7, 0, Roundoff<double>(8, weight));
+}
+
+TEST(Policy, EndsWhenTheEnergyNoLongerChanges)
+{
+  BoxScene scene = BoxScene::Cube(33);
+  scene.FillOnion();
+  scene.settings.maximumIterations = 64;
+  Solver solver = scene.MakeSolver();
+
+  solver.Run();
+
+  const std::vector<IterationRecord>& history = solver.History();
+  const double last = history.back().energy.Total();
+  const double before = history[history.size() - 2].energy.Total();
+  EXPECT_TRUE(solver.Settled());
+  EXPECT_LE(solver.Iterations(), 8);
+  EXPECT_TRUE(history.back().meanChange < scene.settings.tolerance ||
+    (history.back().meanChange < 5 * scene.settings.tolerance &&
+      std::abs(last - before) < 0.1 * scene.settings.tolerance * std::abs(before)));
 }
 
 TEST(Policy, StartsWarmFromItsOwnResultWithoutLosingIt)

@@ -17,11 +17,12 @@ using namespace limpid;
 
 namespace
 {
-Solver Optimize(BoxScene scene, bool skip)
+Solver Optimize(const BoxScene& scene, bool skip)
 {
-  scene.settings.skipUnneeded = skip;
-  scene.settings.maximumIterations = 3;
-  Solver solver = scene.MakeSolver();
+  Settings settings = scene.settings;
+  settings.skipUnneeded = skip;
+  settings.maximumIterations = 3;
+  Solver solver(scene.Fields(), scene.camera, scene.light, settings);
   solver.Run();
   return solver;
 }

@@ -55,14 +55,32 @@ void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivati
       SweepForward(
         *this->Device, rays, *this->Filled, DepthKernel<const float*>{ fields.extinction });
     }
-    const GradientKernel<const float*, float*> kernel{ fields.extinction, fields.importance,
-      fields.nodeImportance, areaWeighted ? fields.base : nullptr, gradient, target, areaWeighted };
-    SweepBackward(this->Device, rays, *this->Filled, kernel, this->SliceImages);
+    this->SweepGradient(rays, fields, derivative, target, gradient);
   }
   if (areaWeighted)
   {
     this->Sum(sum, fields.CountsKept());
   }
+}
+
+template <class AnyDevice>
+void VisibilityTerm<AnyDevice>::DifferentiateSeen(
+  const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient)
+{
+  for (FrustumRays<AnyDevice>& rays : this->Rays)
+  {
+    this->SweepGradient(rays, fields, derivative, target, gradient);
+  }
+}
+
+template <class AnyDevice>
+void VisibilityTerm<AnyDevice>::SweepGradient(FrustumRays<AnyDevice>& rays,
+  const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient)
+{
+  const bool areaWeighted = derivative == Derivative::Volume;
+  const GradientKernel<const float*, float*> kernel{ fields.extinction, fields.importance,
+    fields.nodeImportance, areaWeighted ? fields.base : nullptr, gradient, target, areaWeighted };
+  SweepBackward(this->Device, rays, *this->Filled, kernel, this->SliceImages);
 }
 
 #define LIMPID_INSTANTIATE(AnyDevice) template class VisibilityTerm<AnyDevice>;

@@ -49,6 +49,11 @@ public:
   void Differentiate(const TermFields& fields, Derivative derivative, const GradientTarget& target,
     float* gradient, Seen* sum);
 
+  /// The derivative of Differentiate, whose optical depths the rays have already; leaves none, and
+  /// sums nothing.
+  void DifferentiateSeen(
+    const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient);
+
   /// What the rays of all frusta have seen in their last sweep. `first`: the frustum that was swept
   /// first; sums are rounded in that order.
   void Sum(Seen* sum, Kept kept, std::size_t first = 0)
@@ -64,6 +69,9 @@ public:
   const Occupancy& Occupied() const { return *this->Filled; }
 
 private:
+  void SweepGradient(FrustumRays<AnyDevice>& rays, const TermFields& fields, Derivative derivative,
+    const GradientTarget& target, float* gradient);
+
   std::shared_ptr<AnyDevice> Device;
   const Occupancy* Filled;
   std::vector<FrustumRays<AnyDevice>> Rays;

@@ -46,10 +46,12 @@ RaySource Rescaled(const RaySource& source, const Grid& from, const Grid& to)
 class Adam : public Minimizer
 {
 public:
-  Adam(const Problem& problem, std::vector<float> start, bool fromBase, AdamLevelMaker maker)
+  Adam(const Problem& problem, std::vector<float> start, bool fromBase, AdamLevelMaker maker,
+    SuccessorMaker smoother)
     : Given(problem)
     , FromBase(fromBase)
     , Maker(std::move(maker))
+    , SmootherMaker(std::move(smoother))
     , Remaining(problem.settings.iterationsPerLevel)
     , BestIterate(std::move(start))
   {
@@ -88,6 +90,16 @@ public:
     return record;
   }
 
+  IterationRecord Smooth() override
+  {
+    if (!this->Smoother)
+    {
+      this->Smoother = this->SmootherMaker(this->TakeBest());
+      this->Smoother->Start();
+    }
+    return this->Smoother->Smooth();
+  }
+
   bool Converged() const override
   {
     return this->Here->number == 0 && this->Here->count > 0 && this->Remaining[0] == 0 &&
@@ -102,11 +114,17 @@ public:
 
   const std::vector<float>& Best() const override
   {
-    return this->BestIsHere ? this->Here->state->Best() : this->BestIterate;
+    return this->Smoother ? this->Smoother->Best()
+      : this->BestIsHere  ? this->Here->state->Best()
+                          : this->BestIterate;
   }
 
   std::vector<float> TakeBest() override
   {
+    if (this->Smoother)
+    {
+      return this->Smoother->TakeBest();
+    }
     return this->BestIsHere ? this->Here->state->TakeBest() : std::move(this->BestIterate);
   }
 
@@ -185,7 +203,9 @@ private:
   const Problem& Given;
   bool FromBase; ///< whether the iterations start there
   AdamLevelMaker Maker;
-  std::array<int, 3> Remaining; ///< iterations left: quarter, half, full
+  SuccessorMaker SmootherMaker;
+  std::unique_ptr<Minimizer> Smoother; ///< null: nothing was smoothed yet
+  std::array<int, 3> Remaining;        ///< iterations left: quarter, half, full
   std::unique_ptr<Level> Here;
   double Change = 0;
   double BestEnergy = 0;
@@ -195,8 +215,8 @@ private:
 };
 }
 
-std::unique_ptr<Minimizer> MakeAdam(
-  const Problem& problem, std::vector<float>&& start, const AdamLevelMaker& maker)
+std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, std::vector<float>&& start,
+  const AdamLevelMaker& maker, const SuccessorMaker& smoother)
 {
   const bool fromBase = start.empty();
   if (fromBase)
@@ -204,6 +224,6 @@ std::unique_ptr<Minimizer> MakeAdam(
     start = RoomFor(problem.grid.NodeCount());
     start.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
   }
-  return std::make_unique<Adam>(problem, std::move(start), fromBase, maker);
+  return std::make_unique<Adam>(problem, std::move(start), fromBase, maker, smoother);
 }
 }

@@ -10,10 +10,13 @@
 
 namespace limpid
 {
+/// Makes a method for the same problem from a first iterate [1/length].
+using SuccessorMaker = std::function<std::unique_ptr<Minimizer>(const std::vector<float>&)>;
+
 /// The paper's solver (Section 3.5): projected Adam on a quarter, a half and the full resolution.
-/// `start`: first iterate [1/length]; empty: the base extinction.
-std::unique_ptr<Minimizer> MakeAdam(
-  const Problem& problem, std::vector<float>&& start, const AdamLevelMaker& maker);
+/// `start`: first iterate [1/length]; empty: the base extinction. `smoother`: makes what smooths.
+std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, std::vector<float>&& start,
+  const AdamLevelMaker& maker, const SuccessorMaker& smoother);
 }
 
 #endif

@@ -141,9 +141,16 @@ public:
     return this->Inner->Iterate();
   }
 
+  IterationRecord Smooth() override
+  {
+    this->RestoredIsBest = false;
+    return this->Inner->Smooth();
+  }
+
   IterationRecord Start() override { return this->Inner->Start(); }
   Score BaseScore() const override { return this->Inner->BaseScore(); }
   bool Converged() const override { return this->Inner->Converged(); }
+  bool IsNear() const override { return this->Inner->IsNear(); }
   int IterationLimit() const override { return this->Inner->IterationLimit(); }
 
   const std::vector<float>& Best() const override

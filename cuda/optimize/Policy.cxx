@@ -6,6 +6,8 @@
 #include "optimize/Policy.h"
 
 #include "backend/LargePages.h"
+#include "optimize/ProximalDescent.h"
+#include "optimize/Smoothing.h"
 #include "sweep/Sweeps.h"
 
 #include <algorithm>
@@ -15,16 +17,43 @@ namespace limpid
 {
 namespace
 {
+/// Without regularisation the optimum is bang-bang, which a large but finite gain gives, too.
+double RegularizationOf(const Problem& problem)
+{
+  return std::max(problem.RegularizationWeight(), 1e-30);
+}
+
+/// Whether it can cost more to clear a way through the volume than it can show: where the majorant
+/// is cleared all along the diameter, p (R majorant)^2 in normalised coordinates, against a V of 1.
+bool CanCostMoreThanItShows(const Problem& problem, double weight)
+{
+  const double diameter = problem.grid.Radius() * problem.majorant;
+  return weight < problem.settings.weights.regularization * diameter * diameter;
+}
+
+/// For ProximalDescent: it doubles the regularisation at least, and moves voxels through their
+/// whole range where T (V - g) is 0.1 or more.
+double FirstProximity(const Problem& problem)
+{
+  constexpr double wholeRange = 0.1;
+  const Weights& weights = problem.settings.weights;
+  const double weight = weights.view > 0 ? weights.view : weights.light;
+  return std::max(1.0, wholeRange * weight / problem.majorant / RegularizationOf(problem) - 1);
+}
+
 template <class AnyDevice>
 PolicyKernel<const float*, float*> KernelOf(
   const Problem& problem, const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep)
 {
-  // Without regularisation the optimum is bang-bang, which a large but finite gain gives, too.
-  const double p = std::max(problem.RegularizationWeight(), 1e-30);
+  const double own = RegularizationOf(problem);
+  const double proximity = own * sweep.proximity;
+  const double p = own + proximity + sweep.smoothing;
   const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
   return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
-    sweep.lagged, sweep.next, { gainOf(sweep.weight), gainOf(1.0), BoundsOf(problem) },
-    sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept };
+    sweep.lagged, sweep.next, sweep.alternative,
+    { gainOf(sweep.weight), gainOf(1.0), static_cast<float>(proximity / p), BoundsOf(problem) },
+    sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept,
+    0.5f / gainOf(sweep.weight) };
 }
 
 /// Sweeps one frustum. The processor sums what has `moved` while that is at hand; null: nobody
@@ -106,6 +135,7 @@ public:
     , Device(device)
     , Energy(device, problem)
     , Warm(warm)
+    , Descent(FirstProximity(problem))
   {
     if (start.empty())
     {
@@ -118,9 +148,9 @@ public:
 
   IterationRecord Start() override
   {
-    const IterationRecord record = this->MeasureFirst();
-    this->BestEnergy = record.energy.Total();
-    return record;
+    this->Lowest = this->MeasureFirst();
+    this->Descent.BeginAt(this->Lowest.energy.Total());
+    return this->Lowest;
   }
 
   Score BaseScore() const override { return this->Energy.BaseScore(); }
@@ -129,27 +159,45 @@ public:
   {
     [[maybe_unused]] const typename AnyDevice::Team team;
     this->OnHost.clear();
-    const std::size_t free = this->FreeIterate();
-    const float* last = this->Iterates[this->Now].values;
-    limpid::Iterate<AnyDevice>& next = this->Iterates[free];
-    Prepare(this->Device, *this->Given, this->Swept().Frusta().size(), last, next);
-    const Transmittance transmittance =
-      this->Warm || this->Count > 0 ? Transmittance::OfLastIterate : Transmittance::AssumeOne;
-    ++this->Count;
-    const IterationRecord record = this->Sweep(last, next.own.Data(), transmittance);
-    this->Now = free;
-    this->Change = record.meanChange;
-    if (record.energy.Total() < this->BestEnergy)
+    const Turn turn = this->TurnOf(this->Count++);
+    const IterationRecord record = this->Advance(turn);
+    const double energy = record.energy.Total();
+    if (turn.transmittance == Transmittance::AssumeOne)
     {
-      this->BestEnergy = record.energy.Total();
-      this->BestOf = free;
+      this->Descent.BeginAt(energy);
+    }
+    else if (!this->Descent.Keeps(energy, this->Lowest.energy.Total()))
+    {
+      return this->GoBack();
+    }
+    if (energy < this->Lowest.energy.Total())
+    {
+      this->Lowest = record;
+      this->BestOf = this->Now;
     }
     return record;
   }
 
-  bool Converged() const override
+  IterationRecord Smooth() override
   {
-    return this->Count > 0 && this->Change < this->Given->settings.tolerance;
+    [[maybe_unused]] const typename AnyDevice::Team team;
+    this->OnHost.clear();
+    if (this->Now != this->BestOf)
+    {
+      this->GoBack();
+    }
+    IterationRecord record = this->Advance(this->SmoothingTurn());
+    record.smooths = true;
+    this->BestOf = this->Now;
+    return record;
+  }
+
+  bool Converged() const override { return this->ChangesLess(1); }
+
+  bool IsNear() const override
+  {
+    constexpr double nearness = 10;
+    return this->ChangesLess(nearness);
   }
 
   int IterationLimit() const override { return this->Given->settings.maximumIterations; }
@@ -178,10 +226,57 @@ public:
   }
 
 private:
-  /// The term that is swept: the camera's or, without one, the light's.
-  VisibilityTerm<AnyDevice>& Swept()
+  using Term = VisibilityTerm<AnyDevice>;
+
+  /// Than so many times what is tolerated.
+  bool ChangesLess(double times) const
   {
-    return this->Energy.camera ? *this->Energy.camera : *this->Energy.light;
+    constexpr double leastGain = 0.1; // of an energy, per tolerance
+    constexpr double little = 5;      // change of the extinction, per tolerance
+    const double tolerance = times * this->Given->settings.tolerance;
+    const bool gains = this->Descent.EnergyChange() >= leastGain * tolerance;
+    return this->Count > 0 && !this->Weighed && this->Change < (gains ? 1 : little) * tolerance;
+  }
+
+  /// What an iteration sweeps.
+  struct Turn
+  {
+    Term* swept;
+    Term* other; ///< acts with its derivative at the last iterate; null: there is none
+    Transmittance transmittance;
+    bool weighs; ///< its clearing against its cost
+    Reach reach;
+    double smoothing = 0; ///< see PolicySweep [length]
+  };
+
+  /// The camera's term or, without one, the light's.
+  Term& Main() { return this->Energy.camera ? *this->Energy.camera : *this->Energy.light; }
+
+  /// The light's beside the camera's; null: there is only one.
+  Term* Beside()
+  {
+    return this->Energy.camera && this->Energy.light ? &*this->Energy.light : nullptr;
+  }
+
+  /// The camera is swept, or the light without one. But each has a turn in which nothing is in its
+  /// way: what is hidden from it must be able to say what it would gain.
+  Turn TurnOf(int iteration)
+  {
+    Term* beside = this->Beside();
+    const bool returns = this->IterationLimit() > 2; // the camera has the last word
+    const bool lightFirst = iteration == 1 && beside && returns && !this->Warm;
+    Term& swept = lightFirst ? *beside : this->Main();
+    const bool first = lightFirst || iteration == 0;
+    return { &swept, lightFirst ? &this->Main() : beside,
+      first && !this->Warm ? Transmittance::AssumeOne : Transmittance::OfLastIterate,
+      iteration < 3 && CanCostMoreThanItShows(*this->Given, this->Energy.WeightOf(swept)),
+      first ? Reach::Unlimited : Reach::OfLastSweep };
+  }
+
+  Turn SmoothingTurn()
+  {
+    return { &this->Main(), this->Beside(), Transmittance::OfLastIterate, false, Reach::OfLastSweep,
+      this->Given->SmoothingStrength() };
   }
 
   IterationRecord MeasureFirst()
@@ -192,6 +287,17 @@ private:
     }
     this->Energy.SeeBase();
     return this->Energy.Measure(this->Iterates[0].values);
+  }
+
+  /// Goes back to the best iterate. Returns its record, with the change that was not made.
+  IterationRecord GoBack()
+  {
+    this->Now = this->BestOf;
+    this->RaysAreOfLast = false;
+    this->LagOf = nullptr;
+    IterationRecord record = this->Lowest;
+    record.meanChange = this->Change;
+    return record;
   }
 
   /// A place for the next iterate that overwrites neither the last nor the best.
@@ -205,37 +311,60 @@ private:
     return free;
   }
 
-  /// One policy sweep, and what the next iterate is worth.
-  IterationRecord Sweep(const float* last, float* next, Transmittance transmittance)
+  /// One policy sweep to the next iterate, and what that is worth.
+  IterationRecord Advance(const Turn& turn)
   {
-    const bool lags = this->Energy.HasLagged();
-    if (transmittance == Transmittance::OfLastIterate && lags && !this->LagIsFresh)
+    const std::size_t free = this->FreeIterate();
+    const float* last = this->Iterates[this->Now].values;
+    limpid::Iterate<AnyDevice>& next = this->Iterates[free];
+    Prepare(this->Device, *this->Given, turn.swept->Frusta().size(), last, next);
+    const IterationRecord record = this->Sweep(turn, last, next.own.Data());
+    this->Now = free;
+    this->Change = record.meanChange;
+    this->Weighed = turn.weighs;
+    return record;
+  }
+
+  IterationRecord Sweep(const Turn& turn, const float* last, float* next)
+  {
+    if (!this->RaysAreOfLast)
     {
-      this->FindLagged(last);
+      this->Energy.MeasureTerm(*turn.swept, last);
+      this->RaysAreOfLast = true;
     }
-    this->SweepOnce(last, next, transmittance);
-    const bool again = this->Count < this->IterationLimit();
-    this->LagIsFresh =
-      lags && again && !(this->Energy.MeanChange() < this->Given->settings.tolerance);
-    if (this->LagIsFresh)
+    const bool first = this->Count == 1 && turn.transmittance == Transmittance::AssumeOne;
+    if (turn.other && !first && this->LagOf != turn.other)
     {
-      this->FindLagged(next); // sees the next iterate along the way
+      this->FindLagged(*turn.other, last);
     }
-    else if (lags)
+    this->SweepOnce(turn, last, next);
+    this->LagOf = nullptr;
+    const bool again = this->Count < this->IterationLimit() &&
+      (turn.weighs || !(this->Energy.MeanChange() < this->Given->settings.tolerance));
+    const bool sameOther =
+      turn.smoothing > 0 || (again && this->TurnOf(this->Count).other == turn.other);
+    if (turn.other && sameOther)
     {
-      this->Energy.MeasureLagged(next);
+      this->FindLagged(*turn.other, next); // sees the next iterate along the way
+    }
+    else if (turn.other)
+    {
+      this->Energy.MeasureTerm(*turn.other, next);
     }
     return this->Energy.Record();
   }
 
-  void SweepOnce(const float* last, float* next, Transmittance transmittance)
+  void SweepOnce(const Turn& turn, const float* last, float* next)
   {
-    const Weights& weights = this->Given->settings.weights;
     Differences moved;
-    const Kept kept = this->Energy.camera ? Kept::Counted : Kept::Ignored;
-    SweepPolicy(*this->Device, this->Swept(), *this->Given, this->Energy.Fields(),
-      { last, this->Lagged.Data(), next, this->Energy.camera ? weights.view : weights.light,
-        transmittance, kept },
+    const bool scored = this->Energy.IsOfCamera(*turn.swept) && TellsScores(this->Given->settings);
+    const Kept kept = scored ? Kept::Counted : Kept::Ignored;
+    const bool afterCamera = turn.other && this->Energy.IsOfCamera(*turn.other);
+    const float* alternative = afterCamera ? last : this->Energy.Fields().base.Data();
+    SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
+      { last, turn.smoothing > 0 ? this->FindPull(last, turn.smoothing) : this->Lagged.Data(), next,
+        this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Descent.Proximity(),
+        turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
@@ -246,21 +375,41 @@ private:
       this->Energy.SumChanges(next, last);
       this->Energy.SumSquares(next);
     }
-    const std::size_t frusta = this->Swept().Frusta().size();
-    const bool lastFirst = MetNextIterate(frusta - 1, frusta, this->Given->settings.derivative);
-    this->Swept().Sum(
-      this->Energy.camera ? &this->Energy.Sums()->camera : &this->Energy.Sums()->light, kept,
-      lastFirst ? frusta - 1 : 0);
+    const std::size_t frusta = turn.swept->Frusta().size();
+    const bool lastFirst =
+      !turn.weighs && MetNextIterate(frusta - 1, frusta, this->Given->settings.derivative);
+    turn.swept->Sum(this->Energy.SumOf(*turn.swept), kept, lastFirst ? frusta - 1 : 0);
   }
 
-  void FindLagged(const float* extinction)
+  /// The pull of neighbours beside the derivative of the other terms.
+  const float* FindPull(const float* last, double smoothing)
   {
-    if (this->Lagged.Empty())
+    this->Pull.RoomFor(
+      this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), "the pull");
+    limpid::FindPull(*this->Device,
+      { this->Given->grid.nodes, this->Energy.Fields().base.Data(),
+        this->Energy.Fields().importance.Data(), last, this->Lagged.Data(),
+        static_cast<float>(smoothing), this->Pull.Data() });
+    return this->Pull.Data();
+  }
+
+  void FindLagged(Term& term, const float* extinction)
+  {
+    if (this->LagFilledBy != &term) // each writes voxels of its own
     {
+      this->Lagged = {};
       this->Lagged = DeviceArray<AnyDevice, float>::Zeros(this->Device,
         static_cast<std::size_t>(this->Given->grid.NodeCount()), "the lagged derivative");
     }
-    this->Energy.DifferentiateLagged(extinction, this->Lagged.Data());
+    if (this->Energy.IsOfCamera(term)) // it has just been swept, to the same extinction
+    {
+      this->Energy.DifferentiateSeen(term, extinction, this->Lagged.Data());
+    }
+    else
+    {
+      this->Energy.DifferentiateTerm(term, extinction, this->Lagged.Data());
+    }
+    this->LagOf = this->LagFilledBy = &term;
   }
 
   const Problem* Given;
@@ -269,12 +418,17 @@ private:
   bool Warm;
   int Count = 0;
   double Change = 0;
-  double BestEnergy = 0;
+  bool Weighed = false; ///< in the last iteration, which is not stationary then
+  ProximalDescent Descent;
+  IterationRecord Lowest;    ///< of the best iterate
+  bool RaysAreOfLast = true; ///< whether the rays that are swept have its optical depths
   std::array<limpid::Iterate<AnyDevice>, 3> Iterates; ///< filled as needed
   std::size_t Now = 0;                                ///< the last iterate
   std::size_t BestOf = 0;                             ///< the best
-  DeviceArray<AnyDevice, float> Lagged; ///< derivative of the other terms; empty: none
-  bool LagIsFresh = false;              ///< whether that is the last iterate
+  DeviceArray<AnyDevice, float> Lagged; ///< derivative of the term that is not swept; empty: none
+  const Term* LagFilledBy = nullptr;    ///< the term that it is of
+  const Term* LagOf = nullptr;          ///< the same if it is at the last iterate
+  DeviceArray<AnyDevice, float> Pull;   ///< that less the pull of neighbours; empty: not needed
   mutable std::vector<float> OnHost;    ///< the best; empty: not read yet
 };
 }
@@ -287,12 +441,16 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
   const std::size_t frusta = term.Frusta().size();
   for (FrustumRays<AnyDevice>& rays : term.Frusta())
   {
+    if (sweep.alternative && sweep.reach == Reach::Unlimited)
+    {
+      device.ForIndices("start rays", rays.Plan().RayCount(), StartReach{ rays.States() });
+    }
     SweepFrustum(device, rays, term.Occupied(), kernel, &moved);
     rays.KeepCollected();
   }
   for (std::size_t index = 0; index < frusta; ++index)
   {
-    if (!MetNextIterate(index, frusta, problem.settings.derivative))
+    if (sweep.alternative || !MetNextIterate(index, frusta, problem.settings.derivative))
     {
       term.ForwardAt(index,
         { sweep.next, fields.importance.Data(), fields.nodeImportance.Data(),

@@ -12,6 +12,13 @@
 
 namespace limpid
 {
+/// How far rays reach at first in a sweep that weighs.
+enum class Reach
+{
+  Unlimited,  ///< through the whole volume
+  OfLastSweep ///< as far as it was worth it in the last such sweep
+};
+
 /// The policy sweep of one term: finds the next iterate from the last one. All addresses are on
 /// the device.
 struct PolicySweep
@@ -21,7 +28,11 @@ struct PolicySweep
   float* next;         ///< the next iterate [1/length]
   double weight;       ///< of the term
   Transmittance transmittance;
-  Kept kept; ///< of the base
+  Kept kept;                          ///< of the base
+  double proximity = 0;               ///< of ProximalDescent
+  const float* alternative = nullptr; ///< see WeighStep [1/length]; null: nothing is weighed
+  Reach reach = Reach::Unlimited;     ///< of the rays, where something is weighed
+  double smoothing = 0; ///< sigma of SmoothedChange [length], if `lagged` has its pull
 };
 
 /// Sweeps all frusta of a term. Leaves what its rays have seen of the next iterate, and its optical

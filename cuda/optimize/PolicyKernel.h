@@ -28,14 +28,16 @@ struct PolicyStep
   const float* inView;        ///< importance of the node, as far as it is in view [0, 1]
   const float* importance;    ///< [0, 1]; null: nothing is protected
   const float* base;          ///< [1/length]
+  const float* last;          ///< the last iterate, or the base where it does not matter [1/length]
   const float* lagged;        ///< derivative of the other terms, with weights; null: none
   float* next;                ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->next[u] = this->policy(this->base[u], this->importance ? this->importance[u] : 0.0f,
-      this->derivative(this->transmittance[u], this->behind[u], this->inView[u]),
-      this->lagged ? this->lagged[u] : 0.0f);
+    this->next[u] =
+      this->policy(this->base[u], this->last[u], this->importance ? this->importance[u] : 0.0f,
+        this->derivative(this->transmittance[u], this->behind[u], this->inView[u]),
+        this->lagged ? this->lagged[u] : 0.0f);
   }
 };
 
@@ -46,13 +48,14 @@ struct IdleStep
   PolicyVoxel<float> policy;
   const float* importance; ///< [0, 1]; null: nothing is protected
   const float* base;       ///< [1/length]
+  const float* last;       ///< see PolicyStep
   const float* lagged;     ///< null: none
   float* next;             ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->next[u] = this->policy(this->base[u], this->importance ? this->importance[u] : 0.0f, 0.0f,
-      this->lagged ? this->lagged[u] : 0.0f);
+    this->next[u] = this->policy(this->base[u], this->last[u],
+      this->importance ? this->importance[u] : 0.0f, 0.0f, this->lagged ? this->lagged[u] : 0.0f);
   }
 };
 
@@ -62,7 +65,8 @@ struct IdleStep
  * from it. Transmittance is that of the last iterate, whose optical depths unwind.
  *
  * The sweep collects the optical depths of what its rays meet, and their visible importance is the
- * score of that: of the next iterate, where its voxels were all found before (MetNextIterate).
+ * score of that: of the next iterate, where its voxels were all found before (MetNextIterate). Not
+ * so where iterates are weighed: there rays carry what is better, the next iterate or another.
  */
 template <class Input, class Output>
 struct PolicyKernel
@@ -75,10 +79,12 @@ struct PolicyKernel
   Input last;           ///< the last iterate [1/length]
   Input lagged;         ///< derivative of the other terms, with weights; null: none
   Output next;          ///< the next iterate [1/length]
+  Input alternative;    ///< what the next iterate is weighed against, see WeighStep; null: nothing
   PolicyVoxel<float> policy;
   Transmittance transmittance;
-  bool areaWeighted; ///< whether rays carry the weight of Deviation D1
-  Kept kept;         ///< of the base
+  bool areaWeighted;   ///< whether rays carry the weight of Deviation D1
+  Kept kept;           ///< of the base; nothing is counted where iterates are weighed
+  float priceOfSquare; ///< see WeighStep [length]
 
   template <class Windows>
   PolicyKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
@@ -86,8 +92,9 @@ struct PolicyKernel
     const FieldUse useOfBase{ this->kept == Kept::Counted ? 2 : 0 };
     return { windows(this->base, useOfBase), windows(this->importance, FieldUse{ 2 }),
       windows(this->nodeImportance, FieldUse{ 0 }), windows(this->last, FieldUse{ 1 }),
-      windows(this->lagged, FieldUse{ 0 }), windows(this->next, FieldUse{ 2, true }), this->policy,
-      this->transmittance, this->areaWeighted, this->kept };
+      windows(this->lagged, FieldUse{ 0 }), windows(this->next, FieldUse{ 2, true }),
+      windows(this->alternative, FieldUse{ 2 }), this->policy, this->transmittance,
+      this->areaWeighted, this->kept, this->priceOfSquare };
   }
 
   /// To slice `s`, whose voxels are to be found next. The voxels behind are final.
@@ -110,6 +117,10 @@ struct PolicyKernel
     if (this->transmittance == Transmittance::OfLastIterate)
     {
       this->Transmit(rays, s < lastSlice);
+      if (this->alternative)
+      {
+        rays.ForEach(ReachStep{ rays.States(), static_cast<float>(s) });
+      }
     }
   }
 
@@ -134,15 +145,17 @@ struct PolicyKernel
     voxels.Prefetch(this->lagged);
     const float* protects =
       this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr;
-    voxels.ForIdle(IdleStep{ this->policy, protects, voxels.Row(this->base),
-      voxels.Row(this->lagged), voxels.Row(this->next) });
+    const float* bases = voxels.Row(this->base);
+    const float* lasts = this->policy.inertia > 0 ? voxels.Row(this->last) : bases;
+    voxels.ForIdle(IdleStep{
+      this->policy, protects, bases, lasts, voxels.Row(this->lagged), voxels.Row(this->next) });
     if (voxels.FindSeen(rays, rays.ahead))
     {
       const auto seen = voxels.SeenHere();
       voxels.ForActive(
         PolicyStep{ this->policy, GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted),
           seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance), protects,
-          voxels.Row(this->base), voxels.Row(this->lagged), voxels.Row(this->next) });
+          bases, lasts, voxels.Row(this->lagged), voxels.Row(this->next) });
     }
   }
 
@@ -165,6 +178,12 @@ private:
       rays.RecallRearImportance(); // LookAhead has sampled it
     }
     rays.SampleFrontImportance(this->importance);
+    if (this->alternative)
+    {
+      rays.SampleAlternative(this->alternative);
+      rays.ForEachInLayer(WeighStep{ rays.States(), this->priceOfSquare, static_cast<float>(s) });
+      return;
+    }
     if (this->kept == Kept::Ignored)
     {
       rays.ForEachInLayer(CarryAndCollectStep<Kept::Ignored>{ rays.States() });

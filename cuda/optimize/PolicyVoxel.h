@@ -14,21 +14,25 @@ namespace limpid
  *
  *   mu = clamp( mu-bar - (1/p) [ q T_V (V_V - g) + r T_L (V_L - g) ] )
  *
- * from Eqs. (26)-(28) with G = T V, within its bounds.
+ * from Eqs. (26)-(28) with G = T V, within its bounds. A proximal step (ProximalDescent) adds
+ * t/2 (mu - mu_last)^2 to the energy, which merges into the regularisation: p becomes p + t and
+ * mu-bar becomes (p mu-bar + t mu_last) / (p + t).
  */
 template <class Real>
 struct PolicyVoxel
 {
-  Real gain;    ///< weight of the term that is swept over p [1/length]
-  Real lagGain; ///< 1 over p [1/length]
+  Real gain;    ///< weight of the term that is swept over p + t [1/length]
+  Real lagGain; ///< 1 over p + t [1/length]
+  Real inertia; ///< t over p + t [0, 1]
   ExtinctionBounds<Real> bounds;
 
-  /// `derivative`: T (V - g) of the term that is swept; `lagged`: the derivative of all others,
-  /// with their weights; `base` and `importance`: see ExtinctionBounds.
+  /// `last`: of the last iterate; `derivative`: T (V - g) of the term that is swept; `lagged`: the
+  /// derivative of all others, with their weights; `base` and `importance`: see ExtinctionBounds.
   LIMPID_HD LIMPID_INLINE Real operator()(
-    Real base, Real importance, Real derivative, Real lagged) const
+    Real base, Real last, Real importance, Real derivative, Real lagged) const
   {
-    const Real wanted = base - (this->gain * derivative + this->lagGain * lagged);
+    const Real centre = base + this->inertia * (last - base);
+    const Real wanted = centre - (this->gain * derivative + this->lagGain * lagged);
     return this->bounds.Clamp(wanted, importance, base);
   }
 };

@@ -3,6 +3,7 @@
 
 #include "optimize/PreparedScene.h"
 
+#include "energy/Despeckle.h"
 #include "energy/SceneSurvey.h"
 #include "math/Require.h"
 
@@ -93,8 +94,9 @@ PreparedScene::PreparedScene(const SceneFields& scene)
   const float largest = found.extinction.largest;
   this->LargestExtinction = largest > 0 ? std::max(largest, scene.majorant) : 0.0f;
   this->SomethingImportant = found.importance.largest > 0;
-  this->Important = std::move(found.nodeImportance);
-  this->Filled = std::move(found.occupancy);
+  this->Given.values = importance.values;
+  this->Given.ofNodes = std::move(found.nodeImportance);
+  this->Given.occupancy = std::move(found.occupancy);
 }
 
 bool PreparedScene::SomethingToSee() const
@@ -102,22 +104,54 @@ bool PreparedScene::SomethingToSee() const
   return this->SomethingImportant && this->LargestExtinction > 0 && this->Fields.grid.HasVolume();
 }
 
+PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smoothing)
+{
+  if (smoothing == ImportanceSmoothing::Off)
+  {
+    return this->Given;
+  }
+  if (!this->Despeckled)
+  {
+    const SceneFields& scene = this->Fields;
+    auto made = std::make_unique<Important>();
+    made->values = scene.despeckled;
+    if (!scene.despeckled)
+    {
+      made->own = NodeValues(scene.grid.NodeCount());
+      Despeckle(scene.grid, scene.baseExtinction, scene.importance, made->own.Data());
+      made->values = made->own.Data();
+    }
+    SceneSurvey found =
+      SurveyScene(scene.grid, scene.baseExtinction, LargestValue, made->values, 1);
+    made->ofNodes = std::move(found.nodeImportance);
+    made->occupancy = std::move(found.occupancy);
+    this->Despeckled = std::move(made);
+  }
+  return *this->Despeckled;
+}
+
+const float* PreparedScene::ImportanceFor(ImportanceSmoothing smoothing)
+{
+  return this->ImportantFor(smoothing).values;
+}
+
 Problem PreparedScene::ProblemFor(
   const Camera& camera, const Light& light, const Settings& settings)
 {
   const SceneFields& scene = this->Fields;
-  if (this->Filled->Skips() != settings.skipUnneeded)
+  Important& important = this->ImportantFor(settings.importanceSmoothing);
+  if (important.occupancy->Skips() != settings.skipUnneeded)
   {
-    this->Filled = std::make_shared<const Occupancy>(
-      scene.grid, scene.baseExtinction, this->Important.Data(), settings.skipUnneeded);
+    important.occupancy = std::make_shared<const Occupancy>(
+      scene.grid, scene.baseExtinction, important.ofNodes.Data(), settings.skipUnneeded);
   }
   Problem task;
   task.grid = scene.grid;
   task.baseExtinction = scene.baseExtinction;
-  task.importance = scene.importance;
-  task.nodeImportance = this->Important.Data();
-  task.occupancy = this->Filled;
-  task.resident = this->Kept;
+  task.importance = important.values;
+  task.nodeImportance = important.ofNodes.Data();
+  task.occupancy = important.occupancy;
+  task.resident = important.resident;
   task.majorant = this->LargestExtinction;
   task.camera = SourceOfCamera(camera, scene.grid, settings.restrictToView);
   task.light = SourceOfLight(light, scene.grid);

@@ -40,13 +40,27 @@ public:
   /// The energy as seen from a camera and lit by a light; null-weighted terms stay in it.
   Problem ProblemFor(const Camera& camera, const Light& light, const Settings& settings);
 
+  /// The importance that the energy counts, grid.NodeCount() values [0, 1].
+  const float* ImportanceFor(ImportanceSmoothing smoothing);
+
 private:
+  /// An importance, and what follows from it.
+  struct Important
+  {
+    const float* values = nullptr; ///< [0, 1]
+    NodeValues own;                ///< where they are nobody else's
+    NodeValues ofNodes;            ///< see NodeImportanceOfFilled
+    std::shared_ptr<const Occupancy> occupancy;
+    std::shared_ptr<Resident> resident = std::make_shared<Resident>();
+  };
+
+  Important& ImportantFor(ImportanceSmoothing smoothing);
+
   SceneFields Fields;
   float LargestExtinction = 0;
   bool SomethingImportant = false;
-  NodeValues Important; ///< see NodeImportanceOfFilled
-  std::shared_ptr<const Occupancy> Filled;
-  std::shared_ptr<Resident> Kept = std::make_shared<Resident>();
+  Important Given;
+  std::unique_ptr<Important> Despeckled; ///< null: nobody has asked
 };
 }
 

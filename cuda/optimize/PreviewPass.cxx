@@ -20,8 +20,14 @@ void Sweep(const Problem& problem, SourceSweeps& sweeps, double weight, std::vec
 
 void PreviewPass::Make(const Camera& camera, const Light& light, const Settings& settings)
 {
+  if (settings.importanceSmoothing != this->Given.settings.importanceSmoothing)
+  {
+    this->Forget(); // a pass writes only where its importance may change anything
+  }
   this->FromCamera.reset();
+  this->ForScores.reset();
   this->Given = this->Scene->ProblemFor(camera, light, settings);
+  this->Judged = this->Scene->ProblemFor(camera, light, limpid::ForScores(settings));
   this->Backend.Choose(settings, this->Given.grid);
   this->Before.reset();
   this->After.reset();
@@ -55,6 +61,7 @@ void PreviewPass::Forget()
   this->ForCamera = {};
   this->ForLight = {};
   this->FromCamera.reset();
+  this->ForScores.reset();
 }
 
 Score PreviewPass::BaseScore()
@@ -86,6 +93,14 @@ SourceSweeps& PreviewPass::CameraSweeps()
 
 Score PreviewPass::ScoreOf(const float* extinction)
 {
-  return this->CameraSweeps().ScoreOf(extinction);
+  if (this->Judged.importance == this->Given.importance)
+  {
+    return this->CameraSweeps().ScoreOf(extinction);
+  }
+  if (!this->ForScores)
+  {
+    this->ForScores = this->Backend->SweepsFrom(this->Judged, this->Judged.camera);
+  }
+  return this->ForScores->ScoreOf(extinction);
 }
 }

@@ -64,6 +64,8 @@ private:
   ChosenBackend Backend;
   Problem Given;                            ///< of the last pass
   std::unique_ptr<SourceSweeps> FromCamera; ///< made when first needed
+  Problem Judged;                           ///< the same with the importance of scores
+  std::unique_ptr<SourceSweeps> ForScores;  ///< made when that is another importance
   std::vector<float> ForCamera;             ///< empty: the base extinction
   std::vector<float> ForLight;
   std::optional<Score> Before;

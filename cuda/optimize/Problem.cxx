@@ -30,6 +30,14 @@ double Problem::SquaresFromBase(const float* extinction) const
   return std::accumulate(slices.begin(), slices.end(), 0.0);
 }
 
+double Problem::SmoothingStrength() const
+{
+  const Weights& weights = this->settings.weights;
+  return this->majorant > 0
+    ? this->settings.smoothness * (weights.view + weights.light) / double(this->majorant)
+    : 0.0;
+}
+
 double Problem::Regularization(double squares) const
 {
   return 0.5 * this->RegularizationWeight() * this->grid.CellVolume() * squares;

@@ -48,6 +48,10 @@ struct Problem
   /// Sum over all voxels of (mu - mu-bar)^2 [1/length^2].
   double SquaresFromBase(const float* extinction) const;
 
+  /// sigma of SmoothedChange in world units [length]: with smoothness 1, neighbours move a voxel
+  /// through its whole range as all visibility does.
+  double SmoothingStrength() const;
+
   /// F_p of Eq. (22) in world units [length^2], from that sum.
   double Regularization(double squares) const;
 
@@ -73,8 +77,15 @@ public:
   /// What the camera sees of the base extinction; 0 without a term of its own.
   virtual Score BaseScore() const = 0;
 
+  /// A sweep that draws the changes of neighbours together, see SmoothedChange, from the best
+  /// iterate so far; the result is the best then. Nothing but this may follow.
+  virtual IterationRecord Smooth() = 0;
+
   /// Whether another iteration can still gain something.
   virtual bool Converged() const = 0;
+
+  /// Whether what iterations still gain, sweeps that smooth gain as well.
+  virtual bool IsNear() const { return this->Converged(); }
 
   virtual int IterationLimit() const = 0;
 

@@ -15,23 +15,46 @@ namespace limpid
 {
 namespace
 {
+std::vector<float> RestrictImportance(
+  const Grid& fineGrid, const float* importance, const Grid& grid)
+{
+  std::vector<float> coarse = Restrict(fineGrid, importance, grid);
+  // A mean of numbers up to 1 may round above it.
+  ParallelFor(grid.NodeCount(), 65536,
+    [&coarse](Index node)
+    {
+      float& value = coarse[std::size_t(node)];
+      value = std::min(value, 1.0f);
+    });
+  return coarse;
+}
+
 /// A coarser grid with fields of its own to preview on.
 struct CoarseScene
 {
   std::vector<float> base;
   std::vector<float> importance;
+  std::vector<float> despeckled; ///< what is a speck shows on the fine grid only; empty: not needed
 
-  CoarseScene(const SceneFields& scene, const Grid& grid)
-    : base(Restrict(scene.grid, scene.baseExtinction, grid))
-    , importance(Restrict(scene.grid, scene.importance, grid))
+  CoarseScene(PreparedScene& fine, ImportanceSmoothing smoothing, const Grid& grid)
+    : base(Restrict(fine.Nodes(), fine.Arrays().baseExtinction, grid))
+    , importance(RestrictImportance(fine.Nodes(), fine.Arrays().importance, grid))
   {
-    // A mean of numbers up to 1 may round above it.
-    ParallelFor(grid.NodeCount(), 65536,
-      [this](Index node)
-      {
-        float& value = this->importance[std::size_t(node)];
-        value = std::min(value, 1.0f);
-      });
+    if (smoothing == ImportanceSmoothing::Median)
+    {
+      this->despeckled = RestrictImportance(fine.Nodes(), fine.ImportanceFor(smoothing), grid);
+    }
+  }
+
+  bool Has(ImportanceSmoothing smoothing) const
+  {
+    return smoothing == ImportanceSmoothing::Off || !this->despeckled.empty();
+  }
+
+  SceneFields Fields(const Grid& grid, float majorant) const
+  {
+    return { grid, this->base.data(), this->importance.data(), majorant,
+      this->despeckled.empty() ? nullptr : this->despeckled.data() };
   }
 };
 
@@ -97,16 +120,16 @@ struct Progressive::Internals
   PreviewPass& PreviewOn(std::size_t number)
   {
     Level& wanted = this->levels[number];
-    if (!wanted.preview)
+    const ImportanceSmoothing smoothing = this->settings.importanceSmoothing;
+    if (!wanted.preview || (wanted.fields && !wanted.fields->Has(smoothing)))
     {
       std::shared_ptr<PreparedScene> prepared = this->scene;
       if (number > 0)
       {
-        const SceneFields& fine = this->scene->Arrays();
         const Grid& grid = this->grids[number];
-        wanted.fields = std::make_unique<CoarseScene>(fine, grid);
-        prepared = std::make_shared<PreparedScene>(SceneFields{
-          grid, wanted.fields->base.data(), wanted.fields->importance.data(), fine.majorant });
+        wanted.fields = std::make_unique<CoarseScene>(*this->scene, smoothing, grid);
+        prepared = std::make_shared<PreparedScene>(
+          wanted.fields->Fields(grid, this->scene->Arrays().majorant));
       }
       wanted.preview = std::make_unique<PreviewPass>(std::move(prepared));
     }
@@ -321,7 +344,7 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
   const Internals& state = *this->State;
   PreparedScene& scene =
     state.shown == Shown::Preview ? state.LastPreview().Prepared() : *state.scene;
-  const Problem problem = scene.ProblemFor(camera, state.light, state.settings);
+  const Problem problem = scene.ProblemFor(camera, state.light, ForScores(state.settings));
   ChosenBackend backend;
   backend.Choose(state.settings, problem.grid);
   const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFrom(problem, problem.camera);

@@ -33,6 +33,10 @@ void Settings::Require() const
     "The protection of important matter is "
       << this->protectImportance
       << " (it is the share of its extinction that is kept). Set it between 0 and 1.");
+  LIMPID_REQUIRE(this->smoothness >= 0 && this->smoothness <= 10,
+    "The smoothness is "
+      << this->smoothness
+      << " (at 10 neighbours outweigh all that can be gained). Set it between 0 and 10.");
   LIMPID_REQUIRE(
     std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
     "The ray density is " << this->rayDensity
@@ -54,13 +58,19 @@ void Settings::Require() const
   }
 }
 
+Settings ForScores(Settings settings)
+{
+  settings.importanceSmoothing = ImportanceSmoothing::Off;
+  return settings;
+}
+
 bool operator==(const Settings& one, const Settings& other)
 {
   const auto values = [](const Settings& s)
   {
     return std::tie(s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel, s.learningRate,
       s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded, s.restrictToView,
-      s.protectImportance, s.backend);
+      s.protectImportance, s.importanceSmoothing, s.smoothness, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)
   { return one.weights.*info.weight == other.weights.*info.weight; };

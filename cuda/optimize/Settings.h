@@ -34,6 +34,14 @@ struct Weights
   double light = 1;             ///< r of Eq. (24)
 };
 
+/// What is done to the importance before the optimisation, which minimises the energy of what comes
+/// of it. Scores are always those of the importance as given.
+enum class ImportanceSmoothing
+{
+  Off,
+  Median ///< see Despeckle
+};
+
 using WeightOf = double Weights::*;
 
 /// A weight, and what to tell whoever sets it below zero.
@@ -60,7 +68,8 @@ struct Settings
   int maximumIterations = 8;                               ///< policy
   std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< Adam: quarter, half, full resolution
   double learningRate = 0.05;                              ///< Adam [majorant]
-  double tolerance = 1e-3;   ///< stop when the mean change of an iteration is below [majorant]
+  double tolerance = 1e-3;   ///< stop when the mean change of an iteration is below [majorant];
+                             ///< policy: or below 5 times this, the energy's below a tenth of it
   double maximumSeconds = 0; ///< stop after; zero: no limit [s]
   Derivative derivative = Derivative::Volume;
   double rayDensity = 1;       ///< rays per voxel and axis on the farthest slice
@@ -71,6 +80,12 @@ struct Settings
   /// may be removed, as in the paper.
   double protectImportance = 0;
 
+  ImportanceSmoothing importanceSmoothing = ImportanceSmoothing::Off;
+
+  /// How strongly the changes of neighbours are drawn together when the optimum is near, as a share
+  /// of the weights of view and light, see SmoothedChange [0, 10]; 0: not at all, as in the paper.
+  double smoothness = 0;
+
   BackendKind backend = BackendKind::Auto;
 
   /// Throws limpid::Error on a value that cannot be worked with.
@@ -78,6 +93,16 @@ struct Settings
 };
 
 bool operator==(const Settings& one, const Settings& other);
+
+/// Whether iterations see what the scores are of: the camera has a term, and the importance is as
+/// given. Else what a result is worth takes a sweep of its own.
+inline bool TellsScores(const Settings& settings)
+{
+  return settings.weights.view > 0 && settings.importanceSmoothing == ImportanceSmoothing::Off;
+}
+
+/// The settings of scores: the importance as given.
+Settings ForScores(Settings settings);
 
 /// The three terms of Eq. (21), in world units: the normalised energy times R^2.
 struct Energy
@@ -94,9 +119,10 @@ struct IterationRecord
   int iteration = 0; ///< 0 is the base extinction
   int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
   Energy energy;
-  Score score;           ///< from the camera; 0 where its term has no weight
+  Score score;           ///< from the camera; 0 where iterations do not tell it, see TellsScores
   double meanChange = 0; ///< mean |change| of the voxels that may change [majorant]
   double seconds = 0;    ///< since the start
+  bool smooths = false;  ///< whether it drew neighbours together: the best, whatever its energy
 };
 
 /// Told after every iteration: share of the work done in [0, 1] and a text for the user.

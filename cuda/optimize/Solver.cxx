@@ -8,6 +8,7 @@
 #include "math/Require.h"
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/Smoothing.h"
 #include "optimize/SolverBackend.h"
 
 #include <algorithm>
@@ -37,6 +38,8 @@ struct Solver::Internals
   Problem problem;
   std::unique_ptr<Minimizer> minimizer;
   int runIterations = 0;
+  int runSmoothings = 0; ///< that follow
+  bool runFound = false; ///< whether the iterations have found what they look for
   bool lightRun = false;
   bool hasIterate = false; ///< whether this run has made one at full resolution
 
@@ -45,6 +48,15 @@ struct Solver::Internals
   std::vector<IterationRecord> history;
   Score base;
   mutable std::optional<Score> best; ///< not there: not known yet
+
+  /// The camera's rays through the importance as given; null: nobody has asked.
+  struct Judge
+  {
+    Problem problem;
+    std::unique_ptr<SourceSweeps> sweeps;
+  };
+  mutable std::unique_ptr<Judge> judge;
+
   Energy bestEnergy;
   int iterations = 0;
   double seconds = 0;
@@ -74,6 +86,7 @@ struct Solver::Internals
     this->lightRun = false;
     this->base = Score();
     this->best = Score();
+    this->judge.reset();
     this->bestEnergy = Energy();
     this->lightExtinction.clear();
     if (this->settings.mode == Mode::Separate)
@@ -108,7 +121,7 @@ struct Solver::Internals
   {
     std::vector<float> start = this->initial;
     const float* baseField = this->scene.baseExtinction;
-    const float* importance = this->scene.importance;
+    const float* importance = this->problem.importance;
     const ExtinctionBounds<float> bounds = BoundsOf(this->problem);
     ParallelFor(static_cast<Index>(start.size()), 65536,
       [&](Index voxel)
@@ -124,6 +137,8 @@ struct Solver::Internals
   {
     const Weights& weights = this->problem.settings.weights;
     this->runIterations = 0;
+    this->runSmoothings = 0;
+    this->runFound = false;
     this->hasIterate = false;
     const bool nothingAtStake =
       !(weights.view > 0 || weights.light > 0) || !this->prepared->SomethingToSee();
@@ -158,12 +173,19 @@ struct Solver::Internals
     this->bestEnergy = record.energy;
   }
 
-  /// Whether iterations tell what the camera sees.
-  bool SeesAlong() const { return this->problem.settings.weights.view > 0; }
+  bool SeesAlong() const { return limpid::TellsScores(this->problem.settings); }
 
   Score ScoreOf(const float* field) const
   {
-    return this->backend->SweepsFrom(this->problem, this->problem.camera)->ScoreOf(field);
+    if (!this->judge)
+    {
+      auto made = std::make_unique<Judge>();
+      made->problem =
+        this->prepared->ProblemFor(this->camera, this->light, ForScores(this->settings));
+      made->sweeps = this->backend->SweepsFrom(made->problem, made->problem.camera);
+      this->judge = std::move(made);
+    }
+    return this->judge->sweeps->ScoreOf(field);
   }
 
   const std::vector<float>& Extinction() const
@@ -171,24 +193,55 @@ struct Solver::Internals
     return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction;
   }
 
+  int SmoothingLimit() const
+  {
+    return this->settings.smoothness > 0 && this->minimizer->IterationLimit() > 0 ? smoothingSweeps
+                                                                                  : 0;
+  }
+
   double Share() const
   {
-    const double limit = this->minimizer ? std::max(1, this->minimizer->IterationLimit()) : 1;
-    return std::min(1.0, this->runIterations / limit);
+    const double limit = this->minimizer->IterationLimit() + this->SmoothingLimit();
+    return std::min(1.0, (this->runIterations + this->runSmoothings) / std::max(1.0, limit));
+  }
+
+  /// Whether the optimum is found, or nearly, if smoothing follows, which goes on minimising.
+  bool IsFound() const
+  {
+    return this->runFound || this->runIterations >= this->minimizer->IterationLimit();
+  }
+
+  bool RunIsOver() const
+  {
+    return this->IsFound() && this->runSmoothings >= this->SmoothingLimit();
+  }
+
+  IterationRecord Advance()
+  {
+    if (this->IsFound())
+    {
+      ++this->runSmoothings;
+      return this->minimizer->Smooth();
+    }
+    ++this->runIterations;
+    const IterationRecord record = this->minimizer->Iterate();
+    this->runFound =
+      this->SmoothingLimit() > 0 ? this->minimizer->IsNear() : this->minimizer->Converged();
+    return record;
   }
 
   void Iterate(const Progress& progress)
   {
     const Clock::time_point start = Clock::now();
-    IterationRecord record = this->minimizer->Iterate();
+    IterationRecord record = this->Advance();
     ++this->iterations;
-    ++this->runIterations;
     this->seconds += std::chrono::duration<double>(Clock::now() - start).count();
     record.iteration = this->iterations;
     record.seconds = this->seconds;
     this->history.push_back(record);
     this->hasIterate = this->hasIterate || record.level == 0;
-    const bool better = record.level == 0 && record.energy.Total() < this->bestEnergy.Total();
+    const bool better =
+      record.smooths || (record.level == 0 && record.energy.Total() < this->bestEnergy.Total());
     if (better && !this->lightRun)
     {
       this->bestEnergy = record.energy;
@@ -200,8 +253,7 @@ struct Solver::Internals
     }
     const bool late =
       this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds;
-    if (this->stopped || late || this->minimizer->Converged() ||
-      this->runIterations >= this->minimizer->IterationLimit())
+    if (this->stopped || late || this->RunIsOver())
     {
       this->FinishRun();
     }
@@ -228,7 +280,7 @@ struct Solver::Internals
     std::vector<float>& result = this->lightRun ? this->lightExtinction : this->extinction;
     if (this->minimizer)
     {
-      this->settled = this->settled && this->minimizer->Converged();
+      this->settled = this->settled && this->runFound;
       result = this->minimizer->TakeBest();
       this->minimizer.reset();
     }
@@ -286,7 +338,7 @@ bool Solver::Step(int iterations, const Progress& progress)
   state.stopped = false;
   for (int i = 0; i < iterations && !state.done; ++i)
   {
-    if (!state.minimizer || state.runIterations >= state.minimizer->IterationLimit())
+    if (!state.minimizer || state.RunIsOver())
     {
       state.FinishRun();
       continue;
@@ -352,6 +404,11 @@ std::array<std::vector<float>, 2> Solver::TakeExtinctions()
   return { { std::move(state.extinction), std::move(state.lightExtinction) } };
 }
 
+bool Solver::TellsScores() const
+{
+  return limpid::TellsScores(this->State->settings);
+}
+
 double Solver::Majorant() const
 {
   return this->State->prepared->Majorant();
@@ -368,6 +425,10 @@ Score Solver::BestScore() const
   if (!state.best)
   {
     state.best = state.ScoreOf(state.Extinction().data());
+    if (state.done)
+    {
+      state.judge.reset();
+    }
   }
   return *state.best;
 }

@@ -26,6 +26,10 @@ struct SceneFields
   /// that it depends neither on time nor on what is cropped away. Never below the largest value of
   /// the base extinction, which it is by default [1/length].
   float majorant = 0;
+
+  /// The importance without its specks, likewise, for ImportanceSmoothing::Median; null: it is made
+  /// of the importance when it is asked for.
+  const float* despeckled = nullptr;
 };
 
 class PreparedScene;
@@ -81,6 +85,10 @@ public:
 
   /// Both extinctions, given away: the solver cannot be used any more.
   std::array<std::vector<float>, 2> TakeExtinctions();
+
+  /// Whether the records have scores, see limpid::TellsScores; BestScore() is always that of the
+  /// importance as given.
+  bool TellsScores() const;
 
   double Majorant() const; ///< upper bound of the extinction, Eq. (25) [1/length]
 

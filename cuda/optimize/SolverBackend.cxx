@@ -92,9 +92,12 @@ std::unique_ptr<Minimizer> MakeMinimizerOn(const std::shared_ptr<AnyDevice>& dev
   {
     return MakePolicy(device, problem, start, warm);
   }
-  return MakeAdam(problem, std::move(start),
+  return MakeAdam(
+    problem, std::move(start),
     [device](const Problem& level, const std::vector<float>& first)
-    { return MakeAdamLevel(device, level, first); });
+    { return MakeAdamLevel(device, level, first); },
+    [device, &problem](const std::vector<float>& first)
+    { return MakePolicy(device, problem, first, true); });
 }
 
 template <class AnyDevice>

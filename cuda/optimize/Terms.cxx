@@ -61,15 +61,15 @@ template <class AnyDevice>
 TermFields Terms<AnyDevice>::FieldsOf(
   const VisibilityTerm<AnyDevice>& term, const float* extinction) const
 {
-  const bool ofCamera = this->camera && &term == &*this->camera;
+  const bool scored = this->IsOfCamera(term) && TellsScores(this->Given->settings);
   return { extinction, this->Scene->importance.Data(), this->Scene->nodeImportance.Data(),
-    ofCamera ? this->Scene->base.Data() : nullptr };
+    scored ? this->Scene->base.Data() : nullptr };
 }
 
 template <class AnyDevice>
 void Terms<AnyDevice>::SeeBase()
 {
-  if (this->camera && !this->Base)
+  if (TellsScores(this->Given->settings) && !this->Base)
   {
     TermFields fields = this->FieldsOf(*this->camera, this->Scene->base.Data());
     fields.base = nullptr; // all of it is kept
@@ -81,10 +81,14 @@ void Terms<AnyDevice>::SeeBase()
 template <class AnyDevice>
 IterationRecord Terms<AnyDevice>::MeasureBase()
 {
+  if (!TellsScores(this->Given->settings))
+  {
+    return this->Measure(this->Scene->base.Data());
+  }
   this->SeeBase();
   if (this->light)
   {
-    this->MeasureLagged(this->Scene->base.Data());
+    this->MeasureTerm(*this->light, this->Scene->base.Data());
   }
   this->SumSquares(this->Scene->base.Data());
   IterationRecord record = this->Record();
@@ -97,11 +101,11 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 {
   if (this->camera)
   {
-    this->camera->Forward(this->FieldsOf(*this->camera, extinction), &this->Sums()->camera);
+    this->MeasureTerm(*this->camera, extinction);
   }
   if (this->light)
   {
-    this->MeasureLagged(extinction);
+    this->MeasureTerm(*this->light, extinction);
   }
   this->SumSquares(extinction);
   return this->Record();
@@ -110,38 +114,53 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 template <class AnyDevice>
 void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 {
+  for (auto* term : { &this->camera, &this->light })
+  {
+    if (*term)
+    {
+      const auto weight = static_cast<float>(this->WeightOf(**term));
+      this->DifferentiateOne(**term, extinction, { 1.0f, weight }, gradient);
+    }
+  }
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::DifferentiateTerm(
+  VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient)
+{
+  const auto weight = static_cast<float>(this->WeightOf(term));
+  this->DifferentiateOne(term, extinction, { 0.0f, weight }, gradient);
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::DifferentiateSeen(
+  VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient)
+{
+  TermFields fields = this->FieldsOf(term, extinction);
+  fields.base = nullptr; // nothing is summed
+  term.DifferentiateSeen(fields, this->Given->settings.derivative,
+    { 0.0f, static_cast<float>(this->WeightOf(term)) }, gradient);
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::MeasureTerm(VisibilityTerm<AnyDevice>& term, const float* extinction)
+{
+  term.Forward(this->FieldsOf(term, extinction), this->SumOf(term));
+}
+
+template <class AnyDevice>
+double Terms<AnyDevice>::WeightOf(const VisibilityTerm<AnyDevice>& term) const
+{
   const Weights& weights = this->Given->settings.weights;
-  if (this->camera)
-  {
-    this->DifferentiateOne(*this->camera, extinction, { 1.0f, static_cast<float>(weights.view) },
-      gradient, &this->Sums()->camera);
-  }
-  if (this->light)
-  {
-    this->DifferentiateOne(*this->light, extinction, { 1.0f, static_cast<float>(weights.light) },
-      gradient, &this->Sums()->light);
-  }
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::DifferentiateLagged(const float* extinction, float* lagged)
-{
-  const auto weight = static_cast<float>(this->Given->settings.weights.light);
-  this->DifferentiateOne(*this->light, extinction, { 0.0f, weight }, lagged, &this->Sums()->light);
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::MeasureLagged(const float* extinction)
-{
-  this->light->Forward(this->FieldsOf(*this->light, extinction), &this->Sums()->light);
+  return this->IsOfCamera(term) ? weights.view : weights.light;
 }
 
 template <class AnyDevice>
 void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
-  const GradientTarget& target, float* gradient, Seen* sum)
+  const GradientTarget& target, float* gradient)
 {
-  term.Differentiate(
-    this->FieldsOf(term, extinction), this->Given->settings.derivative, target, gradient, sum);
+  term.Differentiate(this->FieldsOf(term, extinction), this->Given->settings.derivative, target,
+    gradient, this->SumOf(term));
 }
 
 template <class AnyDevice>
@@ -174,7 +193,10 @@ IterationRecord Terms<AnyDevice>::Record() const
   record.energy.regularization = this->Given->Regularization(sums.moved.squares); // Eq. (22)
   record.energy.view = -weights.view * sums.camera.all.visible;                   // Eq. (23)
   record.energy.light = -weights.light * sums.light.all.visible;                  // Eq. (24)
-  record.score = ScoreOf(sums.camera, this->Base ? this->Base->unattenuated : 0); // Eq. (32)
+  if (this->Base)
+  {
+    record.score = ScoreOf(sums.camera, this->Base->unattenuated); // Eq. (32)
+  }
   record.meanChange = this->Given->MeanChange(sums.moved.changes);
   return record;
 }

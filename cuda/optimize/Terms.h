@@ -29,7 +29,8 @@ class Terms
 public:
   Terms(std::shared_ptr<AnyDevice> device, const Problem& problem);
 
-  /// Lets the camera see the base extinction, of which records tell shares, once. Waits.
+  /// Lets the camera see the base extinction, of which scores are shares, once, if iterations tell
+  /// scores. Waits.
   void SeeBase();
 
   /// The energy and the score of an extinction, once the base was seen; leaves the optical depths
@@ -39,26 +40,35 @@ public:
   /// The same of the base extinction, seen on the way; before any other extinction is seen.
   IterationRecord MeasureBase();
 
-  /// Of the base extinction, once it was seen; 0 without a camera.
+  /// Of the base extinction, once it was seen; 0 where iterations do not tell scores.
   Score BaseScore() const { return this->Base ? ScoreOfBase(*this->Base) : Score(); }
 
-  /// The fields of a term's sweep. What is kept matters to the camera alone.
+  /// The fields of a term's sweep. What is kept matters to scores alone.
   TermFields FieldsOf(const VisibilityTerm<AnyDevice>& term, const float* extinction) const;
 
   /// Finds the derivative of the visibility terms, Eqs. (27) and (28) with their weights, and sees
   /// the extinction for the next record along the way.
   void Differentiate(const float* extinction, float* gradient);
 
-  /// Whether there are terms besides the regularisation and the one that policy sweeps minimise:
-  /// there, they act with their derivative at the last iterate.
-  bool HasLagged() const { return this->camera && this->light; }
+  /// Finds the derivative of one visibility term with its weight, and sees the extinction for the
+  /// next record along the way. Only voxels that it depends on are written, always the same ones.
+  void DifferentiateTerm(VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient);
 
-  /// Finds the derivative of those terms with their weights, and sees the extinction for the next
-  /// record along the way. Only voxels that they depend on are written, always the same ones.
-  void DifferentiateLagged(const float* extinction, float* lagged);
+  /// The derivative of DifferentiateTerm by an extinction that the term's rays have seen last.
+  void DifferentiateSeen(VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient);
 
-  /// Sees the extinction for the next record as DifferentiateLagged does.
-  void MeasureLagged(const float* extinction);
+  /// Sees the extinction for the next record as DifferentiateTerm does, and leaves the optical
+  /// depths of the term's rays.
+  void MeasureTerm(VisibilityTerm<AnyDevice>& term, const float* extinction);
+
+  /// q of Eq. (23) or r of Eq. (24).
+  double WeightOf(const VisibilityTerm<AnyDevice>& term) const;
+
+  /// Whether a term is the camera's, to which it matters what is kept of the base extinction.
+  bool IsOfCamera(const VisibilityTerm<AnyDevice>& term) const
+  {
+    return this->camera && &term == &*this->camera;
+  }
 
   /// Sums what an iteration has changed, for the next record. `last`: null: `next` is the change.
   void SumChanges(const float* next, const float* last);
@@ -75,6 +85,10 @@ public:
 
   /// The sums of the next record, on the device.
   TermSums* Sums() { return this->Found.Data(); }
+  Seen* SumOf(const VisibilityTerm<AnyDevice>& term)
+  {
+    return this->IsOfCamera(term) ? &this->Sums()->camera : &this->Sums()->light;
+  }
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
@@ -87,14 +101,14 @@ private:
 
   /// The derivative of a visibility term by an extinction.
   void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
-    const GradientTarget& target, float* gradient, Seen* sum);
+    const GradientTarget& target, float* gradient);
 
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
-  std::optional<Visible> Base; ///< not there: not seen yet, or no camera
+  std::optional<Visible> Base; ///< not there: not seen yet, or iterations do not tell scores
 };
 }
 

@@ -98,6 +98,13 @@ struct RangeOfBrick
   }
 };
 
+/// Whether bricks are empty from which all extinction was cleared.
+enum class Cleared
+{
+  IsEmpty,
+  IsNot
+};
+
 /// 0 where a brick may have extinction, else the largest distance.
 struct EmptyBrick
 {
@@ -106,6 +113,7 @@ struct EmptyBrick
   const ScalarRange* ranges;
   const FourPacked* overlay; ///< see ExtinctionOverlay; null: unchanged
   Int3 overlayNodes;
+  Cleared cleared;
   std::uint8_t* distance; ///< out
 
   LIMPID_HD void operator()(Index brick, int i, int j, int k) const
@@ -122,10 +130,27 @@ struct EmptyBrick
         [&](Index node)
         {
           const std::int16_t* change = this->overlay[node].values;
-          return (classified && change[0] > 0) || change[1] > 0;
+          const bool kept = change[0] > 0 || this->cleared == Cleared::IsNot;
+          return (classified && kept) || change[1] > 0;
         });
     }
     this->distance[brick] = filled ? 0 : farthestBrick;
+  }
+};
+
+/// 0 where a brick may be important, else the largest distance.
+struct UnimportantBrick
+{
+  Int3 nodes;
+  const float* importance;
+  std::uint8_t* distance; ///< out
+
+  LIMPID_HD void operator()(Index brick, int i, int j, int k) const
+  {
+    const bool important =
+      BrickNodes::Of({ i, j, k }, this->nodes)
+        .Any(this->nodes, [this](Index node) { return this->importance[node] > 0; });
+    this->distance[brick] = important ? 0 : farthestBrick;
   }
 };
 
@@ -197,11 +222,69 @@ public:
   void FindEmpty(
     const OpticalTable<FourFloats>& table, const FourPacked* overlay, const Int3& overlayNodes)
   {
+    this->Find(this->Distance, table, overlay, overlayNodes, Cleared::IsEmpty);
+  }
+
+  /// Likewise, the bricks that are empty without the change, too.
+  void FindBare(
+    const OpticalTable<FourFloats>& table, const FourPacked* overlay, const Int3& overlayNodes)
+  {
+    this->Find(this->BareDistance, table, overlay, overlayNodes, Cleared::IsNot);
+  }
+
+  /// Likewise, the bricks where nothing is important, at the nodes of the scalars.
+  void FindUnimportant(const float* importance)
+  {
+    this->Spread(this->UnimportantDistance,
+      [&](std::uint8_t* out) {
+        return UnimportantBrick{ this->Nodes, importance, out };
+      });
+  }
+
+  /// Gives the memory of bare and of unimportant bricks back.
+  void ForgetImportance()
+  {
+    this->BareDistance = {};
+    this->UnimportantDistance = {};
+  }
+
+  BrickDistances Distances() const
+  {
+    return BrickDistances::Of(this->Nodes, this->Distance.Data());
+  }
+
+  BrickDistances BareDistances() const
+  {
+    return BrickDistances::Of(this->Nodes, this->BareDistance.Data());
+  }
+
+  BrickDistances UnimportantDistances() const
+  {
+    return BrickDistances::Of(this->Nodes, this->UnimportantDistance.Data());
+  }
+
+private:
+  using DistanceArray = DeviceArray<AnyDevice, std::uint8_t>;
+
+  void Find(DistanceArray& distances, const OpticalTable<FourFloats>& table,
+    const FourPacked* overlay, const Int3& overlayNodes, Cleared cleared)
+  {
+    this->Spread(distances,
+      [&](std::uint8_t* out)
+      {
+        return EmptyBrick{ this->Nodes, table, this->Ranges.Data(), overlay, overlayNodes, cleared,
+          out };
+      });
+  }
+
+  /// Finds distances from where a brick is empty: `emptyInto(out)` makes what writes that.
+  template <class EmptyInto>
+  void Spread(DistanceArray& distances, const EmptyInto& emptyInto)
+  {
     const char* what = "the bricks";
-    std::uint8_t* distance = this->Distance.RoomFor(this->Device, this->Total(), what);
+    std::uint8_t* distance = distances.RoomFor(this->Device, this->Total(), what);
     std::uint8_t* other = this->OtherDistance.RoomFor(this->Device, this->Total(), what);
-    this->Device->ForNodes("empty bricks", this->Count,
-      EmptyBrick{ this->Nodes, table, this->Ranges.Data(), overlay, overlayNodes, other });
+    this->Device->ForNodes("empty bricks", this->Count, emptyInto(other));
     const auto spread = [&](int axis, const std::uint8_t* from, std::uint8_t* to)
     {
       this->Device->ForNodes(
@@ -212,12 +295,6 @@ public:
     spread(2, other, distance);
   }
 
-  BrickDistances Distances() const
-  {
-    return BrickDistances::Of(this->Nodes, this->Distance.Data());
-  }
-
-private:
   std::size_t Total() const
   {
     return std::size_t(Index(this->Count.x) * this->Count.y * this->Count.z);
@@ -228,7 +305,9 @@ private:
   Int3 Count{ 0 };
   DeviceArray<AnyDevice, ScalarRange> Ranges;
   DeviceArray<AnyDevice, std::uint8_t> Distance;
-  DeviceArray<AnyDevice, std::uint8_t> OtherDistance; ///< between the axes
+  DeviceArray<AnyDevice, std::uint8_t> BareDistance;        ///< empty: not asked for
+  DeviceArray<AnyDevice, std::uint8_t> UnimportantDistance; ///< likewise
+  DeviceArray<AnyDevice, std::uint8_t> OtherDistance;       ///< between the axes
 };
 }
 

@@ -86,12 +86,22 @@ LIMPID_TRACE(TraceOverlaid, false, true)
 LIMPID_TRACE(TraceLit, true, false)
 LIMPID_TRACE(TraceLitOverlaid, true, true)
 #undef LIMPID_TRACE
-}
 
-void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays)
+using GatherOneRay = RayImportance (*)(const RayScene&, const Ray&);
+
+#define LIMPID_GATHER(name, overlaid)                                                              \
+  LIMPID_MULTIVERSION RayImportance name(const RayScene& scene, const Ray& ray)                    \
+  {                                                                                                \
+    return TraceMissed<BlockSampler, overlaid>(scene, ray);                                        \
+  }
+LIMPID_GATHER(GatherPlain, false)
+LIMPID_GATHER(GatherOverlaid, true)
+#undef LIMPID_GATHER
+
+/// Calls action(column, row) for all pixels, tile by tile. Can be interrupted.
+template <class Action>
+void ForPixels(const PictureRays& rays, const Action& action)
 {
-  const TraceOneRay trace = scene.gradient ? (scene.overlay ? TraceLitOverlaid : TraceLit)
-                                           : (scene.overlay ? TraceOverlaid : TracePlain);
   const int across = (rays.columns + tileWidth - 1) / tileWidth;
   const int down = (rays.rows + tileHeight - 1) / tileHeight;
   ParallelFor(Index(across) * down,
@@ -104,11 +114,32 @@ void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays)
       {
         for (int column = left; column < std::min(left + tileWidth, rays.columns); ++column)
         {
-          rays.Draw<BlockSampler::Optical>(
-            column, row, [&](const Ray& ray, HostPixel& pixel) { trace(scene, ray, pixel); });
+          action(column, row);
         }
       }
     });
+}
+}
+
+void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays)
+{
+  const TraceOneRay trace = scene.gradient ? (scene.overlay ? TraceLitOverlaid : TraceLit)
+                                           : (scene.overlay ? TraceOverlaid : TracePlain);
+  ForPixels(rays,
+    [&](int column, int row)
+    {
+      rays.Draw<BlockSampler::Optical>(
+        column, row, [&](const Ray& ray, HostPixel& pixel) { trace(scene, ray, pixel); });
+    });
+}
+
+void PaintMissed(
+  HostDevice&, const RayScene& scene, const PictureRays& rays, const MissedPaint& paint)
+{
+  const GatherOneRay gather = scene.overlay ? GatherOverlaid : GatherPlain;
+  ForPixels(rays,
+    [&](int column, int row)
+    { rays.Paint(column, row, paint, [&](const Ray& ray) { return gather(scene, ray); }); });
 }
 
 bool MoveNodes(HostDevice& device, const MovedNode& body, bool)

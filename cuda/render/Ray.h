@@ -33,6 +33,20 @@ struct Ray
     const float behindEntry = distance > 0.0f ? distance : 0.0f;
     return behindEntry < this->length ? behindEntry : this->length;
   }
+
+  /// The same samples in the opposite order. It is not to be lit.
+  LIMPID_HD LIMPID_INLINE Ray Reversed() const
+  {
+    Ray back = *this;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      back.entry[axis] = this->entry[axis] + this->length * this->step[axis];
+      back.step[axis] = -this->step[axis];
+    }
+    const float before = static_cast<float>(this->segments) - this->shift - this->length;
+    back.shift = before > 0.0f ? before : 0.0f;
+    return back;
+  }
 };
 
 /// Throws limpid::Error unless rays can be made of a view.

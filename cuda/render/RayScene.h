@@ -117,9 +117,11 @@ struct RayScene
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
   OpticalTable<FourFloats> table;
   const FourPacked* gradient = nullptr; ///< see PackedGradientNode; null: not lit
+  const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not asked for
   CellGrid overlayGrid;
   const FourPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: nothing to add
   BrickDistances bricks;
+  BrickDistances unimportant;          ///< if the importance is asked for
   float overlayScale[3] = { 1, 1, 1 }; ///< nodes of the overlay per node of the scalars
   float opaqueBelow = 0;
   float stepLength = 1; ///< between samples [length]

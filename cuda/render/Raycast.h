@@ -5,7 +5,10 @@
 #define limpid_render_Raycast_h
 
 #include "backend/Extent.h"
+#include "render/TraceMissed.h"
 #include "render/TraceRay.h"
+
+#include <type_traits>
 
 namespace limpid
 {
@@ -26,46 +29,95 @@ struct PictureRays
   template <class Optical, class Trace>
   LIMPID_HD LIMPID_INLINE void Draw(int column, int row, const Trace& trace) const
   {
-    const Index pixel = Index(row) * this->columns + column;
     Pixel<Optical> received;
     Ray ray;
-    const double start = this->nearDepth ? double(this->nearDepth[pixel]) : -1.0;
-    const double end = this->depth ? double(this->depth[pixel]) : 1.0;
-    if (this->maker.Make(column, row, start, end, ray))
+    if (this->Make(column, row, ray))
     {
       trace(ray, received);
     }
-    this->picture[pixel] = received.Shown(this->lightColor);
+    this->picture[this->At(column, row)] = received.Shown(this->lightColor);
+  }
+
+  /// Paints over a pixel that was drawn what its ray misses. `trace(ray)` gathers a RayImportance.
+  template <class Trace>
+  LIMPID_HD LIMPID_INLINE void Paint(
+    int column, int row, const MissedPaint& paint, const Trace& trace) const
+  {
+    Ray ray;
+    if (this->Make(column, row, ray))
+    {
+      Rgba& pixel = this->picture[this->At(column, row)];
+      pixel = paint.Over(pixel, trace(ray).Missed());
+    }
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE Index At(int column, int row) const
+  {
+    return Index(row) * this->columns + column;
+  }
+
+  LIMPID_HD LIMPID_INLINE bool Make(int column, int row, Ray& ray) const
+  {
+    const Index pixel = this->At(column, row);
+    const double start = this->nearDepth ? double(this->nearDepth[pixel]) : -1.0;
+    const double end = this->depth ? double(this->depth[pixel]) : 1.0;
+    return this->maker.Make(column, row, start, end, ray);
   }
 };
 
-/// One thread draws one pixel; a warp of 32 threads draws 8 x 4 of them, whose rays read the same
-/// cells.
-template <bool Lit, bool Overlaid>
-struct DrawnPixel
+/// One thread does one pixel; a warp of 32 threads does 8 x 4 of them, whose rays read the same
+/// cells. `AnyPixel`: has the rays and what is done to a pixel.
+template <class AnyPixel>
+struct PixelOfTile
 {
   static constexpr int width = 8;
   static constexpr int height = 4;
 
-  RayScene scene;
-  PictureRays rays;
+  AnyPixel pixel;
 
   Extent Threads() const
   {
-    return { (this->rays.columns + width - 1) / width * (width * height),
-      (this->rays.rows + height - 1) / height };
+    return { (this->pixel.rays.columns + width - 1) / width * (width * height),
+      (this->pixel.rays.rows + height - 1) / height };
   }
 
   LIMPID_HD void operator()(int thread, int tileRow) const
   {
     const int column = thread / (width * height) * width + thread % width;
     const int row = tileRow * height + thread % (width * height) / width;
-    if (column < this->rays.columns && row < this->rays.rows)
+    if (column < this->pixel.rays.columns && row < this->pixel.rays.rows)
     {
-      this->rays.template Draw<FourFloats>(column, row,
-        [this](const Ray& ray, Pixel<FourFloats>& pixel)
-        { TraceRay<SingleSampler, Lit, Overlaid>(this->scene, ray, pixel); });
+      this->pixel(column, row);
     }
+  }
+};
+
+template <bool Lit, bool Overlaid>
+struct DrawnPixel
+{
+  RayScene scene;
+  PictureRays rays;
+
+  LIMPID_HD LIMPID_INLINE void operator()(int column, int row) const
+  {
+    this->rays.template Draw<FourFloats>(column, row,
+      [this](const Ray& ray, Pixel<FourFloats>& pixel)
+      { TraceRay<SingleSampler, Lit, Overlaid>(this->scene, ray, pixel); });
+  }
+};
+
+template <bool Overlaid>
+struct PaintedPixel
+{
+  RayScene scene;
+  PictureRays rays;
+  MissedPaint paint;
+
+  LIMPID_HD LIMPID_INLINE void operator()(int column, int row) const
+  {
+    this->rays.Paint(column, row, this->paint,
+      [this](const Ray& ray) { return TraceMissed<SingleSampler, Overlaid>(this->scene, ray); });
   }
 };
 
@@ -73,7 +125,11 @@ struct DrawnPixel
 template <class AnyDevice>
 void CastRays(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
 {
-  const auto cast = [&](const auto& pixel) { device.ForEach("cast rays", pixel.Threads(), pixel); };
+  const auto cast = [&](const auto& pixel)
+  {
+    const PixelOfTile<std::decay_t<decltype(pixel)>> body{ pixel };
+    device.ForEach("cast rays", body.Threads(), body);
+  };
   if (scene.gradient)
   {
     scene.overlay ? cast(DrawnPixel<true, true>{ scene, rays })
@@ -86,8 +142,24 @@ void CastRays(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
   }
 }
 
-/// The form for the processor reads and adds up the samples of a ray in blocks, with vector units.
+/// Paints over a picture what its rays miss of scene.importance. Likewise.
+template <class AnyDevice>
+void PaintMissed(
+  AnyDevice& device, const RayScene& scene, const PictureRays& rays, const MissedPaint& paint)
+{
+  const auto cast = [&](const auto& pixel)
+  {
+    const PixelOfTile<std::decay_t<decltype(pixel)>> body{ pixel };
+    device.ForEach("paint what is missed", body.Threads(), body);
+  };
+  scene.overlay ? cast(PaintedPixel<true>{ scene, rays, paint })
+                : cast(PaintedPixel<false>{ scene, rays, paint });
+}
+
+/// The forms for the processor read and add up the samples of a ray in blocks, with vector units.
 void CastRays(HostDevice& device, const RayScene& scene, const PictureRays& rays);
+void PaintMissed(
+  HostDevice& device, const RayScene& scene, const PictureRays& rays, const MissedPaint& paint);
 }
 
 #endif

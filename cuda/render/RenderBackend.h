@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace limpid
 {
@@ -21,7 +22,8 @@ struct Casting
   std::array<float, 3> lightColor{ { 1.0f, 1.0f, 1.0f } }; ///< likewise
   bool skipEmpty = true;
   float opaqueBelow = 0;
-  float stepLength = 1; ///< between samples [length]
+  float stepLength = 1;                            ///< between samples [length]
+  std::optional<std::array<float, 3>> missedColor; ///< none: what is missed is not painted
 };
 
 /**
@@ -70,6 +72,17 @@ public:
 
   /// Finds where there is no extinction.
   virtual void FindEmptyBricks() = 0;
+
+  /// Takes the importance at the nodes of the scalars [0, 1].
+  virtual void SetImportance(const float* importance) = 0;
+
+  /// Forgets the importance and what belongs to it. No picture asks for what is missed before it is
+  /// set again.
+  virtual void ClearImportance() = 0;
+
+  /// Finds where neither the transfer function nor a change has any extinction: what is cleared is
+  /// not empty here.
+  virtual void FindBareBricks() = 0;
 
   /// Draws a picture, which has the size of the view.
   virtual void Cast(const Casting& casting, const View& view, Picture& picture) = 0;

@@ -23,8 +23,9 @@ namespace limpid
  * back. Only Cast and LightTransmittanceAt wait.
  *
  * Bytes on a GPU per node: scalars 4, gradient 8, overlay 8, what casts the shadows 4, and 8 while
- * two extinctions are on their way in or a gradient is found; 32 in all. At 256^3 nodes: 0.54 GB,
- * and the plan of the shadows (0.1 GB). The processor reads scalars and extinctions in place.
+ * two extinctions are on their way in or a gradient is found; 32 in all, and 4 for the importance
+ * if what is missed is painted. At 256^3 nodes: 0.54 GB, and the plan of the shadows (0.1 GB). The
+ * processor reads scalars and extinctions in place.
  *
  * Bytes that a picture moves, counted: 1024^2 pixels of which half see a box of 256^3 nodes, 92 M
  * samples at the distance of the nodes if nothing is empty or opaque. A lit sample in an overlay
@@ -172,9 +173,27 @@ public:
 
   void FindEmptyBricks() override
   {
-    const bool changed = !this->Shown.Empty() && this->Shown.Changed();
     this->Empty.FindEmpty(
-      this->Table, changed ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
+      this->Table, this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
+  }
+
+  void SetImportance(const float* importance) override
+  {
+    this->Importance.Borrow(
+      this->Device, importance, std::size_t(this->Nodes.NodeCount()), "the importance");
+    this->Empty.FindUnimportant(this->Importance.Data());
+  }
+
+  void ClearImportance() override
+  {
+    this->Importance = {};
+    this->Empty.ForgetImportance();
+  }
+
+  void FindBareBricks() override
+  {
+    this->Empty.FindBare(
+      this->Table, this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
   }
 
   void Cast(const Casting& casting, const View& view, Picture& picture) override
@@ -192,10 +211,21 @@ public:
     const float* nearDepth = borrow(this->NearDepth, view.nearDepth);
     const float* depth = borrow(this->Depth, view.depth);
     Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
-    CastRays(*this->Device, this->SceneOf(casting),
-      PictureRays{ RayMaker(this->Nodes, casting.stepLength, view), view.width, view.height,
-        nearDepth, depth, { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] },
-        pixels });
+    PictureRays rays{ RayMaker(this->Nodes, casting.stepLength, view), view.width, view.height,
+      nearDepth, depth, { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] },
+      pixels };
+    CastRays(*this->Device, this->SceneOf(casting), rays);
+    if (casting.missedColor)
+    {
+      if (view.missedDepth)
+      {
+        rays.nearDepth = nullptr;
+        rays.depth = borrow(this->Depth, view.missedDepth);
+      }
+      const std::array<float, 3>& color = *casting.missedColor;
+      PaintMissed(*this->Device, this->MissedSceneOf(casting), rays,
+        MissedPaint{ { color[0], color[1], color[2] } });
+    }
     this->Device->Download(picture.rgba.data(), pixels, count * sizeof(Rgba));
   }
 
@@ -282,6 +312,24 @@ private:
     return scene;
   }
 
+  /// The scene of the rays that gather what is missed, which need no light.
+  RayScene MissedSceneOf(const Casting& casting) const
+  {
+    RayScene scene = this->SceneOf(casting);
+    scene.importance = this->Importance.Data();
+    scene.gradient = nullptr;
+    scene.overlay = this->IsChanged() ? scene.overlay : nullptr;
+    if (casting.skipEmpty)
+    {
+      scene.bricks = this->Empty.BareDistances();
+      scene.unimportant = this->Empty.UnimportantDistances();
+    }
+    return scene;
+  }
+
+  /// Whether another extinction than the transfer function's may be shown.
+  bool IsChanged() const { return !this->Shown.Empty() && this->Shown.Changed(); }
+
   std::shared_ptr<AnyDevice> Device;
   Grid Nodes;         ///< of the scalars
   ScalarField Mended; ///< what the device reads in place, if it does
@@ -294,6 +342,7 @@ private:
   BorrowedArray<AnyDevice, float> Largest; ///< see OpticalTable
   OpticalTable<FourFloats> Table;
 
+  BorrowedArray<AnyDevice, float> Importance; ///< empty: not asked for
   DeviceArray<AnyDevice, FourPacked> Gradient;
   Bricks<AnyDevice> Empty;
   ExtinctionOverlay<AnyDevice> Shown;

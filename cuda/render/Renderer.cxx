@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace limpid
 {
@@ -51,9 +52,25 @@ struct Renderer::Internals
   Grid extinctionGrid;
   bool usesTransferFunction = false; ///< as the extinction, when none was given
 
+  std::optional<std::array<float, 3>> missedColor; ///< none: what is missed is not painted
+
   bool gradientIsCurrent = false;
   bool bricksAreCurrent = false;
+  bool bareBricksAreCurrent = false;
   bool shadowIsCurrent = false;
+
+  void ForgetBricks()
+  {
+    this->bricksAreCurrent = false;
+    this->bareBricksAreCurrent = false;
+  }
+
+  void ForgetImportance()
+  {
+    this->missedColor.reset();
+    this->bareBricksAreCurrent = false;
+    this->backend->ClearImportance();
+  }
 
   /// Without any extinction given, the transfer function's casts the shadows.
   void UseTransferFunction()
@@ -85,7 +102,7 @@ struct Renderer::Internals
   /// Makes way for a given extinction. Returns whether there is one.
   bool WillShow(const Grid& nodes, const float* base, const float* extinction, double share)
   {
-    this->bricksAreCurrent = false;
+    this->ForgetBricks();
     this->shadowIsCurrent = false;
     this->ForgetTransferFunction();
     this->extinctionGrid = nodes;
@@ -153,6 +170,11 @@ struct Renderer::Internals
       this->backend->FindEmptyBricks();
       this->bricksAreCurrent = true;
     }
+    if (this->missedColor && !this->bareBricksAreCurrent)
+    {
+      this->backend->FindBareBricks();
+      this->bareBricksAreCurrent = true;
+    }
   }
 
   Casting CastingOf(const View& view) const
@@ -169,6 +191,7 @@ struct Renderer::Internals
       casting.lightColor = this->lighting.color;
     }
     // Farther samples could step over a brick.
+    casting.missedColor = view.paintsMissed ? this->missedColor : std::nullopt;
     casting.skipEmpty = view.skipEmpty && view.sampleDistance <= BrickDistances::size;
     return casting;
   }
@@ -194,11 +217,12 @@ void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* s
   LIMPID_REQUIRE(
     scalars != nullptr, "There are no scalars (nothing tells what is where). Give an array.");
   Internals& state = *this->State;
-  state.hasScalars = false; // in case that the next line throws
+  state.hasScalars = false; // in case that one of the next lines throws
+  state.ForgetImportance();
   state.backend->SetScalars(grid, scalars, shares);
   state.grid = grid;
   state.hasScalars = true;
-  state.bricksAreCurrent = false;
+  state.ForgetBricks();
   state.gradientIsCurrent = false;
   state.ForgetTransferFunction();
 }
@@ -212,8 +236,31 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
   state.majorant = classification.Majorant();
   state.hasFunctions = true;
   state.ForgetTransferFunction();
-  state.bricksAreCurrent = false;
+  state.ForgetBricks();
   state.gradientIsCurrent = false;
+}
+
+void Renderer::ShowMissed(const float* importance, const std::array<float, 3>& color)
+{
+  Internals& state = *this->State;
+  state.ForgetImportance();
+  if (!importance)
+  {
+    return;
+  }
+  LIMPID_REQUIRE(state.hasScalars,
+    "The importance was given before the scalars (it has their nodes). Set them first.");
+  for (const float channel : color)
+  {
+    LIMPID_REQUIRE(channel >= 0 && channel <= 1,
+      "A channel of the colour of what is missed is "
+        << channel << " (a picture has nothing brighter than 1). Keep it between 0 and 1.");
+  }
+  if (state.grid.HasVolume())
+  {
+    state.backend->SetImportance(importance);
+    state.missedColor = color;
+  }
 }
 
 void Renderer::SetExtinction(const Grid& grid, const float* base, const float* extinction,

@@ -65,6 +65,14 @@ struct View
   /// a ray meet adds up. A ray that ends before it begins meets nothing.
   const float* nearDepth = nullptr;
 
+  /// Whether what is missed is painted over the picture, see Renderer::ShowMissed.
+  bool paintsMissed = true;
+
+  /// Clip z to which what is missed is gathered, from the viewer on, likewise; null: between the
+  /// two above. For the foremost of several parts, which are not rays of their own: what one hides
+  /// may lie in another one.
+  const float* missedDepth = nullptr;
+
   /// Rays run where dot(plane, (x, y, z, 1)) >= 0 for all of these planes, in world coordinates;
   /// RayMaker::mostPlanes at most.
   std::vector<glm::dvec4> planes;
@@ -131,6 +139,14 @@ public:
 
   /// Light for the following pictures. Shadows are computed when they are needed next.
   void SetLighting(const Lighting& lighting);
+
+  /**
+   * Paints over the following pictures, in a colour, where they miss something important: where it
+   * was removed, or is hidden and could be seen in that pixel (RayImportance). `importance`: at the
+   * nodes of the scalars [0, 1], null: no longer; new scalars end it, too. The array is the
+   * caller's and stays.
+   */
+  void ShowMissed(const float* importance, const std::array<float, 3>& color = { { 1, 0, 1 } });
 
   /// Rays of the shadow volume per voxel and axis. Default 3.
   void SetShadowRayDensity(double density);

@@ -43,14 +43,14 @@ public:
       image[i] = this->Others.Data() + i * this->Rays;
     }
     return { depths, collected, image[0], image[1], image[2], image[3], image[4], image[5],
-      image[6], image[7], image[8], image[9] };
+      image[6], image[7], image[8], image[9], image[10], image[11], image[12] };
   }
 
   /// Makes what a sweep has collected the optical depths.
   void KeepCollected() { this->Swapped = !this->Swapped; }
 
 private:
-  static constexpr int images = 10;
+  static constexpr int images = 13;
 
   Index Rays;
   DeviceArray<AnyDevice, double> Depths;

@@ -55,7 +55,7 @@ struct RayInLayer
   Range<float> row;    ///< ... in v
   float extinction[2]; ///< [1/length]
   float importance[2]; ///< [0, 1]
-  float kept[2];       ///< what the extinction keeps of the base extinction [1/length]
+  float kept[2]; ///< what the extinction keeps of the base extinction, or an alternative [1/length]
 
   /// Relative depth where the ray enters the box.
   LIMPID_HD LIMPID_INLINE float Entry() const

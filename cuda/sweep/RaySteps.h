@@ -28,12 +28,17 @@ struct RayStates
   float* keptVisible;
   float* keptUnattenuated;
 
+  float* alternativeBehind; ///< the same as `behind`, through another extinction; see WeighStep
+  float* cost;              ///< of not taking that one behind
+  float* reach;             ///< last slice that is worth being seen; goes on to the next sweep
+
   LIMPID_HD LIMPID_INLINE RayStates From(Index ray) const
   {
     return { this->opticalDepth + ray, this->collected + ray, this->behind + ray,
       this->visible + ray, this->unattenuated + ray, this->transmittance + ray, this->density + ray,
       this->ahead + ray, this->rearImportance + ray, this->keptBehind + ray,
-      this->keptVisible + ray, this->keptUnattenuated + ray };
+      this->keptVisible + ray, this->keptUnattenuated + ray, this->alternativeBehind + ray,
+      this->cost + ray, this->reach + ray };
   }
 };
 
@@ -82,6 +87,8 @@ struct StartBehind
     this->rays.keptBehind[i] = 0;
     this->rays.keptVisible[i] = notEntered;
     this->rays.keptUnattenuated[i] = 0;
+    this->rays.alternativeBehind[i] = 0;
+    this->rays.cost[i] = 0;
   }
 };
 
@@ -252,6 +259,68 @@ struct CarryAndCollectStep
   }
 };
 
+/**
+ * Carries visible importance through a layer of a new extinction mu and of an alternative mu', and
+ * collects the optical depth. Where the new extinction behind shows less more than it costs,
+ *
+ *   T (V - V') < p/(2 q) integral of (mu - mu')^2 dt,
+ *
+ * it is not worth its cost from here: the ray goes on as if it met the alternative, and keeps in
+ * mind that it should not reach farther.
+ */
+struct WeighStep
+{
+  RayStates rays;
+  float priceOfSquare; ///< p/(2 q) [length]
+  float slice;         ///< number of the slice in front of the layer
+
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
+  {
+    constexpr float least = 0.02f; // to be shown, or it does not matter to the next sweep
+    const float behind = CarriedTo(here, this->rays.behind[i]);
+    RayInLayer<passage> other = here;
+    other.extinction[0] = here.kept[0];
+    other.extinction[1] = here.kept[1];
+    const float alternative = CarriedTo(other, this->rays.alternativeBehind[i]);
+    const float cost = this->rays.cost[i] + this->CostOf(here);
+    const float shown = this->rays.transmittance[i] * (behind - alternative);
+    const bool pays = shown > cost;
+    const float reach = this->rays.reach[i];
+    const bool nearer =
+      !pays && this->slice < reach && shown > least * here.layer.frontScale * here.layer.frontScale;
+    this->rays.behind[i] = pays ? behind : alternative;
+    this->rays.alternativeBehind[i] = alternative;
+    this->rays.cost[i] = pays ? cost : 0.0f;
+    this->rays.reach[i] = nearer ? this->slice : reach;
+    this->rays.collected[i] += here.DepthFromEntry();
+  }
+
+private:
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE static float CarriedTo(const RayInLayer<passage>& ray, float behind)
+  {
+    const TwoHalves halves = TwoHalves::ToExit(ray);
+    return Carried(halves.front, halves.rear, behind);
+  }
+
+  /// In the layer, times scale^2.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE float CostOf(const RayInLayer<passage>& ray) const
+  {
+    RayInLayer<passage> changed = ray; // unattenuated, importance times extinction is the cost
+    for (int half = 0; half < 2; ++half)
+    {
+      const float change = ray.extinction[half] - ray.kept[half];
+      const float amount = change < 0.0f ? -change : change;
+      changed.extinction[half] = amount;
+      changed.importance[half] = this->priceOfSquare * amount;
+    }
+    const TwoHalves halves = TwoHalves::ToExit(changed);
+    return halves.front.unattenuated + halves.rear.unattenuated;
+  }
+};
+
 /// Visible importance behind the middle of the layer.
 struct LookAheadStep
 {
@@ -272,6 +341,31 @@ struct TransmitStep
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
     this->rays.transmittance[i] = Transmitted(static_cast<float>(this->rays.opticalDepth[i]));
+  }
+};
+
+/// Lets voxels see nothing of a ray that should not reach them.
+struct ReachStep
+{
+  RayStates rays;
+  float slice; ///< number of the voxels' slice
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
+  {
+    const float transmittance = this->rays.transmittance[i];
+    this->rays.transmittance[i] = this->slice > this->rays.reach[i] ? 0.0f : transmittance;
+  }
+};
+
+/// What a ray is before anything was weighed along it.
+struct StartReach
+{
+  RayStates rays;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
+  {
+    constexpr float unlimited = 1e30f;
+    this->rays.reach[i] = unlimited;
   }
 };
 

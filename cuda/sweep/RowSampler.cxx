@@ -268,6 +268,13 @@ void RowSampler::SampleKept(Field extinction, Field base)
   }
 }
 
+void RowSampler::SampleAlternative(Field extinction)
+{
+  this->SamplePlanes(RowsOfField{ extinction }, this->Samples.kept);
+  this->Rays.kept[0] = this->Samples.kept[0];
+  this->Rays.kept[1] = this->Samples.kept[1];
+}
+
 bool RowSampler::SelectReadBySlice(int s, bool entered, const Range<int>& dimmed)
 {
   const Slice& slice = this->Frustum.SliceAt(s);

@@ -139,6 +139,9 @@ public:
   /// After SampleExtinction and SampleImportance in the same layer, or what stands for them.
   void SampleKept(Field extinction, Field base);
 
+  /// Samples another extinction in the place of what is kept.
+  void SampleAlternative(Field extinction);
+
   /// Selects instead the rays that voxels of slice `s` read with cubics, as far as they have met
   /// anything: the `dimmed` ones before, others in the layer if they entered it (`entered`). Where
   /// they did not, samples are 0. Returns whether there are any.

@@ -10,6 +10,7 @@
 #include "backend/Extent.h"
 #include "sweep/FrustumRays.h"
 #include "sweep/RaySampler.h"
+#include "sweep/VoxelSampler.h"
 
 #include <algorithm>
 
@@ -37,12 +38,16 @@ struct RayHere
   float keptBehind = 0;
   float keptVisible = notEntered;
   float keptUnattenuated = 0;
+  float alternativeBehind = 0;
+  float cost = 0;
+  float reach = 0;
 
   LIMPID_HD LIMPID_INLINE RayStates States()
   {
     return { &this->opticalDepth, &this->collected, &this->behind, &this->visible,
       &this->unattenuated, &this->transmittance, &this->density, &this->ahead,
-      &this->rearImportance, &this->keptBehind, &this->keptVisible, &this->keptUnattenuated };
+      &this->rearImportance, &this->keptBehind, &this->keptVisible, &this->keptUnattenuated,
+      &this->alternativeBehind, &this->cost, &this->reach };
   }
 
   LIMPID_HD LIMPID_INLINE void Load(const RayStates& ray)

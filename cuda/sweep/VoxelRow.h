@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // How the processor visits voxels: one row of a slice at a time. It interpolates what the rays
-// carry and calls the steps of a kernel; RaySampler.h does so for one voxel.
+// carry and calls the steps of a kernel; VoxelSampler.h does so for one voxel.
 
 #ifndef limpid_sweep_VoxelRow_h
 #define limpid_sweep_VoxelRow_h
