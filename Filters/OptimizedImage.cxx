@@ -96,6 +96,19 @@ void AddColumn(const char* name, const Solver& solver, const Member& member, vtk
   }
   table->AddColumn(column);
 }
+
+/// Of iterations that tell them.
+void AddScores(const Solver& solver, vtkTable* table)
+{
+  using Record = IterationRecord;
+  AddColumn<vtkDoubleArray>(
+    "VisibilityScore", solver, [](const Record& record) { return record.score.visibility; }, table);
+  AddColumn<vtkDoubleArray>(
+    "VisibleFraction", solver, [](const Record& record) { return record.score.fraction; }, table);
+  AddColumn<vtkDoubleArray>(
+    "SacrificedFraction", solver, [](const Record& record) { return record.score.sacrificed; },
+    table);
+}
 }
 
 void AddFields(
@@ -181,14 +194,11 @@ void FillConvergence(const Solver& solver, vtkTable* table)
     "ViewEnergy", solver, [](const Record& record) { return record.energy.view; }, table);
   AddColumn<vtkDoubleArray>(
     "LightEnergy", solver, [](const Record& record) { return record.energy.light; }, table);
-  AddColumn<vtkDoubleArray>(
-    "VisibilityScore", solver, [](const Record& record) { return record.score.visibility; }, table);
-  AddColumn<vtkDoubleArray>(
-    "VisibleFraction", solver, [](const Record& record) { return record.score.fraction; }, table);
+  if (solver.TellsScores())
+  {
+    AddScores(solver, table);
+  }
   AddColumn<vtkDoubleArray>(
     "Seconds", solver, [](const Record& record) { return record.seconds; }, table);
-  AddColumn<vtkDoubleArray>(
-    "SacrificedFraction", solver, [](const Record& record) { return record.score.sacrificed; },
-    table);
 }
 }

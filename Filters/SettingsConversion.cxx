@@ -22,6 +22,7 @@ void RequireChoices(vtkVisibilitySettings* settings)
   RequireChoice("Mode", settings->GetMode(), 2);
   RequireChoice("Solver", settings->GetSolver(), 2);
   RequireChoice("Derivative", settings->GetDerivative(), 2);
+  RequireChoice("ImportanceSmoothing", settings->GetImportanceSmoothing(), 2);
   RequireChoice("Backend", settings->GetBackend(), 3);
 }
 
@@ -43,6 +44,8 @@ Settings SettingsOf(vtkVisibilitySettings* settings)
   result.skipUnneeded = settings->GetSkipUnneeded() != 0;
   result.restrictToView = settings->GetRestrictToView() != 0;
   result.protectImportance = settings->GetProtectImportance();
+  result.importanceSmoothing = static_cast<ImportanceSmoothing>(settings->GetImportanceSmoothing());
+  result.smoothness = settings->GetSmoothness();
   result.backend = static_cast<BackendKind>(settings->GetBackend());
   return result;
 }

@@ -172,13 +172,17 @@ void vtkExtinctionOptimizer::Optimize(
 
 // That a run takes beyond its input, results included. Measured by
 // Testing/Benchmarks/filter_memory.py at 512^3 points: with the policy 34, with Adam 40, in
-// separate mode 63, of the viewpoint, too, with the policy 46; at 256^3 up to three more.
+// separate mode 63, of the viewpoint, too, with the policy 46; at 256^3 up to three more. Counted:
+// smoothed importance and what is made of it, which another copy in another order may join; the
+// pull of neighbours.
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;
   const double separate = this->Self->GetMode() == SEPARATE ? 22 : 0;
   const double viewpoint = this->Self->OptimizeViewpoint ? (adam ? 30 : 12) : 0;
-  return (adam ? 42 : 36) + separate + viewpoint;
+  const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 20 : 0;
+  const double smoothed = this->Self->GetSmoothness() > 0 ? 4 : 0;
+  return (adam ? 42 : 36) + separate + viewpoint + despeckled + smoothed;
 }
 
 void vtkExtinctionOptimizer::Internals::RequireChoices() const

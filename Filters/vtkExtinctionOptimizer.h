@@ -63,7 +63,8 @@ public:
   };
 
   /**
-   * The table on the Convergence output: iteration, level, energies, score and seconds.
+   * The table on the Convergence output: iteration, level, energies, seconds, and, with a view
+   * weight above zero and without ImportanceSmoothing, score and fractions of every iteration.
    */
   vtkTable* GetConvergence();
 

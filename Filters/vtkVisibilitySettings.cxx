@@ -50,5 +50,7 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("SkipUnneeded", this->SkipUnneeded);
   print("RestrictToView", this->RestrictToView);
   print("ProtectImportance", this->ProtectImportance);
+  print("ImportanceSmoothing", this->ImportanceSmoothing);
+  print("Smoothness", this->Smoothness);
   print("Backend", this->Backend);
 }

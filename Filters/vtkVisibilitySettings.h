@@ -168,7 +168,8 @@ public:
   ///@{
   /**
    * The optimisation stops when the mean change of an iteration is below this share of the
-   * majorant, Eq. (25); not below zero. Default is 1e-3.
+   * majorant, Eq. (25), or below five times this where policy sweeps change the energy by less than
+   * a tenth of this share of it; not below zero. Default is 1e-3.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -230,6 +231,27 @@ public:
 
   ///@{
   /**
+   * MEDIAN: before the optimisation, importance loses what one to three points have alone: a
+   * centre-weighted median of 3 x 3 x 3 points, see cuda/energy/Despeckle.h. Noise in the
+   * importance makes specks in the picture. Scores, fractions and MissedImportance are always those
+   * of the importance as given. AS_GIVEN: nothing is smoothed. Default is AS_GIVEN.
+   */
+  vtkSetMacro(ImportanceSmoothing, int);
+  vtkGetMacro(ImportanceSmoothing, int);
+  ///@}
+
+  ///@{
+  /**
+   * How strongly what the optimisation changes is drawn to what it changes beside that: a share of
+   * the weights of view and light, 0 to 10, see cuda/optimize/Smoothing.h. Near the optimum, six
+   * further sweeps do it. 0: not at all, as in [HG24]. Default is 0.
+   */
+  vtkSetMacro(Smoothness, double);
+  vtkGetMacro(Smoothness, double);
+  ///@}
+
+  ///@{
+  /**
    * AUTO: the fastest that works here, which the owner's results name. CPU, CUDA: this or an
    * error. Default is AUTO.
    */
@@ -271,6 +293,8 @@ private:
   vtkTypeBool SkipUnneeded = 1;
   vtkTypeBool RestrictToView = 0;
   double ProtectImportance = 0;
+  int ImportanceSmoothing = AS_GIVEN;
+  double Smoothness = 0;
   int Backend = AUTO;
 };
 

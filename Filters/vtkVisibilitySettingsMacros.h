@@ -26,6 +26,11 @@
     POLICY = 0,                                                                                    \
     ADAM = 1                                                                                       \
   };                                                                                               \
+  enum ImportanceSmoothings                                                                        \
+  {                                                                                                \
+    AS_GIVEN = 0,                                                                                  \
+    MEDIAN = 1                                                                                     \
+  };                                                                                               \
   enum Derivatives                                                                                 \
   {                                                                                                \
     VOLUME = 0,                                                                                    \
@@ -107,6 +112,8 @@
   LIMPID_FORWARD_SWITCH(SkipUnneeded)                                                              \
   LIMPID_FORWARD_SWITCH(RestrictToView)                                                            \
   LIMPID_FORWARD_SETTING(ProtectImportance, double)                                                \
+  LIMPID_FORWARD_SETTING(ImportanceSmoothing, int)                                                 \
+  LIMPID_FORWARD_SETTING(Smoothness, double)                                                       \
   LIMPID_FORWARD_SETTING(Backend, int)                                                             \
   static_assert(true, "takes a semicolon")
 

@@ -110,6 +110,8 @@ public:
    */
   void SetSampleDistance(double);
   void SetJitter(int);
+  void SetShowMissed(int);
+  void SetMissedColor(double red, double green, double blue);
   void SetAdaptiveQuality(int);
   void SetInteractiveFrameTime(double);
   void SetEaseTime(double);

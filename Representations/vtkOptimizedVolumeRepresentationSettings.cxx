@@ -33,6 +33,7 @@ LIMPID_FORWARD_AS(VolumeSpecularPower, SpecularPower, double)
 LIMPID_FORWARD_AS(ScatteringAnisotropy, Anisotropy, double)
 LIMPID_FORWARD(SampleDistance, double)
 LIMPID_FORWARD(Jitter, int)
+LIMPID_FORWARD(ShowMissed, int)
 LIMPID_FORWARD(AdaptiveQuality, int)
 LIMPID_FORWARD(InteractiveFrameTime, double)
 LIMPID_FORWARD(EaseTime, double)
@@ -61,6 +62,11 @@ void vtkOptimizedVolumeRepresentation::SetImportanceArray(int vtkNotUsed(index),
 {
   this->State->ImportanceAssociation = association;
   this->State->ImportanceArray = name ? name : "";
+}
+
+void vtkOptimizedVolumeRepresentation::SetMissedColor(double red, double green, double blue)
+{
+  this->State->Mapper->SetMissedColor(red, green, blue);
 }
 
 void vtkOptimizedVolumeRepresentation::ResetOptimization()

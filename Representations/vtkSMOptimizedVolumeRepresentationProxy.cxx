@@ -3,6 +3,7 @@
 
 #include "vtkSMOptimizedVolumeRepresentationProxy.h"
 
+#include "Presets.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -80,6 +81,12 @@ vtkSMOptimizedVolumeRepresentationProxy::~vtkSMOptimizedVolumeRepresentationProx
 void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
 {
   this->Superclass::CreateVTKObjects();
+  if (!this->WatchesPreset)
+  {
+    this->WatchesPreset = true;
+    this->GetProperty("Preset")->AddObserver(
+      vtkCommand::ModifiedEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnPresetChosen);
+  }
   vtkSMProxy* display = this->GetParentProxy();
   vtkSMProperty* type = display ? display->GetProperty("Representation") : nullptr;
   if (type && !this->WatchesType)
@@ -119,6 +126,27 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged()
     !hasColorMap)
   {
     display->RescaleTransferFunctionToDataRange(true);
+  }
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::OnPresetChosen()
+{
+  const std::string name = vtkSMPropertyHelper(this, "Preset").GetAsString();
+  if (name.empty())
+  {
+    return;
+  }
+  vtkSMPropertyHelper(this, "Preset").Set("");
+  const std::vector<limpid::Preset> presets = limpid::ReadPresets(this);
+  if (const limpid::Preset* preset = limpid::FindPreset(presets, name))
+  {
+    limpid::Apply(*preset, this);
+  }
+  else
+  {
+    vtkErrorMacro("There is no preset \""
+      << name << "\" (nothing is changed). Choose one of these: " << limpid::NamesOf(presets)
+      << ".");
   }
 }
 

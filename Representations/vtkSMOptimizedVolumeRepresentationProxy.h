@@ -12,6 +12,9 @@
  *
  * When a display without scalar coloring changes to the type "Optimized Volume", an array to color
  * by is chosen, as ParaView does for the type "Volume".
+ *
+ * To set the property "Preset" to a name is to set the properties to the values of that preset
+ * (Presets.h). Itself it has no value, so it is in no state.
  */
 
 #ifndef vtkSMOptimizedVolumeRepresentationProxy_h
@@ -45,9 +48,11 @@ private:
 
   bool IsActive();
   void OnTypeChanged();
+  void OnPresetChosen();
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 
   bool WatchesType = false;
+  bool WatchesPreset = false;
   std::map<vtkSMProxy*, unsigned long> Views; // that show it, and the tag of the observer there
 };
 

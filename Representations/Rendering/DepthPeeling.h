@@ -26,6 +26,10 @@ struct RayParts
 {
   std::array<int, 2> size{ { 0, 0 } }; ///< of the viewport [pixels]
 
+  /// The pass comes for the first time in a frame: its parts are in front of all translucent
+  /// surfaces and behind them, up to what is opaque.
+  bool outermost = false;
+
   /// As in the depth buffer [0, 1], four per pixel: where the first part begins and ends, and the
   /// second one. A part that does not end behind its beginning is empty.
   std::vector<float> depths;

@@ -12,6 +12,7 @@
 #include "render/Renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ struct FrameSettings
   bool lit = true;
   double sampleDistance = 1;
   bool jitter = false;
+  bool showMissed = false; ///< paint over the picture what it misses of what is important
+  std::array<float, 3> missedColor{ { 1, 0, 1 } };
   double frameTime = 0.1; ///< of a moving frame [s]
   double easeTime = 0.3;  ///< time constant of changes while moving [s]
   bool stepwise = false;  ///< still frames take one step of the optimisation only

@@ -52,6 +52,9 @@ public:
   const TransferFunctions& Functions() const { return this->Tables; }
   bool HasImportance() const { return this->Arrays.importance != nullptr; }
 
+  /// At each point [0, 1]. HasImportance() must be true.
+  const float* Importance() const { return this->Arrays.importance->GetPointer(0); }
+
   /// The scene for the optimisation. HasImportance() must be true.
   SceneFields Scene() const;
 
@@ -68,6 +71,7 @@ public:
   /// They grow with every change of a part; a change of the scalars changes the scene, too.
   std::uint64_t ScalarsVersion() const { return this->ScalarChanges; }
   std::uint64_t FunctionsVersion() const { return this->FunctionChanges; }
+  std::uint64_t ImportanceVersion() const { return this->ImportanceChanges; }
   std::uint64_t SceneVersion() const;
 
   /// What a user has to know about values that could not be taken as they are; may be nothing.

@@ -123,6 +123,7 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   if (this->ScalarsVersion != data.ScalarsVersion())
   {
     this->ScalarsVersion = 0;
+    this->ImportanceVersion = 0; // new scalars end it
     this->Caster.SetScalars(data.Nodes(), data.Scalars(), data.Shares());
     this->ScalarsVersion = data.ScalarsVersion();
   }
@@ -137,6 +138,31 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   lighting.light = frame.light.light;
   lighting.color = frame.light.color;
   this->Caster.SetLighting(lighting);
+}
+
+// Without room for the importance, the volume is drawn all the same.
+void VolumeView::ShowMissed(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  const bool shown = frame.showMissed && data.HasImportance();
+  const std::uint64_t version = shown ? data.ImportanceVersion() : 0;
+  if (version == this->ImportanceVersion && (!shown || frame.missedColor == this->MissedColor))
+  {
+    return;
+  }
+  this->ImportanceVersion = 0;
+  try
+  {
+    this->Caster.ShowMissed(shown ? data.Importance() : nullptr, frame.missedColor);
+    this->ImportanceVersion = version;
+    this->MissedColor = frame.missedColor;
+  }
+  catch (const std::exception& error)
+  {
+    const Int3& points = data.Nodes().nodes;
+    messages.errors.push_back(
+      WordsOf(error, &points[0], drawingNeed) + " What the picture misses is not painted over it.");
+  }
 }
 
 void VolumeView::MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine)
@@ -192,13 +218,9 @@ void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& ge
   this->Rays.jitter = frame.jitter;
 }
 
-// Of the rays between two depths per pixel, in clip coordinates; empty: as far as they go. Returns
-// whether it was not aborted.
-bool VolumeView::MakePicture(const std::vector<float>& nearDepth, const std::vector<float>& depth)
+// Returns whether it was not aborted.
+bool VolumeView::MakePicture(const View& view)
 {
-  View view = this->Rays;
-  view.nearDepth = nearDepth.empty() ? nullptr : nearDepth.data();
-  view.depth = depth.empty() ? nullptr : depth.data();
   const auto start = FrameClock::SteadyClock::now();
   try
   {
@@ -250,7 +272,10 @@ FrameResult VolumeView::Draw(
       {
         return;
       }
-      if (this->MakePicture({}, ReadDepth(this->Target, *this->Geometry, this->Frame)))
+      const std::vector<float> depth = ReadDepth(this->Target, *this->Geometry, this->Frame);
+      View view = this->Rays;
+      view.depth = depth.empty() ? nullptr : depth.data();
+      if (this->MakePicture(view))
       {
         this->Image = std::move(this->Part);
         this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
@@ -271,11 +296,11 @@ void VolumeView::DrawPart(const RayParts& parts, std::size_t part)
   }
 }
 
+// What is missed belongs in front of everything: the foremost part has it of the whole rays.
 void VolumeView::DrawPartNow(const RayParts& parts, std::size_t part)
 {
-  bool empty = true;
   const std::array<int, 2>& size = this->Geometry->size;
-  const auto clip = [&](std::size_t end)
+  const auto clip = [&](const auto& depthOf)
   {
     return ValuesOf(*this->Geometry, this->Frame,
       [&](int column, int row)
@@ -283,14 +308,25 @@ void VolumeView::DrawPartNow(const RayParts& parts, std::size_t part)
         const Index x = Index(column) * parts.size[0] / size[0];
         const Index y = Index(row) * parts.size[1] / size[1];
         const std::size_t pixel = std::size_t(y * parts.size[0] + x);
-        const float* depths = parts.depths.data() + 4 * pixel + 2 * part;
-        empty = empty && !(depths[1] > depths[0]);
-        return 2 * depths[end] - 1;
+        return 2 * depthOf(parts.depths.data() + 4 * pixel) - 1;
       });
   };
-  const std::vector<float> nearDepth = clip(0);
-  const std::vector<float> depth = clip(1);
-  if (empty || !this->MakePicture(nearDepth, depth))
+  const std::vector<float> nearDepth = clip([=](const float* of) { return of[2 * part]; });
+  const std::vector<float> depth = clip([=](const float* of) { return of[2 * part + 1]; });
+  std::vector<float> whole;
+  View view = this->Rays;
+  view.nearDepth = nearDepth.data();
+  view.depth = depth.data();
+  view.paintsMissed = this->ImportanceVersion != 0 && parts.outermost && part == 0;
+  if (view.paintsMissed)
+  {
+    whole = clip([](const float* of) { return std::max(of[1], of[3]); });
+    view.missedDepth = whole.data();
+  }
+  const auto isEmpty = [](float begin, float end) { return !(end > begin); };
+  const bool empty =
+    !view.paintsMissed && std::equal(nearDepth.begin(), nearDepth.end(), depth.begin(), isEmpty);
+  if (empty || !this->MakePicture(view))
   {
     return;
   }
@@ -375,6 +411,7 @@ void VolumeView::PrepareNow(
       "volume is drawn without light. Switch a light on, or set LightSource to Own.");
   }
   this->UpdateRenderer(frame, data);
+  this->ShowMissed(frame, data, messages);
 
   FrameResult result;
   result.light = frame.light.description;
@@ -435,6 +472,7 @@ void VolumeView::ReleaseNow()
   this->PicturesFor.reset();
   this->ScalarsVersion = 0;
   this->FunctionsVersion = 0;
+  this->ImportanceVersion = 0;
   this->Geometry.reset();
   this->Image = Picture();
   this->Part = Picture();

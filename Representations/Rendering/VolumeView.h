@@ -20,6 +20,7 @@
 
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -83,13 +84,14 @@ private:
   template <class Action>
   void WhileDrawing(const Action& action);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
-  bool MakePicture(const std::vector<float>& nearDepth, const std::vector<float>& depth);
+  bool MakePicture(const View& view);
   void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();
   void ReleaseNow();
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
   void ChoosePictures(BackendKind wish, const Grid& grid);
   void UpdateRenderer(const FrameSettings& frame, const VolumeData& data);
+  void ShowMissed(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   void MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine);
@@ -111,6 +113,8 @@ private:
   std::optional<BackendKind> PicturesFor; ///< for which wish it was chosen what makes pictures
   std::uint64_t ScalarsVersion = 0;
   std::uint64_t FunctionsVersion = 0;
+  std::uint64_t ImportanceVersion = 0; ///< 0: what is missed is not shown
+  std::array<float, 3> MissedColor{};
 
   ViewOptimization Optimization{ this->Caster };
   FrameResult LastResult;

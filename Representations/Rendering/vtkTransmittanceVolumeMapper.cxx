@@ -26,6 +26,8 @@ vtkTransmittanceVolumeMapper::vtkTransmittanceVolumeMapper()
   this->Settings->SetScalarComponent(UNDECIDED);
   this->Settings->SetRestrictToView(1);
   this->Settings->SetProtectImportance(1);
+  this->Settings->SetImportanceSmoothing(MEDIAN);
+  this->Settings->SetSmoothness(0.2);
   static_assert(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS == 3,
     "the default of ImportanceArrayAssociation in the header");
 }
@@ -204,6 +206,9 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("LightIntensity", this->LightIntensity);
   print("SampleDistance", this->SampleDistance);
   print("Jitter", this->Jitter);
+  print("ShowMissed", this->ShowMissed);
+  os << indent << "MissedColor: " << this->MissedColor[0] << " " << this->MissedColor[1] << " "
+     << this->MissedColor[2] << "\n";
   print("InteractiveFrameTime", this->InteractiveFrameTime);
   print("EaseTime", this->EaseTime);
   print("AdaptiveQuality", this->AdaptiveQuality);

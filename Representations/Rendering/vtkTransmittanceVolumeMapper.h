@@ -103,7 +103,8 @@ public:
   /**
    * Importance, weights, own light and solver, see vtkVisibilitySettings; null changes nothing.
    * By default, ScalarComponent is UNDECIDED here, which is MAGNITUDE with a warning if there are
-   * several components, RestrictToView is on, and ProtectImportance is 1.
+   * several components, RestrictToView is on, ProtectImportance is 1, ImportanceSmoothing is
+   * MEDIAN, and Smoothness is 0.2.
    */
   virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
   vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }
@@ -262,6 +263,32 @@ public:
 
   ///@{
   /**
+   * Whether the picture is painted over, in MissedColor, where it misses something important. What
+   * was removed is painted, and of what is hidden, that which could be seen in the same pixel if
+   * what is less important were not in front of it: the inside and the back of something that is
+   * seen, or what it hides of its own kind, is not. At most 70 % of a pixel are painted, and little
+   * where little is missed, so that noise paints nothing.
+   *
+   * Moving frames have it, too: it is gathered along the rays of the very picture that it is
+   * painted over, from the extinction shown there, so it cannot be of another view. It takes about
+   * the time of the rays once more. Opaque geometry ends the rays; translucent geometry does not
+   * count as something that hides. Default is off.
+   */
+  vtkSetMacro(ShowMissed, vtkTypeBool);
+  vtkGetMacro(ShowMissed, vtkTypeBool);
+  vtkBooleanMacro(ShowMissed, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Red, green and blue of what is missed, in [0, 1]. Default is magenta, (1, 0, 1).
+   */
+  vtkSetVector3Macro(MissedColor, double);
+  vtkGetVector3Macro(MissedColor, double);
+  ///@}
+
+  ///@{
+  /**
    * Time that a moving frame may take [s], above zero. Default is 0.1.
    */
   vtkSetMacro(InteractiveFrameTime, double);
@@ -406,6 +433,8 @@ private:
 
   double SampleDistance = 1;
   vtkTypeBool Jitter = 0;
+  vtkTypeBool ShowMissed = 0;
+  double MissedColor[3] = { 1, 0, 1 };
   double InteractiveFrameTime = 0.1;
   double EaseTime = 0.3;
   vtkTypeBool AdaptiveQuality = 1;

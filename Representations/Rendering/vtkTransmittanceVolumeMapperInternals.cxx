@@ -185,7 +185,8 @@ void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer,
   {
     return;
   }
-  if (view.InFrame == Turn::NotYet)
+  const bool outermost = view.InFrame == Turn::NotYet;
+  if (outermost)
   {
     view.Peeled.clear();
     this->PrepareFromBack(renderer, volume, view);
@@ -198,7 +199,8 @@ void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer,
     }
     view.InFrame = Turn::Over;
   }
-  const limpid::RayParts parts = view.Peeling.Ask(renderer, volume, this->Self);
+  limpid::RayParts parts = view.Peeling.Ask(renderer, volume, this->Self);
+  parts.outermost = outermost;
   for (std::size_t part = 0; part < 2; ++part)
   {
     view.Peeling.DrawPart(renderer, part,
@@ -267,13 +269,16 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   }
   catch (const std::exception& error)
   {
-    // Without optimisation, importance is for the score only.
-    if (frame.optimize)
+    // Without optimisation, importance is for the score only, and for what is missed.
+    if (frame.optimize || frame.showMissed)
     {
-      this->Error(this->WordsOf(error) + " The volume is drawn without optimization.");
+      this->Error(this->WordsOf(error) +
+        (frame.optimize ? " The volume is drawn without optimization."
+                        : " What the picture misses is not painted over it."));
     }
     this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
     frame.optimize = false;
+    frame.showMissed = false;
   }
   if (!this->Data.Warning().empty())
   {

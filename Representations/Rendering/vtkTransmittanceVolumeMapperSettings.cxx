@@ -135,7 +135,8 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ImportanceSource(
     "The importance array \"" << name
                               << "\" is not among the input's numeric arrays (what is to be seen "
                                  "is not known). Choose one of these: "
-                              << limpid::ArrayNames(image) << "; or turn optimization off.");
+                              << limpid::ArrayNames(image)
+                              << "; or turn optimization and ShowMissed off.");
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
   source.mapping = limpid::ImportanceMapping(this->Self->Settings);
   return source;
@@ -201,6 +202,10 @@ void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
   RequireNotNegative("EaseTime", self->EaseTime);
   RequirePositive("SampleDistance", self->SampleDistance);
   RequirePositive("InteractiveFrameTime", self->InteractiveFrameTime);
+  for (const double channel : self->MissedColor)
+  {
+    RequireShare("A channel of MissedColor", channel);
+  }
 }
 
 limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
@@ -224,18 +229,20 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
   {
     return;
   }
-  if (frame.optimize || frame.lit)
+  if (frame.optimize || frame.lit || frame.showMissed)
   {
     const std::string text = "There are " + std::to_string(controller->GetNumberOfProcesses()) +
       " processes (each has its own piece of the volume, and what hides a structure or shades it "
       "may lie in another one): the volume is drawn without optimization and light, and has no "
-      "score. Run one process, or set Method to Ordinary and Shadows and Shade off.";
+      "score; what it misses is not shown. Run one process, or set Method to Ordinary and Shadows, "
+      "Shade and ShowMissed off.";
     const bool speaks = controller->GetLocalProcessId() == 0; // for all
     speaks ? this->Warn(text) : void(this->Messages += text + "\n");
   }
   frame.optimize = false;
   frame.lit = false;
   frame.measure = false;
+  frame.showMissed = false;
 }
 
 limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(
@@ -256,6 +263,9 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.light.light = limpid::ToData(frame.light.light, volume);
   frame.sampleDistance = self->SampleDistance;
   frame.jitter = self->Jitter != 0;
+  frame.showMissed = self->ShowMissed != 0;
+  std::transform(self->MissedColor, self->MissedColor + 3, frame.missedColor.begin(),
+    [](double channel) { return static_cast<float>(channel); });
   frame.frameTime = self->InteractiveFrameTime;
   frame.easeTime = self->EaseTime;
   frame.stepwise = self->ProgressiveStill != 0;

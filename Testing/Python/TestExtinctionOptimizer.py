@@ -3,6 +3,7 @@
 
 # The filter round the solver: what goes in, what comes out, and what it says when it cannot.
 
+import itertools
 import unittest
 
 import numpy as np
@@ -92,6 +93,12 @@ class TestOutput(OptimizerTest):
             self.assertEqual(number(output, "Settled"), settled)
             self.assertEqual(number(output, "Iterations") < 8, settled == 1)
 
+    def test_settles_whatever_is_looked_at(self):
+        for scene, light in itertools.product(range(4), (0, 1)):
+            with self.subTest(scene=scene, light=light):
+                output = self.run_filter(phantom(32, scene), LightWeight=light)
+                self.assertEqual(number(output, "Settled"), 1)
+
     def test_missed_importance_is_what_is_removed_or_hidden(self):
         output = self.run_filter(phantom(64))
 
@@ -129,10 +136,33 @@ class TestOutput(OptimizerTest):
         names = [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
         self.assertEqual(names, ["Iteration", "Level", "Energy", "RegularizationEnergy",
                                  "ViewEnergy", "LightEnergy", "VisibilityScore",
-                                 "VisibleFraction", "Seconds", "SacrificedFraction"])
+                                 "VisibleFraction", "SacrificedFraction", "Seconds"])
         iterations = vtk_to_numpy(table.GetColumnByName("Iteration"))
         np.testing.assert_array_equal(iterations, np.arange(len(iterations)))
         self.assertEqual(len(iterations), number(result.GetOutput(), "Iterations") + 1)
+
+    def test_has_no_scores_in_the_table_that_are_not_those_of_the_importance_as_given(self):
+        for properties in ({"ImportanceSmoothing": vtkExtinctionOptimizer.MEDIAN},
+                           {"ViewWeight": 0}):
+            result = optimizer(phantom(), **properties)
+            result.Update()
+
+            for name in ("VisibilityScore", "VisibleFraction", "SacrificedFraction"):
+                self.assertIsNone(result.GetConvergence().GetColumnByName(name), properties)
+                self.assertGreater(number(result.GetOutput(), name), 0, properties)
+
+    def test_scores_the_importance_as_given_when_that_is_smoothed(self):
+        smoothed = self.run_filter(phantom(), ImportanceSmoothing=vtkExtinctionOptimizer.MEDIAN,
+                                   Smoothness=0.3)
+        given = self.run_filter(phantom())
+
+        # The same rays, summed along other axes of the image.
+        self.assertAlmostEqual(number(smoothed, "BaseVisibilityScore") /
+                               number(given, "BaseVisibilityScore"), 1, delta=1e-6)
+        np.testing.assert_array_equal(vtk_to_numpy(smoothed.GetPointData().GetArray("Importance")),
+                                      vtk_to_numpy(given.GetPointData().GetArray("Importance")))
+        self.assertGreater(number(smoothed, "VisibleFraction"),
+                           0.9 * number(given, "VisibleFraction"))
 
     def test_has_an_extinction_for_the_light_in_separate_mode_only(self):
         joint = self.run_filter(phantom())
@@ -529,7 +559,7 @@ class TestDegenerateInput(OptimizerTest):
                      ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
                      LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=2,
                      LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
-                     ProtectImportance=1.5)
+                     ProtectImportance=1.5, ImportanceSmoothing=2, Smoothness=-1)
         for name, value in cases.items():
             with self.subTest(name=name):
                 result = optimizer(phantom(8), **{name: value})

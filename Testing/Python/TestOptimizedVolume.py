@@ -72,8 +72,10 @@ class TestOptimizedVolume(displays.DisplayTest):
              "RegularizationWeight", "ViewWeight", "LightWeight", "LightType", "LightPosition",
              "Mode", "Solver", "MaximumIterations", "Tolerance", "MaximumSeconds", "Derivative",
              "RayDensity", "SkipUnneeded", "RestrictToView", "ProtectImportance", "Backend",
-             "Optimization", "Shadows", "ShadowStrength", "Ambient", "Anisotropy",
-             "SpecularPower", "LightIntensity", "Method", "ShowScore", "VisibilityScore", "VisibleFraction", "Converged"},
+             "ImportanceSmoothing", "Smoothness",
+             "Optimization", "Preset", "Shadows", "ShadowStrength", "Ambient", "Anisotropy",
+             "SpecularPower", "LightIntensity", "Method", "ShowScore", "ShowMissed",
+             "VisibilityScore", "VisibleFraction", "Converged"},
             set(display.ListProperties()))
 
     def test_is_for_image_data_only(self):
@@ -109,7 +111,8 @@ class TestOptimizedVolume(displays.DisplayTest):
     def test_every_property_that_is_set_has_a_domain(self):
         proxy = ElementTree.parse(XML).getroot().find(".//OptimizedVolumeRepresentationProxy")
         for element in proxy:
-            if element.tag.endswith("VectorProperty") and not element.get("information_only"):
+            if element.tag.endswith("VectorProperty") and element.get("command") and \
+                    not element.get("information_only"):
                 with self.subTest(property=element.get("name")):
                     self.assertTrue(any(child.tag.endswith("Domain") for child in element))
 
@@ -129,7 +132,8 @@ class TestOptimizedVolume(displays.DisplayTest):
     def test_few_properties_are_in_the_default_panel(self):
         proxy = ElementTree.parse(XML).getroot().find(".//OptimizedVolumeRepresentationProxy")
         rows = [element.get("name") for element in proxy
-                if element.tag.endswith("Property") and element.get("panel_visibility") is None]
+                if element.tag.endswith("Property") and
+                element.get("panel_visibility", "default") == "default"]
 
         self.assertLessEqual(len(rows), 8, rows)
 
@@ -222,13 +226,15 @@ class TestOptimizedVolume(displays.DisplayTest):
         variants = [{}, {"RestrictToView": 0}, {"LightType": "Directional"}, {"Mode": "Separate"},
                     {"ViewWeight": 2, "LightWeight": 3, "RegularizationWeight": 0.1},
                     {"Solver": "Adam", "IterationsPerLevel": [4, 4, 4], "Derivative": "Ray"},
-                    {"MaximumIterations": 1, "RayDensity": 1.5}, {"ProtectImportance": 0.7}]
+                    {"MaximumIterations": 1, "RayDensity": 1.5}, {"ProtectImportance": 0.7},
+                    {"ImportanceSmoothing": "Median"}, {"Smoothness": 0.2}]
         for number, variant in enumerate(variants):
             position = displays.POSITIONS[number % len(displays.POSITIONS)]
             parallel = number % 2
             with self.subTest(variant=variant, position=position, parallel=parallel):
                 defaults = {"RestrictToView": 1, "MaximumIterations": 8, "RayDensity": 1,
-                            "ProtectImportance": 0}
+                            "ProtectImportance": 0, "ImportanceSmoothing": "Off",
+                            "Smoothness": 0}
                 for name, value in {**defaults, **variant}.items():
                     setattr(display, name, value)
                     setattr(optimizer, name, value)

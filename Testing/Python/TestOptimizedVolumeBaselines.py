@@ -39,7 +39,8 @@ LIGHT = {"LightSource": "Own", "LightType": "Point", "LightPosition": [-3.5, -3.
 PICTURES = {
     "Optimized": {},
     "OptimizedSeparate": {"Mode": "Separate"},
-    "OptimizedAdam": {"Solver": "Adam", "IterationsPerLevel": [8, 8, 8]},
+    # Smoothing is sweeps of the policy, whatever went before.
+    "OptimizedAdam": {"Solver": "Adam", "IterationsPerLevel": [8, 8, 8], "Smoothness": 0},
     "OptimizedWithShade": {"Shadows": 0, "Shade": 1},
     "OptimizedWithoutLight": {"Shadows": 0},
     "Ordinary": {"Method": "Ordinary"},

@@ -267,6 +267,20 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
 
         self.assert_same_rendering(shrunk, small)
 
+    def test_what_is_missed_is_painted_in_the_chosen_colour_and_goes_without_a_trace(self):
+        display = displays.show_head(self.view, Method="Ordinary")
+        without = pictures.take(self.view)
+        for color, channel in (([1, 0, 1], 1), ([0, 1, 0], 2)):
+            display.ShowMissed = 1
+            display.MissedColor = color
+            change = pictures.take(self.view) - without
+            # Towards the colour, in every pixel that changes much.
+            self.assertGreater((change[..., channel] < -10).sum(), 100)
+            self.assertLess(change[..., channel].max(), 2)
+            self.assertEqual(display.Messages, "")
+            display.ShowMissed = 0
+            np.testing.assert_array_equal(pictures.take(self.view), without)
+
     def test_the_score_is_drawn_in_the_upper_left_corner(self):
         display = displays.show_head(self.view)
         without = pictures.take(self.view)

@@ -45,6 +45,8 @@ SETTINGS = {"Mode": "Separate", "ViewWeight": 6.0, "LightWeight": 2.0, "Regulari
             "UseImportanceFunction": 1, "ImportanceArray": ["POINTS", "(Color Array)"],
             "ShowScore": 0, "RayDensity": 1.2, "Tolerance": 2e-3, "EaseTime": 0.1,
             "AdaptiveQuality": 0, "InteractiveFrameTime": 0.2}
+# What earlier versions did not have: their pictures are those of the defaults.
+LATER_SETTINGS = {"ShowMissed": 1, "MissedColor": [0.0, 1.0, 0.5]}
 
 
 def new_view():
@@ -172,14 +174,17 @@ class TestOptimizedVolumeState(unittest.TestCase):
     def test_a_state_file_brings_back_every_property(self):
         def values():
             display = simple.GetDisplayProperties(simple.FindSource("before"), views_by_name()[-1])
-            return {name: getattr(display, name) for name in SETTINGS}
+            return {name: getattr(display, name) for name in [*SETTINGS, *LATER_SETTINGS]}
         display = show_much()
+        for name, value in LATER_SETTINGS.items():
+            setattr(display, name, value)
         simple.RenameSource("before", display.Input)
         before = values()
         simple.SaveState(self.path("state.pvsm"))
         displays.clear()
         simple.LoadState(self.path("state.pvsm"))
 
+        self.assertEqual(before["ShowMissed"], 1)
         self.assertEqual({name: str(value) for name, value in values().items()},
                          {name: str(value) for name, value in before.items()})
 

@@ -62,6 +62,7 @@ class TestPropertyDefaults(unittest.TestCase):
             "Mode": {"Joint": optimizer.JOINT, "Separate": optimizer.SEPARATE},
             "Solver": {"Policy": optimizer.POLICY, "Adam": optimizer.ADAM},
             "ViewpointGuide": {"Proxy": optimizer.PROXY, "Coupled": optimizer.COUPLED},
+            "ImportanceSmoothing": {"Off": optimizer.AS_GIVEN, "Median": optimizer.MEDIAN},
             "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},
             "Backend": {"Auto": optimizer.AUTO, "CPU": optimizer.CPU, "CUDA": optimizer.CUDA},
             "Scene": {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3},

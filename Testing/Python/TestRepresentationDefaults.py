@@ -20,8 +20,8 @@ NOT_OF_THE_MAPPER = {"ShowScore", "ImportanceArray"}
 def properties():
     """Those that are set, but for functions and buttons."""
     proxy = ElementTree.parse(XML).getroot().find(".//OptimizedVolumeRepresentationProxy")
-    return [element for element in proxy if element.tag.endswith("VectorProperty") and
-            not element.get("information_only") and element.get("name") not in NOT_OF_THE_MAPPER]
+    return [element for element in proxy if element.get("command") and
+            element.tag.endswith("VectorProperty") and not element.get("information_only") and element.get("name") not in NOT_OF_THE_MAPPER]
 
 
 class TestRepresentationDefaults(unittest.TestCase):

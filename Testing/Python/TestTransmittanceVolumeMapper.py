@@ -28,10 +28,12 @@ class TestProperties(MapperTest):
                 PauseOptimization=1, RegularizationWeight=0.5, ViewWeight=2.0, LightWeight=3.0,
                 Mode=1, Solver=1, MaximumIterations=3, IterationsPerLevel=(1, 2, 3),
                 LearningRate=0.1, Tolerance=0.01, MaximumSeconds=1.5, Derivative=1, RayDensity=2.0,
-                SkipUnneeded=0, RestrictToView=0, ProtectImportance=0.5, Backend=1, LightSource=1, LightType=1,
+                SkipUnneeded=0, RestrictToView=0, ProtectImportance=0.5,
+                ImportanceSmoothing=0, Smoothness=0.5, Backend=1, LightSource=1, LightType=1,
                 LightPosition=(1.0, 2.0, 3.0), Shadows=0, ShadowStrength=0.5, Ambient=0.1,
                 Anisotropy=0.1, Specular=0.2, SpecularPower=3.0, LightIntensity=2.0,
-                SampleDistance=0.5, Jitter=1, InteractiveFrameTime=0.2, EaseTime=0.1,
+                SampleDistance=0.5, Jitter=1, ShowMissed=1, MissedColor=(0.1, 0.2, 0.3),
+                InteractiveFrameTime=0.2, EaseTime=0.1,
                 AdaptiveQuality=0, ProgressiveStill=1,
                 ImportanceFunction=vtkPiecewiseFunction()).items():
             with self.subTest(name=name):
@@ -383,43 +385,11 @@ class TestViews(MapperTest):
             self.assertAlmostEqual(score, whole, delta=1e-6 * whole)
 
     def test_an_abort_at_any_check_leaves_a_mapper_that_draws(self):
-        view, mapper = show(size=(500, 500))  # VTK asks five times a second: never, if it is fast
-        expected = view.picture()
-        wanted, seen = 0, 0
-
-        def observe(*_):
-            nonlocal seen
-            seen += 1
-            if seen == wanted:
-                view.window.SetAbortRender(1)
-        while seen >= wanted:
-            wanted, seen = wanted + 1, 0
-            mapper.Reset()
-            tag = view.window.AddObserver("AbortCheckEvent", observe)
-            time.sleep(0.25)  # so that it asks in this frame, too
-            view.window.Render()
-            view.window.RemoveObserver(tag)
-            if wanted % 2:  # goes on with what there is, or begins anew
-                mapper.Reset()
-            np.testing.assert_array_equal(view.picture(), expected)
-        self.assertGreater(wanted, 1)
-        self.assert_fine(view)
+        self.assert_survives_aborts(*show(size=(500, 500)))
 
     def test_says_how_much_memory_is_missing_and_goes_on(self):
-        view, mapper = show()
-        expected = view.picture()
-        small = mapper.GetInput()
-        mapper.SetInputData(phantom(160))
-        with memory_limited_to(2 ** 22):
-            view.window.Render()
-
-        self.assertEqual(len(view.messages), 1, view.messages)
-        for words in ("160 x 160 x 160 points (about", "GiB are needed", "Resample To Image"):
-            self.assertIn(words, view.messages[0])
-        view.messages.clear()
-        mapper.SetInputData(small)
-        np.testing.assert_array_equal(view.picture(), expected)
-        self.assert_fine(view)
+        self.assert_survives_lack_of_memory(
+            *show(), "160 x 160 x 160 points (about", "GiB are needed", "Resample To Image")
 
     def test_says_what_memory_the_optimization_lacks_and_draws_without(self):
         image = phantom(160)

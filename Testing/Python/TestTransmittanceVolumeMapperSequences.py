@@ -49,7 +49,8 @@ def random_state(choose):
         "ViewWeight": choose.choice((10.0, 1000.0)), "LightWeight": choose.choice((0.0, 1.0)),
         "LightSource": choose.choice((0, 1)), "LightType": choose.choice((0, 1)),
         "LightPosition": (choose.choice((1.0, 5.0)), 2.0, 3.0), "Shadows": choose.choice((0, 1, 1)),
-        "Jitter": choose.choice((0, 1)), "SampleDistance": choose.choice((1.0, 0.5))}
+        "Jitter": choose.choice((0, 1)), "SampleDistance": choose.choice((1.0, 0.5)),
+        "ShowMissed": choose.choice((0, 0, 1))}
 
 
 class Stage:

@@ -19,7 +19,9 @@ OWN_DEFAULTS = {
     vtkExtinctionOptimizer: {},
     vtkViewpointSearch: {"MaximumIterations": 1},
     vtkTransmittanceVolumeMapper: {"ScalarComponent": vtkTransmittanceVolumeMapper.UNDECIDED,
-                                   "RestrictToView": 1, "ProtectImportance": 1},
+                                   "RestrictToView": 1, "ProtectImportance": 1,
+                                   "ImportanceSmoothing": vtkTransmittanceVolumeMapper.MEDIAN,
+                                   "Smoothness": 0.2},
 }
 
 
@@ -38,7 +40,7 @@ def other(value):
 
 class TestVisibilitySettings(unittest.TestCase):
     def test_owners_pass_every_setting_on(self):
-        self.assertEqual(len(names()), 22)
+        self.assertEqual(len(names()), 24)
         for owner in OWNERS:
             instance = owner()
             settings = instance.GetVisibilitySettings()

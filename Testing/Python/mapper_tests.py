@@ -3,12 +3,14 @@
 
 # What the tests of the volume mapper look at, and what they ask of it.
 
+import time
 import unittest
 
 import numpy as np
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
+from images import memory_limited_to
 from volume_views import BACKGROUND, View, caught, phantom, phantom_property
 
 
@@ -42,6 +44,46 @@ class MapperTest(unittest.TestCase):
         for share in (mapper.GetVisibleFraction(), mapper.GetBaseVisibleFraction(),
                       mapper.GetSacrificedFraction()):
             self.assertTrue(0 <= share <= 1)
+
+    def assert_survives_aborts(self, view, mapper):
+        """An abort at any check leaves a mapper that draws. VTK asks five times a second: give the
+        view a size at which a frame takes longer."""
+        expected = view.picture()
+        wanted, seen = 0, 0
+
+        def observe(*_):
+            nonlocal seen
+            seen += 1
+            if seen == wanted:
+                view.window.SetAbortRender(1)
+        while seen >= wanted:
+            wanted, seen = wanted + 1, 0
+            mapper.Reset()
+            tag = view.window.AddObserver("AbortCheckEvent", observe)
+            time.sleep(0.25)  # so that it asks in this frame, too
+            view.window.Render()
+            view.window.RemoveObserver(tag)
+            if wanted % 2:  # goes on with what there is, or begins anew
+                mapper.Reset()
+            np.testing.assert_array_equal(view.picture(), expected)
+        self.assertGreater(wanted, 1)
+        self.assert_fine(view)
+
+    def assert_survives_lack_of_memory(self, view, mapper, *words):
+        """One message with these words in it about an image that is too large; then draws what it
+        drew before."""
+        expected = view.picture()
+        small = mapper.GetInput()
+        mapper.SetInputData(phantom(160))
+        with memory_limited_to(2 ** 22):
+            view.window.Render()
+        self.assertEqual(len(view.messages), 1, view.messages)
+        for word in words:
+            self.assertIn(word, view.messages[0])
+        view.messages.clear()
+        mapper.SetInputData(small)
+        np.testing.assert_array_equal(view.picture(), expected)
+        self.assert_fine(view)
 
     def assert_empty(self, picture):
         np.testing.assert_allclose(picture - np.round(255 * np.array(BACKGROUND)), 0, atol=1)

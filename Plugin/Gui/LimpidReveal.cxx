@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimpidReveal.h"
+
+#include "pqCoreUtilities.h"
+#include "pqDoubleVectorPropertyWidget.h"
+#include "pqPropertiesPanel.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkCommand.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMViewProxy.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QStandardItemModel>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace
+{
+const char* const WEIGHT = "RegularizationWeight";
+// Powers of ten of the ratio of weights at the ends of the slider: next to nothing is cleared, and
+// all that is worth it.
+const double LEAST = 1;
+const double MOST = 4;
+const int STEPS = 100; // per power of ten
+
+double Value(vtkSMProxy* volume, const char* name)
+{
+  return vtkSMPropertyHelper(volume, name).GetAsDouble();
+}
+
+// What the panel's rows show, and what is applied, is the unchecked value of a property.
+void FillIn(vtkSMProxy* volume, const char* name, double value)
+{
+  vtkSMPropertyHelper helper(volume, name);
+  helper.SetUseUnchecked(true);
+  helper.Set(value);
+}
+
+void TakeOver(vtkSMProxy* volume, const char* name)
+{
+  vtkSMPropertyHelper helper(volume, name);
+  helper.SetUseUnchecked(true);
+  vtkSMPropertyHelper(volume, name).Set(helper.GetAsDouble());
+}
+
+// With three digits, as a person would type it.
+double Rounded(double weight)
+{
+  return QString::number(weight, 'g', 3).toDouble();
+}
+}
+
+LimpidReveal::LimpidReveal(
+  vtkSMProxy* display, vtkSMProperty* regularization, QWidget* parentWidget)
+  : pqPropertyWidget(display, parentWidget)
+  , Volume(regularization->GetParent())
+  , Presets(limpid::ReadPresets(this->Volume))
+  , PresetBox(new QComboBox(this))
+  , Slider(new QSlider(Qt::Horizontal, this))
+  , RowLabel(new QLabel(regularization->GetXMLLabel(), this))
+  , Row(new pqDoubleVectorPropertyWidget(regularization, display, this))
+  , Grid(new QGridLayout(this))
+{
+  this->setShowLabel(false);
+  this->Row->setProperty(regularization);
+  this->Row->setObjectName("Row");
+  this->RowLabel->setWordWrap(true);
+  this->createPresets();
+  this->createSlider();
+  for (QWidget* widget : std::initializer_list<QWidget*>{ this->PresetBox, this->Slider })
+  {
+    widget->setFocusPolicy(Qt::StrongFocus);
+    widget->installEventFilter(this);
+  }
+
+  auto* ends = new QHBoxLayout();
+  ends->addWidget(new QLabel(tr("Keep Context"), this));
+  ends->addWidget(this->Slider, 1);
+  ends->addWidget(new QLabel(tr("Reveal"), this));
+  this->Grid->setContentsMargins(0, 0, 0, 0);
+  this->Grid->setSpacing(pqPropertiesPanel::suggestedVerticalSpacing());
+  this->Grid->setColumnStretch(1, 1);
+  this->Grid->addWidget(new QLabel(tr("Preset"), this), 0, 0);
+  this->Grid->addWidget(this->PresetBox, 0, 1);
+  this->Grid->addLayout(ends, 1, 0, 1, 2);
+  this->Grid->addWidget(this->RowLabel, 2, 0);
+  this->Grid->addWidget(this->Row, 2, 1);
+
+  this->connect(
+    this->Row, &pqPropertyWidget::changeAvailable, this, &pqPropertyWidget::changeAvailable);
+  this->connect(
+    this->Row, &pqPropertyWidget::changeFinished, this, &pqPropertyWidget::changeFinished);
+  for (const auto& entry : this->Presets.front().values)
+  {
+    pqCoreUtilities::connect(this->Volume->GetProperty(entry.first.c_str()),
+      vtkCommand::ModifiedEvent, this, SLOT(follow()));
+  }
+  this->follow();
+}
+
+void LimpidReveal::createPresets()
+{
+  for (const limpid::Preset& preset : this->Presets)
+  {
+    this->PresetBox->addItem(QString::fromStdString(preset.name));
+  }
+  // The last one stands for none of them, and cannot be chosen.
+  this->PresetBox->addItem(tr("Custom"));
+  auto* items = qobject_cast<QStandardItemModel*>(this->PresetBox->model());
+  items->item(this->PresetBox->count() - 1)->setEnabled(false);
+  this->PresetBox->setObjectName("Preset");
+  this->PresetBox->setToolTip(getTooltip(this->Volume->GetProperty("Preset")));
+  this->connect(this->PresetBox, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+    &LimpidReveal::choosePreset);
+}
+
+void LimpidReveal::createSlider()
+{
+  this->Slider->setObjectName("Reveal");
+  this->Slider->setToolTip(
+    tr("How much of what hides important structures is cleared. To the left all stays as the "
+       "transfer functions make it. Sets the Regularization Weight."));
+  this->Slider->setRange(0, static_cast<int>((MOST - LEAST) * STEPS));
+  this->Slider->setSingleStep(STEPS / 10);
+  this->Slider->setPageStep(STEPS / 2);
+  this->connect(this->Slider, &QSlider::valueChanged, this, &LimpidReveal::moveSlider);
+  this->connect(this->Slider, &QSlider::sliderPressed, this, &LimpidReveal::beginDrag);
+  this->connect(this->Slider, &QSlider::sliderReleased, this, &LimpidReveal::endDrag);
+}
+
+void LimpidReveal::apply()
+{
+  SCOPED_UNDO_SET(tr("Property Changed"));
+  this->Row->apply();
+  for (const auto& entry : this->Presets.front().values)
+  {
+    TakeOver(this->Volume, entry.first.c_str());
+  }
+  this->proxy()->UpdateVTKObjects();
+  this->pqPropertyWidget::apply();
+}
+
+void LimpidReveal::reset()
+{
+  this->Row->reset();
+  this->pqPropertyWidget::reset();
+  this->follow();
+}
+
+void LimpidReveal::updateWidget(bool showingAdvanced)
+{
+  this->RowLabel->setVisible(showingAdvanced);
+  this->Row->setVisible(showingAdvanced);
+}
+
+// To scroll the panel changes nothing.
+bool LimpidReveal::eventFilter(QObject* object, QEvent* event)
+{
+  if (event->type() == QEvent::Wheel && !qobject_cast<QWidget*>(object)->hasFocus())
+  {
+    event->ignore();
+    return true;
+  }
+  return this->pqPropertyWidget::eventFilter(object, event);
+}
+
+// In one column with the panel's other rows.
+void LimpidReveal::resizeEvent(QResizeEvent* event)
+{
+  this->pqPropertyWidget::resizeEvent(event);
+  if (auto* panel = qobject_cast<QGridLayout*>(this->parentWidget()->layout()))
+  {
+    this->Grid->setColumnMinimumWidth(0, panel->cellRect(0, 0).width());
+  }
+}
+
+void LimpidReveal::follow()
+{
+  this->followPreset();
+  this->followWeights();
+}
+
+void LimpidReveal::followPreset()
+{
+  const limpid::Preset* preset = limpid::FindPreset(this->Presets, this->Volume);
+  const QSignalBlocker blocker(this->PresetBox);
+  this->PresetBox->setCurrentIndex(
+    static_cast<int>(preset ? preset - this->Presets.data() : this->Presets.size()));
+}
+
+void LimpidReveal::followWeights()
+{
+  const double largest = this->largestWeight();
+  const double weight = Value(this->Volume, WEIGHT);
+  const double power = weight > 0 && largest > 0 ? std::log10(largest / weight) : MOST;
+  const double steps = (std::clamp(power, LEAST, MOST) - LEAST) * STEPS;
+  const QSignalBlocker blocker(this->Slider);
+  this->Slider->setValue(static_cast<int>(std::lround(steps)));
+  this->Slider->setEnabled(largest > 0); // else nothing is optimised
+}
+
+void LimpidReveal::choosePreset()
+{
+  const std::string name = this->PresetBox->currentText().toStdString();
+  if (const limpid::Preset* preset = limpid::FindPreset(this->Presets, name))
+  {
+    for (const auto& entry : preset->values)
+    {
+      FillIn(this->Volume, entry.first.c_str(), entry.second);
+    }
+    Q_EMIT this->changeAvailable();
+    Q_EMIT this->changeFinished();
+  }
+}
+
+double LimpidReveal::largestWeight() const
+{
+  return std::max(Value(this->Volume, "ViewWeight"), Value(this->Volume, "LightWeight"));
+}
+
+double LimpidReveal::chosenWeight() const
+{
+  const double power = LEAST + double(this->Slider->value()) / STEPS;
+  return Rounded(this->largestWeight() / std::pow(10., power));
+}
+
+void LimpidReveal::moveSlider()
+{
+  if (!this->Slider->isSliderDown())
+  {
+    FillIn(this->Volume, WEIGHT, this->chosenWeight());
+    Q_EMIT this->changeAvailable();
+    Q_EMIT this->changeFinished();
+    return;
+  }
+  this->setAtOnce(this->chosenWeight());
+  if (this->view())
+  {
+    this->view()->getViewProxy()->InteractiveRender(); // as quick as while the volume is turned
+  }
+}
+
+void LimpidReveal::beginDrag()
+{
+  this->WeightBeforeDrag = Value(this->Volume, WEIGHT);
+}
+
+// The whole drag becomes one change, for undo and trace.
+void LimpidReveal::endDrag()
+{
+  const int end = this->Slider->value();
+  if (Value(this->Volume, WEIGHT) != this->WeightBeforeDrag)
+  {
+    this->setAtOnce(this->WeightBeforeDrag);
+    this->Slider->setValue(end);
+  }
+  if (this->view())
+  {
+    this->view()->render();
+  }
+}
+
+void LimpidReveal::setAtOnce(double weight)
+{
+  SCOPED_UNDO_EXCLUDE();
+  vtkSMPropertyHelper(this->Volume, WEIGHT).Set(weight);
+  this->proxy()->UpdateVTKObjects();
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   LimpidReveal
+ * @brief   presets of an Optimized Volume, and a slider from keeping context to revealing
+ *
+ * For the property RegularizationWeight of a display, with panel_widget="LimpidReveal". The slider
+ * is logarithmic: it sets that weight to a tenth, or down to a ten-thousandth, of the larger one of
+ * ViewWeight and LightWeight. Presets (Presets.h) and slider are but a way to set properties, and
+ * follow them: undo, trace and state have these. The volume follows the slider while it is dragged,
+ * which is one step of undo. The plain row of the property is among the advanced ones.
+ */
+
+#ifndef LimpidReveal_h
+#define LimpidReveal_h
+
+#include "Presets.h"
+#include "pqPropertyWidget.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QSlider;
+
+class LimpidReveal : public pqPropertyWidget
+{
+  Q_OBJECT
+
+public:
+  LimpidReveal(vtkSMProxy* proxy, vtkSMProperty* regularization, QWidget* parent = nullptr);
+
+  void apply() override;
+  void reset() override;
+  void updateWidget(bool showingAdvanced) override;
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+private Q_SLOTS:
+  void follow(); // the properties
+  void choosePreset();
+  void moveSlider();
+  void beginDrag();
+  void endDrag();
+
+private:
+  void createPresets();
+  void createSlider();
+  void followPreset();
+  void followWeights();
+  double largestWeight() const; // of view and light
+  double chosenWeight() const;  // RegularizationWeight for the slider's position
+  void setAtOnce(double weight);
+
+  vtkSMProxy* Volume; // has the properties, which the display exposes
+  const std::vector<limpid::Preset> Presets;
+  QComboBox* PresetBox;
+  QSlider* Slider;
+  QLabel* RowLabel;
+  pqPropertyWidget* Row; // the plain row of the property
+  QGridLayout* Grid;
+  double WeightBeforeDrag = 0;
+};
+
+#endif
