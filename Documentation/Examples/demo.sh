@@ -4,7 +4,7 @@
 
 # Installs what is missing, builds the plugin and shows what it does.
 #   bash Documentation/Examples/demo.sh [OUTDIR] [--directions N] [--scene FILE.scene.json]...
-# OUTDIR (demo-output) gets, per scene: before.png, after.png, result.vti, convergence.csv and
+# OUTDIR (demo-output) gets, per scene: before.png, paper.png, after.png, result.vti, convergence.csv and
 # report.md; and s-sphere.vtp, s-sphere.png, the best and the worst view before and after,
 # viewpoints.md and camera files. Without --scene the scene is the embedded phantom of a head; with
 # several scenes each has a folder of its own and there are contact sheets of all. N (642) is the

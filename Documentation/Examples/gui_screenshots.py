@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Runs in ParaView's window, started by gui_screenshots.sh: shows a scene as an optimised volume,
-# before and after the optimisation, and turns it by the mouse.
+# before and after the optimisation and with more context, and turns it by the mouse.
 
 import os
 import subprocess
@@ -120,6 +120,10 @@ def main():
     story.say(f"of what is important {100 * display.VisibleFraction:.1f} % shows, "
               f"{100 * display.BaseVisibleFraction:.1f} % before")
     save_panel("panel", 2)
+    display.Preset = "Keep Context"
+    settle(frames, view, "context")
+    display.Preset = "Default"
+    settle(frames, view, "after")
 
     x, y = view.ViewSize[0] // 2 + NEW_RIGHT, view.ViewSize[1] // 2 + 200
     frames.clear()

@@ -6,8 +6,8 @@
 #   bash Documentation/Examples/gui_screenshots.sh PLUGIN-DIRECTORY OUTDIR [FILE.scene.json]
 # PLUGIN-DIRECTORY is build/lib: it holds Limpid/Limpid.so and LimpidGui/LimpidGui.so. Without a
 # scene the volume is the embedded phantom of a head. OUTDIR gets
-#   before.png, after.png, turned.png     the view
-#   window-before.png, window-after.png, window-turning.png, window-turned.png   the whole window
+#   before.png, after.png, context.png, turned.png     the view
+#   window-NAME.png                       the whole window, likewise, and window-turning.png
 #   panel-1.png, panel-2.png              the properties of the volume, two pages
 #   report.txt                            scores and times
 # Needs xdotool, ImageMagick and, without a screen, xvfb.
