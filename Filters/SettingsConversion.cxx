@@ -18,6 +18,7 @@ namespace limpid
 {
 void RequireChoices(vtkVisibilitySettings* settings)
 {
+  RequireChoice("Method", settings->GetMethod(), methodCount);
   RequireChoice("LightType", settings->GetLightType(), 2);
   RequireChoice("Mode", settings->GetMode(), 2);
   RequireChoice("Solver", settings->GetSolver(), 2);
@@ -26,9 +27,27 @@ void RequireChoices(vtkVisibilitySettings* settings)
   RequireChoice("Backend", settings->GetBackend(), 3);
 }
 
+namespace
+{
+AmentWeights AmentWeightsOf(vtkVisibilitySettings* settings)
+{
+  AmentWeights weights;
+  weights.exponent = settings->GetAmentExponent();
+  weights.regularization = settings->GetAmentRegularization();
+  weights.occluders = settings->GetAmentOccluders();
+  weights.background = settings->GetAmentBackground();
+  weights.lightOccluders = settings->GetAmentLightOccluders();
+  weights.lightBackground = settings->GetAmentLightBackground();
+  weights.smoothingPasses = settings->GetAmentSmoothing();
+  return weights;
+}
+}
+
 Settings SettingsOf(vtkVisibilitySettings* settings)
 {
   Settings result;
+  result.method = static_cast<Method>(settings->GetMethod());
+  result.ament = AmentWeightsOf(settings);
   result.weights.regularization = settings->GetRegularizationWeight();
   result.weights.view = settings->GetViewWeight();
   result.weights.light = settings->GetLightWeight();

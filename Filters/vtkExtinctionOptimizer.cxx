@@ -178,7 +178,8 @@ void vtkExtinctionOptimizer::Optimize(
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;
-  const double separate = this->Self->GetMode() == SEPARATE ? 22 : 0;
+  const bool two = this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
+  const double separate = two ? 22 : 0;
   const double viewpoint = this->Self->OptimizeViewpoint ? (adam ? 30 : 12) : 0;
   const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 20 : 0;
   const double smoothed = this->Self->GetSmoothness() > 0 ? 4 : 0;
@@ -241,6 +242,11 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   result.camera = camera;
   if (this->Self->OptimizeViewpoint)
   {
+    LIMPID_REQUIRE(settings.method == limpid::Method::Optimized,
+      "OptimizeViewpoint is on and Method is "
+        << limpid::InfoOf(settings.method).name
+        << " (the camera climbs with the optimised extinction). Set Method to Optimized or "
+           "OptimizeViewpoint off.");
     const auto guide = static_cast<limpid::Guide>(this->Self->ViewpointGuide);
     result = limpid::OptimizeConcurrently(scene, camera, light, settings, guide, progress);
   }
@@ -256,8 +262,8 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
 void vtkExtinctionOptimizer::Internals::StartFromLastResult(
   const limpid::Grid& grid, limpid::Solver& solver) const
 {
-  if (this->Self->WarmStart && this->Self->GetMode() == JOINT && this->LastExtinction &&
-    this->LastNodes == grid.nodes)
+  if (this->Self->WarmStart && this->Self->GetMethod() == OPTIMIZED &&
+    this->Self->GetMode() == JOINT && this->LastExtinction && this->LastNodes == grid.nodes)
   {
     solver.SetInitialExtinction(this->LastExtinction->GetPointer(0));
   }

@@ -299,6 +299,10 @@ limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid)
 limpid::Settings vtkViewpointSearch::Internals::MakeSettings() const
 {
   limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
+  LIMPID_REQUIRE(settings.method == limpid::Method::Optimized,
+    "Method is " << limpid::InfoOf(settings.method).name
+                 << " (the search finds views for the optimised extinction). Set Method to "
+                    "Optimized.");
   settings.restrictToView = false; // all of the image counts, whatever a picture would show
   return settings;
 }

@@ -33,6 +33,14 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("ImportanceComponent", this->ImportanceComponent);
   print("UseImportanceFunction", this->UseImportanceFunction);
   print("ImportanceFunction", static_cast<void*>(this->ImportanceFunction));
+  print("Method", this->Method);
+  print("AmentExponent", this->AmentExponent);
+  print("AmentRegularization", this->AmentRegularization);
+  print("AmentOccluders", this->AmentOccluders);
+  print("AmentBackground", this->AmentBackground);
+  print("AmentLightOccluders", this->AmentLightOccluders);
+  print("AmentLightBackground", this->AmentLightBackground);
+  print("AmentSmoothing", this->AmentSmoothing);
   print("RegularizationWeight", this->RegularizationWeight);
   print("ViewWeight", this->ViewWeight);
   print("LightWeight", this->LightWeight);

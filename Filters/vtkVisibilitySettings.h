@@ -76,6 +76,79 @@ public:
 
   ///@{
   /**
+   * How what matters is shown. OPTIMIZED: by the extinction that minimises Eq. (21). ORDINARY: by
+   * that of the transfer function. The others are what [HG24] compares with in Section 4.3, all
+   * scored by the same S: VIOLA_2004 [VKG04] clips what is in front of the most important object of
+   * every ray. MARCHESIN_2010 [MMD10] takes a mean colour by importance, in no order; the
+   * extinction stays the base, and S is not one of transport. AMENT_2017 [AZD17] thins out what is
+   * in front of and behind what is important, for the camera and, apart, for the light; see the
+   * properties whose names begin with Ament. vtkViewpointSearch does not ask for it. Default is
+   * OPTIMIZED.
+   */
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of AMENT_2017: exponent lambda, not below zero. Where importance g is high, extinction is kept:
+   * (1 - g)^(2 lambda). Default is 1.
+   */
+  vtkSetMacro(AmentExponent, double);
+  vtkGetMacro(AmentExponent, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of AMENT_2017: weight p of the extinction as it is, above zero. Default is 1.
+   */
+  vtkSetMacro(AmentRegularization, double);
+  vtkGetMacro(AmentRegularization, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of AMENT_2017: weight q against what hides important matter from the camera, per radius of the
+   * image's sphere, not below zero. Default is 100.
+   */
+  vtkSetMacro(AmentOccluders, double);
+  vtkGetMacro(AmentOccluders, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of AMENT_2017: weight r against what lies behind important matter, likewise. Default is 0.
+   */
+  vtkSetMacro(AmentBackground, double);
+  vtkGetMacro(AmentBackground, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of AMENT_2017: the weight q of the light's own extinction, likewise. Default is 100.
+   */
+  vtkSetMacro(AmentLightOccluders, double);
+  vtkGetMacro(AmentLightOccluders, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of AMENT_2017: the weight r of the light's own extinction, likewise. Default is 0.
+   */
+  vtkSetMacro(AmentLightBackground, double);
+  vtkGetMacro(AmentLightBackground, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of AMENT_2017: passes that smooth what is kept, 0 to 100. Default is 1.
+   */
+  vtkSetMacro(AmentSmoothing, int);
+  vtkGetMacro(AmentSmoothing, int);
+  ///@}
+
+  ///@{
+  /**
    * Weight p of the regularisation term, Eq. (22), in normalised coordinates: dimensionless, not
    * below zero. Default is 1e-3.
    */
@@ -276,6 +349,14 @@ private:
   int ImportanceComponent = -1;
   vtkTypeBool UseImportanceFunction = 0;
   vtkPiecewiseFunction* ImportanceFunction = nullptr;
+  int Method = OPTIMIZED;
+  double AmentExponent = 1;
+  double AmentRegularization = 1;
+  double AmentOccluders = 100;
+  double AmentBackground = 0;
+  double AmentLightOccluders = 100;
+  double AmentLightBackground = 0;
+  int AmentSmoothing = 1;
   double RegularizationWeight = 1e-3;
   double ViewWeight = 10;
   double LightWeight = 1;

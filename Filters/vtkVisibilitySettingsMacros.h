@@ -16,6 +16,14 @@
     POINT = 0,                                                                                     \
     DIRECTIONAL = 1                                                                                \
   };                                                                                               \
+  enum Methods                                                                                     \
+  {                                                                                                \
+    OPTIMIZED = 0,                                                                                 \
+    ORDINARY = 1,                                                                                  \
+    VIOLA_2004 = 2,                                                                                \
+    MARCHESIN_2010 = 3,                                                                            \
+    AMENT_2017 = 4                                                                                 \
+  };                                                                                               \
   enum Modes                                                                                       \
   {                                                                                                \
     JOINT = 0,                                                                                     \
@@ -95,6 +103,14 @@
   LIMPID_FORWARD_SETTING(ImportanceComponent, int)                                                 \
   LIMPID_FORWARD_SWITCH(UseImportanceFunction)                                                     \
   LIMPID_FORWARD_SETTING(ImportanceFunction, vtkPiecewiseFunction*)                                \
+  LIMPID_FORWARD_SETTING(Method, int)                                                              \
+  LIMPID_FORWARD_SETTING(AmentExponent, double)                                                    \
+  LIMPID_FORWARD_SETTING(AmentRegularization, double)                                              \
+  LIMPID_FORWARD_SETTING(AmentOccluders, double)                                                   \
+  LIMPID_FORWARD_SETTING(AmentBackground, double)                                                  \
+  LIMPID_FORWARD_SETTING(AmentLightOccluders, double)                                              \
+  LIMPID_FORWARD_SETTING(AmentLightBackground, double)                                             \
+  LIMPID_FORWARD_SETTING(AmentSmoothing, int)                                                      \
   LIMPID_FORWARD_SETTING(RegularizationWeight, double)                                             \
   LIMPID_FORWARD_SETTING(ViewWeight, double)                                                       \
   LIMPID_FORWARD_SETTING(LightWeight, double)                                                      \

@@ -21,7 +21,7 @@ std::string Percent(double share)
 
 bool IsOptimizing(vtkTransmittanceVolumeMapper* mapper)
 {
-  return mapper->GetMethod() == vtkTransmittanceVolumeMapper::OPTIMIZED &&
+  return mapper->GetMethod() != vtkTransmittanceVolumeMapper::ORDINARY &&
     mapper->GetOptimization() != vtkTransmittanceVolumeMapper::OFF;
 }
 
@@ -30,6 +30,10 @@ std::string Progress(vtkTransmittanceVolumeMapper* mapper)
   if (mapper->GetPauseOptimization())
   {
     return "paused";
+  }
+  if (mapper->GetMethod() != vtkTransmittanceVolumeMapper::OPTIMIZED)
+  {
+    return mapper->GetMethodName();
   }
   if (!mapper->GetConverged())
   {

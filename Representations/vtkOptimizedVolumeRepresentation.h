@@ -60,13 +60,10 @@ public:
   /// The methods of vtkVisibilitySettings, documented there.
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
-  ///@{
   /**
-   * What is done about what is important.
+   * When something is done about what is important.
    */
-  void SetMethod(int);
   void SetOptimization(int);
-  ///@}
 
   ///@{
   /**

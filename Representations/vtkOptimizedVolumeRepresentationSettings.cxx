@@ -20,7 +20,6 @@
     return this->State->Mapper->Get##name();                                                       \
   }
 
-LIMPID_FORWARD(Method, int)
 LIMPID_FORWARD(Optimization, int)
 LIMPID_FORWARD(PauseOptimization, int)
 LIMPID_FORWARD(Shadows, int)

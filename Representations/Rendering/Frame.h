@@ -38,6 +38,20 @@ struct FrameSettings
   double frameTime = 0.1; ///< of a moving frame [s]
   double easeTime = 0.3;  ///< time constant of changes while moving [s]
   bool stepwise = false;  ///< still frames take one step of the optimisation only
+
+  /// How pictures are made of samples; not front to back only where there is importance.
+  Compositing Composing() const
+  {
+    return this->optimize ? InfoOf(this->solver.method).compositing : Compositing::FrontToBack;
+  }
+
+  bool CastsShadows() const { return !this->optimize || InfoOf(this->solver.method).castsShadows; }
+
+  /// Whether pictures show another extinction than that of the transfer functions.
+  bool ShowsExtinction() const
+  {
+    return this->optimize && this->Composing() == Compositing::FrontToBack;
+  }
 };
 
 /// What a frame showed.

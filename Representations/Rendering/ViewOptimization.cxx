@@ -107,7 +107,7 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
     this->Remaining = 0;
     share = 1;
   }
-  const bool separate = frame.solver.mode == Mode::Separate;
+  const bool separate = HasLightExtinction(frame.solver);
   this->Pictures.SetExtinction(this->Optimizer->ShownGrid(), this->Optimizer->BaseExtinction(),
     this->Optimizer->Extinction(), share, separate ? this->Optimizer->LightExtinction() : nullptr);
   this->ShowsBase = false;
@@ -140,7 +140,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     this->HasView = false;
     this->DataVersion = data.DataVersion();
   }
-  if (!data.HasImportance() || !frame.measure || (!frame.optimize && !frame.still))
+  if (!data.HasImportance() || !frame.measure || (!frame.ShowsExtinction() && !frame.still))
   {
     this->ShowBase(frame, data);
     return;
@@ -156,7 +156,8 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   // What has been found stays, for when optimization is on again.
   const bool found =
     this->HasView && !this->IsBaseView && !changed && frame.solver == this->ViewSettings;
-  const bool frozen = frame.optimize ? frame.paused && !changed && !this->ShowsBase : found;
+  const bool pauses = frame.paused && !changed && (!this->ShowsBase || !frame.ShowsExtinction());
+  const bool frozen = frame.optimize ? pauses && this->HasView : found;
   if (!frozen && !this->TakeView(frame, camera))
   {
     this->ShowBase(frame, data);
@@ -164,8 +165,8 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     return;
   }
   changed = (!frozen && this->Work(frame, clock, isAborted)) || changed;
-  frame.optimize ? this->Show(frame, clock.SecondsSinceLast(), changed)
-                 : this->ShowBase(frame, data);
+  frame.ShowsExtinction() ? this->Show(frame, clock.SecondsSinceLast(), changed)
+                          : this->ShowBase(frame, data);
 
   const Scores scores = this->Measure(frame, camera, changed);
   result.score = frame.optimize ? scores.best : scores.base;

@@ -135,34 +135,37 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   }
   Lighting lighting = frame.lighting;
   lighting.enabled = frame.lit && frame.light.found;
+  lighting.shadows = lighting.shadows && frame.CastsShadows();
   lighting.light = frame.light.light;
   lighting.color = frame.light.color;
   this->Caster.SetLighting(lighting);
 }
 
 // Without room for the importance, the volume is drawn all the same.
-void VolumeView::ShowMissed(
+void VolumeView::UseImportance(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
-  const bool shown = frame.showMissed && data.HasImportance();
-  const std::uint64_t version = shown ? data.ImportanceVersion() : 0;
-  if (version == this->ImportanceVersion && (!shown || frame.missedColor == this->MissedColor))
-  {
-    return;
-  }
-  this->ImportanceVersion = 0;
+  const bool needed = frame.showMissed || frame.Composing() != Compositing::FrontToBack;
+  const bool used = needed && data.HasImportance();
+  const std::uint64_t version = used ? data.ImportanceVersion() : 0;
   try
   {
-    this->Caster.ShowMissed(shown ? data.Importance() : nullptr, frame.missedColor);
-    this->ImportanceVersion = version;
-    this->MissedColor = frame.missedColor;
+    if (version != this->ImportanceVersion)
+    {
+      this->ImportanceVersion = 0;
+      this->Caster.SetImportance(used ? data.Importance() : nullptr);
+      this->ImportanceVersion = version;
+    }
   }
   catch (const std::exception& error)
   {
     const Int3& points = data.Nodes().nodes;
-    messages.errors.push_back(
-      WordsOf(error, &points[0], drawingNeed) + " What the picture misses is not painted over it.");
+    messages.errors.push_back(WordsOf(error, &points[0], drawingNeed) +
+      " What the picture misses is not painted over it, and it is that of ordinary rendering if it "
+      "needs importance.");
   }
+  this->Caster.ShowMissed(frame.showMissed ? std::optional(frame.missedColor) : std::nullopt);
+  this->Caster.ComposeBy(frame.Composing());
 }
 
 void VolumeView::MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine)
@@ -411,7 +414,7 @@ void VolumeView::PrepareNow(
       "volume is drawn without light. Switch a light on, or set LightSource to Own.");
   }
   this->UpdateRenderer(frame, data);
-  this->ShowMissed(frame, data, messages);
+  this->UseImportance(frame, data, messages);
 
   FrameResult result;
   result.light = frame.light.description;

@@ -91,7 +91,7 @@ private:
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
   void ChoosePictures(BackendKind wish, const Grid& grid);
   void UpdateRenderer(const FrameSettings& frame, const VolumeData& data);
-  void ShowMissed(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void UseImportance(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   void MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine);
@@ -113,8 +113,7 @@ private:
   std::optional<BackendKind> PicturesFor; ///< for which wish it was chosen what makes pictures
   std::uint64_t ScalarsVersion = 0;
   std::uint64_t FunctionsVersion = 0;
-  std::uint64_t ImportanceVersion = 0; ///< 0: what is missed is not shown
-  std::array<float, 3> MissedColor{};
+  std::uint64_t ImportanceVersion = 0; ///< 0: pictures need none
 
   ViewOptimization Optimization{ this->Caster };
   FrameResult LastResult;

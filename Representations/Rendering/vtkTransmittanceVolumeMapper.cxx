@@ -112,6 +112,13 @@ const char* vtkTransmittanceVolumeMapper::GetLightDescription() const
   return this->State->Last.light.c_str();
 }
 
+const char* vtkTransmittanceVolumeMapper::GetMethodName()
+{
+  const int method = this->GetMethod();
+  const bool exists = method >= 0 && method < limpid::methodCount;
+  return exists ? limpid::InfoOf(static_cast<limpid::Method>(method)).name : "";
+}
+
 const char* vtkTransmittanceVolumeMapper::GetBackendName() const
 {
   return this->State->Last.backend.c_str();
@@ -193,7 +200,6 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Settings->PrintSelf(os, indent.GetNextIndent());
   print("ImportanceArray", this->ImportanceArray);
   print("ImportanceArrayAssociation", this->ImportanceArrayAssociation);
-  print("Method", this->Method);
   print("Optimization", this->Optimization);
   print("PauseOptimization", this->PauseOptimization);
   print("LightSource", this->LightSource);

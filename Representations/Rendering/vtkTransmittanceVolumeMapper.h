@@ -75,15 +75,6 @@ public:
     MAGNITUDE = -1
   };
 
-  enum Methods
-  {
-    OPTIMIZED = 0,
-    ORDINARY = 1,
-    VIOLA_2004 = 2,
-    MARCHESIN_2010 = 3,
-    AMENT_2017 = 4
-  };
-
   enum Optimizations
   {
     OFF = 0,
@@ -110,7 +101,12 @@ public:
   vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }
   ///@}
 
-  /// The methods of vtkVisibilitySettings, documented there.
+  /**
+   * The methods of vtkVisibilitySettings, documented there. Of SetMethod: VIOLA_2004 clips every
+   * ray of a picture by itself, where the filter samples the clip to the points; it and
+   * MARCHESIN_2010 are drawn without shadows, and need whole rays: with translucent geometry in the
+   * volume, or in several processes, the volume is drawn as with ORDINARY, with a message.
+   */
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
   ///@{
@@ -130,16 +126,6 @@ public:
    */
   vtkSetMacro(ImportanceArrayAssociation, int);
   vtkGetMacro(ImportanceArrayAssociation, int);
-  ///@}
-
-  ///@{
-  /**
-   * How the volume is drawn. OPTIMIZED: see Optimization. ORDINARY: as the transfer functions have
-   * it. The others are not available in this version: there is an error, and the volume is drawn
-   * as with ORDINARY. Default is OPTIMIZED.
-   */
-  vtkSetMacro(Method, int);
-  vtkGetMacro(Method, int);
   ///@}
 
   ///@{
@@ -377,6 +363,11 @@ public:
   const char* GetBackendName() const;
 
   /**
+   * What Method is called in panels: "Ament 2017". Empty if there is no such method.
+   */
+  const char* GetMethodName();
+
+  /**
    * The errors and warnings of the last frame, one a line, also those that were given before and
    * are still true. Empty when all is well.
    */
@@ -419,7 +410,6 @@ private:
   std::string ImportanceArray;
   int ImportanceArrayAssociation = 3; // vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS
 
-  int Method = OPTIMIZED;
   int Optimization = CONTINUOUS;
   vtkTypeBool PauseOptimization = 0;
   int LightSource = SCENE;

@@ -280,6 +280,15 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     frame.optimize = false;
     frame.showMissed = false;
   }
+  if (inParts && frame.Composing() != limpid::Compositing::FrontToBack)
+  {
+    this->Warn(std::string("Method is ") + limpid::InfoOf(frame.solver.method).name +
+      " and there are translucent surfaces (it looks at whole rays, which these divide): the "
+      "volume "
+      "is drawn in the ordinary way. Make the surfaces opaque or hide them, or set Method to "
+      "Optimized, Ordinary or Ament 2017.");
+    frame.optimize = false;
+  }
   if (!this->Data.Warning().empty())
   {
     this->Warn(this->Data.Warning());

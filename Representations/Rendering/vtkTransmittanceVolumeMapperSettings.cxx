@@ -186,7 +186,6 @@ limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolu
 void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
 {
   const vtkTransmittanceVolumeMapper* self = this->Self;
-  limpid::RequireChoice("Method", self->Method, 5);
   limpid::RequireChoice("Optimization", self->Optimization, 3);
   limpid::RequireChoice("LightSource", self->LightSource, 2);
   limpid::RequireChoices(self->Settings);
@@ -251,10 +250,13 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   const vtkTransmittanceVolumeMapper* self = this->Self;
   limpid::FrameSettings frame;
   frame.still = !self->AdaptiveQuality || renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1;
-  frame.optimize = self->Method == OPTIMIZED && self->Optimization != OFF;
+  const bool ordinary = self->Settings->GetMethod() == ORDINARY;
+  frame.optimize = !ordinary && self->Optimization != OFF;
   frame.once = self->Optimization == ONCE;
   frame.paused = self->PauseOptimization != 0;
   frame.solver = limpid::SettingsOf(self->Settings);
+  // What another method has found stays for when Ordinary is over.
+  frame.solver.method = ordinary ? limpid::Method::Optimized : frame.solver.method;
   frame.solver.Require();
   frame.lighting = this->MakeLighting();
   frame.lit = self->Shadows || volume->GetProperty()->GetShade(0);
@@ -270,14 +272,6 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.easeTime = self->EaseTime;
   frame.stepwise = self->ProgressiveStill != 0;
 
-  if (self->Method > ORDINARY)
-  {
-    const char* const names[] = { "Viola 2004", "Marchesin 2010", "Ament 2017" };
-    this->Error("Method is " + std::to_string(self->Method) + ", " +
-      names[self->Method - VIOLA_2004] +
-      " (it comes in a later version): the volume is drawn in the ordinary way. Set Method to 0 "
-      "(optimized) or 1 (ordinary).");
-  }
   this->LeaveToOneProcess(frame);
   return frame;
 }

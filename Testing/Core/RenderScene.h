@@ -81,6 +81,7 @@ struct RenderScene
   Lighting lighting;
   double shadowRayDensity = 3;   // as in Renderer.h
   std::vector<float> importance; ///< of what is missed, which is painted; empty: it is not
+  Compositing compositing = Compositing::FrontToBack; ///< others: nothing is painted
   std::array<float, 3> missedColor{ { 1, 0, 1 } };
   View view;
   std::vector<float> nearDepth; ///< of `view`; empty: rays begin where they can
@@ -188,7 +189,12 @@ struct RenderScene
     renderer.SetLighting(lighting);
     if (!importance.empty())
     {
-      renderer.ShowMissed(importance.data(), missedColor);
+      renderer.SetImportance(importance.data());
+      renderer.ComposeBy(compositing);
+      if (compositing == Compositing::FrontToBack)
+      {
+        renderer.ShowMissed(missedColor);
+      }
     }
   }
 

@@ -282,6 +282,20 @@ const Case cases[] = {
       scene.view.height = 3;
       Illuminate(scene);
     } },
+  { "FromTheMostImportantObjectOn",
+    [](RenderScene& scene)
+    {
+      Illuminate(scene);
+      Miss(scene);
+      scene.compositing = Compositing::FromObject;
+    } },
+  { "MeanByImportance",
+    [](RenderScene& scene)
+    {
+      Illuminate(scene);
+      Miss(scene);
+      scene.compositing = Compositing::ImportanceMean;
+    } },
 };
 }
 

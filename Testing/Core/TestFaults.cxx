@@ -287,7 +287,8 @@ TEST(Faults, LeaveARendererThatDraws)
       if (given)
       {
         renderer.SetExtinction(scene.grid, base.data(), extinction.data());
-        renderer.ShowMissed(importance.data());
+        renderer.SetImportance(importance.data());
+        renderer.ShowMissed(std::array<float, 3>{ { 1, 0, 1 } });
       }
       return renderer;
     };

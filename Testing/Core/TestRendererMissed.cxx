@@ -335,7 +335,7 @@ TEST(RendererMissed, LeavesNoTraceWhenItIsOffAgain)
   renderer.Render(scene.WholeView(), painted);
   Picture after;
 
-  renderer.ShowMissed(nullptr);
+  renderer.ShowMissed({});
   renderer.Render(scene.WholeView(), after);
 
   EXPECT_NE(painted.rgba, expected.rgba);
@@ -368,7 +368,7 @@ TEST(RendererMissed, IsThatOfAFreshRendererAfterAnyChange)
 
   std::reverse(scene.scalars.begin(), scene.scalars.end());
   renderer.SetScalars(scene.grid, scene.scalars.data());
-  renderer.ShowMissed(scene.importance.data(), scene.missedColor);
+  renderer.SetImportance(scene.importance.data());
   renderer.Render(scene.WholeView(), found);
   EXPECT_EQ(found.rgba, scene.Render().rgba) << "other scalars";
 }
@@ -394,8 +394,8 @@ TEST(RendererMissed, NeedsScalarsAndAColour)
 {
   const RenderScene scene = Balls();
   Renderer renderer;
-  EXPECT_THROW(renderer.ShowMissed(scene.importance.data()), Error);
+  EXPECT_THROW(renderer.SetImportance(scene.importance.data()), Error);
   scene.SetUp(renderer);
-  EXPECT_THROW(renderer.ShowMissed(scene.importance.data(), { { 1, 0, 1.5f } }), Error);
-  EXPECT_THROW(renderer.ShowMissed(scene.importance.data(), { { NAN, 0, 1 } }), Error);
+  EXPECT_THROW(renderer.ShowMissed(std::array<float, 3>{ { 1, 0, 1.5f } }), Error);
+  EXPECT_THROW(renderer.ShowMissed(std::array<float, 3>{ { NAN, 0, 1 } }), Error);
 }

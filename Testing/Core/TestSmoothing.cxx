@@ -208,7 +208,7 @@ TEST_P(SmoothedBy, ChangesVaryLessAndLittleIsLost)
   const std::vector<IterationRecord>& history = smooth.History();
   for (std::size_t i = 0; i < history.size(); ++i)
   {
-    EXPECT_EQ(history[i].smooths, i + smoothingSweeps >= history.size()) << i;
+    EXPECT_EQ(history[i].isResult, i + smoothingSweeps >= history.size()) << i;
   }
   // What is kept is what was smoothed last, not what had the least energy.
   EXPECT_EQ(smooth.BestEnergy().Total(), history.back().energy.Total());

@@ -46,9 +46,10 @@ PICTURES = {
     "Ordinary": {"Method": "Ordinary"},
     "OrdinaryWithShade": {"Method": "Ordinary", "Shadows": 0, "Shade": 1},
     "OrdinaryWithoutLight": {"Method": "Ordinary", "Shadows": 0},
+    "Viola2004": {"Method": "Viola 2004"},
+    "Marchesin2010": {"Method": "Marchesin 2010"},
+    "Ament2017": {"Method": "Ament 2017"},
 }
-# Drawn as Ordinary until they are there.
-METHODS_OF_LATER = ("Viola 2004", "Marchesin 2010", "Ament 2017")
 
 
 def show(**settings):
@@ -101,15 +102,6 @@ class TestOptimizedVolumeBaselines(unittest.TestCase):
 
                 self.assert_is(name, pictures.take(view))
                 self.assertEqual(display.Messages, "")
-
-    def test_methods_of_later_look_ordinary_and_say_so(self):
-        view, display = show()
-        for method in METHODS_OF_LATER:
-            with self.subTest(method):
-                display.Method = method
-
-                self.assert_is("Ordinary", pictures.take(view))
-                self.assertIn(method, display.Messages)
 
     def test_a_small_change_is_noticed(self):
         view, display = show()

@@ -276,7 +276,7 @@ class TestBadInput(MapperTest):
                      Optimization=3, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
                      ShadowStrength=1.5, Ambient=-0.5, Anisotropy=1, Specular=-1, SpecularPower=-2,
                      LightIntensity=-4, SampleDistance=0, InteractiveFrameTime=0, EaseTime=-1,
-                     ProtectImportance=-0.5)
+                     ProtectImportance=-0.5, AmentRegularization=0, AmentExponent=-1)
         for name, value in cases.items():
             with self.subTest(name=name):
                 view, mapper = show(phantom(8), **{name: value})
@@ -285,13 +285,6 @@ class TestBadInput(MapperTest):
                 self.assertEqual(len(view.messages), 1, view.messages)
                 self.assertIn(str(value), view.messages[0])
                 self.assert_sane(view, mapper)
-
-    def test_methods_of_later_versions(self):
-        for method, name in ((2, "Viola"), (3, "Marchesin"), (4, "Ament")):
-            view, mapper = show(phantom(16), Method=method)
-            self.assert_says(view, name, "later")
-            ordinary, _ = show(phantom(16), Method=Mapper.ORDINARY)
-            np.testing.assert_array_equal(view.pixels(), ordinary.picture())
 
     def test_what_is_not_used_is_named(self):
         def gradient(view):

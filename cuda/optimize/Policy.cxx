@@ -187,7 +187,7 @@ public:
       this->GoBack();
     }
     IterationRecord record = this->Advance(this->SmoothingTurn());
-    record.smooths = true;
+    record.isResult = true;
     this->BestOf = this->Now;
     return record;
   }

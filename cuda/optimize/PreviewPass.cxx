@@ -7,12 +7,17 @@ namespace limpid
 {
 namespace
 {
+void Assign(const Problem& problem, std::vector<float>& base)
+{
+  base.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
+}
+
 /// One sweep for a term of weight `weight`; `found` is written where anything may change.
 void Sweep(const Problem& problem, SourceSweeps& sweeps, double weight, std::vector<float>& found)
 {
   if (found.empty())
   {
-    found.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
+    Assign(problem, found);
   }
   sweeps.SweepPolicyOnce(weight, found);
 }
@@ -20,7 +25,8 @@ void Sweep(const Problem& problem, SourceSweeps& sweeps, double weight, std::vec
 
 void PreviewPass::Make(const Camera& camera, const Light& light, const Settings& settings)
 {
-  if (settings.importanceSmoothing != this->Given.settings.importanceSmoothing)
+  const Settings& last = this->Given.settings;
+  if (settings.importanceSmoothing != last.importanceSmoothing || settings.method != last.method)
   {
     this->Forget(); // a pass writes only where its importance may change anything
   }
@@ -31,6 +37,32 @@ void PreviewPass::Make(const Camera& camera, const Light& light, const Settings&
   this->Backend.Choose(settings, this->Given.grid);
   this->Before.reset();
   this->After.reset();
+  InfoOf(settings.method).iterates ? this->MakeByPolicy(settings) : this->MakeByMethod();
+}
+
+void PreviewPass::MakeByMethod()
+{
+  this->ForLight = {};
+  this->ForCamera = {};
+  if (!this->Scene->SomethingToSee())
+  {
+    return;
+  }
+  const auto make = [this](bool forLight, std::vector<float>& found)
+  {
+    Assign(this->Given, found);
+    this->Given.forLight = forLight;
+    this->Backend->FindByMethod(this->Given, found);
+  };
+  make(false, this->ForCamera);
+  if (HasLightExtinction(this->Given.settings))
+  {
+    make(true, this->ForLight);
+  }
+}
+
+void PreviewPass::MakeByPolicy(const Settings& settings)
+{
   const Weights& weights = settings.weights;
   const bool toSee = this->Scene->SomethingToSee();
   const bool forCamera = toSee && weights.view > 0;

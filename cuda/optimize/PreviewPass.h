@@ -15,7 +15,8 @@ namespace limpid
 {
 /**
  * The first policy pass on one grid, which knows of no transmittance and leaves the light out of
- * the camera's extinction: the most visibility for one sweep (Documentation/Method.md).
+ * the camera's extinction: the most visibility for one sweep (Documentation/Method.md). Of a method
+ * that does not iterate: its only pass.
  */
 class PreviewPass
 {
@@ -40,11 +41,11 @@ public:
   /// What the last pass has found, Nodes().NodeCount() values [1/length].
   const float* Extinction() const { return this->DataOf(this->ForCamera); }
 
-  /// Separate mode: for the light; joint mode: the same as for the camera.
+  /// For the light, where there is another one (HasLightExtinction); else that for the camera.
   const float* LightExtinction() const
   {
-    return this->Given.settings.mode == Mode::Joint ? this->Extinction()
-                                                    : this->DataOf(this->ForLight);
+    return HasLightExtinction(this->Given.settings) ? this->DataOf(this->ForLight)
+                                                    : this->Extinction();
   }
 
   /// Of the base and of the found extinction; each costs a sweep when it is asked for first.
@@ -57,6 +58,8 @@ private:
     return found.empty() ? this->Base() : found.data();
   }
 
+  void MakeByPolicy(const Settings& settings);
+  void MakeByMethod();
   SourceSweeps& CameraSweeps();
   Score ScoreOf(const float* extinction);
 

@@ -37,6 +37,8 @@ struct Problem
   float majorant = 0;                         ///< upper bound of the extinction [1/length]
   RaySource camera;
   RaySource light;
+  bool forLight =
+    false; ///< whether the extinction for the light is wanted of a method that has one
   Settings settings;
 
   /// p of Eq. (22) in world units: the normalised energy times R^2 has p R / 2 (mu - mu-bar)^2.

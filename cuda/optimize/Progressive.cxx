@@ -93,7 +93,7 @@ struct Progressive::Internals
   bool levelIsCurrent = false;    ///< whether it was made for the present view
   std::unique_ptr<Solver> solver; ///< of the present view; null: not begun
   std::array<std::vector<float>, 2> kept;
-  Mode keptMode = Mode::Joint;
+  bool keptForLight = false; ///< whether there is another one for the light
   Score keptBase;
   Score keptBest;
 
@@ -145,7 +145,7 @@ struct Progressive::Internals
     {
       this->keptBase = this->solver->BaseScore();
       this->keptBest = this->solver->BestScore();
-      this->keptMode = this->settings.mode;
+      this->keptForLight = HasLightExtinction(this->settings);
       this->kept = this->solver->TakeExtinctions();
       this->shown = Shown::Kept;
     }
@@ -295,10 +295,10 @@ const float* Progressive::LightExtinction() const
     case Shown::Preview:
       return state.LastPreview().LightExtinction();
     case Shown::Solver:
-      return state.settings.mode == Mode::Separate ? state.solver->LightExtinction().data()
-                                                   : this->Extinction();
+      return HasLightExtinction(state.settings) ? state.solver->LightExtinction().data()
+                                                : this->Extinction();
     case Shown::Kept:
-      return state.keptMode == Mode::Separate ? state.kept[1].data() : this->Extinction();
+      return state.keptForLight ? state.kept[1].data() : this->Extinction();
     case Shown::Nothing:
       break;
   }

@@ -23,6 +23,7 @@ void RequireNotNegative(const char* name, const char* why, double value)
 
 void Settings::Require() const
 {
+  this->ament.Require();
   for (const WeightInfo& info : allWeights)
   {
     RequireNotNegative(info.name, info.whyNotNegative, this->weights.*info.weight);
@@ -68,9 +69,9 @@ bool operator==(const Settings& one, const Settings& other)
 {
   const auto values = [](const Settings& s)
   {
-    return std::tie(s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel, s.learningRate,
-      s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded, s.restrictToView,
-      s.protectImportance, s.importanceSmoothing, s.smoothness, s.backend);
+    return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
+      s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
+      s.restrictToView, s.protectImportance, s.importanceSmoothing, s.smoothness, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)
   { return one.weights.*info.weight == other.weights.*info.weight; };

@@ -7,6 +7,7 @@
 #include "backend/Choice.h"
 #include "energy/Derivative.h"
 #include "energy/Score.h"
+#include "methods/Method.h"
 
 #include <array>
 #include <functional>
@@ -62,6 +63,9 @@ inline constexpr WeightInfo allWeights[] = {
 
 struct Settings
 {
+  Method method = Method::Optimized;
+  AmentWeights ament; ///< of Method::Ament2017
+
   Weights weights;
   Mode mode = Mode::Joint;
   SolverKind solver = SolverKind::Policy;
@@ -98,7 +102,15 @@ bool operator==(const Settings& one, const Settings& other);
 /// given. Else what a result is worth takes a sweep of its own.
 inline bool TellsScores(const Settings& settings)
 {
-  return settings.weights.view > 0 && settings.importanceSmoothing == ImportanceSmoothing::Off;
+  return InfoOf(settings.method).iterates && settings.weights.view > 0 &&
+    settings.importanceSmoothing == ImportanceSmoothing::Off;
+}
+
+/// Whether there is another extinction for the light than for the camera.
+inline bool HasLightExtinction(const Settings& settings)
+{
+  const MethodInfo& info = InfoOf(settings.method);
+  return info.iterates ? settings.mode == Mode::Separate : info.hasLightExtinction;
 }
 
 /// The settings of scores: the importance as given.
@@ -122,7 +134,8 @@ struct IterationRecord
   Score score;           ///< from the camera; 0 where iterations do not tell it, see TellsScores
   double meanChange = 0; ///< mean |change| of the voxels that may change [majorant]
   double seconds = 0;    ///< since the start
-  bool smooths = false;  ///< whether it drew neighbours together: the best, whatever its energy
+  bool isResult = false; ///< the best, whatever its energy: it drew neighbours together, or is what
+                         ///< a method makes that minimises something else
 };
 
 /// Told after every iteration: share of the work done in [0, 1] and a text for the user.

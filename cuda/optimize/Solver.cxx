@@ -89,7 +89,7 @@ struct Solver::Internals
     this->judge.reset();
     this->bestEnergy = Energy();
     this->lightExtinction.clear();
-    if (this->settings.mode == Mode::Separate)
+    if (HasLightExtinction(this->settings))
     {
       this->AssignBase(this->lightExtinction); // until the light's own run
     }
@@ -103,11 +103,13 @@ struct Solver::Internals
   Problem MakeProblem() const
   {
     Settings wanted = this->settings;
-    if (wanted.mode == Mode::Separate)
+    if (this->Minimizes() && wanted.mode == Mode::Separate)
     {
       (this->lightRun ? wanted.weights.view : wanted.weights.light) = 0;
     }
-    return this->prepared->ProblemFor(this->camera, this->light, wanted);
+    Problem made = this->prepared->ProblemFor(this->camera, this->light, wanted);
+    made.forLight = this->lightRun;
+    return made;
   }
 
   void AssignBase(std::vector<float>& field) const
@@ -140,8 +142,8 @@ struct Solver::Internals
     this->runSmoothings = 0;
     this->runFound = false;
     this->hasIterate = false;
-    const bool nothingAtStake =
-      !(weights.view > 0 || weights.light > 0) || !this->prepared->SomethingToSee();
+    const bool weightless = this->Minimizes() && !(weights.view > 0 || weights.light > 0);
+    const bool nothingAtStake = weightless || !this->prepared->SomethingToSee();
     if (nothingAtStake)
     {
       // Only the regularisation is left, whose minimum is the base extinction.
@@ -162,18 +164,24 @@ struct Solver::Internals
     this->minimizer = this->backend->MakeMinimizer(this->problem, std::move(start), this->warm);
     IterationRecord record = this->minimizer->Start();
     record.iteration = this->iterations;
-    this->history.push_back(record);
-    if (this->lightRun)
+    if (!this->lightRun)
     {
-      return;
+      this->base = this->SeesAlong() ? this->minimizer->BaseScore()
+                                     : this->ScoreOf(this->scene.baseExtinction);
+      this->best = this->SeesAlong() ? record.score : this->base;
+      this->bestEnergy = record.energy;
+      record.score = this->Minimizes() ? record.score : this->base;
     }
-    this->base =
-      this->SeesAlong() ? this->minimizer->BaseScore() : this->ScoreOf(this->scene.baseExtinction);
-    this->best = this->SeesAlong() ? record.score : this->base;
-    this->bestEnergy = record.energy;
+    this->history.push_back(record);
   }
 
   bool SeesAlong() const { return limpid::TellsScores(this->problem.settings); }
+
+  /// Whether records have scores.
+  bool KnowsScores() const { return !this->Minimizes() || this->SeesAlong(); }
+
+  /// Whether iterations minimise Eq. (21); else there is one, by a method of another kind.
+  bool Minimizes() const { return InfoOf(this->settings.method).iterates; }
 
   Score ScoreOf(const float* field) const
   {
@@ -195,8 +203,8 @@ struct Solver::Internals
 
   int SmoothingLimit() const
   {
-    return this->settings.smoothness > 0 && this->minimizer->IterationLimit() > 0 ? smoothingSweeps
-                                                                                  : 0;
+    const bool smooths = this->Minimizes() && this->settings.smoothness > 0;
+    return smooths && this->minimizer->IterationLimit() > 0 ? smoothingSweeps : 0;
   }
 
   double Share() const
@@ -234,6 +242,10 @@ struct Solver::Internals
   {
     const Clock::time_point start = Clock::now();
     IterationRecord record = this->Advance();
+    if (!this->Minimizes() && !this->lightRun)
+    {
+      this->Judged(record);
+    }
     ++this->iterations;
     this->seconds += std::chrono::duration<double>(Clock::now() - start).count();
     record.iteration = this->iterations;
@@ -241,11 +253,11 @@ struct Solver::Internals
     this->history.push_back(record);
     this->hasIterate = this->hasIterate || record.level == 0;
     const bool better =
-      record.smooths || (record.level == 0 && record.energy.Total() < this->bestEnergy.Total());
+      record.isResult || (record.level == 0 && record.energy.Total() < this->bestEnergy.Total());
     if (better && !this->lightRun)
     {
       this->bestEnergy = record.energy;
-      this->best = this->SeesAlong() ? std::optional<Score>(record.score) : std::nullopt;
+      this->best = this->KnowsScores() ? std::optional<Score>(record.score) : std::nullopt;
     }
     if (progress && !progress(this->Share(), this->Describe(record)))
     {
@@ -259,6 +271,13 @@ struct Solver::Internals
     }
   }
 
+  /// The energy counts what the method shows, by its own measure.
+  void Judged(IterationRecord& record) const
+  {
+    record.score = this->ScoreOf(this->minimizer->Best().data());
+    record.energy.view = -this->settings.weights.view * record.score.visibility; // Eq. (23)
+  }
+
   std::string Describe(const IterationRecord& record) const
   {
     std::ostringstream text;
@@ -268,7 +287,7 @@ struct Solver::Internals
     {
       text << " at 1/" << (1 << record.level) << " resolution";
     }
-    if (!this->lightRun && this->SeesAlong())
+    if (!this->lightRun && this->KnowsScores())
     {
       text << ": " << 100 * record.score.fraction << " % of the important structures visible";
     }
@@ -284,7 +303,7 @@ struct Solver::Internals
       result = this->minimizer->TakeBest();
       this->minimizer.reset();
     }
-    const bool lightFollows = this->settings.mode == Mode::Separate && !this->lightRun;
+    const bool lightFollows = HasLightExtinction(this->settings) && !this->lightRun;
     if (!lightFollows || this->stopped)
     {
       this->done = true;
@@ -324,6 +343,9 @@ Solver& Solver::operator=(Solver&&) noexcept = default;
 void Solver::SetInitialExtinction(const float* extinction)
 {
   Internals& state = *this->State;
+  LIMPID_REQUIRE(state.Minimizes(),
+    "An initial extinction was given to " << InfoOf(state.settings.method).name
+                                          << " (it does not iterate). Use the method Optimized.");
   LIMPID_REQUIRE(state.settings.mode == Mode::Joint,
     "An initial extinction was given in separate mode (there are two extinctions to start). Use "
     "the joint mode.");
@@ -388,7 +410,7 @@ bool Solver::Settled() const
 bool Solver::HasResult() const
 {
   const Internals& state = *this->State;
-  const bool lastRun = state.settings.mode == Mode::Joint || state.lightRun;
+  const bool lastRun = !HasLightExtinction(state.settings) || state.lightRun;
   return state.done || (lastRun && state.hasIterate);
 }
 
@@ -406,7 +428,7 @@ std::array<std::vector<float>, 2> Solver::TakeExtinctions()
 
 bool Solver::TellsScores() const
 {
-  return limpid::TellsScores(this->State->settings);
+  return this->State->KnowsScores();
 }
 
 double Solver::Majorant() const
@@ -469,7 +491,7 @@ void Solver::Transmittance(float* transmittance) const
 void Solver::LightTransmittance(float* transmittance) const
 {
   const Internals& state = *this->State;
-  const bool separate = state.settings.mode == Mode::Separate;
+  const bool separate = HasLightExtinction(state.settings);
   const std::vector<float>& extinction = separate ? this->LightExtinction() : this->Extinction();
   state.backend->FindTransmittance(state.problem, state.problem.light,
     std::max(state.settings.rayDensity, transmittanceRayDensity), extinction.data(), transmittance);

@@ -77,7 +77,7 @@ public:
   /// Best iterate so far, grid.NodeCount() values [1/length].
   const std::vector<float>& Extinction() const;
 
-  /// Separate mode: the extinction for the light [1/length]; joint mode: empty.
+  /// The extinction for the light, where there is one (HasLightExtinction) [1/length]; else empty.
   const std::vector<float>& LightExtinction() const;
 
   /// Whether these are iterates at full resolution, no longer what the iterations start from.
@@ -104,7 +104,7 @@ public:
   /// `transmittance` has room for grid.NodeCount() values in [0, 1].
   void Transmittance(float* transmittance) const;
 
-  /// Transmittance from the light, Eq. (16), through LightExtinction() in separate mode.
+  /// Transmittance from the light, Eq. (16), through LightExtinction() where there is one.
   void LightTransmittance(float* transmittance) const;
 
 private:

@@ -7,6 +7,7 @@
 
 #include "energy/TransmittanceSweep.h"
 #include "optimize/Adam.h"
+#include "optimize/ClosedForm.h"
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"
 
@@ -40,6 +41,11 @@ public:
     if (extinction == this->Given.baseExtinction)
     {
       return ScoreOfBase(*this->Base);
+    }
+    if (const auto see = PassesOf<AnyDevice>(this->Given.settings.method).see)
+    {
+      return limpid::ScoreOf(
+        see(SceneOf(this->Device, this->Given, *this->Fields)), this->Base->unattenuated);
     }
     const BorrowedArray<AnyDevice, float> field(this->Device, extinction,
       static_cast<std::size_t>(this->Given.grid.NodeCount()), "the extinction");
@@ -88,6 +94,10 @@ template <class AnyDevice>
 std::unique_ptr<Minimizer> MakeMinimizerOn(const std::shared_ptr<AnyDevice>& device,
   const Problem& problem, std::vector<float>&& start, bool warm)
 {
+  if (!InfoOf(problem.settings.method).iterates)
+  {
+    return MakeClosedForm(device, problem);
+  }
   if (problem.settings.solver == SolverKind::Policy)
   {
     return MakePolicy(device, problem, start, warm);
@@ -128,6 +138,14 @@ public:
   std::unique_ptr<SourceSweeps> SweepsFrom(const Problem& problem, const RaySource& source) override
   {
     return std::make_unique<SweepsOn<AnyDevice>>(this->Device, problem, source);
+  }
+
+  void FindByMethod(const Problem& problem, std::vector<float>& extinction) override
+  {
+    const auto fields = ProblemFields<AnyDevice>::Of(this->Device, problem);
+    DeviceArray<AnyDevice, float> there(this->Device, extinction, "the extinction");
+    limpid::FindByMethod(this->Device, problem, *fields, there.Data());
+    there.Download(extinction.data());
   }
 
   void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,

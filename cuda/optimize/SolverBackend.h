@@ -20,8 +20,9 @@ class SourceSweeps
 public:
   virtual ~SourceSweeps() = default;
 
-  /// What the source sees of an extinction, grid.NodeCount() values [1/length]. The first call
-  /// costs a sweep more, of the base extinction, unless it is that.
+  /// What the source sees of an extinction, grid.NodeCount() values [1/length], by the measure of
+  /// the problem's method. The first call costs a sweep more, of the base extinction, unless it is
+  /// that.
   virtual Score ScoreOf(const float* extinction) = 0;
 
   /// The first policy sweep, which knows of no transmittance and of this source alone, with the
@@ -43,6 +44,10 @@ public:
 
   virtual std::unique_ptr<SourceSweeps> SweepsFrom(
     const Problem& problem, const RaySource& source) = 0;
+
+  /// The extinction that a method without iterations makes, grid.NodeCount() values [1/length];
+  /// `extinction`: the base extinction at first.
+  virtual void FindByMethod(const Problem& problem, std::vector<float>& extinction) = 0;
 
   /// Transmittance from a source through an extinction of the problem, see TransmittanceSweep.
   virtual void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,

@@ -76,16 +76,39 @@ constexpr int tileHeight = 8;
 using HostPixel = Pixel<BlockSampler::Optical>;
 using TraceOneRay = void (*)(const RayScene&, const Ray&, HostPixel&);
 
-#define LIMPID_TRACE(name, lit, overlaid)                                                          \
+#define LIMPID_TRACE(name, compositing, lit, overlaid)                                             \
   LIMPID_MULTIVERSION void name(const RayScene& scene, const Ray& ray, HostPixel& pixel)           \
   {                                                                                                \
-    TraceRay<BlockSampler, lit, overlaid>(scene, ray, pixel);                                      \
+    TraceAs<Compositing::compositing, BlockSampler, lit, overlaid>(scene, ray, pixel);             \
   }
-LIMPID_TRACE(TracePlain, false, false)
-LIMPID_TRACE(TraceOverlaid, false, true)
-LIMPID_TRACE(TraceLit, true, false)
-LIMPID_TRACE(TraceLitOverlaid, true, true)
+#define LIMPID_TRACE_ALL(compositing)                                                              \
+  LIMPID_TRACE(Plain##compositing, compositing, false, false)                                      \
+  LIMPID_TRACE(Overlaid##compositing, compositing, false, true)                                    \
+  LIMPID_TRACE(Lit##compositing, compositing, true, false)                                         \
+  LIMPID_TRACE(LitOverlaid##compositing, compositing, true, true)                                  \
+  constexpr TraceOneRay all##compositing[2][2] = { { Plain##compositing, Overlaid##compositing },  \
+    { Lit##compositing, LitOverlaid##compositing } };
+LIMPID_TRACE_ALL(FrontToBack)
+LIMPID_TRACE_ALL(FromObject)
+LIMPID_TRACE_ALL(ImportanceMean)
+#undef LIMPID_TRACE_ALL
 #undef LIMPID_TRACE
+
+TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
+{
+  const bool lit = scene.gradient != nullptr;
+  const bool overlaid = scene.overlay != nullptr;
+  switch (compositing)
+  {
+    case Compositing::FromObject:
+      return allFromObject[lit][overlaid];
+    case Compositing::ImportanceMean:
+      return allImportanceMean[lit][overlaid];
+    case Compositing::FrontToBack:
+      break;
+  }
+  return allFrontToBack[lit][overlaid];
+}
 
 using GatherOneRay = RayImportance (*)(const RayScene&, const Ray&);
 
@@ -121,10 +144,9 @@ void ForPixels(const PictureRays& rays, const Action& action)
 }
 }
 
-void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays)
+void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays, Compositing compositing)
 {
-  const TraceOneRay trace = scene.gradient ? (scene.overlay ? TraceLitOverlaid : TraceLit)
-                                           : (scene.overlay ? TraceOverlaid : TracePlain);
+  const TraceOneRay trace = TraceOf(scene, compositing);
   ForPixels(rays,
     [&](int column, int row)
     {

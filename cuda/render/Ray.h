@@ -34,6 +34,22 @@ struct Ray
     return behindEntry < this->length ? behindEntry : this->length;
   }
 
+  /// The part from a distance [samples] on; its samples are some of those of the whole ray.
+  LIMPID_HD LIMPID_INLINE Ray From(float distance) const
+  {
+    Ray part = *this;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      part.entry[axis] = this->entry[axis] + distance * this->step[axis];
+      part.lightEntry[axis] = this->lightEntry[axis] + distance * this->lightStep[axis];
+    }
+    const float before = distance + this->shift;
+    part.shift = before - std::floor(before);
+    part.length = this->length - distance;
+    part.segments = static_cast<int>(std::ceil(part.length + part.shift));
+    return part;
+  }
+
   /// The same samples in the opposite order. It is not to be lit.
   LIMPID_HD LIMPID_INLINE Ray Reversed() const
   {

@@ -5,8 +5,8 @@
 #define limpid_render_Raycast_h
 
 #include "backend/Extent.h"
+#include "render/TraceByImportance.h"
 #include "render/TraceMissed.h"
-#include "render/TraceRay.h"
 
 #include <type_traits>
 
@@ -93,7 +93,7 @@ struct PixelOfTile
   }
 };
 
-template <bool Lit, bool Overlaid>
+template <Compositing compositing, bool Lit, bool Overlaid>
 struct DrawnPixel
 {
   RayScene scene;
@@ -103,7 +103,7 @@ struct DrawnPixel
   {
     this->rays.template Draw<FourFloats>(column, row,
       [this](const Ray& ray, Pixel<FourFloats>& pixel)
-      { TraceRay<SingleSampler, Lit, Overlaid>(this->scene, ray, pixel); });
+      { TraceAs<compositing, SingleSampler, Lit, Overlaid>(this->scene, ray, pixel); });
   }
 };
 
@@ -121,9 +121,8 @@ struct PaintedPixel
   }
 };
 
-/// Casts a ray through every pixel of a picture. All addresses are on the device. Does not wait.
-template <class AnyDevice>
-void CastRays(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
+template <Compositing compositing, class AnyDevice>
+void CastRaysAs(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
 {
   const auto cast = [&](const auto& pixel)
   {
@@ -132,13 +131,29 @@ void CastRays(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
   };
   if (scene.gradient)
   {
-    scene.overlay ? cast(DrawnPixel<true, true>{ scene, rays })
-                  : cast(DrawnPixel<true, false>{ scene, rays });
+    scene.overlay ? cast(DrawnPixel<compositing, true, true>{ scene, rays })
+                  : cast(DrawnPixel<compositing, true, false>{ scene, rays });
   }
   else
   {
-    scene.overlay ? cast(DrawnPixel<false, true>{ scene, rays })
-                  : cast(DrawnPixel<false, false>{ scene, rays });
+    scene.overlay ? cast(DrawnPixel<compositing, false, true>{ scene, rays })
+                  : cast(DrawnPixel<compositing, false, false>{ scene, rays });
+  }
+}
+
+/// Casts a ray through every pixel of a picture. All addresses are on the device. Does not wait.
+template <class AnyDevice>
+void CastRays(
+  AnyDevice& device, const RayScene& scene, const PictureRays& rays, Compositing compositing)
+{
+  switch (compositing)
+  {
+    case Compositing::FrontToBack:
+      return CastRaysAs<Compositing::FrontToBack>(device, scene, rays);
+    case Compositing::FromObject:
+      return CastRaysAs<Compositing::FromObject>(device, scene, rays);
+    case Compositing::ImportanceMean:
+      return CastRaysAs<Compositing::ImportanceMean>(device, scene, rays);
   }
 }
 
@@ -157,7 +172,8 @@ void PaintMissed(
 }
 
 /// The forms for the processor read and add up the samples of a ray in blocks, with vector units.
-void CastRays(HostDevice& device, const RayScene& scene, const PictureRays& rays);
+void CastRays(
+  HostDevice& device, const RayScene& scene, const PictureRays& rays, Compositing compositing);
 void PaintMissed(
   HostDevice& device, const RayScene& scene, const PictureRays& rays, const MissedPaint& paint);
 }

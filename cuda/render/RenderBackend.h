@@ -22,8 +22,9 @@ struct Casting
   std::array<float, 3> lightColor{ { 1.0f, 1.0f, 1.0f } }; ///< likewise
   bool skipEmpty = true;
   float opaqueBelow = 0;
-  float stepLength = 1;                            ///< between samples [length]
-  std::optional<std::array<float, 3>> missedColor; ///< none: what is missed is not painted
+  float stepLength = 1;                               ///< between samples [length]
+  std::optional<std::array<float, 3>> missedColor;    ///< none: what is missed is not painted
+  Compositing compositing = Compositing::FrontToBack; ///< others need the importance
 };
 
 /**

@@ -214,7 +214,7 @@ public:
     PictureRays rays{ RayMaker(this->Nodes, casting.stepLength, view), view.width, view.height,
       nearDepth, depth, { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] },
       pixels };
-    CastRays(*this->Device, this->SceneOf(casting), rays);
+    CastRays(*this->Device, this->SceneOf(casting), rays, casting.compositing);
     if (casting.missedColor)
     {
       if (view.missedDepth)
@@ -309,20 +309,32 @@ private:
     {
       scene.bricks = this->Empty.Distances();
     }
+    if (casting.compositing != Compositing::FrontToBack)
+    {
+      this->AddImportance(casting, scene);
+    }
     return scene;
+  }
+
+  void AddImportance(const Casting& casting, RayScene& scene) const
+  {
+    scene.importance = this->Importance.Data();
+    if (casting.skipEmpty)
+    {
+      scene.unimportant = this->Empty.UnimportantDistances();
+    }
   }
 
   /// The scene of the rays that gather what is missed, which need no light.
   RayScene MissedSceneOf(const Casting& casting) const
   {
     RayScene scene = this->SceneOf(casting);
-    scene.importance = this->Importance.Data();
+    this->AddImportance(casting, scene);
     scene.gradient = nullptr;
     scene.overlay = this->IsChanged() ? scene.overlay : nullptr;
     if (casting.skipEmpty)
     {
       scene.bricks = this->Empty.BareDistances();
-      scene.unimportant = this->Empty.UnimportantDistances();
     }
     return scene;
   }

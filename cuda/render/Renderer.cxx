@@ -52,7 +52,9 @@ struct Renderer::Internals
   Grid extinctionGrid;
   bool usesTransferFunction = false; ///< as the extinction, when none was given
 
+  bool hasImportance = false;
   std::optional<std::array<float, 3>> missedColor; ///< none: what is missed is not painted
+  Compositing compositing = Compositing::FrontToBack;
 
   bool gradientIsCurrent = false;
   bool bricksAreCurrent = false;
@@ -67,7 +69,7 @@ struct Renderer::Internals
 
   void ForgetImportance()
   {
-    this->missedColor.reset();
+    this->hasImportance = false;
     this->bareBricksAreCurrent = false;
     this->backend->ClearImportance();
   }
@@ -170,7 +172,7 @@ struct Renderer::Internals
       this->backend->FindEmptyBricks();
       this->bricksAreCurrent = true;
     }
-    if (this->missedColor && !this->bareBricksAreCurrent)
+    if (this->hasImportance && this->missedColor && !this->bareBricksAreCurrent)
     {
       this->backend->FindBareBricks();
       this->bareBricksAreCurrent = true;
@@ -190,8 +192,12 @@ struct Renderer::Internals
       casting.light = MakeRayLight(this->lighting, this->grid, view);
       casting.lightColor = this->lighting.color;
     }
+    if (this->hasImportance)
+    {
+      casting.missedColor = view.paintsMissed ? this->missedColor : std::nullopt;
+      casting.compositing = this->compositing;
+    }
     // Farther samples could step over a brick.
-    casting.missedColor = view.paintsMissed ? this->missedColor : std::nullopt;
     casting.skipEmpty = view.skipEmpty && view.sampleDistance <= BrickDistances::size;
     return casting;
   }
@@ -240,7 +246,7 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
   state.gradientIsCurrent = false;
 }
 
-void Renderer::ShowMissed(const float* importance, const std::array<float, 3>& color)
+void Renderer::SetImportance(const float* importance)
 {
   Internals& state = *this->State;
   state.ForgetImportance();
@@ -250,17 +256,27 @@ void Renderer::ShowMissed(const float* importance, const std::array<float, 3>& c
   }
   LIMPID_REQUIRE(state.hasScalars,
     "The importance was given before the scalars (it has their nodes). Set them first.");
-  for (const float channel : color)
+  if (state.grid.HasVolume())
+  {
+    state.backend->SetImportance(importance);
+    state.hasImportance = true;
+  }
+}
+
+void Renderer::ShowMissed(const std::optional<std::array<float, 3>>& color)
+{
+  for (const float channel : color.value_or(std::array<float, 3>{}))
   {
     LIMPID_REQUIRE(channel >= 0 && channel <= 1,
       "A channel of the colour of what is missed is "
         << channel << " (a picture has nothing brighter than 1). Keep it between 0 and 1.");
   }
-  if (state.grid.HasVolume())
-  {
-    state.backend->SetImportance(importance);
-    state.missedColor = color;
-  }
+  this->State->missedColor = color;
+}
+
+void Renderer::ComposeBy(Compositing compositing)
+{
+  this->State->compositing = compositing;
 }
 
 void Renderer::SetExtinction(const Grid& grid, const float* base, const float* extinction,

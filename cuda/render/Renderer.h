@@ -4,11 +4,13 @@
 #ifndef limpid_render_Renderer_h
 #define limpid_render_Renderer_h
 
+#include "methods/Method.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace limpid
@@ -140,13 +142,16 @@ public:
   /// Light for the following pictures. Shadows are computed when they are needed next.
   void SetLighting(const Lighting& lighting);
 
-  /**
-   * Paints over the following pictures, in a colour, where they miss something important: where it
-   * was removed, or is hidden and could be seen in that pixel (RayImportance). `importance`: at the
-   * nodes of the scalars [0, 1], null: no longer; new scalars end it, too. The array is the
-   * caller's and stays.
-   */
-  void ShowMissed(const float* importance, const std::array<float, 3>& color = { { 1, 0, 1 } });
+  /// The importance at the nodes of the scalars [0, 1], for what follows here; null: there is none,
+  /// as after new scalars. The array is the caller's and stays.
+  void SetImportance(const float* importance);
+
+  /// Paints over the following pictures, in a colour, where they miss something important: where it
+  /// was removed, or is hidden and could be seen in that pixel (RayImportance). None: no longer.
+  void ShowMissed(const std::optional<std::array<float, 3>>& color);
+
+  /// How the following pictures are made of samples. Without importance: front to back.
+  void ComposeBy(Compositing compositing);
 
   /// Rays of the shadow volume per voxel and axis. Default 3.
   void SetShadowRayDensity(double density);

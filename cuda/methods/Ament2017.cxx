@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Compiled twice, see CompiledDevice.h.
+
+#include "methods/Ament2017.h"
+
+#include "backend/CompiledDevice.h"
+#include "energy/TransmittanceSweep.h"
+#include "sweep/Sweeps.h"
+
+#include <utility>
+
+namespace limpid
+{
+namespace
+{
+/// Squares of importance in such a unit that no ray through the box collects more than 1.
+struct SquareNode
+{
+  const float* importance;
+  float unit;
+  float* squares;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index node) const
+  {
+    const float importanceHere = this->importance[node];
+    this->squares[node] = this->unit * importanceHere * importanceHere;
+  }
+};
+
+/// Back to front: what the rays meet from here on, also ahead of their entry.
+struct CollectStep
+{
+  RayStates rays;
+
+  template <class RayHere>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
+  {
+    const TwoHalves halves = TwoHalves::ToExit(here);
+    this->rays.behind[i] += halves.front.opticalDepth + halves.rear.opticalDepth;
+  }
+};
+
+struct TakeStep
+{
+  const float* seen;
+  float* behind;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index u) const { this->behind[u] = this->seen[u]; }
+};
+
+/// The integral of a field from every voxel on, along the rays.
+template <class Input, class Output>
+struct BehindKernel
+{
+  static constexpr const char* label = "importance behind";
+  static constexpr const char* voxelLabel = "importance behind nodes";
+
+  Input field; ///< [1/length]
+  Output behind;
+
+  template <class Windows>
+  BehindKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->field, FieldUse{ 1 }), windows(this->behind, FieldUse{ 0, true }) };
+  }
+
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    if (s < rays.Plan().lastSlice && rays.EnterLayer(s, false))
+    {
+      rays.SampleExtinction(this->field);
+      rays.ForEachInLayer(CollectStep{ rays.States() });
+    }
+  }
+
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void LeaveStep(Rays&) const
+  {
+  }
+
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  {
+    if (voxels.FindSeen(rays, rays.behind))
+    {
+      voxels.ForActive(TakeStep{ voxels.SeenHere().behind, voxels.Row(this->behind) });
+    }
+  }
+};
+
+/// What a node keeps of its base extinction.
+struct KeptNode
+{
+  AmentKeptShare kept;
+  float radii; ///< per unit of the integrals
+  const float* importance;
+  const float* passed; ///< exp of minus the integral in front
+  const float* behind;
+  float* share; ///< may be one of the others
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index node) const
+  {
+    const float front = -std::log(this->passed[node]);
+    this->share[node] =
+      this->kept(this->importance[node], this->radii * front, this->radii * this->behind[node]);
+  }
+};
+
+/// A pass of smoothing, see FindAment2017.
+struct SmoothedNode
+{
+  Int3 nodes;
+  const float* base;
+  const float* share;
+  float* smoothed;
+
+  LIMPID_HD void operator()(Index node, int i, int j, int k) const
+  {
+    float sum = 0;
+    float weights = 0;
+    for (int neighbour = 0; neighbour < 27; ++neighbour)
+    {
+      const int x = neighbour % 3 - 1;
+      const int y = neighbour / 3 % 3 - 1;
+      const int z = neighbour / 9 - 1;
+      const bool inside = i + x >= 0 && i + x < this->nodes.x && j + y >= 0 &&
+        j + y < this->nodes.y && k + z >= 0 && k + z < this->nodes.z;
+      if (inside)
+      {
+        const Index at = node + x + this->nodes.x * (y + Index(this->nodes.y) * z);
+        const int halvings = (x != 0) + (y != 0) + (z != 0);
+        const float weight = this->base[at] > 0.0f ? float(8 >> halvings) : 0.0f;
+        sum += weight * this->share[at];
+        weights += weight;
+      }
+    }
+    this->smoothed[node] = weights > 0.0f ? sum / weights : this->share[node];
+  }
+};
+
+struct ShownNode
+{
+  const float* share;
+  float* extinction; ///< in: the base
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index node) const
+  {
+    this->extinction[node] *= this->share[node];
+  }
+};
+
+/// Into `passed`: exp of minus the integral from the source to every node; into `behind`: the
+/// integral from there on. `field`: [1/length].
+template <class AnyDevice>
+void Integrate(const MethodScene<AnyDevice>& scene, const Occupancy& occupancy, const float* field,
+  float* passed, float* behind)
+{
+  const RaySource source = scene.WholeSource();
+  TransmittanceSweep<AnyDevice>(scene.device, scene.grid, occupancy, source, scene.rayDensity)
+    .Fill(field, passed);
+  DeviceArray<AnyDevice, float> images;
+  for (FrustumRays<AnyDevice>& rays :
+    PlanRays(scene.device, scene.grid, occupancy, source, { scene.rayDensity }))
+  {
+    SweepBackward(
+      scene.device, rays, occupancy, BehindKernel<const float*, float*>{ field, behind }, images);
+  }
+}
+}
+
+template <class AnyDevice>
+void FindAment2017(const MethodScene<AnyDevice>& scene, float* extinction)
+{
+  const AmentWeights& weights = scene.ament;
+  const Index count = scene.grid.NodeCount();
+  const auto size = static_cast<std::size_t>(count);
+  const double radius = scene.grid.Radius();
+  const char* what = "importance along rays";
+  DeviceArray<AnyDevice, float> squares(scene.device, size, what);
+  DeviceArray<AnyDevice, float> passed(scene.device, size, what);
+  auto behind = DeviceArray<AnyDevice, float>::Zeros(scene.device, size, what);
+  scene.device->ForIndices("squares of importance", count,
+    SquareNode{ scene.importance, static_cast<float>(0.5 / radius), squares.Data() });
+  Integrate(scene, *scene.occupancy, squares.Data(), passed.Data(), behind.Data());
+
+  const double occluders = scene.forLight ? weights.lightOccluders : weights.occluders;
+  const double background = scene.forLight ? weights.lightBackground : weights.background;
+  const AmentKeptShare kept{ static_cast<float>(2 * weights.exponent),
+    static_cast<float>(weights.regularization), static_cast<float>(occluders),
+    static_cast<float>(background) };
+  float* share = squares.Data();
+  float* other = passed.Data();
+  scene.device->ForIndices("kept shares", count,
+    KeptNode{ kept, 2, scene.importance, passed.Data(), behind.Data(), share });
+  for (int pass = 0; pass < weights.smoothingPasses; ++pass)
+  {
+    scene.device->ForNodes(
+      "smooth", scene.grid.nodes, SmoothedNode{ scene.grid.nodes, scene.base, share, other });
+    std::swap(share, other);
+  }
+  scene.device->ForIndices("shown extinction", count, ShownNode{ share, extinction });
+}
+
+#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
+  template void FindAment2017(const MethodScene<AnyDevice>&, float*);
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+}

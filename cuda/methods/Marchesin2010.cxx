@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Compiled twice, see CompiledDevice.h.
+
+#include "methods/Marchesin2010.h"
+
+#include "backend/CompiledDevice.h"
+#include "methods/WeighedMean.h"
+#include "sweep/Sweeps.h"
+
+namespace limpid
+{
+namespace
+{
+/// Front to back: adds up optical depth and important matter inside the box.
+struct AddUpStep
+{
+  RayStates rays;
+
+  template <class RayHere>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
+  {
+    const TwoHalves halves = TwoHalves::Inside(here);
+    this->rays.opticalDepth[i] += halves.front.LimitedDepth() + halves.rear.LimitedDepth();
+    this->rays.unattenuated[i] += halves.front.unattenuated + halves.rear.unattenuated;
+  }
+};
+
+/// What a ray has seen when it is through.
+struct ShareStep
+{
+  RayStates rays;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
+  {
+    this->rays.visible[i] = this->rays.unattenuated[i] *
+      EqualTransmittance(static_cast<float>(this->rays.opticalDepth[i]));
+  }
+};
+
+template <class Field>
+struct EqualScoreKernel
+{
+  static constexpr const char* label = "score in no order";
+
+  Field extinction; ///< [1/length]
+  Field importance; ///< [0, 1]
+
+  template <class Windows>
+  EqualScoreKernel<SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }) };
+  }
+
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    if (rays.EnterLayer(s, true))
+    {
+      rays.SampleExtinction(this->extinction);
+      rays.SampleImportance(this->importance);
+      rays.ForEachInLayer(AddUpStep{ rays.States() });
+    }
+  }
+};
+}
+
+template <class AnyDevice>
+Seen SeeMarchesin2010(const MethodScene<AnyDevice>& scene)
+{
+  // What lies behind everything important counts, too: nothing is skipped.
+  const Occupancy everywhere(scene.grid, scene.base, scene.importance, false);
+  std::vector<FrustumRays<AnyDevice>> all =
+    PlanRays(scene.device, scene.grid, everywhere, scene.source, { scene.rayDensity });
+  for (FrustumRays<AnyDevice>& rays : all)
+  {
+    SweepForward(*scene.device, rays, everywhere,
+      EqualScoreKernel<const float*>{ scene.base, scene.importance });
+    scene.device->ForIndices(
+      "score in no order", rays.Plan().RayCount(), ShareStep{ rays.States() });
+  }
+  SumOnDevice<AnyDevice> add(scene.device);
+  DeviceArray<AnyDevice, Visible> sum(scene.device, 1, "sums");
+  SumRays(all, Kept::Ignored, add, sum.Data(), 0);
+  Visible visible;
+  sum.Download(&visible);
+  return { visible, visible }; // all of the base is kept
+}
+
+#define LIMPID_INSTANTIATE(AnyDevice) template Seen SeeMarchesin2010(const MethodScene<AnyDevice>&);
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+}

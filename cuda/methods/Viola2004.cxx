@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Compiled twice, see CompiledDevice.h.
+
+#include "methods/Viola2004.h"
+
+#include "backend/CompiledDevice.h"
+#include "methods/RayObject.h"
+#include "sweep/Sweeps.h"
+
+namespace limpid
+{
+namespace
+{
+/// The object of every ray; at first there is none.
+struct RayObjects
+{
+  RayObject* rays;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const { this->rays[i] = RayObject(); }
+};
+
+struct MeetStep
+{
+  RayObject* rays;
+
+  template <class RayHere>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
+  {
+    constexpr float points[2] = { float(gaussPoints[0]), float(gaussPoints[1]) };
+    RayObject object = this->rays[i];
+    for (int half = 0; half < 2; ++half)
+    {
+      const float depth = here.layer.front + points[half] * here.layer.thickness;
+      const bool inside =
+        depth >= here.Entry() && depth <= here.column.end && depth <= here.row.end;
+      if (inside)
+      {
+        object.Meet(depth, here.importance[half]);
+      }
+    }
+    this->rays[i] = object;
+  }
+};
+
+/// Front to back: finds the objects, in relative depths.
+template <class Field>
+struct ObjectKernel
+{
+  static constexpr const char* label = "most important objects";
+
+  Field importance; ///< [0, 1]
+  RayObject* objects;
+
+  template <class Windows>
+  ObjectKernel<SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->importance, FieldUse{ 1 }), this->objects };
+  }
+
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    if (rays.EnterLayer(s, false))
+    {
+      rays.SampleImportance(this->importance);
+      rays.ForEachInLayer(
+        MeetStep{ this->objects + rays.Plan().RayAt(rays.FirstColumn(), rays.FirstRow()) });
+    }
+  }
+};
+
+/// The share of a slice that a ray's clip leaves, in RayStates::behind.
+struct ClipStep
+{
+  RayStates rays;
+  const RayObject* objects;
+  float depth;
+  float thickness; ///< of a layer
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
+  {
+    const float share = 0.5f + (this->depth - this->objects[i].begin) / this->thickness;
+    this->rays.behind[i] = share > 0.0f ? (share < 1.0f ? share : 1.0f) : 0.0f;
+  }
+};
+
+struct KeepStep
+{
+  const float* share;
+  float* extinction; ///< in: the base
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index u) const
+  {
+    const float mean = this->share[u];
+    this->extinction[u] *= mean < 1.0f ? mean : 1.0f; // means are rounded
+  }
+};
+
+/// On every slice, the voxels keep what the rays beside them do.
+template <class Output>
+struct ClipKernel
+{
+  static constexpr const char* label = "clip";
+  static constexpr const char* voxelLabel = "clipped extinction";
+
+  Output extinction; ///< in: the base [1/length]
+  const RayObject* objects;
+
+  template <class Windows>
+  ClipKernel<SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->extinction, FieldUse{ 0, true }), this->objects };
+  }
+
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    const bool last = s == rays.Plan().lastSlice;
+    const float thickness = rays.Plan().SliceAt(last && s > 0 ? s - 1 : s).layer.thickness;
+    if (rays.EnterLayer(s, false))
+    {
+      const Index first = rays.Plan().RayAt(rays.FirstColumn(), rays.FirstRow());
+      rays.ForEach(ClipStep{
+        rays.States(), this->objects + first, rays.Plan().SliceAt(s).RelativeDepth(), thickness });
+    }
+  }
+
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void LeaveStep(Rays&) const
+  {
+  }
+
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  {
+    if (voxels.FindSeen(rays, rays.behind))
+    {
+      voxels.ForActive(KeepStep{ voxels.SeenHere().behind, voxels.Row(this->extinction) });
+    }
+  }
+};
+}
+
+template <class AnyDevice>
+void FindViola2004(const MethodScene<AnyDevice>& scene, float* extinction)
+{
+  const Occupancy everywhere(scene.grid, scene.base, scene.importance, false);
+  DeviceArray<AnyDevice, float> images;
+  for (FrustumRays<AnyDevice>& rays :
+    PlanRays(scene.device, scene.grid, everywhere, scene.WholeSource(), { scene.rayDensity }))
+  {
+    const Index count = rays.Plan().RayCount();
+    DeviceArray<AnyDevice, RayObject> objects(scene.device, std::size_t(count), "objects on rays");
+    scene.device->ForIndices("no objects", count, RayObjects{ objects.Data() });
+    SweepForward(*scene.device, rays, everywhere,
+      ObjectKernel<const float*>{ scene.importance, objects.Data() });
+    SweepBackward(
+      scene.device, rays, everywhere, ClipKernel<float*>{ extinction, objects.Data() }, images);
+  }
+}
+
+#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
+  template void FindViola2004(const MethodScene<AnyDevice>&, float*);
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+}

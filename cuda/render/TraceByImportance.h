@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Rays whose samples count by their importance; scene.importance is there.
+
+#ifndef limpid_render_TraceByImportance_h
+#define limpid_render_TraceByImportance_h
+
+#include "methods/RayObject.h"
+#include "methods/WeighedMean.h"
+#include "render/TraceRay.h"
+
+namespace limpid
+{
+/// The importance at sample `k` of a ray.
+template <class AnySampler>
+LIMPID_HD LIMPID_INLINE float ImportanceAt(const RayScene& scene, const Ray& ray, int k)
+{
+  const float distance = ray.At(k);
+  const float position[3] = { ray.entry[0] + distance * ray.step[0],
+    ray.entry[1] + distance * ray.step[1], ray.entry[2] + distance * ray.step[2] };
+  const CellPlace place(scene.grid, position);
+  return AnySampler::Interpolate(scene.grid, scene.importance + place.cell, place.fraction[0],
+    place.fraction[1], place.fraction[2]);
+}
+
+/**
+ * Adds to a pixel what its ray meets from its most important object on (RayObject), Eqs. (1) to
+ * (6). Bricks without importance (scene.unimportant) are no objects: there, nothing is read.
+ */
+template <class AnySampler, bool Lit, bool Overlaid>
+LIMPID_HD LIMPID_INLINE void TraceFromObject(
+  const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
+{
+  RayObject object;
+  for (int k = 0; k <= ray.segments; ++k)
+  {
+    if (scene.unimportant.distance && k % BrickDistances::size == 0 && k < ray.segments)
+    {
+      const int important = scene.unimportant.SkipEmpty(ray, k);
+      if (important >= ray.segments)
+      {
+        break;
+      }
+      if (important > k)
+      {
+        object.Meet(ray.At(important > 0 ? important - 1 : 0), 0);
+        k = important;
+      }
+    }
+    object.Meet(ray.At(k), ImportanceAt<AnySampler>(scene, ray, k));
+  }
+  object.begin > 0.0f ? TraceRay<AnySampler, Lit, Overlaid>(scene, ray.From(object.begin), pixel)
+                      : TraceRay<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+}
+
+/// Gives a pixel the mean colour of its ray by importance (WeighedMean).
+template <class AnySampler, bool Lit, bool Overlaid>
+LIMPID_HD LIMPID_INLINE void TraceMean(
+  const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
+{
+  constexpr int segments = AnySampler::segments;
+  WeighedMean<typename AnySampler::Optical> mean;
+  RaySamples<AnySampler> samples;
+  for (int k = 0; k < ray.segments; k += segments)
+  {
+    if (scene.bricks.distance)
+    {
+      k = scene.bricks.SkipEmpty(ray, k);
+      if (k >= ray.segments)
+      {
+        break;
+      }
+    }
+    samples.template Place<0, segments + 1, Overlaid>(scene, ray, k);
+    samples.template Read<0, segments + 1, Overlaid>(scene);
+    if (!samples.Classify(scene))
+    {
+      continue;
+    }
+    if (Lit)
+    {
+      samples.template Light<0, segments + 1>(scene, ray);
+    }
+    const float lengthUnit = scene.stepLength * scene.majorant;
+    float importance = ImportanceAt<AnySampler>(scene, ray, k);
+    for (int i = 0; i < segments; ++i)
+    {
+      const float next = ImportanceAt<AnySampler>(scene, ray, k + i + 1);
+      const float length = samples.distance[i + 1] - samples.distance[i];
+      const float sent = Lit ? 0.5f * (samples.light[i] + samples.light[i + 1]) : 1.0f;
+      mean.Add(0.5f * (importance + next), samples.extinction[i] * lengthUnit * length, sent,
+        samples.color[i]);
+      importance = next;
+    }
+  }
+  pixel.light = mean.Light();
+  pixel.transmittance = mean.Transmittance();
+}
+
+/// Adds to a pixel what its ray meets, in the way of a method.
+template <Compositing compositing, class AnySampler, bool Lit, bool Overlaid>
+LIMPID_HD LIMPID_INLINE void TraceAs(
+  const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
+{
+  switch (compositing)
+  {
+    case Compositing::FrontToBack:
+      return TraceRay<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+    case Compositing::FromObject:
+      return TraceFromObject<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+    case Compositing::ImportanceMean:
+      return TraceMean<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+  }
+}
+}
+
+#endif
