@@ -54,23 +54,27 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
                       : TraceRay<AnySampler, Lit, Overlaid>(scene, ray, pixel);
 }
 
-/// Gives a pixel the mean colour of its ray by importance (WeighedMean).
+/**
+ * Gives a pixel the mean colour of its ray by importance (WeighedMean). Where something important
+ * was met, what is not important counts for the opacity alone: it is not lit, and skipped where the
+ * pixel is opaque (scene.opaqueBelow).
+ */
 template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceMean(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
   constexpr int segments = AnySampler::segments;
+  const float lengthUnit = scene.stepLength * scene.majorant;
   WeighedMean<typename AnySampler::Optical> mean;
   RaySamples<AnySampler> samples;
   for (int k = 0; k < ray.segments; k += segments)
   {
-    if (scene.bricks.distance)
+    const bool opaque = mean.importance > 0.0f && mean.Transmittance() <= scene.opaqueBelow;
+    const BrickDistances& bricks = opaque ? scene.unimportant : scene.bricks;
+    k = bricks.distance ? bricks.SkipEmpty(ray, k) : k;
+    if (k >= ray.segments)
     {
-      k = scene.bricks.SkipEmpty(ray, k);
-      if (k >= ray.segments)
-      {
-        break;
-      }
+      break;
     }
     samples.template Place<0, segments + 1, Overlaid>(scene, ray, k);
     samples.template Read<0, segments + 1, Overlaid>(scene);
@@ -78,20 +82,26 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
     {
       continue;
     }
-    if (Lit)
+    float importance[segments + 1];
+    float any = 0;
+    for (int i = 0; i <= segments; ++i)
+    {
+      importance[i] = AnySampler::Interpolate(scene.grid, scene.importance + samples.cell[i],
+        samples.fraction[0][i], samples.fraction[1][i], samples.fraction[2][i]);
+      any += importance[i];
+    }
+    const bool lit = Lit && (any > 0.0f || mean.importance == 0.0f);
+    if (lit)
     {
       samples.template Light<0, segments + 1>(scene, ray);
     }
-    const float lengthUnit = scene.stepLength * scene.majorant;
-    float importance = ImportanceAt<AnySampler>(scene, ray, k);
     for (int i = 0; i < segments; ++i)
     {
-      const float next = ImportanceAt<AnySampler>(scene, ray, k + i + 1);
       const float length = samples.distance[i + 1] - samples.distance[i];
-      const float sent = Lit ? 0.5f * (samples.light[i] + samples.light[i + 1]) : 1.0f;
-      mean.Add(0.5f * (importance + next), samples.extinction[i] * lengthUnit * length, sent,
-        samples.color[i]);
-      importance = next;
+      const float received = lit ? 0.5f * (samples.light[i] + samples.light[i + 1]) : 0.0f;
+      const float sent = Lit ? received : 1.0f;
+      mean.Add(0.5f * (importance[i] + importance[i + 1]),
+        samples.extinction[i] * lengthUnit * length, sent, samples.color[i]);
     }
   }
   pixel.light = mean.Light();
