@@ -12,7 +12,6 @@ changes by more than a twentieth, and by more than a quarter of the range of a c
 
 import os
 import sys
-import tempfile
 
 import numpy as np
 from paraview import simple
@@ -32,23 +31,20 @@ def pictures(scene):
     """Titles and pictures, without and with what is missed; prints how much is painted."""
     view = optimize_scene.make_view(scene)
     display = optimize_scene.show(scene, view)
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "picture.png")
-        for title, settings in WAYS:
-            for name, value in settings.items():
-                setattr(display, name, value)
-            pair = []
-            for missed in (0, 1):
-                display.ShowMissed = missed
-                simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
-                pair.append(sheet.pyplot.imread(path)[..., :3])
-            display.UpdatePropertyInformation()
-            change = np.abs(pair[1] - pair[0]).max(axis=2)
-            print("| {} | {} | {:.1f} | {:.1f} | {:.1f} |".format(
-                scene.title, title, 100 * display.VisibleFraction, 100 * (change > 0.05).mean(),
-                100 * (change > 0.25).mean()), flush=True)
-            yield "{}: {:.1f} % visible".format(title, 100 * display.VisibleFraction), pair[0]
-            yield "what it misses", pair[1]
+    for title, settings in WAYS:
+        for name, value in settings.items():
+            setattr(display, name, value)
+        pair = []
+        for missed in (0, 1):
+            display.ShowMissed = missed
+            pair.append(sheet.picture_of(view))
+        display.UpdatePropertyInformation()
+        change = np.abs(pair[1] - pair[0]).max(axis=2)
+        print("| {} | {} | {:.1f} | {:.1f} | {:.1f} |".format(
+            scene.title, title, 100 * display.VisibleFraction, 100 * (change > 0.05).mean(),
+            100 * (change > 0.25).mean()), flush=True)
+        yield "{}: {:.1f} % visible".format(title, 100 * display.VisibleFraction), pair[0]
+        yield "what it misses", pair[1]
     simple.Delete(view)
 
 

@@ -29,8 +29,8 @@ def piecewise(nodes):
     return flat([value, y, 0.5, 0.0] for value, y in nodes)
 
 
-def optimize(scene):
-    """The filter, set up for the scene and executed."""
+def optimizer_of(scene):
+    """The filter, set up for the scene, as the paper has it; not executed."""
     optimizer = simple.ExtinctionOptimizer(Input=scene.source)
     optimizer.ImportanceArray = ["POINTS", scene.importance_array]
     if scene.importance:
@@ -43,7 +43,12 @@ def optimize(scene):
     optimizer.CameraViewUp = scene.view_up
     optimizer.CameraViewAngle = scene.view_angle
     optimizer.LightPosition = scene.light
-    # As the display does by default.
+    return optimizer
+
+
+def optimize(scene):
+    """The filter as the display has it by default, executed."""
+    optimizer = optimizer_of(scene)
     optimizer.ProtectImportance = 1
     optimizer.ImportanceSmoothing = "Median"
     optimizer.Smoothness = 0.2

@@ -12,7 +12,6 @@ visible and removed.
 
 import os
 import sys
-import tempfile
 
 from paraview import simple
 
@@ -43,19 +42,17 @@ def pictures(scene, name, values):
     if name not in display.ListProperties():
         raise SystemExit("A display has no property {} (there is nothing to vary). There are: {}."
                          .format(name, ", ".join(display.ListProperties())))
-    with tempfile.TemporaryDirectory() as folder:
-        for value in values:
-            path = os.path.join(folder, "picture.png")
-            setattr(display, name, value)
-            simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
-            display.UpdatePropertyInformation()
-            visible = 100 * display.VisibleFraction
-            removed = 100 * display.SacrificedFraction
-            print("| {} | {} | {:.5g} | {:.1f} | {:.1f} | {:.1f} |".format(
-                scene.title, text(value), display.VisibilityScore, 100 * display.BaseVisibleFraction,
-                visible, removed), flush=True)
-            yield ("{} {}: {:.1f} % visible, {:.1f} % removed".format(
-                name, text(value), visible, removed), sheet.pyplot.imread(path))
+    for value in values:
+        setattr(display, name, value)
+        picture = sheet.picture_of(view)
+        display.UpdatePropertyInformation()
+        visible = 100 * display.VisibleFraction
+        removed = 100 * display.SacrificedFraction
+        print("| {} | {} | {:.5g} | {:.1f} | {:.1f} | {:.1f} |".format(
+            scene.title, text(value), display.VisibilityScore, 100 * display.BaseVisibleFraction,
+            visible, removed), flush=True)
+        yield ("{} {}: {:.1f} % visible, {:.1f} % removed".format(
+            name, text(value), visible, removed), picture)
     simple.Delete(view)
 
 

@@ -54,13 +54,13 @@ class Scene:
                 for value, extinction in nodes]
 
 
-def phantom_scene(simple):
+def phantom_scene(simple, resolution=128):
     """The head of the embedded phantom, seen from the front, slightly from above."""
     return Scene(
         name="phantom",
         title="Phantom of a head",
         becomes_visible="The skull under the skin, and the tumour inside it.",
-        source=simple.OcclusionPhantom(Resolution=128, Scene="Head"),
+        source=simple.OcclusionPhantom(Resolution=resolution, Scene="Head"),
         array="Scalars",
         importance_array="Importance",
         importance=[],

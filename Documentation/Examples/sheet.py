@@ -4,15 +4,13 @@
 """A sheet of pictures, a row per scene, and the command line of scripts that make one."""
 
 import argparse
+import os
+import tempfile
 
-import matplotlib
+from paraview import simple
 
-matplotlib.use("Agg")
-
-from matplotlib import pyplot  # pylint: disable=wrong-import-position
-from paraview import simple  # pylint: disable=wrong-import-position
-
-import scenes  # pylint: disable=wrong-import-position
+import scenes
+from picture_grid import pyplot
 
 DOTS = 110  # per inch
 LETTER = 0.0081  # width of a letter [inches], of a size of one point
@@ -25,6 +23,14 @@ def parser():
     result.add_argument("--output", required=True)
     result.add_argument("scenes", nargs="*")
     return result
+
+
+def picture_of(view):
+    """Rows from the top, columns, red green blue, from 0 to 1."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "picture.png")
+        simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
+        return pyplot.imread(path)[..., :3]
 
 
 def draw(arguments, across, size, pictures):

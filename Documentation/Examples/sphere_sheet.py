@@ -10,20 +10,14 @@ import os
 import re
 import sys
 
-import matplotlib
-import numpy as np
-
-matplotlib.use("Agg")
-
-from matplotlib import pyplot  # pylint: disable=wrong-import-position
-from PIL import Image  # pylint: disable=wrong-import-position
+import picture_grid
+from picture_grid import pyplot
 
 ACROSS = 2  # scenes in a row
 HEAD = re.compile(r"^# (.*): from where to look$", re.MULTILINE)
 SHARE = r"^\| {} \| [^|]* \| ([^|]*) \|"
 SIZE = [5.5, 2.6]  # of a scene [inches]
 DOTS = 130  # per inch
-COLORS = 255  # of the sheet: a third of the bytes
 
 
 def share(report, view):
@@ -37,10 +31,8 @@ def show(figure, place, folder, name, label):
     axis.set_title(label, fontsize=7, pad=3)
 
 
-def main(sheet, folders):
-    if not folders:
-        raise SystemExit("No folders are given (there is nothing to show). "
-                         "Use: sphere_sheet.py SHEET.png FOLDER...")
+def sheet_of(folders):
+    """A figure."""
     across = min(len(folders), ACROSS)
     down = (len(folders) + across - 1) // across
     figure = pyplot.figure(figsize=(SIZE[0] * across, SIZE[1] * down), facecolor="white")
@@ -57,9 +49,14 @@ def main(sheet, folders):
         show(figure, block[1, 1], folder, "worst-optimized.png",
              "worst: {} visible".format(share(report, "worst view")))
     figure.set_dpi(DOTS)
-    figure.canvas.draw()
-    picture = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB")
-    picture.quantize(COLORS, kmeans=3, dither=Image.Dither.NONE).save(sheet, optimize=True)
+    return figure
+
+
+def main(sheet, folders):
+    if not folders:
+        raise SystemExit("No folders are given (there is nothing to show). "
+                         "Use: sphere_sheet.py SHEET.png FOLDER...")
+    picture_grid.save(sheet_of(folders), sheet)
 
 
 if __name__ == "__main__":

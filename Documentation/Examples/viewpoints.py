@@ -213,6 +213,28 @@ light of the pictures goes with the camera. `s-sphere.vtp` has the score of ever
         file.write(text)
 
 
+def explore(scene, directions, folder):
+    """Writes all that main writes. Returns the search and the viewpoints by their names, best first,
+    the worst last."""
+    os.makedirs(folder, exist_ok=True)
+
+    def output(name):
+        return os.path.join(folder, name)
+
+    search = search_scene(scene, directions)
+    ranked = [upright(view, scene.view_up) for view in viewpoints_of(search)]
+    worst = upright(worst_of(search), scene.view_up)
+    named = [("viewpoint {}".format(rank + 1), view) for rank, view in enumerate(ranked)]
+    named.append(("worst view", worst))
+    write_polydata(search, output("s-sphere.vtp"))
+    Hemispheres(search).write(ranked, worst, output("s-sphere.png"))
+    view = draw_views(scene, [("best", ranked[0]), ("worst", worst)], output)
+    write_custom_viewpoints(view, named, output("viewpoints.pvcvbc"))
+    write_cameras(named, output("cameras.py"))
+    write_report(scene, named, output("viewpoints.md"))
+    return search, dict(named)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--plugin", required=True)
@@ -221,35 +243,20 @@ def main():
     parser.add_argument("--directions", type=int, default=642)
     arguments = parser.parse_args()
     simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
-    os.makedirs(arguments.output, exist_ok=True)
-
-    def output(name):
-        return os.path.join(arguments.output, name)
 
     if arguments.scene:
         scene = scenes.read_scene(simple, arguments.scene)
     else:
         scene = scenes.phantom_scene(simple)
     scene.source.UpdatePipeline()
-    search = search_scene(scene, arguments.directions)
-    ranked = [upright(view, scene.view_up) for view in viewpoints_of(search)]
-    worst = upright(worst_of(search), scene.view_up)
-    named = [("viewpoint {}".format(rank + 1), view) for rank, view in enumerate(ranked)]
-    named.append(("worst view", worst))
+    search, named = explore(scene, arguments.directions, arguments.output)
     fields = search.FieldData
     print("{}:".format(scene.title))
-    for name, view in (("best", ranked[0]), ("worst", worst)):
+    for text, name in (("best", "viewpoint 1"), ("worst", "worst view")):
         print("  {} view: S {:.6g}, {:.1f} % of what is important is visible".format(
-            name, view["VisibilityScore"], 100 * view["VisibleFraction"]))
+            text, named[name]["VisibilityScore"], 100 * named[name]["VisibleFraction"]))
     print("  {:.0f} evaluations in {:.2f} s".format(
         fields["Evaluations"].GetRange()[0], fields["Seconds"].GetRange()[0]))
-
-    write_polydata(search, output("s-sphere.vtp"))
-    Hemispheres(search).write(ranked, worst, output("s-sphere.png"))
-    view = draw_views(scene, [("best", ranked[0]), ("worst", worst)], output)
-    write_custom_viewpoints(view, named, output("viewpoints.pvcvbc"))
-    write_cameras(named, output("cameras.py"))
-    write_report(scene, named, output("viewpoints.md"))
     print("  written to {}".format(arguments.output))
 
 
