@@ -64,19 +64,18 @@ class Recorder:
 
 
 def record(run, scene):
+    """The old view and the new view of the old extinction, and the frames from the move on."""
     with studio.Stage(scene, run.pixels(PIXELS) // studio.FINER) as stage:
         recorder = Recorder(stage)
-        recorder.draw("still")  # the picture before, and what it takes to have anything at all
-        recorder.draw("still")
-        stage.look(studio.viewpoint_of(scene, azimuth=TURN))
-        stage.display.PauseOptimization = 1
-        recorder.draw("moving")  # the new view of the old extinction, for its share
-        stage.display.PauseOptimization = 0
-        stage.look(studio.viewpoint_of(scene))
-        recorder.draw("still")
-        before = recorder.frames[-2:]
+        own, other = studio.viewpoint_of(scene), studio.viewpoint_of(scene, azimuth=TURN)
+        for viewpoint, pause in ((own, 0), (other, 1), (own, 0)):
+            stage.display.PauseOptimization = pause
+            stage.look(viewpoint)
+            recorder.draw("still")
+        before = recorder.frames[:2]
+        before[1].update(started=0, done=0)
         recorder.frames = []
-        stage.look(studio.viewpoint_of(scene, azimuth=TURN))
+        stage.look(other)
         recorder.start()
         while len(recorder.frames) < (3 if run.quick else FRAMES) and \
                 time.perf_counter() - recorder.begin < MOVING:
@@ -97,34 +96,31 @@ def chosen(frames):
 
 
 def plot(title, before, frames):
-    shown = chosen(frames)
+    """`before`: the old view, and the new view of the old extinction."""
+    strip = [("before", before[0]), ("0 s, old extinction", before[1])] + [
+        ("{:.2f} s{}".format(frame["done"], ", still" if frame is frames[-1] else ""), frame)
+        for frame in chosen(frames)]
     figure = pyplot.figure(figsize=(ACROSS, DOWN), dpi=DOTS, facecolor="white")
-    axis = figure.add_axes([0.07, 0.13, 0.91, 0.3])
-    for frame in frames:
+    axis = figure.add_axes([0.06, 0.12, 0.92, 0.35])
+    for frame in [before[1], *frames]:
         color = "tab:blue" if frame["kind"] == "moving" else "tab:orange"
-        axis.plot([frame["started"], frame["done"]], [100 * frame["visible"]] * 2, color=color)
-        axis.plot(frame["done"], 100 * frame["visible"], ".", color=color)
-    axis.axhline(100 * before[0]["visible"], color="gray", linestyle=":", linewidth=1)
-    axis.text(frames[-1]["done"], 100 * before[0]["visible"], "with the extinction of the old view",
-              fontsize=7, va="bottom", ha="right", color="gray")
+        axis.plot([frame["started"], frame["done"]], [frame["apart"]] * 2, color=color)
+        axis.plot(frame["done"], frame["apart"], ".", color=color)
     axis.set_ylim(0)
-    axis.set_xlabel("seconds after the camera moved; each line is a frame, its dot the moment it is "
-                    "seen (blue: moving, orange: still)", fontsize=8)
-    axis.set_ylabel("visible [%]", fontsize=8)
+    axis.set_xlabel("seconds after the camera moved; a line is the time that a frame takes, its dot "
+                    "the moment it is seen (blue: moving, orange: still)", fontsize=8)
+    axis.set_ylabel("from the last picture [1/255]", fontsize=8)
     axis.tick_params(labelsize=7)
-    strip = [("before", before[1], None)] + [
-        ("{:.2f} s{}".format(frame["done"], "" if frame["kind"] == "moving" else ", still"), frame,
-         frame["done"]) for frame in shown]
     width = 0.96 / len(strip)
-    for place, (name, frame, moment) in enumerate(strip):
-        picture = figure.add_axes([0.02 + place * width, 0.53, 0.98 * width, 0.4])
+    for place, (name, frame) in enumerate(strip):
+        left = 0.02 + place * width
+        picture = figure.add_axes([left, 0.53, 0.98 * width, 0.38])
         picture.set_axis_off()
         picture.imshow(frame["picture"])
-        picture.set_title("{}: {:.1f} % visible".format(name, 100 * frame["visible"]), fontsize=7,
-                          pad=3)
-        if moment is not None:
-            axis.annotate("", (moment, 100 * frame["visible"]), xycoords="data",
-                          xytext=(0.02 + (place + 0.5) * width, 0.53), textcoords="figure fraction",
+        picture.set_title(name, fontsize=7, pad=3)
+        if place > 0:
+            axis.annotate("", (frame["done"], frame["apart"]), xycoords="data",
+                          xytext=(left + width / 2, 0.53), textcoords="figure fraction",
                           arrowprops={"arrowstyle": "-", "color": "lightgray", "linewidth": 0.7})
     figure.text(0.02, 0.985, title, fontsize=8, va="top")
     return figure
@@ -133,25 +129,28 @@ def plot(title, before, frames):
 def make(run):
     scene = next(run.scenes([name for name in SCENES if name in run.files or name == "phantom"]))
     before, frames = record(run, scene)
-    moving = [frame["done"] - frame["started"] for frame in frames[:-1]]
+    last = frames[-1]["picture"].astype(float)
+    for frame in [*before, *frames]:
+        frame["apart"] = np.abs(frame["picture"] - last).mean()
     figure = plot(scene.title, before, frames)
     simple.Delete(scene.source)
-    return {"scene": scene.title, "old_view": before[1]["visible"],
-            "old_extinction": before[0]["visible"], "first": frames[0]["done"],
-            "of_first": frames[0]["visible"], "of_moving": frames[-2]["visible"],
-            "of_still": frames[-1]["visible"], "frame": float(np.median(moving)),
+    moving = [frame["done"] - frame["started"] for frame in frames[:-1]]
+    return {"scene": scene.title, "first": frames[0]["done"], "frame": float(np.median(moving)),
             "still": frames[-1]["done"] - frames[-1]["started"],
+            "apart": [frame["apart"] for frame in (before[1], frames[0], frames[-2])],
+            "visible": [frame["visible"] for frame in (before[1], frames[-1])],
             "pictures": [run.save(figure, "figure-5.png")]}
 
 
 def caption(numbers):
-    return ("{}{}, turned by {}°: the new view of the old extinction shows {:.1f} % of what is "
-            "important; the first frame, {:.2f} s after the move, {:.1f} %; the last of the moving ones, "
-            "a frame every {:.2f} s, {:.1f} %; the still picture, which takes {:.2f} s, {:.1f} %.").format(
-                studio.load_warning(numbers), numbers["scene"], TURN,
-                100 * numbers["old_extinction"], numbers["first"], 100 * numbers["of_first"],
-                numbers["frame"], 100 * numbers["of_moving"], numbers["still"],
-                100 * numbers["of_still"])
+    return ("{}{}, turned by {}°. Mean difference from the last picture, of 255: {:.1f} with the "
+            "extinction of the old view, {:.1f} in the first frame, which is there after {:.2f} s, "
+            "{:.1f} in the last moving one, with {:.2f} s per frame. The still picture takes {:.2f} s. "
+            "Of what is important the old extinction shows {:.1f} % in the new view, and the last "
+            "picture {:.1f} %.").format(
+                studio.load_warning(numbers), numbers["scene"], TURN, *numbers["apart"][:2],
+                numbers["first"], numbers["apart"][2], numbers["frame"], numbers["still"],
+                *(100 * share for share in numbers["visible"]))
 
 
 if __name__ == "__main__":

@@ -11,8 +11,8 @@ paper does: without protection of what is important and without smoothing.
 
 from paraview import simple
 
-from markdown import table
 import studio
+from markdown import table
 
 METHODS = ("Ordinary", "Viola 2004", "Marchesin 2010", "Ament 2017", "Optimized")
 DISPLAY = {"ProtectImportance": 1, "ImportanceSmoothing": "Median", "Smoothness": 0.2}
