@@ -42,7 +42,7 @@ def sheet_of(folders):
         with open(os.path.join(folder, "viewpoints.md"), encoding="utf-8") as file:
             report = file.read()
         block = blocks[number // across, number % across].subgridspec(
-            2, 2, width_ratios=[3.7, 1], wspace=0.01, hspace=0.12)
+            2, 2, width_ratios=[3.7, 1], wspace=0.01, hspace=0.18)
         show(figure, block[:, 0], folder, "s-sphere.png", HEAD.search(report).group(1))
         show(figure, block[0, 1], folder, "best-optimized.png",
              "best: {} visible".format(share(report, "viewpoint 1")))

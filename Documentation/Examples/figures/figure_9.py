@@ -34,11 +34,12 @@ def make(run):
 
 def caption(numbers):
     views = numbers["views"]
-    return "S of the importance alone, the best direction over the worst: {}. {}A search takes {}.".format(
-        ", ".join("{} {:.2f}".format(title, view["best"] / view["worst"])
-                  for title, view in views.items()),
-        studio.load_warning(numbers), "{:.1f} to {:.1f} s".format(
-            *(edge(view["seconds"] for view in views.values()) for edge in (min, max))))
+    seconds = [view["seconds"] for view in views.values()]
+    return ("S of the importance alone, the best direction over the worst: {}. {}A search takes {:.1f} "
+            "to {:.1f} s.").format(
+                ", ".join("{} {:.2f}".format(title, view["best"] / view["worst"])
+                          for title, view in views.items()),
+                studio.load_warning(numbers), min(seconds), max(seconds))
 
 
 if __name__ == "__main__":
