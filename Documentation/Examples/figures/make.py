@@ -27,8 +27,9 @@ def write_captions(path, numbers):
     with open(path, encoding="utf-8") as file:
         text = file.read()
     for name, found in numbers.items():
-        caption = "{}\n\n*By `all.sh --only {}` in {:.0f} s{}.*\n".format(
+        caption = "{}\n\n*By `all.sh --only {}` in {:.0f} s, {:.0f} s of all cores together{}.*\n".format(
             importlib.import_module(name).caption(found).strip(), name, found["seconds"],
+            found["of_cores"],
             ", without {}".format(", ".join(found["absent"])) if found["absent"] else "")
         text, places = re.subn(MARK.format(name), lambda match, caption=caption: "".join(
             (match[1], caption, match[3])), text, flags=re.DOTALL)

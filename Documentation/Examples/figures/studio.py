@@ -276,14 +276,14 @@ def make(run, names):
         with open(path, encoding="utf-8") as file:
             kept = json.load(file)
     for name in names:
-        before, begin = machine.facts(), time.perf_counter()
+        before, begin, of_cores = machine.facts(), time.perf_counter(), time.process_time()
         numbers = importlib.import_module(name).make(run)
-        seconds = time.perf_counter() - begin
+        seconds, of_cores = time.perf_counter() - begin, time.process_time() - of_cores
         kept[name] = {
             **{key: before[key] for key in ("processor", "cores", "date", "load_before")},
-            "seconds": round(seconds, 1), "absent": [n for n in SCENES if n not in run.files],
+            "seconds": round(seconds, 1), "of_cores": round(of_cores, 1), "absent": [n for n in SCENES if n not in run.files],
             **numbers}
-        print("{}: {:.0f} s, {}".format(name, seconds, ", ".join(
+        print("{}: {:.0f} s, {:.0f} s of all cores together {}".format(name, seconds, of_cores, ", ".join(
             "{} ({} kB)".format(picture["file"], picture["bytes"] // 1000)
             for picture in numbers.get("pictures", ()))), flush=True)
         machine.save(kept, path)
