@@ -6,13 +6,14 @@
   pvpython figure_8.py --plugin Limpid.so --output FOLDER [FILE.scene.json ...]
 
 Methods without shadows of their own are drawn lit, with T_L = 1, as in the paper; columns with a star
-have shadows.
+have shadows. The weights of Ament 2017 are those with the highest S of all that table_methods.py tries.
 """
 
 import studio
 
 PIXELS = 148
 METHODS = ("Ordinary", "Viola 2004", "Marchesin 2010", "Ament 2017", "Optimized")
+AMENT = {"AmentExponent": 3, "AmentOccluders": 3000, "AmentLightOccluders": 3000}
 COLUMNS = [(method, {"Method": method, "Shade": 1, "Shadows": 0}) for method in METHODS] + \
     [(method + "*", {"Method": method, "Shade": 1, "Shadows": 1})
      for method in ("Ament 2017", "Optimized")]
@@ -24,6 +25,7 @@ def compare(run, view, name):
     for scene in run.scenes():
         row, scores[scene.title] = [], {}
         with studio.Stage(scene, run.pixels(PIXELS)) as stage:
+            stage.set(**AMENT)
             stage.look(studio.viewpoint_of(scene, view))
             for head, settings in COLUMNS:
                 picture, numbers = stage.draw(**settings)
@@ -39,24 +41,22 @@ def make(run):
     return compare(run, "own", "figure-8.jpg")
 
 
-def ordered(scores, key="VisibilityScore"):
-    """Names of the methods, highest first; the starred columns have the same extinction."""
-    return sorted(METHODS, key=lambda method: -scores[method][key])
+def placed(numbers, place, key):
+    """Which methods have the highest, the second, ... of a number, and in which scenes."""
+    found = {}
+    for title, scores in numbers["scores"].items():
+        order = sorted(METHODS, key=lambda method, scores=scores: -scores[method][key])
+        found.setdefault(order[place], []).append(title)
+    most = max(found, key=lambda method: len(found[method]))
+    return ", ".join("{} in {}".format(method, len(titles) if method == most else "; ".join(titles))
+                     for method, titles in found.items())
 
 
 def caption(numbers):
-    """Which methods come first, and in how many scenes."""
-    lines = []
-    for key, words in (("VisibilityScore", "the highest S"),
-                       ("VisibleFraction", "the largest visible share")):
-        wins = {}
-        for title, scores in numbers["scores"].items():
-            wins.setdefault(ordered(scores, key)[0], []).append(title)
-        lines.append("Of the methods, {} has {}.".format(words, "; ".join(
-            "{} in {} of {} scenes".format(method, len(titles), len(numbers["scores"]))
-            + ("" if method == "Optimized" else " ({})".format(", ".join(titles)))
-            for method, titles in wins.items())))
-    return " ".join(lines)
+    return ("Of {} scenes, highest S: {}; second: {}. Largest visible share: {}; second: {}.").format(
+        len(numbers["scores"]), *(placed(numbers, place, key)
+                                  for key in ("VisibilityScore", "VisibleFraction")
+                                  for place in (0, 1)))
 
 
 if __name__ == "__main__":

@@ -174,10 +174,14 @@ class Stage:
         self.display.UpdatePropertyInformation()
         return {name: getattr(self.display, name) for name in NUMBERS}
 
-    def draw(self, **settings):
-        """A picture with these properties of the display, and its numbers."""
+    def set(self, **settings):
+        """Properties of the display."""
         for name, value in settings.items():
             setattr(self.display, name, value)
+
+    def draw(self, **settings):
+        """A picture with these properties of the display, and its numbers."""
+        self.set(**settings)
         picture = sheet.picture_of(self.view)
         return smaller(picture, FINER), self.numbers()
 
@@ -267,6 +271,15 @@ def start(arguments):
     return Run(arguments.output, files, arguments.scale, arguments.quick)
 
 
+def rounded(value):
+    """Numbers with seven digits, in lists and objects, too."""
+    if isinstance(value, dict):
+        return {key: rounded(part) for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [rounded(part) for part in value]
+    return float("{:.7g}".format(value)) if isinstance(value, float) else value
+
+
 def make(run, names):
     """Makes the figures of modules with these names, and keeps their numbers in figures.json,
     beside those of figures that were made before."""
@@ -282,7 +295,7 @@ def make(run, names):
         kept[name] = {
             **{key: before[key] for key in ("processor", "cores", "date", "load_before")},
             "seconds": round(seconds, 1), "of_cores": round(of_cores, 1), "absent": [n for n in SCENES if n not in run.files],
-            **numbers}
+            **rounded(numbers)}
         print("{}: {:.0f} s, {:.0f} s of all cores together {}".format(name, seconds, of_cores, ", ".join(
             "{} ({} kB)".format(picture["file"], picture["bytes"] // 1000)
             for picture in numbers.get("pictures", ()))), flush=True)
