@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Whether PyTorch and Limpid have the same scene, energy and derivative: `energy_torch.py --check`.
+"""Whether PyTorch and Limpid have the same scene, energy and derivative: `energy.py --check`.
 
 Derivatives are compared along three directions, where nothing is said as shares of the largest.
 """

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The energy of Eq. (21) and its derivative on demand: Limpid's side of energy_torch.py. Reads
+// The energy of Eq. (21) and its derivative on demand: Limpid's side of energy.py. Reads
 // commands from standard input, one a line, and answers each with a line of JSON; README.md has
 // them.
-//   limpid_energy [--onion NODES] [--threads N] [--skips-off] [--derivative-ray]
+//   limpid_energy [--onion NODES] [--threads N] [--skips-off] [--derivative-ray] [--camera-only]
 
 #include "BoxScene.h"
 #include "Program.h"
@@ -16,6 +16,7 @@
 
 #include <optional>
 
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -25,11 +26,26 @@ namespace
 using namespace limpid;
 using namespace limpid::benchmark;
 
-/// The terms of Eq. (21) with their weights [length^2], and the time since the watch was started.
-Json Answer(const Energy& energy, Stopwatch& watch)
+/// Wall clock, and the clock of all cores that this process uses, since its construction.
+struct Watch
 {
-  return { { "regularization", energy.regularization }, { "view", energy.view },
-    { "light", energy.light }, { "seconds", watch.Lap() } };
+  Stopwatch wall;
+  std::clock_t start = std::clock();
+
+  Json Seconds() const
+  {
+    return { { "seconds", this->wall.Elapsed() },
+      { "cpu", double(std::clock() - this->start) / CLOCKS_PER_SEC } };
+  }
+};
+
+/// The terms of Eq. (21) with their weights [length^2], and the time since the watch was started.
+Json Answer(const Energy& energy, const Watch& watch)
+{
+  Json answer = watch.Seconds();
+  answer.update({ { "regularization", energy.regularization }, { "view", energy.view },
+    { "light", energy.light } });
+  return answer;
 }
 
 /// The energy and its derivative at one extinction of the onion scene (BoxScene::FillOnion): 0.8
@@ -52,17 +68,17 @@ public:
   /// Makes what does not depend on the extinction: rays, spans, importance of nodes.
   Json Plan()
   {
-    Stopwatch watch;
+    const Watch watch;
     this->Prepared = std::make_unique<PreparedScene>(this->Scene.Fields());
     this->Task =
       this->Prepared->ProblemFor(this->Scene.camera, this->Scene.light, this->Scene.settings);
     this->Both.emplace(HostDevice::Shared(), this->Task);
-    return { { "seconds", watch.Lap() } };
+    return watch.Seconds();
   }
 
   Json Value()
   {
-    Stopwatch watch;
+    const Watch watch;
     return Answer(this->Both->Measure(this->Extinction.data()).energy, watch);
   }
 
@@ -70,7 +86,7 @@ public:
   {
     const auto weight = static_cast<float>(this->Task.RegularizationWeight());
     float* gradient = this->Gradient.data();
-    Stopwatch watch;
+    const Watch watch;
     ParallelFor(this->Scene.grid.NodeCount(), 65536,
       [&](Index node)
       { gradient[node] = weight * (this->Extinction[node] - this->Task.baseExtinction[node]); });
@@ -99,7 +115,7 @@ public:
   /// By the reference: double precision, no code of the core.
   Json March(double raysPerVoxel) const
   {
-    Stopwatch watch;
+    const Watch watch;
     return Answer(
       this->Truth({ this->Extinction.begin(), this->Extinction.end() }, raysPerVoxel), watch);
   }
@@ -222,11 +238,15 @@ int main(int argc, char* argv[])
   {
     const Options options(std::vector<std::string>(argv + 1, argv + argc),
       { { "onion", "64" }, { "threads", std::to_string(ThreadCount()) }, { "skips-off", "no" },
-        { "derivative-ray", "no" } });
+        { "derivative-ray", "no" }, { "camera-only", "no" } });
     Settings settings;
     settings.backend = BackendKind::Cpu;
     settings.skipUnneeded = !options.Flag("skips-off");
     settings.derivative = options.Flag("derivative-ray") ? Derivative::Ray : Derivative::Volume;
+    if (options.Flag("camera-only"))
+    {
+      settings.weights.regularization = settings.weights.light = 0;
+    }
     const ThreadLimit limit(options.Count("threads"));
     OnionEnergy small(8, settings); // starts threads and pages of libraries, which do not count
     small.Plan();

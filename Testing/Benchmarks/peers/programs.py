@@ -71,22 +71,31 @@ class Program:
                          "Linux.")
 
 
-def limpid(path, nodes, threads, skips=True, derivative="volume"):
+def limpid(path, nodes, threads, skips=True, derivative="volume", camera_only=False):
     flags = [flag for flag, on in (("--skips-off", not skips),
-                                   ("--derivative-ray", derivative == "ray")) if on]
+                                   ("--derivative-ray", derivative == "ray"),
+                                   ("--camera-only", camera_only)) if on]
     return Program("Limpid" if skips else "Limpid, skips off",
                    [path, "--onion", str(nodes), "--threads", str(threads), *flags])
 
 
-def march(path, nodes, threads):
+def march(path, nodes, threads, camera_only=False):
     """Energy and derivatives by the reference."""
     rays = 3  # per voxel and axis
-    with limpid(path, nodes, threads) as program:
+    with limpid(path, nodes, threads, camera_only=camera_only) as program:
         return {"energy": program.ask(f"march {rays}"), "slopes": program.ask(f"difference {rays}")}
 
 
-def torch(nodes, threads, device="cpu", sampler="planes", parts=1, precision="float32"):
+def torch(nodes, threads, device="cpu", sampler="planes", parts=1, precision="float32",
+          camera_only=False):
     name = f"PyTorch, {sampler}" + (f", {parts} parts" if parts > 1 else "")
-    return Program(name, [sys.executable, os.path.join(HERE, "serve_torch.py"), "--onion",
-                          str(nodes), "--threads", str(threads), "--device", device, "--sampler",
-                          sampler, "--parts", str(parts), "--precision", precision], device)
+    return Program(name, [
+        sys.executable, "-B", os.path.join(HERE, "serve_torch.py"), "--onion", str(nodes),
+        "--threads", str(threads), "--device", device, "--sampler", sampler, "--parts", str(parts),
+        "--precision", precision, *(["--camera-only"] if camera_only else [])], device)
+
+
+def mitsuba(nodes, threads, integrator, pixels):
+    return Program(f"Mitsuba, {integrator}, {pixels}² rays", [
+        sys.executable, "-B", os.path.join(HERE, "serve_mitsuba.py"), "--onion", str(nodes),
+        "--threads", str(threads), "--integrator", integrator, "--pixels", str(pixels)])

@@ -16,39 +16,10 @@ import numpy as np
 import torch
 from torch.nn.functional import grid_sample
 
-RADIUS = math.sqrt(3.0)  # of the box [-1, 1]^3
-MAJORANT = 20 / RADIUS
-REGULARIZATION, VIEW, LIGHT = 1e-3, 10.0, 1.0  # p, q, r
-CAMERA = RADIUS * np.array([0.9, 1.3, -3.0])
-LAMP = RADIUS * np.array([-1.0, 3.0, -0.7])
-CORE = np.array([0.1, -0.1, 0.15])
+from onion import CAMERA, LAMP, LIGHT, RADIUS, REGULARIZATION, VIEW
+
 GAUSS_POINTS = (0.21132486540518712, 0.78867513459481288)
 SAMPLERS = ("planes", "trilinear")
-
-
-def onion(nodes):
-    """Base extinction and importance of the onion scene as float32, indices (z, y, x)."""
-    axis = np.linspace(-1.0, 1.0, nodes)
-    z, y, x = np.meshgrid(axis, axis, axis, indexing="ij", sparse=True)
-    to_centre = np.sqrt(x**2 + y**2 + z**2)
-    to_core = np.sqrt((x - CORE[0]) ** 2 + (y - CORE[1]) ** 2 + (z - CORE[2]) ** 2)
-    shell = np.exp(-(((to_centre - 0.75) / 0.12) ** 2))
-    value = 0.5 * shell + np.exp(-((to_core / 0.35) ** 2))
-    extinction = np.where(value < 0.02, 0.0, MAJORANT * np.minimum(1.0, value))
-    importance = np.clip(1.6 - 4 * to_core, 0.0, 1.0)
-    return extinction.astype(np.float32), importance.astype(np.float32)
-
-
-def directions(extinction, importance):
-    """Shares of the base extinction: of what is important, of what is not, and a wave."""
-    base = extinction.astype(np.float64)
-    axis = np.linspace(-1.0, 1.0, base.shape[0])
-    z, y, x = np.meshgrid(axis, axis, axis, indexing="ij", sparse=True)
-    return {
-        "important": base * importance,
-        "unimportant": base * (1.0 - importance),
-        "wave": base * np.sin(3 * (x + 2 * y - z)),
-    }
 
 
 class Rays:
@@ -208,14 +179,15 @@ class VisibleFromEye:
 
 
 class OnionEnergy:
-    """F of Eq. (21) of the onion scene in world units, each term for itself."""
+    """F of Eq. (21) of the onion scene in world units, each term for itself; `camera_only`: the
+    others are not there."""
 
-    def __init__(self, base, importance, sampler, parts):
+    def __init__(self, base, importance, sampler, parts, camera_only=False):
         nodes = base.shape[0]
         self.base = base
         self.volume = (2.0 / (nodes - 1)) ** 3
         self.camera = VisibleFromEye(nodes, CAMERA, importance, sampler, parts)
-        self.lamp = VisibleFromEye(nodes, LAMP, importance, sampler, parts)
+        self.lamp = None if camera_only else VisibleFromEye(nodes, LAMP, importance, sampler, parts)
 
     def regularization(self, extinction):
         weight = 0.5 * REGULARIZATION * RADIUS * self.volume
@@ -223,15 +195,19 @@ class OnionEnergy:
 
     @torch.no_grad()
     def value(self, extinction):
-        return (self.regularization(extinction), -VIEW * self.camera.value(extinction),
-                -LIGHT * self.lamp.value(extinction))
+        seen = -VIEW * self.camera.value(extinction)
+        if self.lamp is None:
+            return 0.0, seen, 0.0
+        return self.regularization(extinction), seen, -LIGHT * self.lamp.value(extinction)
 
     def value_and_gradient(self, extinction):
         """The terms, and their derivative in extinction.grad; the graph of a term is gone before
         the next begins."""
         extinction.grad = None
+        seen = self.camera.backward(extinction, -VIEW)
+        if self.lamp is None:
+            return 0.0, -VIEW * seen, 0.0
         kept = self.regularization(extinction)
         kept.backward()
-        seen = self.camera.backward(extinction, -VIEW)
         lit = self.lamp.backward(extinction, -LIGHT)
         return kept.detach(), -VIEW * seen, -LIGHT * lit

@@ -1,18 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Answers the commands of limpid_energy (README.md) with PyTorch; energy_torch.py starts it."""
+"""Answers the commands of limpid_energy (README.md) with PyTorch; energy.py starts it."""
 
 import argparse
-import ctypes
-import json
 import sys
 import time
 
-import numpy as np
 import torch
 
+import onion
 import ray_energy
+from serving import answer_all, give_back
 
 
 class Server:
@@ -21,12 +20,12 @@ class Server:
     def __init__(self, options):
         self.options = options
         self.device = torch.device(options.device)
-        base, importance = ray_energy.onion(options.onion)
-        self.directions = ray_energy.directions(base, importance)
+        base, importance = onion.onion(options.onion)
+        self.directions = onion.directions(base, importance)
         kind = {"device": self.device, "dtype": getattr(torch, options.precision)}
         self.base = torch.as_tensor(base, **kind)
         self.importance = torch.as_tensor(importance, **kind)
-        self.extinction = torch.as_tensor(np.float32(0.8) * base, **kind).requires_grad_(True)
+        self.extinction = torch.as_tensor(onion.EVALUATED * base, **kind).requires_grad_(True)
         self.energy = None
         self.held = self.allocated()
 
@@ -39,17 +38,18 @@ class Server:
 
     def timed(self, function, *arguments):
         self.finish()
-        start = time.perf_counter()
+        start, cpu = time.perf_counter(), time.process_time()
         terms = function(*arguments)
         self.finish()
-        seconds = time.perf_counter() - start
+        taken = {"seconds": time.perf_counter() - start, "cpu": time.process_time() - cpu}
         names = ("regularization", "view", "light")
-        return {**dict(zip(names, map(float, terms))), "seconds": seconds}
+        return {**dict(zip(names, map(float, terms))), **taken}
 
     def plan(self, _):
         start = time.perf_counter()
         self.energy = ray_energy.OnionEnergy(
-            self.base, self.importance, self.options.sampler, self.options.parts)
+            self.base, self.importance, self.options.sampler, self.options.parts,
+            self.options.camera_only)
         self.finish()
         seconds = time.perf_counter() - start
         give_back()
@@ -99,14 +99,6 @@ class Server:
                 "device": torch.cuda.get_device_name() if on_gpu else "CPU"}
 
 
-def give_back():
-    """Hands free memory back to the system, so that what is resident is in use."""
-    try:
-        ctypes.CDLL(None).malloc_trim(0)
-    except (AttributeError, OSError):
-        pass  # not glibc
-
-
 def warm_up(options):
     """Loads what is loaded late, so that it is no part of what is measured."""
     small = Server(argparse.Namespace(**{**vars(options), "onion": 16}))
@@ -123,19 +115,13 @@ def main():
     parser.add_argument("--precision", default="float32", choices=("float32", "float64"))
     parser.add_argument("--sampler", default="planes", choices=ray_energy.SAMPLERS)
     parser.add_argument("--parts", type=int, default=1)
+    parser.add_argument("--camera-only", action="store_true")
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     if options.device == "cuda" and not torch.cuda.is_available():
         sys.exit("PyTorch finds no GPU (the energy was asked for on one). Leave cuda out.")
     warm_up(options)
-    server = Server(options)
-    give_back()
-    print("{}", flush=True)  # the scene is there
-    for line in sys.stdin:
-        command, _, value = line.strip().partition(" ")
-        if command == "quit":
-            break
-        print(json.dumps(getattr(server, command)(value)), flush=True)
+    answer_all(Server(options))
 
 
 if __name__ == "__main__":
