@@ -7,8 +7,8 @@
     [--pictures FOLDER]
 
 FOLDER/Errors.json becomes FOLDER/Errors.md and some of FOLDER/Plots. Without --pages: whatever has
-numbers there. Plots need matplotlib (Debian: python3-matplotlib), those of resolutions the pictures
-that were drawn with their numbers.
+numbers there. Plots need matplotlib (Debian: python3-matplotlib), those of resolutions and peers
+the pictures that were drawn with their numbers.
 """
 
 import argparse
@@ -17,8 +17,8 @@ import json
 import os
 
 PAGES = ("errors", "resolutions", "scaling", "kernels", "solvers", "rendering", "viewpoints",
-         "mappers", "peers", "gpu")
-PLOTTED = PAGES[:4]
+         "peers", "gpu")
+PLOTTED = (*PAGES[:4], "peers")
 
 
 def read(folder, page):

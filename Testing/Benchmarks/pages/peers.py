@@ -1,15 +1,41 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Energy and gradient by PyTorch's automatic differentiation, beside Limpid's."""
+"""Limpid beside others' programs: pictures, values and gradients."""
 
+import peers_pictures
 from markdown import deviation, fixed, head, percent, plural, significant, table
 
-COMMAND = ("python3 Testing/Benchmarks/peers/energy_torch.py "
-           "--output Documentation/Benchmarks/Peers.json")
+COMMAND = "bash Testing/Benchmarks/peers/run.sh"
 NOISY = 0.2  # spread of a program's times above which they are preliminary
 DIRECTIONS = ("important", "unimportant", "wave")
-TIMES = ("value_seconds", "gradient_seconds", "gradient_shortest")
+TIMES = ("value_cpu", "gradient_cpu")
+CAMERA = """
+## Value and gradient, the camera alone
+
+S of the camera (Eq. (32)) of the onion scene and its derivative by the extinction of every node:
+the term that Mitsuba can be brought to compute, too. {threads}. *Error of S*: from the march,
+relative. *Error of slopes*: of the derivatives along three directions from central differences of
+the march, length of the error over their length. Of Mitsuba both are root mean squares of {repeats}
+evaluations with new random numbers; *noise* is that of the derivative at single nodes, over the
+derivative. *CPU to Limpid's error*: a value for its error of S, a value and gradient for its error
+of slopes, if errors fall with the root of the number of rays, and how many times Limpid's that is.
+{table}
+**What Mitsuba does not do.** Its media have no emission, so `prbvolpath`, the integrator that it
+has for derivatives of media, is given a point light at the eye and half the extinction: light there
+and back has the transmittance of one way, and an albedo of importance times the distance's fourth
+power makes the radiance the integral wanted. `emission` is a short integrator for this page
+(`Testing/Benchmarks/peers/emission.py`), as a user of Mitsuba would write it: the same collisions,
+importance times distance squared as emission, and no light to be looked for. Both are estimates by
+random numbers. Mitsuba gets rays where something is important alone, one in each pixel, which
+stratifies them. It has the light's term only by a second such run, no regularisation, no solver,
+and one majorant for the whole volume: empty space is crossed in steps of the densest matter.
+
+**What it does that Limpid does not.** It scatters light as often as one likes. Its derivative is
+that of what it computes, as PyTorch's is; Limpid's is the derivative of the integral, taken at the
+nodes ([Deviations.md](../Deviations.md), D1 and D8), and is further from the differences along
+these directions than PyTorch's.
+"""
 
 
 def mebibytes(count):
@@ -43,8 +69,9 @@ def time_table(results):
     return table(rows_of(results), [
         ("nodes, program", lambda r: r["name"]),
         *((heading, lambda r, key=key: significant(1000 * r[key])) for heading, key in zip(
-            ("value [ms]", "value and gradient [ms]", "shortest"), TIMES)),
+            ("value [CPU ms]", "value and gradient [CPU ms]"), TIMES)),
         ("spread", lambda r: percent(r["gradient_spread"])),
+        ("wall clock [ms]", lambda r: significant(1000 * r["gradient_seconds"])),
         ("memory kept [MiB]", lambda r: mebibytes(r["kept_bytes"])),
         ("peak [MiB]", lambda r: mebibytes(r["peak_bytes"]))])
 
@@ -57,9 +84,9 @@ def ratio_table(results):
     return table([row for row in rows_of(results) if "PyTorch" in row["name"]], [
         ("nodes, program", lambda r: r["name"]),
         *((heading, ratio(key, 0)) for heading, key in zip(
-            ("value", "value and gradient", "shortest"), TIMES)),
+            ("value", "value and gradient"), TIMES)),
         *((heading, ratio(key, 1)) for heading, key in zip(
-            ("skips off: value", "value and gradient", "shortest"), TIMES)),
+            ("skips off: value", "value and gradient"), TIMES)),
         ("peak memory", ratio("peak_bytes", 0))])
 
 
@@ -69,12 +96,12 @@ def in_short(results):
     for result in results:
         ours, off = result["rows"][:2]
         peers = result["rows"][2:]
-        fastest = min(peers, key=lambda row: row["gradient_shortest"])
-        time_ratios.append(fastest["gradient_shortest"] / ours["gradient_shortest"])
-        plain_ratios.append(fastest["gradient_shortest"] / off["gradient_shortest"])
+        fastest = min(peers, key=lambda row: row["gradient_cpu"])
+        time_ratios.append(fastest["gradient_cpu"] / ours["gradient_cpu"])
+        plain_ratios.append(fastest["gradient_cpu"] / off["gradient_cpu"])
         memory_ratios.append(min(row["peak_bytes"] for row in peers) / ours["peak_bytes"])
     return (f"Its fastest takes {span(time_ratios)} times as long for a value and gradient, "
-            f"{span(plain_ratios)} times with skips off (by the shortest times), and its smallest "
+            f"{span(plain_ratios)} times with skips off, and its smallest "
             f"{span(memory_ratios)} times the memory.")
 
 
@@ -84,14 +111,16 @@ def span(values):
 
 
 def device_section(name, results):
-    text = f"\n## {name}\n{time_table(results)}"
+    text = f"\n### {name}\n{time_table(results)}"
     spread = max(row["gradient_spread"] for row in rows_of(results))
     if spread > NOISY:
         text += (f"**Times of the same evaluation lay up to {percent(spread)} apart: the machine "
                  "was busy, and the times are preliminary.**\n\n")
     if results[0]["device"] != "cpu":
         return text + "Limpid on this device: not measured.\n"
-    return text + ("PyTorch's time and memory as multiples of Limpid's. "
+    if not any("PyTorch" in row["program"] for row in rows_of(results)):
+        return text
+    return text + ("PyTorch's CPU time and memory as multiples of Limpid's. "
                    f"{in_short(results)}\n{ratio_table(results)}")
 
 
@@ -106,12 +135,55 @@ def sections(measured):
     return found
 
 
+def until(row, ours, seconds, error):
+    """CPU seconds until a program by random numbers errs as little as Limpid: its error falls with
+    the root of its time."""
+    return row[seconds] * (row[error] / ours[error]) ** 2
+
+
+def camera_table(measured):
+    rows = [{**row, "ours": result["rows"][0]}
+            for result, row in zip((r for r in measured for _ in r["rows"]), rows_of(measured))]
+
+    def random(cell):
+        return lambda r: cell(r) if "noise" in r else ""
+
+    def equal(seconds, error):
+        def cell(row):
+            needed = until(row, row["ours"], seconds, error)
+            return f"{significant(needed, 2)} s, {significant(needed / row['ours'][seconds], 2)} ×"
+        return random(cell)
+
+    return table(rows, [
+        ("nodes, program", lambda r: r["name"]),
+        ("error of S", lambda r: percent(r["S_error"], 3)),
+        ("of slopes", lambda r: percent(r["slope_error"], 2)),
+        ("noise", random(lambda r: percent(r["noise"]))),
+        ("value [CPU ms]", lambda r: significant(1000 * r["value_cpu"])),
+        ("value and gradient [CPU ms]", lambda r: significant(1000 * r["gradient_cpu"])),
+        ("spread", lambda r: percent(r["gradient_spread"])),
+        ("peak [MiB]", lambda r: mebibytes(r["peak_bytes"])),
+        ("CPU to Limpid's error: value", equal("value_cpu", "S_error")),
+        ("value and gradient", equal("gradient_cpu", "slope_error"))])
+
+
+def camera_section(measured):
+    return CAMERA.format(threads=plural(measured[0]["threads"], "thread").capitalize() + " each",
+                         repeats=measured[0]["repeats"], table=camera_table(measured))
+
+
 def page(numbers):
     measured = numbers["measured"]
-    builds = list(dict.fromkeys(row["build"]["name"] for row in rows_of(measured)))
-    text = head("Peers", {"machine": {**numbers["machine"], "facts": builds}}, COMMAND)
-    text += f"\n## Values and derivatives\n{truth_table(measured)}"
+    builds = list(dict.fromkeys(
+        row["build"]["name"] for row in rows_of(measured + numbers["camera"])))
+    facts = builds + numbers["pictures"]["versions"]
+    text = head("Peers", {"machine": {**numbers["machine"], "facts": facts}}, COMMAND)
+    if numbers["absent"]:
+        text += f"\n**Absent, so not measured: {', '.join(numbers['absent'])}.**\n"
+    text += peers_pictures.section(numbers["pictures"])
+    text += camera_section(numbers["camera"])
+    text += f"\n## The whole energy, values and derivatives\n{truth_table(measured)}"
     text += "".join(device_section(*section) for section in sections(measured).items())
     if all(result["device"] == "cpu" for result in measured):
-        text += "\n## GPU\n\nNot measured.\n"
+        text += "\n### GPU\n\nNot measured.\n"
     return text

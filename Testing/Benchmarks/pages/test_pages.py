@@ -7,6 +7,7 @@ import unittest
 
 from fronts import equal_errors, front_of, place_of_first
 from make import PAGES, read, text_of
+from peers import until
 from scaling import fit_exponents
 
 DOCUMENTATION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..",
@@ -90,6 +91,13 @@ class EqualErrors(unittest.TestCase):
         for found, seconds in zip(equal[2:], (5, 10)):
             # Two quotients, two logarithms and a power.
             self.assertTrue(math.isclose(found["grid_seconds"], seconds, rel_tol=10 * ROUNDOFF))
+
+
+class TimesToAnError(unittest.TestCase):
+    def test_grow_with_the_square_of_what_the_error_falls_by(self):
+        row = {"value_cpu": 3.0, "S_error": 0.5}
+
+        self.assertEqual(until(row, {"S_error": 0.125}, "value_cpu", "S_error"), 48)
 
 
 if __name__ == "__main__":

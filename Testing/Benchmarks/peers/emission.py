@@ -27,6 +27,7 @@ class EmissionIntegrator(RBIntegrator):
         hit = mi.Bool(active)
         medium = shell.target_medium(ray.d)
         medium[~active] = dr.zeros(mi.MediumPtr)
+        active &= medium != None  # noqa: E711; a ray that grazes an edge may be outside already
         ray = mi.Ray3f(shell.spawn_ray(ray.d))
         ray.maxt = scene.ray_intersect(ray, active).t
 

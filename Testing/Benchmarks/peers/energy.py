@@ -190,11 +190,11 @@ def parsed():
                         "of the check: 32 64)")
     parser.add_argument("--threads", type=int, nargs="+", default=[1],
                         help="of every program, one after the other (default: 1)")
-    parser.add_argument("--repeats", type=int, default=7, help="timed rounds (default: 7)")
+    parser.add_argument("--repeats", type=int, default=5, help="timed rounds (default: 5)")
     parser.add_argument("--parts", type=int, nargs="+", default=[1, 4],
                         help="PyTorch: groups of rays, one after the other (default: 1 4)")
-    parser.add_argument("--pixels", type=int, nargs="+", default=[256, 512, 1024],
-                        help="Mitsuba: of the picture's side, a ray each (default: 256 512 1024)")
+    parser.add_argument("--pixels", type=int, nargs="+", default=[256, 512],
+                        help="Mitsuba: of the picture's side, a ray each (default: 256 512)")
     parser.add_argument("--devices", nargs="+", default=["cpu", "cuda"], choices=["cpu", "cuda"])
     parser.add_argument("--without", nargs="*", default=[], help="packages to leave out")
     parser.add_argument("--output", help="file for all numbers; default: standard output")

@@ -33,6 +33,7 @@ import machine  # noqa: E402 pylint: disable=wrong-import-position
 Mapper = volume_views.vtkTransmittanceVolumeMapper
 TURN = 0.37  # degrees between one timed picture and the next
 SLOW = 15  # seconds of all cores
+SMALLER = 4  # times along each side: what would be too slow
 LEARNING = 5  # frames after which a mapper knows what a frame may cost
 CAMERAS = (0, 70, 200)  # azimuth of the compared pictures [degrees]
 WHITE = ((0, 1, 1, 1), (1, 1, 1, 1))
@@ -47,7 +48,8 @@ def limpid(method=Mapper.ORDINARY, shadows=False):
 
 
 def scattering(head):
-    """VTK's mapper with its own shadows: rays towards the light from every sample."""
+    """VTK's mapper with its own shadows: rays towards the light from every sample. In full size a
+    picture takes minutes without a GPU, so there is a smaller one, and Limpid's beside it."""
     mapper = volume_views.gpu_mapper(STEP * head.spacing)
     mapper.SetVolumetricScatteringBlending(2.0)  # nothing but
     mapper.SetGlobalIlluminationReach(1.0)  # as far as the volume goes
@@ -94,7 +96,7 @@ def kinds(head, folder, with_vdb):
     """Everything that is drawn, by name: without light, shaded, with shadows."""
     fixed_point = volume_views.fixed_point_mapper(STEP * head.spacing)
     gpu = volume_views.gpu_mapper(STEP * head.spacing)
-    lit = limpid(shadows=True)
+    small = Head(head.nodes, head.size // SMALLER)
     found = {
         "an empty window": ByMapper(head, None),
         "Limpid": ByMapper(head, limpid()),
@@ -104,11 +106,13 @@ def kinds(head, folder, with_vdb):
         "Limpid, shaded": ByMapper(head, limpid(), shade=True),
         "vtkFixedPointVolumeRayCastMapper, shaded": ByMapper(head, fixed_point, shade=True),
         "vtkGPUVolumeRayCastMapper, shaded": ByMapper(head, gpu, shade=True),
-        "Limpid, shadows": ByMapper(head, lit, shade=True),
+        "Limpid, shadows": ByMapper(head, limpid(shadows=True), shade=True),
         "Limpid, shadows, light at rest": ByMapper(head, limpid(shadows=True), True, rests=True),
         "Limpid, shadows, optimised for this picture":
             ByMapper(head, limpid(Mapper.OPTIMIZED, shadows=True), shade=True),
-        "vtkGPUVolumeRayCastMapper, scattering": ByMapper(head, scattering(head), shade=True)}
+        "Limpid, shadows, small": ByMapper(small, limpid(shadows=True), shade=True),
+        "vtkGPUVolumeRayCastMapper, shadows, small":
+            ByMapper(small, scattering(small), shade=True)}
     if with_vdb:
         found["vdb_render, no shadow samples"] = ByVdbRender(
             head, folder, shadowstep=vdb.NO_SHADOW, cutoff=vdb.CUTOFF)
@@ -159,12 +163,12 @@ def print_peak(name, arguments):
         with open("/proc/self/status", encoding="ascii") as file:
             return next(1024 * int(line.split()[1]) for line in file if line.startswith(key + ":"))
 
-    head = Head(arguments.nodes, arguments.size)
-    head.draw(None)
+    kind = kinds(Head(arguments.nodes, arguments.size), "", False)[name]
+    kind.head.draw(None)
     before = status("VmRSS")
     with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
         file.write("5")  # forgets the peak so far
-    kinds(head, "", False)[name].draw(0)
+    kind.draw(0)
     print(status("VmHWM") - before)
 
 
@@ -191,7 +195,7 @@ def differences(head, drawn):
 def white_differences(arguments):
     """From vdb_render, in small: white, with a light from afar and none from all sides, scattered
     evenly."""
-    size = arguments.size // 4
+    size = arguments.size // SMALLER
     head = Head(arguments.nodes, size)
     head.volume.SetProperty(head.colored(*WHITE))
     head.light.SetPositional(False)
@@ -234,7 +238,7 @@ def measure(arguments):
     drawn = kinds(head, arguments.folder, not absent)
     still = times(drawn, arguments)
     for name, of in still.items():
-        if isinstance(drawn[name], ByMapper) and of["cpu"] < SLOW:
+        if isinstance(drawn[name], ByMapper) and drawn[name].mapper is not None:
             of["peak_bytes"] = peak_of(name, arguments)
     versions = [f"VTK {vtkVersion.GetVTKVersion()}"] + ([] if absent else [vdb.version()])
     return {"nodes": arguments.nodes, "size": arguments.size, "step": STEP, "versions": versions,

@@ -46,7 +46,12 @@ class Program:
         if not line:
             raise SystemExit(f"{self.name} ended instead of answering \"{command}\" (what it said "
                              "stands above). Nothing more can be measured.")
-        return json.loads(line)
+
+        def refuse(number):
+            raise SystemExit(f"{self.name} answered {number} to \"{command}\" (no page could be "
+                             "made of it). Find out where it comes from.")
+
+        return json.loads(line, parse_constant=refuse)
 
     def memory(self):
         """Bytes that a plan keeps, and that an evaluation with it has at its peak; the process with
