@@ -47,7 +47,10 @@ struct TakeStep
   const float* seen;
   float* behind;
 
-  LIMPID_HD LIMPID_INLINE void operator()(Index u) const { this->behind[u] = this->seen[u]; }
+  LIMPID_HD LIMPID_INLINE void operator()(Index u) const
+  {
+    this->behind[u] = this->seen[u]; // NOLINT(clang-analyzer-core.NullDereference): it is there
+  }
 };
 
 /// The integral of a field from every voxel on, along the rays.

@@ -94,7 +94,8 @@ struct KeepStep
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
     const float mean = this->share[u];
-    this->extinction[u] *= mean < 1.0f ? mean : 1.0f; // means are rounded
+    const float kept = mean < 1.0f ? mean : 1.0f; // means are rounded
+    this->extinction[u] *= kept; // NOLINT(clang-analyzer-core.NullDereference): the field is there
   }
 };
 
