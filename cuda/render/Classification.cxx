@@ -39,11 +39,40 @@ void Require(const TransferFunctions& functions)
                                                << ") (no pixel can show it). Keep it finite.");
   }
 }
+
+/// The same functions with so many entries that within a few of them nothing matters.
+TransferFunctions Refined(const TransferFunctions& functions)
+{
+  constexpr std::size_t least = 1024;
+  const std::size_t last = functions.extinction.size() - 1;
+  const std::size_t parts = (least + last - 1) / last;
+  if (parts == 1)
+  {
+    return functions;
+  }
+  TransferFunctions refined;
+  refined.low = functions.low;
+  refined.high = functions.high;
+  for (std::size_t entry = 0; entry <= last * parts; ++entry)
+  {
+    const std::size_t before = std::min(entry / parts, last - 1);
+    const float share = float(entry - before * parts) / float(parts);
+    const auto at = [=](float here, float next) { return here + share * (next - here); };
+    refined.extinction.push_back(
+      at(functions.extinction[before], functions.extinction[before + 1]));
+    const std::array<float, 3>& here = functions.color[before];
+    const std::array<float, 3>& next = functions.color[before + 1];
+    refined.color.push_back(
+      { { at(here[0], next[0]), at(here[1], next[1]), at(here[2], next[2]) } });
+  }
+  return refined;
+}
 }
 
-Classification::Classification(const TransferFunctions& functions)
+Classification::Classification(const TransferFunctions& given)
 {
-  Require(functions);
+  Require(given);
+  const TransferFunctions functions = Refined(given);
   const std::size_t count = functions.extinction.size();
   this->Low = static_cast<float>(functions.low);
   this->Scale = static_cast<float>(double(count - 1) / (functions.high - functions.low));

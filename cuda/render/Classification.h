@@ -21,8 +21,8 @@ namespace limpid
  * Between two samples along a ray the scalar is taken as linear. The mean extinction of the segment
  * is then the difference quotient of an integral over the scalar (one-dimensional pre-integration,
  * [EKE01] without the self-attenuation within a segment, which the caller adds), so that a thin
- * feature of the transfer function is never missed between samples. The mean colour is weighted
- * with the extinction plus a thousandth of the majorant, which defines it where nothing absorbs.
+ * feature of the transfer function is never missed between samples. The mean colour is weighed with
+ * the extinction plus a thousandth of the majorant, which defines it where nothing absorbs.
  *
  * `Optical`: four floats in a register; extinction [majorant], red, green, blue.
  */
@@ -63,10 +63,11 @@ struct OpticalTable
     return Blend(this->values[entry], this->values[entry + 1], inside - float(entry));
   }
 
-  /// Integrals from the start of the table to positions: of extinction and of weighted colours. The
-  /// loops have no branches, for the sake of vector units.
+  /// Values at table positions, and integrals from the start of the table to there. The loops have
+  /// no branches, for the sake of vector units.
   template <int Begin, int End>
-  LIMPID_HD LIMPID_INLINE void IntegralsAt(const float* positions, Optical* out) const
+  LIMPID_HD LIMPID_INLINE void Read(
+    const float* positions, Optical* valuesThere, Optical* integralsThere) const
   {
     float share[End];
     float beyond[End];
@@ -82,34 +83,18 @@ struct OpticalTable
     }
     for (int i = Begin; i < End; ++i)
     {
-      const Optical* at = this->integrals + entry[i];
-      out[i] = Blend(at[0], at[1], share[i]);
+      const Optical* value = this->values + entry[i];
+      const Optical* integral = this->integrals + entry[i];
+      valuesThere[i] = Blend(value[0], value[1], share[i]);
+      integralsThere[i] = Blend(integral[0], integral[1], share[i]);
     }
-    if (outside > 0.0f)
+    if (outside > 0.0f) // the functions are constant there
     {
       for (int i = Begin; i < End; ++i)
       {
-        out[i] = this->Extended(out[i], beyond[i]);
+        integralsThere[i] = integralsThere[i] + beyond[i] * Weighed(valuesThere[i]);
       }
     }
-  }
-
-  /// Mean extinction [majorant] and colour of a segment between two table positions, with the
-  /// integrals at both.
-  LIMPID_HD LIMPID_INLINE Optical Mean(
-    float from, const Optical& integralFrom, float to, const Optical& integralTo) const
-  {
-    // Close together, the difference would be one of rounding errors.
-    const float distance = to - from;
-    if (!(distance > 4.0f || distance < -4.0f))
-    {
-      return this->At(0.5f * (from + to));
-    }
-    Optical mean = (1.0f / distance) * (integralTo - integralFrom);
-    const float extinction = mean[0];
-    mean = (1.0f / (extinction + colorFloor)) * mean;
-    mean[0] = extinction;
-    return mean;
   }
 
   /// What the integrals are of.
@@ -149,12 +134,27 @@ private:
     const int most = this->last - 1;
     return before < most ? before : most;
   }
+};
 
-  /// Constant beyond the table's ends.
-  LIMPID_HD LIMPID_INLINE Optical Extended(const Optical& integral, float beyond) const
+/// The mean of transfer functions on a segment between two samples. Its colour is ofIntegrals times
+/// the difference of the samples' integrals, and ofValues times the sum of their values.
+struct SegmentMean
+{
+  float extinction; ///< [majorant]
+  float ofIntegrals;
+  float ofValues;
+
+  /// `distance`: of the table positions; `integral`: of the extinction between them; `ends`: sum of
+  /// both extinctions.
+  LIMPID_HD LIMPID_INLINE SegmentMean(float distance, float integral, float ends)
   {
-    const Optical& end = beyond > 0.0f ? this->values[this->last] : this->values[0];
-    return integral + beyond * Weighed(end);
+    // Close together, the difference of integrals is one of rounding errors.
+    const bool wide = std::abs(distance) > 4.0f;
+    const float perDistance = 1.0f / (wide ? distance : 1.0f);
+    this->extinction = wide ? perDistance * integral : 0.5f * ends;
+    const float weight = this->extinction + OpticalTable<FourFloats>::colorFloor;
+    this->ofIntegrals = wide ? perDistance / weight : 0.0f;
+    this->ofValues = wide ? 0.0f : 0.5f;
   }
 };
 
@@ -179,9 +179,9 @@ private:
   float Low = 0;
   float Scale = 1;
   float LargestExtinction = 0;
-  std::vector<FourFloats> Values; ///< extinction [majorant], red, green, blue
+  std::vector<FourFloats> Values; ///< see OpticalTable, like the others
   std::vector<FourFloats> Integrals;
-  std::vector<float> Maxima; ///< see OpticalTable
+  std::vector<float> Maxima;
 };
 }
 

@@ -34,6 +34,37 @@ struct BlockSampler
     return near + x * (far - near);
   }
 
+  /// Interpolates a field at samples from Begin to End - 1, eight by eight.
+  template <int Begin, int End>
+  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const float* field,
+    const Index* cells, const float* x, const float* y, const float* z, float* out)
+  {
+    int i = Begin;
+    for (; i + 8 <= End; i += 8)
+    {
+      const NodePairs low(field, cells + i);
+      const NodePairs high(field + grid.stride[1], cells + i);
+      const NodePairs lowBehind(field + grid.stride[2], cells + i);
+      const NodePairs highBehind(field + grid.stride[1] + grid.stride[2], cells + i);
+      Float8 share[3];
+      std::memcpy(&share[0], x + i, sizeof(Float8));
+      std::memcpy(&share[1], y + i, sizeof(Float8));
+      std::memcpy(&share[2], z + i, sizeof(Float8));
+      const Float8 nearLow = low.first + share[2] * (lowBehind.first - low.first);
+      const Float8 farLow = low.second + share[2] * (lowBehind.second - low.second);
+      const Float8 nearHigh = high.first + share[2] * (highBehind.first - high.first);
+      const Float8 farHigh = high.second + share[2] * (highBehind.second - high.second);
+      const Float8 near = nearLow + share[1] * (nearHigh - nearLow);
+      const Float8 far = farLow + share[1] * (farHigh - farLow);
+      const Float8 value = near + share[0] * (far - near);
+      std::memcpy(out + i, &value, sizeof(value));
+    }
+    for (; i < End; ++i)
+    {
+      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
+    }
+  }
+
   static LIMPID_INLINE Optical Interpolate(
     const CellGrid& grid, const FourPacked* first, float x, float y, float z)
   {
@@ -57,6 +88,28 @@ private:
   using Packed8 = std::int16_t __attribute__((vector_size(16)));
   using Float8 = float __attribute__((vector_size(32)));
   using Float4 = Optical;
+
+  /// Two nodes that follow each other along x, of eight cells.
+  struct NodePairs
+  {
+    Float8 first;
+    Float8 second;
+
+    LIMPID_INLINE NodePairs(const float* field, const Index* cells)
+    {
+      using Pairs = std::int64_t __attribute__((vector_size(32)));
+      const auto pair = [&](int i)
+      {
+        std::int64_t both;
+        std::memcpy(&both, field + cells[i], sizeof(both));
+        return both;
+      };
+      const auto some = reinterpret_cast<Float8>(Pairs{ pair(0), pair(1), pair(4), pair(5) });
+      const auto others = reinterpret_cast<Float8>(Pairs{ pair(2), pair(3), pair(6), pair(7) });
+      this->first = __builtin_shufflevector(some, others, 0, 2, 8, 10, 4, 6, 12, 14);
+      this->second = __builtin_shufflevector(some, others, 1, 3, 9, 11, 5, 7, 13, 15);
+    }
+  };
 
   /// Two rows of two nodes that follow each other along y, eight bytes each, in one register.
   static LIMPID_INLINE Float4 LoadRows(const float* first, Index stride)

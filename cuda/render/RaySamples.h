@@ -35,17 +35,20 @@ struct RaySamples
   float shadow[count]; ///< transmittance of the light [packedOne]
   float gradient[3][count];
   float light[count];      ///< share of its colour that a sample sends to the viewer
-  Optical integral[count]; ///< see OpticalTable::IntegralsAt
+  Optical value[count];    ///< of the transfer functions
+  Optical integral[count]; ///< see OpticalTable
 
+  float classified[segments]; ///< the transfer function's extinction [majorant]
   float extinction[segments]; ///< [majorant]
-  Optical color[segments];    ///< second to fourth: red, green, blue
+  float ofValues[segments];   ///< see SegmentMean
+  float ofIntegrals[segments];
 
   /// The first sample is empty until it is read, and the last one dark until it is lit.
   LIMPID_HD LIMPID_INLINE RaySamples()
   {
     this->distance[0] = this->scalar[0] = this->filled[0] = 0;
     this->kept[0] = this->added[0] = this->shadow[0] = this->light[0] = 0;
-    this->integral[0] = Optical{ 0, 0, 0, 0 };
+    this->value[0] = this->integral[0] = Optical{ 0, 0, 0, 0 };
     this->light[segments] = 0;
   }
 
@@ -60,6 +63,7 @@ struct RaySamples
     this->added[0] = this->added[last];
     this->shadow[0] = this->shadow[last];
     this->light[0] = this->light[last];
+    this->value[0] = this->value[last];
     this->integral[0] = this->integral[last];
   }
 
@@ -71,28 +75,27 @@ struct RaySamples
     for (int i = Begin; i < End; ++i)
     {
       this->distance[i] = ray.At(k + i);
-      Index first = 0;
+      int at[3];
       for (int axis = 0; axis < 3; ++axis)
       {
         const float position = ray.entry[axis] + this->distance[i] * ray.step[axis];
-        first += grid.stride[axis] * grid.Split(axis, position, this->fraction[axis][i]);
+        at[axis] = grid.Split(axis, position, this->fraction[axis][i]);
       }
-      this->cell[i] = first;
+      this->cell[i] = grid.First(at[0], at[1], at[2]);
     }
     if (Overlaid)
     {
       const CellGrid overlayGrid = scene.overlayGrid;
       for (int i = Begin; i < End; ++i)
       {
-        Index first = 0;
+        int at[3];
         for (int axis = 0; axis < 3; ++axis)
         {
           const float position = ray.entry[axis] + this->distance[i] * ray.step[axis];
-          first += overlayGrid.stride[axis] *
-            overlayGrid.Split(
-              axis, position * scene.overlayScale[axis], this->overlayFraction[axis][i]);
+          at[axis] = overlayGrid.Split(
+            axis, position * scene.overlayScale[axis], this->overlayFraction[axis][i]);
         }
-        this->overlayCell[i] = first;
+        this->overlayCell[i] = overlayGrid.First(at[0], at[1], at[2]);
       }
     }
   }
@@ -103,11 +106,8 @@ struct RaySamples
   {
     const OpticalTable<Optical> table = scene.table.template As<Optical>();
     const CellGrid grid = scene.grid;
-    for (int i = Begin; i < End; ++i)
-    {
-      this->scalar[i] = AnySampler::Interpolate(grid, scene.scalars + this->cell[i],
-        this->fraction[0][i], this->fraction[1][i], this->fraction[2][i]);
-    }
+    AnySampler::template InterpolateAll<Begin, End>(grid, scene.scalars, this->cell,
+      this->fraction[0], this->fraction[1], this->fraction[2], this->scalar);
     for (int i = Begin; i < End; ++i)
     {
       this->scalar[i] = table.Position(this->scalar[i]);
@@ -116,14 +116,11 @@ struct RaySamples
       this->added[i] = 0;
       this->shadow[i] = packedOne;
     }
-    table.template IntegralsAt<Begin, End>(this->scalar, this->integral);
+    table.template Read<Begin, End>(this->scalar, this->value, this->integral);
     if (scene.filled)
     {
-      for (int i = Begin; i < End; ++i)
-      {
-        this->filled[i] = AnySampler::Interpolate(grid, scene.filled + this->cell[i],
-          this->fraction[0][i], this->fraction[1][i], this->fraction[2][i]);
-      }
+      AnySampler::template InterpolateAll<Begin, End>(grid, scene.filled, this->cell,
+        this->fraction[0], this->fraction[1], this->fraction[2], this->filled);
     }
     if (Overlaid)
     {
@@ -144,19 +141,28 @@ struct RaySamples
   /// empty. Returns whether there is any extinction.
   LIMPID_HD LIMPID_INLINE bool Classify(const RayScene& scene)
   {
-    const OpticalTable<Optical> table = scene.table.template As<Optical>();
-    const float addedUnit = scene.addedUnit;
+    float ends[count];
+    float integrals[count];
+    for (int i = 0; i < count; ++i)
+    {
+      ends[i] = this->value[i][0];
+      integrals[i] = this->integral[i][0];
+    }
     for (int i = 0; i < segments; ++i)
     {
-      this->color[i] =
-        table.Mean(this->scalar[i], this->integral[i], this->scalar[i + 1], this->integral[i + 1]);
+      const SegmentMean mean(this->scalar[i + 1] - this->scalar[i], integrals[i + 1] - integrals[i],
+        ends[i] + ends[i + 1]);
+      this->classified[i] = mean.extinction;
+      this->ofValues[i] = mean.ofValues;
+      this->ofIntegrals[i] = mean.ofIntegrals;
     }
+    const float addedUnit = scene.addedUnit;
     float any = 0;
     for (int i = 0; i < segments; ++i)
     {
-      const SegmentEnds ends{ this->filled[i] + this->filled[i + 1],
+      const SegmentEnds both{ this->filled[i] + this->filled[i + 1],
         this->kept[i] + this->kept[i + 1], this->added[i] + this->added[i + 1] };
-      const float here = ends.Extinction(this->color[i][0], addedUnit);
+      const float here = both.Extinction(this->classified[i], addedUnit);
       this->extinction[i] = here;
       any += here;
     }
@@ -198,6 +204,7 @@ struct RaySamples
     float passed[segments];
     float given[segments];
     const float lengthUnit = scene.stepLength * scene.majorant;
+    const float opaqueBelow = scene.opaqueBelow;
     for (int i = 0; i < segments; ++i)
     {
       const float length = this->distance[i + 1] - this->distance[i];
@@ -206,14 +213,44 @@ struct RaySamples
       passed[i] = segment.passed;
       given[i] = segment.given;
     }
+    float transmittance[segments + 1];
+    transmittance[0] = pixel.transmittance;
     for (int i = 0; i < segments; ++i)
     {
-      // Segment by segment, so that it does not matter where blocks of segments begin.
-      if (pixel.transmittance > scene.opaqueBelow)
-      {
-        pixel.Add({ passed[i], given[i] }, this->color[i]);
-      }
+      transmittance[i + 1] = transmittance[i] * passed[i];
     }
+    // Segment by segment, so that it does not matter where blocks of segments begin.
+    int seen = 0;
+    for (int i = 0; i < segments; ++i)
+    {
+      given[i] *= transmittance[i] > opaqueBelow ? transmittance[i] : 0.0f;
+      seen += static_cast<int>(transmittance[i] > opaqueBelow);
+    }
+    pixel.transmittance = transmittance[seen];
+    float ofValuesGiven[segments];
+    float ofIntegralsGiven[segments];
+    for (int i = 0; i < segments; ++i)
+    {
+      ofValuesGiven[i] = given[i] * this->ofValues[i];
+      ofIntegralsGiven[i] = given[i] * this->ofIntegrals[i];
+    }
+    for (int i = 0; i < segments; ++i)
+    {
+      pixel.light = pixel.light + this->ColorOf(i, ofValuesGiven[i], ofIntegralsGiven[i]);
+    }
+  }
+
+  /// The colour of a segment; its extinction is no part of it.
+  LIMPID_HD LIMPID_INLINE Optical Color(int i) const
+  {
+    return this->ColorOf(i, this->ofValues[i], this->ofIntegrals[i]);
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE Optical ColorOf(int i, float ofValuesThere, float ofIntegralsThere) const
+  {
+    return ofValuesThere * (this->value[i] + this->value[i + 1]) +
+      ofIntegralsThere * (this->integral[i + 1] - this->integral[i]);
   }
 };
 }

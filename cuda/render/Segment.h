@@ -69,13 +69,6 @@ struct Pixel
   Optical light = { 0, 0, 0, 0 }; ///< second to fourth: red, green, blue
   float transmittance = 1;
 
-  /// Adds a segment to the sum of Eq. (6). What it scatters is extinction times colour, Eq. (3).
-  LIMPID_HD LIMPID_INLINE void Add(const Segment& segment, const Optical& color)
-  {
-    this->light = this->light + this->transmittance * segment.given * color;
-    this->transmittance *= segment.passed;
-  }
-
   /// In 8 bits.
   LIMPID_HD LIMPID_INLINE Rgba Shown(const float* lightColor) const
   {

@@ -37,7 +37,7 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
   {
     if (scene.unimportant.distance && k % BrickDistances::size == 0 && k < ray.segments)
     {
-      const int important = scene.unimportant.SkipEmpty(ray, k);
+      const int important = BrickWalk(scene.unimportant, ray).SkipEmpty(k);
       if (important >= ray.segments)
       {
         break;
@@ -71,7 +71,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
   {
     const bool opaque = mean.importance > 0.0f && mean.Transmittance() <= scene.opaqueBelow;
     const BrickDistances& bricks = opaque ? scene.unimportant : scene.bricks;
-    k = bricks.distance ? bricks.SkipEmpty(ray, k) : k;
+    k = bricks.distance ? BrickWalk(bricks, ray).SkipEmpty(k) : k;
     if (k >= ray.segments)
     {
       break;
@@ -101,7 +101,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
       const float received = lit ? 0.5f * (samples.light[i] + samples.light[i + 1]) : 0.0f;
       const float sent = Lit ? received : 1.0f;
       mean.Add(0.5f * (importance[i] + importance[i + 1]),
-        samples.extinction[i] * lengthUnit * length, sent, samples.color[i]);
+        samples.extinction[i] * lengthUnit * length, sent, samples.Color(i));
     }
   }
   pixel.light = mean.Light();

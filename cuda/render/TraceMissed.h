@@ -47,7 +47,7 @@ struct ImportanceSamples
     {
       const float length = this->samples.distance[i + 1] - this->samples.distance[i];
       const float filled = 0.5f * (this->samples.filled[i] + this->samples.filled[i + 1]);
-      const float base = this->samples.color[i][0] * filled;
+      const float base = this->samples.classified[i] * filled;
       pixel.AddInFront(0.5f * (this->importance[i] + this->importance[i + 1]),
         base * lengthUnit * length, this->samples.extinction[i] * lengthUnit * length);
     }
@@ -75,7 +75,7 @@ LIMPID_HD LIMPID_INLINE RayImportance TraceMissed(const RayScene& scene, const R
     const BrickDistances& bricks = gathered.IsEmpty() ? scene.unimportant : scene.bricks;
     if (bricks.distance && k >= nextBrick)
     {
-      const int filled = bricks.SkipEmpty(back, k);
+      const int filled = BrickWalk(bricks, back).SkipEmpty(k);
       if (filled >= back.segments)
       {
         return gathered;

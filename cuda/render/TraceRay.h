@@ -20,16 +20,16 @@ LIMPID_HD LIMPID_INLINE void TraceRay(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
   constexpr int segments = AnySampler::segments;
-  const BrickDistances bricks = scene.bricks;
+  const BrickWalk walk(scene.bricks, ray);
   RaySamples<AnySampler> samples;
   bool read = false; // whether the first sample was, as the last of the segments before
   bool lit = false;  // whether it was lit there
   int nextBrick = 0; // sample from which on another brick is looked up
   for (int k = 0; k < ray.segments && pixel.transmittance > scene.opaqueBelow; k += segments)
   {
-    if (bricks.distance && k >= nextBrick)
+    if (scene.bricks.distance && k >= nextBrick)
     {
-      const int filled = bricks.SkipEmpty(ray, k);
+      const int filled = walk.SkipEmpty(k);
       if (filled >= ray.segments)
       {
         return;

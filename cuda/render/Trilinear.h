@@ -16,17 +16,19 @@ struct CellGrid
   float lastNode[3] = { 0, 0, 0 };
   float lastCell[3] = { 0, 0, 0 };
   Index stride[3] = { 1, 1, 1 };
+  int rows = 1; ///< of a slice
 
   CellGrid() = default;
   explicit CellGrid(const Int3& nodes)
     : lastNode{ float(nodes.x - 1), float(nodes.y - 1), float(nodes.z - 1) }
     , lastCell{ float(nodes.x - 2), float(nodes.y - 2), float(nodes.z - 2) }
     , stride{ 1, nodes.x, Index(nodes.x) * nodes.y }
+    , rows(nodes.y)
   {
   }
 
   /// Splits a coordinate into the node before and the fraction of a cell.
-  LIMPID_HD LIMPID_INLINE Index Split(int axis, float position, float& fraction) const
+  LIMPID_HD LIMPID_INLINE int Split(int axis, float position, float& fraction) const
   {
     float inside = position > 0.0f ? position : 0.0f;
     inside = inside < this->lastNode[axis] ? inside : this->lastNode[axis];
@@ -35,21 +37,28 @@ struct CellGrid
     fraction = inside - static_cast<float>(before);
     return before;
   }
+
+  /// The first node of a cell. Vector units multiply numbers of 32 bits only.
+  LIMPID_HD LIMPID_INLINE Index First(int x, int y, int z) const
+  {
+    const auto row = static_cast<std::uint32_t>(y + this->rows * z);
+    const auto nodes = static_cast<std::uint32_t>(this->stride[1]);
+    return x + static_cast<Index>(std::uint64_t(row) * nodes);
+  }
 };
 
 /// A position in a grid.
 struct CellPlace
 {
-  Index cell = 0; ///< first node of the cell
   float fraction[3];
+  Index cell; ///< first node of the cell
 
   /// `position`: [nodes]
   LIMPID_HD LIMPID_INLINE CellPlace(const CellGrid& grid, const float* position)
+    : cell(grid.First(grid.Split(0, position[0], this->fraction[0]),
+        grid.Split(1, position[1], this->fraction[1]),
+        grid.Split(2, position[2], this->fraction[2])))
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->cell += grid.stride[axis] * grid.Split(axis, position[axis], this->fraction[axis]);
-    }
   }
 };
 
@@ -93,6 +102,17 @@ struct SingleSampler
     const CellGrid& grid, const float* first, float x, float y, float z)
   {
     return detail::InCell(grid, first, x, y, z);
+  }
+
+  /// Interpolates a field at samples from Begin to End - 1.
+  template <int Begin, int End>
+  LIMPID_HD static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const float* field,
+    const Index* cells, const float* x, const float* y, const float* z, float* out)
+  {
+    for (int i = Begin; i < End; ++i)
+    {
+      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
+    }
   }
 
   /// Interpolates four packed numbers per node [packedOne].
