@@ -18,6 +18,15 @@
 #define LIMPID_MULTIVERSION
 #endif
 
+// Before a loop that GCC would unroll as a whole and take apart into single numbers: it is unrolled
+// so many times and no more, and 1 leaves it to vector units.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define LIMPID_PRAGMA(text) _Pragma(#text)
+#define LIMPID_UNROLL(times) LIMPID_PRAGMA(GCC unroll times)
+#else
+#define LIMPID_UNROLL(times)
+#endif
+
 namespace limpid
 {
 /// Brings the cache lines of values that will be read soon. Rows of voxels are short, and one lies

@@ -72,14 +72,15 @@ struct OpticalTable
     float share[End];
     float beyond[End];
     int entry[End];
-    float outside = 0;
+    int outside = 0;
+    LIMPID_UNROLL(1)
     for (int i = Begin; i < End; ++i)
     {
       const float inside = this->Inside(positions[i]);
       entry[i] = this->Before(inside);
       share[i] = inside - static_cast<float>(entry[i]);
       beyond[i] = positions[i] - inside;
-      outside += beyond[i] < 0.0f ? -beyond[i] : beyond[i];
+      outside |= static_cast<int>(beyond[i] != 0.0f);
     }
     for (int i = Begin; i < End; ++i)
     {
@@ -88,7 +89,7 @@ struct OpticalTable
       valuesThere[i] = Blend(value[0], value[1], share[i]);
       integralsThere[i] = Blend(integral[0], integral[1], share[i]);
     }
-    if (outside > 0.0f) // the functions are constant there
+    if (outside != 0) // the functions are constant there
     {
       for (int i = Begin; i < End; ++i)
       {

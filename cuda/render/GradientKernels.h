@@ -92,7 +92,8 @@ struct LargestOfRun
   }
 };
 
-/// Packs a gradient over the largest length: three numbers in world directions, and a zero.
+/// Packs a gradient over the largest length, in world directions, and the transmittance of the
+/// light, which is 1 until ShadowedGradientNode knows better.
 struct PackedGradientNode
 {
   GradientNode gradient;
@@ -110,7 +111,19 @@ struct PackedGradientNode
     {
       out[axis] = static_cast<std::int16_t>(std::lrint(here[axis] * unit));
     }
-    out[3] = 0;
+    out[3] = std::int16_t(packedOne);
+  }
+};
+
+/// Takes the transmittance of the light from an overlay on the same nodes.
+struct ShadowedGradientNode
+{
+  const FourPacked* overlay;
+  FourPacked* packed; ///< in and out
+
+  LIMPID_HD void operator()(Index node) const
+  {
+    this->packed[node].values[3] = this->overlay[node].values[2];
   }
 };
 }

@@ -68,24 +68,32 @@ struct BlockSampler
   static LIMPID_INLINE Optical Interpolate(
     const CellGrid& grid, const FourPacked* first, float x, float y, float z)
   {
-    Float8 rows[4];
-    for (int row = 0; row < 4; ++row)
-    {
-      Packed8 pair;
-      std::memcpy(
-        &pair, first + (row & 1) * grid.stride[1] + (row >> 1) * grid.stride[2], sizeof(pair));
-      rows[row] = __builtin_convertvector(pair, Float8);
-    }
-    const Float8 low = rows[0] + z * (rows[2] - rows[0]);
-    const Float8 high = rows[1] + z * (rows[3] - rows[1]);
+    const TwoNodes lowFront(first);
+    const TwoNodes highFront(first + grid.stride[1]);
+    const TwoNodes lowBehind(first + grid.stride[2]);
+    const TwoNodes highBehind(first + grid.stride[1] + grid.stride[2]);
+    const Float8 low = lowFront.values + z * (lowBehind.values - lowFront.values);
+    const Float8 high = highFront.values + z * (highBehind.values - highFront.values);
     const Float8 between = low + y * (high - low);
-    const Float4 near = { between[0], between[1], between[2], between[3] };
-    const Float4 far = { between[4], between[5], between[6], between[7] };
-    return near + x * (far - near);
+    const Float4 near = __builtin_shufflevector(between, between, 0, 1, 2, 3);
+    const Float4 far = __builtin_shufflevector(between, between, 4, 5, 6, 7);
+    return (1.0f / 65536.0f) * (near + x * (far - near));
+  }
+
+  /// Interpolates four packed numbers per node at samples from Begin to End - 1.
+  template <int Begin, int End>
+  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const FourPacked* field,
+    const Index* cells, const float* x, const float* y, const float* z, Optical* out)
+  {
+    for (int i = Begin; i < End; ++i)
+    {
+      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
+    }
   }
 
 private:
   using Packed8 = std::int16_t __attribute__((vector_size(16)));
+  using Int8 = std::int32_t __attribute__((vector_size(32)));
   using Float8 = float __attribute__((vector_size(32)));
   using Float4 = Optical;
 
@@ -108,6 +116,23 @@ private:
       const auto others = reinterpret_cast<Float8>(Pairs{ pair(2), pair(3), pair(6), pair(7) });
       this->first = __builtin_shufflevector(some, others, 0, 2, 8, 10, 4, 6, 12, 14);
       this->second = __builtin_shufflevector(some, others, 1, 3, 9, 11, 5, 7, 13, 15);
+    }
+  };
+
+  /// What two nodes that follow each other along x have packed, times 2^16: numbers of 16 bits
+  /// become the upper halves of such of 32 bits.
+  struct TwoNodes
+  {
+    Float8 values;
+
+    LIMPID_INLINE explicit TwoNodes(const FourPacked* first)
+    {
+      Packed8 packed;
+      std::memcpy(&packed, first, sizeof(packed));
+      const Packed8 zero{};
+      const auto shifted =
+        __builtin_shufflevector(zero, packed, 0, 8, 0, 9, 0, 10, 0, 11, 0, 12, 0, 13, 0, 14, 0, 15);
+      this->values = __builtin_convertvector(reinterpret_cast<Int8>(shifted), Float8);
     }
   };
 

@@ -28,12 +28,11 @@ struct RaySamples
   float fraction[3][count];
   Index overlayCell[count]; ///< the same in the grid of the overlay
   float overlayFraction[3][count];
-  float scalar[count]; ///< table position
-  float filled[count]; ///< 1, less beside empty nodes
-  float kept[count];   ///< share of the transfer function's extinction [packedOne]
-  float added[count];  ///< extinction [packedOne majorants]
-  float shadow[count]; ///< transmittance of the light [packedOne]
-  float gradient[3][count];
+  float scalar[count];     ///< table position
+  float filled[count];     ///< 1, less beside empty nodes
+  float kept[count];       ///< share of the transfer function's extinction [packedOne]
+  float added[count];      ///< extinction [packedOne majorants]
+  float shadow[count];     ///< transmittance of the light [packedOne]
   float light[count];      ///< share of its colour that a sample sends to the viewer
   Optical value[count];    ///< of the transfer functions
   Optical integral[count]; ///< see OpticalTable
@@ -124,15 +123,15 @@ struct RaySamples
     }
     if (Overlaid)
     {
-      const CellGrid overlayGrid = scene.overlayGrid;
-      const FourPacked* packed = scene.overlay;
+      Optical overlay[End];
+      AnySampler::template InterpolateAll<Begin, End>(scene.overlayGrid, scene.overlay,
+        this->overlayCell, this->overlayFraction[0], this->overlayFraction[1],
+        this->overlayFraction[2], overlay);
       for (int i = Begin; i < End; ++i)
       {
-        const Optical overlay = AnySampler::Interpolate(overlayGrid, packed + this->overlayCell[i],
-          this->overlayFraction[0][i], this->overlayFraction[1][i], this->overlayFraction[2][i]);
-        this->kept[i] = overlay[0];
-        this->added[i] = overlay[1];
-        this->shadow[i] = overlay[2];
+        this->kept[i] = overlay[i][0];
+        this->added[i] = overlay[i][1];
+        this->shadow[i] = overlay[i][2];
       }
     }
   }
@@ -157,39 +156,32 @@ struct RaySamples
       this->ofIntegrals[i] = mean.ofIntegrals;
     }
     const float addedUnit = scene.addedUnit;
-    float any = 0;
+    int any = 0;
     for (int i = 0; i < segments; ++i)
     {
       const SegmentEnds both{ this->filled[i] + this->filled[i + 1],
         this->kept[i] + this->kept[i + 1], this->added[i] + this->added[i + 1] };
       const float here = both.Extinction(this->classified[i], addedUnit);
       this->extinction[i] = here;
-      any += here;
+      any |= static_cast<int>(here > 0.0f);
     }
-    return any > 0.0f;
+    return any != 0;
   }
 
   /// Finds the light that the samples send, see LightOnRay.
-  template <int Begin, int End>
+  template <int Begin, int End, bool Overlaid>
   LIMPID_HD LIMPID_INLINE void Light(const RayScene& scene, const Ray& ray)
   {
-    const CellGrid grid = scene.grid;
-    const FourPacked* packed = scene.gradient;
-    for (int i = Begin; i < End; ++i)
-    {
-      const Optical here = AnySampler::Interpolate(grid, packed + this->cell[i],
-        this->fraction[0][i], this->fraction[1][i], this->fraction[2][i]);
-      this->gradient[0][i] = here[0];
-      this->gradient[1][i] = here[1];
-      this->gradient[2][i] = here[2];
-    }
+    Optical gradient[End];
+    AnySampler::template InterpolateAll<Begin, End>(scene.grid, scene.gradient, this->cell,
+      this->fraction[0], this->fraction[1], this->fraction[2], gradient);
     const RayLight source = scene.light; // a copy: nothing that is written below can be part of it
     const LightOnRay onRay(source, ray);
     float sent[End];
     for (int i = Begin; i < End; ++i)
     {
-      sent[i] = onRay.Sent(source, this->distance[i], this->gradient[0][i], this->gradient[1][i],
-        this->gradient[2][i], this->shadow[i]);
+      sent[i] = onRay.Sent(source, this->distance[i], gradient[i][0], gradient[i][1],
+        gradient[i][2], Overlaid ? this->shadow[i] : gradient[i][3]);
     }
     for (int i = Begin; i < End; ++i)
     {
@@ -215,12 +207,14 @@ struct RaySamples
     }
     float transmittance[segments + 1];
     transmittance[0] = pixel.transmittance;
+    LIMPID_UNROLL(4)
     for (int i = 0; i < segments; ++i)
     {
       transmittance[i + 1] = transmittance[i] * passed[i];
     }
     // Segment by segment, so that it does not matter where blocks of segments begin.
     int seen = 0;
+    LIMPID_UNROLL(1)
     for (int i = 0; i < segments; ++i)
     {
       given[i] *= transmittance[i] > opaqueBelow ? transmittance[i] : 0.0f;
@@ -229,6 +223,7 @@ struct RaySamples
     pixel.transmittance = transmittance[seen];
     float ofValuesGiven[segments];
     float ofIntegralsGiven[segments];
+    LIMPID_UNROLL(1)
     for (int i = 0; i < segments; ++i)
     {
       ofValuesGiven[i] = given[i] * this->ofValues[i];

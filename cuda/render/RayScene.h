@@ -19,7 +19,7 @@ struct RayScene
   const float* scalars = nullptr;
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
   OpticalTable<FourFloats> table;
-  const FourPacked* gradient = nullptr; ///< see PackedGradientNode; null: not lit
+  const FourPacked* gradient = nullptr; ///< and shadow, see PackedGradientNode; null: not lit
   const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not asked for
   CellGrid overlayGrid;
   const FourPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: nothing to add

@@ -141,6 +141,7 @@ public:
     Field transmittance(this->Device, std::size_t(grid.NodeCount()), "the shadows");
     this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
     this->Shown.SetShadow(grid.nodes, transmittance.Data());
+    this->GradientHasShadow = false;
   }
 
   void ClearShadows() override { this->Shown.ClearShadow(); }
@@ -169,6 +170,7 @@ public:
     FourPacked* packed = this->Gradient.RoomFor(this->Device, ofNodes.Size(), what);
     this->Device->ForNodes(
       "gradient", nodes, PackedGradientNode{ gradient, largest.Data(), packed });
+    this->GradientHasShadow = false;
   }
 
   void FindEmptyBricks() override
@@ -211,6 +213,7 @@ public:
     const float* nearDepth = borrow(this->NearDepth, view.nearDepth);
     const float* depth = borrow(this->Depth, view.depth);
     Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
+    this->ShadowGradient(casting);
     PictureRays rays{ RayMaker(this->Nodes, casting.stepLength, view), view.width, view.height,
       nearDepth, depth, { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] },
       pixels };
@@ -286,6 +289,24 @@ private:
     return this->CoarseOpaque.Data();
   }
 
+  /// Whether the shadows are all that the overlay says, and on the nodes of the gradient.
+  bool HasShadowsAlone() const
+  {
+    return this->Shown.Shadowed() && !this->Shown.Changed() &&
+      this->Shown.Nodes().nodes == this->Nodes.nodes;
+  }
+
+  /// Puts such shadows beside the gradient, so that a sample reads one field for both.
+  void ShadowGradient(const Casting& casting)
+  {
+    if (casting.lit && this->HasShadowsAlone() && !this->GradientHasShadow)
+    {
+      this->Device->ForIndices("shadows of the gradient", this->Nodes.NodeCount(),
+        ShadowedGradientNode{ this->Shown.Packed(), this->Gradient.Data() });
+      this->GradientHasShadow = true;
+    }
+  }
+
   RayScene SceneOf(const Casting& casting) const
   {
     RayScene scene;
@@ -298,7 +319,7 @@ private:
     scene.stepLength = casting.stepLength;
     scene.light = casting.light;
     scene.gradient = casting.lit ? this->Gradient.Data() : nullptr;
-    const bool shadowed = this->Shown.Shadowed() && casting.lit;
+    const bool shadowed = this->Shown.Shadowed() && casting.lit && !this->HasShadowsAlone();
     if (!this->Shown.Empty() && (this->Shown.Changed() || shadowed))
     {
       scene.overlay = this->Shown.Packed();
@@ -356,6 +377,7 @@ private:
 
   BorrowedArray<AnyDevice, float> Importance; ///< empty: not asked for
   DeviceArray<AnyDevice, FourPacked> Gradient;
+  bool GradientHasShadow = false; ///< that of the overlay
   Bricks<AnyDevice> Empty;
   ExtinctionOverlay<AnyDevice> Shown;
   ShadowVolume<AnyDevice> Shadows;

@@ -93,7 +93,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
     const bool lit = Lit && (any > 0.0f || mean.importance == 0.0f);
     if (lit)
     {
-      samples.template Light<0, segments + 1>(scene, ray);
+      samples.template Light<0, segments + 1, Overlaid>(scene, ray);
     }
     for (int i = 0; i < segments; ++i)
     {

@@ -52,9 +52,9 @@ LIMPID_HD LIMPID_INLINE void TraceRay(
       if (!lit)
       {
         samples.template Place<0, 1, Overlaid>(scene, ray, k);
-        samples.template Light<0, 1>(scene, ray);
+        samples.template Light<0, 1, Overlaid>(scene, ray);
       }
-      samples.template Light<1, segments + 1>(scene, ray);
+      samples.template Light<1, segments + 1, Overlaid>(scene, ray);
     }
     if (visible)
     {

@@ -104,22 +104,22 @@ struct SingleSampler
     return detail::InCell(grid, first, x, y, z);
   }
 
-  /// Interpolates a field at samples from Begin to End - 1.
-  template <int Begin, int End>
-  LIMPID_HD static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const float* field,
-    const Index* cells, const float* x, const float* y, const float* z, float* out)
-  {
-    for (int i = Begin; i < End; ++i)
-    {
-      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
-    }
-  }
-
   /// Interpolates four packed numbers per node [packedOne].
   LIMPID_HD static LIMPID_INLINE FourFloats Interpolate(
     const CellGrid& grid, const FourPacked* first, float x, float y, float z)
   {
     return detail::InCell(grid, first, x, y, z);
+  }
+
+  /// Interpolates a field of either kind at samples from Begin to End - 1.
+  template <int Begin, int End, class Node, class Value>
+  LIMPID_HD static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const Node* field,
+    const Index* cells, const float* x, const float* y, const float* z, Value* out)
+  {
+    for (int i = Begin; i < End; ++i)
+    {
+      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
+    }
   }
 };
 }
