@@ -34,6 +34,28 @@ struct BrickDistances
     bricks.rows = (nodes.y + size - 2) / size;
     return bricks;
   }
+
+  /// Number of bricks that one can move along each axis, from that of the cell at or next to a
+  /// position [index] on, such that all on the way are empty; 0: it is not.
+  LIMPID_HD LIMPID_INLINE int EmptyAround(float x, float y, float z) const
+  {
+    const unsigned int brick[3] = { this->BrickAt(0, x), this->BrickAt(1, y), this->BrickAt(2, z) };
+    return this->EmptyAround(brick);
+  }
+
+  LIMPID_HD LIMPID_INLINE int EmptyAround(const unsigned int* brick) const
+  {
+    const unsigned int row = brick[1] + unsigned(this->rows) * brick[2];
+    return this->distance[brick[0] + std::uint64_t(row) * unsigned(this->columns)];
+  }
+
+  /// Number of a brick along an axis.
+  LIMPID_HD LIMPID_INLINE unsigned int BrickAt(int axis, float position) const
+  {
+    const float limit = float(this->cells[axis] - 1);
+    const float inside = position > 0.0f ? position : 0.0f;
+    return static_cast<unsigned int>(static_cast<int>(inside < limit ? inside : limit)) / size;
+  }
 };
 
 /// A way along a ray past empty bricks.
@@ -89,15 +111,9 @@ private:
       for (int axis = 0; axis < 3; ++axis)
       {
         this->position[axis] = walk.Way.entry[axis] + far * walk.Way.step[axis];
-        const int cell =
-          static_cast<int>(this->position[axis] > 0.0f ? this->position[axis] : 0.0f);
-        const int last = bricks.cells[axis] - 1;
-        this->brick[axis] =
-          static_cast<unsigned int>(cell < last ? cell : last) / BrickDistances::size;
+        this->brick[axis] = bricks.BrickAt(axis, this->position[axis]);
       }
-      const unsigned int row = this->brick[1] + bricks.rows * this->brick[2];
-      this->emptyAround =
-        bricks.distance[this->brick[0] + std::uint64_t(row) * unsigned(bricks.columns)];
+      this->emptyAround = bricks.EmptyAround(this->brick);
     }
   };
 

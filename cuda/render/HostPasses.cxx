@@ -7,6 +7,7 @@
 #include "backend/Interruption.h"
 #include "render/ExtinctionOverlay.h"
 #include "render/Raycast.h"
+#include "render/TileWalk.h"
 
 #include <algorithm>
 #include <atomic>
@@ -150,6 +151,7 @@ private:
 
 constexpr int tileWidth = 32;
 constexpr int tileHeight = 8;
+constexpr int walkWidth = 8; ///< of the tiles that are led past empty bricks
 
 using HostPixel = Pixel<BlockSampler::Optical>;
 using TraceOneRay = void (*)(const RayScene&, const Ray&, HostPixel&);
@@ -199,9 +201,9 @@ LIMPID_GATHER(GatherPlain, false)
 LIMPID_GATHER(GatherOverlaid, true)
 #undef LIMPID_GATHER
 
-/// Calls action(column, row) for all pixels, tile by tile. Can be interrupted.
+/// Calls action(left, bottom, right, top) for all tiles of pixels. Can be interrupted.
 template <class Action>
-void ForPixels(const PictureRays& rays, const Action& action)
+void ForTiles(const PictureRays& rays, const Action& action)
 {
   const int across = (rays.columns + tileWidth - 1) / tileWidth;
   const int down = (rays.rows + tileHeight - 1) / tileHeight;
@@ -211,13 +213,43 @@ void ForPixels(const PictureRays& rays, const Action& action)
       Interruptible::Check();
       const int left = int(tile % across) * tileWidth;
       const int bottom = int(tile / across) * tileHeight;
-      for (int row = bottom; row < std::min(bottom + tileHeight, rays.rows); ++row)
+      action(left, bottom, std::min(left + tileWidth, rays.columns),
+        std::min(bottom + tileHeight, rays.rows));
+    });
+}
+
+/// Calls action(column, row) for the pixels of a tile.
+template <class Action>
+void ForPixels(int left, int bottom, int right, int top, const Action& action)
+{
+  for (int row = bottom; row < top; ++row)
+  {
+    for (int column = left; column < right; ++column)
+    {
+      action(column, row);
+    }
+  }
+}
+
+/// Casts the rays of a tile, from where the first of them may meet anything.
+void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace, int left,
+  int bottom, int right, int top)
+{
+  const TileWalk walk(rays.maker, scene.bricks, left, bottom, right, top);
+  ForPixels(left, bottom, right, top,
+    [&](int column, int row)
+    {
+      if (walk.IsEmpty())
       {
-        for (int column = left; column < std::min(left + tileWidth, rays.columns); ++column)
-        {
-          action(column, row);
-        }
+        rays.Show(column, row, HostPixel());
+        return;
       }
+      rays.Draw<BlockSampler::Optical>(column, row,
+        [&](Ray& ray, HostPixel& pixel)
+        {
+          ray.begin = walk.FirstSample(ray);
+          trace(scene, ray, pixel);
+        });
     });
 }
 }
@@ -225,11 +257,22 @@ void ForPixels(const PictureRays& rays, const Action& action)
 void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays, Compositing compositing)
 {
   const TraceOneRay trace = TraceOf(scene, compositing);
-  ForPixels(rays,
-    [&](int column, int row)
+  ForTiles(rays,
+    [&](int left, int bottom, int right, int top)
     {
-      rays.Draw<BlockSampler::Optical>(
-        column, row, [&](const Ray& ray, HostPixel& pixel) { trace(scene, ray, pixel); });
+      for (int column = left; column < right && scene.bricks.distance; column += walkWidth)
+      {
+        CastTile(scene, rays, trace, column, bottom, std::min(column + walkWidth, right), top);
+      }
+      if (!scene.bricks.distance)
+      {
+        ForPixels(left, bottom, right, top,
+          [&](int column, int row)
+          {
+            rays.Draw<BlockSampler::Optical>(
+              column, row, [&](const Ray& ray, HostPixel& pixel) { trace(scene, ray, pixel); });
+          });
+      }
     });
 }
 
@@ -237,9 +280,13 @@ void PaintMissed(
   HostDevice&, const RayScene& scene, const PictureRays& rays, const MissedPaint& paint)
 {
   const GatherOneRay gather = scene.overlay ? GatherOverlaid : GatherPlain;
-  ForPixels(rays,
-    [&](int column, int row)
-    { rays.Paint(column, row, paint, [&](const Ray& ray) { return gather(scene, ray); }); });
+  ForTiles(rays,
+    [&](int left, int bottom, int right, int top)
+    {
+      ForPixels(left, bottom, right, top,
+        [&](int column, int row)
+        { rays.Paint(column, row, paint, [&](const Ray& ray) { return gather(scene, ray); }); });
+    });
 }
 
 bool MoveNodes(HostDevice& device, const MovedNode& body, bool)

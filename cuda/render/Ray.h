@@ -25,6 +25,7 @@ struct Ray
   float length = 0;                ///< samples from entry to exit
   float shift = 0;                 ///< the first sample is that far before the entry [samples]
   int segments = 0;
+  int begin = 0; ///< sample before which all segments are known to be empty
 
   /// Distance of sample `k` from the entry [samples].
   LIMPID_HD LIMPID_INLINE float At(int k) const
@@ -47,6 +48,7 @@ struct Ray
     part.shift = before - std::floor(before);
     part.length = this->length - distance;
     part.segments = static_cast<int>(std::ceil(part.length + part.shift));
+    part.begin = 0;
     return part;
   }
 
@@ -61,6 +63,7 @@ struct Ray
     }
     const float before = static_cast<float>(this->segments) - this->shift - this->length;
     back.shift = before > 0.0f ? before : 0.0f;
+    back.begin = 0;
     return back;
   }
 };
@@ -76,6 +79,19 @@ public:
 
   /// `stepLength`: between samples [length].
   RayMaker(const Grid& grid, double stepLength, const View& view);
+
+  /// Where clip z = `z` is at a place of the picture [pixels] [index].
+  Vec3 PointOf(double column, double row, double z) const
+  {
+    return this->Point(2 * (column + 0.5) / this->Width - 1, 2 * (row + 0.5) / this->Height - 1, z);
+  }
+
+  /// Across planes of equal clip z, in any length and either direction [1/index].
+  Vec3 DepthNormal() const
+  {
+    const Vec3 corner = this->Point(-1, -1, -1);
+    return glm::cross(this->Point(1, -1, -1) - corner, this->Point(-1, 1, -1) - corner);
+  }
 
   /// The ray of a pixel from clip z = `start` to `end`; false: it misses what the planes leave of
   /// the box.

@@ -35,6 +35,12 @@ struct PictureRays
     {
       trace(ray, received);
     }
+    this->Show(column, row, received);
+  }
+
+  template <class Optical>
+  LIMPID_HD LIMPID_INLINE void Show(int column, int row, const Pixel<Optical>& received) const
+  {
     this->picture[this->At(column, row)] = received.Shown(this->lightColor);
   }
 

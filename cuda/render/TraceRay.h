@@ -25,7 +25,8 @@ LIMPID_HD LIMPID_INLINE void TraceRay(
   bool read = false; // whether the first sample was, as the last of the segments before
   bool lit = false;  // whether it was lit there
   int nextBrick = 0; // sample from which on another brick is looked up
-  for (int k = 0; k < ray.segments && pixel.transmittance > scene.opaqueBelow; k += segments)
+  for (int k = ray.begin; k < ray.segments && pixel.transmittance > scene.opaqueBelow;
+       k += segments)
   {
     if (scene.bricks.distance && k >= nextBrick)
     {
