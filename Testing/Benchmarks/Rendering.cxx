@@ -8,6 +8,7 @@
 #include "optimize/Progressive.h"
 
 #include <cmath>
+#include <ctime>
 
 namespace limpid::benchmark
 {
@@ -91,18 +92,27 @@ double SamplesOf(const Grid& grid, const View& view)
   return samples;
 }
 
-double TimeOf(Renderer& renderer, const View& view, int repeats)
+struct PictureTime
+{
+  double seconds;
+  double cpuSeconds; ///< of all threads: another program on the machine adds less to it
+};
+
+PictureTime TimeOf(Renderer& renderer, const View& view, int repeats)
 {
   Picture picture;
   renderer.Render(view, picture);
   std::vector<double> seconds;
+  std::vector<double> cpuSeconds;
   for (int repeat = 0; repeat < repeats; ++repeat)
   {
     Stopwatch watch;
+    const std::clock_t before = std::clock();
     renderer.Render(view, picture);
+    cpuSeconds.push_back(double(std::clock() - before) / CLOCKS_PER_SEC);
     seconds.push_back(watch.Lap());
   }
-  return Median(seconds);
+  return { Median(seconds), Median(cpuSeconds) };
 }
 
 /// The rays of one picture.
@@ -122,14 +132,20 @@ Json TimeRays(const Drawable& drawable, const std::vector<float>& extinction, in
   }
   Json times{ { "samples", SamplesOf(drawable.scene.grid, view) },
     { "empty_share", double(empty) / double(pixels) } };
-  times["unlit"] = TimeOf(renderer, view, repeats);
+  const auto time = [&](const char* name, const char* cpuName)
+  {
+    const PictureTime taken = TimeOf(renderer, view, repeats);
+    times[name] = taken.seconds;
+    times[cpuName] = taken.cpuSeconds;
+  };
+  time("unlit", "unlit_cpu");
   drawable.Light(renderer, false);
-  times["lit"] = TimeOf(renderer, view, repeats);
+  time("lit", "lit_cpu");
   drawable.Light(renderer);
-  times["shadowed"] = TimeOf(renderer, view, repeats);
+  time("shadowed", "shadowed_cpu");
   view.skipEmpty = false;
   view.opaqueBelow = 0;
-  times["every_sample"] = TimeOf(renderer, view, repeats);
+  time("every_sample", "every_sample_cpu");
   return times;
 }
 
@@ -199,7 +215,7 @@ Json TimeFewRays(const Drawable& drawable, int repeats)
   drawable.Prepare(renderer);
   const int size = int(std::lround(std::sqrt(double(rays))));
   return { { "rays", rays }, { "sweep", Median(seconds) },
-    { "cast", TimeOf(renderer, ViewOf(scene.camera, size), repeats) } };
+    { "cast", TimeOf(renderer, ViewOf(scene.camera, size), repeats).seconds } };
 }
 }
 

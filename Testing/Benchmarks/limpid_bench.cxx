@@ -4,8 +4,9 @@
 // Measures one subject and writes its numbers as JSON:
 //   limpid_bench SUBJECT [--output FILE.json] [OPTION ...] [NAME.scene.json ...]
 // Subjects and options are in the tables below. Without scenes, those of LIMPID_TEST_DATA are
-// taken.
+// taken. The scene "head" is the phantom of the page of peers.
 
+#include "Head.h"
 #include "Measure.h"
 
 #include "math/Require.h"
@@ -30,13 +31,16 @@ const Options::Table known{
   { "largest", "512" },         // nodes along each axis of the largest procedural volume
 };
 
+constexpr const char* headScene = "head";
+constexpr int headNodes = 256;
+
 /// Measures scenes one after the other.
 template <Json (*measure)(const SceneOfFile&, const Options&)>
 void EachScene(const Options& options, Json& results, const std::function<void()>& save)
 {
   for (const std::string& path : options.words)
   {
-    const SceneOfFile scene(path);
+    const SceneOfFile scene = path == headScene ? MakeHead(headNodes) : SceneOfFile(path);
     Say(scene.name);
     results["scenes"].push_back(measure(scene, options));
     save();
@@ -98,6 +102,10 @@ int main(int argc, char* argv[])
       if (options.words.empty())
       {
         options.words = TestScenes();
+        if (subject->first == "rendering")
+        {
+          options.words.push_back(headScene);
+        }
       }
       subject->second(options, results, save);
     });
