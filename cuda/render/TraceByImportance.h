@@ -84,10 +84,10 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
     }
     float importance[segments + 1];
     float any = 0;
+    AnySampler::template InterpolateAll<0, segments + 1>(scene.grid, scene.importance, samples.cell,
+      samples.fraction[0], samples.fraction[1], samples.fraction[2], importance);
     for (int i = 0; i <= segments; ++i)
     {
-      importance[i] = AnySampler::Interpolate(scene.grid, scene.importance + samples.cell[i],
-        samples.fraction[0][i], samples.fraction[1][i], samples.fraction[2][i]);
       any += importance[i];
     }
     const bool lit = Lit && (any > 0.0f || mean.importance == 0.0f);

@@ -31,12 +31,9 @@ struct ImportanceSamples
   {
     this->samples.template Place<Begin, End, Overlaid>(scene, ray, k);
     this->samples.template Read<Begin, End, Overlaid>(scene);
-    for (int i = Begin; i < End; ++i)
-    {
-      this->importance[i] =
-        AnySampler::Interpolate(scene.grid, scene.importance + this->samples.cell[i],
-          this->samples.fraction[0][i], this->samples.fraction[1][i], this->samples.fraction[2][i]);
-    }
+    AnySampler::template InterpolateAll<Begin, End>(scene.grid, scene.importance,
+      this->samples.cell, this->samples.fraction[0], this->samples.fraction[1],
+      this->samples.fraction[2], this->importance);
   }
 
   LIMPID_HD LIMPID_INLINE void AddTo(const RayScene& scene, RayImportance& pixel)
