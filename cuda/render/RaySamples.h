@@ -189,7 +189,8 @@ struct RaySamples
     }
   }
 
-  /// Adds the segments to a pixel, front to back.
+  /// Adds the segments to a pixel, front to back: the sum of Eq. (6). What a segment scatters is
+  /// extinction times colour, Eq. (3).
   template <bool Lit>
   LIMPID_HD LIMPID_INLINE void AddTo(const RayScene& scene, Pixel<Optical>& pixel) const
   {
