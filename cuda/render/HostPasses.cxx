@@ -12,14 +12,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 
 namespace limpid
 {
 namespace
 {
-constexpr int tileWidth = 32;
+constexpr int tileWidth = 8; // pixels
 constexpr int tileHeight = 8;
-constexpr int walkWidth = 8; ///< of the tiles that are led past empty bricks
+constexpr int tilesAtATime = 4; ///< along a row: they read the same nodes
 
 using HostPixel = Pixel<BlockSampler::Optical>;
 using TraceOneRay = void (*)(const RayScene&, const Ray&, HostPixel&);
@@ -69,45 +70,62 @@ LIMPID_GATHER(GatherPlain, false)
 LIMPID_GATHER(GatherOverlaid, true)
 #undef LIMPID_GATHER
 
-/// Calls action(left, bottom, right, top) for all tiles of pixels. Can be interrupted.
+/// Pixels from (left, bottom) to (right - 1, top - 1).
+struct Tile
+{
+  int left;
+  int bottom;
+  int right;
+  int top;
+
+  /// Calls action(column, row) for all pixels.
+  template <class Action>
+  void ForPixels(const Action& action) const
+  {
+    for (int row = this->bottom; row < this->top; ++row)
+    {
+      for (int column = this->left; column < this->right; ++column)
+      {
+        action(column, row);
+      }
+    }
+  }
+};
+
+/// Calls action(tile) for all tiles of a picture. Can be interrupted.
 template <class Action>
 void ForTiles(const PictureRays& rays, const Action& action)
 {
   const int across = (rays.columns + tileWidth - 1) / tileWidth;
   const int down = (rays.rows + tileHeight - 1) / tileHeight;
-  ParallelFor(Index(across) * down,
-    [&](Index tile)
+  const int tasks = (across + tilesAtATime - 1) / tilesAtATime;
+  ParallelFor(Index(tasks) * down,
+    [&](Index task)
     {
       Interruptible::Check();
-      const int left = int(tile % across) * tileWidth;
-      const int bottom = int(tile / across) * tileHeight;
-      action(left, bottom, std::min(left + tileWidth, rays.columns),
-        std::min(bottom + tileHeight, rays.rows));
+      const int bottom = int(task / tasks) * tileHeight;
+      const int first = int(task % tasks) * tilesAtATime;
+      for (int column = first; column < std::min(first + tilesAtATime, across); ++column)
+      {
+        const int left = column * tileWidth;
+        action(Tile{ left, bottom, std::min(left + tileWidth, rays.columns),
+          std::min(bottom + tileHeight, rays.rows) });
+      }
     });
 }
 
-/// Calls action(column, row) for the pixels of a tile.
-template <class Action>
-void ForPixels(int left, int bottom, int right, int top, const Action& action)
+/// A ray begins where the first of its tile may meet anything.
+void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace, const Tile& tile)
 {
-  for (int row = bottom; row < top; ++row)
+  std::optional<TileWalk> walk;
+  if (scene.bricks.distance)
   {
-    for (int column = left; column < right; ++column)
-    {
-      action(column, row);
-    }
+    walk.emplace(rays.maker, scene.bricks, tile.left, tile.bottom, tile.right, tile.top);
   }
-}
-
-/// Casts the rays of a tile, from where the first of them may meet anything.
-void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace, int left,
-  int bottom, int right, int top)
-{
-  const TileWalk walk(rays.maker, scene.bricks, left, bottom, right, top);
-  ForPixels(left, bottom, right, top,
+  tile.ForPixels(
     [&](int column, int row)
     {
-      if (walk.IsEmpty())
+      if (walk && walk->IsEmpty())
       {
         rays.Show(column, row, HostPixel());
         return;
@@ -115,7 +133,7 @@ void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace,
       rays.Draw<BlockSampler::Optical>(column, row,
         [&](Ray& ray, HostPixel& pixel)
         {
-          ray.begin = walk.FirstSample(ray);
+          ray.begin = walk ? walk->FirstSample(ray) : 0;
           trace(scene, ray, pixel);
         });
     });
@@ -125,23 +143,7 @@ void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace,
 void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays, Compositing compositing)
 {
   const TraceOneRay trace = TraceOf(scene, compositing);
-  ForTiles(rays,
-    [&](int left, int bottom, int right, int top)
-    {
-      for (int column = left; column < right && scene.bricks.distance; column += walkWidth)
-      {
-        CastTile(scene, rays, trace, column, bottom, std::min(column + walkWidth, right), top);
-      }
-      if (!scene.bricks.distance)
-      {
-        ForPixels(left, bottom, right, top,
-          [&](int column, int row)
-          {
-            rays.Draw<BlockSampler::Optical>(
-              column, row, [&](const Ray& ray, HostPixel& pixel) { trace(scene, ray, pixel); });
-          });
-      }
-    });
+  ForTiles(rays, [&](const Tile& tile) { CastTile(scene, rays, trace, tile); });
 }
 
 void PaintMissed(
@@ -149,10 +151,9 @@ void PaintMissed(
 {
   const GatherOneRay gather = scene.overlay ? GatherOverlaid : GatherPlain;
   ForTiles(rays,
-    [&](int left, int bottom, int right, int top)
+    [&](const Tile& tile)
     {
-      ForPixels(left, bottom, right, top,
-        [&](int column, int row)
+      tile.ForPixels([&](int column, int row)
         { rays.Paint(column, row, paint, [&](const Ray& ray) { return gather(scene, ray); }); });
     });
 }

@@ -88,22 +88,23 @@ private:
     return std::max({ std::abs(way.x), std::abs(way.y), std::abs(way.z) });
   }
 
-  /// The share of a way on which nothing lies closer than `aside` [cells]; 0 if a number is not
-  /// finite.
+  /// The share of a way on which nothing lies closer than `aside` [cells]; less where that takes
+  /// too many steps, as on ways that are not finite.
   static double ShareEmpty(
     const BrickDistances& bricks, const Vec3& from, const Vec3& way, double aside)
   {
     constexpr double least = 0.5; // cells that it must gain at a time
+    constexpr int most = 1000;    // steps
     const double cells = Largest(way);
     double share = 0;
-    while (share < 1)
+    for (int step = 0; step < most && share < 1; ++step)
     {
       const Vec3 at = from + share * way;
       const int around = bricks.EmptyAround(float(at.x), float(at.y), float(at.z));
       const double room = BrickDistances::size * (around - 1) - aside - 0.01; // less than rounding
       if (!(room >= least))
       {
-        return share;
+        break;
       }
       share += room / cells;
     }

@@ -32,12 +32,13 @@ template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceFromObject(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
+  const BrickWalk walk(scene.unimportant, ray);
   RayObject object;
   for (int k = 0; k <= ray.segments; ++k)
   {
     if (scene.unimportant.distance && k % BrickDistances::size == 0 && k < ray.segments)
     {
-      const int important = BrickWalk(scene.unimportant, ray).SkipEmpty(k);
+      const int important = walk.SkipEmpty(k);
       if (important >= ray.segments)
       {
         break;
@@ -65,13 +66,14 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
 {
   constexpr int segments = AnySampler::segments;
   const float lengthUnit = scene.stepLength * scene.majorant;
+  const BrickWalk filled(scene.bricks, ray);
+  const BrickWalk important(scene.unimportant, ray);
   WeighedMean<typename AnySampler::Optical> mean;
   RaySamples<AnySampler> samples;
   for (int k = 0; k < ray.segments; k += segments)
   {
     const bool opaque = mean.importance > 0.0f && mean.Transmittance() <= scene.opaqueBelow;
-    const BrickDistances& bricks = opaque ? scene.unimportant : scene.bricks;
-    k = bricks.distance ? BrickWalk(bricks, ray).SkipEmpty(k) : k;
+    k = scene.bricks.distance ? (opaque ? important : filled).SkipEmpty(k) : k;
     if (k >= ray.segments)
     {
       break;

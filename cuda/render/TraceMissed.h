@@ -63,16 +63,17 @@ LIMPID_HD LIMPID_INLINE RayImportance TraceMissed(const RayScene& scene, const R
 {
   constexpr int segments = AnySampler::segments;
   const Ray back = ray.Reversed();
+  const BrickWalk important(scene.unimportant, back);
+  const BrickWalk bare(scene.bricks, back);
   RayImportance gathered;
   ImportanceSamples<AnySampler, Overlaid> samples;
   bool read = false; // whether the first sample was, as the last of the segments before
   int nextBrick = 0; // sample from which on another brick is looked up
   for (int k = 0; k < back.segments; k += segments)
   {
-    const BrickDistances& bricks = gathered.IsEmpty() ? scene.unimportant : scene.bricks;
-    if (bricks.distance && k >= nextBrick)
+    if (scene.bricks.distance && k >= nextBrick)
     {
-      const int filled = BrickWalk(bricks, back).SkipEmpty(k);
+      const int filled = (gathered.IsEmpty() ? important : bare).SkipEmpty(k);
       if (filled >= back.segments)
       {
         return gathered;
