@@ -163,6 +163,24 @@ TEST_P(SkippedEmptiness, DoesNotChangeABitFromInside)
   EXPECT_EQ(with.rgba, scene.Render().rgba);
 }
 
+// Rays that never leave the depth of the volume, and rays that are all the same.
+TEST_P(SkippedEmptiness, DoesNotChangeABitAtAnyAngle)
+{
+  for (const double angle : { 1e-6, 179.9, 179.999999 })
+  {
+    SCOPED_TRACE(angle);
+    RenderScene scene = Balls();
+    const Vec3 centre = scene.grid.Centre();
+    const Vec3 eye = centre - 2 * scene.grid.Radius() * glm::normalize(GetParam().direction);
+    scene.view.clipToWorld =
+      Perspective(LookAt(eye, centre, Vec3(0.1, 0.9, 0.2)), angle, 1, 1e-3, 100);
+    const Picture with = scene.Render();
+    scene.view.skipEmpty = false;
+
+    EXPECT_EQ(with.rgba, scene.Render().rgba);
+  }
+}
+
 TEST_P(SkippedEmptiness, DoesNotChangeABitOfAThinFeatureOfTheTransferFunction)
 {
   // Extinction in one entry of a thousand: between two nodes, not at any.
