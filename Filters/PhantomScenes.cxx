@@ -81,6 +81,11 @@ double SkullDistance(const PhantomPoint& p, double edge)
 }
 }
 
+double PhantomEdge(double spacing)
+{
+  return std::max(0.03, 0.75 * spacing);
+}
+
 Material HeadScene(const PhantomPoint& p, double edge)
 {
   const Material softTissue{ 0.25, 0, 3.0 };

@@ -20,7 +20,10 @@ struct Material
   double extinction = 0; ///< [1/length]
 };
 
-/// A scene at a point of [-1, 1]^3; `edge` is half the width of the edge of a shape [length].
+/// Half the width of the edge of a shape between nodes of some spacing [length].
+double PhantomEdge(double spacing);
+
+/// A scene at a point of [-1, 1]^3; `edge`: see PhantomEdge [length].
 using PhantomScene = Material (*)(const PhantomPoint& point, double edge);
 
 Material HeadScene(const PhantomPoint& point, double edge);

@@ -19,7 +19,6 @@
 
 #include "backend/Interruption.h"
 
-#include <algorithm>
 #include <array>
 #include <exception>
 
@@ -42,7 +41,7 @@ void FillPoints(const limpid::PhantomScene& scene, vtkImageData* output)
   const vtkSmartPointer<vtkFloatArray> scalars = NewField("Scalars", count);
   const vtkSmartPointer<vtkFloatArray> importance = NewField("Importance", count);
   const vtkSmartPointer<vtkFloatArray> extinction = NewField("BaseExtinction", count);
-  const double edge = std::max(0.03, 0.75 * output->GetSpacing()[0]);
+  const double edge = limpid::PhantomEdge(output->GetSpacing()[0]);
   limpid::ForOnAllCores(count,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -27,7 +27,7 @@ SceneOfFile MakeHead(int nodes)
   head.lightPosition = { -2.5, -4.5, 4.5 };
 
   const double spacing = 2.0 / (nodes - 1);
-  const double edge = std::max(0.03, 0.75 * spacing);
+  const double edge = PhantomEdge(spacing);
   head.lattice.nodes = { nodes, nodes, nodes };
   head.lattice.spacing = { spacing, spacing, spacing };
   head.lattice.origin = { -1.0, -1.0, -1.0 };

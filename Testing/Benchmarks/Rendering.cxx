@@ -132,20 +132,20 @@ Json TimeRays(const Drawable& drawable, const std::vector<float>& extinction, in
   }
   Json times{ { "samples", SamplesOf(drawable.scene.grid, view) },
     { "empty_share", double(empty) / double(pixels) } };
-  const auto time = [&](const char* name, const char* cpuName)
+  const auto time = [&](const std::string& name)
   {
     const PictureTime taken = TimeOf(renderer, view, repeats);
     times[name] = taken.seconds;
-    times[cpuName] = taken.cpuSeconds;
+    times[name + "_cpu"] = taken.cpuSeconds;
   };
-  time("unlit", "unlit_cpu");
+  time("unlit");
   drawable.Light(renderer, false);
-  time("lit", "lit_cpu");
+  time("lit");
   drawable.Light(renderer);
-  time("shadowed", "shadowed_cpu");
+  time("shadowed");
   view.skipEmpty = false;
   view.opaqueBelow = 0;
-  time("every_sample", "every_sample_cpu");
+  time("every_sample");
   return times;
 }
 
