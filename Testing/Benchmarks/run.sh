@@ -15,6 +15,7 @@
 set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
+source "$root/Testing/Benchmarks/checks.sh"
 build="$root/build"
 output="$root/Documentation/Benchmarks"
 pages=errors,resolutions,scaling,kernels
@@ -28,11 +29,7 @@ while (($# > 0)); do
     --pages) pages="${2:?--pages needs a list}"; shift ;;
     --build) build="${2:?--build needs a folder}"; shift ;;
     --output) output="${2:?--output needs a folder}"; shift ;;
-    --*)
-      echo "The option $1 is unknown (nothing would come of it). The head of $0 has those there" \
-        "are." >&2
-      exit 1
-      ;;
+    --*) refuse_option "$1" ;;
     *) scenes+=("$1") ;;
   esac
   shift
@@ -41,11 +38,7 @@ done
 
 python=/usr/bin/python3 # Debian's, for which apt installs matplotlib
 [[ -x "$python" ]] || python=python3
-if ! "$python" -c "import matplotlib, numpy" 2> /dev/null; then
-  echo "$python has no matplotlib or no numpy (they draw the plots). Install them; on Debian:" \
-    "bash Testing/install-packages.sh" >&2
-  exit 1
-fi
+need_to_draw "$python"
 if [[ "$pages" != plots && ! -x "$build/bin/limpid_bench" ]]; then
   {
     echo "There is no $build/bin/limpid_bench (it measures). Build it:"

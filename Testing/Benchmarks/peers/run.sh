@@ -17,6 +17,7 @@ set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)"
 here="$root/Testing/Benchmarks/peers"
+source "$root/Testing/Benchmarks/checks.sh"
 build="$root/build"
 output="$root/Documentation/Benchmarks"
 command="bash Testing/Benchmarks/peers/run.sh"
@@ -31,11 +32,7 @@ while (($# > 0)); do
       ;;
     --build) build="$(realpath "${2:?--build needs a folder}")"; shift ;;
     --output) output="$(realpath -m "${2:?--output needs a folder}")"; shift ;;
-    *)
-      echo "The option $1 is unknown (nothing would come of it). The head of $0 has those there" \
-        "are." >&2
-      exit 1
-      ;;
+    *) refuse_option "$1" ;;
   esac
   shift
 done
@@ -48,11 +45,7 @@ if [[ ! -x "$build/bin/limpid_energy" || -z "$limpid" ]]; then
     "measured). Build them: bash Testing/build.sh --tests" >&2
   exit 1
 fi
-if ! "$python" -c "import matplotlib, numpy" 2> /dev/null; then
-  echo "$python has no matplotlib or no numpy (they draw the pictures). Install them:" \
-    "bash Testing/install-packages.sh" >&2
-  exit 1
-fi
+need_to_draw "$python"
 
 absent=()
 lacks() # what is left out, and how to get it
