@@ -50,8 +50,9 @@ TEST(WeighedMean, IsNothingOnAnEmptyRay)
 
 TEST(WeighedMean, SharesOpacityEquallyAtEveryDepth)
 {
-  for (double depth = 1e-6; depth < 1e5; depth *= 1.7)
+  for (int step = 0; step < 48; ++step) // up to 1e5
   {
+    const double depth = 1e-6 * std::pow(1.7, step);
     EXPECT_WITHIN(EqualTransmittance(static_cast<float>(depth)),
       -std::expm1(-double(float(depth))) / double(float(depth)), Roundoff<float>(8, 1.0));
   }
