@@ -11,7 +11,7 @@
 #include "vtkVolumeProperty.h"
 
 #include "math/Require.h"
-#include "render/Classification.h" // for OpticalTable
+#include "render/Classification.h" // for TableAxis
 
 #include <algorithm>
 #include <cmath>
@@ -164,18 +164,21 @@ float LargestExtinction(vtkVolumeProperty* property)
 void LookUpExtinction(
   const TransferFunctions& functions, const float* values, Index count, float* extinction)
 {
-  OpticalTable<float> table;
-  table.last = static_cast<int>(functions.extinction.size()) - 1;
-  table.lastPosition = static_cast<float>(table.last);
-  table.low = static_cast<float>(functions.low);
-  table.scale = static_cast<float>(table.last / (functions.high - functions.low));
-  table.values = functions.extinction.data();
+  TableAxis axis;
+  axis.last = static_cast<int>(functions.extinction.size()) - 1;
+  axis.lastPosition = static_cast<float>(axis.last);
+  axis.low = static_cast<float>(functions.low);
+  axis.scale = static_cast<float>(axis.last / (functions.high - functions.low));
+  const float* entries = functions.extinction.data();
   ForOnAllCores(count,
     [=](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        extinction[i] = std::isnan(values[i]) ? 0.0F : table.At(table.Position(values[i]));
+        float share = 0;
+        const int entry = axis.Split(axis.Inside(axis.Position(values[i])), share);
+        const float there = Blend(entries[entry], entries[entry + 1], share);
+        extinction[i] = std::isnan(values[i]) ? 0.0F : there;
       }
     });
 }

@@ -18,8 +18,8 @@
 #define LIMPID_MULTIVERSION
 #endif
 
-// Before a loop that GCC would unroll as a whole and take apart into single numbers: it is unrolled
-// so many times and no more, and 1 leaves it to vector units.
+// Before a loop whose numbers are to be lanes of registers rather than places in memory: it is
+// unrolled so many times.
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
 #define LIMPID_PRAGMA(text) _Pragma(#text)
 #define LIMPID_UNROLL(times) LIMPID_PRAGMA(GCC unroll times)

@@ -6,141 +6,307 @@
 #ifndef limpid_render_BlockSampler_h
 #define limpid_render_BlockSampler_h
 
-#include "render/Trilinear.h"
+#include "backend/Simd.h"
+#include "math/FloatLanes.h"
+#include "render/SingleSampler.h"
 
 #include <cstring>
 
 namespace limpid
 {
-/// Reads samples of a ray block by block with the registers of the processor. The blends and their
-/// order are those of SingleSampler.
-struct BlockSampler
+/// First nodes of some cells.
+struct BlockCells
 {
-  using Optical = float __attribute__((vector_size(16)));
-  static constexpr int segments = 16; ///< of a ray at a time
+  alignas(64) Index first[FloatLanes::count];
+};
 
-  static LIMPID_INLINE float Interpolate(
-    const CellGrid& grid, const float* first, float x, float y, float z)
+/// What the transfer functions say at both ends of segments that follow each other.
+class BlockOptics
+{
+public:
+  using Optical = float __attribute__((vector_size(16)));
+
+  /// See SingleOptics.
+  LIMPID_INLINE void Read(const OpticalTable& table, const FloatLanes& positions)
   {
-    const Float4 front = LoadRows(first, grid.stride[1]);
-    const Float4 back = LoadRows(first + grid.stride[2], grid.stride[1]);
-    const Float4 between = front + z * (back - front);
-    const float near = between[0] + y * (between[2] - between[0]);
-    const float far = between[1] + y * (between[3] - between[1]);
-    return near + x * (far - near);
+    const FloatLanes inside = table.axis.Inside(positions);
+    FloatLanes shareLanes;
+    alignas(32) std::int32_t entries[count];
+    alignas(32) float shares[count];
+    table.axis.Split(inside, shareLanes).Store(entries);
+    shareLanes.Store(shares);
+    this->Samples[0] = this->Samples[count];
+    LIMPID_UNROLL(16)
+    for (int i = 0; i < count; ++i)
+    {
+      const OpticalEntry* entry = table.entries + entries[i];
+      EightFloats low;
+      EightFloats high;
+      std::memcpy(&low, entry, sizeof(low));
+      std::memcpy(&high, entry + 1, sizeof(high));
+      this->Samples[i + 1] = low + shares[i] * (high - low);
+    }
+    if (AnyOf(positions != inside))
+    {
+      alignas(32) float beyond[count];
+      (positions - inside).Store(beyond);
+      for (int i = 0; i < count; ++i)
+      {
+        OpticalEntry there;
+        std::memcpy(&there, &this->Samples[i + 1], sizeof(there));
+        OpticalTable::Extend(there, beyond[i]);
+        std::memcpy(&this->Samples[i + 1], &there, sizeof(there));
+      }
+    }
   }
 
-  /// Interpolates a field at samples from Begin to End - 1, eight by eight.
-  template <int Begin, int End>
-  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const float* field,
-    const Index* cells, const float* x, const float* y, const float* z, float* out)
+  /// Extinction at the rear of the segments [majorant], and its integral to there.
+  LIMPID_INLINE void Extinction(FloatLanes& value, FloatLanes& integral) const
   {
-    int i = Begin;
-    for (; i + 8 <= End; i += 8)
+    this->Firsts<1>(value.low, integral.low);
+    this->Firsts<9>(value.high, integral.high);
+  }
+
+  LIMPID_INLINE Optical Color(int i, float ofValues, float ofIntegrals) const
+  {
+    // Of four numbers each: the sum of the values, and the difference of the integrals.
+    const EightFloats signs = { 0.0f, 0.0f, 0.0f, 0.0f, -0.0f, -0.0f, -0.0f, -0.0f };
+    const auto front = reinterpret_cast<EightFloats>(
+      reinterpret_cast<EightInts>(this->Samples[i]) ^ reinterpret_cast<EightInts>(signs));
+    const EightFloats weights = { ofValues, ofValues, ofValues, ofValues, ofIntegrals, ofIntegrals,
+      ofIntegrals, ofIntegrals };
+    const EightFloats both = weights * (this->Samples[i + 1] + front);
+    return __builtin_shufflevector(both, both, 0, 1, 2, 3) +
+      __builtin_shufflevector(both, both, 4, 5, 6, 7);
+  }
+
+private:
+  static constexpr int count = FloatLanes::count;
+
+  /// The first numbers of value and integral of eight samples.
+  template <int Sample>
+  LIMPID_INLINE void Firsts(EightFloats& values, EightFloats& integrals) const
+  {
+    const EightFloats* from = this->Samples + Sample;
+    const EightFloats a = __builtin_shufflevector(from[0], from[1], 0, 8, 2, 10, 4, 12, 6, 14);
+    const EightFloats b = __builtin_shufflevector(from[2], from[3], 0, 8, 2, 10, 4, 12, 6, 14);
+    const EightFloats c = __builtin_shufflevector(from[4], from[5], 0, 8, 2, 10, 4, 12, 6, 14);
+    const EightFloats d = __builtin_shufflevector(from[6], from[7], 0, 8, 2, 10, 4, 12, 6, 14);
+    const EightFloats some = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+    const EightFloats others = __builtin_shufflevector(c, d, 0, 1, 8, 9, 4, 5, 12, 13);
+    values = __builtin_shufflevector(some, others, 0, 1, 2, 3, 8, 9, 10, 11);
+    integrals = __builtin_shufflevector(some, others, 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+
+  EightFloats Samples[count + 1] = {}; ///< each an OpticalEntry; the first is that before the block
+};
+
+/// Takes sixteen samples of a ray at a time with the registers of the processor. What is done, and
+/// in which order, is as in SingleSampler.
+struct BlockSampler
+{
+  using Lanes = FloatLanes;
+  using Integers = IntLanes;
+  using Cells = BlockCells;
+  using Optics = BlockOptics;
+  using Optical = BlockOptics::Optical;
+  static constexpr int count = FloatLanes::count;
+
+  static LIMPID_INLINE FloatLanes Numbers()
+  {
+    return FloatLanes(
+      EightFloats{ 0, 1, 2, 3, 4, 5, 6, 7 }, EightFloats{ 8, 9, 10, 11, 12, 13, 14, 15 });
+  }
+
+  static LIMPID_INLINE float First(const FloatLanes& samples) { return samples.low[0]; }
+  static LIMPID_INLINE int Last(const IntLanes& samples) { return samples.high[7]; }
+
+  static LIMPID_INLINE FloatLanes Shifted(const FloatLanes& before, const FloatLanes& samples)
+  {
+    return FloatLanes(
+      __builtin_shufflevector(before.high, samples.low, 7, 8, 9, 10, 11, 12, 13, 14),
+      __builtin_shufflevector(samples.low, samples.high, 7, 8, 9, 10, 11, 12, 13, 14));
+  }
+
+  static LIMPID_INLINE void FindFirst(
+    const CellGrid& grid, const IntLanes* before, BlockCells& cells)
+  {
+    alignas(32) std::int32_t columns[count];
+    alignas(32) std::int32_t rows[count];
+    before[0].Store(columns);
+    (before[1] + before[2] * grid.rows).Store(rows);
+    const auto nodes = static_cast<std::uint32_t>(grid.stride[1]);
+    for (int i = 0; i < count; ++i)
     {
-      const NodePairs low(field, cells + i);
-      const NodePairs high(field + grid.stride[1], cells + i);
-      const NodePairs lowBehind(field + grid.stride[2], cells + i);
-      const NodePairs highBehind(field + grid.stride[1] + grid.stride[2], cells + i);
-      Float8 share[3];
-      std::memcpy(&share[0], x + i, sizeof(Float8));
-      std::memcpy(&share[1], y + i, sizeof(Float8));
-      std::memcpy(&share[2], z + i, sizeof(Float8));
-      const Float8 nearLow = low.first + share[2] * (lowBehind.first - low.first);
-      const Float8 farLow = low.second + share[2] * (lowBehind.second - low.second);
-      const Float8 nearHigh = high.first + share[2] * (highBehind.first - high.first);
-      const Float8 farHigh = high.second + share[2] * (highBehind.second - high.second);
-      const Float8 near = nearLow + share[1] * (nearHigh - nearLow);
-      const Float8 far = farLow + share[1] * (farHigh - farLow);
-      const Float8 value = near + share[0] * (far - near);
-      std::memcpy(out + i, &value, sizeof(value));
-    }
-    for (; i < End; ++i)
-    {
-      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
+      const auto row = static_cast<std::uint32_t>(rows[i]);
+      cells.first[i] = columns[i] + static_cast<Index>(std::uint64_t(row) * nodes);
     }
   }
 
   static LIMPID_INLINE Optical Interpolate(
     const CellGrid& grid, const FourPacked* first, float x, float y, float z)
   {
-    const TwoNodes lowFront(first);
-    const TwoNodes highFront(first + grid.stride[1]);
-    const TwoNodes lowBehind(first + grid.stride[2]);
-    const TwoNodes highBehind(first + grid.stride[1] + grid.stride[2]);
-    const Float8 low = lowFront.values + z * (lowBehind.values - lowFront.values);
-    const Float8 high = highFront.values + z * (highBehind.values - highFront.values);
-    const Float8 between = low + y * (high - low);
-    const Float4 near = __builtin_shufflevector(between, between, 0, 1, 2, 3);
-    const Float4 far = __builtin_shufflevector(between, between, 4, 5, 6, 7);
-    return (1.0f / 65536.0f) * (near + x * (far - near));
+    EightFloats between;
+    InFace(grid, first, y, z, between);
+    const Optical near = __builtin_shufflevector(between, between, 0, 1, 2, 3);
+    const Optical far = __builtin_shufflevector(between, between, 4, 5, 6, 7);
+    return perUnit * (near + x * (far - near));
   }
 
-  /// Interpolates four packed numbers per node at samples from Begin to End - 1.
-  template <int Begin, int End>
-  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const FourPacked* field,
-    const Index* cells, const float* x, const float* y, const float* z, Optical* out)
+  static LIMPID_INLINE FloatLanes InterpolateAll(
+    const CellGrid& grid, const float* field, const CellPlaces<BlockSampler>& place)
   {
-    for (int i = Begin; i < End; ++i)
+    const NodePairs low(field, place.cell);
+    const NodePairs high(field + grid.stride[1], place.cell);
+    const NodePairs lowBehind(field + grid.stride[2], place.cell);
+    const NodePairs highBehind(field + grid.stride[1] + grid.stride[2], place.cell);
+    const FloatLanes nearLow = Blend(low.first, lowBehind.first, place.fraction[2]);
+    const FloatLanes farLow = Blend(low.second, lowBehind.second, place.fraction[2]);
+    const FloatLanes nearHigh = Blend(high.first, highBehind.first, place.fraction[2]);
+    const FloatLanes farHigh = Blend(high.second, highBehind.second, place.fraction[2]);
+    const FloatLanes near = Blend(nearLow, nearHigh, place.fraction[1]);
+    const FloatLanes far = Blend(farLow, farHigh, place.fraction[1]);
+    return Blend(near, far, place.fraction[0]);
+  }
+
+  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const FourPacked* field,
+    const CellPlaces<BlockSampler>& place, FloatLanes (&numbers)[4])
+  {
+    alignas(32) float y[count];
+    alignas(32) float z[count];
+    place.fraction[1].Store(y);
+    place.fraction[2].Store(z);
+    EightFloats low[4];
+    EightFloats high[4];
+    Interpolate(grid, field, place.cell.first, place.fraction[0].low, y, z, low);
+    Interpolate(grid, field, place.cell.first + 8, place.fraction[0].high, y + 8, z + 8, high);
+    for (int number = 0; number < 4; ++number)
     {
-      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
+      numbers[number] = FloatLanes(perUnit * low[number], perUnit * high[number]);
     }
+  }
+
+  /// Segment by segment, so that it does not matter where blocks of them begin.
+  static LIMPID_INLINE FloatLanes InFront(
+    const FloatLanes& passed, float opaqueBelow, float& transmittance)
+  {
+    alignas(32) float share[count];
+    passed.Store(share);
+    float t[count + 1];
+    t[0] = transmittance;
+    LIMPID_UNROLL(16)
+    for (int i = 0; i < count; ++i)
+    {
+      t[i + 1] = t[i] * share[i];
+    }
+    int seen = count;
+    if (!(t[count - 1] > opaqueBelow))
+    {
+      for (seen = 0; t[seen] > opaqueBelow; ++seen)
+      {
+      }
+    }
+    transmittance = t[seen];
+    return FloatLanes(EightFloats{ t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7] },
+      EightFloats{ t[8], t[9], t[10], t[11], t[12], t[13], t[14], t[15] });
   }
 
 private:
-  using Packed8 = std::int16_t __attribute__((vector_size(16)));
-  using Int8 = std::int32_t __attribute__((vector_size(32)));
-  using Float8 = float __attribute__((vector_size(32)));
-  using Float4 = Optical;
-
-  /// Two nodes that follow each other along x, of eight cells.
+  /// Two nodes that follow each other along x, of some cells.
   struct NodePairs
   {
-    Float8 first;
-    Float8 second;
+    FloatLanes first;
+    FloatLanes second;
 
-    LIMPID_INLINE NodePairs(const float* field, const Index* cells)
+    LIMPID_INLINE NodePairs(const float* field, const BlockCells& cells)
+    {
+      Load(field, cells.first, this->first.low, this->second.low);
+      Load(field, cells.first + 8, this->first.high, this->second.high);
+    }
+
+  private:
+    static LIMPID_INLINE void Load(
+      const float* field, const Index* cells, EightFloats& first, EightFloats& second)
     {
       using Pairs = std::int64_t __attribute__((vector_size(32)));
-      const auto pair = [&](int i)
+      std::int64_t pairs[8];
+      for (int i = 0; i < 8; ++i)
       {
-        std::int64_t both;
-        std::memcpy(&both, field + cells[i], sizeof(both));
-        return both;
-      };
-      const auto some = reinterpret_cast<Float8>(Pairs{ pair(0), pair(1), pair(4), pair(5) });
-      const auto others = reinterpret_cast<Float8>(Pairs{ pair(2), pair(3), pair(6), pair(7) });
-      this->first = __builtin_shufflevector(some, others, 0, 2, 8, 10, 4, 6, 12, 14);
-      this->second = __builtin_shufflevector(some, others, 1, 3, 9, 11, 5, 7, 13, 15);
+        std::memcpy(&pairs[i], field + cells[i], sizeof(pairs[i]));
+      }
+      const auto some =
+        reinterpret_cast<EightFloats>(Pairs{ pairs[0], pairs[1], pairs[4], pairs[5] });
+      const auto others =
+        reinterpret_cast<EightFloats>(Pairs{ pairs[2], pairs[3], pairs[6], pairs[7] });
+      first = __builtin_shufflevector(some, others, 0, 2, 8, 10, 4, 6, 12, 14);
+      second = __builtin_shufflevector(some, others, 1, 3, 9, 11, 5, 7, 13, 15);
     }
   };
+
+  static constexpr float perUnit = 1.0f / 65536.0f;
 
   /// What two nodes that follow each other along x have packed, times 2^16: numbers of 16 bits
   /// become the upper halves of such of 32 bits.
   struct TwoNodes
   {
-    Float8 values;
+    EightFloats values;
 
     LIMPID_INLINE explicit TwoNodes(const FourPacked* first)
     {
-      Packed8 packed;
+      using Packed = std::int16_t __attribute__((vector_size(16)));
+      Packed packed;
       std::memcpy(&packed, first, sizeof(packed));
-      const Packed8 zero{};
+      const Packed zero{};
       const auto shifted =
         __builtin_shufflevector(zero, packed, 0, 8, 0, 9, 0, 10, 0, 11, 0, 12, 0, 13, 0, 14, 0, 15);
-      this->values = __builtin_convertvector(reinterpret_cast<Int8>(shifted), Float8);
+      this->values = __builtin_convertvector(reinterpret_cast<EightInts>(shifted), EightFloats);
     }
   };
 
-  /// Two rows of two nodes that follow each other along y, eight bytes each, in one register.
-  static LIMPID_INLINE Float4 LoadRows(const float* first, Index stride)
+  /// What two nodes have is blended along z and y, times 2^16.
+  static LIMPID_INLINE void InFace(
+    const CellGrid& grid, const FourPacked* first, float y, float z, EightFloats& between)
   {
-    using Halves = std::int64_t __attribute__((vector_size(16)));
-    std::int64_t near;
-    std::int64_t far;
-    std::memcpy(&near, first, sizeof(near));
-    std::memcpy(&far, first + stride, sizeof(far));
-    return reinterpret_cast<Float4>(Halves{ near, far });
+    const TwoNodes lowFront(first);
+    const TwoNodes highFront(first + grid.stride[1]);
+    const TwoNodes lowBehind(first + grid.stride[2]);
+    const TwoNodes highBehind(first + grid.stride[1] + grid.stride[2]);
+    const EightFloats low = lowFront.values + z * (lowBehind.values - lowFront.values);
+    const EightFloats high = highFront.values + z * (highBehind.values - highFront.values);
+    between = low + y * (high - low);
+  }
+
+  /// Eight of each of four packed numbers, times 2^16.
+  static LIMPID_INLINE void Interpolate(const CellGrid& grid, const FourPacked* field,
+    const Index* cells, const EightFloats& x, const float* y, const float* z, EightFloats* numbers)
+  {
+    // All four of samples i and i + 4 in one register ...
+    EightFloats pairs[4];
+    EightFloats share[4];
+    share[0] = __builtin_shufflevector(x, x, 0, 0, 0, 0, 4, 4, 4, 4);
+    share[1] = __builtin_shufflevector(x, x, 1, 1, 1, 1, 5, 5, 5, 5);
+    share[2] = __builtin_shufflevector(x, x, 2, 2, 2, 2, 6, 6, 6, 6);
+    share[3] = __builtin_shufflevector(x, x, 3, 3, 3, 3, 7, 7, 7, 7);
+    LIMPID_UNROLL(4)
+    for (int i = 0; i < 4; ++i)
+    {
+      EightFloats one;
+      EightFloats other;
+      InFace(grid, field + cells[i], y[i], z[i], one);
+      InFace(grid, field + cells[i + 4], y[i + 4], z[i + 4], other);
+      const EightFloats near = __builtin_shufflevector(one, other, 0, 1, 2, 3, 8, 9, 10, 11);
+      const EightFloats far = __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15);
+      pairs[i] = near + share[i] * (far - near);
+    }
+    // ... then the same number of all side by side.
+    const EightFloats a = __builtin_shufflevector(pairs[0], pairs[1], 0, 8, 1, 9, 4, 12, 5, 13);
+    const EightFloats b = __builtin_shufflevector(pairs[2], pairs[3], 0, 8, 1, 9, 4, 12, 5, 13);
+    const EightFloats c = __builtin_shufflevector(pairs[0], pairs[1], 2, 10, 3, 11, 6, 14, 7, 15);
+    const EightFloats d = __builtin_shufflevector(pairs[2], pairs[3], 2, 10, 3, 11, 6, 14, 7, 15);
+    numbers[0] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+    numbers[1] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    numbers[2] = __builtin_shufflevector(c, d, 0, 1, 8, 9, 4, 5, 12, 13);
+    numbers[3] = __builtin_shufflevector(c, d, 2, 3, 10, 11, 6, 7, 14, 15);
   }
 };
 }

@@ -109,7 +109,7 @@ enum class Cleared
 struct EmptyBrick
 {
   Int3 nodes;
-  OpticalTable<FourFloats> table;
+  OpticalTable table;
   const ScalarRange* ranges;
   const FourPacked* overlay; ///< see ExtinctionOverlay; null: unchanged
   Int3 overlayNodes;
@@ -119,8 +119,8 @@ struct EmptyBrick
   LIMPID_HD void operator()(Index brick, int i, int j, int k) const
   {
     const ScalarRange range = this->ranges[brick];
-    const bool classified = this->table.LargestBetween(this->table.Position(range.least),
-                              this->table.Position(range.most)) > 0;
+    const bool classified = this->table.LargestBetween(this->table.axis.Position(range.least),
+                              this->table.axis.Position(range.most)) > 0;
     bool filled = classified;
     if (this->overlay)
     {
@@ -219,15 +219,13 @@ public:
 
   /// Finds the empty bricks, and how far around each all are empty. `overlay`: at `overlayNodes`;
   /// null: nothing is changed.
-  void FindEmpty(
-    const OpticalTable<FourFloats>& table, const FourPacked* overlay, const Int3& overlayNodes)
+  void FindEmpty(const OpticalTable& table, const FourPacked* overlay, const Int3& overlayNodes)
   {
     this->Find(this->Distance, table, overlay, overlayNodes, Cleared::IsEmpty);
   }
 
   /// Likewise, the bricks that are empty without the change, too.
-  void FindBare(
-    const OpticalTable<FourFloats>& table, const FourPacked* overlay, const Int3& overlayNodes)
+  void FindBare(const OpticalTable& table, const FourPacked* overlay, const Int3& overlayNodes)
   {
     this->Find(this->BareDistance, table, overlay, overlayNodes, Cleared::IsNot);
   }
@@ -266,8 +264,8 @@ public:
 private:
   using DistanceArray = DeviceArray<AnyDevice, std::uint8_t>;
 
-  void Find(DistanceArray& distances, const OpticalTable<FourFloats>& table,
-    const FourPacked* overlay, const Int3& overlayNodes, Cleared cleared)
+  void Find(DistanceArray& distances, const OpticalTable& table, const FourPacked* overlay,
+    const Int3& overlayNodes, Cleared cleared)
   {
     this->Spread(distances,
       [&](std::uint8_t* out)

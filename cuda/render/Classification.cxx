@@ -80,26 +80,25 @@ Classification::Classification(const TransferFunctions& given)
     *std::max_element(functions.extinction.begin(), functions.extinction.end());
   const float unit = this->LargestExtinction > 0 ? 1 / this->LargestExtinction : 0.0f;
 
-  this->Values.resize(count);
-  this->Integrals.resize(count);
+  this->All.resize(count);
   double sum[4] = { 0, 0, 0, 0 };
   for (std::size_t entry = 0; entry < count; ++entry)
   {
     const std::array<float, 3>& color = functions.color[entry];
-    this->Values[entry] =
-      FourFloats{ functions.extinction[entry] * unit, color[0], color[1], color[2] };
-    const FourFloats weighted = OpticalTable<FourFloats>::Weighed(this->Values[entry]);
+    OpticalEntry& here = this->All[entry];
+    here.value = { { functions.extinction[entry] * unit, color[0], color[1], color[2] } };
+    const FourFloats weighted = OpticalTable::Weighed(here.value);
     const FourFloats before =
-      entry > 0 ? OpticalTable<FourFloats>::Weighed(this->Values[entry - 1]) : weighted;
+      entry > 0 ? OpticalTable::Weighed(this->All[entry - 1].value) : weighted;
     for (int channel = 0; channel < 4; ++channel)
     {
       sum[channel] += entry > 0 ? 0.5 * (double(weighted[channel]) + before[channel]) : 0.0;
-      this->Integrals[entry][channel] = static_cast<float>(sum[channel]);
+      here.integral[channel] = static_cast<float>(sum[channel]);
     }
   }
 
-  std::transform(this->Values.begin(), this->Values.end(), std::back_inserter(this->Maxima),
-    [](const FourFloats& value) { return value[0]; });
+  std::transform(this->All.begin(), this->All.end(), std::back_inserter(this->Maxima),
+    [](const OpticalEntry& entry) { return entry.value[0]; });
   for (std::size_t span = 1; 2 * span <= count; span *= 2)
   {
     const std::size_t level = this->Maxima.size() - count;
@@ -111,15 +110,12 @@ Classification::Classification(const TransferFunctions& given)
   }
 }
 
-OpticalTable<FourFloats> Classification::Table() const
+OpticalTable Classification::Table() const
 {
-  OpticalTable<FourFloats> table;
-  table.low = this->Low;
-  table.scale = this->Scale;
-  table.last = static_cast<int>(this->Values.size()) - 1;
-  table.lastPosition = static_cast<float>(table.last);
-  table.values = this->Values.data();
-  table.integrals = this->Integrals.data();
+  const int last = static_cast<int>(this->All.size()) - 1;
+  OpticalTable table;
+  table.axis = { this->Low, this->Scale, last, static_cast<float>(last) };
+  table.entries = this->All.data();
   table.maxima = this->Maxima.data();
   return table;
 }

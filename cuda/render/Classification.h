@@ -6,6 +6,7 @@
 #ifndef limpid_render_Classification_h
 #define limpid_render_Classification_h
 
+#include "math/Number.h"
 #include "render/FourFloats.h"
 #include "render/Renderer.h"
 
@@ -14,6 +15,48 @@
 
 namespace limpid
 {
+/// The entries of a table, between which it is linear, as positions from 0 to the last.
+struct TableAxis
+{
+  float low = 0;
+  float scale = 1;
+  int last = 0; ///< index of the last entry
+  float lastPosition = 0;
+
+  /// Position of a scalar in the table; may be outside of it.
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number Position(const Number& scalar) const
+  {
+    return (scalar - this->low) * this->scale;
+  }
+
+  /// The position inside the table that is closest.
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number Inside(const Number& position) const
+  {
+    const Number atLeast = Select(position > 0.0f, position, 0.0f);
+    return Select(atLeast < this->lastPosition, atLeast, this->lastPosition);
+  }
+
+  /// The entry at or before a position inside, such that there is one behind it, and the share of
+  /// the way to that one.
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE auto Split(const Number& inside, Number& share) const
+  {
+    const auto before = Smaller(Truncate(inside), this->last - 1);
+    share = inside - ToFloat(before);
+    return before;
+  }
+};
+
+/// Transfer functions at one place of the table: extinction [majorant], red, green, blue; and the
+/// integrals of their Weighed values from its start.
+struct alignas(32) OpticalEntry
+{
+  FourFloats value;
+  FourFloats integral;
+};
+
 /**
  * Transfer functions over the table position u = (s - low) scale, and their integrals: the numbers
  * and addresses of a Classification.
@@ -23,139 +66,89 @@ namespace limpid
  * [EKE01] without the self-attenuation within a segment, which the caller adds), so that a thin
  * feature of the transfer function is never missed between samples. The mean colour is weighed with
  * the extinction plus a thousandth of the majorant, which defines it where nothing absorbs.
- *
- * `Optical`: four floats in a register; extinction [majorant], red, green, blue.
  */
-template <class Optical>
 struct OpticalTable
 {
   static constexpr float colorFloor = 1e-3f;
 
-  float low = 0;
-  float scale = 1;
-  int last = 0; ///< index of the last entry
-  float lastPosition = 0;
-  const Optical* values = nullptr;    ///< last + 1
-  const Optical* integrals = nullptr; ///< of Weighed values from the start, last + 1
-  const float* maxima = nullptr;      ///< [level][last + 1]: largest of 2^level entries from i on
-
-  /// The same table in other registers.
-  template <class Register>
-  LIMPID_HD LIMPID_INLINE OpticalTable<Register> As() const
-  {
-    static_assert(sizeof(Register) == sizeof(Optical), "the same four floats");
-    return { this->low, this->scale, this->last, this->lastPosition,
-      reinterpret_cast<const Register*>(this->values),
-      reinterpret_cast<const Register*>(this->integrals), this->maxima };
-  }
-
-  /// Position of a scalar in the table; may be outside of it.
-  LIMPID_HD LIMPID_INLINE float Position(float scalar) const
-  {
-    return (scalar - this->low) * this->scale;
-  }
+  TableAxis axis;
+  const OpticalEntry* entries = nullptr; ///< axis.last + 1
+  const float* maxima = nullptr; ///< [level][axis.last + 1]: largest of 2^level entries from i on
 
   /// Extinction [majorant] and colour at a table position.
-  LIMPID_HD LIMPID_INLINE Optical At(float position) const
+  LIMPID_HD LIMPID_INLINE FourFloats At(float position) const
   {
-    const float inside = this->Inside(position);
-    const int entry = this->Before(inside);
-    return Blend(this->values[entry], this->values[entry + 1], inside - float(entry));
+    float share;
+    const OpticalEntry* entry =
+      this->entries + this->axis.Split(this->axis.Inside(position), share);
+    return Blend(entry[0].value, entry[1].value, share);
   }
 
-  /// Values at table positions, and integrals from the start of the table to there. The loops have
-  /// no branches, for the sake of vector units.
-  template <int Begin, int End>
-  LIMPID_HD LIMPID_INLINE void Read(
-    const float* positions, Optical* valuesThere, Optical* integralsThere) const
+  /// The same and the integral from the start of the table to there.
+  LIMPID_HD LIMPID_INLINE OpticalEntry Look(float position) const
   {
-    float share[End];
-    float beyond[End];
-    int entry[End];
-    int outside = 0;
-    LIMPID_UNROLL(1)
-    for (int i = Begin; i < End; ++i)
-    {
-      const float inside = this->Inside(positions[i]);
-      entry[i] = this->Before(inside);
-      share[i] = inside - static_cast<float>(entry[i]);
-      beyond[i] = positions[i] - inside;
-      outside |= static_cast<int>(beyond[i] != 0.0f);
-    }
-    for (int i = Begin; i < End; ++i)
-    {
-      const Optical* value = this->values + entry[i];
-      const Optical* integral = this->integrals + entry[i];
-      valuesThere[i] = Blend(value[0], value[1], share[i]);
-      integralsThere[i] = Blend(integral[0], integral[1], share[i]);
-    }
-    if (outside != 0) // the functions are constant there
-    {
-      for (int i = Begin; i < End; ++i)
-      {
-        integralsThere[i] = integralsThere[i] + beyond[i] * Weighed(valuesThere[i]);
-      }
-    }
+    const float inside = this->axis.Inside(position);
+    float share;
+    const OpticalEntry* entry = this->entries + this->axis.Split(inside, share);
+    OpticalEntry there{ Blend(entry[0].value, entry[1].value, share),
+      Blend(entry[0].integral, entry[1].integral, share) };
+    Extend(there, position - inside);
+    return there;
+  }
+
+  /// Moves on beyond an end of the table, where the functions are constant.
+  LIMPID_HD static LIMPID_INLINE void Extend(OpticalEntry& there, float beyond)
+  {
+    there.integral = there.integral + beyond * Weighed(there.value);
   }
 
   /// What the integrals are of.
-  LIMPID_HD static LIMPID_INLINE Optical Weighed(const Optical& value)
+  LIMPID_HD static LIMPID_INLINE FourFloats Weighed(const FourFloats& value)
   {
     const float weight = value[0] + colorFloor;
-    return Optical{ value[0], weight * value[1], weight * value[2], weight * value[3] };
+    return { { value[0], weight * value[1], weight * value[2], weight * value[3] } };
   }
 
   /// Largest extinction [majorant] between two table positions.
   LIMPID_HD LIMPID_INLINE float LargestBetween(float from, float to) const
   {
-    const int first = static_cast<int>(this->Inside(from));
-    const int end = static_cast<int>(std::ceil(this->Inside(to))) + 1;
+    const int first = static_cast<int>(this->axis.Inside(from));
+    const int end = static_cast<int>(std::ceil(this->axis.Inside(to))) + 1;
     int level = 0;
     while ((2 << level) <= end - first)
     {
       ++level;
     }
-    const float* largest = this->maxima + level * (this->last + 1);
+    const float* largest = this->maxima + level * (this->axis.last + 1);
     const float front = largest[first];
     const float back = largest[end - (1 << level)];
     return front > back ? front : back;
-  }
-
-private:
-  LIMPID_HD LIMPID_INLINE float Inside(float position) const
-  {
-    const float atLeast = position > 0.0f ? position : 0.0f;
-    return atLeast < this->lastPosition ? atLeast : this->lastPosition;
-  }
-
-  /// The entry at or before a position inside, such that there is one behind it.
-  LIMPID_HD LIMPID_INLINE int Before(float inside) const
-  {
-    const int before = static_cast<int>(inside);
-    const int most = this->last - 1;
-    return before < most ? before : most;
   }
 };
 
 /// The mean of transfer functions on a segment between two samples. Its colour is ofIntegrals times
 /// the difference of the samples' integrals, and ofValues times the sum of their values.
+template <class Number>
 struct SegmentMean
 {
-  float extinction; ///< [majorant]
-  float ofIntegrals;
-  float ofValues;
+  Number extinction = 0; ///< [majorant]
+  Number ofIntegrals = 0;
+  Number ofValues = 0;
+
+  SegmentMean() = default;
 
   /// `distance`: of the table positions; `integral`: of the extinction between them; `ends`: sum of
   /// both extinctions.
-  LIMPID_HD LIMPID_INLINE SegmentMean(float distance, float integral, float ends)
+  LIMPID_HD LIMPID_INLINE SegmentMean(
+    const Number& distance, const Number& integral, const Number& ends)
   {
     // Close together, the difference of integrals is one of rounding errors.
-    const bool wide = std::abs(distance) > 4.0f;
-    const float perDistance = 1.0f / (wide ? distance : 1.0f);
-    this->extinction = wide ? perDistance * integral : 0.5f * ends;
-    const float weight = this->extinction + OpticalTable<FourFloats>::colorFloor;
-    this->ofIntegrals = wide ? perDistance / weight : 0.0f;
-    this->ofValues = wide ? 0.0f : 0.5f;
+    const auto wide = Magnitude(distance) > 4.0f;
+    const Number perDistance = 1.0f / Select(wide, distance, 1.0f);
+    this->extinction = Select(wide, perDistance * integral, 0.5f * ends);
+    const Number weight = this->extinction + OpticalTable::colorFloor;
+    this->ofIntegrals = Select(wide, perDistance / weight, 0.0f);
+    this->ofValues = Select(wide, 0.0f, Number(0.5f));
   }
 };
 
@@ -167,21 +160,19 @@ public:
   explicit Classification(const TransferFunctions& functions);
 
   /// Numbers and addresses, which hold as long as this object stays where it is.
-  OpticalTable<FourFloats> Table() const;
+  OpticalTable Table() const;
 
   float Majorant() const { return this->LargestExtinction; } ///< [1/length]
-  bool Empty() const { return this->Values.empty(); }
+  bool Empty() const { return this->All.empty(); }
 
-  const std::vector<FourFloats>& Entries() const { return this->Values; }
-  const std::vector<FourFloats>& IntegralsOfEntries() const { return this->Integrals; }
+  const std::vector<OpticalEntry>& Entries() const { return this->All; }
   const std::vector<float>& LargestOfEntries() const { return this->Maxima; }
 
 private:
   float Low = 0;
   float Scale = 1;
   float LargestExtinction = 0;
-  std::vector<FourFloats> Values; ///< see OpticalTable, like the others
-  std::vector<FourFloats> Integrals;
+  std::vector<OpticalEntry> All; ///< see OpticalTable, like the other
   std::vector<float> Maxima;
 };
 }

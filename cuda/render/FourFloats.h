@@ -45,8 +45,8 @@ LIMPID_HD LIMPID_INLINE FourFloats operator*(float factor, const FourFloats& a)
 }
 
 /// a + share (b - a), of numbers or registers.
-template <class Value>
-LIMPID_HD LIMPID_INLINE Value Blend(const Value& a, const Value& b, float share)
+template <class Value, class Share>
+LIMPID_HD LIMPID_INLINE Value Blend(const Value& a, const Value& b, const Share& share)
 {
   return a + share * (b - a);
 }

@@ -15,7 +15,7 @@ namespace limpid
 /// Extinction of the transfer function at a node.
 struct ClassifiedNode
 {
-  OpticalTable<FourFloats> table;
+  OpticalTable table;
   const float* scalars;
   const float* filled; ///< null: all are
   float majorant;      ///< unit of the result
@@ -23,7 +23,7 @@ struct ClassifiedNode
 
   LIMPID_HD void operator()(Index node) const
   {
-    const float all = this->table.At(this->table.Position(this->scalars[node]))[0];
+    const float all = this->table.At(this->table.axis.Position(this->scalars[node]))[0];
     const float here = this->filled ? all * this->filled[node] : all;
     this->extinction[node] = here * this->majorant;
   }

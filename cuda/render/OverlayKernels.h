@@ -6,7 +6,7 @@
 #ifndef limpid_render_OverlayKernels_h
 #define limpid_render_OverlayKernels_h
 
-#include "render/Trilinear.h"
+#include "render/SingleSampler.h"
 
 #include <algorithm>
 

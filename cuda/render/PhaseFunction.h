@@ -4,7 +4,7 @@
 #ifndef limpid_render_PhaseFunction_h
 #define limpid_render_PhaseFunction_h
 
-#include "backend/Simd.h"
+#include "math/Number.h"
 #include "math/Vec.h"
 
 #include <cmath>
@@ -19,12 +19,12 @@ constexpr double pi = 3.14159265358979323846;
  *
  * `cosine`: of the angle between the light's direction of travel and the outgoing direction.
  */
-template <class Real>
-LIMPID_HD LIMPID_INLINE Real HenyeyGreenstein(Real anisotropy, Real cosine)
+template <class Real, class Number>
+LIMPID_HD LIMPID_INLINE Number HenyeyGreenstein(Real anisotropy, const Number& cosine)
 {
   const Real square = anisotropy * anisotropy;
-  const Real base = 1 + square - 2 * anisotropy * cosine;
-  return (1 - square) / (Real(4 * pi) * base * std::sqrt(base));
+  const Number base = 1 + square - 2 * anisotropy * cosine;
+  return (1 - square) / (Real(4 * pi) * base * SquareRoot(base));
 }
 
 /**
@@ -44,10 +44,15 @@ constexpr double highlightShare = 0.25;
  * Surface term f_s of Eq. (5) [1/steradian]: the matt surface of Lambert and the normalised lobe of
  * Blinn and Phong. `lobe`: BlinnPhongNormalization(p) (h.n)^p, zero if h.n < 0.
  */
-template <class Real>
-LIMPID_HD LIMPID_INLINE Real SurfaceScattering(Real lobe)
+LIMPID_HD LIMPID_INLINE double SurfaceScattering(double lobe)
 {
-  return Real((1 - highlightShare) / pi) + Real(highlightShare) * lobe;
+  return (1 - highlightShare) / pi + highlightShare * lobe;
+}
+
+template <class Number>
+LIMPID_HD LIMPID_INLINE Number SurfaceScattering(const Number& lobe)
+{
+  return float((1 - highlightShare) / pi) + float(highlightShare) * lobe;
 }
 }
 

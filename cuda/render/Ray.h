@@ -6,7 +6,7 @@
 #ifndef limpid_render_Ray_h
 #define limpid_render_Ray_h
 
-#include "backend/Simd.h"
+#include "math/Number.h"
 #include "math/Vec.h"
 #include "render/Renderer.h"
 
@@ -28,11 +28,15 @@ struct Ray
   int begin = 0; ///< sample before which all segments are known to be empty
 
   /// Distance of sample `k` from the entry [samples].
-  LIMPID_HD LIMPID_INLINE float At(int k) const
+  LIMPID_HD LIMPID_INLINE float At(int k) const { return this->DistanceOf(static_cast<float>(k)); }
+
+  /// The same of one sample or several.
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number DistanceOf(const Number& sample) const
   {
-    const float distance = static_cast<float>(k) - this->shift;
-    const float behindEntry = distance > 0.0f ? distance : 0.0f;
-    return behindEntry < this->length ? behindEntry : this->length;
+    const Number distance = sample - this->shift;
+    const Number behindEntry = Select(distance > 0.0f, distance, 0.0f);
+    return Select(behindEntry < this->length, behindEntry, this->length);
   }
 
   /// The part from a distance [samples] on; its samples are some of those of the whole ray.

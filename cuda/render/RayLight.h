@@ -21,11 +21,13 @@ struct Lobe
   float factor = 0;
   float power = 0;
 
-  LIMPID_HD LIMPID_INLINE float At(float x) const
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number At(const Number& x) const
   {
-    const float base = x > 1e-30f ? x : 1e-30f;
-    const float depth = -this->power * Logarithm(base);
-    return this->factor * Attenuate(depth > 0.0f ? depth : 0.0f);
+    const Number base = Select(x > 1e-30f, x, 1e-30f);
+    const Number depth = -this->power * Logarithm(base);
+    const Number above = Select(depth > 0.0f, depth, 0.0f);
+    return this->factor * Attenuate(above);
   }
 };
 
@@ -78,41 +80,43 @@ struct LightOnRay
   /// Eq. (4) with the phase function of Eq. (5): the share of its colour that the sample at
   /// `distance` [samples] sends to the viewer (Documentation/Method.md, "Light"; deviation D10).
   /// Gradient and `shadow`: [packedOne].
-  LIMPID_HD LIMPID_INLINE float Sent(const RayLight& light, float distance, float packedX,
-    float packedY, float packedZ, float shadow) const
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number Sent(const RayLight& light, const Number& distance,
+    const Number& packedX, const Number& packedY, const Number& packedZ, const Number& shadow) const
   {
     // Direction of travel of the light.
-    float x = this->entryX + distance * this->stepX;
-    float y = this->entryY + distance * this->stepY;
-    float z = this->entryZ + distance * this->stepZ;
-    const float perLength = 1.0f / std::sqrt(x * x + y * y + z * z + 1e-30f);
-    x *= perLength;
-    y *= perLength;
-    z *= perLength;
-    const float cosine = x * this->viewX + y * this->viewY + z * this->viewZ;
+    Number x = this->entryX + distance * this->stepX;
+    Number y = this->entryY + distance * this->stepY;
+    Number z = this->entryZ + distance * this->stepZ;
+    const Number perLength = 1.0f / SquareRoot(x * x + y * y + z * z + 1e-30f);
+    x = x * perLength;
+    y = y * perLength;
+    z = z * perLength;
+    const Number cosine = x * this->viewX + y * this->viewY + z * this->viewZ;
 
     // The gradient's length is k_s, relative to its largest; its direction the normal, which points
     // into the volume, while the halfway vector points out of it.
-    const float gradientX = packedX * (1 / packedOne);
-    const float gradientY = packedY * (1 / packedOne);
-    const float gradientZ = packedZ * (1 / packedOne);
-    const float squared =
+    const Number gradientX = packedX * (1 / packedOne);
+    const Number gradientY = packedY * (1 / packedOne);
+    const Number gradientZ = packedZ * (1 / packedOne);
+    const Number squared =
       gradientX * gradientX + gradientY * gradientY + gradientZ * gradientZ + 1e-20f;
-    const float facing = x * gradientX + y * gradientY + z * gradientZ; // k_s (w_L . n)
-    const float halfX = x - this->viewX;
-    const float halfY = y - this->viewY;
-    const float halfZ = z - this->viewZ;
-    const float across = halfX * gradientX + halfY * gradientY + halfZ * gradientZ;
-    const float halfSquared = halfX * halfX + halfY * halfY + halfZ * halfZ + 1e-20f;
-    const float halfway = across / std::sqrt(squared * halfSquared);
-    const float lobe = light.lobe.At(halfway > 0.0f ? halfway : 0.0f);
+    const Number facing = x * gradientX + y * gradientY + z * gradientZ; // k_s (w_L . n)
+    const Number halfX = x - this->viewX;
+    const Number halfY = y - this->viewY;
+    const Number halfZ = z - this->viewZ;
+    const Number across = halfX * gradientX + halfY * gradientY + halfZ * gradientZ;
+    const Number halfSquared = halfX * halfX + halfY * halfY + halfZ * halfZ + 1e-20f;
+    const Number halfway = across / SquareRoot(squared * halfSquared);
+    const Number above = Select(halfway > 0.0f, halfway, 0.0f);
+    const Number lobe = light.lobe.At(above);
 
-    const float scattered = HenyeyGreenstein(light.anisotropy, cosine) * light.phaseUnit;
-    const float reflected =
-      light.surface * float(pi) * SurfaceScattering(lobe) * (facing > 0.0f ? facing : 0.0f);
-    const float steepness = light.surface * std::sqrt(squared); // k_s, with k_v = 1
-    const float sent = (scattered + reflected) / (1.0f + steepness);
-    const float arriving = 1.0f - light.shadow * (1.0f - shadow * (1 / packedOne));
+    const Number scattered = HenyeyGreenstein(light.anisotropy, cosine) * light.phaseUnit;
+    const Number reflected =
+      light.surface * float(pi) * SurfaceScattering(lobe) * Select(facing > 0.0f, facing, 0.0f);
+    const Number steepness = light.surface * SquareRoot(squared); // k_s, with k_v = 1
+    const Number sent = (scattered + reflected) / (1.0f + steepness);
+    const Number arriving = 1.0f - light.shadow * (1.0f - shadow * (1 / packedOne));
     return light.ambient + light.diffuse * arriving * sent;
   }
 };

@@ -6,133 +6,130 @@
 
 #include "render/RayScene.h"
 #include "render/Segment.h"
+#include "render/SingleSampler.h"
 
 namespace limpid
 {
-/**
- * A few consecutive samples of a ray, and the segments between them: what the fields hold there,
- * how it is lit, and what it adds to a pixel. Segment i lies between samples i and i + 1.
- *
- * AnySampler says how many there are and interpolates. What is done to samples from Begin to End -
- * 1 is a loop with constant bounds and without branches, for the sake of vector units.
- */
+/// A quantity at both ends of segments that follow each other.
 template <class AnySampler>
+struct Ends
+{
+  using Lanes = typename AnySampler::Lanes;
+
+  Lanes front = 0;
+  Lanes rear = 0;
+
+  /// Moves on to the next samples.
+  LIMPID_HD LIMPID_INLINE void MoveOn(const Lanes& samples)
+  {
+    this->front = AnySampler::Shifted(this->rear, samples);
+    this->rear = samples;
+  }
+
+  LIMPID_HD LIMPID_INLINE Lanes Sum() const { return this->front + this->rear; }
+  LIMPID_HD LIMPID_INLINE Lanes Difference() const { return this->rear - this->front; }
+};
+
+/// Where samples of a ray are, in as many lanes as AnySampler takes at a time.
+template <class AnySampler>
+struct RayPlaces
+{
+  using Lanes = typename AnySampler::Lanes;
+
+  Lanes distance; ///< from the entry [samples]
+  CellPlaces<AnySampler> scalars;
+  CellPlaces<AnySampler> overlay; ///< if there is one, on other nodes than the scalars
+
+  /// Moves to the samples from number `k` on.
+  LIMPID_HD LIMPID_INLINE void Set(const RayScene& scene, const Ray& ray, int k, bool overlaid)
+  {
+    this->distance = ray.DistanceOf(ToFloat(k) + AnySampler::Numbers());
+    const Lanes position[3] = { ray.entry[0] + this->distance * ray.step[0],
+      ray.entry[1] + this->distance * ray.step[1], ray.entry[2] + this->distance * ray.step[2] };
+    this->scalars.Set(scene.grid, position);
+    if (overlaid && !scene.overlaySameNodes)
+    {
+      const Lanes inOverlay[3] = { position[0] * scene.overlayScale[0],
+        position[1] * scene.overlayScale[1], position[2] * scene.overlayScale[2] };
+      this->overlay.Set(scene.overlayGrid, inOverlay);
+    }
+  }
+
+  LIMPID_HD LIMPID_INLINE const CellPlaces<AnySampler>& InOverlay(const RayScene& scene) const
+  {
+    return scene.overlaySameNodes ? this->scalars : this->overlay;
+  }
+};
+
+/**
+ * A few consecutive samples of a ray, and the segments in front of them: what the fields hold
+ * there, how it is lit, and what it adds to a pixel. Segment i ends at sample i. A run of samples
+ * begins with a segment of no length, of which nothing else is to be believed.
+ *
+ * AnySampler says how many there are, `Overlaid` whether scene.overlay is there.
+ */
+template <class AnySampler, bool Overlaid>
 struct RaySamples
 {
+  using Lanes = typename AnySampler::Lanes;
   using Optical = typename AnySampler::Optical;
-  static constexpr int segments = AnySampler::segments;
-  static constexpr int count = segments + 1;
+  static constexpr int count = AnySampler::count;
 
-  float distance[count]; ///< from the entry [samples]
-  Index cell[count];     ///< first node of the cell
-  float fraction[3][count];
-  Index overlayCell[count]; ///< the same in the grid of the overlay
-  float overlayFraction[3][count];
-  float scalar[count];     ///< table position
-  float filled[count];     ///< 1, less beside empty nodes
-  float kept[count];       ///< share of the transfer function's extinction [packedOne]
-  float added[count];      ///< extinction [packedOne majorants]
-  float shadow[count];     ///< transmittance of the light [packedOne]
-  float light[count];      ///< share of its colour that a sample sends to the viewer
-  Optical value[count];    ///< of the transfer functions
-  Optical integral[count]; ///< see OpticalTable
+  RayPlaces<AnySampler> place;
+  Ends<AnySampler> distance;             ///< from the entry [samples]
+  Ends<AnySampler> position;             ///< in the table
+  Ends<AnySampler> value;                ///< extinction of the transfer function [majorant]
+  Ends<AnySampler> integral;             ///< see OpticalTable
+  Ends<AnySampler> filled{ 1.0f, 1.0f }; ///< 1, less beside empty nodes
+  Ends<AnySampler> kept;                 ///< share of that extinction [packedOne], if Overlaid
+  Ends<AnySampler> added;                ///< extinction [packedOne of scene.addedUnit]
+  Ends<AnySampler> light;                ///< share of its colour that a sample sends to the viewer
+  Lanes shadow = 0;                      ///< transmittance of the light [packedOne], likewise
+  typename AnySampler::Optics optics;
 
-  float classified[segments]; ///< the transfer function's extinction [majorant]
-  float extinction[segments]; ///< [majorant]
-  float ofValues[segments];   ///< see SegmentMean
-  float ofIntegrals[segments];
+  SegmentMean<Lanes> mean;
+  Lanes extinction = 0; ///< of the segments [majorant]
 
-  /// The first sample is empty until it is read, and the last one dark until it is lit.
-  LIMPID_HD LIMPID_INLINE RaySamples()
+  int last = -1;           ///< number of the last sample
+  bool begins = false;     ///< whether a run does
+  bool lastFilled = false; ///< whether there may be something in the brick of the last sample
+
+  /// Moves on to the samples behind number `k` if that is the last one; else a run begins with `k`.
+  LIMPID_HD LIMPID_INLINE void MoveOn(const RayScene& scene, const Ray& ray, int k)
   {
-    this->distance[0] = this->scalar[0] = this->filled[0] = 0;
-    this->kept[0] = this->added[0] = this->shadow[0] = this->light[0] = 0;
-    this->value[0] = this->integral[0] = Optical{ 0, 0, 0, 0 };
-    this->light[segments] = 0;
-  }
-
-  /// The last sample becomes the first.
-  LIMPID_HD LIMPID_INLINE void MoveOn()
-  {
-    constexpr int last = segments;
-    this->distance[0] = this->distance[last];
-    this->scalar[0] = this->scalar[last];
-    this->filled[0] = this->filled[last];
-    this->kept[0] = this->kept[last];
-    this->added[0] = this->added[last];
-    this->shadow[0] = this->shadow[last];
-    this->light[0] = this->light[last];
-    this->value[0] = this->value[last];
-    this->integral[0] = this->integral[last];
-  }
-
-  /// Places sample i at sample k + i of the ray.
-  template <int Begin, int End, bool Overlaid>
-  LIMPID_HD LIMPID_INLINE void Place(const RayScene& scene, const Ray& ray, int k)
-  {
-    const CellGrid grid = scene.grid;
-    for (int i = Begin; i < End; ++i)
+    this->begins = this->last != k;
+    const int first = this->begins ? k : k + 1;
+    this->last = first + count - 1;
+    this->place.Set(scene, ray, first, Overlaid);
+    this->lastFilled = scene.bricks.distance && this->LastIsFilled(scene.bricks);
+    if (this->begins)
     {
-      this->distance[i] = ray.At(k + i);
-      int at[3];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const float position = ray.entry[axis] + this->distance[i] * ray.step[axis];
-        at[axis] = grid.Split(axis, position, this->fraction[axis][i]);
-      }
-      this->cell[i] = grid.First(at[0], at[1], at[2]);
+      this->distance.rear = AnySampler::First(this->place.distance);
     }
-    if (Overlaid)
-    {
-      const CellGrid overlayGrid = scene.overlayGrid;
-      for (int i = Begin; i < End; ++i)
-      {
-        int at[3];
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          const float position = ray.entry[axis] + this->distance[i] * ray.step[axis];
-          at[axis] = overlayGrid.Split(
-            axis, position * scene.overlayScale[axis], this->overlayFraction[axis][i]);
-        }
-        this->overlayCell[i] = overlayGrid.First(at[0], at[1], at[2]);
-      }
-    }
-  }
-
-  /// Reads what decides on the extinction, at samples that were placed.
-  template <int Begin, int End, bool Overlaid>
-  LIMPID_HD LIMPID_INLINE void Read(const RayScene& scene)
-  {
-    const OpticalTable<Optical> table = scene.table.template As<Optical>();
-    const CellGrid grid = scene.grid;
-    AnySampler::template InterpolateAll<Begin, End>(grid, scene.scalars, this->cell,
-      this->fraction[0], this->fraction[1], this->fraction[2], this->scalar);
-    for (int i = Begin; i < End; ++i)
-    {
-      this->scalar[i] = table.Position(this->scalar[i]);
-      this->filled[i] = 1;
-      this->kept[i] = packedOne;
-      this->added[i] = 0;
-      this->shadow[i] = packedOne;
-    }
-    table.template Read<Begin, End>(this->scalar, this->value, this->integral);
+    this->distance.MoveOn(this->place.distance);
+    const Lanes scalars =
+      AnySampler::InterpolateAll(scene.grid, scene.scalars, this->place.scalars);
+    const Lanes positions = scene.table.axis.Position(scalars);
+    this->position.MoveOn(positions);
+    this->optics.Read(scene.table, positions);
+    Lanes values;
+    Lanes integrals;
+    this->optics.Extinction(values, integrals);
+    this->value.MoveOn(values);
+    this->integral.MoveOn(integrals);
     if (scene.filled)
     {
-      AnySampler::template InterpolateAll<Begin, End>(grid, scene.filled, this->cell,
-        this->fraction[0], this->fraction[1], this->fraction[2], this->filled);
+      this->filled.MoveOn(
+        AnySampler::InterpolateAll(scene.grid, scene.filled, this->place.scalars));
     }
     if (Overlaid)
     {
-      Optical overlay[End];
-      AnySampler::template InterpolateAll<Begin, End>(scene.overlayGrid, scene.overlay,
-        this->overlayCell, this->overlayFraction[0], this->overlayFraction[1],
-        this->overlayFraction[2], overlay);
-      for (int i = Begin; i < End; ++i)
-      {
-        this->kept[i] = overlay[i][0];
-        this->added[i] = overlay[i][1];
-        this->shadow[i] = overlay[i][2];
-      }
+      Lanes overlay[4];
+      AnySampler::InterpolateAll(
+        scene.overlayGrid, scene.overlay, this->place.InOverlay(scene), overlay);
+      this->kept.MoveOn(overlay[0]);
+      this->added.MoveOn(overlay[1]);
+      this->shadow = overlay[2];
     }
   }
 
@@ -140,53 +137,44 @@ struct RaySamples
   /// empty. Returns whether there is any extinction.
   LIMPID_HD LIMPID_INLINE bool Classify(const RayScene& scene)
   {
-    float ends[count];
-    float integrals[count];
-    for (int i = 0; i < count; ++i)
-    {
-      ends[i] = this->value[i][0];
-      integrals[i] = this->integral[i][0];
-    }
-    for (int i = 0; i < segments; ++i)
-    {
-      const SegmentMean mean(this->scalar[i + 1] - this->scalar[i], integrals[i + 1] - integrals[i],
-        ends[i] + ends[i + 1]);
-      this->classified[i] = mean.extinction;
-      this->ofValues[i] = mean.ofValues;
-      this->ofIntegrals[i] = mean.ofIntegrals;
-    }
-    const float addedUnit = scene.addedUnit;
-    int any = 0;
-    for (int i = 0; i < segments; ++i)
-    {
-      const SegmentEnds both{ this->filled[i] + this->filled[i + 1],
-        this->kept[i] + this->kept[i + 1], this->added[i] + this->added[i + 1] };
-      const float here = both.Extinction(this->classified[i], addedUnit);
-      this->extinction[i] = here;
-      any |= static_cast<int>(here > 0.0f);
-    }
-    return any != 0;
+    this->mean = SegmentMean<Lanes>(
+      this->position.Difference(), this->integral.Difference(), this->value.Sum());
+    const SegmentEnds<Lanes> ends{ this->filled.Sum(),
+      Overlaid ? this->kept.Sum() : Lanes(2 * packedOne),
+      Overlaid ? this->added.Sum() : Lanes(0.0f) };
+    this->extinction = ends.Extinction(this->mean.extinction, scene.addedUnit);
+    return AnyOf(this->Depth(scene) > 0.0f);
   }
 
   /// Finds the light that the samples send, see LightOnRay.
-  template <int Begin, int End, bool Overlaid>
   LIMPID_HD LIMPID_INLINE void Light(const RayScene& scene, const Ray& ray)
   {
-    Optical gradient[End];
-    AnySampler::template InterpolateAll<Begin, End>(scene.grid, scene.gradient, this->cell,
-      this->fraction[0], this->fraction[1], this->fraction[2], gradient);
-    const RayLight source = scene.light; // a copy: nothing that is written below can be part of it
-    const LightOnRay onRay(source, ray);
-    float sent[End];
-    for (int i = Begin; i < End; ++i)
+    const int before = this->last - count;
+    if (!this->begins && this->LitTo != before)
     {
-      sent[i] = onRay.Sent(source, this->distance[i], gradient[i][0], gradient[i][1],
-        gradient[i][2], Overlaid ? this->shadow[i] : gradient[i][3]);
+      this->light.rear = LightAt(scene, ray, before);
     }
-    for (int i = Begin; i < End; ++i)
-    {
-      this->light[i] = sent[i];
-    }
+    Lanes gradient[4];
+    AnySampler::InterpolateAll(scene.grid, scene.gradient, this->place.scalars, gradient);
+    this->light.MoveOn(LightOnRay(scene.light, ray)
+                         .Sent(scene.light, this->place.distance, gradient[0], gradient[1],
+                           gradient[2], Overlaid ? this->shadow : gradient[3]));
+    this->LitTo = this->last;
+  }
+
+  /// Optical depths of the segments.
+  LIMPID_HD LIMPID_INLINE Lanes Depth(const RayScene& scene) const
+  {
+    const float lengthUnit = scene.stepLength * scene.majorant;
+    return this->extinction * lengthUnit * this->distance.Difference();
+  }
+
+  /// The same with the transfer function's extinction.
+  LIMPID_HD LIMPID_INLINE Lanes BaseDepth(const RayScene& scene) const
+  {
+    const float lengthUnit = scene.stepLength * scene.majorant;
+    const Lanes base = this->mean.extinction * (0.5f * this->filled.Sum());
+    return base * lengthUnit * this->distance.Difference();
   }
 
   /// Adds the segments to a pixel, front to back: the sum of Eq. (6). What a segment scatters is
@@ -194,60 +182,59 @@ struct RaySamples
   template <bool Lit>
   LIMPID_HD LIMPID_INLINE void AddTo(const RayScene& scene, Pixel<Optical>& pixel) const
   {
-    float passed[segments];
-    float given[segments];
-    const float lengthUnit = scene.stepLength * scene.majorant;
-    const float opaqueBelow = scene.opaqueBelow;
-    for (int i = 0; i < segments; ++i)
+    const auto segment =
+      Segment<Lanes>::template Of<Lit>(this->Depth(scene), this->light.front, this->light.rear);
+    const Lanes inFront =
+      AnySampler::InFront(segment.passed, scene.opaqueBelow, pixel.transmittance);
+    const Lanes given = segment.given * Select(inFront > scene.opaqueBelow, inFront, 0.0f);
+    const Lanes ofValues = given * this->mean.ofValues;
+    const Lanes ofIntegrals = given * this->mean.ofIntegrals;
+    Optical sum = pixel.light;
+    LIMPID_UNROLL(16)
+    for (int i = 0; i < count; ++i)
     {
-      const float length = this->distance[i + 1] - this->distance[i];
-      const float depth = this->extinction[i] * lengthUnit * length;
-      const Segment segment = Segment::Of<Lit>(depth, this->light[i], this->light[i + 1]);
-      passed[i] = segment.passed;
-      given[i] = segment.given;
+      sum = sum + this->optics.Color(i, LaneOf(ofValues, i), LaneOf(ofIntegrals, i));
     }
-    float transmittance[segments + 1];
-    transmittance[0] = pixel.transmittance;
-    LIMPID_UNROLL(4)
-    for (int i = 0; i < segments; ++i)
-    {
-      transmittance[i + 1] = transmittance[i] * passed[i];
-    }
-    // Segment by segment, so that it does not matter where blocks of segments begin.
-    int seen = 0;
-    LIMPID_UNROLL(1)
-    for (int i = 0; i < segments; ++i)
-    {
-      given[i] *= transmittance[i] > opaqueBelow ? transmittance[i] : 0.0f;
-      seen += static_cast<int>(transmittance[i] > opaqueBelow);
-    }
-    pixel.transmittance = transmittance[seen];
-    float ofValuesGiven[segments];
-    float ofIntegralsGiven[segments];
-    LIMPID_UNROLL(1)
-    for (int i = 0; i < segments; ++i)
-    {
-      ofValuesGiven[i] = given[i] * this->ofValues[i];
-      ofIntegralsGiven[i] = given[i] * this->ofIntegrals[i];
-    }
-    for (int i = 0; i < segments; ++i)
-    {
-      pixel.light = pixel.light + this->ColorOf(i, ofValuesGiven[i], ofIntegralsGiven[i]);
-    }
+    pixel.light = sum;
   }
 
   /// The colour of a segment; its extinction is no part of it.
   LIMPID_HD LIMPID_INLINE Optical Color(int i) const
   {
-    return this->ColorOf(i, this->ofValues[i], this->ofIntegrals[i]);
+    return this->optics.Color(i, LaneOf(this->mean.ofValues, i), LaneOf(this->mean.ofIntegrals, i));
   }
 
 private:
-  LIMPID_HD LIMPID_INLINE Optical ColorOf(int i, float ofValuesThere, float ofIntegralsThere) const
+  LIMPID_HD LIMPID_INLINE bool LastIsFilled(const BrickDistances& bricks) const
   {
-    return ofValuesThere * (this->value[i] + this->value[i + 1]) +
-      ofIntegralsThere * (this->integral[i + 1] - this->integral[i]);
+    unsigned int brick[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int cell = AnySampler::Last(this->place.scalars.before[axis]);
+      brick[axis] = static_cast<unsigned int>(cell) / BrickDistances::size;
+    }
+    return bricks.EmptyAround(brick) == 0;
   }
+
+  /// The light that sample `k` sends.
+  LIMPID_HD static LIMPID_INLINE float LightAt(const RayScene& scene, const Ray& ray, int k)
+  {
+    RayPlaces<SingleSampler> place;
+    place.Set(scene, ray, k, Overlaid);
+    float gradient[4];
+    float overlay[4];
+    SingleSampler::InterpolateAll(scene.grid, scene.gradient, place.scalars, gradient);
+    if (Overlaid)
+    {
+      SingleSampler::InterpolateAll(
+        scene.overlayGrid, scene.overlay, place.InOverlay(scene), overlay);
+    }
+    return LightOnRay(scene.light, ray)
+      .Sent(scene.light, place.distance, gradient[0], gradient[1], gradient[2],
+        Overlaid ? overlay[2] : gradient[3]);
+  }
+
+  int LitTo = -1; ///< number of the last sample that was lit
 };
 }
 

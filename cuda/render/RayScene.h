@@ -18,13 +18,14 @@ struct RayScene
   CellGrid grid;
   const float* scalars = nullptr;
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
-  OpticalTable<FourFloats> table;
+  OpticalTable table;
   const FourPacked* gradient = nullptr; ///< and shadow, see PackedGradientNode; null: not lit
   const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not asked for
   CellGrid overlayGrid;
   const FourPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: nothing to add
   BrickDistances bricks;
   BrickDistances unimportant;          ///< if the importance is asked for
+  bool overlaySameNodes = false;       ///< as the scalars
   float overlayScale[3] = { 1, 1, 1 }; ///< nodes of the overlay per node of the scalars
   float opaqueBelow = 0;
   float stepLength = 1; ///< between samples [length]
@@ -36,6 +37,7 @@ struct RayScene
   void PlaceOverlay(const Int3& nodes, const Int3& scalarNodes)
   {
     this->overlayGrid = CellGrid(nodes);
+    this->overlaySameNodes = nodes == scalarNodes;
     for (int axis = 0; axis < 3; ++axis)
     {
       const int cells = scalarNodes[axis] > 1 ? scalarNodes[axis] - 1 : 1;

@@ -76,11 +76,9 @@ public:
     const auto borrow = [this](auto& array, const auto& values)
     { array.Borrow(this->Device, values.data(), values.size(), "the transfer functions"); };
     borrow(this->Entries, this->Functions.Entries());
-    borrow(this->Integrals, this->Functions.IntegralsOfEntries());
     borrow(this->Largest, this->Functions.LargestOfEntries());
     this->Table = this->Functions.Table();
-    this->Table.values = this->Entries.Data();
-    this->Table.integrals = this->Integrals.Data();
+    this->Table.entries = this->Entries.Data();
     this->Table.maxima = this->Largest.Data();
   }
 
@@ -370,10 +368,9 @@ private:
   BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are
 
   Classification Functions;
-  BorrowedArray<AnyDevice, FourFloats> Entries;
-  BorrowedArray<AnyDevice, FourFloats> Integrals;
+  BorrowedArray<AnyDevice, OpticalEntry> Entries;
   BorrowedArray<AnyDevice, float> Largest; ///< see OpticalTable
-  OpticalTable<FourFloats> Table;
+  OpticalTable Table;
 
   BorrowedArray<AnyDevice, float> Importance; ///< empty: not asked for
   DeviceArray<AnyDevice, FourPacked> Gradient;

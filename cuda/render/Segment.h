@@ -12,46 +12,49 @@
 namespace limpid
 {
 /// What decides on the extinction of a segment, summed over its two samples.
+template <class Number>
 struct SegmentEnds
 {
-  float filled; ///< each 1, less beside empty nodes
-  float kept;   ///< share of the transfer function's extinction [packedOne]
-  float added;  ///< [packedOne of addedUnit]
+  Number filled; ///< each 1, less beside empty nodes
+  Number kept;   ///< share of the transfer function's extinction [packedOne]
+  Number added;  ///< [packedOne of addedUnit]
 
   /// Extinction with the change of the optimisation and without what is empty [majorant].
   /// `classified`: the transfer function's; `addedUnit`: [majorant].
-  LIMPID_HD LIMPID_INLINE float Extinction(float classified, float addedUnit) const
+  LIMPID_HD LIMPID_INLINE Number Extinction(const Number& classified, float addedUnit) const
   {
     const float most = addedUnit > 1.0f ? addedUnit : 1.0f;
-    const float filledShare = 0.5f * this->filled;
-    const float keptShare = (0.5f / packedOne) * this->kept;
-    const float addedShare = (0.5f / packedOne) * addedUnit * this->added;
-    const float extinction = classified * filledShare * keptShare + addedShare;
-    return extinction < most ? extinction : most;
+    const Number filledShare = 0.5f * this->filled;
+    const Number keptShare = (0.5f / packedOne) * this->kept;
+    const Number addedShare = (0.5f / packedOne) * addedUnit * this->added;
+    const Number extinction = classified * filledShare * keptShare + addedShare;
+    return Select(extinction < most, extinction, most);
   }
 };
 
 /// The integral of Eq. (1) over a segment with extinction and colour constant and the light linear
 /// in optical depth along it.
+template <class Number>
 struct Segment
 {
-  float passed; ///< share of the light from behind
-  float given;  ///< share of its colour that it sends
+  Number passed; ///< share of the light from behind
+  Number given;  ///< share of its colour that it sends
 
   /// `depth`: optical depth; front and rear: the light that the samples send, see LightOnRay.
   template <bool Lit>
-  LIMPID_HD static LIMPID_INLINE Segment Of(float depth, float front, float rear)
+  LIMPID_HD static LIMPID_INLINE Segment Of(
+    const Number& depth, const Number& front, const Number& rear)
   {
-    const float passed = Attenuate(depth);
-    const float absorbed = 1.0f - passed;
+    const Number passed = Attenuate(depth);
+    const Number absorbed = 1.0f - passed;
     if (!Lit)
     {
       return { passed, absorbed };
     }
     // Weight of the rear end: (1 - exp(-d) (1 + d)) / d, or its series.
-    const float series = depth * (0.5f - depth * (1.0f / 3.0f - depth * 0.125f));
-    const float exact = (absorbed - passed * depth) / (depth + 1e-30f);
-    const float weight = depth > 0.05f ? exact : series;
+    const Number series = depth * (0.5f - depth * (1.0f / 3.0f - depth * 0.125f));
+    const Number exact = (absorbed - passed * depth) / (depth + 1e-30f);
+    const Number weight = Select(depth > 0.05f, exact, series);
     return { passed, (absorbed - weight) * front + weight * rear };
   }
 };

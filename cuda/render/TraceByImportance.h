@@ -12,18 +12,6 @@
 
 namespace limpid
 {
-/// The importance at sample `k` of a ray.
-template <class AnySampler>
-LIMPID_HD LIMPID_INLINE float ImportanceAt(const RayScene& scene, const Ray& ray, int k)
-{
-  const float distance = ray.At(k);
-  const float position[3] = { ray.entry[0] + distance * ray.step[0],
-    ray.entry[1] + distance * ray.step[1], ray.entry[2] + distance * ray.step[2] };
-  const CellPlace place(scene.grid, position);
-  return AnySampler::Interpolate(scene.grid, scene.importance + place.cell, place.fraction[0],
-    place.fraction[1], place.fraction[2]);
-}
-
 /**
  * Adds to a pixel what its ray meets from its most important object on (RayObject), Eqs. (1) to
  * (6). Bricks without importance (scene.unimportant) are no objects: there, nothing is read.
@@ -34,9 +22,11 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
 {
   const BrickWalk walk(scene.unimportant, ray);
   RayObject object;
-  for (int k = 0; k <= ray.segments; ++k)
+  RayPlaces<AnySampler> place;
+  int nextBrick = 0; // sample from which on another brick is looked up
+  for (int k = 0; k <= ray.segments; k += AnySampler::count)
   {
-    if (scene.unimportant.distance && k % BrickDistances::size == 0 && k < ray.segments)
+    if (scene.unimportant.distance && k >= nextBrick && k < ray.segments)
     {
       const int important = walk.SkipEmpty(k);
       if (important >= ray.segments)
@@ -45,11 +35,17 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
       }
       if (important > k)
       {
-        object.Meet(ray.At(important > 0 ? important - 1 : 0), 0);
+        object.Meet(ray.At(important - 1), 0);
         k = important;
       }
+      nextBrick = k + BrickDistances::size;
     }
-    object.Meet(ray.At(k), ImportanceAt<AnySampler>(scene, ray, k));
+    place.Set(scene, ray, k, false);
+    const auto importance = AnySampler::InterpolateAll(scene.grid, scene.importance, place.scalars);
+    for (int i = 0; i < AnySampler::count; ++i)
+    {
+      object.Meet(LaneOf(place.distance, i), LaneOf(importance, i));
+    }
   }
   object.begin > 0.0f ? TraceRay<AnySampler, Lit, Overlaid>(scene, ray.From(object.begin), pixel)
                       : TraceRay<AnySampler, Lit, Overlaid>(scene, ray, pixel);
@@ -64,13 +60,12 @@ template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceMean(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
-  constexpr int segments = AnySampler::segments;
-  const float lengthUnit = scene.stepLength * scene.majorant;
   const BrickWalk filled(scene.bricks, ray);
   const BrickWalk important(scene.unimportant, ray);
   WeighedMean<typename AnySampler::Optical> mean;
-  RaySamples<AnySampler> samples;
-  for (int k = 0; k < ray.segments; k += segments)
+  RaySamples<AnySampler, Overlaid> samples;
+  Ends<AnySampler> importance;
+  for (int k = 0; k < ray.segments; k = samples.last)
   {
     const bool opaque = mean.importance > 0.0f && mean.Transmittance() <= scene.opaqueBelow;
     k = scene.bricks.distance ? (opaque ? important : filled).SkipEmpty(k) : k;
@@ -78,32 +73,25 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
     {
       break;
     }
-    samples.template Place<0, segments + 1, Overlaid>(scene, ray, k);
-    samples.template Read<0, segments + 1, Overlaid>(scene);
+    samples.MoveOn(scene, ray, k);
+    importance.MoveOn(
+      AnySampler::InterpolateAll(scene.grid, scene.importance, samples.place.scalars));
     if (!samples.Classify(scene))
     {
       continue;
     }
-    float importance[segments + 1];
-    float any = 0;
-    AnySampler::template InterpolateAll<0, segments + 1>(scene.grid, scene.importance, samples.cell,
-      samples.fraction[0], samples.fraction[1], samples.fraction[2], importance);
-    for (int i = 0; i <= segments; ++i)
-    {
-      any += importance[i];
-    }
-    const bool lit = Lit && (any > 0.0f || mean.importance == 0.0f);
+    const auto both = importance.Sum();
+    const bool lit = Lit && (AnyOf(both > 0.0f) || mean.importance == 0.0f);
     if (lit)
     {
-      samples.template Light<0, segments + 1, Overlaid>(scene, ray);
+      samples.Light(scene, ray);
     }
-    for (int i = 0; i < segments; ++i)
+    const auto sent = Lit ? 0.5f * samples.light.Sum() : typename AnySampler::Lanes(1.0f);
+    const auto depth = samples.Depth(scene);
+    for (int i = 0; i < AnySampler::count; ++i)
     {
-      const float length = samples.distance[i + 1] - samples.distance[i];
-      const float received = lit ? 0.5f * (samples.light[i] + samples.light[i + 1]) : 0.0f;
-      const float sent = Lit ? received : 1.0f;
-      mean.Add(0.5f * (importance[i] + importance[i + 1]),
-        samples.extinction[i] * lengthUnit * length, sent, samples.Color(i));
+      mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), Lit && !lit ? 0.0f : LaneOf(sent, i),
+        samples.Color(i));
     }
   }
   pixel.light = mean.Light();

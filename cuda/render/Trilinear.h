@@ -6,6 +6,7 @@
 #ifndef limpid_render_Trilinear_h
 #define limpid_render_Trilinear_h
 
+#include "math/Number.h"
 #include "render/FourFloats.h"
 
 namespace limpid
@@ -28,13 +29,14 @@ struct CellGrid
   }
 
   /// Splits a coordinate into the node before and the fraction of a cell.
-  LIMPID_HD LIMPID_INLINE int Split(int axis, float position, float& fraction) const
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE auto Split(int axis, const Number& position, Number& fraction) const
   {
-    float inside = position > 0.0f ? position : 0.0f;
-    inside = inside < this->lastNode[axis] ? inside : this->lastNode[axis];
-    const float limit = inside < this->lastCell[axis] ? inside : this->lastCell[axis];
-    const int before = static_cast<int>(limit);
-    fraction = inside - static_cast<float>(before);
+    const Number above = Select(position > 0.0f, position, 0.0f);
+    const Number inside = Select(above < this->lastNode[axis], above, this->lastNode[axis]);
+    const Number limit = Select(inside < this->lastCell[axis], inside, this->lastCell[axis]);
+    const auto before = Truncate(limit);
+    fraction = inside - ToFloat(before);
     return before;
   }
 
@@ -47,18 +49,31 @@ struct CellGrid
   }
 };
 
-/// A position in a grid.
-struct CellPlace
+/// Positions in a grid, as many as AnySampler takes at a time.
+template <class AnySampler>
+struct CellPlaces
 {
-  float fraction[3];
-  Index cell; ///< first node of the cell
+  using Lanes = typename AnySampler::Lanes;
+
+  Lanes fraction[3];                       ///< of the cell
+  typename AnySampler::Integers before[3]; ///< the node before, along each axis
+  typename AnySampler::Cells cell;         ///< first node of the cell
+
+  CellPlaces() = default;
 
   /// `position`: [nodes]
-  LIMPID_HD LIMPID_INLINE CellPlace(const CellGrid& grid, const float* position)
-    : cell(grid.First(grid.Split(0, position[0], this->fraction[0]),
-        grid.Split(1, position[1], this->fraction[1]),
-        grid.Split(2, position[2], this->fraction[2])))
+  LIMPID_HD LIMPID_INLINE CellPlaces(const CellGrid& grid, const Lanes* position)
   {
+    this->Set(grid, position);
+  }
+
+  LIMPID_HD LIMPID_INLINE void Set(const CellGrid& grid, const Lanes* position)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->before[axis] = grid.Split(axis, position[axis], this->fraction[axis]);
+    }
+    AnySampler::FindFirst(grid, this->before, this->cell);
   }
 };
 
@@ -89,39 +104,6 @@ LIMPID_HD LIMPID_INLINE auto InCell(
   return Blend(near, far, x);
 }
 }
-
-/// Reads the samples of a ray one by one, number by number: for devices. BlockSampler does the same
-/// in the same order of operations with the registers of the processor.
-struct SingleSampler
-{
-  using Optical = FourFloats;
-  static constexpr int segments = 1; ///< of a ray at a time
-
-  /// Interpolates a field. `first`: at the first node of the cell; x, y, z: fractions of the cell.
-  LIMPID_HD static LIMPID_INLINE float Interpolate(
-    const CellGrid& grid, const float* first, float x, float y, float z)
-  {
-    return detail::InCell(grid, first, x, y, z);
-  }
-
-  /// Interpolates four packed numbers per node [packedOne].
-  LIMPID_HD static LIMPID_INLINE FourFloats Interpolate(
-    const CellGrid& grid, const FourPacked* first, float x, float y, float z)
-  {
-    return detail::InCell(grid, first, x, y, z);
-  }
-
-  /// Interpolates a field of either kind at samples from Begin to End - 1.
-  template <int Begin, int End, class Node, class Value>
-  LIMPID_HD static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const Node* field,
-    const Index* cells, const float* x, const float* y, const float* z, Value* out)
-  {
-    for (int i = Begin; i < End; ++i)
-    {
-      out[i] = Interpolate(grid, field + cells[i], x[i], y[i], z[i]);
-    }
-  }
-};
 }
 
 #endif

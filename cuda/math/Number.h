@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What formulas ask of a number besides arithmetic. A formula that asks it of these functions can
+// be one of a float or of several at once, see FloatLanes.
+
+#ifndef limpid_math_Number_h
+#define limpid_math_Number_h
+
+#include "math/Macros.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace limpid
+{
+/// condition ? one : other
+LIMPID_HD LIMPID_INLINE float Select(bool condition, float one, float other)
+{
+  return condition ? one : other;
+}
+
+/// One of several numbers; of one alone, that.
+LIMPID_HD LIMPID_INLINE float LaneOf(float x, int)
+{
+  return x;
+}
+
+LIMPID_HD LIMPID_INLINE bool AnyOf(bool condition)
+{
+  return condition;
+}
+
+LIMPID_HD LIMPID_INLINE float SquareRoot(float x)
+{
+  return std::sqrt(x);
+}
+
+LIMPID_HD LIMPID_INLINE double SquareRoot(double x)
+{
+  return std::sqrt(x);
+}
+
+LIMPID_HD LIMPID_INLINE float Magnitude(float x)
+{
+  return std::abs(x);
+}
+
+/// The integer at `x` or next to it towards zero.
+LIMPID_HD LIMPID_INLINE std::int32_t Truncate(float x)
+{
+  return static_cast<std::int32_t>(x);
+}
+
+LIMPID_HD LIMPID_INLINE float ToFloat(std::int32_t x)
+{
+  return static_cast<float>(x);
+}
+
+LIMPID_HD LIMPID_INLINE std::int32_t Smaller(std::int32_t a, std::int32_t b)
+{
+  return a < b ? a : b;
+}
+
+/// The 32 bits of a number as an integer, and back.
+LIMPID_HD LIMPID_INLINE std::int32_t BitsOf(float x)
+{
+  std::int32_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return bits;
+}
+
+LIMPID_HD LIMPID_INLINE float FromBits(std::int32_t bits)
+{
+  float x;
+  std::memcpy(&x, &bits, sizeof(x));
+  return x;
+}
+}
+
+#endif
