@@ -116,8 +116,9 @@ public:
       const double far = this->LastNode[axis];
       if (way[axis] != 0)
       {
-        const double one = -from[axis] / way[axis];
-        const double other = (far - from[axis]) / way[axis];
+        const double perLength = 1 / way[axis];
+        const double one = -from[axis] * perLength;
+        const double other = (far - from[axis]) * perLength;
         const double in = other < one ? other : one;
         const double out = one < other ? other : one;
         first = first < in ? in : first;
@@ -164,7 +165,7 @@ private:
   LIMPID_HD LIMPID_INLINE Vec3 Point(double x, double y, double z) const
   {
     const glm::dvec4 point = this->ClipToIndex * glm::dvec4(x, y, z, 1.0);
-    return Vec3(point) / point.w;
+    return Vec3(point) * (1 / point.w);
   }
 
   /// Where a way through (x, y) in clip coordinates reaches clip z = `start`, as a share of it.
@@ -179,18 +180,18 @@ private:
     const Vec3& from, const Vec3& way, double first, double last, Ray& ray) const
   {
     const Vec3 worldWay = this->Direction * (way * this->Spacing);
-    const double wayLength = std::sqrt(glm::dot(worldWay, worldWay));
-    const double step = this->StepLength / wayLength; // in units of the way
+    const double perWay = 1 / std::sqrt(glm::dot(worldWay, worldWay));
+    const double step = this->StepLength * perWay; // in units of the way
     const Vec3 entry = from + first * way;
     const Vec3 world = this->Origin + this->Direction * (entry * this->Spacing);
-    const Vec3 lightEntry = (world - this->Centre) / this->Radius;
+    const Vec3 lightEntry = (world - this->Centre) * this->PerRadius;
     for (int axis = 0; axis < 3; ++axis)
     {
       ray.entry[axis] = static_cast<float>(entry[axis]);
       ray.step[axis] = static_cast<float>(step * way[axis]);
       ray.lightEntry[axis] = static_cast<float>(lightEntry[axis]);
-      ray.lightStep[axis] = static_cast<float>(step * worldWay[axis] / this->Radius);
-      ray.toViewer[axis] = static_cast<float>(-worldWay[axis] / wayLength);
+      ray.lightStep[axis] = static_cast<float>(step * worldWay[axis] * this->PerRadius);
+      ray.toViewer[axis] = static_cast<float>(-worldWay[axis] * perWay);
     }
     ray.length = static_cast<float>((last - first) / step);
     return step;
@@ -212,7 +213,7 @@ private:
   Vec3 Origin;
   Vec3 Centre;
   Vec3 LastNode;
-  double Radius;
+  double PerRadius; ///< of the box [1/length]
   double StepLength;
   int Width;
   int Height;
