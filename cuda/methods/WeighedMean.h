@@ -20,6 +20,10 @@ namespace limpid
 template <class Optical>
 struct WeighedMean
 {
+  /// A sum of importance and optical depth up to this comes of rounding errors: where rays enter
+  /// beside something important, it would colour one pixel and not the next.
+  static constexpr float least = 1e-9f;
+
   Optical important = { 0, 0, 0, 0 }; ///< sum of importance, optical depth and colour
   Optical plain = { 0, 0, 0, 0 };     ///< sum of optical depth and colour
   float importance = 0;               ///< sum of importance and optical depth
@@ -36,18 +40,21 @@ struct WeighedMean
     this->depth += depthHere;
   }
 
+  /// Whether anything important was met; else all samples are equally so.
+  LIMPID_HD LIMPID_INLINE bool HasImportance() const { return this->importance > least; }
+
   LIMPID_HD LIMPID_INLINE float Transmittance() const { return Attenuate(this->depth); }
 
   /// Light that reaches the viewer.
   LIMPID_HD LIMPID_INLINE Optical Light() const
   {
-    constexpr float least = 1e-30f;
     const float opacity = 1.0f - this->Transmittance();
-    if (this->importance > least)
+    if (this->HasImportance())
     {
       return (opacity / this->importance) * this->important;
     }
-    return (this->depth > least ? opacity / this->depth : 0.0f) * this->plain;
+    constexpr float tiny = 1e-30f;
+    return (this->depth > tiny ? opacity / this->depth : 0.0f) * this->plain;
   }
 };
 

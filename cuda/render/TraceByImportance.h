@@ -67,7 +67,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
   Ends<AnySampler> importance;
   for (int k = 0; k < ray.segments; k = samples.last)
   {
-    const bool opaque = mean.importance > 0.0f && mean.Transmittance() <= scene.opaqueBelow;
+    const bool opaque = mean.HasImportance() && mean.Transmittance() <= scene.opaqueBelow;
     k = scene.bricks.distance ? (opaque ? important : filled).SkipEmpty(k) : k;
     if (k >= ray.segments)
     {
@@ -81,7 +81,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
       continue;
     }
     const auto both = importance.Sum();
-    const bool lit = Lit && (AnyOf(both > 0.0f) || mean.importance == 0.0f);
+    const bool lit = Lit && (AnyOf(both > 0.0f) || !mean.HasImportance());
     if (lit)
     {
       samples.Light(scene, ray);
