@@ -41,6 +41,20 @@ TEST(WeighedMean, TakesAllSamplesAsEquallyImportantWhereNoneIs)
   EXPECT_WITHIN(light[2], (1 - std::exp(-0.4)) * 0.25, Roundoff<float>(8, 1.0));
 }
 
+TEST(WeighedMean, TakesAnImportanceThatComesOfRoundingForNone)
+{
+  // The entry of a ray is off by 1e-14 nodes, the importance beside it 1 per node.
+  for (const float rounding : { 0.0f, 1e-19f, 1e-14f })
+  {
+    WeighedMean<FourFloats> mean;
+    mean.Add(rounding, 0.3f, 1, { 0, 1, 0, 0 });
+    mean.Add(0, 0.1f, 1, { 0, 0, 1, 0 });
+
+    EXPECT_FALSE(mean.HasImportance());
+    EXPECT_WITHIN(mean.Light()[1], (1 - std::exp(-0.4)) * 0.75, Roundoff<float>(8, 1.0));
+  }
+}
+
 TEST(WeighedMean, IsNothingOnAnEmptyRay)
 {
   const FourFloats light = WeighedMean<FourFloats>().Light();
