@@ -134,7 +134,7 @@ struct RaySamples
   }
 
   /// Extinction and colour of the segments, with the change of the optimisation and without what is
-  /// empty. Returns whether there is any extinction.
+  /// empty. Returns whether any of them takes light.
   LIMPID_HD LIMPID_INLINE bool Classify(const RayScene& scene)
   {
     this->mean = SegmentMean<Lanes>(

@@ -38,13 +38,16 @@ def page(measured):
             [s["still"]["spread"]["rays"] for s in scenes], 0.2) + """
 ## Rays
 
-Of the same picture. The last three columns: with shadows, nothing skipped and no ray ended \
+Of the same picture; seconds of the processor are those of all threads, of which another program on \
+the machine takes less. The last three columns: with shadows, nothing skipped and no ray ended \
 early; the samples per second of that; and how much of its time is saved.
 """ + table(rays, [
         SCENE, ("extinction", lambda r: r["extinction"]),
         ("samples on all rays [millions]", lambda r: fixed(1e-6 * r["samples"])),
         ("empty pixels", lambda r: percent(r["empty_share"])), ("unlit [ms]", time("unlit")),
         ("lit [ms]", time("lit")), ("with shadows [ms]", time("shadowed")),
+        ("unlit [CPU s]", lambda r: fixed(r["unlit_cpu"], 2)),
+        ("with shadows [CPU s]", lambda r: fixed(r["shadowed_cpu"], 2)),
         ("every sample taken [ms]", time("every_sample")),
         ("[million samples/s]", lambda r: fixed(1e-6 * r["samples"] / r["every_sample"])),
         ("time left out", lambda r: percent(1 - r["shadowed"] / r["every_sample"]))]) + f"""
