@@ -9,7 +9,7 @@
 # repository), for pictures and numbers (Documentation/Pictures/figures, whose captions go into the
 # gallery; any other folder leaves the gallery alone). OPTIONs are those of make.py. Builds nothing,
 # but says what is missing; scenes that are absent are named and left out, the phantom is always
-# there. Takes a quarter of an hour on two cores.
+# there. Takes half an hour on two cores, half of it for table_methods; the captions say it.
 
 set -euo pipefail
 
