@@ -164,11 +164,7 @@ float LargestExtinction(vtkVolumeProperty* property)
 void LookUpExtinction(
   const TransferFunctions& functions, const float* values, Index count, float* extinction)
 {
-  TableAxis axis;
-  axis.last = static_cast<int>(functions.extinction.size()) - 1;
-  axis.lastPosition = static_cast<float>(axis.last);
-  axis.low = static_cast<float>(functions.low);
-  axis.scale = static_cast<float>(axis.last / (functions.high - functions.low));
+  const TableAxis axis(functions.low, functions.high, functions.extinction.size());
   const float* entries = functions.extinction.data();
   ForOnAllCores(count,
     [=](vtkIdType begin, vtkIdType end)

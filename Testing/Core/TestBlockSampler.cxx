@@ -17,14 +17,6 @@ namespace
 {
 constexpr int count = FloatLanes::count;
 
-FloatLanes Lanes(const float* numbers)
-{
-  FloatLanes lanes;
-  std::memcpy(&lanes.low, numbers, sizeof(lanes.low));
-  std::memcpy(&lanes.high, numbers + 8, sizeof(lanes.high));
-  return lanes;
-}
-
 /// Numbers of all signs and magnitudes from 1e-3 to 1e3, and zero.
 struct Numbers
 {
@@ -85,8 +77,8 @@ struct Field
 
   void PlaceAll(CellPlaces<BlockSampler>& place) const
   {
-    const FloatLanes at[3] = { Lanes(this->positions[0]), Lanes(this->positions[1]),
-      Lanes(this->positions[2]) };
+    const FloatLanes at[3] = { FloatLanes::Load(this->positions[0]),
+      FloatLanes::Load(this->positions[1]), FloatLanes::Load(this->positions[2]) };
     place.Set(this->grid, at);
   }
 
@@ -117,8 +109,8 @@ TEST(BlockSampler, CalculatesAsWithOneNumber)
 {
   const Numbers a(1);
   const Numbers b(2);
-  const FloatLanes x = Lanes(a.values);
-  const FloatLanes y = Lanes(b.values);
+  const FloatLanes x = FloatLanes::Load(a.values);
+  const FloatLanes y = FloatLanes::Load(b.values);
   ExpectEach(x + y, [&](int i) { return a.values[i] + b.values[i]; });
   ExpectEach(x - y, [&](int i) { return a.values[i] - b.values[i]; });
   ExpectEach(x * y, [&](int i) { return a.values[i] * b.values[i]; });
@@ -139,9 +131,9 @@ TEST(BlockSampler, KnowsWhetherAnythingHoldsAnywhere)
   for (int lane = 0; lane < count; ++lane)
   {
     float numbers[count] = {};
-    EXPECT_FALSE(AnyOf(Lanes(numbers) > 0.0f));
+    EXPECT_FALSE(AnyOf(FloatLanes::Load(numbers) > 0.0f));
     numbers[lane] = 1e-30f;
-    EXPECT_TRUE(AnyOf(Lanes(numbers) > 0.0f)) << "lane " << lane;
+    EXPECT_TRUE(AnyOf(FloatLanes::Load(numbers) > 0.0f)) << "lane " << lane;
   }
 }
 
@@ -176,7 +168,7 @@ TEST(BlockSampler, LooksUpAsSingleSamplerInsideTheTableAndOutside)
   BlockOptics block;
   for (const auto& axis : field.positions) // from below the table to above
   {
-    const FloatLanes positions = Lanes(axis) * 300.0f - 200.0f;
+    const FloatLanes positions = FloatLanes::Load(axis) * 300.0f - 200.0f;
     block.Read(table, positions);
     FloatLanes values;
     FloatLanes integrals;
@@ -209,7 +201,7 @@ TEST(BlockSampler, PassesLightSegmentBySegmentUntilItIsOpaque)
   for (const float opaqueBelow : { 0.0f, 0.3f, 0.8f, 0.95f })
   {
     float block = 0.99f;
-    const FloatLanes inFront = BlockSampler::InFront(Lanes(passed), opaqueBelow, block);
+    const FloatLanes inFront = BlockSampler::InFront(FloatLanes::Load(passed), opaqueBelow, block);
     float alone = 0.99f;
     for (int i = 0; i < count; ++i)
     {
@@ -226,6 +218,6 @@ TEST(BlockSampler, ShiftsByOneSample)
 {
   const Numbers before(4);
   const Numbers here(5);
-  ExpectEach(BlockSampler::Shifted(Lanes(before.values), Lanes(here.values)),
+  ExpectEach(BlockSampler::Shifted(FloatLanes::Load(before.values), FloatLanes::Load(here.values)),
     [&](int i) { return i > 0 ? here.values[i - 1] : before.values[count - 1]; });
 }

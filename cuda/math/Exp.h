@@ -47,7 +47,7 @@ constexpr float deepest = 87.0f;
 template <class Number>
 LIMPID_HD LIMPID_INLINE Number Attenuate(const Number& depth)
 {
-  const detail::ReducedExp<Number> parts(Select(depth < detail::deepest, depth, detail::deepest));
+  const detail::ReducedExp<Number> parts(AtMost(depth, detail::deepest));
   return Select(depth < detail::deepest, (parts.growth + 1.0f) * parts.power, 0.0f);
 }
 
@@ -59,7 +59,7 @@ LIMPID_HD LIMPID_INLINE double Attenuate(double depth)
 /// 1 - exp(-depth) for depth >= 0, likewise; within 2 units in its own last place, however small.
 LIMPID_HD LIMPID_INLINE float Stop(float depth)
 {
-  const detail::ReducedExp<float> parts(Select(depth < detail::deepest, depth, detail::deepest));
+  const detail::ReducedExp<float> parts(AtMost(depth, detail::deepest));
   return (1.0f - parts.power) - parts.power * parts.growth;
 }
 

@@ -8,129 +8,105 @@
 
 #include "math/Number.h"
 
+#include <type_traits>
+
 namespace limpid
 {
 using EightFloats = float __attribute__((vector_size(32)));
 using EightInts = std::int32_t __attribute__((vector_size(32)));
 
-/// Sixteen integers of 32 bits.
-struct IntLanes
+/// Sixteen numbers of 32 bits. What is done to them is done to each, and gives the same as for a
+/// number alone. Two registers of eight rather than one, so that one result need not wait for
+/// another.
+template <class Number>
+struct LanesOf
 {
-  EightInts low;
-  EightInts high;
+  using Register = std::conditional_t<std::is_same_v<Number, float>, EightFloats, EightInts>;
+  static constexpr int count = 16;
 
-  IntLanes() = default;
-  LIMPID_INLINE IntLanes(const EightInts& lowLanes, const EightInts& highLanes)
+  Register low;
+  Register high;
+
+  LanesOf() = default;
+  LIMPID_INLINE LanesOf(Number all)
+  {
+    // As a shuffle, which is one instruction; GCC inserts the numbers of a list one by one.
+    const Register one = { all };
+    this->low = __builtin_shufflevector(one, one, 0, 0, 0, 0, 0, 0, 0, 0);
+    this->high = this->low;
+  }
+  LIMPID_INLINE LanesOf(const Register& lowLanes, const Register& highLanes)
     : low(lowLanes)
     , high(highLanes)
   {
   }
   // As two registers: GCC would copy both as one from memory, for which it must wait.
-  LIMPID_INLINE IntLanes(const IntLanes& other)
+  LIMPID_INLINE LanesOf(const LanesOf& other)
     : low(other.low)
     , high(other.high)
   {
   }
-  LIMPID_INLINE IntLanes& operator=(const IntLanes& other)
+  LIMPID_INLINE LanesOf& operator=(const LanesOf& other)
   {
     this->low = other.low;
     this->high = other.high;
     return *this;
   }
 
-  LIMPID_INLINE void Store(std::int32_t* to) const
+  LIMPID_INLINE static LanesOf Load(const Number* from)
+  {
+    LanesOf lanes;
+    std::memcpy(&lanes.low, from, sizeof(lanes.low));
+    std::memcpy(&lanes.high, from + 8, sizeof(lanes.high));
+    return lanes;
+  }
+
+  LIMPID_INLINE void Store(Number* to) const
   {
     std::memcpy(to, &this->low, sizeof(this->low));
     std::memcpy(to + 8, &this->high, sizeof(this->high));
   }
 };
 
-/// In which of sixteen lanes a condition holds: all bits or none.
-struct LaneMask
-{
-  EightInts low;
-  EightInts high;
-};
+using FloatLanes = LanesOf<float>;
+/// A condition has all bits where it holds, and none elsewhere.
+using IntLanes = LanesOf<std::int32_t>;
 
-/// Sixteen floats. What is done to them is done to each, and gives the same as for a float alone.
-/// Two registers of eight rather than one, so that one result need not wait for another.
-struct FloatLanes
-{
-  static constexpr int count = 16;
-
-  EightFloats low;
-  EightFloats high;
-
-  FloatLanes() = default;
-  LIMPID_INLINE FloatLanes(float all)
-  {
-    // As a shuffle, which is one instruction; GCC inserts the numbers of a list one by one.
-    const float __attribute__((vector_size(16))) one = { all };
-    this->low = __builtin_shufflevector(one, one, 0, 0, 0, 0, 0, 0, 0, 0);
-    this->high = this->low;
-  }
-  LIMPID_INLINE FloatLanes(const EightFloats& lowLanes, const EightFloats& highLanes)
-    : low(lowLanes)
-    , high(highLanes)
-  {
-  }
-  LIMPID_INLINE FloatLanes(const FloatLanes& other)
-    : low(other.low)
-    , high(other.high)
-  {
-  }
-  LIMPID_INLINE FloatLanes& operator=(const FloatLanes& other)
-  {
-    this->low = other.low;
-    this->high = other.high;
-    return *this;
-  }
-
-  LIMPID_INLINE void Store(float* to) const
-  {
-    std::memcpy(to, &this->low, sizeof(this->low));
-    std::memcpy(to + 8, &this->high, sizeof(this->high));
-  }
-};
-
-#define LIMPID_LANE_OPERATOR(Result, sign)                                                         \
-  LIMPID_INLINE Result operator sign(const FloatLanes& a, const FloatLanes& b)                     \
+#define LIMPID_LANE_OPERATOR(Result, Operands, Number, sign)                                       \
+  LIMPID_INLINE Result operator sign(const Operands& a, const Operands& b)                         \
   {                                                                                                \
-    return Result{ a.low sign b.low, a.high sign b.high };                                         \
+    return Result(a.low sign b.low, a.high sign b.high);                                           \
   }                                                                                                \
-  LIMPID_INLINE Result operator sign(const FloatLanes& a, float b)                                 \
+  LIMPID_INLINE Result operator sign(const Operands& a, Number b)                                  \
   {                                                                                                \
-    return a sign FloatLanes(b);                                                                   \
+    return a sign Operands(b);                                                                     \
   }                                                                                                \
-  LIMPID_INLINE Result operator sign(float a, const FloatLanes& b)                                 \
+  LIMPID_INLINE Result operator sign(Number a, const Operands& b)                                  \
   {                                                                                                \
-    return FloatLanes(a) sign b;                                                                   \
+    return Operands(a) sign b;                                                                     \
   }
-LIMPID_LANE_OPERATOR(FloatLanes, +)
-LIMPID_LANE_OPERATOR(FloatLanes, -)
-LIMPID_LANE_OPERATOR(FloatLanes, *)
-LIMPID_LANE_OPERATOR(FloatLanes, /)
-LIMPID_LANE_OPERATOR(LaneMask, <)
-LIMPID_LANE_OPERATOR(LaneMask, >)
-LIMPID_LANE_OPERATOR(LaneMask, !=)
+LIMPID_LANE_OPERATOR(FloatLanes, FloatLanes, float, +)
+LIMPID_LANE_OPERATOR(FloatLanes, FloatLanes, float, -)
+LIMPID_LANE_OPERATOR(FloatLanes, FloatLanes, float, *)
+LIMPID_LANE_OPERATOR(FloatLanes, FloatLanes, float, /)
+LIMPID_LANE_OPERATOR(IntLanes, FloatLanes, float, <)
+LIMPID_LANE_OPERATOR(IntLanes, FloatLanes, float, >)
+LIMPID_LANE_OPERATOR(IntLanes, FloatLanes, float, !=)
+LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, +)
+LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, -)
+LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, *)
+LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, &)
+LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, <)
 #undef LIMPID_LANE_OPERATOR
 
-#define LIMPID_LANE_OPERATOR(sign)                                                                 \
-  LIMPID_INLINE IntLanes operator sign(const IntLanes& a, std::int32_t b)                          \
-  {                                                                                                \
-    return IntLanes{ a.low sign b, a.high sign b };                                                \
-  }
-LIMPID_LANE_OPERATOR(+)
-LIMPID_LANE_OPERATOR(-)
-LIMPID_LANE_OPERATOR(*)
-LIMPID_LANE_OPERATOR(&)
-LIMPID_LANE_OPERATOR(<<)
-LIMPID_LANE_OPERATOR(>>)
-#undef LIMPID_LANE_OPERATOR
-
-LIMPID_INLINE IntLanes operator+(const IntLanes& a, const IntLanes& b)
+LIMPID_INLINE IntLanes operator<<(const IntLanes& a, int bits)
 {
-  return IntLanes{ a.low + b.low, a.high + b.high };
+  return IntLanes(a.low << bits, a.high << bits);
+}
+
+LIMPID_INLINE IntLanes operator>>(const IntLanes& a, int bits)
+{
+  return IntLanes(a.low >> bits, a.high >> bits);
 }
 
 LIMPID_INLINE FloatLanes operator-(const FloatLanes& a)
@@ -139,9 +115,14 @@ LIMPID_INLINE FloatLanes operator-(const FloatLanes& a)
 }
 
 LIMPID_INLINE FloatLanes Select(
-  const LaneMask& condition, const FloatLanes& one, const FloatLanes& other)
+  const IntLanes& condition, const FloatLanes& one, const FloatLanes& other)
 {
   return FloatLanes(condition.low ? one.low : other.low, condition.high ? one.high : other.high);
+}
+
+LIMPID_INLINE IntLanes Select(const IntLanes& condition, const IntLanes& one, const IntLanes& other)
+{
+  return IntLanes(condition.low ? one.low : other.low, condition.high ? one.high : other.high);
 }
 
 LIMPID_INLINE float LaneOf(const FloatLanes& x, int lane)
@@ -149,7 +130,7 @@ LIMPID_INLINE float LaneOf(const FloatLanes& x, int lane)
   return lane < 8 ? x.low[lane] : x.high[lane - 8];
 }
 
-LIMPID_INLINE bool AnyOf(const LaneMask& condition)
+LIMPID_INLINE bool AnyOf(const IntLanes& condition)
 {
   using Words = std::int64_t __attribute__((vector_size(32)));
   const auto words = reinterpret_cast<Words>(condition.low | condition.high);
@@ -164,15 +145,12 @@ LIMPID_INLINE FloatLanes SquareRoot(const FloatLanes& x)
   {
     number = std::sqrt(number);
   }
-  FloatLanes roots;
-  std::memcpy(&roots.low, numbers, sizeof(roots.low));
-  std::memcpy(&roots.high, numbers + 8, sizeof(roots.high));
-  return roots;
+  return FloatLanes::Load(numbers);
 }
 
 LIMPID_INLINE IntLanes BitsOf(const FloatLanes& x)
 {
-  return IntLanes{ reinterpret_cast<EightInts>(x.low), reinterpret_cast<EightInts>(x.high) };
+  return IntLanes(reinterpret_cast<EightInts>(x.low), reinterpret_cast<EightInts>(x.high));
 }
 
 LIMPID_INLINE FloatLanes FromBits(const IntLanes& bits)
@@ -188,20 +166,14 @@ LIMPID_INLINE FloatLanes Magnitude(const FloatLanes& x)
 
 LIMPID_INLINE IntLanes Truncate(const FloatLanes& x)
 {
-  return IntLanes{ __builtin_convertvector(x.low, EightInts),
-    __builtin_convertvector(x.high, EightInts) };
+  return IntLanes(
+    __builtin_convertvector(x.low, EightInts), __builtin_convertvector(x.high, EightInts));
 }
 
 LIMPID_INLINE FloatLanes ToFloat(const IntLanes& x)
 {
   return FloatLanes(
     __builtin_convertvector(x.low, EightFloats), __builtin_convertvector(x.high, EightFloats));
-}
-
-LIMPID_INLINE IntLanes Smaller(const IntLanes& a, std::int32_t b)
-{
-  const EightInts other = b - EightInts{};
-  return IntLanes{ a.low < other ? a.low : other, a.high < other ? a.high : other };
 }
 }
 

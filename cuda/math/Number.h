@@ -21,6 +21,32 @@ LIMPID_HD LIMPID_INLINE float Select(bool condition, float one, float other)
   return condition ? one : other;
 }
 
+LIMPID_HD LIMPID_INLINE std::int32_t Select(bool condition, std::int32_t one, std::int32_t other)
+{
+  return condition ? one : other;
+}
+
+/// The larger of `x` and `least`, which it is where `x` is not a number.
+template <class Number, class Limit>
+LIMPID_HD LIMPID_INLINE Number AtLeast(const Number& x, Limit least)
+{
+  return Select(x > least, x, least);
+}
+
+/// The smaller of `x` and `most`, likewise.
+template <class Number, class Limit>
+LIMPID_HD LIMPID_INLINE Number AtMost(const Number& x, Limit most)
+{
+  return Select(x < most, x, most);
+}
+
+/// The closest to `x` between `least` and `most`; `least` where `x` is not a number.
+template <class Number, class Limit>
+LIMPID_HD LIMPID_INLINE Number Clamp(const Number& x, Limit least, Limit most)
+{
+  return AtMost(AtLeast(x, least), most);
+}
+
 /// One of several numbers; of one alone, that.
 LIMPID_HD LIMPID_INLINE float LaneOf(float x, int)
 {
@@ -56,11 +82,6 @@ LIMPID_HD LIMPID_INLINE std::int32_t Truncate(float x)
 LIMPID_HD LIMPID_INLINE float ToFloat(std::int32_t x)
 {
   return static_cast<float>(x);
-}
-
-LIMPID_HD LIMPID_INLINE std::int32_t Smaller(std::int32_t a, std::int32_t b)
-{
-  return a < b ? a : b;
 }
 
 /// The 32 bits of a number as an integer, and back.

@@ -6,6 +6,7 @@
 #include "methods/Viola2004.h"
 
 #include "backend/CompiledDevice.h"
+#include "math/Number.h"
 #include "methods/RayObject.h"
 #include "sweep/Sweeps.h"
 
@@ -82,7 +83,7 @@ struct ClipStep
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
     const float share = 0.5f + (this->depth - this->objects[i].begin) / this->thickness;
-    this->rays.behind[i] = share > 0.0f ? (share < 1.0f ? share : 1.0f) : 0.0f;
+    this->rays.behind[i] = Clamp(share, 0.0f, 1.0f);
   }
 };
 

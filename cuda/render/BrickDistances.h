@@ -53,8 +53,7 @@ struct BrickDistances
   LIMPID_HD LIMPID_INLINE unsigned int BrickAt(int axis, float position) const
   {
     const float limit = float(this->cells[axis] - 1);
-    const float inside = position > 0.0f ? position : 0.0f;
-    return static_cast<unsigned int>(static_cast<int>(inside < limit ? inside : limit)) / size;
+    return static_cast<unsigned int>(Truncate(Clamp(position, 0.0f, limit))) / size;
   }
 };
 

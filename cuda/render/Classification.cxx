@@ -74,8 +74,7 @@ Classification::Classification(const TransferFunctions& given)
   Require(given);
   const TransferFunctions functions = Refined(given);
   const std::size_t count = functions.extinction.size();
-  this->Low = static_cast<float>(functions.low);
-  this->Scale = static_cast<float>(double(count - 1) / (functions.high - functions.low));
+  this->Axis = TableAxis(functions.low, functions.high, count);
   this->LargestExtinction =
     *std::max_element(functions.extinction.begin(), functions.extinction.end());
   const float unit = this->LargestExtinction > 0 ? 1 / this->LargestExtinction : 0.0f;
@@ -112,9 +111,8 @@ Classification::Classification(const TransferFunctions& given)
 
 OpticalTable Classification::Table() const
 {
-  const int last = static_cast<int>(this->All.size()) - 1;
   OpticalTable table;
-  table.axis = { this->Low, this->Scale, last, static_cast<float>(last) };
+  table.axis = this->Axis;
   table.entries = this->All.data();
   table.maxima = this->Maxima.data();
   return table;

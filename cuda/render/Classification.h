@@ -23,6 +23,17 @@ struct TableAxis
   int last = 0; ///< index of the last entry
   float lastPosition = 0;
 
+  TableAxis() = default;
+
+  /// So many entries, two or more, over scalars from `lowest` to `highest`.
+  TableAxis(double lowest, double highest, std::size_t entries)
+    : low(static_cast<float>(lowest))
+    , scale(static_cast<float>(double(entries - 1) / (highest - lowest)))
+    , last(static_cast<int>(entries) - 1)
+    , lastPosition(static_cast<float>(this->last))
+  {
+  }
+
   /// Position of a scalar in the table; may be outside of it.
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number Position(const Number& scalar) const
@@ -34,8 +45,7 @@ struct TableAxis
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number Inside(const Number& position) const
   {
-    const Number atLeast = Select(position > 0.0f, position, 0.0f);
-    return Select(atLeast < this->lastPosition, atLeast, this->lastPosition);
+    return Clamp(position, 0.0f, this->lastPosition);
   }
 
   /// The entry at or before a position inside, such that there is one behind it, and the share of
@@ -43,7 +53,7 @@ struct TableAxis
   template <class Number>
   LIMPID_HD LIMPID_INLINE auto Split(const Number& inside, Number& share) const
   {
-    const auto before = Smaller(Truncate(inside), this->last - 1);
+    const auto before = AtMost(Truncate(inside), this->last - 1);
     share = inside - ToFloat(before);
     return before;
   }
@@ -169,8 +179,7 @@ public:
   const std::vector<float>& LargestOfEntries() const { return this->Maxima; }
 
 private:
-  float Low = 0;
-  float Scale = 1;
+  TableAxis Axis;
   float LargestExtinction = 0;
   std::vector<OpticalEntry> All; ///< see OpticalTable, like the other
   std::vector<float> Maxima;

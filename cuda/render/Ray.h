@@ -34,9 +34,7 @@ struct Ray
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number DistanceOf(const Number& sample) const
   {
-    const Number distance = sample - this->shift;
-    const Number behindEntry = Select(distance > 0.0f, distance, 0.0f);
-    return Select(behindEntry < this->length, behindEntry, this->length);
+    return Clamp(Number(sample - this->shift), 0.0f, this->length);
   }
 
   /// The part from a distance [samples] on; its samples are some of those of the whole ray.
@@ -66,7 +64,7 @@ struct Ray
       back.step[axis] = -this->step[axis];
     }
     const float before = static_cast<float>(this->segments) - this->shift - this->length;
-    back.shift = before > 0.0f ? before : 0.0f;
+    back.shift = AtLeast(before, 0.0f);
     back.begin = 0;
     return back;
   }

@@ -24,10 +24,8 @@ struct Lobe
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number At(const Number& x) const
   {
-    const Number base = Select(x > 1e-30f, x, 1e-30f);
-    const Number depth = -this->power * Logarithm(base);
-    const Number above = Select(depth > 0.0f, depth, 0.0f);
-    return this->factor * Attenuate(above);
+    const Number depth = -this->power * Logarithm(AtLeast(x, 1e-30f));
+    return this->factor * Attenuate(AtLeast(depth, 0.0f));
   }
 };
 
@@ -108,12 +106,11 @@ struct LightOnRay
     const Number across = halfX * gradientX + halfY * gradientY + halfZ * gradientZ;
     const Number halfSquared = halfX * halfX + halfY * halfY + halfZ * halfZ + 1e-20f;
     const Number halfway = across / SquareRoot(squared * halfSquared);
-    const Number above = Select(halfway > 0.0f, halfway, 0.0f);
-    const Number lobe = light.lobe.At(above);
+    const Number lobe = light.lobe.At(AtLeast(halfway, 0.0f));
 
     const Number scattered = HenyeyGreenstein(light.anisotropy, cosine) * light.phaseUnit;
     const Number reflected =
-      light.surface * float(pi) * SurfaceScattering(lobe) * Select(facing > 0.0f, facing, 0.0f);
+      light.surface * float(pi) * SurfaceScattering(lobe) * AtLeast(facing, 0.0f);
     const Number steepness = light.surface * SquareRoot(squared); // k_s, with k_v = 1
     const Number sent = (scattered + reflected) / (1.0f + steepness);
     const Number arriving = 1.0f - light.shadow * (1.0f - shadow * (1 / packedOne));

@@ -23,12 +23,12 @@ struct SegmentEnds
   /// `classified`: the transfer function's; `addedUnit`: [majorant].
   LIMPID_HD LIMPID_INLINE Number Extinction(const Number& classified, float addedUnit) const
   {
-    const float most = addedUnit > 1.0f ? addedUnit : 1.0f;
+    const float most = AtLeast(addedUnit, 1.0f);
     const Number filledShare = 0.5f * this->filled;
     const Number keptShare = (0.5f / packedOne) * this->kept;
     const Number addedShare = (0.5f / packedOne) * addedUnit * this->added;
     const Number extinction = classified * filledShare * keptShare + addedShare;
-    return Select(extinction < most, extinction, most);
+    return AtMost(extinction, most);
   }
 };
 
@@ -82,9 +82,7 @@ struct Pixel
 private:
   LIMPID_HD static LIMPID_INLINE std::uint8_t ToByte(float value)
   {
-    const float atLeast = value > 0.0f ? value : 0.0f;
-    const float inside = atLeast < 1.0f ? atLeast : 1.0f;
-    return static_cast<std::uint8_t>(inside * 255.0f + 0.5f);
+    return static_cast<std::uint8_t>(Clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
   }
 };
 }

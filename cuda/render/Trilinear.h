@@ -32,10 +32,8 @@ struct CellGrid
   template <class Number>
   LIMPID_HD LIMPID_INLINE auto Split(int axis, const Number& position, Number& fraction) const
   {
-    const Number above = Select(position > 0.0f, position, 0.0f);
-    const Number inside = Select(above < this->lastNode[axis], above, this->lastNode[axis]);
-    const Number limit = Select(inside < this->lastCell[axis], inside, this->lastCell[axis]);
-    const auto before = Truncate(limit);
+    const Number inside = Clamp(position, 0.0f, this->lastNode[axis]);
+    const auto before = Truncate(AtMost(inside, this->lastCell[axis]));
     fraction = inside - ToFloat(before);
     return before;
   }

@@ -5,6 +5,7 @@
 #define limpid_sweep_HatMean_h
 
 #include "backend/Simd.h"
+#include "math/Number.h"
 #include "math/Vec.h"
 
 namespace limpid
@@ -27,8 +28,7 @@ constexpr float sideWeightOnBorder = 1.0f / 3;
  */
 LIMPID_HD LIMPID_INLINE float SideWeight(float share, float gap)
 {
-  const float side = 1.0f / 12 - 0.5f * share * (1.0f - share) * gap * gap;
-  return side > 0.0f ? side : 0.0f;
+  return AtLeast(1.0f / 12 - 0.5f * share * (1.0f - share) * gap * gap, 0.0f);
 }
 
 LIMPID_HD LIMPID_INLINE float HatMean(float before, float own, float behind, float side)

@@ -161,7 +161,7 @@ LIMPID_HD LIMPID_INLINE float DepthPerUnit(
 /// exp(-depth), 1 where rounding leaves traces below 0.
 LIMPID_HD LIMPID_INLINE float Transmitted(float opticalDepth)
 {
-  return Attenuate(opticalDepth > 0.0f ? opticalDepth : 0.0f);
+  return Attenuate(AtLeast(opticalDepth, 0.0f));
 }
 }
 

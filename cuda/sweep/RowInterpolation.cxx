@@ -4,6 +4,7 @@
 #include "sweep/RowInterpolation.h"
 
 #include "backend/Gather.h"
+#include "math/Number.h"
 #include "sweep/Cubic.h"
 
 namespace limpid
@@ -95,8 +96,7 @@ void ClampRow(const Range<int>& columns, float* __restrict values)
 {
   for (int i = columns.begin; i < columns.end; ++i)
   {
-    const float atLeast = values[i] > 0.0f ? values[i] : 0.0f;
-    values[i] = atLeast < 1.0f ? atLeast : 1.0f;
+    values[i] = Clamp(values[i], 0.0f, 1.0f);
   }
 }
 

@@ -116,9 +116,7 @@ public:
     }
     if (HoldsFour(this->Frustum.frontColumns, column) && HoldsFour(this->Frustum.frontRows, row))
     {
-      const float value = this->SampleCubic(rays.transmittance);
-      const float atLeast = value > 0.0f ? value : 0.0f;
-      *transmittance = atLeast < 1.0f ? atLeast : 1.0f;
+      *transmittance = Clamp(this->SampleCubic(rays.transmittance), 0.0f, 1.0f);
       return;
     }
     *transmittance = this->TransmitDensity(this->SampleCubic(rays.density));
