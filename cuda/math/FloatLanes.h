@@ -97,6 +97,7 @@ LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, -)
 LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, *)
 LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, &)
 LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, <)
+LIMPID_LANE_OPERATOR(IntLanes, IntLanes, std::int32_t, >)
 #undef LIMPID_LANE_OPERATOR
 
 LIMPID_INLINE IntLanes operator<<(const IntLanes& a, int bits)
@@ -135,6 +136,22 @@ LIMPID_INLINE bool AnyOf(const IntLanes& condition)
   using Words = std::int64_t __attribute__((vector_size(32)));
   const auto words = reinterpret_cast<Words>(condition.low | condition.high);
   return ((words[0] | words[1]) | (words[2] | words[3])) != 0;
+}
+
+LIMPID_INLINE IntLanes Both(const IntLanes& one, const IntLanes& other)
+{
+  return one & other;
+}
+
+LIMPID_INLINE IntLanes Gather(const std::uint8_t* from, const IntLanes& index)
+{
+  alignas(32) std::int32_t numbers[IntLanes::count];
+  index.Store(numbers);
+  for (std::int32_t& number : numbers)
+  {
+    number = from[number];
+  }
+  return IntLanes::Load(numbers);
 }
 
 LIMPID_INLINE FloatLanes SquareRoot(const FloatLanes& x)

@@ -58,6 +58,17 @@ LIMPID_HD LIMPID_INLINE bool AnyOf(bool condition)
   return condition;
 }
 
+LIMPID_HD LIMPID_INLINE bool Both(bool one, bool other)
+{
+  return one && other;
+}
+
+/// from[index]
+LIMPID_HD LIMPID_INLINE std::int32_t Gather(const std::uint8_t* from, std::int32_t index)
+{
+  return from[index];
+}
+
 LIMPID_HD LIMPID_INLINE float SquareRoot(float x)
 {
   return std::sqrt(x);

@@ -6,7 +6,6 @@
 
 #include "render/Ray.h"
 
-#include <cmath>
 #include <cstdint>
 
 namespace limpid
@@ -14,7 +13,8 @@ namespace limpid
 /// Where nothing is, see Bricks.
 struct BrickDistances
 {
-  static constexpr int size = 4; ///< of a brick along each axis [cells]
+  static constexpr int sizeBits = 2;
+  static constexpr int size = 1 << sizeBits; ///< of a brick along each axis [cells]
 
   const std::uint8_t* distance = nullptr; ///< per brick; null: nothing is skipped
   int cells[3] = { 0, 0, 0 };
@@ -35,107 +35,107 @@ struct BrickDistances
     return bricks;
   }
 
-  /// Number of bricks that one can move along each axis, from that of the cell at or next to a
-  /// position [index] on, such that all on the way are empty; 0: it is not.
-  LIMPID_HD LIMPID_INLINE int EmptyAround(float x, float y, float z) const
+  /// Number of bricks that one can move along each axis, from one on, such that all on the way are
+  /// empty; 0: it is not. Of one brick or of several.
+  template <class Integer>
+  LIMPID_HD LIMPID_INLINE Integer EmptyAround(const Integer* brick) const
   {
-    const unsigned int brick[3] = { this->BrickAt(0, x), this->BrickAt(1, y), this->BrickAt(2, z) };
-    return this->EmptyAround(brick);
+    return Gather(this->distance, brick[0] + (brick[1] + brick[2] * this->rows) * this->columns);
   }
 
-  LIMPID_HD LIMPID_INLINE int EmptyAround(const unsigned int* brick) const
+  /// Number of the brick of a cell along an axis.
+  template <class Integer>
+  LIMPID_HD LIMPID_INLINE static Integer BrickOf(const Integer& cell)
   {
-    const unsigned int row = brick[1] + unsigned(this->rows) * brick[2];
-    return this->distance[brick[0] + std::uint64_t(row) * unsigned(this->columns)];
+    return cell >> sizeBits;
   }
 
-  /// Number of a brick along an axis.
-  LIMPID_HD LIMPID_INLINE unsigned int BrickAt(int axis, float position) const
+  /// The same of the cell at or next to a position [index].
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE auto BrickAt(int axis, const Number& position) const
   {
-    const float limit = float(this->cells[axis] - 1);
-    return static_cast<unsigned int>(Truncate(Clamp(position, 0.0f, limit))) / size;
+    return BrickOf(Truncate(Clamp(position, 0.0f, float(this->cells[axis] - 1))));
   }
 };
 
-/// A way along a ray past empty bricks.
+/// A way along a ray, or along several at once, past empty bricks.
+template <class AnyRay>
 class BrickWalk
 {
 public:
-  LIMPID_HD LIMPID_INLINE BrickWalk(const BrickDistances& bricks, const Ray& ray)
+  using Number = typename AnyRay::Number;
+  using Integer = typename AnyRay::Integer;
+
+  LIMPID_HD LIMPID_INLINE BrickWalk(const BrickDistances& bricks, const AnyRay& ray)
     : Bricks(bricks)
     , Way(ray)
   {
+    constexpr float never = 1e30f;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const float pace = ray.step[axis];
-      this->PerPace[axis] = std::abs(pace) > 1e-12f ? 1.0f / pace : 0.0f;
+      const Number pace = ray.step[axis];
+      this->PerPace[axis] = Select(Magnitude(pace) > 1e-12f, 1.0f / pace, never);
     }
   }
 
   /// The first sample from `k` on whose segment is not known to be empty.
-  LIMPID_HD LIMPID_INLINE int SkipEmpty(int k) const
+  LIMPID_HD LIMPID_INLINE Integer SkipEmpty(Integer k) const
   {
-    const int end = this->Way.segments;
-    Place place(*this, k);
-    while (place.emptyAround > 0)
+    Place place;
+    place.Set(*this, k);
+    auto moves = place.emptyAround > 0;
+    while (AnyOf(moves))
     {
       // The last sample inside is empty as well as its segment, unless the next one is not.
-      k += this->SamplesInside(place);
-      if (k >= end)
-      {
-        return end;
-      }
-      place = Place(*this, k + 1);
-      k += place.emptyAround > 0 ? 1 : 0;
-      if (k >= end)
-      {
-        return end;
-      }
+      const Integer last = k + this->SamplesInside(place);
+      place.Set(*this, last + 1);
+      const auto empty = place.emptyAround > 0;
+      k = Select(moves, Select(empty, last + 1, last), k);
+      moves = Both(moves, Both(empty, k < this->Way.segments));
     }
-    return k;
+    return AtMost(k, this->Way.segments);
   }
 
 private:
   /// Where a sample is.
   struct Place
   {
-    float position[3]; ///< [index]
-    unsigned int brick[3];
-    int emptyAround; ///< bricks that one can move along each axis, all on the way empty
+    Number position[3]; ///< [index]
+    Integer brick[3];
+    Integer emptyAround; ///< bricks that one can move along each axis, all on the way empty
 
-    LIMPID_HD LIMPID_INLINE Place(const BrickWalk& walk, int k)
+    LIMPID_HD LIMPID_INLINE void Set(const BrickWalk& walk, const Integer& k)
     {
-      const BrickDistances& bricks = walk.Bricks;
-      const float far = walk.Way.At(k);
+      const Number far = walk.Way.DistanceOf(ToFloat(k));
       for (int axis = 0; axis < 3; ++axis)
       {
         this->position[axis] = walk.Way.entry[axis] + far * walk.Way.step[axis];
-        this->brick[axis] = bricks.BrickAt(axis, this->position[axis]);
+        this->brick[axis] = walk.Bricks.BrickAt(axis, this->position[axis]);
       }
-      this->emptyAround = bricks.EmptyAround(this->brick);
+      this->emptyAround = walk.Bricks.EmptyAround(this->brick);
     }
   };
 
   /// Samples from a place on in the bricks from emptyAround - 1 before to emptyAround - 1 behind
   /// its own.
-  LIMPID_HD LIMPID_INLINE int SamplesInside(const Place& place) const
+  LIMPID_HD LIMPID_INLINE Integer SamplesInside(const Place& place) const
   {
-    constexpr int size = BrickDistances::size;
-    float steps = 1e6f;
+    Number steps = 1e6f;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const float perPace = this->PerPace[axis];
-      const int brick = static_cast<int>(place.brick[axis]);
-      const int side = perPace > 0.0f ? brick + place.emptyAround : brick - place.emptyAround + 1;
-      const float reach = (float(side * size) - place.position[axis]) * perPace;
-      steps = perPace != 0.0f && reach < steps ? reach : steps;
+      const Integer front = place.brick[axis] + place.emptyAround;
+      const Integer rear = place.brick[axis] - place.emptyAround + 1;
+      const Integer side = Select(this->PerPace[axis] > 0.0f, front, rear);
+      const Number reach =
+        (ToFloat(side * BrickDistances::size) - place.position[axis]) * this->PerPace[axis];
+      steps = AtMost(reach, steps);
     }
-    return steps > 0.0f ? static_cast<int>(steps) : 0;
+    return Truncate(AtLeast(steps, 0.0f));
   }
 
   const BrickDistances& Bricks;
-  const Ray& Way;
-  float PerPace[3]; ///< samples per cell; 0: it stays in the cell
+  const AnyRay& Way;
+  Number PerPace[3]; ///< samples per cell; very many: it stays in the cell
 };
 }
 

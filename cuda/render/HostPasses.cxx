@@ -7,20 +7,19 @@
 #include "backend/Interruption.h"
 #include "render/BlockSampler.h"
 #include "render/ExtinctionOverlay.h"
+#include "render/RayLanes.h"
 #include "render/Raycast.h"
-#include "render/TileWalk.h"
 
 #include <algorithm>
 #include <atomic>
-#include <optional>
 
 namespace limpid
 {
 namespace
 {
-constexpr int tileWidth = 8; // pixels
-constexpr int tileHeight = 8;
-constexpr int tilesAtATime = 4; ///< along a row: they read the same nodes
+constexpr int tileWidth = 4; // pixels
+constexpr int tileHeight = RayLanes::count / tileWidth;
+constexpr int tilesAtATime = 8; ///< along a row: they read the same nodes
 
 using HostPixel = Pixel<BlockSampler::Optical>;
 using TraceOneRay = void (*)(const RayScene&, const Ray&, HostPixel&);
@@ -114,28 +113,39 @@ void ForTiles(const PictureRays& rays, const Action& action)
     });
 }
 
-/// A ray begins where the first of its tile may meet anything.
+/// Moves the beginnings of RayLanes::count rays to where they may meet anything.
+LIMPID_MULTIVERSION
+void SkipEmptyFronts(const BrickDistances& bricks, Ray* rays)
+{
+  const RayLanes lanes(rays);
+  std::int32_t begins[RayLanes::count];
+  BrickWalk<RayLanes>(bricks, lanes).SkipEmpty(lanes.begin).Store(begins);
+  for (int i = 0; i < RayLanes::count; ++i)
+  {
+    rays[i].begin = begins[i];
+  }
+}
+
 void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace, const Tile& tile)
 {
-  std::optional<TileWalk> walk;
+  Ray all[RayLanes::count];
+  const auto of = [&](int column, int row) -> Ray&
+  { return all[(row - tile.bottom) * tileWidth + column - tile.left]; };
+  tile.ForPixels([&](int column, int row) { rays.Make(column, row, of(column, row)); });
   if (scene.bricks.distance)
   {
-    walk.emplace(rays.maker, scene.bricks, tile.left, tile.bottom, tile.right, tile.top);
+    SkipEmptyFronts(scene.bricks, all);
   }
   tile.ForPixels(
     [&](int column, int row)
     {
-      if (walk && walk->IsEmpty())
+      const Ray& ray = of(column, row);
+      HostPixel received;
+      if (ray.begin < ray.segments)
       {
-        rays.Show(column, row, HostPixel());
-        return;
+        trace(scene, ray, received);
       }
-      rays.Draw<BlockSampler::Optical>(column, row,
-        [&](Ray& ray, HostPixel& pixel)
-        {
-          ray.begin = walk ? walk->FirstSample(ray) : 0;
-          trace(scene, ray, pixel);
-        });
+      rays.Show(column, row, received);
     });
 }
 }

@@ -17,6 +17,9 @@ namespace limpid
 /// One ray, by the number of the sample from its entry into the box on.
 struct Ray
 {
+  using Number = float;
+  using Integer = std::int32_t;
+
   float entry[3] = { 0, 0, 0 };      ///< where it enters [index]
   float step[3] = { 0, 0, 0 };       ///< from sample to sample [index]
   float lightEntry[3] = { 0, 0, 0 }; ///< the same from the middle of the box [radii, world]
@@ -31,10 +34,10 @@ struct Ray
   LIMPID_HD LIMPID_INLINE float At(int k) const { return this->DistanceOf(static_cast<float>(k)); }
 
   /// The same of one sample or several.
-  template <class Number>
-  LIMPID_HD LIMPID_INLINE Number DistanceOf(const Number& sample) const
+  template <class Samples>
+  LIMPID_HD LIMPID_INLINE Samples DistanceOf(const Samples& sample) const
   {
-    return Clamp(Number(sample - this->shift), 0.0f, this->length);
+    return Clamp(Samples(sample - this->shift), 0.0f, this->length);
   }
 
   /// The part from a distance [samples] on; its samples are some of those of the whole ray.
@@ -81,19 +84,6 @@ public:
 
   /// `stepLength`: between samples [length].
   RayMaker(const Grid& grid, double stepLength, const View& view);
-
-  /// Where clip z = `z` is at a place of the picture [pixels] [index].
-  Vec3 PointOf(double column, double row, double z) const
-  {
-    return this->Point(2 * (column + 0.5) / this->Width - 1, 2 * (row + 0.5) / this->Height - 1, z);
-  }
-
-  /// Across planes of equal clip z, in any length and either direction [1/index].
-  Vec3 DepthNormal() const
-  {
-    const Vec3 corner = this->Point(-1, -1, -1);
-    return glm::cross(this->Point(1, -1, -1) - corner, this->Point(-1, 1, -1) - corner);
-  }
 
   /// The ray of a pixel from clip z = `start` to `end`; false: it misses what the planes leave of
   /// the box.

@@ -207,11 +207,10 @@ struct RaySamples
 private:
   LIMPID_HD LIMPID_INLINE bool LastIsFilled(const BrickDistances& bricks) const
   {
-    unsigned int brick[3];
+    int brick[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int cell = AnySampler::Last(this->place.scalars.before[axis]);
-      brick[axis] = static_cast<unsigned int>(cell) / BrickDistances::size;
+      brick[axis] = BrickDistances::BrickOf(AnySampler::Last(this->place.scalars.before[axis]));
     }
     return bricks.EmptyAround(brick) == 0;
   }

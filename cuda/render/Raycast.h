@@ -57,18 +57,19 @@ struct PictureRays
     }
   }
 
-private:
-  LIMPID_HD LIMPID_INLINE Index At(int column, int row) const
-  {
-    return Index(row) * this->columns + column;
-  }
-
+  /// The ray of a pixel; false: it meets nothing.
   LIMPID_HD LIMPID_INLINE bool Make(int column, int row, Ray& ray) const
   {
     const Index pixel = this->At(column, row);
     const double start = this->nearDepth ? double(this->nearDepth[pixel]) : -1.0;
     const double end = this->depth ? double(this->depth[pixel]) : 1.0;
     return this->maker.Make(column, row, start, end, ray);
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE Index At(int column, int row) const
+  {
+    return Index(row) * this->columns + column;
   }
 };
 

@@ -20,7 +20,7 @@ template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceFromObject(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
-  const BrickWalk walk(scene.unimportant, ray);
+  const BrickWalk<Ray> walk(scene.unimportant, ray);
   RayObject object;
   RayPlaces<AnySampler> place;
   int nextBrick = 0; // sample from which on another brick is looked up
@@ -60,8 +60,8 @@ template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceMean(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
-  const BrickWalk filled(scene.bricks, ray);
-  const BrickWalk important(scene.unimportant, ray);
+  const BrickWalk<Ray> filled(scene.bricks, ray);
+  const BrickWalk<Ray> important(scene.unimportant, ray);
   WeighedMean<typename AnySampler::Optical> mean;
   RaySamples<AnySampler, Overlaid> samples;
   Ends<AnySampler> importance;

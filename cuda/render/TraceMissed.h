@@ -20,8 +20,8 @@ template <class AnySampler, bool Overlaid>
 LIMPID_HD LIMPID_INLINE RayImportance TraceMissed(const RayScene& scene, const Ray& ray)
 {
   const Ray back = ray.Reversed();
-  const BrickWalk important(scene.unimportant, back);
-  const BrickWalk bare(scene.bricks, back);
+  const BrickWalk<Ray> important(scene.unimportant, back);
+  const BrickWalk<Ray> bare(scene.bricks, back);
   RayImportance gathered;
   RaySamples<AnySampler, Overlaid> samples;
   Ends<AnySampler> importance;

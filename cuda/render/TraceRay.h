@@ -19,7 +19,7 @@ template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceRay(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
-  const BrickWalk walk(scene.bricks, ray);
+  const BrickWalk<Ray> walk(scene.bricks, ray);
   RaySamples<AnySampler, Overlaid> samples;
   Pixel<typename AnySampler::Optical> received = pixel; // nothing else can change that meanwhile
   for (int k = ray.begin; k < ray.segments && received.transmittance > scene.opaqueBelow;
