@@ -49,7 +49,8 @@ struct Field
 {
   CellGrid grid{ Int3(6, 5, 7) };
   std::vector<float> numbers;
-  std::vector<FourPacked> packed;
+  std::vector<FourPacked> fours;
+  std::vector<TwoPacked> twos;
   float positions[3][count];
 
   Field()
@@ -64,7 +65,8 @@ struct Field
       {
         value = std::int16_t(packedOne * share(random));
       }
-      this->packed.push_back(four);
+      this->fours.push_back(four);
+      this->twos.push_back({ { four.values[1], four.values[2] } });
     }
     for (auto& axis : this->positions)
     {
@@ -88,6 +90,24 @@ struct Field
     return { this->grid, at };
   }
 };
+
+template <int Count>
+void ExpectInterpolatedAsAlone(const Field& field, const std::vector<Packed<Count>>& packed,
+  const CellPlaces<BlockSampler>& places)
+{
+  FloatLanes all[Count];
+  BlockSampler::InterpolateAll(field.grid, packed.data(), places, all);
+  for (int number = 0; number < Count; ++number)
+  {
+    ExpectEach(all[number],
+      [&](int i)
+      {
+        float alone[Count];
+        SingleSampler::InterpolateAll(field.grid, packed.data(), field.Place(i), alone);
+        return alone[number];
+      });
+  }
+}
 
 /// Transfer functions with a step and a colour that changes everywhere.
 Classification MakeClassification()
@@ -145,18 +165,8 @@ TEST(BlockSampler, InterpolatesAsSingleSampler)
   ExpectEach(BlockSampler::InterpolateAll(field.grid, field.numbers.data(), places),
     [&](int i)
     { return SingleSampler::InterpolateAll(field.grid, field.numbers.data(), field.Place(i)); });
-  FloatLanes all[4];
-  BlockSampler::InterpolateAll(field.grid, field.packed.data(), places, all);
-  for (int number = 0; number < 4; ++number)
-  {
-    ExpectEach(all[number],
-      [&](int i)
-      {
-        float alone[4];
-        SingleSampler::InterpolateAll(field.grid, field.packed.data(), field.Place(i), alone);
-        return alone[number];
-      });
-  }
+  ExpectInterpolatedAsAlone(field, field.fours, places);
+  ExpectInterpolatedAsAlone(field, field.twos, places);
 }
 
 TEST(BlockSampler, LooksUpAsSingleSamplerInsideTheTableAndOutside)

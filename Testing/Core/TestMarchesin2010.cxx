@@ -4,7 +4,7 @@
 #include "Tolerance.h"
 
 #include "methods/WeighedMean.h"
-#include "render/FourFloats.h"
+#include "render/PackedNumbers.h"
 
 #include <gtest/gtest.h>
 

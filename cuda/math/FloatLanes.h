@@ -138,7 +138,7 @@ LIMPID_INLINE bool AnyOf(const IntLanes& condition)
   return ((words[0] | words[1]) | (words[2] | words[3])) != 0;
 }
 
-LIMPID_INLINE IntLanes Both(const IntLanes& one, const IntLanes& other)
+LIMPID_INLINE IntLanes And(const IntLanes& one, const IntLanes& other)
 {
   return one & other;
 }

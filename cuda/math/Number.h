@@ -58,7 +58,7 @@ LIMPID_HD LIMPID_INLINE bool AnyOf(bool condition)
   return condition;
 }
 
-LIMPID_HD LIMPID_INLINE bool Both(bool one, bool other)
+LIMPID_HD LIMPID_INLINE bool And(bool one, bool other)
 {
   return one && other;
 }

@@ -143,16 +143,6 @@ struct BlockSampler
     }
   }
 
-  static LIMPID_INLINE Optical Interpolate(
-    const CellGrid& grid, const FourPacked* first, float x, float y, float z)
-  {
-    EightFloats between;
-    InFace(grid, first, y, z, between);
-    const Optical near = __builtin_shufflevector(between, between, 0, 1, 2, 3);
-    const Optical far = __builtin_shufflevector(between, between, 4, 5, 6, 7);
-    return perUnit * (near + x * (far - near));
-  }
-
   static LIMPID_INLINE FloatLanes InterpolateAll(
     const CellGrid& grid, const float* field, const CellPlaces<BlockSampler>& place)
   {
@@ -181,6 +171,21 @@ struct BlockSampler
     Interpolate(grid, field, place.cell.first, place.fraction[0].low, y, z, low);
     Interpolate(grid, field, place.cell.first + 8, place.fraction[0].high, y + 8, z + 8, high);
     for (int number = 0; number < 4; ++number)
+    {
+      numbers[number] = FloatLanes(perUnit * low[number], perUnit * high[number]);
+    }
+  }
+
+  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const TwoPacked* field,
+    const CellPlaces<BlockSampler>& place, FloatLanes (&numbers)[2])
+  {
+    EightFloats low[2];
+    EightFloats high[2];
+    Interpolate(grid, field, place.cell.first, place.fraction[0].low, place.fraction[1].low,
+      place.fraction[2].low, low);
+    Interpolate(grid, field, place.cell.first + 8, place.fraction[0].high, place.fraction[1].high,
+      place.fraction[2].high, high);
+    for (int number = 0; number < 2; ++number)
     {
       numbers[number] = FloatLanes(perUnit * low[number], perUnit * high[number]);
     }
@@ -245,35 +250,113 @@ private:
 
   static constexpr float perUnit = 1.0f / 65536.0f;
 
-  /// What two nodes that follow each other along x have packed, times 2^16: numbers of 16 bits
-  /// become the upper halves of such of 32 bits.
-  struct TwoNodes
+  /// Eight packed numbers times 2^16: those of 16 bits become the upper halves of such of 32 bits.
+  template <class Bytes>
+  static LIMPID_INLINE void Unpack(const Bytes& bytes, EightFloats& numbers)
   {
-    EightFloats values;
+    using Halves = std::int16_t __attribute__((vector_size(16)));
+    static_assert(sizeof(bytes) == sizeof(Halves), "eight numbers of 16 bits");
+    Halves packed;
+    std::memcpy(&packed, &bytes, sizeof(packed));
+    const Halves zero{};
+    const auto shifted =
+      __builtin_shufflevector(zero, packed, 0, 8, 0, 9, 0, 10, 0, 11, 0, 12, 0, 13, 0, 14, 0, 15);
+    numbers = __builtin_convertvector(reinterpret_cast<EightInts>(shifted), EightFloats);
+  }
 
-    LIMPID_INLINE explicit TwoNodes(const FourPacked* first)
+  /// Reads what two nodes that follow each other along x have, times 2^16.
+  struct NodesOfOne
+  {
+    const FourPacked* first;
+
+    LIMPID_INLINE void Read(Index nodes, EightFloats& numbers) const
     {
-      using Packed = std::int16_t __attribute__((vector_size(16)));
-      Packed packed;
-      std::memcpy(&packed, first, sizeof(packed));
-      const Packed zero{};
-      const auto shifted =
-        __builtin_shufflevector(zero, packed, 0, 8, 0, 9, 0, 10, 0, 11, 0, 12, 0, 13, 0, 14, 0, 15);
-      this->values = __builtin_convertvector(reinterpret_cast<EightInts>(shifted), EightFloats);
+      FourPacked there[2];
+      std::memcpy(there, this->first + nodes, sizeof(there));
+      Unpack(there, numbers);
     }
   };
 
-  /// What two nodes have is blended along z and y, times 2^16.
-  static LIMPID_INLINE void InFace(
-    const CellGrid& grid, const FourPacked* first, float y, float z, EightFloats& between)
+  /// The same of two samples.
+  struct NodesOfTwo
   {
-    const TwoNodes lowFront(first);
-    const TwoNodes highFront(first + grid.stride[1]);
-    const TwoNodes lowBehind(first + grid.stride[2]);
-    const TwoNodes highBehind(first + grid.stride[1] + grid.stride[2]);
-    const EightFloats low = lowFront.values + z * (lowBehind.values - lowFront.values);
-    const EightFloats high = highFront.values + z * (highBehind.values - highFront.values);
+    const TwoPacked* first;
+    const TwoPacked* other;
+
+    LIMPID_INLINE void Read(Index nodes, EightFloats& numbers) const
+    {
+      using Pair = std::int64_t __attribute__((vector_size(16)));
+      std::int64_t here;
+      std::int64_t there;
+      std::memcpy(&here, this->first + nodes, sizeof(here));
+      std::memcpy(&there, this->other + nodes, sizeof(there));
+      Unpack(Pair{ here, there }, numbers);
+    }
+  };
+
+  /// What such nodes have is blended along z and y, times 2^16.
+  template <class Nodes, class Share>
+  static LIMPID_INLINE void InFace(
+    const CellGrid& grid, const Nodes& nodes, const Share& y, const Share& z, EightFloats& between)
+  {
+    EightFloats lowFront;
+    EightFloats highFront;
+    EightFloats lowBehind;
+    EightFloats highBehind;
+    nodes.Read(0, lowFront);
+    nodes.Read(grid.stride[1], highFront);
+    nodes.Read(grid.stride[2], lowBehind);
+    nodes.Read(grid.stride[1] + grid.stride[2], highBehind);
+    const EightFloats low = lowFront + z * (lowBehind - lowFront);
+    const EightFloats high = highFront + z * (highBehind - highFront);
     between = low + y * (high - low);
+  }
+
+  /// Numbers i and i + 4 of eight, four times each.
+  struct FourTimes
+  {
+    EightFloats both[4];
+
+    LIMPID_INLINE explicit FourTimes(const EightFloats& x)
+      : both{ __builtin_shufflevector(x, x, 0, 0, 0, 0, 4, 4, 4, 4),
+        __builtin_shufflevector(x, x, 1, 1, 1, 1, 5, 5, 5, 5),
+        __builtin_shufflevector(x, x, 2, 2, 2, 2, 6, 6, 6, 6),
+        __builtin_shufflevector(x, x, 3, 3, 3, 3, 7, 7, 7, 7) }
+    {
+    }
+  };
+
+  /// Eight of each of two packed numbers, times 2^16.
+  static LIMPID_INLINE void Interpolate(const CellGrid& grid, const TwoPacked* field,
+    const Index* cells, const EightFloats& x, const EightFloats& y, const EightFloats& z,
+    EightFloats* numbers)
+  {
+    // Both of both nodes of samples i and i + 4 in one register ...
+    const FourTimes shareY(y);
+    const FourTimes shareZ(z);
+    EightFloats pairs[4];
+    LIMPID_UNROLL(4)
+    for (int i = 0; i < 4; ++i)
+    {
+      const NodesOfTwo nodes{ field + cells[i], field + cells[i + 4] };
+      InFace(grid, nodes, shareY.both[i], shareZ.both[i], pairs[i]);
+    }
+    // ... then those of samples i, i + 1, i + 4 and i + 5 at either node ...
+    EightFloats blended[2];
+    const EightFloats shareX[2] = { __builtin_shufflevector(x, x, 0, 0, 1, 1, 4, 4, 5, 5),
+      __builtin_shufflevector(x, x, 2, 2, 3, 3, 6, 6, 7, 7) };
+    LIMPID_UNROLL(2)
+    for (int i = 0; i < 2; ++i)
+    {
+      const EightFloats& one = pairs[2 * i];
+      const EightFloats& other = pairs[2 * i + 1];
+      const EightFloats near = __builtin_shufflevector(one, other, 0, 1, 8, 9, 4, 5, 12, 13);
+      const EightFloats far = __builtin_shufflevector(one, other, 2, 3, 10, 11, 6, 7, 14, 15);
+      blended[i] = near + shareX[i] * (far - near);
+    }
+    // ... then the same number of all side by side.
+    numbers[0] = __builtin_shufflevector(blended[0], blended[1], 0, 2, 8, 10, 4, 6, 12, 14);
+    numbers[1] = __builtin_shufflevector(blended[0], blended[1], 1, 3, 9, 11, 5, 7, 13, 15);
   }
 
   /// Eight of each of four packed numbers, times 2^16.
@@ -282,21 +365,17 @@ private:
   {
     // All four of samples i and i + 4 in one register ...
     EightFloats pairs[4];
-    EightFloats share[4];
-    share[0] = __builtin_shufflevector(x, x, 0, 0, 0, 0, 4, 4, 4, 4);
-    share[1] = __builtin_shufflevector(x, x, 1, 1, 1, 1, 5, 5, 5, 5);
-    share[2] = __builtin_shufflevector(x, x, 2, 2, 2, 2, 6, 6, 6, 6);
-    share[3] = __builtin_shufflevector(x, x, 3, 3, 3, 3, 7, 7, 7, 7);
+    const FourTimes share(x);
     LIMPID_UNROLL(4)
     for (int i = 0; i < 4; ++i)
     {
       EightFloats one;
       EightFloats other;
-      InFace(grid, field + cells[i], y[i], z[i], one);
-      InFace(grid, field + cells[i + 4], y[i + 4], z[i + 4], other);
+      InFace(grid, NodesOfOne{ field + cells[i] }, y[i], z[i], one);
+      InFace(grid, NodesOfOne{ field + cells[i + 4] }, y[i + 4], z[i + 4], other);
       const EightFloats near = __builtin_shufflevector(one, other, 0, 1, 2, 3, 8, 9, 10, 11);
       const EightFloats far = __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15);
-      pairs[i] = near + share[i] * (far - near);
+      pairs[i] = near + share.both[i] * (far - near);
     }
     // ... then the same number of all side by side.
     const EightFloats a = __builtin_shufflevector(pairs[0], pairs[1], 0, 8, 1, 9, 4, 12, 5, 13);

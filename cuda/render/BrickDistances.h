@@ -91,7 +91,7 @@ public:
       place.Set(*this, last + 1);
       const auto empty = place.emptyAround > 0;
       k = Select(moves, Select(empty, last + 1, last), k);
-      moves = Both(moves, Both(empty, k < this->Way.segments));
+      moves = And(moves, And(empty, k < this->Way.segments));
     }
     return AtMost(k, this->Way.segments);
   }

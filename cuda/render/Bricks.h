@@ -111,7 +111,7 @@ struct EmptyBrick
   Int3 nodes;
   OpticalTable table;
   const ScalarRange* ranges;
-  const FourPacked* overlay; ///< see ExtinctionOverlay; null: unchanged
+  const TwoPacked* overlay; ///< see ExtinctionOverlay; null: unchanged
   Int3 overlayNodes;
   Cleared cleared;
   std::uint8_t* distance; ///< out
@@ -219,13 +219,13 @@ public:
 
   /// Finds the empty bricks, and how far around each all are empty. `overlay`: at `overlayNodes`;
   /// null: nothing is changed.
-  void FindEmpty(const OpticalTable& table, const FourPacked* overlay, const Int3& overlayNodes)
+  void FindEmpty(const OpticalTable& table, const TwoPacked* overlay, const Int3& overlayNodes)
   {
     this->Find(this->Distance, table, overlay, overlayNodes, Cleared::IsEmpty);
   }
 
   /// Likewise, the bricks that are empty without the change, too.
-  void FindBare(const OpticalTable& table, const FourPacked* overlay, const Int3& overlayNodes)
+  void FindBare(const OpticalTable& table, const TwoPacked* overlay, const Int3& overlayNodes)
   {
     this->Find(this->BareDistance, table, overlay, overlayNodes, Cleared::IsNot);
   }
@@ -264,7 +264,7 @@ public:
 private:
   using DistanceArray = DeviceArray<AnyDevice, std::uint8_t>;
 
-  void Find(DistanceArray& distances, const OpticalTable& table, const FourPacked* overlay,
+  void Find(DistanceArray& distances, const OpticalTable& table, const TwoPacked* overlay,
     const Int3& overlayNodes, Cleared cleared)
   {
     this->Spread(distances,

@@ -7,7 +7,7 @@
 #define limpid_render_Classification_h
 
 #include "math/Number.h"
-#include "render/FourFloats.h"
+#include "render/PackedNumbers.h"
 #include "render/Renderer.h"
 
 #include <cmath>

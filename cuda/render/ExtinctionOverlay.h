@@ -29,22 +29,12 @@ bool MoveNodes(AnyDevice& device, const MovedNode& body, bool wasChanged)
 /// overlay that says nothing.
 bool MoveNodes(HostDevice& device, const MovedNode& body, bool wasChanged);
 
-/// Interpolates an overlay on another grid.
-template <class AnyDevice>
-void ResampleNodes(AnyDevice& device, const Int3& nodes, const ResampledNode<SingleSampler>& body)
-{
-  device.ForNodes("resample the overlay", nodes, body);
-}
-
-/// The form for the processor reads with its registers, in half the time.
-void ResampleNodes(HostDevice& device, const Int3& nodes, const ResampledNode<SingleSampler>& body);
-
 /**
  * What optimisation and light add to the volume, on a device. Nothing waits.
  *
- * Every node of a grid over the same box has four packed numbers: the share of the transfer
- * function's extinction that is kept [1], the extinction that is added [majorant], the
- * transmittance from the light [1], and a zero.
+ * Every node of a grid over the same box has two packed numbers, the share of the transfer
+ * function's extinction that is kept [1] and the extinction that is added [majorant], and the
+ * transmittance from the light, rounded as those are: [packedOne].
  *
  * The extinction of a sample is kept * mu-bar(s) + added. At a node that is the optimised
  * extinction, and where nothing was changed it is the transfer function's of the interpolated
@@ -85,10 +75,12 @@ public:
   {
     this->HasShadow = true;
     const Int3 to = this->Place.nodes;
+    float* shadow =
+      this->Arriving.RoomFor(this->Device, std::size_t(this->Place.NodeCount()), "the shadows");
     if (nodes == to)
     {
-      this->Device->ForIndices("take shadows", this->Place.NodeCount(),
-        ShadowedNode{ transmittance, this->Numbers.Data() });
+      this->Device->ForIndices(
+        "take shadows", this->Place.NodeCount(), ShadowedNode{ transmittance, shadow });
       return;
     }
     const char* what = "interpolated shadows";
@@ -115,7 +107,7 @@ public:
       InterpolatedAlong{ 2, slicePlaces.Data(), rows.Data(), ofRows, slices.Data() });
     this->Device->ForNodes("take shadows", to,
       InterpolatedShadowNode{
-        { 0, columnPlaces.Data(), slices.Data(), ofSlices, nullptr }, this->Numbers.Data() });
+        { 0, columnPlaces.Data(), slices.Data(), ofSlices, nullptr }, shadow });
   }
 
   /// Transmittance of the light at a position [nodes]. Waits.
@@ -124,19 +116,20 @@ public:
     const CellGrid grid(this->Place.nodes);
     const float at[3] = { float(position.x), float(position.y), float(position.z) };
     const CellPlace place(grid, at);
-    FourPacked corners[8];
+    float corners[8];
     for (int corner = 0; corner < 8; ++corner)
     {
       const Index node = place.cell + (corner & 1) + (corner >> 1 & 1) * grid.stride[1] +
         (corner >> 2) * grid.stride[2];
-      this->Device->Download(&corners[corner], this->Packed() + node, sizeof(FourPacked));
+      this->Device->Download(&corners[corner], this->Shadow() + node, sizeof(float));
     }
-    return SingleSampler::Interpolate(CellGrid({ 2, 2, 2 }), corners, place.fraction[0],
-             place.fraction[1], place.fraction[2])[2] /
+    return InCell(CellGrid({ 2, 2, 2 }), corners, place.fraction[0], place.fraction[1],
+             place.fraction[2]) /
       packedOne;
   }
 
-  const FourPacked* Packed() const { return this->Numbers.Data(); }
+  const TwoPacked* Packed() const { return this->Numbers.Data(); }
+  const float* Shadow() const { return this->Arriving.Data(); } ///< [packedOne]
   const Grid& Nodes() const { return this->Place; }
   float Majorant() const { return this->Unit; } ///< unit of what is added [1/length]
   bool Empty() const { return this->Numbers.Empty(); }
@@ -155,7 +148,7 @@ private:
       return;
     }
     const Index count = grid.NodeCount();
-    DeviceArray<AnyDevice, FourPacked> numbers(this->Device, std::size_t(count), "the overlay");
+    DeviceArray<AnyDevice, TwoPacked> numbers(this->Device, std::size_t(count), "the overlay");
     if (this->Empty())
     {
       this->Device->ForIndices("clear the overlay", count, UnchangedNode{ numbers.Data() });
@@ -163,12 +156,12 @@ private:
     else
     {
       const Int3 from = this->Place.nodes;
-      ResampledNode<SingleSampler> body{ CellGrid(from), this->Packed(), {}, numbers.Data() };
+      ResampledNode body{ CellGrid(from), this->Packed(), {}, numbers.Data() };
       for (int axis = 0; axis < 3; ++axis)
       {
         body.scale[axis] = float(from[axis] - 1) / float(std::max(grid.nodes[axis] - 1, 1));
       }
-      ResampleNodes(*this->Device, grid.nodes, body);
+      this->Device->ForNodes("resample the overlay", grid.nodes, body);
     }
     this->Numbers = std::move(numbers);
     this->HasShadow = false;
@@ -176,7 +169,8 @@ private:
   }
 
   std::shared_ptr<AnyDevice> Device;
-  DeviceArray<AnyDevice, FourPacked> Numbers;
+  DeviceArray<AnyDevice, TwoPacked> Numbers;
+  Field Arriving; ///< see Shadow
   Grid Place;
   float Unit = 0;
   bool HasChange = false;

@@ -115,15 +115,15 @@ struct PackedGradientNode
   }
 };
 
-/// Takes the transmittance of the light from an overlay on the same nodes.
+/// Takes the transmittance of the light of the same node.
 struct ShadowedGradientNode
 {
-  const FourPacked* overlay;
-  FourPacked* packed; ///< in and out
+  const float* shadow; ///< [packedOne]
+  FourPacked* packed;  ///< in and out
 
   LIMPID_HD void operator()(Index node) const
   {
-    this->packed[node].values[3] = this->overlay[node].values[2];
+    this->packed[node].values[3] = static_cast<std::int16_t>(this->shadow[node]);
   }
 };
 }

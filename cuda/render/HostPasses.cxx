@@ -191,11 +191,4 @@ bool MoveNodes(HostDevice& device, const MovedNode& body, bool)
     });
   return changed;
 }
-
-void ResampleNodes(HostDevice& device, const Int3& nodes, const ResampledNode<SingleSampler>& body)
-{
-  device.ForNodes("resample the overlay", nodes,
-    ResampledNode<BlockSampler>{
-      body.from, body.packed, { body.scale[0], body.scale[1], body.scale[2] }, body.out });
-}
 }

@@ -22,11 +22,11 @@ LIMPID_HD LIMPID_INLINE std::int16_t PackShare(float value)
 /// A node where nothing is changed yet.
 struct UnchangedNode
 {
-  FourPacked* packed; ///< out
+  TwoPacked* packed; ///< out
 
   LIMPID_HD void operator()(Index node) const
   {
-    this->packed[node] = { { std::int16_t(packedOne), 0, 0, 0 } };
+    this->packed[node] = { { std::int16_t(packedOne), 0 } };
   }
 };
 
@@ -40,9 +40,9 @@ struct MovedNode
   float unit;              ///< of what is added: the majorant [1/length]
   float perUnit;           ///< 1 / unit [length]
   float share;
-  float rescale;      ///< the unit of `packed` before over the one now
-  FourPacked* packed; ///< in and out
-  float* shown;       ///< out [1/length]; null: it is not wanted
+  float rescale;     ///< the unit of `packed` before over the one now
+  TwoPacked* packed; ///< in and out
+  float* shown;      ///< out [1/length]; null: it is not wanted
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
@@ -119,24 +119,22 @@ private:
 };
 
 /// The trilinear interpolation of an overlay on another grid over the same box.
-template <class AnySampler>
 struct ResampledNode
 {
   CellGrid from;
-  const FourPacked* packed;
+  const TwoPacked* packed;
   float scale[3]; ///< nodes of `from` per node
-  FourPacked* out;
+  TwoPacked* out;
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
     const float at[3] = { float(i) * this->scale[0], float(j) * this->scale[1],
       float(k) * this->scale[2] };
-    const CellPlace place(this->from, at);
-    const auto value = AnySampler::Interpolate(this->from, this->packed + place.cell,
-      place.fraction[0], place.fraction[1], place.fraction[2]);
-    for (int number = 0; number < 4; ++number)
+    float numbers[2];
+    SingleSampler::InterpolateAll(this->from, this->packed, CellPlace(this->from, at), numbers);
+    for (int number = 0; number < 2; ++number)
     {
-      this->out[node].values[number] = static_cast<std::int16_t>(value[number] + 0.5f);
+      this->out[node].values[number] = static_cast<std::int16_t>(numbers[number] + 0.5f);
     }
   }
 };
@@ -145,11 +143,11 @@ struct ResampledNode
 struct ShadowedNode
 {
   const float* transmittance;
-  FourPacked* packed; ///< in and out
+  float* shadow; ///< out [packedOne]
 
   LIMPID_HD void operator()(Index node) const
   {
-    this->packed[node].values[2] = PackShare(this->transmittance[node]);
+    this->shadow[node] = PackShare(this->transmittance[node]);
   }
 };
 
@@ -200,11 +198,11 @@ struct InterpolatedAlong
 struct InterpolatedShadowNode
 {
   InterpolatedAlong transmittance;
-  FourPacked* packed; ///< in and out
+  float* shadow; ///< out [packedOne]
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    this->packed[node].values[2] = PackShare(this->transmittance.At(i, j, k));
+    this->shadow[node] = PackShare(this->transmittance.At(i, j, k));
   }
 };
 }

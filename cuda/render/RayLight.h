@@ -7,7 +7,7 @@
 #define limpid_render_RayLight_h
 
 #include "math/Exp.h"
-#include "render/FourFloats.h"
+#include "render/PackedNumbers.h"
 #include "render/PhaseFunction.h"
 #include "render/Ray.h"
 

@@ -38,26 +38,34 @@ struct RayPlaces
 
   Lanes distance; ///< from the entry [samples]
   CellPlaces<AnySampler> scalars;
-  CellPlaces<AnySampler> overlay; ///< if there is one, on other nodes than the scalars
 
   /// Moves to the samples from number `k` on.
-  LIMPID_HD LIMPID_INLINE void Set(const RayScene& scene, const Ray& ray, int k, bool overlaid)
+  LIMPID_HD LIMPID_INLINE void Set(const RayScene& scene, const Ray& ray, int k)
   {
     this->distance = ray.DistanceOf(ToFloat(k) + AnySampler::Numbers());
-    const Lanes position[3] = { ray.entry[0] + this->distance * ray.step[0],
-      ray.entry[1] + this->distance * ray.step[1], ray.entry[2] + this->distance * ray.step[2] };
+    const Lanes position[3] = { this->Along(ray, 0), this->Along(ray, 1), this->Along(ray, 2) };
     this->scalars.Set(scene.grid, position);
-    if (overlaid && !scene.overlaySameNodes)
-    {
-      const Lanes inOverlay[3] = { position[0] * scene.overlayScale[0],
-        position[1] * scene.overlayScale[1], position[2] * scene.overlayScale[2] };
-      this->overlay.Set(scene.overlayGrid, inOverlay);
-    }
   }
 
-  LIMPID_HD LIMPID_INLINE const CellPlaces<AnySampler>& InOverlay(const RayScene& scene) const
+  /// The same among the nodes of the overlay. `apart`: for places that are none of the scalars'.
+  LIMPID_HD LIMPID_INLINE const CellPlaces<AnySampler>& InOverlay(
+    const RayScene& scene, const Ray& ray, CellPlaces<AnySampler>& apart) const
   {
-    return scene.overlaySameNodes ? this->scalars : this->overlay;
+    if (scene.overlaySameNodes)
+    {
+      return this->scalars;
+    }
+    const Lanes position[3] = { this->Along(ray, 0) * scene.overlayScale[0],
+      this->Along(ray, 1) * scene.overlayScale[1], this->Along(ray, 2) * scene.overlayScale[2] };
+    apart.Set(scene.overlayGrid, position);
+    return apart;
+  }
+
+private:
+  /// Where the samples are along an axis [index].
+  LIMPID_HD LIMPID_INLINE Lanes Along(const Ray& ray, int axis) const
+  {
+    return ray.entry[axis] + this->distance * ray.step[axis];
   }
 };
 
@@ -84,7 +92,6 @@ struct RaySamples
   Ends<AnySampler> kept;                 ///< share of that extinction [packedOne], if Overlaid
   Ends<AnySampler> added;                ///< extinction [packedOne of scene.addedUnit]
   Ends<AnySampler> light;                ///< share of its colour that a sample sends to the viewer
-  Lanes shadow = 0;                      ///< transmittance of the light [packedOne], likewise
   typename AnySampler::Optics optics;
 
   SegmentMean<Lanes> mean;
@@ -100,7 +107,7 @@ struct RaySamples
     this->begins = this->last != k;
     const int first = this->begins ? k : k + 1;
     this->last = first + count - 1;
-    this->place.Set(scene, ray, first, Overlaid);
+    this->place.Set(scene, ray, first);
     this->lastFilled = scene.bricks.distance && this->LastIsFilled(scene.bricks);
     if (this->begins)
     {
@@ -124,12 +131,12 @@ struct RaySamples
     }
     if (Overlaid)
     {
-      Lanes overlay[4];
+      CellPlaces<AnySampler> apart;
+      Lanes overlay[2];
       AnySampler::InterpolateAll(
-        scene.overlayGrid, scene.overlay, this->place.InOverlay(scene), overlay);
+        scene.overlayGrid, scene.overlay, this->place.InOverlay(scene, ray, apart), overlay);
       this->kept.MoveOn(overlay[0]);
       this->added.MoveOn(overlay[1]);
-      this->shadow = overlay[2];
     }
   }
 
@@ -152,13 +159,11 @@ struct RaySamples
     const int before = this->last - count;
     if (!this->begins && this->LitTo != before)
     {
-      this->light.rear = LightAt(scene, ray, before);
+      RayPlaces<SingleSampler> there;
+      there.Set(scene, ray, before);
+      this->light.rear = LightAt<SingleSampler>(scene, ray, there);
     }
-    Lanes gradient[4];
-    AnySampler::InterpolateAll(scene.grid, scene.gradient, this->place.scalars, gradient);
-    this->light.MoveOn(LightOnRay(scene.light, ray)
-                         .Sent(scene.light, this->place.distance, gradient[0], gradient[1],
-                           gradient[2], Overlaid ? this->shadow : gradient[3]));
+    this->light.MoveOn(LightAt<AnySampler>(scene, ray, this->place));
     this->LitTo = this->last;
   }
 
@@ -215,22 +220,21 @@ private:
     return bricks.EmptyAround(brick) == 0;
   }
 
-  /// The light that sample `k` sends.
-  LIMPID_HD static LIMPID_INLINE float LightAt(const RayScene& scene, const Ray& ray, int k)
+  /// The light that samples send.
+  template <class Sampler>
+  LIMPID_HD static LIMPID_INLINE typename Sampler::Lanes LightAt(
+    const RayScene& scene, const Ray& ray, const RayPlaces<Sampler>& place)
   {
-    RayPlaces<SingleSampler> place;
-    place.Set(scene, ray, k, Overlaid);
-    float gradient[4];
-    float overlay[4];
-    SingleSampler::InterpolateAll(scene.grid, scene.gradient, place.scalars, gradient);
-    if (Overlaid)
+    typename Sampler::Lanes gradient[4];
+    Sampler::InterpolateAll(scene.grid, scene.gradient, place.scalars, gradient);
+    if (scene.shadow)
     {
-      SingleSampler::InterpolateAll(
-        scene.overlayGrid, scene.overlay, place.InOverlay(scene), overlay);
+      CellPlaces<Sampler> apart;
+      gradient[3] = Sampler::InterpolateAll(
+        scene.overlayGrid, scene.shadow, place.InOverlay(scene, ray, apart));
     }
     return LightOnRay(scene.light, ray)
-      .Sent(scene.light, place.distance, gradient[0], gradient[1], gradient[2],
-        Overlaid ? overlay[2] : gradient[3]);
+      .Sent(scene.light, place.distance, gradient[0], gradient[1], gradient[2], gradient[3]);
   }
 
   int LitTo = -1; ///< number of the last sample that was lit

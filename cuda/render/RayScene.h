@@ -22,7 +22,8 @@ struct RayScene
   const FourPacked* gradient = nullptr; ///< and shadow, see PackedGradientNode; null: not lit
   const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not asked for
   CellGrid overlayGrid;
-  const FourPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: nothing to add
+  const TwoPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: nothing is changed
+  const float* shadow = nullptr; ///< at its nodes, see ExtinctionOverlay; null: with the gradient
   BrickDistances bricks;
   BrickDistances unimportant;          ///< if the importance is asked for
   bool overlaySameNodes = false;       ///< as the scalars

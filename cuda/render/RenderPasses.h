@@ -22,15 +22,15 @@ namespace limpid
  * travels what the renderer was given anew and the depths of opaque things, and the picture travels
  * back. Only Cast and LightTransmittanceAt wait.
  *
- * Bytes on a GPU per node: scalars 4, gradient 8, overlay 8, what casts the shadows 4, and 8 while
- * two extinctions are on their way in or a gradient is found; 32 in all, and 4 for the importance
- * if what is missed is painted. At 256^3 nodes: 0.54 GB, and the plan of the shadows (0.1 GB). The
- * processor reads scalars and extinctions in place.
+ * Bytes on a GPU per node: scalars 4, gradient 8, overlay 8 with the shadows, what casts them 4,
+ * and 8 while two extinctions are on their way in or a gradient is found; 32 in all, and 4 for the
+ * importance if what is missed is painted. At 256^3 nodes: 0.54 GB, and the plan of the shadows
+ * (0.1 GB). The processor reads scalars and extinctions in place.
  *
  * Bytes that a picture moves, counted: 1024^2 pixels of which half see a box of 256^3 nodes, 92 M
  * samples at the distance of the nodes if nothing is empty or opaque. A lit sample in an overlay
- * reads 8 scalars, 8 nodes each of overlay and gradient, and 4 entries of the table: 224 bytes,
- * 20.6 GB through the first-level caches; its neighbours read the same nodes, and the fields
+ * reads 8 scalars, 8 nodes each of overlay and gradient, and 4 entries of the table: 192 bytes,
+ * 17.7 GB through the first-level caches; its neighbours read the same nodes, and the fields
  * themselves are 0.34 GB. The picture that comes back is 4.2 MB, as are the depths that go there,
  * if any. With new shadows add those of TransmittanceSweep.
  */
@@ -287,20 +287,17 @@ private:
     return this->CoarseOpaque.Data();
   }
 
-  /// Whether the shadows are all that the overlay says, and on the nodes of the gradient.
-  bool HasShadowsAlone() const
-  {
-    return this->Shown.Shadowed() && !this->Shown.Changed() &&
-      this->Shown.Nodes().nodes == this->Nodes.nodes;
-  }
+  /// Whether the shadows are on the nodes of the gradient.
+  bool ShadowsFitGradient() const { return this->Shown.Nodes().nodes == this->Nodes.nodes; }
 
   /// Puts such shadows beside the gradient, so that a sample reads one field for both.
   void ShadowGradient(const Casting& casting)
   {
-    if (casting.lit && this->HasShadowsAlone() && !this->GradientHasShadow)
+    if (casting.lit && this->Shown.Shadowed() && this->ShadowsFitGradient() &&
+      !this->GradientHasShadow)
     {
       this->Device->ForIndices("shadows of the gradient", this->Nodes.NodeCount(),
-        ShadowedGradientNode{ this->Shown.Packed(), this->Gradient.Data() });
+        ShadowedGradientNode{ this->Shown.Shadow(), this->Gradient.Data() });
       this->GradientHasShadow = true;
     }
   }
@@ -317,12 +314,13 @@ private:
     scene.stepLength = casting.stepLength;
     scene.light = casting.light;
     scene.gradient = casting.lit ? this->Gradient.Data() : nullptr;
-    const bool shadowed = this->Shown.Shadowed() && casting.lit && !this->HasShadowsAlone();
-    if (!this->Shown.Empty() && (this->Shown.Changed() || shadowed))
+    if (!this->Shown.Empty())
     {
-      scene.overlay = this->Shown.Packed();
       scene.PlaceOverlay(this->Shown.Nodes().nodes, this->Nodes.nodes);
       scene.addedUnit = this->Shown.Majorant() / scene.majorant;
+      scene.overlay = this->Shown.Changed() ? this->Shown.Packed() : nullptr;
+      const bool apart = casting.lit && this->Shown.Shadowed() && !this->ShadowsFitGradient();
+      scene.shadow = apart ? this->Shown.Shadow() : nullptr;
     }
     if (casting.skipEmpty)
     {
@@ -350,7 +348,7 @@ private:
     RayScene scene = this->SceneOf(casting);
     this->AddImportance(casting, scene);
     scene.gradient = nullptr;
-    scene.overlay = this->IsChanged() ? scene.overlay : nullptr;
+    scene.shadow = nullptr;
     if (casting.skipEmpty)
     {
       scene.bricks = this->Empty.BareDistances();

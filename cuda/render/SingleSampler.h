@@ -64,29 +64,22 @@ struct SingleSampler
     first = grid.First(before[0], before[1], before[2]);
   }
 
-  /// Interpolates four packed numbers per node [packedOne]. `first`: at the first node of the cell;
-  /// x, y, z: fractions of the cell.
-  LIMPID_HD static LIMPID_INLINE FourFloats Interpolate(
-    const CellGrid& grid, const FourPacked* first, float x, float y, float z)
-  {
-    return detail::InCell(grid, first, x, y, z);
-  }
-
   /// Interpolates a field at the samples.
   LIMPID_HD static LIMPID_INLINE float InterpolateAll(
     const CellGrid& grid, const float* field, const CellPlaces<SingleSampler>& place)
   {
-    return detail::InCell(
+    return InCell(
       grid, field + place.cell, place.fraction[0], place.fraction[1], place.fraction[2]);
   }
 
-  /// Interpolates four packed numbers per node at the samples.
-  LIMPID_HD static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const FourPacked* field,
-    const CellPlaces<SingleSampler>& place, float (&numbers)[4])
+  /// Interpolates packed numbers at the samples [packedOne].
+  template <int Count>
+  LIMPID_HD static LIMPID_INLINE void InterpolateAll(const CellGrid& grid,
+    const Packed<Count>* field, const CellPlaces<SingleSampler>& place, float (&numbers)[Count])
   {
-    const FourFloats all = Interpolate(
-      grid, field + place.cell, place.fraction[0], place.fraction[1], place.fraction[2]);
-    for (int number = 0; number < 4; ++number)
+    const Floats<Count> all =
+      InCell(grid, field + place.cell, place.fraction[0], place.fraction[1], place.fraction[2]);
+    for (int number = 0; number < Count; ++number)
     {
       numbers[number] = all[number];
     }

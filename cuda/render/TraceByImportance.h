@@ -40,7 +40,7 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
       }
       nextBrick = k + BrickDistances::size;
     }
-    place.Set(scene, ray, k, false);
+    place.Set(scene, ray, k);
     const auto importance = AnySampler::InterpolateAll(scene.grid, scene.importance, place.scalars);
     for (int i = 0; i < AnySampler::count; ++i)
     {

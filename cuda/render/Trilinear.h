@@ -7,7 +7,7 @@
 #define limpid_render_Trilinear_h
 
 #include "math/Number.h"
-#include "render/FourFloats.h"
+#include "render/PackedNumbers.h"
 
 namespace limpid
 {
@@ -75,20 +75,7 @@ struct CellPlaces
   }
 };
 
-namespace detail
-{
-LIMPID_HD LIMPID_INLINE float Unpacked(float value)
-{
-  return value;
-}
-
-LIMPID_HD LIMPID_INLINE FourFloats Unpacked(const FourPacked& packed)
-{
-  const std::int16_t* values = packed.values;
-  return { { float(values[0]), float(values[1]), float(values[2]), float(values[3]) } };
-}
-
-/// Blends along z, y and x.
+/// Blends the nodes of a cell along z, y and x. `first`: its first node; x, y, z: fractions of it.
 template <class Node>
 LIMPID_HD LIMPID_INLINE auto InCell(
   const CellGrid& grid, const Node* first, float x, float y, float z)
@@ -100,7 +87,6 @@ LIMPID_HD LIMPID_INLINE auto InCell(
   const auto near = Blend(along(first), along(first + row), y);
   const auto far = Blend(along(first + 1), along(first + 1 + row), y);
   return Blend(near, far, x);
-}
 }
 }
 
