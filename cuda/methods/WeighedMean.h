@@ -25,7 +25,7 @@ struct WeighedMean
   static constexpr float least = 1e-9f;
 
   Optical important = { 0, 0, 0, 0 }; ///< sum of importance, optical depth and colour
-  Optical plain = { 0, 0, 0, 0 };     ///< sum of optical depth and colour
+  Optical plain = { 0, 0, 0, 0 };     ///< ... of optical depth and colour, until any is important
   float importance = 0;               ///< sum of importance and optical depth
   float depth = 0;                    ///< optical depth
 
@@ -35,10 +35,16 @@ struct WeighedMean
   {
     const float weight = importanceHere * depthHere;
     this->important = this->important + weight * light * color;
-    this->plain = this->plain + depthHere * light * color;
+    if (!this->HasImportance())
+    {
+      this->plain = this->plain + depthHere * light * color;
+    }
     this->importance += weight;
-    this->depth += depthHere;
+    this->AddUnseen(depthHere);
   }
+
+  /// A segment that is not important, while something else is: its colour does not count.
+  LIMPID_HD LIMPID_INLINE void AddUnseen(float depthHere) { this->depth += depthHere; }
 
   /// Whether anything important was met; else all samples are equally so.
   LIMPID_HD LIMPID_INLINE bool HasImportance() const { return this->importance > least; }

@@ -65,13 +65,16 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
   WeighedMean<typename AnySampler::Optical> mean;
   RaySamples<AnySampler, Overlaid> samples;
   Ends<AnySampler> importance;
-  for (int k = 0; k < ray.segments; k = samples.last)
+  for (int k = ray.begin; k < ray.segments; k = samples.last)
   {
     const bool opaque = mean.HasImportance() && mean.Transmittance() <= scene.opaqueBelow;
-    k = scene.bricks.distance ? (opaque ? important : filled).SkipEmpty(k) : k;
-    if (k >= ray.segments)
+    if (scene.bricks.distance && (opaque || !(samples.last == k && samples.lastFilled)))
     {
-      break;
+      k = (opaque ? important : filled).SkipEmpty(k);
+      if (k >= ray.segments)
+      {
+        break;
+      }
     }
     samples.MoveOn(scene, ray, k);
     importance.MoveOn(
@@ -81,17 +84,23 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
       continue;
     }
     const auto both = importance.Sum();
-    const bool lit = Lit && (AnyOf(both > 0.0f) || !mean.HasImportance());
-    if (lit)
+    const auto depth = samples.Depth(scene);
+    if (mean.HasImportance() && !AnyOf(both > 0.0f))
+    {
+      for (int i = 0; i < AnySampler::count; ++i)
+      {
+        mean.AddUnseen(LaneOf(depth, i));
+      }
+      continue;
+    }
+    if (Lit)
     {
       samples.Light(scene, ray);
     }
     const auto sent = Lit ? 0.5f * samples.light.Sum() : typename AnySampler::Lanes(1.0f);
-    const auto depth = samples.Depth(scene);
     for (int i = 0; i < AnySampler::count; ++i)
     {
-      mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), Lit && !lit ? 0.0f : LaneOf(sent, i),
-        samples.Color(i));
+      mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), LaneOf(sent, i), samples.Color(i));
     }
   }
   pixel.light = mean.Light();
