@@ -2,14 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Makes all figures of the paper, and the captions of Documentation/Gallery.md.
+# Makes all figures of the paper, and their captions in Documentation/Gallery.md.
 #   bash Documentation/Examples/figures/all.sh [--build FOLDER] [--data FOLDER] [--output FOLDER]
 #     [--only NAME]... [OPTION]...
 # FOLDERs: with the plugin (build), with the scenes (LIMPID_TEST_DATA, or shared/data beside the
 # repository), for pictures and numbers (Documentation/Pictures/figures, whose captions go into the
 # gallery; any other folder leaves the gallery alone). OPTIONs are those of make.py. Builds nothing,
 # but says what is missing; scenes that are absent are named and left out, the phantom is always
-# there. Takes half an hour on two cores, half of it for table_methods; the captions say it.
+# there. Takes a quarter of an hour on two cores. --only table_methods, S of all methods from all
+# sides, takes as long again and is made only if it is named. The captions say how long each took.
 
 set -euo pipefail
 
