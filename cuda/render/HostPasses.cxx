@@ -123,6 +123,7 @@ void SkipEmptyFronts(const BrickDistances& bricks, Ray* rays)
   for (int i = 0; i < RayLanes::count; ++i)
   {
     rays[i].begin = begins[i];
+    rays[i].skipped = true;
   }
 }
 

@@ -28,7 +28,8 @@ struct Ray
   float length = 0;                ///< samples from entry to exit
   float shift = 0;                 ///< the first sample is that far before the entry [samples]
   int segments = 0;
-  int begin = 0; ///< sample before which all segments are known to be empty
+  int begin = 0;        ///< sample before which all segments are known to be empty
+  bool skipped = false; ///< whether that is where BrickWalk ended
 
   /// Distance of sample `k` from the entry [samples].
   LIMPID_HD LIMPID_INLINE float At(int k) const { return this->DistanceOf(static_cast<float>(k)); }
@@ -54,6 +55,7 @@ struct Ray
     part.length = this->length - distance;
     part.segments = static_cast<int>(std::ceil(part.length + part.shift));
     part.begin = 0;
+    part.skipped = false;
     return part;
   }
 
@@ -69,6 +71,7 @@ struct Ray
     const float before = static_cast<float>(this->segments) - this->shift - this->length;
     back.shift = AtLeast(before, 0.0f);
     back.begin = 0;
+    back.skipped = false;
     return back;
   }
 };

@@ -65,10 +65,12 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
   WeighedMean<typename AnySampler::Optical> mean;
   RaySamples<AnySampler, Overlaid> samples;
   Ends<AnySampler> importance;
-  for (int k = ray.begin; k < ray.segments; k = samples.last)
+  // Whether the brick of sample k is known to be filled, or the walk past empty ones to end there.
+  bool goOn = ray.skipped;
+  for (int k = ray.begin; k < ray.segments; k = samples.last, goOn = samples.lastFilled)
   {
     const bool opaque = mean.HasImportance() && mean.Transmittance() <= scene.opaqueBelow;
-    if (scene.bricks.distance && (opaque || !(samples.last == k && samples.lastFilled)))
+    if (scene.bricks.distance && (opaque || !goOn))
     {
       k = (opaque ? important : filled).SkipEmpty(k);
       if (k >= ray.segments)

@@ -22,10 +22,12 @@ LIMPID_HD LIMPID_INLINE void TraceRay(
   const BrickWalk<Ray> walk(scene.bricks, ray);
   RaySamples<AnySampler, Overlaid> samples;
   Pixel<typename AnySampler::Optical> received = pixel; // nothing else can change that meanwhile
+  // Whether the brick of sample k is known to be filled, or the walk past empty ones to end there.
+  bool goOn = ray.skipped;
   for (int k = ray.begin; k < ray.segments && received.transmittance > scene.opaqueBelow;
-       k = samples.last)
+       k = samples.last, goOn = samples.lastFilled)
   {
-    if (scene.bricks.distance && !(samples.last == k && samples.lastFilled))
+    if (scene.bricks.distance && !goOn)
     {
       k = walk.SkipEmpty(k);
       if (k >= ray.segments)
