@@ -103,7 +103,7 @@ TEST(RayLanes, LeaveOutOnlyWhatIsEmpty)
     for (const Ray& ray : MakeRays(seed))
     {
       const int end = BrickWalk<Ray>(volume.view, ray).SkipEmpty(ray.begin);
-      for (int k = ray.begin; k < end; ++k) // the last sample may lie in front of something
+      for (int k = ray.begin; k < end; ++k)
       {
         int brick[3];
         for (int axis = 0; axis < 3; ++axis)

@@ -259,6 +259,15 @@ private:
     lighting.enabled = false;
     renderer.SetLighting(lighting);
     this->PrintPicture("picture-optimised-unlit", renderer, view);
+    renderer.SetImportance(this->Scene.importance.data());
+    renderer.ShowMissed(std::array<float, 3>{ { 1.0f, 0.2f, 0.1f } });
+    this->PrintPicture("picture-missed", renderer, view);
+    renderer.ShowMissed(std::nullopt);
+    renderer.SetExtinction(this->Scene.grid, nullptr, nullptr);
+    renderer.ComposeBy(Compositing::FromObject);
+    this->PrintPicture("picture-viola", renderer, view);
+    renderer.ComposeBy(Compositing::ImportanceMean);
+    this->PrintPicture("picture-marchesin", renderer, view);
   }
 
   const SceneForSolver& Scene;

@@ -41,8 +41,8 @@ LIMPID_HD LIMPID_INLINE Number AtMost(const Number& x, Limit most)
 }
 
 /// The closest to `x` between `least` and `most`; `least` where `x` is not a number.
-template <class Number, class Limit>
-LIMPID_HD LIMPID_INLINE Number Clamp(const Number& x, Limit least, Limit most)
+template <class Number, class Least, class Most>
+LIMPID_HD LIMPID_INLINE Number Clamp(const Number& x, Least least, Most most)
 {
   return AtMost(AtLeast(x, least), most);
 }

@@ -40,7 +40,7 @@ struct WeighedMean
       this->plain = this->plain + depthHere * light * color;
     }
     this->importance += weight;
-    this->AddUnseen(depthHere);
+    this->depth += depthHere;
   }
 
   /// A segment that is not important, while something else is: its colour does not count.

@@ -159,33 +159,16 @@ struct BlockSampler
     return Blend(near, far, place.fraction[0]);
   }
 
-  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const FourPacked* field,
-    const CellPlaces<BlockSampler>& place, FloatLanes (&numbers)[4])
+  template <int Count>
+  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const Packed<Count>* field,
+    const CellPlaces<BlockSampler>& place, FloatLanes (&numbers)[Count])
   {
-    alignas(32) float y[count];
-    alignas(32) float z[count];
-    place.fraction[1].Store(y);
-    place.fraction[2].Store(z);
-    EightFloats low[4];
-    EightFloats high[4];
-    Interpolate(grid, field, place.cell.first, place.fraction[0].low, y, z, low);
-    Interpolate(grid, field, place.cell.first + 8, place.fraction[0].high, y + 8, z + 8, high);
-    for (int number = 0; number < 4; ++number)
-    {
-      numbers[number] = FloatLanes(perUnit * low[number], perUnit * high[number]);
-    }
-  }
-
-  static LIMPID_INLINE void InterpolateAll(const CellGrid& grid, const TwoPacked* field,
-    const CellPlaces<BlockSampler>& place, FloatLanes (&numbers)[2])
-  {
-    EightFloats low[2];
-    EightFloats high[2];
-    Interpolate(grid, field, place.cell.first, place.fraction[0].low, place.fraction[1].low,
-      place.fraction[2].low, low);
-    Interpolate(grid, field, place.cell.first + 8, place.fraction[0].high, place.fraction[1].high,
-      place.fraction[2].high, high);
-    for (int number = 0; number < 2; ++number)
+    const FloatLanes* at = place.fraction;
+    EightFloats low[Count];
+    EightFloats high[Count];
+    Interpolate(grid, field, place.cell.first, at[0].low, at[1].low, at[2].low, low);
+    Interpolate(grid, field, place.cell.first + 8, at[0].high, at[1].high, at[2].high, high);
+    for (int number = 0; number < Count; ++number)
     {
       numbers[number] = FloatLanes(perUnit * low[number], perUnit * high[number]);
     }
@@ -361,8 +344,13 @@ private:
 
   /// Eight of each of four packed numbers, times 2^16.
   static LIMPID_INLINE void Interpolate(const CellGrid& grid, const FourPacked* field,
-    const Index* cells, const EightFloats& x, const float* y, const float* z, EightFloats* numbers)
+    const Index* cells, const EightFloats& x, const EightFloats& y, const EightFloats& z,
+    EightFloats* numbers)
   {
+    alignas(32) float shareY[8];
+    alignas(32) float shareZ[8];
+    std::memcpy(shareY, &y, sizeof(y));
+    std::memcpy(shareZ, &z, sizeof(z));
     // All four of samples i and i + 4 in one register ...
     EightFloats pairs[4];
     const FourTimes share(x);
@@ -371,8 +359,8 @@ private:
     {
       EightFloats one;
       EightFloats other;
-      InFace(grid, NodesOfOne{ field + cells[i] }, y[i], z[i], one);
-      InFace(grid, NodesOfOne{ field + cells[i + 4] }, y[i + 4], z[i + 4], other);
+      InFace(grid, NodesOfOne{ field + cells[i] }, shareY[i], shareZ[i], one);
+      InFace(grid, NodesOfOne{ field + cells[i + 4] }, shareY[i + 4], shareZ[i + 4], other);
       const EightFloats near = __builtin_shufflevector(one, other, 0, 1, 2, 3, 8, 9, 10, 11);
       const EightFloats far = __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15);
       pairs[i] = near + share.both[i] * (far - near);

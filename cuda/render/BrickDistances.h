@@ -36,7 +36,8 @@ struct BrickDistances
   }
 
   /// Number of bricks that one can move along each axis, from one on, such that all on the way are
-  /// empty; 0: it is not. Of one brick or of several.
+  /// empty; 0: it is not. Of one brick or of several. Numbers of 32 bits are enough for bricks of
+  /// grids of 2^37 nodes.
   template <class Integer>
   LIMPID_HD LIMPID_INLINE Integer EmptyAround(const Integer* brick) const
   {
@@ -106,7 +107,7 @@ private:
 
     LIMPID_HD LIMPID_INLINE void Set(const BrickWalk& walk, const Integer& k)
     {
-      const Number far = walk.Way.DistanceOf(ToFloat(k));
+      const Number far = DistanceOf(walk.Way, ToFloat(k));
       for (int axis = 0; axis < 3; ++axis)
       {
         this->position[axis] = walk.Way.entry[axis] + far * walk.Way.step[axis];

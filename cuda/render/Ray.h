@@ -14,6 +14,14 @@
 
 namespace limpid
 {
+/// Distance of sample number `sample` of a ray from its entry [samples]; or of one sample of each
+/// of several rays, or of several of one.
+template <class AnyRay, class Number>
+LIMPID_HD LIMPID_INLINE Number DistanceOf(const AnyRay& ray, const Number& sample)
+{
+  return Clamp(Number(sample - ray.shift), 0.0f, ray.length);
+}
+
 /// One ray, by the number of the sample from its entry into the box on.
 struct Ray
 {
@@ -32,14 +40,7 @@ struct Ray
   bool skipped = false; ///< whether that is where BrickWalk ended
 
   /// Distance of sample `k` from the entry [samples].
-  LIMPID_HD LIMPID_INLINE float At(int k) const { return this->DistanceOf(static_cast<float>(k)); }
-
-  /// The same of one sample or several.
-  template <class Samples>
-  LIMPID_HD LIMPID_INLINE Samples DistanceOf(const Samples& sample) const
-  {
-    return Clamp(Samples(sample - this->shift), 0.0f, this->length);
-  }
+  LIMPID_HD LIMPID_INLINE float At(int k) const { return DistanceOf(*this, static_cast<float>(k)); }
 
   /// The part from a distance [samples] on; its samples are some of those of the whole ray.
   LIMPID_HD LIMPID_INLINE Ray From(float distance) const

@@ -38,11 +38,6 @@ struct RayLanes
     }
   }
 
-  LIMPID_INLINE FloatLanes DistanceOf(const FloatLanes& sample) const
-  {
-    return AtMost(AtLeast(sample - this->shift, 0.0f), this->length);
-  }
-
 private:
   template <class Any, class Get>
   static LIMPID_INLINE LanesOf<Any> Of(const Ray* rays, const Get& get)

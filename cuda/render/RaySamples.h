@@ -42,7 +42,7 @@ struct RayPlaces
   /// Moves to the samples from number `k` on.
   LIMPID_HD LIMPID_INLINE void Set(const RayScene& scene, const Ray& ray, int k)
   {
-    this->distance = ray.DistanceOf(ToFloat(k) + AnySampler::Numbers());
+    this->distance = DistanceOf(ray, ToFloat(k) + AnySampler::Numbers());
     const Lanes position[3] = { this->Along(ray, 0), this->Along(ray, 1), this->Along(ray, 2) };
     this->scalars.Set(scene.grid, position);
   }
