@@ -17,6 +17,9 @@ GROUPS = {  # by what light does; the first of each is what the others are compa
         "vdb_render, shadows, its own cutoff"),
     "with shadows, small": (
         "Limpid, shadows, small", "vtkGPUVolumeRayCastMapper, shadows, small"),
+    "opaque": (
+        "Limpid, opaque", "vdb_render, opaque", "Limpid, opaque, shadows",
+        "vdb_render, opaque, shadows"),
 }
 ABILITIES = """
 | | Limpid | VTK, fixed point | VTK, GPU mapper | vdb_render |
@@ -34,10 +37,11 @@ rays to the light |
 TEXT = """
 Phantom of a head (vtkOcclusionPhantom), {nodes}³, {size} × {size} pixels, a sample per voxel of
 each ray; camera, light and functions of `Documentation/Examples/scenes.py`; *small*: a quarter of
-the size along each side. *CPU*: seconds of all cores for one picture, everything new but the
-volume; *times Limpid's*: over the first row's. *Pictures*: how many the median is of. *Peak*:
-memory of a first picture beyond what was there before, the volume not counted; of vdb_render the
-whole process with its grid.
+the size along each side; *opaque*: as much extinction per voxel as else per unit of length,
+{dense} times as dense. *CPU*: seconds of all cores for one picture from another camera, with which
+the light goes unless it rests; *times Limpid's*: over the first row's. *Pictures*: how many the
+median is of. *Peak*: memory of a first picture beyond what was there before, the volume not
+counted; of vdb_render the whole process with its grid.
 """
 NOTES = """
 **What could not be matched.** vdb_render has no transfer function: its density is the extinction
@@ -45,8 +49,9 @@ per voxel (scatter 1, absorb 0, gain 0), so its optical depths are those of the 
 picture is white. Its light is directional. It has no switch for shadows: with a shadow step beyond
 the volume a ray to the light is set up at every sample all the same, and nothing sampled along it.
 With shadows it samples every third voxel, its default, from the first such step on; Limpid and
-VTK sample every voxel. Shading differs: VTK has Phong's at every sample, Limpid single scattering
-(Eqs. (3)-(6)). By default Limpid draws 0.7 of a shadow, and 0.35 of its light comes from all sides,
+VTK sample every voxel. Its rays are fast where they end at a surface: the rows *opaque* are what
+comes of giving it extinctions per unit of length, which is another scene. Shading differs: VTK has
+Phong's at every sample, Limpid single scattering (Eqs. (3)-(6)). By default Limpid draws 0.7 of a shadow, and 0.35 of its light comes from all sides,
 so its pictures are brighter. A slow peer is drawn once, with what prepares its first picture. VTK's
 shadows (VolumetricScatteringBlending 2, GlobalIlluminationReach 1) are drawn in a quarter of the
 size along each side, and Limpid's beside them: one in full size took more than four minutes of
@@ -91,7 +96,7 @@ def difference_table(pictures):
 
 
 def section(pictures):
-    text = "\n## Pictures\n" + TEXT.format(**pictures)
+    text = "\n## Pictures\n" + TEXT.format(dense=fixed((pictures["nodes"] - 1) / 2), **pictures)
     text += "\n![The pictures side by side](Plots/peers-pictures.png)\n"
     for heading, names in GROUPS.items():
         text += f"\n### {heading.capitalize()}\n{time_table(pictures, names)[:-1]}"

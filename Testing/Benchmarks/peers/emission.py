@@ -29,7 +29,9 @@ class EmissionIntegrator(RBIntegrator):
         medium[~active] = dr.zeros(mi.MediumPtr)
         active &= medium != None  # noqa: E711; a ray that grazes an edge may be outside already
         ray = mi.Ray3f(shell.spawn_ray(ray.d))
-        ray.maxt = scene.ray_intersect(ray, active).t
+        exit = scene.ray_intersect(ray, active)
+        active &= exit.is_valid()  # nor does it need to meet the other side
+        ray.maxt = exit.t
 
         seen = mi.Spectrum(0 if primal else state_in)  # backward: what is left of it
         adjoint = mi.Spectrum(δL if δL is not None else 0)

@@ -10,7 +10,7 @@ import sys
 import time
 
 import numpy as np
-from vtkmodules.vtkRenderingCore import vtkLight
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "..", "..", "..")
@@ -39,24 +39,39 @@ class Head:
         self.nodes, self.size = nodes, size
         self.image = images.phantom(nodes)
         self.image.GetPointData().SetActiveScalars("Scalars")
+        self.plain = self.image.NewInstance()  # without importance nothing is scored
+        self.plain.ShallowCopy(self.image)
+        self.plain.GetPointData().RemoveArray("Importance")
         self.spacing = self.image.GetSpacing()[0]
-        self.view = volume_views.View((size, size))
-        self.view.renderer.SetBackground(0, 0, 0)
-        self.view.renderer.AutomaticLightCreationOff()
         self.opacity = volume_views.opacity_of(*self.scene.opacity())
-        self.volume = self.view.add(self.image, self.colored(*self.scene.colors),
-                                    volume_views.plain_mapper())
+        self.colors = self.scene.colors
+        self.camera = vtkCamera()
         self.light = vtkLight()
         self.light.SetLightTypeToSceneLight()
         self.light.SetPositional(True)
         self.light.SetConeAngle(180)
         self.light.SetFocalPoint(self.scene.focal_point)
-        self.view.renderer.AddLight(self.light)
+        self.views = {}  # by how the head is drawn
+        self.drawn = None  # the view that was drawn last
         self.look()
 
-    def colored(self, *colors):
-        return volume_views.property_of(volume_views.colors_of(*colors), self.opacity,
-                                        self.scene.unit_distance())
+    def view_of(self, mapper, shade, density):
+        """One for every way to draw it: what stays from picture to picture is not made again."""
+        key = (mapper, shade, density)
+        if key not in self.views:
+            view = volume_views.View((self.size, self.size))
+            view.renderer.SetBackground(0, 0, 0)
+            view.renderer.AutomaticLightCreationOff()
+            view.renderer.SetActiveCamera(self.camera)
+            view.renderer.AddLight(self.light)
+            if mapper is not None:
+                colored = volume_views.property_of(
+                    volume_views.colors_of(*self.colors), self.opacity,
+                    self.scene.unit_distance() / density)
+                colored.SetShade(shade)
+                view.add(self.image if optimizes(mapper) else self.plain, colored, mapper)
+            self.views[key] = view
+        return self.views[key]
 
     def extinction(self):
         """Of the transfer function at the nodes [1/length], indices (x, y, z)."""
@@ -66,31 +81,33 @@ class Head:
 
     def look(self, degrees=0.0, light_degrees=None):
         """Turns the camera about the vertical, and with it the light unless that has an angle."""
-        camera = self.view.camera
+        camera = self.camera
         camera.SetPosition(turned(self.scene.position, degrees))
         camera.SetFocalPoint(self.scene.focal_point)
         camera.SetViewUp(self.scene.view_up)
         camera.SetViewAngle(self.scene.view_angle)
         self.light.SetPosition(turned(self.scene.light,
                                       degrees if light_degrees is None else light_degrees))
-        self.view.renderer.ResetCameraClippingRange()
 
-    def draw(self, mapper, shade=False, moving=False):
-        """Draws a frame; returns the seconds that it took, and those of all cores together."""
-        self.volume.SetVisibility(mapper is not None)
-        if mapper is not None:
-            mapper.SetInputData(self.image)
-            self.volume.SetMapper(mapper)
-        self.volume.GetProperty().SetShade(shade)
-        self.view.interact(moving)
+    def draw(self, mapper, shade=False, moving=False, density=1):
+        """Draws a frame, of the volume `density` times as dense; returns the seconds that it took,
+        and those of all cores together. Without a mapper: an empty window."""
+        self.drawn = self.view_of(mapper, shade, density)
+        self.drawn.interact(moving)
+        self.drawn.renderer.ResetCameraClippingRange()
         start, cores = time.perf_counter(), time.process_time()
-        self.view.window.Render()
-        self.view.window.WaitForCompletion()
+        self.drawn.window.Render()
+        self.drawn.window.WaitForCompletion()
         return time.perf_counter() - start, time.process_time() - cores
 
     def picture(self):
         """Of the last frame: rows from the top, colours from 0 to 255."""
-        return self.view.pixels()[::-1]
+        return self.drawn.pixels()[::-1]
+
+
+def optimizes(mapper):
+    return (isinstance(mapper, volume_views.vtkTransmittanceVolumeMapper) and
+            mapper.GetOptimization() != mapper.OFF)
 
 
 def turned(point, degrees):

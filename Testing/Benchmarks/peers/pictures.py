@@ -8,8 +8,8 @@
 
 Needs the Python package limpid on PYTHONPATH; run.sh finds it. vdb_render is drawn if it is there,
 and the numbers say if not. Everything is drawn in turns. Limpid and VTK's mappers draw in this
-process, from another camera each time, and the light goes with it, so that nothing can be reused;
-the first picture, which prepares the volume, does not count. vdb_render is a process for each
+process, from another camera each time, and the light goes with it, unless it rests; the first
+picture, which prepares the volume, does not count. vdb_render is a process for each
 picture, from which one with a single pixel is subtracted: reading, preparing and starting. What
 takes longer than SLOW is drawn once, and counts.
 """
@@ -42,7 +42,8 @@ WHITE = ((0, 1, 1, 1), (1, 1, 1, 1))
 def limpid(method=Mapper.ORDINARY, shadows=False):
     mapper = volume_views.plain_mapper()
     mapper.SetMethod(method)
-    mapper.SetOptimization(Mapper.CONTINUOUS)
+    if method != Mapper.ORDINARY:
+        mapper.SetOptimization(Mapper.CONTINUOUS)
     mapper.SetShadows(shadows)
     return mapper
 
@@ -57,14 +58,15 @@ def scattering(head):
 
 
 class ByMapper:
-    """A picture by a mapper of VTK; `rests`: the light stays where it is."""
+    """A picture by a mapper of VTK; `rests`: the light stays where it is; `density`: see draw."""
 
-    def __init__(self, head, mapper, shade=False, rests=False):
+    def __init__(self, head, mapper, shade=False, rests=False, density=1):
         self.head, self.mapper, self.shade, self.rests = head, mapper, shade, rests
+        self.density = density
 
     def draw(self, number, _=None):
         self.head.look(TURN * number, 0.0 if self.rests else None)
-        wall, cores = self.head.draw(self.mapper, self.shade)
+        wall, cores = self.head.draw(self.mapper, self.shade, density=self.density)
         return {"seconds": wall, "cpu": cores}
 
     def shown(self):
@@ -97,6 +99,7 @@ def kinds(head, folder, with_vdb):
     fixed_point = volume_views.fixed_point_mapper(STEP * head.spacing)
     gpu = volume_views.gpu_mapper(STEP * head.spacing)
     small = Head(head.nodes, head.size // SMALLER)
+    dense = 1 / head.spacing  # times: extinction per length taken for that per voxel
     found = {
         "an empty window": ByMapper(head, None),
         "Limpid": ByMapper(head, limpid()),
@@ -112,12 +115,18 @@ def kinds(head, folder, with_vdb):
             ByMapper(head, limpid(Mapper.OPTIMIZED, shadows=True), shade=True),
         "Limpid, shadows, small": ByMapper(small, limpid(shadows=True), shade=True),
         "vtkGPUVolumeRayCastMapper, shadows, small":
-            ByMapper(small, scattering(small), shade=True)}
+            ByMapper(small, scattering(small), shade=True),
+        "Limpid, opaque": ByMapper(head, limpid(), density=dense),
+        "Limpid, opaque, shadows": ByMapper(head, limpid(shadows=True), True, density=dense)}
     if with_vdb:
         found["vdb_render, no shadow samples"] = ByVdbRender(
             head, folder, shadowstep=vdb.NO_SHADOW, cutoff=vdb.CUTOFF)
         found["vdb_render, shadows"] = ByVdbRender(head, folder, cutoff=vdb.CUTOFF)
         found["vdb_render, shadows, its own cutoff"] = ByVdbRender(head, folder)
+        found["vdb_render, opaque"] = ByVdbRender(
+            head, folder, scatter=dense, shadowstep=vdb.NO_SHADOW, cutoff=vdb.CUTOFF)
+        found["vdb_render, opaque, shadows"] = ByVdbRender(
+            head, folder, scatter=dense, cutoff=vdb.CUTOFF)
     return found
 
 
@@ -197,7 +206,7 @@ def white_differences(arguments):
     evenly."""
     size = arguments.size // SMALLER
     head = Head(arguments.nodes, size)
-    head.volume.SetProperty(head.colored(*WHITE))
+    head.colors = WHITE
     head.light.SetPositional(False)
     shadows = limpid(shadows=True)
     shadows.SetAmbient(0)

@@ -55,7 +55,7 @@ def write_grid(head, path):
 
 def command(head, grid, picture, size, **options):
     """With the camera and the light of the head as they are."""
-    camera = head.view.camera
+    camera = head.camera
     options = {"translate": camera.GetPosition(), "lookat": camera.GetFocalPoint(),
                "up": camera.GetViewUp(), "fov": [camera.GetViewAngle()],
                "light": [*head.light.GetPosition(), 1, 1, 1], "absorb": [0, 0, 0],
