@@ -149,6 +149,54 @@ Json TimeRays(const Drawable& drawable, const std::vector<float>& extinction, in
   return times;
 }
 
+/// A still picture by every method, as a display draws it, in turns [CPU s].
+Json TimeMethods(const Drawable& drawable, int repeats)
+{
+  const SceneOfFile& scene = drawable.scene;
+  std::array<Renderer, methodCount> renderers;
+  std::array<std::array<std::vector<float>, 2>, methodCount> extinctions;
+  for (int method = 0; method < methodCount; ++method)
+  {
+    Settings settings;
+    settings.method = static_cast<Method>(method);
+    const MethodInfo& info = InfoOf(settings.method);
+    Renderer& renderer = renderers[std::size_t(method)];
+    drawable.Prepare(renderer);
+    drawable.Light(renderer, info.castsShadows);
+    renderer.ComposeBy(info.compositing);
+    if (info.compositing != Compositing::FrontToBack)
+    {
+      renderer.SetImportance(scene.importance.data());
+    }
+    else if (settings.method != Method::Ordinary)
+    {
+      Solver solver = scene.MakeSolver(settings);
+      solver.Run();
+      auto& found = extinctions[std::size_t(method)] = solver.TakeExtinctions();
+      renderer.SetExtinction(scene.grid, scene.extinction.data(), found[0].data(), 1,
+        found[1].empty() ? nullptr : found[1].data());
+    }
+    renderer.Prepare();
+  }
+  const View view = ViewOf(scene.camera, stillSize);
+  Rounds rounds;
+  Picture picture;
+  for (int repeat = -1; repeat < repeats; ++repeat)
+  {
+    for (int method = 0; method < methodCount; ++method)
+    {
+      const std::clock_t before = std::clock();
+      renderers[std::size_t(method)].Render(view, picture);
+      if (repeat >= 0) // the first picture warms up
+      {
+        rounds[InfoOf(static_cast<Method>(method)).name].push_back(
+          double(std::clock() - before) / CLOCKS_PER_SEC);
+      }
+    }
+  }
+  return MediansOf(rounds);
+}
+
 /// Frames of an orbit: one pass of the optimisation on a coarse grid, a small picture.
 Json TimeMoving(const Drawable& drawable)
 {
@@ -232,6 +280,7 @@ Json MeasureRendering(const SceneOfFile& scene, const Options& options)
     { "rays",
       { { "base", TimeRays(drawable, scene.extinction, repeats) },
         { "optimised", TimeRays(drawable, optimized, repeats) } } },
-    { "moving", TimeMoving(drawable) }, { "few_rays", TimeFewRays(drawable, repeats) } };
+    { "methods", TimeMethods(drawable, repeats) }, { "moving", TimeMoving(drawable) },
+    { "few_rays", TimeFewRays(drawable, repeats) } };
 }
 }

@@ -11,6 +11,7 @@ STAGES = {"scalars [ms]": "scalars", "functions, extinction [ms]": "functions",
           "rays [ms]": "rays"}
 FRAMES = {"optimisation [ms]": "optimisation", "extinction, shadow volume [ms]": "shadow",
           "rays [ms]": "rays", "frame [ms]": "frame"}
+ORDINARY = "Ordinary"
 
 
 def times(part, names):
@@ -25,6 +26,14 @@ def page(measured):
 
     def time(key):
         return lambda r: ms(r[key])
+
+    methods = sorted(scenes[0]["methods"]["seconds"], key=lambda name: name != ORDINARY)
+
+    def by_method(name, over_ordinary):
+        def cell(s):
+            seconds = s["methods"]["seconds"]
+            return fixed(seconds[name] / (seconds[ORDINARY] if over_ordinary else 1), 2)
+        return (f"{name} / {ORDINARY}" if over_ordinary else f"{name} [CPU s]", cell)
 
     size, moving = scenes[0]["pixels"], scenes[0]["moving_pixels"]
     return head("Rendering", measured) + f"""
@@ -50,7 +59,14 @@ early; the samples per second of that; and how much of its time is saved.
         ("with shadows [CPU s]", lambda r: fixed(r["shadowed_cpu"], 2)),
         ("every sample taken [ms]", time("every_sample")),
         ("[million samples/s]", lambda r: fixed(1e-6 * r["samples"] / r["every_sample"])),
-        ("time left out", lambda r: percent(1 - r["shadowed"] / r["every_sample"]))]) + f"""
+        ("time left out", lambda r: percent(1 - r["shadowed"] / r["every_sample"]))]) + """
+## Methods
+
+The same picture by each method, as the display draws it, in turns; without what is done once for \
+a view. Those of 2004 and 2010 are shaded but have no shadows.
+""" + table(scenes, [
+        SCENE, *(by_method(name, False) for name in methods),
+        *(by_method(name, True) for name in methods[1:])]) + f"""
 ## A moving frame
 
 {moving} × {moving} pixels, lit, with shadows; {scenes[0]['frames']} frames, each 2 degrees on, \
