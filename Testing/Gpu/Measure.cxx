@@ -60,7 +60,8 @@ Json PartsOf(const LaunchTimes& times, double iterations, const Traffic& traffic
   {
     const auto bytes = traffic.find(entry.label);
     parts.push_back({ { "label", entry.label }, { "launches", double(entry.count) / iterations },
-      { "seconds", entry.seconds / iterations },
+      { "seconds", entry.seconds / iterations }, { "waits", entry.waits / iterations },
+      { "copied", entry.bytes / iterations },
       { "bytes", bytes == traffic.end() ? 0.0 : bytes->second } });
   }
   return parts;

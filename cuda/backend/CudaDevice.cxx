@@ -109,14 +109,14 @@ void CudaDevice::Free(void* memory, std::size_t bytes) noexcept
 void CudaDevice::Upload(void* to, const void* from, std::size_t bytes)
 {
   this->Use();
-  const Timed timed(*this, "upload");
+  const Timed timed(*this, { "upload", double(bytes) });
   LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, this->Stream));
 }
 
 void CudaDevice::Download(void* to, const void* from, std::size_t bytes)
 {
   this->Use();
-  const Timed timed(*this, "download");
+  const Timed timed(*this, { "download", double(bytes) });
   LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, this->Stream));
   this->Wait();
 }
@@ -124,14 +124,14 @@ void CudaDevice::Download(void* to, const void* from, std::size_t bytes)
 void CudaDevice::Copy(void* to, const void* from, std::size_t bytes)
 {
   this->Use();
-  const Timed timed(*this, "copy");
+  const Timed timed(*this, { "copy", double(bytes) });
   LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, this->Stream));
 }
 
 void CudaDevice::SetZero(void* memory, std::size_t bytes)
 {
   this->Use();
-  const Timed timed(*this, "set to zero");
+  const Timed timed(*this, { "set to zero", double(bytes) });
   LIMPID_CUDA(cudaMemsetAsync(memory, 0, bytes, this->Stream));
 }
 

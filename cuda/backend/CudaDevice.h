@@ -64,6 +64,10 @@ __global__ void VisitPhases(const int phases, const Body body)
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   for (int phase = 0; phase < phases; ++phase)
   {
+    if (phase > 0)
+    {
+      grid.sync();
+    }
     const Extent extent = body.ExtentOf(phase);
     const int across =
       (extent.columns + static_cast<int>(blockDim.x) - 1) / static_cast<int>(blockDim.x);
@@ -80,7 +84,6 @@ __global__ void VisitPhases(const int phases, const Body body)
         body(phase, column, row);
       }
     }
-    grid.sync();
   }
 }
 }
@@ -148,7 +151,7 @@ public:
     const dim3 block = BlockOf();
     const dim3 grid(
       (extent.columns + block.x - 1) / block.x, (extent.rows + block.y - 1) / block.y);
-    const Timed timed(*this, label);
+    const Timed timed(*this, { label });
     detail::VisitEach<<<grid, block, 0, this->Stream>>>(extent, body);
     detail::RequireCuda(cudaGetLastError(), label);
   }
@@ -162,7 +165,7 @@ public:
       return;
     }
     this->Use();
-    const Timed timed(*this, label);
+    const Timed timed(*this, { label });
     detail::VisitIndices<<<this->BlocksFor(count), Threads, 0, this->Stream>>>(count, body);
     detail::RequireCuda(cudaGetLastError(), label);
   }
@@ -177,7 +180,7 @@ public:
       return;
     }
     this->Use();
-    const Timed timed(*this, label);
+    const Timed timed(*this, { label });
     detail::VisitNodes<<<this->BlocksFor(count), Threads, 0, this->Stream>>>(
       nodes.x, nodes.y, count, body);
     detail::RequireCuda(cudaGetLastError(), label);
@@ -198,7 +201,7 @@ public:
     int count = phases;
     Body copy = body;
     void* arguments[] = { &count, &copy };
-    const Timed timed(*this, label);
+    const Timed timed(*this, { label, 0, phases - 1 });
     detail::RequireCuda(
       cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(&detail::VisitPhases<Body>), grid,
         block, arguments, 0, this->Stream),
@@ -224,12 +227,12 @@ private:
   class Timed
   {
   public:
-    Timed(const CudaDevice& device, const char* label)
+    Timed(const CudaDevice& device, const Launch& launch)
       : Events(device.Events.get())
     {
       if (this->Events)
       {
-        this->Events->Begin(label);
+        this->Events->Begin(launch);
       }
     }
 

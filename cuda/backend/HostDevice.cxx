@@ -47,25 +47,25 @@ void HostDevice::Free(void* memory, std::size_t bytes) noexcept
 
 void HostDevice::Upload(void* to, const void* from, std::size_t bytes)
 {
-  const Timed timed(this->Times, "upload");
+  const Timed timed(this->Times, { "upload", double(bytes) });
   std::memcpy(to, from, bytes);
 }
 
 void HostDevice::Download(void* to, const void* from, std::size_t bytes)
 {
-  const Timed timed(this->Times, "download");
+  const Timed timed(this->Times, { "download", double(bytes) });
   std::memcpy(to, from, bytes);
 }
 
 void HostDevice::Copy(void* to, const void* from, std::size_t bytes)
 {
-  const Timed timed(this->Times, "copy");
+  const Timed timed(this->Times, { "copy", double(bytes) });
   std::memcpy(to, from, bytes);
 }
 
 void HostDevice::SetZero(void* memory, std::size_t bytes)
 {
-  const Timed timed(this->Times, "set to zero");
+  const Timed timed(this->Times, { "set to zero", double(bytes) });
   std::memset(memory, 0, bytes);
 }
 }

@@ -70,7 +70,7 @@ public:
   template <class Body>
   void ForEach(const char* label, const Extent& extent, const Body& body)
   {
-    const Timed timed(this->Times, label);
+    const Timed timed(this->Times, { label });
     Visit(extent, body);
   }
 
@@ -78,7 +78,7 @@ public:
   template <class Body>
   void ForIndices(const char* label, Index count, const Body& body)
   {
-    const Timed timed(this->Times, label);
+    const Timed timed(this->Times, { label });
     constexpr Index grain = 4096;
     const auto range = [](const void* typeless, Index begin, Index end)
     {
@@ -110,7 +110,7 @@ public:
   template <class Body>
   void ForRows(const char* label, const Int3& nodes, const Body& body)
   {
-    const Timed timed(this->Times, label);
+    const Timed timed(this->Times, { label });
     constexpr Index rowsPerTask = 16;
     ParallelFor(Index(nodes.y) * nodes.z, rowsPerTask,
       [&](Index row)
@@ -122,7 +122,7 @@ public:
   template <class Body>
   void ForPhases(const char* label, int phases, const Body& body)
   {
-    const Timed timed(this->Times, label);
+    const Timed timed(this->Times, { label, 0, phases - 1 });
     for (int phase = 0; phase < phases; ++phase)
     {
       Visit(body.ExtentOf(phase), [&](int column, int row) { body(phase, column, row); });
@@ -134,9 +134,9 @@ private:
   class Timed
   {
   public:
-    Timed(LaunchTimes* times, const char* label)
+    Timed(LaunchTimes* times, const Launch& launch)
       : Times(times)
-      , Label(label)
+      , What(launch)
     {
     }
 
@@ -145,7 +145,7 @@ private:
       if (this->Times)
       {
         const std::chrono::duration<double> seconds = Clock::now() - this->Start;
-        this->Times->Add(this->Label, seconds.count());
+        this->Times->Add(this->What, seconds.count());
       }
     }
 
@@ -155,7 +155,7 @@ private:
   private:
     using Clock = std::chrono::steady_clock;
     LaunchTimes* Times;
-    const char* Label;
+    Launch What;
     Clock::time_point Start = Clock::now();
   };
 

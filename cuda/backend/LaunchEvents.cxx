@@ -23,10 +23,10 @@ LaunchEvents::~LaunchEvents()
   }
 }
 
-void LaunchEvents::Begin(const char* label)
+void LaunchEvents::Begin(const Launch& launch)
 {
   Span& span = this->Spans.emplace_back();
-  span.label = label;
+  span.launch = launch;
   LIMPID_CUDA(cudaEventCreate(&span.begin));
   LIMPID_CUDA(cudaEventCreate(&span.end));
   LIMPID_CUDA(cudaEventRecord(span.begin, this->Stream));
@@ -43,7 +43,7 @@ void LaunchEvents::Collect()
   {
     float milliseconds = 0;
     LIMPID_CUDA(cudaEventElapsedTime(&milliseconds, span.begin, span.end));
-    this->Times->Add(span.label, 1e-3 * double(milliseconds));
+    this->Times->Add(span.launch, 1e-3 * double(milliseconds));
   }
 }
 }

@@ -29,7 +29,7 @@ public:
   LaunchEvents(const LaunchEvents&) = delete;
   LaunchEvents& operator=(const LaunchEvents&) = delete;
 
-  void Begin(const char* label);
+  void Begin(const Launch& launch);
   void End();
 
   /// Adds up what lies between the marks. All work in the stream has to be done.
@@ -38,7 +38,7 @@ public:
 private:
   struct Span
   {
-    std::string label;
+    Launch launch{ nullptr };
     cudaEvent_t begin = nullptr;
     cudaEvent_t end = nullptr;
   };
