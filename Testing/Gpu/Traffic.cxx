@@ -37,16 +37,14 @@ Sizes SizesOf(const Problem& problem)
 
 void AddSums(Traffic& bytes, const Sizes& size)
 {
-  bytes["regularization"] = 2 * size.all; // extinction, base
-  bytes["change"] = 2 * size.all;         // extinction, last
+  bytes["sums"] = 4 * size.all; // extinction and base, extinction and the last one
 }
 
-/// The derivative of one term; `rays`: its values per ray and slice.
+/// The derivative of one term whose optical depths are known; `rays`: its values per ray and slice.
 void AddDerivative(Traffic& bytes, const Sizes& size, double rays)
 {
-  bytes["optical depths"] += size.filled;                // extinction
-  bytes["backward sweep"] += 2 * size.filled + 3 * rays; // extinction, importance; images
-  bytes["derivative"] += 3 * size.filled + 3 * rays;     // importance, derivative twice; images
+  // Extinction, importance twice, derivative twice; images are written and read.
+  bytes["derivative"] += 5 * size.filled + 6 * rays;
 }
 }
 
@@ -56,6 +54,7 @@ Traffic PolicyTraffic(const Problem& problem)
   Traffic bytes;
   // Base, importance twice, last, derivative of the light; next is written and read.
   bytes["policy sweep"] = 7 * size.filled;
+  bytes["forward sweep"] = 2 * size.filled; // extinction, importance
   AddDerivative(bytes, size, size.light);
   AddSums(bytes, size);
   return bytes;
@@ -66,6 +65,7 @@ Traffic AdamTraffic(const Problem& problem)
   const Sizes size = SizesOf(problem);
   Traffic bytes;
   bytes["set to zero"] = size.all;
+  bytes["optical depths"] = 2 * size.filled; // extinction
   AddDerivative(bytes, size, size.camera);
   AddDerivative(bytes, size, size.light);
   bytes["copy"] = 2 * size.all; // of the best extinction
@@ -73,7 +73,7 @@ Traffic AdamTraffic(const Problem& problem)
   // written.
   bytes["Adam"] = 9 * size.all;
   AddSums(bytes, size);
-  bytes["change"] = size.all; // it is a field already
+  bytes["sums"] = 3 * size.all; // the change is a field already
   return bytes;
 }
 }

@@ -5,6 +5,7 @@
 #define limpid_backend_SumOnDevice_h
 
 #include "backend/CompiledDevice.h"
+#include "backend/Extent.h"
 #include "backend/Simd.h"
 #include "math/Vec.h"
 
@@ -12,33 +13,114 @@
 
 namespace limpid
 {
-namespace detail
-{
-/// Lane `index` adds up every `lanes`-th value of `count`.
+/// One of several sums: value(index) over [0, count), into `result` on the device; null: none.
 template <class Value>
-struct SumLane
+struct Summand
 {
   Value value;
   Index count;
-  Index lanes;
-  double* sums;
+  double* result;
+};
 
-  LIMPID_HD void operator()(Index index) const
+namespace detail
+{
+/// Sums of several kinds, by number.
+template <class... Values>
+struct Summands
+{
+  LIMPID_HD double OfLane(int, Index, Index) const { return 0; }
+  LIMPID_HD double* ResultOf(int) const { return nullptr; }
+};
+
+template <class First, class... Rest>
+struct Summands<First, Rest...>
+{
+  Summand<First> first;
+  Summands<Rest...> rest;
+
+  /// Sum of every `lanes`-th value from number `lane` on.
+  LIMPID_HD double OfLane(int number, Index lane, Index lanes) const
   {
-    double sum = 0;
-    for (Index i = index; i < this->count; i += this->lanes)
+    if (number > 0)
     {
-      sum += this->value(i);
+      return this->rest.OfLane(number - 1, lane, lanes);
     }
-    this->sums[index] = sum;
+    double sum = 0;
+    for (Index index = lane; index < this->first.count; index += lanes)
+    {
+      sum += this->first.value(index);
+    }
+    return sum;
+  }
+
+  LIMPID_HD double* ResultOf(int number) const
+  {
+    return number > 0 ? this->rest.ResultOf(number - 1) : this->first.result;
   }
 };
 
-/// The sums of another pass.
-struct PartialSum
+inline Summands<> Listed()
 {
-  const double* sums;
-  LIMPID_HD LIMPID_INLINE double operator()(Index index) const { return this->sums[index]; }
+  return {};
+}
+
+template <class First, class... Rest>
+Summands<First, Rest...> Listed(const Summand<First>& first, const Summand<Rest>&... rest)
+{
+  return { first, Listed(rest...) };
+}
+
+/// Many lanes add up values, fewer add up those, and one of them the rest: three phases, so that
+/// the order is the same on every device.
+template <class... Values>
+struct SumPhases
+{
+  static constexpr int phases = 3;
+  static constexpr int count = sizeof...(Values);
+  static constexpr int wide = 65536;
+  static constexpr int narrow = 256;
+
+  Summands<Values...> summands;
+  double* partial; ///< count * (wide + narrow)
+
+  LIMPID_HD LIMPID_INLINE Extent ExtentOf(int phase) const
+  {
+    return { phase == 0 ? wide : phase == 1 ? narrow : 1, count };
+  }
+
+  LIMPID_HD void operator()(int phase, int lane, int number) const
+  {
+    double* result = this->summands.ResultOf(number);
+    if (!result)
+    {
+      return;
+    }
+    double* ofWide = this->partial + number * wide;
+    double* ofNarrow = this->partial + count * wide + number * narrow;
+    if (phase == 0)
+    {
+      ofWide[lane] = this->summands.OfLane(number, lane, wide);
+    }
+    else if (phase == 1)
+    {
+      ofNarrow[lane] = SumOf(ofWide, lane, narrow, wide);
+    }
+    else
+    {
+      *result = SumOf(ofNarrow, 0, 1, narrow);
+    }
+  }
+
+private:
+  LIMPID_HD static double SumOf(const double* values, int first, int step, int end)
+  {
+    double sum = 0;
+    for (int i = first; i < end; i += step)
+    {
+      sum += values[i];
+    }
+    return sum;
+  }
 };
 }
 
@@ -50,31 +132,20 @@ public:
   SumOnDevice() = default;
   explicit SumOnDevice(std::shared_ptr<AnyDevice> device)
     : Device(std::move(device))
-    , Partial(this->Device, std::size_t(Wide + Narrow), "partial sums")
   {
   }
 
-  /// Adds up value(index) over [0, count) into `result` on the device. Does not wait.
-  template <class Value>
-  void operator()(const char* label, Index count, const Value& value, double* result)
+  /// All of them in one launch. Does not wait.
+  template <class... Values>
+  void operator()(const char* label, const Summand<Values>&... summands)
   {
-    double* wide = this->Partial.Data();
-    double* narrow = wide + Wide;
-    this->Pass(label, detail::SumLane<Value>{ value, count, Wide, wide });
-    this->Pass(label, detail::SumLane<detail::PartialSum>{ { wide }, Wide, Narrow, narrow });
-    this->Pass(label, detail::SumLane<detail::PartialSum>{ { narrow }, Narrow, 1, result });
+    using Phases = detail::SumPhases<Values...>;
+    double* partial = this->Partial.RoomFor(
+      this->Device, std::size_t(Phases::count) * (Phases::wide + Phases::narrow), "partial sums");
+    this->Device->ForPhases(label, Phases::phases, Phases{ detail::Listed(summands...), partial });
   }
 
 private:
-  static constexpr Index Wide = 65536;
-  static constexpr Index Narrow = 256;
-
-  template <class Lane>
-  void Pass(const char* label, const Lane& lane)
-  {
-    this->Device->ForIndices(label, lane.lanes, lane);
-  }
-
   std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, double> Partial;
 };

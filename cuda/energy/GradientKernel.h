@@ -43,8 +43,7 @@ struct GradientStep
 template <class Input, class Output>
 struct GradientKernel
 {
-  static constexpr const char* label = "backward sweep";
-  static constexpr const char* voxelLabel = "derivative";
+  static constexpr const char* label = "derivative";
 
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]

@@ -15,8 +15,7 @@ namespace limpid
 template <class Input, class Output>
 struct TransmittanceKernel
 {
-  static constexpr const char* label = "transmittance of rays";
-  static constexpr const char* voxelLabel = "transmittance";
+  static constexpr const char* label = "transmittance";
 
   Input extinction;     ///< [1/length]
   Output transmittance; ///< [0, 1]

@@ -28,7 +28,10 @@ void VisibilityTerm<AnyDevice>::Forward(const TermFields& fields, Seen* sum)
   {
     this->ForwardAt(index, fields);
   }
-  this->Sum(sum, fields.CountsKept());
+  if (sum)
+  {
+    this->Sum(sum, fields.CountsKept());
+  }
 }
 
 template <class AnyDevice>
@@ -57,9 +60,28 @@ void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivati
     }
     this->SweepGradient(rays, fields, derivative, target, gradient);
   }
-  if (areaWeighted)
+  if (areaWeighted && sum)
   {
     this->Sum(sum, fields.CountsKept());
+  }
+}
+
+template <class AnyDevice>
+void VisibilityTerm<AnyDevice>::Sum(Seen* sum, Kept kept, [[maybe_unused]] std::size_t first)
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    SumRays(this->Rays, Kept::Ignored, &sum->all, first);
+    if (kept == Kept::Counted)
+    {
+      SumRays(this->Rays, Kept::Counted, &sum->kept, first);
+    }
+  }
+  else
+  {
+    const SumsOfSeen sums = this->SumsInto(sum, kept);
+    this->Add(
+      "sums", sums.all.visible, sums.all.unattenuated, sums.kept.visible, sums.kept.unattenuated);
   }
 }
 

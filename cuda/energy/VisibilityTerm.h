@@ -24,6 +24,13 @@ struct TermFields
   Kept CountsKept() const { return this->base ? Kept::Counted : Kept::Ignored; }
 };
 
+/// The sums of what all rays of a source have seen.
+struct SumsOfSeen
+{
+  SumsOfRays all;
+  SumsOfRays kept;
+};
+
 /**
  * One of the two visibility terms of the energy, Eq. (23) or (24): what a camera or a light sees.
  *
@@ -38,7 +45,8 @@ public:
   VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid, const Occupancy& occupancy,
     const RaySource& source, double rayDensity);
 
-  /// What the rays see, into `sum`; leaves the optical depths of all rays.
+  /// What the rays see, into `sum`; null: it is summed later. Leaves the optical depths of all
+  /// rays.
   void Forward(const TermFields& fields, Seen* sum);
 
   /// The rays of one frustum alone; what they see is summed by Sum.
@@ -56,13 +64,18 @@ public:
 
   /// What the rays of all frusta have seen in their last sweep. `first`: the frustum that was swept
   /// first; sums are rounded in that order.
-  void Sum(Seen* sum, Kept kept, std::size_t first = 0)
+  void Sum(Seen* sum, Kept kept, std::size_t first = 0);
+
+  /// The sums of Sum, for a launch with others.
+  SumsOfSeen SumsInto(Seen* sum, Kept kept)
   {
-    SumRays(this->Rays, Kept::Ignored, this->Add, &sum->all, first);
+    SumsOfSeen sums;
+    sums.all = SumsOfRays(this->Rays, Kept::Ignored, &sum->all);
     if (kept == Kept::Counted)
     {
-      SumRays(this->Rays, Kept::Counted, this->Add, &sum->kept, first);
+      sums.kept = SumsOfRays(this->Rays, Kept::Counted, &sum->kept);
     }
+    return sums;
   }
 
   std::vector<FrustumRays<AnyDevice>>& Frusta() { return this->Rays; }

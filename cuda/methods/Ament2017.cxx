@@ -57,8 +57,7 @@ struct TakeStep
 template <class Input, class Output>
 struct BehindKernel
 {
-  static constexpr const char* label = "importance behind";
-  static constexpr const char* voxelLabel = "importance behind nodes";
+  static constexpr const char* label = "importance behind nodes";
 
   Input field; ///< [1/length]
   Output behind;

@@ -80,11 +80,7 @@ Seen SeeMarchesin2010(const MethodScene<AnyDevice>& scene)
     scene.device->ForIndices(
       "score in no order", rays.Plan().RayCount(), ShareStep{ rays.States() });
   }
-  SumOnDevice<AnyDevice> add(scene.device);
-  DeviceArray<AnyDevice, Visible> sum(scene.device, 1, "sums");
-  SumRays(all, Kept::Ignored, add, sum.Data(), 0);
-  Visible visible;
-  sum.Download(&visible);
+  const Visible visible = SumRays(scene.device, all, Kept::Ignored);
   return { visible, visible }; // all of the base is kept
 }
 

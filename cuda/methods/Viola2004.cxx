@@ -104,8 +104,7 @@ struct KeepStep
 template <class Output>
 struct ClipKernel
 {
-  static constexpr const char* label = "clip";
-  static constexpr const char* voxelLabel = "clipped extinction";
+  static constexpr const char* label = "clipped extinction";
 
   Output extinction; ///< in: the base [1/length]
   const RayObject* objects;

@@ -86,7 +86,7 @@ void StepAll([[maybe_unused]] AnyDevice& device, const AdamVoxel<float>& step,
   else
   {
     device.ForIndices("Adam", count, StepAndChange{ step, gradient });
-    terms.SumChanges(gradient, nullptr);
+    terms.SumChanges(gradient);
   }
 }
 
@@ -131,7 +131,7 @@ public:
     step.extinction = this->Now.Data();
     StepAll(*this->Device, step, this->Gradient.Data(), this->Given.grid.NodeCount(), this->Energy);
     this->FindGradient();
-    this->Energy.SumSquares(this->Now.Data());
+    this->Energy.TakeMoved(this->Now.Data(), nullptr);
     return this->Energy.Record();
   }
 

@@ -295,6 +295,7 @@ private:
     this->Now = this->BestOf;
     this->RaysAreOfLast = false;
     this->LagOf = nullptr;
+    this->DepthsOf = nullptr;
     IterationRecord record = this->Lowest;
     record.meanChange = this->Change;
     return record;
@@ -338,11 +339,8 @@ private:
       this->FindLagged(*turn.other, last);
     }
     this->SweepOnce(turn, last, next);
-    this->LagOf = nullptr;
-    const bool again = this->Count < this->IterationLimit() &&
-      (turn.weighs || !(this->Energy.MeanChange() < this->Given->settings.tolerance));
-    const bool sameOther =
-      turn.smoothing > 0 || (again && this->TurnOf(this->Count).other == turn.other);
+    this->LagOf = this->DepthsOf = nullptr;
+    const bool sameOther = AnyDevice::readsHostMemory && this->HasSameOtherNext(turn);
     if (turn.other && sameOther)
     {
       this->FindLagged(*turn.other, next); // sees the next iterate along the way
@@ -350,8 +348,18 @@ private:
     else if (turn.other)
     {
       this->Energy.MeasureTerm(*turn.other, next);
+      this->DepthsOf = turn.other;
     }
     return this->Energy.Record();
+  }
+
+  /// Whether the derivative of the other term by the next iterate will be needed. Waits: a device
+  /// finds it when it is.
+  bool HasSameOtherNext(const Turn& turn)
+  {
+    const bool again = this->Count < this->IterationLimit() &&
+      (turn.weighs || !(this->Energy.MeanChange() < this->Given->settings.tolerance));
+    return turn.smoothing > 0 || (again && this->TurnOf(this->Count).other == turn.other);
   }
 
   void SweepOnce(const Turn& turn, const float* last, float* next)
@@ -372,13 +380,12 @@ private:
     }
     else
     {
-      this->Energy.SumChanges(next, last);
-      this->Energy.SumSquares(next);
+      this->Energy.TakeMoved(next, last);
     }
     const std::size_t frusta = turn.swept->Frusta().size();
     const bool lastFirst =
       !turn.weighs && MetNextIterate(frusta - 1, frusta, this->Given->settings.derivative);
-    turn.swept->Sum(this->Energy.SumOf(*turn.swept), kept, lastFirst ? frusta - 1 : 0);
+    this->Energy.TakeSeen(*turn.swept, kept, lastFirst ? frusta - 1 : 0);
   }
 
   /// The pull of neighbours beside the derivative of the other terms.
@@ -401,7 +408,10 @@ private:
       this->Lagged = DeviceArray<AnyDevice, float>::Zeros(this->Device,
         static_cast<std::size_t>(this->Given->grid.NodeCount()), "the lagged derivative");
     }
-    if (this->Energy.IsOfCamera(term)) // it has just been swept, to the same extinction
+    // The camera has just been swept, to the same extinction.
+    const bool known = this->Energy.IsOfCamera(term) || this->DepthsOf == &term;
+    this->DepthsOf = nullptr;
+    if (known)
     {
       this->Energy.DifferentiateSeen(term, extinction, this->Lagged.Data());
     }
@@ -428,6 +438,7 @@ private:
   DeviceArray<AnyDevice, float> Lagged; ///< derivative of the term that is not swept; empty: none
   const Term* LagFilledBy = nullptr;    ///< the term that it is of
   const Term* LagOf = nullptr;          ///< the same if it is at the last iterate
+  const Term* DepthsOf = nullptr;       ///< whose rays have the last iterate's optical depths
   DeviceArray<AnyDevice, float> Pull;   ///< that less the pull of neighbours; empty: not needed
   mutable std::vector<float> OnHost;    ///< the best; empty: not read yet
 };

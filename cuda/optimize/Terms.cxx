@@ -6,6 +6,7 @@
 #include "optimize/Terms.h"
 
 #include <cmath>
+#include <utility>
 
 namespace limpid
 {
@@ -73,7 +74,8 @@ void Terms<AnyDevice>::SeeBase()
   {
     TermFields fields = this->FieldsOf(*this->camera, this->Scene->base.Data());
     fields.base = nullptr; // all of it is kept
-    this->camera->Forward(fields, &this->Sums()->camera);
+    this->camera->Forward(fields, nullptr);
+    this->TakeSeen(*this->camera, Kept::Ignored);
     this->Base = this->Read().camera.all;
   }
 }
@@ -90,7 +92,7 @@ IterationRecord Terms<AnyDevice>::MeasureBase()
   {
     this->MeasureTerm(*this->light, this->Scene->base.Data());
   }
-  this->SumSquares(this->Scene->base.Data());
+  this->TakeMoved(this->Scene->base.Data(), nullptr);
   IterationRecord record = this->Record();
   record.score = this->BaseScore();
   return record;
@@ -107,7 +109,7 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
   {
     this->MeasureTerm(*this->light, extinction);
   }
-  this->SumSquares(extinction);
+  this->TakeMoved(extinction, nullptr);
   return this->Record();
 }
 
@@ -145,7 +147,9 @@ void Terms<AnyDevice>::DifferentiateSeen(
 template <class AnyDevice>
 void Terms<AnyDevice>::MeasureTerm(VisibilityTerm<AnyDevice>& term, const float* extinction)
 {
-  term.Forward(this->FieldsOf(term, extinction), this->SumOf(term));
+  const TermFields fields = this->FieldsOf(term, extinction);
+  term.Forward(fields, nullptr);
+  this->TakeSeen(term, fields.CountsKept());
 }
 
 template <class AnyDevice>
@@ -159,33 +163,72 @@ template <class AnyDevice>
 void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
   const GradientTarget& target, float* gradient)
 {
-  term.Differentiate(this->FieldsOf(term, extinction), this->Given->settings.derivative, target,
-    gradient, this->SumOf(term));
+  const TermFields fields = this->FieldsOf(term, extinction);
+  const Derivative derivative = this->Given->settings.derivative;
+  if (derivative == Derivative::Volume)
+  {
+    term.Differentiate(fields, derivative, target, gradient, nullptr);
+    this->TakeSeen(term, fields.CountsKept());
+    return;
+  }
+  // What its rays carry is not the score: that is summed in between.
+  Seen* sum = this->IsOfCamera(term) ? &this->Sums()->camera : &this->Sums()->light;
+  term.Differentiate(fields, derivative, target, gradient, sum);
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::SumChanges(const float* next, const float* last)
+void Terms<AnyDevice>::SumChanges(const float* changes)
 {
-  this->Add("change", this->Given->grid.NodeCount(), AbsoluteChange{ next, last },
-    &this->Sums()->moved.changes);
+  this->Add("sums",
+    Summand<AbsoluteChange>{
+      { changes, nullptr }, this->Given->grid.NodeCount(), &this->Sums()->moved.changes });
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::SumSquares(const float* extinction)
+void Terms<AnyDevice>::TakeMoved(const float* extinction, const float* last)
 {
+  this->Unsummed.extinction = extinction;
+  this->Unsummed.last = last;
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::Sum()
+{
+  const Taken taken = std::exchange(this->Unsummed, {});
+  TermSums* sums = this->Sums();
   if constexpr (AnyDevice::readsHostMemory)
   {
-    this->Sums()->moved.squares = this->Given->SquaresFromBase(extinction);
+    if (taken.camera.wanted)
+    {
+      this->camera->Sum(&sums->camera, taken.camera.kept, taken.camera.first);
+    }
+    if (taken.light.wanted)
+    {
+      this->light->Sum(&sums->light, taken.light.kept, taken.light.first);
+    }
+    if (taken.extinction)
+    {
+      sums->moved.squares = this->Given->SquaresFromBase(taken.extinction);
+    }
   }
   else
   {
-    this->Add("regularization", this->Given->grid.NodeCount(),
-      SquaredDifference{ extinction, this->Scene->base.Data() }, &this->Sums()->moved.squares);
+    const auto seen = [](auto& term, const typename Taken::OfTerm& of, Seen* sum)
+    { return of.wanted ? term->SumsInto(sum, of.kept) : SumsOfSeen(); };
+    const SumsOfSeen byCamera = seen(this->camera, taken.camera, &sums->camera);
+    const SumsOfSeen byLight = seen(this->light, taken.light, &sums->light);
+    const Index nodes = this->Given->grid.NodeCount();
+    this->Add("sums", byCamera.all.visible, byCamera.all.unattenuated, byCamera.kept.visible,
+      byCamera.kept.unattenuated, byLight.all.visible, byLight.all.unattenuated,
+      Summand<AbsoluteChange>{
+        { taken.extinction, taken.last }, nodes, taken.last ? &sums->moved.changes : nullptr },
+      Summand<SquaredDifference>{ { taken.extinction, this->Scene->base.Data() }, nodes,
+        taken.extinction ? &sums->moved.squares : nullptr });
   }
 }
 
 template <class AnyDevice>
-IterationRecord Terms<AnyDevice>::Record() const
+IterationRecord Terms<AnyDevice>::Record()
 {
   const TermSums sums = this->Read();
   const Weights& weights = this->Given->settings.weights;
@@ -202,8 +245,9 @@ IterationRecord Terms<AnyDevice>::Record() const
 }
 
 template <class AnyDevice>
-TermSums Terms<AnyDevice>::Read() const
+TermSums Terms<AnyDevice>::Read()
 {
+  this->Sum();
   TermSums sums;
   this->Found.Download(&sums);
   return sums;

@@ -70,25 +70,28 @@ public:
     return this->camera && &term == &*this->camera;
   }
 
-  /// Sums what an iteration has changed, for the next record. `last`: null: `next` is the change.
-  void SumChanges(const float* next, const float* last);
+  /// The next record is to tell what a term's rays have seen in their last sweep until then.
+  /// `first`: see VisibilityTerm::Sum.
+  void TakeSeen(const VisibilityTerm<AnyDevice>& term, Kept kept, std::size_t first = 0)
+  {
+    (this->IsOfCamera(term) ? this->Unsummed.camera : this->Unsummed.light) = { true, kept, first };
+  }
 
-  /// Sums how far an extinction is from the base, for the next record.
-  void SumSquares(const float* extinction);
+  /// ... how far an extinction is from the base and, if not null, from `last`.
+  void TakeMoved(const float* extinction, const float* last);
 
-  /// Energy and score of the extinction that all terms have seen and summed, Eqs. (21)-(24) and
-  /// (32), once the base was seen. Waits.
-  IterationRecord Record() const;
+  /// Sums the sizes of changes at once, for the next record.
+  void SumChanges(const float* changes);
 
-  /// Mean change of the extinction, as summed so far [majorant]. Waits.
-  double MeanChange() const { return this->Given->MeanChange(this->Read().moved.changes); }
+  /// Energy and score of the extinction that all terms have seen, Eqs. (21)-(24) and (32), once the
+  /// base was seen. Waits.
+  IterationRecord Record();
+
+  /// Mean change of the extinction, of the next record [majorant]. Waits.
+  double MeanChange() { return this->Given->MeanChange(this->Read().moved.changes); }
 
   /// The sums of the next record, on the device.
   TermSums* Sums() { return this->Found.Data(); }
-  Seen* SumOf(const VisibilityTerm<AnyDevice>& term)
-  {
-    return this->IsOfCamera(term) ? &this->Sums()->camera : &this->Sums()->light;
-  }
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
@@ -96,8 +99,26 @@ public:
   std::optional<VisibilityTerm<AnyDevice>> light;
 
 private:
-  /// The sums so far. Waits.
-  TermSums Read() const;
+  /// What was taken for the next record and is not summed yet.
+  struct Taken
+  {
+    struct OfTerm
+    {
+      bool wanted = false;
+      Kept kept = Kept::Ignored;
+      std::size_t first = 0;
+    };
+    OfTerm camera;
+    OfTerm light;
+    const float* extinction = nullptr; ///< null: nothing was moved
+    const float* last = nullptr;
+  };
+
+  /// Sums what was taken; a device does it in one launch.
+  void Sum();
+
+  /// The sums. Waits.
+  TermSums Read();
 
   /// The derivative of a visibility term by an extinction.
   void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
@@ -108,6 +129,7 @@ private:
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
+  Taken Unsummed;
   std::optional<Visible> Base; ///< not there: not seen yet, or iterations do not tell scores
 };
 }

@@ -50,19 +50,30 @@ double SumOfRays(const FaceFrustum& frustum, const float* values);
 
 namespace detail
 {
-/// What a ray of one of several frusta adds to an integral over the domain.
-struct WeightedRay
+/// What rays of several frusta add to an integral over the domain.
+struct WeightedRays
 {
   struct Part
   {
-    FaceFrustum frustum;
+    const float* columnShare; ///< see FaceFrustum
+    const float* rowShare;
+    const float* length;
     const float* values;
+    double cellMeasure;
     Index first; ///< number of its first ray among those of all frusta
+    int columns;
   };
 
   static constexpr int mostParts = 6;
   Part parts[mostParts];
   int count = 0;
+
+  /// Adds the rays of a frustum, of which `first` come before.
+  void Add(const FaceFrustum& frustum, const float* values, Index first)
+  {
+    this->parts[this->count++] = { frustum.Row(frustum.columnShare), frustum.Row(frustum.rowShare),
+      frustum.Row(frustum.length), values, frustum.cellMeasure, first, frustum.columns };
+  }
 
   LIMPID_HD LIMPID_INLINE double operator()(Index number) const
   {
@@ -72,37 +83,14 @@ struct WeightedRay
       --at;
     }
     const Part& part = this->parts[at];
-    const FaceFrustum& frustum = part.frustum;
     const Index ray = number - part.first;
-    const double shareU = frustum.Row(frustum.columnShare)[ray % frustum.columns];
-    const double shareV = frustum.Row(frustum.rowShare)[ray / frustum.columns];
-    const double share = frustum.cellMeasure * shareU * shareV;
+    const double shareU = part.columnShare[ray % part.columns];
+    const double shareV = part.rowShare[ray / part.columns];
+    const double share = part.cellMeasure * shareU * shareV;
     // What a guard carries may be no number.
-    return share > 0 ? share / double(frustum.Row(frustum.length)[ray]) * part.values[ray] : 0.0;
+    return share > 0 ? share / double(part.length[ray]) * part.values[ray] : 0.0;
   }
 };
-}
-
-/// The same on a device, for the host: waits.
-template <class AnyDevice>
-double SumOfRays(
-  const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, const float* values)
-{
-  if constexpr (std::is_same_v<AnyDevice, HostDevice>)
-  {
-    return SumOfRays(frustum, values);
-  }
-  else
-  {
-    detail::WeightedRay rays;
-    rays.parts[rays.count++] = { frustum, values, 0 };
-    SumOnDevice<AnyDevice> add(device);
-    DeviceArray<AnyDevice, double> there(device, 1, "sums");
-    add("sum of rays", frustum.RayCount(), rays, there.Data());
-    double sum = 0;
-    there.Download(&sum);
-    return sum;
-  }
 }
 
 /// Of a ray: what it has seen of everything, or of what is kept (Kept::Counted).
@@ -118,28 +106,37 @@ struct SeenByRay
   }
 };
 
-/// What all rays have seen, into `sum` on the device. Does not wait.
-template <class AnyDevice>
-void SumRays(std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept, SumOnDevice<AnyDevice>& add,
-  Visible* sum, std::size_t)
+/// The sums of what all rays have seen.
+struct SumsOfRays
 {
-  detail::WeightedRay visible;
-  detail::WeightedRay unattenuated;
-  Index count = 0;
-  for (FrustumRays<AnyDevice>& frustum : frusta)
-  {
-    const SeenByRay seen(frustum.States(), kept);
-    visible.parts[visible.count++] = { frustum.Plan(), seen.visible, count };
-    unattenuated.parts[unattenuated.count++] = { frustum.Plan(), seen.unattenuated, count };
-    count += frustum.Plan().RayCount();
-  }
-  add("sum of rays", count, visible, &sum->visible);
-  add("sum of rays", count, unattenuated, &sum->unattenuated);
-}
+  Summand<detail::WeightedRays> visible{ {}, 0, nullptr };
+  Summand<detail::WeightedRays> unattenuated{ {}, 0, nullptr };
 
-/// The processor sums row by row, and the frusta in cyclic order from `first`.
-inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept,
-  SumOnDevice<HostDevice>&, Visible* sum, std::size_t first)
+  /// None.
+  SumsOfRays() = default;
+
+  /// Into `sum` on the device.
+  template <class AnyDevice>
+  SumsOfRays(std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept, Visible* sum)
+  {
+    Index count = 0;
+    for (FrustumRays<AnyDevice>& frustum : frusta)
+    {
+      const SeenByRay seen(frustum.States(), kept);
+      this->visible.value.Add(frustum.Plan(), seen.visible, count);
+      this->unattenuated.value.Add(frustum.Plan(), seen.unattenuated, count);
+      count += frustum.Plan().RayCount();
+    }
+    this->visible.count = this->unattenuated.count = count;
+    this->visible.result = &sum->visible;
+    this->unattenuated.result = &sum->unattenuated;
+  }
+};
+
+/// What all rays have seen, into `sum`. The processor sums row by row, and the frusta in cyclic
+/// order from `first`.
+inline void SumRays(
+  std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Visible* sum, std::size_t first)
 {
   *sum = {};
   for (std::size_t i = 0; i < frusta.size(); ++i)
@@ -149,6 +146,49 @@ inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept,
     *sum +=
       { SumOfRays(frustum.Plan(), seen.visible), SumOfRays(frustum.Plan(), seen.unattenuated) };
   }
+}
+
+/// The same of one value per ray, for the host: waits.
+template <class AnyDevice>
+double SumOfRays(
+  const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, const float* values)
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    return SumOfRays(frustum, values);
+  }
+  else
+  {
+    detail::WeightedRays rays;
+    rays.Add(frustum, values, 0);
+    DeviceArray<AnyDevice, double> there(device, 1, "sums");
+    SumOnDevice<AnyDevice> add(device);
+    add("sums", Summand<detail::WeightedRays>{ rays, frustum.RayCount(), there.Data() });
+    double sum = 0;
+    there.Download(&sum);
+    return sum;
+  }
+}
+
+/// What all rays have seen, for the host: waits.
+template <class AnyDevice>
+Visible SumRays(
+  const std::shared_ptr<AnyDevice>& device, std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept)
+{
+  Visible sum;
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    SumRays(frusta, kept, &sum, 0);
+  }
+  else
+  {
+    DeviceArray<AnyDevice, Visible> there(device, 1, "sums");
+    const SumsOfRays sums(frusta, kept, there.Data());
+    SumOnDevice<AnyDevice> add(device);
+    add("sums", sums.visible, sums.unattenuated);
+    there.Download(&sum);
+  }
+  return sum;
 }
 }
 

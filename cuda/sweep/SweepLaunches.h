@@ -16,10 +16,9 @@
 
 namespace limpid
 {
-/// So few that the images of a slab of slices stay in the second-level cache of a large GPU (30 MB
-/// at 256^3), and as many as there are floats in 32 bytes, which a slab writes at once where the
-/// depth axis is the fastest in memory.
-constexpr int slicesPerLaunch = 8;
+/// Slices that rays cross between one wait and the next. So few that the images of two slabs stay
+/// in the second-level cache of a large GPU (30 MB at 256^3).
+constexpr int slicesPerSlab = 4;
 
 namespace detail
 {
@@ -77,21 +76,22 @@ struct RayHere
   }
 };
 
-/// Images of the rays on the slices of a launch: transmittance, density, visible importance behind.
-struct SliceImages
+/// Images of the rays on the slices of two slabs, that of the rays and the one before it, which
+/// voxels read: transmittance, density, visible importance behind.
+struct SlabImages
 {
   float* values;
   Index rays;
-  int begin; ///< first slice
 
   static std::size_t Size(const FaceFrustum& frustum)
   {
-    return std::size_t(3 * slicesPerLaunch * frustum.RayCount());
+    return std::size_t(3 * 2 * slicesPerSlab * frustum.RayCount());
   }
 
+  /// Slabs are neighbours, so that this tells the slices of one from those of the other.
   LIMPID_HD LIMPID_INLINE float* Of(int s, int image) const
   {
-    return this->values + (3 * (s - this->begin) + image) * this->rays;
+    return this->values + (3 * (s % (2 * slicesPerSlab)) + image) * this->rays;
   }
 
   LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayHere& here) const
@@ -133,73 +133,161 @@ struct ForwardRay
   }
 };
 
-/// A ray through the slices of a launch, back to front.
-template <class Kernel>
-struct BackwardRay
+/// Slices from the back on, as far as there are voxels.
+struct BackToFront
 {
-  FaceFrustum frustum;
-  RayStates states;
-  Kernel kernel;
-  Range<int> slices;
-  SliceImages images;
-
-  LIMPID_HD void operator()(int i, int j) const
+  static int CountOf(const FaceFrustum& frustum)
   {
-    const Index index = this->frustum.RayAt(i, j);
-    RayHere here;
-    here.Load(this->states.From(index));
-    RaySampler ray(this->frustum, here.States(), i, j);
-    for (int s = this->slices.end; s-- > this->slices.begin;)
+    return frustum.SliceCount() - frustum.firstNodeSlice;
+  }
+
+  LIMPID_HD static Range<int> SlabOf(const FaceFrustum& frustum, int slab)
+  {
+    const int end = frustum.lastSlice + 1 - slab * slicesPerSlab;
+    const int begin = end - slicesPerSlab;
+    return { begin > frustum.firstNodeSlice ? begin : frustum.firstNodeSlice, end };
+  }
+
+  /// What a ray is before a slab. It has its optical depth from the start.
+  LIMPID_HD static LIMPID_INLINE void Load(bool first, const RayStates& kept, RayHere& here)
+  {
+    if (first)
     {
-      this->kernel.RayStep(ray, s);
-      this->images.Take(s, index, here);
+      StartBehind{ here.States() }(0);
+      here.opticalDepth = *kept.opticalDepth;
+      return;
     }
-    if (this->slices.begin == this->frustum.firstNodeSlice)
+    here.Load(kept);
+  }
+
+  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, const RayStates& kept)
+  {
+    here.Store(kept);
+  }
+
+  template <class Kernel>
+  LIMPID_HD static LIMPID_INLINE void Cross(const Range<int>& slices, const FaceFrustum& frustum,
+    const Kernel& kernel, const SlabImages& images, Index index, RaySampler& ray, RayHere& here)
+  {
+    for (int s = slices.end; s-- > slices.begin;)
     {
-      this->kernel.LeaveStep(ray);
+      kernel.RayStep(ray, s);
+      images.Take(s, index, here);
+    }
+    if (slices.begin == frustum.firstNodeSlice)
+    {
+      kernel.LeaveStep(ray);
       FinishBehind{ here.States() }(0);
     }
-    here.Store(this->states.From(index));
   }
 };
 
-/// A ray through the slices of a launch, front to back.
-template <class Kernel>
-struct FrontToBackRay
+/// Slices from the front on, the source's own included.
+struct FrontToBack
+{
+  static int CountOf(const FaceFrustum& frustum) { return frustum.SliceCount(); }
+
+  LIMPID_HD static Range<int> SlabOf(const FaceFrustum& frustum, int slab)
+  {
+    const int begin = slab * slicesPerSlab;
+    const int end = begin + slicesPerSlab;
+    return { begin, end < frustum.lastSlice + 1 ? end : frustum.lastSlice + 1 };
+  }
+
+  /// Nothing goes from slab to slab but the optical depth.
+  LIMPID_HD static LIMPID_INLINE void Load(bool first, const RayStates& kept, RayHere& here)
+  {
+    StartInFront{ here.States() }(0);
+    here.opticalDepth = first ? 0.0 : *kept.opticalDepth;
+  }
+
+  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, const RayStates& kept)
+  {
+    *kept.opticalDepth = here.opticalDepth;
+  }
+
+  template <class Kernel>
+  LIMPID_HD static LIMPID_INLINE void Cross(const Range<int>& slices, const FaceFrustum&,
+    const Kernel& kernel, const SlabImages& images, Index index, RaySampler& ray, RayHere& here)
+  {
+    for (int s = slices.begin; s < slices.end; ++s)
+    {
+      kernel.RayStep(ray, s, Range<int>{});
+      images.Take(s, index, here);
+    }
+  }
+};
+
+/// Slab by slab, for a kernel whose rays do not depend on what it does to the voxels: in each phase
+/// the rays cross a slab, and the voxels of the slab before read what the rays have left there.
+template <class Way, class Kernel>
+struct SlabPhases
 {
   FaceFrustum frustum;
   RayStates states;
   Kernel kernel;
-  Range<int> slices;
-  SliceImages images;
+  SlabImages images;
+  int slabs;
 
-  LIMPID_HD void operator()(int i, int j) const
+  SlabPhases(const FaceFrustum& plan, const RayStates& rays, const Kernel& what, float* values)
+    : frustum(plan)
+    , states(rays)
+    , kernel(what)
+    , images{ values, plan.RayCount() }
+    , slabs((Way::CountOf(plan) + slicesPerSlab - 1) / slicesPerSlab)
   {
-    const Index index = this->frustum.RayAt(i, j);
-    RayHere here;
-    here.opticalDepth = this->states.opticalDepth[index];
-    RaySampler ray(this->frustum, here.States(), i, j);
-    for (int s = this->slices.begin; s < this->slices.end; ++s)
-    {
-      this->kernel.RayStep(ray, s, Range<int>{});
-      this->images.Take(s, index, here);
-    }
-    this->states.opticalDepth[index] = here.opticalDepth;
   }
-};
 
-/// A voxel on the slices of a launch. `row`: slice by slice, nodesV each.
-template <class Kernel>
-struct VoxelOfSlices
-{
-  FaceFrustum frustum;
-  Kernel kernel;
-  SliceImages images;
+  int PhaseCount() const { return this->slabs + 1; }
 
-  LIMPID_HD void operator()(int u, int row) const
+  LIMPID_HD LIMPID_INLINE Extent ExtentOf(int phase) const
   {
-    const int s = this->images.begin + row / this->frustum.nodesV;
-    const int v = row % this->frustum.nodesV;
+    const int slices = phase > 0 ? Way::SlabOf(this->frustum, phase - 1).Length() : 0;
+    const bool moreRays = this->frustum.columns > this->frustum.nodesU;
+    return { moreRays ? this->frustum.columns : this->frustum.nodesU,
+      this->RowsOfRays(phase) + slices * this->frustum.nodesV };
+  }
+
+  LIMPID_HD LIMPID_INLINE void operator()(int phase, int column, int row) const
+  {
+    const int rows = this->RowsOfRays(phase);
+    if (row < rows)
+    {
+      this->MoveRay(phase, column, row);
+    }
+    else
+    {
+      const int number = row - rows; // slice by slice, nodesV each
+      const Range<int> slab = Way::SlabOf(this->frustum, phase - 1);
+      this->VisitVoxel(
+        slab.begin + number / this->frustum.nodesV, column, number % this->frustum.nodesV);
+    }
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE int RowsOfRays(int phase) const
+  {
+    return phase < this->slabs ? this->frustum.rows : 0;
+  }
+
+  LIMPID_HD LIMPID_INLINE void MoveRay(int slab, int column, int row) const
+  {
+    if (column >= this->frustum.columns)
+    {
+      return;
+    }
+    const Index index = this->frustum.RayAt(column, row);
+    const RayStates kept = this->states.From(index);
+    RayHere here;
+    Way::Load(slab == 0, kept, here);
+    RaySampler ray(this->frustum, here.States(), column, row);
+    Way::Cross(Way::SlabOf(this->frustum, slab), this->frustum, this->kernel, this->images, index,
+      ray, here);
+    Way::Store(here, kept);
+  }
+
+  LIMPID_HD LIMPID_INLINE void VisitVoxel(int s, int u, int v) const
+  {
     const Slice& slice = this->frustum.SliceAt(s);
     if (slice.node >= 0 && slice.ownedColumns.Contains(u) && slice.ownedRows.Contains(v))
     {
@@ -245,6 +333,10 @@ struct BackwardPhases
       return;
     }
     const RayStates here = this->states.From(this->frustum.RayAt(column, row));
+    if (phase == 0)
+    {
+      StartBehind{ here }(0);
+    }
     RaySampler ray(this->frustum, here, column, row);
     if (s >= this->frustum.firstNodeSlice)
     {
@@ -269,17 +361,15 @@ inline Extent ExtentOfRays(const FaceFrustum& frustum)
   return { frustum.columns, frustum.rows };
 }
 
-/// The rays through some slices, and then the voxels on them, which read what the rays left.
-template <template <class> class RayThrough, class AnyDevice, class Kernel>
-void LaunchSlices(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel,
-  const Range<int>& slices, float* images)
+/// See SlabPhases.
+template <class Way, class AnyDevice, class Kernel>
+void SweepSlabs(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevice>& rays,
+  const Kernel& kernel, DeviceArray<AnyDevice, float>& images)
 {
   const FaceFrustum& frustum = rays.Plan();
-  const SliceImages here{ images, frustum.RayCount(), slices.begin };
-  device.ForEach(Kernel::label, ExtentOfRays(frustum),
-    RayThrough<Kernel>{ frustum, rays.States(), kernel, slices, here });
-  device.ForEach(Kernel::voxelLabel, { frustum.nodesU, frustum.nodesV * slices.Length() },
-    VoxelOfSlices<Kernel>{ frustum, kernel, here });
+  images.RoomFor(device, SlabImages::Size(frustum), "images of rays");
+  const SlabPhases<Way, Kernel> phases(frustum, rays.States(), kernel, images.Data());
+  device->ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 }
 
@@ -294,19 +384,12 @@ void SweepForward(
 }
 
 /// Back to front over all slices of voxels, for a kernel whose rays do not depend on what it does
-/// to the voxels. `images`: of the rays of slicesPerLaunch slices; it grows as needed.
+/// to the voxels. `images`: of the rays of two slabs; it grows as needed.
 template <class AnyDevice, class Kernel>
 void SweepBackward(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevice>& rays,
   const Occupancy&, const Kernel& kernel, DeviceArray<AnyDevice, float>& images)
 {
-  const FaceFrustum& frustum = rays.Plan();
-  images.RoomFor(device, detail::SliceImages::Size(frustum), "images of rays");
-  device->ForIndices("start rays", frustum.RayCount(), StartBehind{ rays.States() });
-  for (int end = frustum.SliceCount(); end > frustum.firstNodeSlice; end -= slicesPerLaunch)
-  {
-    const Range<int> slices{ std::max(frustum.firstNodeSlice, end - slicesPerLaunch), end };
-    detail::LaunchSlices<detail::BackwardRay>(*device, rays, kernel, slices, images.Data());
-  }
+  detail::SweepSlabs<detail::BackToFront>(device, rays, kernel, images);
 }
 
 /// Back to front over all slices of voxels, slice by slice: the rays may depend on the voxels
@@ -315,7 +398,6 @@ template <class AnyDevice, class Kernel>
 void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
   const FaceFrustum& frustum = rays.Plan();
-  device.ForIndices("start rays", frustum.RayCount(), StartBehind{ rays.States() });
   const detail::BackwardPhases<Kernel> phases{ frustum, rays.States(), kernel };
   device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
@@ -325,14 +407,7 @@ template <class AnyDevice, class Kernel>
 void SweepFrontToBack(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevice>& rays,
   const Kernel& kernel, DeviceArray<AnyDevice, float>& images)
 {
-  const FaceFrustum& frustum = rays.Plan();
-  images.RoomFor(device, detail::SliceImages::Size(frustum), "images of rays");
-  device->ForIndices("start rays", frustum.RayCount(), StartInFront{ rays.States() });
-  for (int begin = 0; begin < frustum.SliceCount(); begin += slicesPerLaunch)
-  {
-    const Range<int> slices{ begin, std::min(begin + slicesPerLaunch, frustum.SliceCount()) };
-    detail::LaunchSlices<detail::FrontToBackRay>(*device, rays, kernel, slices, images.Data());
-  }
+  detail::SweepSlabs<detail::FrontToBack>(device, rays, kernel, images);
 }
 }
 

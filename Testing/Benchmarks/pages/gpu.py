@@ -6,10 +6,8 @@
 from markdown import head, ms, plural, significant, table
 
 GROUPS = {  # labels of launches by their line in the tables; others have their own
-    "forward sweep": "forward sweeps", "backward sweep": "backward sweeps",
-    "derivative": "derivative at the voxels", "Adam": "Adam's step",
-    "sum of rays": "sums", "regularization": "sums", "change": "sums",
-    "set to zero": "clearing and copying", "start rays": "clearing and copying",
+    "forward sweep": "forward sweeps", "derivative": "derivative of a term",
+    "Adam": "Adam's step", "set to zero": "clearing and copying", "start rays": "clearing and copying",
     "copy": "clearing and copying", "upload": "to and from the host",
     "download": "to and from the host"}
 STEPS = {

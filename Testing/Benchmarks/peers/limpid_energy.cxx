@@ -91,7 +91,7 @@ public:
       [&](Index node)
       { gradient[node] = weight * (this->Extinction[node] - this->Task.baseExtinction[node]); });
     this->Both->Differentiate(this->Extinction.data(), gradient);
-    this->Both->SumSquares(this->Extinction.data());
+    this->Both->TakeMoved(this->Extinction.data(), nullptr);
     return Answer(this->Both->Record().energy, watch);
   }
 
