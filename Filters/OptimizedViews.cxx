@@ -58,7 +58,7 @@ ScoredView OptimizedViews::Optimized(const Vec3& direction, std::vector<float>* 
   view.valid = true;
   if (extinction)
   {
-    *extinction = std::move(solver.TakeExtinctions()[0]);
+    *extinction = solver.TakeExtinctions()[0].Take();
   }
   return view;
 }

@@ -108,8 +108,20 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
     share = 1;
   }
   const bool separate = HasLightExtinction(frame.solver);
-  this->Pictures.SetExtinction(this->Optimizer->ShownGrid(), this->Optimizer->BaseExtinction(),
-    this->Optimizer->Extinction(), share, separate ? this->Optimizer->LightExtinction() : nullptr);
+  const Grid& grid = this->Optimizer->ShownGrid();
+  const ShownOnDevice there =
+    this->Pictures.DrawsOnDevice() ? this->Optimizer->OnDevice() : ShownOnDevice();
+  if (there.light)
+  {
+    this->Pictures.ShowThere(
+      grid, there.fields.base, there.fields.extinction, share, separate ? there.light : nullptr);
+  }
+  else
+  {
+    this->Pictures.SetExtinction(grid, this->Optimizer->BaseExtinction(),
+      this->Optimizer->Extinction(), share,
+      separate ? this->Optimizer->LightExtinction() : nullptr);
+  }
   this->ShowsBase = false;
 }
 

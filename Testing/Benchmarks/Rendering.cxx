@@ -154,7 +154,7 @@ Json TimeMethods(const Drawable& drawable, int repeats)
 {
   const SceneOfFile& scene = drawable.scene;
   std::array<Renderer, methodCount> renderers;
-  std::array<std::array<std::vector<float>, 2>, methodCount> extinctions;
+  std::array<std::array<FoundExtinction, 2>, methodCount> extinctions;
   for (int method = 0; method < methodCount; ++method)
   {
     Settings settings;
@@ -173,8 +173,9 @@ Json TimeMethods(const Drawable& drawable, int repeats)
       Solver solver = scene.MakeSolver(settings);
       solver.Run();
       auto& found = extinctions[std::size_t(method)] = solver.TakeExtinctions();
-      renderer.SetExtinction(scene.grid, scene.extinction.data(), found[0].data(), 1,
-        found[1].empty() ? nullptr : found[1].data());
+      const std::vector<float>& ofLight = found[1].OnHost();
+      renderer.SetExtinction(scene.grid, scene.extinction.data(), found[0].OnHost().data(), 1,
+        ofLight.empty() ? nullptr : ofLight.data());
     }
     renderer.Prepare();
   }

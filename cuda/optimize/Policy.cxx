@@ -125,6 +125,39 @@ void Prepare(const std::shared_ptr<AnyDevice>& device, const Problem& problem, s
   }
 }
 
+/// An iterate that was found on a device; empty: the base extinction.
+template <class AnyDevice>
+class ResultOn : public DeviceResult
+{
+public:
+  ResultOn(std::shared_ptr<AnyDevice> device, std::shared_ptr<ProblemFields<AnyDevice>> fields,
+    DeviceArray<AnyDevice, float>&& found)
+    : Device(std::move(device))
+    , Given(std::move(fields))
+    , Found(std::move(found))
+  {
+  }
+
+  ExtinctionOnDevice Fields() const override
+  {
+    const float* base = this->Given->base.Data();
+    return { base, this->Found.Empty() ? base : this->Found.Data() };
+  }
+
+  std::vector<float> Download() const override
+  {
+    std::vector<float> values = RoomFor(static_cast<Index>(this->Given->base.Size()));
+    values.resize(this->Given->base.Size());
+    this->Device->Download(values.data(), this->Fields().extinction, values.size() * sizeof(float));
+    return values;
+  }
+
+private:
+  std::shared_ptr<AnyDevice> Device;
+  std::shared_ptr<ProblemFields<AnyDevice>> Given;
+  DeviceArray<AnyDevice, float> Found;
+};
+
 template <class AnyDevice>
 class Policy : public Minimizer
 {
@@ -223,6 +256,28 @@ public:
   {
     this->Best();
     return std::move(this->OnHost);
+  }
+
+  ExtinctionOnDevice BestOnDevice() const override
+  {
+    if (AnyDevice::readsHostMemory)
+    {
+      return {};
+    }
+    return { this->Energy.Fields().base.Data(), this->Iterates[this->BestOf].values };
+  }
+
+  FoundExtinction TakeResult() override
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      return this->TakeBest();
+    }
+    else
+    {
+      return FoundExtinction(std::make_unique<ResultOn<AnyDevice>>(
+        this->Device, this->Energy.SharedFields(), std::move(this->Iterates[this->BestOf].own)));
+    }
   }
 
 private:

@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Problem_h
 #define limpid_optimize_Problem_h
 
+#include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
@@ -97,8 +98,15 @@ public:
   /// Its values, which may be there without a copy; until the next iteration.
   virtual const float* BestValues() const { return this->Best().data(); }
 
+  /// The best iterate so far on the device that computes, until the next iteration; nulls: it is on
+  /// the host.
+  virtual ExtinctionOnDevice BestOnDevice() const { return {}; }
+
   /// The same, given away: nothing else can be asked any more.
   virtual std::vector<float> TakeBest() = 0;
+
+  /// The same where it is.
+  virtual FoundExtinction TakeResult() { return this->TakeBest(); }
 };
 }
 

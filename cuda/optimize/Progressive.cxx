@@ -92,7 +92,7 @@ struct Progressive::Internals
   std::size_t level = 0;          ///< of the last preview
   bool levelIsCurrent = false;    ///< whether it was made for the present view
   std::unique_ptr<Solver> solver; ///< of the present view; null: not begun
-  std::array<std::vector<float>, 2> kept;
+  std::array<FoundExtinction, 2> kept;
   bool keptForLight = false; ///< whether there is another one for the light
   Score keptBase;
   Score keptBest;
@@ -280,7 +280,7 @@ const float* Progressive::Extinction() const
     case Shown::Solver:
       return state.solver->Extinction().data();
     case Shown::Kept:
-      return state.kept[0].data();
+      return state.kept[0].OnHost().data();
     case Shown::Nothing:
       break;
   }
@@ -298,11 +298,32 @@ const float* Progressive::LightExtinction() const
       return HasLightExtinction(state.settings) ? state.solver->LightExtinction().data()
                                                 : this->Extinction();
     case Shown::Kept:
-      return state.keptForLight ? state.kept[1].data() : this->Extinction();
+      return state.keptForLight ? state.kept[1].OnHost().data() : this->Extinction();
     case Shown::Nothing:
       break;
   }
   return this->BaseExtinction();
+}
+
+ShownOnDevice Progressive::OnDevice() const
+{
+  const Internals& state = *this->State;
+  const bool forLight = HasLightExtinction(state.settings);
+  ExtinctionOnDevice found;
+  ExtinctionOnDevice ofLight;
+  if (state.shown == Shown::Solver)
+  {
+    found = state.solver->OnDevice();
+    ofLight = forLight ? state.solver->LightOnDevice() : found;
+  }
+  else if (state.shown == Shown::Kept)
+  {
+    const auto fieldsOf = [](const FoundExtinction& kept)
+    { return kept.OnDevice() ? kept.OnDevice()->Fields() : ExtinctionOnDevice(); };
+    found = fieldsOf(state.kept[0]);
+    ofLight = state.keptForLight ? fieldsOf(state.kept[1]) : found;
+  }
+  return ofLight.extinction ? ShownOnDevice{ found, ofLight.extinction } : ShownOnDevice();
 }
 
 Score Progressive::BaseScore() const

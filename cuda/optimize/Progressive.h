@@ -18,6 +18,13 @@ struct Scores
   Score best; ///< of what was found
 };
 
+/// What is shown, in the memory of the device that has found it [1/length].
+struct ShownOnDevice
+{
+  ExtinctionOnDevice fields;
+  const float* light = nullptr; ///< the extinction for the light
+};
+
 /**
  * Optimises for a camera that moves: quickly and coarsely while it does, fully when it rests.
  *
@@ -63,6 +70,10 @@ public:
   const float* BaseExtinction() const;  ///< at the nodes of ShownGrid() [1/length]
   const float* Extinction() const;      ///< at the nodes of ShownGrid() [1/length]
   const float* LightExtinction() const; ///< the same array in joint mode
+
+  /// The same where a device has it, until the next step; nulls: it is on the host. Nothing needs
+  /// to come from the device for it.
+  ShownOnDevice OnDevice() const;
 
   Score BaseScore() const;
   Score BestScore() const;

@@ -43,8 +43,8 @@ struct Solver::Internals
   bool lightRun = false;
   bool hasIterate = false; ///< whether this run has made one at full resolution
 
-  std::vector<float> extinction; ///< result of a finished run
-  std::vector<float> lightExtinction;
+  FoundExtinction extinction; ///< result of a finished run
+  FoundExtinction lightExtinction;
   std::vector<IterationRecord> history;
   Score base;
   mutable std::optional<Score> best; ///< not there: not known yet
@@ -88,7 +88,7 @@ struct Solver::Internals
     this->best = Score();
     this->judge.reset();
     this->bestEnergy = Energy();
-    this->lightExtinction.clear();
+    this->lightExtinction = {};
     if (HasLightExtinction(this->settings))
     {
       this->AssignBase(this->lightExtinction); // until the light's own run
@@ -112,10 +112,10 @@ struct Solver::Internals
     return made;
   }
 
-  void AssignBase(std::vector<float>& field) const
+  void AssignBase(FoundExtinction& field) const
   {
     const float* baseField = this->scene.baseExtinction;
-    field.assign(baseField, baseField + this->scene.grid.NodeCount());
+    field = std::vector<float>(baseField, baseField + this->scene.grid.NodeCount());
   }
 
   /// Empty: the base extinction.
@@ -198,7 +198,17 @@ struct Solver::Internals
 
   const std::vector<float>& Extinction() const
   {
-    return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction;
+    return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction.OnHost();
+  }
+
+  ExtinctionOnDevice OnDevice(bool ofLight) const
+  {
+    if (this->minimizer && this->lightRun == ofLight)
+    {
+      return this->minimizer->BestOnDevice();
+    }
+    const DeviceResult* result = (ofLight ? this->lightExtinction : this->extinction).OnDevice();
+    return result ? result->Fields() : ExtinctionOnDevice();
   }
 
   int SmoothingLimit() const
@@ -296,11 +306,11 @@ struct Solver::Internals
 
   void FinishRun()
   {
-    std::vector<float>& result = this->lightRun ? this->lightExtinction : this->extinction;
+    FoundExtinction& result = this->lightRun ? this->lightExtinction : this->extinction;
     if (this->minimizer)
     {
       this->settled = this->settled && this->runFound;
-      result = this->minimizer->TakeBest();
+      result = this->minimizer->TakeResult();
       this->minimizer.reset();
     }
     const bool lightFollows = HasLightExtinction(this->settings) && !this->lightRun;
@@ -399,7 +409,18 @@ const std::vector<float>& Solver::Extinction() const
 const std::vector<float>& Solver::LightExtinction() const
 {
   const Internals& state = *this->State;
-  return state.minimizer && state.lightRun ? state.minimizer->Best() : state.lightExtinction;
+  return state.minimizer && state.lightRun ? state.minimizer->Best()
+                                           : state.lightExtinction.OnHost();
+}
+
+ExtinctionOnDevice Solver::OnDevice() const
+{
+  return this->State->OnDevice(false);
+}
+
+ExtinctionOnDevice Solver::LightOnDevice() const
+{
+  return this->State->OnDevice(true);
 }
 
 bool Solver::Settled() const
@@ -414,12 +435,12 @@ bool Solver::HasResult() const
   return state.done || (lastRun && state.hasIterate);
 }
 
-std::array<std::vector<float>, 2> Solver::TakeExtinctions()
+std::array<FoundExtinction, 2> Solver::TakeExtinctions()
 {
   Internals& state = *this->State;
   if (state.minimizer)
   {
-    (state.lightRun ? state.lightExtinction : state.extinction) = state.minimizer->TakeBest();
+    (state.lightRun ? state.lightExtinction : state.extinction) = state.minimizer->TakeResult();
     state.minimizer.reset();
   }
   state.done = true;

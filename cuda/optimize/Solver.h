@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Solver_h
 #define limpid_optimize_Solver_h
 
+#include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
@@ -83,8 +84,12 @@ public:
   /// Whether these are iterates at full resolution, no longer what the iterations start from.
   bool HasResult() const;
 
+  /// Where a device has both, until the next step; nulls: it has not.
+  ExtinctionOnDevice OnDevice() const;
+  ExtinctionOnDevice LightOnDevice() const;
+
   /// Both extinctions, given away: the solver cannot be used any more.
-  std::array<std::vector<float>, 2> TakeExtinctions();
+  std::array<FoundExtinction, 2> TakeExtinctions();
 
   /// Whether the records have scores, see limpid::TellsScores; BestScore() is always that of the
   /// importance as given.

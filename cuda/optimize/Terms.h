@@ -94,6 +94,7 @@ public:
   TermSums* Sums() { return this->Found.Data(); }
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
+  const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
 
   std::optional<VisibilityTerm<AnyDevice>> camera;
   std::optional<VisibilityTerm<AnyDevice>> light;

@@ -47,6 +47,9 @@ public:
   virtual void SetExtinction(const Grid& grid, const float* base, const float* extinction,
     double share, const float* lightExtinction) = 0;
 
+  /// Whether that is a device with a memory of its own.
+  virtual bool IsDevice() const = 0;
+
   /// SetExtinction with arrays in the memory of the device that draws. It takes what it needs of
   /// them before what follows there.
   virtual void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,

@@ -101,6 +101,8 @@ public:
     }
   }
 
+  bool IsDevice() const override { return !AnyDevice::readsHostMemory; }
+
   void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
     const float* lightExtinction) override
   {

@@ -288,6 +288,11 @@ void Renderer::SetExtinction(const Grid& grid, const float* base, const float* e
   }
 }
 
+bool Renderer::DrawsOnDevice() const
+{
+  return this->State->backend->IsDevice();
+}
+
 void Renderer::ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
   const float* lightExtinction)
 {

@@ -134,6 +134,9 @@ public:
   void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share = 1,
     const float* lightExtinction = nullptr);
 
+  /// Whether a device with a memory of its own draws.
+  bool DrawsOnDevice() const;
+
   /// SetExtinction with arrays in the memory of the device that draws, which may go after the call;
   /// with the processor, the arrays are the caller's and stay, as above.
   void ShowThere(const Grid& grid, const float* base, const float* extinction, double share = 1,

@@ -155,7 +155,7 @@ std::vector<float> Execute(const SceneForSolver& scene, WholeRun& run)
   Solver solver = (whole ? scene : coarse).MakeSolver(run.settings);
   run.history = Follow(solver, watch);
   run.iterations = solver.Iterations();
-  std::vector<float> extinction = std::move(solver.TakeExtinctions()[0]);
+  std::vector<float> extinction = solver.TakeExtinctions()[0].Take();
   if (!whole)
   {
     extinction = Prolong(coarse.grid, extinction.data(), scene.grid);
