@@ -129,7 +129,7 @@ private:
     for (int v = rows.begin; v < rows.end; ++v)
     {
       VoxelRow voxels(frustum, s, v);
-      if (!voxels.FindSeen(states, states.behind))
+      if (!voxels.FindSeen({ states.transmittance, states.density, states.behind }))
       {
         continue;
       }

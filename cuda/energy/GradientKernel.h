@@ -95,12 +95,18 @@ struct GradientKernel
     }
   }
 
+  /// What voxels read of the importance behind, per ray.
+  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
+  {
+    return rays.behind;
+  }
+
   template <class Voxels>
-  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const typename Voxels::Rays& rays) const
   {
     voxels.Prefetch(this->nodeImportance);
     voxels.Prefetch(this->gradient);
-    if (voxels.FindSeen(rays, rays.behind))
+    if (voxels.FindSeen(rays))
     {
       const auto seen = voxels.SeenHere();
       voxels.ForActive(GradientStep{ seen.transmittance, seen.behind,

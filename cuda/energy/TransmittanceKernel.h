@@ -50,8 +50,14 @@ struct TransmittanceKernel
     }
   }
 
+  /// What voxels read of the importance behind, per ray.
+  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
+  {
+    return rays.behind;
+  }
+
   template <class Voxels>
-  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const typename Voxels::Rays& rays) const
   {
     voxels.FindTransmittance(rays, voxels.Row(this->transmittance));
   }

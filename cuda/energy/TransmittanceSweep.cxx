@@ -35,8 +35,8 @@ void TransmittanceSweep<AnyDevice>::Fill(const float* extinction, float* transmi
   this->Device->ForIndices("clear transmittance", this->Nodes, ClearNode{ transmittance });
   for (FrustumRays<AnyDevice>& rays : this->Rays)
   {
-    SweepFrontToBack(this->Device, rays,
-      TransmittanceKernel<const float*, float*>{ extinction, transmittance }, this->SliceImages);
+    SweepFrontToBack(
+      *this->Device, rays, TransmittanceKernel<const float*, float*>{ extinction, transmittance });
   }
 }
 

@@ -24,7 +24,7 @@ constexpr double transmittanceRayDensity = 3;
  *
  * On a device, at 256^3 nodes with three rays per voxel and axis, there are 66 thousand rays from a
  * light along an axis, 1.0 million from an oblique one, 1.5 million from a point outside. For the
- * oblique one that is: 65 launches; per ray and slice three numbers written and read once; the
+ * oblique one that is: two launches; per ray and slice three numbers written and read once; the
  * extinction read once (67 MB), the result written twice (134 MB).
  */
 template <class AnyDevice>
@@ -44,7 +44,6 @@ private:
   std::shared_ptr<AnyDevice> Device;
   Index Nodes = 0;
   std::vector<FrustumRays<AnyDevice>> Rays;
-  DeviceArray<AnyDevice, float> SliceImages; ///< see SweepFrontToBack
 };
 
 /// TransmittanceSweep on the processor, for one extinction.

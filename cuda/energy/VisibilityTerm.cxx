@@ -102,7 +102,7 @@ void VisibilityTerm<AnyDevice>::SweepGradient(FrustumRays<AnyDevice>& rays,
   const bool areaWeighted = derivative == Derivative::Volume;
   const GradientKernel<const float*, float*> kernel{ fields.extinction, fields.importance,
     fields.nodeImportance, areaWeighted ? fields.base : nullptr, gradient, target, areaWeighted };
-  SweepBackward(this->Device, rays, *this->Filled, kernel, this->SliceImages);
+  SweepBackward(*this->Device, rays, *this->Filled, kernel);
 }
 
 #define LIMPID_INSTANTIATE(AnyDevice) template class VisibilityTerm<AnyDevice>;

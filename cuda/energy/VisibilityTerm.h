@@ -89,7 +89,6 @@ private:
   const Occupancy* Filled;
   std::vector<FrustumRays<AnyDevice>> Rays;
   SumOnDevice<AnyDevice> Add;
-  DeviceArray<AnyDevice, float> SliceImages; ///< see SweepBackward; made when first needed
 };
 }
 

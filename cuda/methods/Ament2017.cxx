@@ -83,10 +83,16 @@ struct BehindKernel
   {
   }
 
-  template <class Voxels>
-  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  /// What voxels read of the importance behind, per ray.
+  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
   {
-    if (voxels.FindSeen(rays, rays.behind))
+    return rays.behind;
+  }
+
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const typename Voxels::Rays& rays) const
+  {
+    if (voxels.FindSeen(rays))
     {
       voxels.ForActive(TakeStep{ voxels.SeenHere().behind, voxels.Row(this->behind) });
     }
@@ -163,12 +169,11 @@ void Integrate(const MethodScene<AnyDevice>& scene, const Occupancy& occupancy, 
   const RaySource source = scene.WholeSource();
   TransmittanceSweep<AnyDevice>(scene.device, scene.grid, occupancy, source, scene.rayDensity)
     .Fill(field, passed);
-  DeviceArray<AnyDevice, float> images;
   for (FrustumRays<AnyDevice>& rays :
     PlanRays(scene.device, scene.grid, occupancy, source, { scene.rayDensity }))
   {
     SweepBackward(
-      scene.device, rays, occupancy, BehindKernel<const float*, float*>{ field, behind }, images);
+      *scene.device, rays, occupancy, BehindKernel<const float*, float*>{ field, behind });
   }
 }
 }

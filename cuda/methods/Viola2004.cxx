@@ -133,10 +133,16 @@ struct ClipKernel
   {
   }
 
-  template <class Voxels>
-  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  /// What voxels read of the importance behind, per ray.
+  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
   {
-    if (voxels.FindSeen(rays, rays.behind))
+    return rays.behind;
+  }
+
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const typename Voxels::Rays& rays) const
+  {
+    if (voxels.FindSeen(rays))
     {
       voxels.ForActive(KeepStep{ voxels.SeenHere().behind, voxels.Row(this->extinction) });
     }
@@ -148,7 +154,6 @@ template <class AnyDevice>
 void FindViola2004(const MethodScene<AnyDevice>& scene, float* extinction)
 {
   const Occupancy everywhere(scene.grid, scene.base, scene.importance, false);
-  DeviceArray<AnyDevice, float> images;
   for (FrustumRays<AnyDevice>& rays :
     PlanRays(scene.device, scene.grid, everywhere, scene.WholeSource(), { scene.rayDensity }))
   {
@@ -158,7 +163,7 @@ void FindViola2004(const MethodScene<AnyDevice>& scene, float* extinction)
     SweepForward(*scene.device, rays, everywhere,
       ObjectKernel<const float*>{ scene.importance, objects.Data() });
     SweepBackward(
-      scene.device, rays, everywhere, ClipKernel<float*>{ extinction, objects.Data() }, images);
+      *scene.device, rays, everywhere, ClipKernel<float*>{ extinction, objects.Data() });
   }
 }
 

@@ -136,8 +136,11 @@ struct PolicyKernel
     }
   }
 
+  /// What voxels read of the importance behind, per ray.
+  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays) { return rays.ahead; }
+
   template <class Voxels>
-  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const RayStates& rays) const
+  LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const typename Voxels::Rays& rays) const
   {
     voxels.Prefetch(this->base);
     voxels.Prefetch(this->nodeImportance);
@@ -149,7 +152,7 @@ struct PolicyKernel
     const float* lasts = this->policy.inertia > 0 ? voxels.Row(this->last) : bases;
     voxels.ForIdle(IdleStep{
       this->policy, protects, bases, lasts, voxels.Row(this->lagged), voxels.Row(this->next) });
-    if (voxels.FindSeen(rays, rays.ahead))
+    if (voxels.FindSeen(rays))
     {
       const auto seen = voxels.SeenHere();
       voxels.ForActive(

@@ -58,13 +58,14 @@ private:
   bool Swapped = false;
 };
 
-/// The plan of a frustum in the memory of a device: a copy of its tables.
+/// The plan of a frustum in the memory of a device, a copy of its tables; and room for images.
 template <class AnyDevice>
 class FrustumTables
 {
 public:
   FrustumTables(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
-    : Tables(device, planned.memory.get(), planned.bytes, "the plan of a sweep")
+    : Device(device)
+    , Tables(device, planned.memory.get(), planned.bytes, "the plan of a sweep")
     , Addresses(planned)
   {
     this->Addresses.tables = this->Tables.Data();
@@ -72,8 +73,16 @@ public:
 
   const FaceFrustum& Plan() const { return this->Addresses; }
 
+  /// Room for so many values, for images of the rays on some slices; made when first needed.
+  float* ImageRoom(std::size_t count)
+  {
+    return this->Images.RoomFor(this->Device, count, "images of rays");
+  }
+
 private:
+  std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, unsigned char> Tables;
+  DeviceArray<AnyDevice, float> Images;
   FaceFrustum Addresses;
 };
 
@@ -103,17 +112,17 @@ class FrustumRays : public FrustumTables<AnyDevice>
 public:
   FrustumRays(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
     : FrustumTables<AnyDevice>(device, std::move(planned))
-    , Images(device, this->Plan().RayCount())
+    , Values(device, this->Plan().RayCount())
   {
   }
 
-  RayStates States() { return this->Images.States(); }
+  RayStates States() { return this->Values.States(); }
 
   /// Makes what a sweep from the back has collected the optical depths.
-  void KeepCollected() { this->Images.KeepCollected(); }
+  void KeepCollected() { this->Values.KeepCollected(); }
 
 private:
-  RayImages<AnyDevice> Images;
+  RayImages<AnyDevice> Values;
 };
 
 /// Plans a sweep and moves the frusta to a device.

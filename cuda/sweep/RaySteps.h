@@ -42,6 +42,14 @@ struct RayStates
   }
 };
 
+/// What voxels of a slice read of the rays beside them, one value per ray.
+struct RaysBeside
+{
+  const float* transmittance; ///< see RayStates
+  const float* density;
+  const float* behind; ///< visible importance behind, as the kernel knows it [scale^2]
+};
+
 /**
  * Whether a sweep also counts what is seen of important matter that the data has: the integral of
  * g min(mu, mu-bar) T, where extinction mu above the base mu-bar attenuates but shows nothing more

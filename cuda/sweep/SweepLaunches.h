@@ -77,39 +77,45 @@ struct RayHere
 };
 
 /// Images of the rays on the slices of two slabs, that of the rays and the one before it, which
-/// voxels read: transmittance, density, visible importance behind.
+/// voxels read.
 struct SlabImages
 {
-  float* values;
+  static constexpr int slices = 2 * slicesPerSlab;
+
+  SeenOfRay* seen;
+  float* density;
   Index rays;
 
   static std::size_t Size(const FaceFrustum& frustum)
   {
-    return std::size_t(3 * 2 * slicesPerSlab * frustum.RayCount());
+    return std::size_t(3 * slices * frustum.RayCount());
   }
 
-  /// Slabs are neighbours, so that this tells the slices of one from those of the other.
-  LIMPID_HD LIMPID_INLINE float* Of(int s, int image) const
+  /// In Size() floats.
+  SlabImages(const FaceFrustum& frustum, float* room)
+    : seen(reinterpret_cast<SeenOfRay*>(room))
+    , density(room + 2 * slices * frustum.RayCount())
+    , rays(frustum.RayCount())
   {
-    return this->values + (3 * (s % (2 * slicesPerSlab)) + image) * this->rays;
   }
 
-  LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayHere& here) const
+  /// `behind`: importance behind [scale^2].
+  LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayStates& here, float behind) const
   {
-    this->Of(s, 0)[ray] = here.transmittance;
-    this->Of(s, 1)[ray] = here.density;
-    this->Of(s, 2)[ray] = here.behind;
+    const Index at = this->First(s) + ray;
+    this->seen[at] = { *here.transmittance, *here.transmittance * behind };
+    this->density[at] = *here.density;
   }
 
   /// What voxels of slice `s` read.
-  LIMPID_HD LIMPID_INLINE RayStates StatesAt(int s) const
+  LIMPID_HD LIMPID_INLINE SliceImages At(int s) const
   {
-    RayStates states{};
-    states.transmittance = this->Of(s, 0);
-    states.density = this->Of(s, 1);
-    states.behind = this->Of(s, 2);
-    return states;
+    return { this->seen + this->First(s), this->density + this->First(s) };
   }
+
+private:
+  /// Slabs are neighbours, so that this tells the slices of one from those of the other.
+  LIMPID_HD LIMPID_INLINE Index First(int s) const { return (s % slices) * this->rays; }
 };
 
 /// A ray through all layers, front to back.
@@ -172,7 +178,7 @@ struct BackToFront
     for (int s = slices.end; s-- > slices.begin;)
     {
       kernel.RayStep(ray, s);
-      images.Take(s, index, here);
+      images.Take(s, index, here.States(), *Kernel::BehindOf(here.States()));
     }
     if (slices.begin == frustum.firstNodeSlice)
     {
@@ -213,7 +219,7 @@ struct FrontToBack
     for (int s = slices.begin; s < slices.end; ++s)
     {
       kernel.RayStep(ray, s, Range<int>{});
-      images.Take(s, index, here);
+      images.Take(s, index, here.States(), *Kernel::BehindOf(here.States()));
     }
   }
 };
@@ -233,7 +239,7 @@ struct SlabPhases
     : frustum(plan)
     , states(rays)
     , kernel(what)
-    , images{ values, plan.RayCount() }
+    , images(plan, values)
     , slabs((Way::CountOf(plan) + slicesPerSlab - 1) / slicesPerSlab)
   {
   }
@@ -292,7 +298,7 @@ private:
     if (slice.node >= 0 && slice.ownedColumns.Contains(u) && slice.ownedRows.Contains(v))
     {
       VoxelSampler voxel(this->frustum, s, u, v);
-      this->kernel.VoxelStep(voxel, this->images.StatesAt(s));
+      this->kernel.VoxelStep(voxel, this->images.At(s));
     }
   }
 };
@@ -305,6 +311,7 @@ struct BackwardPhases
   FaceFrustum frustum;
   RayStates states;
   Kernel kernel;
+  SlabImages images;
 
   int PhaseCount() const
   {
@@ -329,10 +336,11 @@ struct BackwardPhases
       const Slice& slice = this->frustum.SliceAt(s);
       VoxelSampler voxel(
         this->frustum, s, slice.ownedColumns.begin + column, slice.ownedRows.begin + row);
-      this->kernel.VoxelStep(voxel, this->states);
+      this->kernel.VoxelStep(voxel, this->images.At(s));
       return;
     }
-    const RayStates here = this->states.From(this->frustum.RayAt(column, row));
+    const Index index = this->frustum.RayAt(column, row);
+    const RayStates here = this->states.From(index);
     if (phase == 0)
     {
       StartBehind{ here }(0);
@@ -341,6 +349,7 @@ struct BackwardPhases
     if (s >= this->frustum.firstNodeSlice)
     {
       this->kernel.RayStep(ray, s);
+      this->images.Take(s, index, here, *Kernel::BehindOf(here));
       return;
     }
     this->kernel.LeaveStep(ray);
@@ -363,13 +372,12 @@ inline Extent ExtentOfRays(const FaceFrustum& frustum)
 
 /// See SlabPhases.
 template <class Way, class AnyDevice, class Kernel>
-void SweepSlabs(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevice>& rays,
-  const Kernel& kernel, DeviceArray<AnyDevice, float>& images)
+void SweepSlabs(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
   const FaceFrustum& frustum = rays.Plan();
-  images.RoomFor(device, SlabImages::Size(frustum), "images of rays");
-  const SlabPhases<Way, Kernel> phases(frustum, rays.States(), kernel, images.Data());
-  device->ForPhases(Kernel::label, phases.PhaseCount(), phases);
+  const SlabPhases<Way, Kernel> phases(
+    frustum, rays.States(), kernel, rays.ImageRoom(SlabImages::Size(frustum)));
+  device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 }
 
@@ -384,12 +392,12 @@ void SweepForward(
 }
 
 /// Back to front over all slices of voxels, for a kernel whose rays do not depend on what it does
-/// to the voxels. `images`: of the rays of two slabs; it grows as needed.
+/// to the voxels.
 template <class AnyDevice, class Kernel>
-void SweepBackward(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevice>& rays,
-  const Occupancy&, const Kernel& kernel, DeviceArray<AnyDevice, float>& images)
+void SweepBackward(
+  AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
 {
-  detail::SweepSlabs<detail::BackToFront>(device, rays, kernel, images);
+  detail::SweepSlabs<detail::BackToFront>(device, rays, kernel);
 }
 
 /// Back to front over all slices of voxels, slice by slice: the rays may depend on the voxels
@@ -398,16 +406,17 @@ template <class AnyDevice, class Kernel>
 void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
   const FaceFrustum& frustum = rays.Plan();
-  const detail::BackwardPhases<Kernel> phases{ frustum, rays.States(), kernel };
+  float* room = rays.ImageRoom(detail::SlabImages::Size(frustum));
+  const detail::BackwardPhases<Kernel> phases{ frustum, rays.States(), kernel,
+    detail::SlabImages(frustum, room) };
   device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 
 /// Front to back over all slices, the source's own included.
 template <class AnyDevice, class Kernel>
-void SweepFrontToBack(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevice>& rays,
-  const Kernel& kernel, DeviceArray<AnyDevice, float>& images)
+void SweepFrontToBack(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
-  detail::SweepSlabs<detail::FrontToBack>(device, rays, kernel, images);
+  detail::SweepSlabs<detail::FrontToBack>(device, rays, kernel);
 }
 }
 

@@ -105,6 +105,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   ParallelFor(frustum.RayCount(), 8192, StartBehind{ states });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
+  const RaysBeside beside{ states.transmittance, states.density, Kernel::BehindOf(states) };
   const auto forRays = [&](const auto& step)
   {
     ParallelFor(frustum.rows, rowsPerTask,
@@ -129,7 +130,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
           VoxelRow voxels(frustum, s, rows.begin + static_cast<int>(v));
           if (!voxels.Filled().Empty())
           {
-            rowKernel.VoxelStep(voxels, states);
+            rowKernel.VoxelStep(voxels, beside);
             done(voxels, rowKernel, rows.begin + static_cast<int>(v));
           }
         });
@@ -143,25 +144,25 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   ParallelFor(frustum.RayCount(), 8192, FinishBehind{ states });
 }
 
-/// The same of a kernel whose rays do not depend on what it does to the voxels. No images are kept.
+/// The same of a kernel whose rays do not depend on what it does to the voxels.
 template <class Kernel>
-void SweepBackward(const std::shared_ptr<HostDevice>& device, FrustumRays<HostDevice>& rays,
-  const Occupancy& occupancy, const Kernel& kernel, DeviceArray<HostDevice, float>&)
+void SweepBackward(HostDevice& device, FrustumRays<HostDevice>& rays, const Occupancy& occupancy,
+  const Kernel& kernel)
 {
-  SweepBackwardByPhases(*device, rays, occupancy, kernel, [](const VoxelRow&, const auto&, int) {});
+  SweepBackwardByPhases(device, rays, occupancy, kernel, [](const VoxelRow&, const auto&, int) {});
 }
 
 /// Front to back over all slices, the source's own included: on each, the kernel lets the rays tell
 /// what they have met and carries them on (RayStep); then the voxels of the slice read them.
 template <class Kernel>
-void SweepFrontToBack(const std::shared_ptr<HostDevice>&, FrustumRays<HostDevice>& rays,
-  const Kernel& kernel, DeviceArray<HostDevice, float>&)
+void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& kernel)
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
   ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
   FieldWindows windows(rays, nullptr);
   const auto rowKernel = kernel.With(windows);
+  const RaysBeside beside{ states.transmittance, states.density, Kernel::BehindOf(states) };
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
   for (const Range<int>& slab : SlabsOf(frustum))
   {
@@ -182,7 +183,7 @@ void SweepFrontToBack(const std::shared_ptr<HostDevice>&, FrustumRays<HostDevice
         [&](Index v)
         {
           VoxelRow voxels(frustum, s, rows.begin + static_cast<int>(v));
-          rowKernel.VoxelStep(voxels, states);
+          rowKernel.VoxelStep(voxels, beside);
         });
     }
     windows.Store(slab);

@@ -191,7 +191,7 @@ VoxelRow::VoxelRow(const FaceFrustum& frustum, int s, int v)
   this->Memory.voxels = memory + 3 * nodes + 3 * row + 1;
 }
 
-bool VoxelRow::FindSeen(const RayStates& rays, const float* behind)
+bool VoxelRow::FindSeen(const RaysBeside& rays)
 {
   if (this->Active.Empty())
   {
@@ -200,7 +200,8 @@ bool VoxelRow::FindSeen(const RayStates& rays, const float* behind)
   const SeenByVoxels alongRays{ this->Memory.rays[0], this->Memory.rays[1] };
   SeeAcrossRows(this->Frustum, this->Rows(), this->V,
     this->Frustum.Row(this->Frustum.rowSides, this->S)[this->V],
-    { rays.transmittance, behind, this->Frustum.columns }, this->RaysRead(this->Active), alongRays);
+    { rays.transmittance, rays.behind, this->Frustum.columns }, this->RaysRead(this->Active),
+    alongRays);
   this->AverageVoxels(alongRays.transmittance, this->Means.transmittance);
   this->AverageVoxels(alongRays.behind, this->Means.behind);
   const Range<int> front = this->BetweenFrontRays(this->Active);
@@ -225,7 +226,7 @@ const float* VoxelRow::ImportanceInView(Field nodeImportance)
   return this->Memory.importance;
 }
 
-void VoxelRow::FindTransmittance(const RayStates& rays, float* transmittance)
+void VoxelRow::FindTransmittance(const RaysBeside& rays, float* transmittance)
 {
   const Range<int> owned = this->Here.ownedColumns;
   const float depth = this->Here.RelativeDepth();
@@ -323,7 +324,7 @@ void VoxelRow::SampleCubic(const float* image, const Range<int>& columns, float*
   BendRow(map, bend, columns, out);
 }
 
-void VoxelRow::TransmitFromSide(const RayStates& rays, const Range<int>& columns, float* out)
+void VoxelRow::TransmitFromSide(const RaysBeside& rays, const Range<int>& columns, float* out)
 {
   this->SampleRays(rays.density, columns, out);
   this->TransmitDensity(columns, out);
@@ -331,7 +332,7 @@ void VoxelRow::TransmitFromSide(const RayStates& rays, const Range<int>& columns
 
 /// Transmittance by linear interpolation; between rays that enter through a side, from their
 /// density, which knows where the voxel's own ray enters.
-void VoxelRow::TransmitLinear(const RayStates& rays, const Range<int>& columns, float* out)
+void VoxelRow::TransmitLinear(const RaysBeside& rays, const Range<int>& columns, float* out)
 {
   const Range<int> front = this->BetweenFrontRays(columns);
   this->TransmitFromSide(rays, { columns.begin, front.begin }, out);

@@ -24,6 +24,7 @@ class VoxelRow
 {
 public:
   using Field = SliceWindow*;
+  using Rays = RaysBeside;
 
   /// Takes the calling thread's scratch memory.
   VoxelRow(const FaceFrustum& frustum, int s, int v);
@@ -49,10 +50,9 @@ public:
   /**
    * Finds what the active columns see: means over their hat functions across the rays. Between rays
    * that enter through a side, transmittance is that at the voxel, and the means say what it leaves
-   * of what is behind. `behind`: per ray, per unit of transmittance [scale^2]. Returns whether any
-   * column is active.
+   * of what is behind. Returns whether any column is active.
    */
-  bool FindSeen(const RayStates& rays, const float* behind);
+  bool FindSeen(const RaysBeside& rays);
 
   const SeenByVoxels& SeenHere() const { return this->Means; }
 
@@ -78,7 +78,7 @@ public:
 
   /// The transmittance at all columns that the frustum owns, by cubics between the rays where these
   /// have entered the box.
-  void FindTransmittance(const RayStates& rays, float* transmittance);
+  void FindTransmittance(const RaysBeside& rays, float* transmittance);
 
 private:
   /// Rows of values; one more voxel on either side of `voxels`.
@@ -97,8 +97,8 @@ private:
   Range<int> BetweenFrontRays(const Range<int>& columns) const;
   void SampleRays(const float* image, const Range<int>& columns, float* out);
   void SampleCubic(const float* image, const Range<int>& columns, float* out);
-  void TransmitFromSide(const RayStates& rays, const Range<int>& columns, float* out);
-  void TransmitLinear(const RayStates& rays, const Range<int>& columns, float* out);
+  void TransmitFromSide(const RaysBeside& rays, const Range<int>& columns, float* out);
+  void TransmitLinear(const RaysBeside& rays, const Range<int>& columns, float* out);
   void TransmitDensity(const Range<int>& columns, float* densityToTransmittance) const;
   void AverageVoxels(const float* rays, float* out);
 

@@ -14,11 +14,48 @@
 
 namespace limpid
 {
+/// What a ray passes on to the voxels beside it: two numbers that are read at once.
+struct alignas(8) SeenOfRay
+{
+  float transmittance; ///< [0, 1]
+  float behind;        ///< what it leaves of the importance behind [scale^2]
+};
+
+/// Images of the rays on a slice.
+struct SliceImages
+{
+  const SeenOfRay* seen;
+  const float* density; ///< see RayStates
+};
+
+/// Where a mean over the hat function of a voxel reads rays along one axis: at the voxel before,
+/// the voxel and the one behind, a pair of rays each.
+struct HatOfVoxel
+{
+  int first[3];  ///< of a pair
+  float low[3];  ///< weight of the first of a pair
+  float high[3]; ///< ... of the second
+
+  LIMPID_HD LIMPID_INLINE HatOfVoxel(const LinearMap& rays, float side, int voxel, int nodes)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int beside = voxel + i - 1;
+      const int at = beside < 0 ? 0 : beside < nodes ? beside : nodes - 1;
+      const float share = i == 1 ? 1.0f - 2.0f * side : side;
+      this->first[i] = rays.index[at];
+      this->high[i] = share * rays.weight[at];
+      this->low[i] = share - this->high[i];
+    }
+  }
+};
+
 /// One voxel on a slice of a frustum.
 class VoxelSampler
 {
 public:
   using Field = const float*;
+  using Rays = SliceImages;
 
   /// `row`, `column` etc. of a step are the voxel's own: steps have the index 0.
   LIMPID_HD LIMPID_INLINE VoxelSampler(const FaceFrustum& frustum, int s, int u, int v)
@@ -41,13 +78,13 @@ public:
   /// Only rows can be brought ahead of time.
   LIMPID_HD LIMPID_INLINE void Prefetch(const float*) const {}
 
-  LIMPID_HD LIMPID_INLINE bool FindSeen(const RayStates& rays, const float* behind)
+  LIMPID_HD LIMPID_INLINE bool FindSeen(const SliceImages& rays)
   {
     if (!this->IsActive())
     {
       return false;
     }
-    this->Average(rays.transmittance, behind);
+    this->Average(rays.seen);
     if (!this->IsBetweenFrontRays())
     {
       const float here = this->TransmitFromSide(rays);
@@ -74,8 +111,7 @@ public:
     this->Importance = *this->Row(nodeImportance);
     if (!this->Frustum.seesAll)
     {
-      this->Importance *=
-        this->SampleRays(this->Frustum.Row(this->Frustum.inView), this->U, this->V);
+      this->Importance *= this->SampleRays(ImageOf{ this->Frustum.Row(this->Frustum.inView) });
     }
     return &this->Importance;
   }
@@ -98,7 +134,8 @@ public:
     }
   }
 
-  LIMPID_HD LIMPID_INLINE void FindTransmittance(const RayStates& rays, float* transmittance) const
+  LIMPID_HD LIMPID_INLINE void FindTransmittance(
+    const SliceImages& rays, float* transmittance) const
   {
     const int column = this->Columns().index[this->U];
     const int row = this->Rows().index[this->V];
@@ -109,17 +146,16 @@ public:
       HaveEntered(this->Frustum.Row(this->Frustum.rowEntry), this->Frustum.rows, row, depth);
     if (!entered)
     {
-      *transmittance = this->IsBetweenFrontRays()
-        ? this->SampleRays(rays.transmittance, this->U, this->V)
-        : this->TransmitFromSide(rays);
+      *transmittance = this->IsBetweenFrontRays() ? this->SampleRays(TransmittanceOf{ rays.seen })
+                                                  : this->TransmitFromSide(rays);
       return;
     }
     if (HoldsFour(this->Frustum.frontColumns, column) && HoldsFour(this->Frustum.frontRows, row))
     {
-      *transmittance = Clamp(this->SampleCubic(rays.transmittance), 0.0f, 1.0f);
+      *transmittance = Clamp(this->SampleCubic(TransmittanceOf{ rays.seen }), 0.0f, 1.0f);
       return;
     }
-    *transmittance = this->TransmitDensity(this->SampleCubic(rays.density));
+    *transmittance = this->TransmitDensity(this->SampleCubic(ImageOf{ rays.density }));
   }
 
 private:
@@ -162,87 +198,69 @@ private:
       !(entries[index + 2] > depth);
   }
 
-  LIMPID_HD LIMPID_INLINE float SampleRays(const float* image, int u, int v) const
+  /// A value per ray.
+  struct ImageOf
   {
-    const LinearMap columns = this->Columns();
-    const LinearMap rows = this->Rows();
-    const float* first = image + this->Frustum.RayAt(columns.index[u], rows.index[v]);
-    const float* second = first + this->Frustum.columns;
-    const float left = first[0] + rows.weight[v] * (second[0] - first[0]);
-    const float right = first[1] + rows.weight[v] * (second[1] - first[1]);
-    return left + columns.weight[u] * (right - left);
-  }
-
-  /// Transmittance, and what it leaves of what is behind, at one voxel of the slice.
-  struct Pair
-  {
-    float transmittance;
-    float behind;
+    const float* values;
+    LIMPID_HD LIMPID_INLINE float operator()(Index ray) const { return this->values[ray]; }
   };
 
-  LIMPID_HD LIMPID_INLINE Pair SeeAt(
-    const float* transmittance, const float* behind, int u, int v) const
+  struct TransmittanceOf
+  {
+    const SeenOfRay* seen;
+    LIMPID_HD LIMPID_INLINE float operator()(Index ray) const
+    {
+      return this->seen[ray].transmittance;
+    }
+  };
+
+  template <class Image>
+  LIMPID_HD LIMPID_INLINE float SampleRays(const Image& image) const
   {
     const LinearMap columns = this->Columns();
     const LinearMap rows = this->Rows();
-    const Index first = this->Frustum.RayAt(columns.index[u], rows.index[v]);
-    const float weights[2] = { 1.0f - rows.weight[v], rows.weight[v] };
-    Pair sides[2] = { { 0, 0 }, { 0, 0 } };
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const Index ray = first + corner % 2 + Index(corner / 2) * this->Frustum.columns;
-      const float passed = weights[corner / 2] * transmittance[ray];
-      sides[corner % 2].transmittance += passed;
-      sides[corner % 2].behind += passed * behind[ray];
-    }
-    const float sideways = columns.weight[u];
-    return { sides[0].transmittance + sideways * (sides[1].transmittance - sides[0].transmittance),
-      sides[0].behind + sideways * (sides[1].behind - sides[0].behind) };
-  }
-
-  LIMPID_HD static LIMPID_INLINE Pair Mean(
-    const Pair& before, const Pair& own, const Pair& after, float side)
-  {
-    return { HatMean(before.transmittance, own.transmittance, after.transmittance, side),
-      HatMean(before.behind, own.behind, after.behind, side) };
-  }
-
-  LIMPID_HD LIMPID_INLINE Pair AverageAlongRow(
-    const float* transmittance, const float* behind, int v) const
-  {
-    const float side = this->Frustum.Row(this->Frustum.columnSides, this->S)[this->U];
-    const Pair own = this->SeeAt(transmittance, behind, this->U, v);
-    if (side == 0)
-    {
-      return own;
-    }
-    const Pair before = this->U > 0 ? this->SeeAt(transmittance, behind, this->U - 1, v) : own;
-    const Pair after =
-      this->U + 1 < this->Frustum.nodesU ? this->SeeAt(transmittance, behind, this->U + 1, v) : own;
-    return Mean(before, own, after, side);
+    const Index first = this->Frustum.RayAt(columns.index[this->U], rows.index[this->V]);
+    const Index second = first + this->Frustum.columns;
+    const float across = rows.weight[this->V];
+    const float left = image(first) + across * (image(second) - image(first));
+    const float right = image(first + 1) + across * (image(second + 1) - image(first + 1));
+    return left + columns.weight[this->U] * (right - left);
   }
 
   /// Means over the hat function of the voxel, across the rays.
-  LIMPID_HD LIMPID_INLINE void Average(const float* transmittance, const float* behind)
+  LIMPID_HD LIMPID_INLINE void Average(const SeenOfRay* rays)
   {
-    const float side = this->Frustum.Row(this->Frustum.rowSides, this->S)[this->V];
-    Pair mean = this->AverageAlongRow(transmittance, behind, this->V);
-    if (side != 0)
+    const HatOfVoxel columns(this->Columns(),
+      this->Frustum.Row(this->Frustum.columnSides, this->S)[this->U], this->U,
+      this->Frustum.nodesU);
+    const HatOfVoxel rows(this->Rows(), this->Frustum.Row(this->Frustum.rowSides, this->S)[this->V],
+      this->V, this->Frustum.nodesV);
+    float transmittance = 0;
+    float behind = 0;
+    for (int i = 0; i < 6; ++i)
     {
-      const Pair before =
-        this->V > 0 ? this->AverageAlongRow(transmittance, behind, this->V - 1) : mean;
-      const Pair after = this->V + 1 < this->Frustum.nodesV
-        ? this->AverageAlongRow(transmittance, behind, this->V + 1)
-        : mean;
-      mean = Mean(before, mean, after, side);
+      const SeenOfRay* row = rays + this->Frustum.RayAt(0, rows.first[i / 2] + i % 2);
+      float transmittanceOfRow = 0;
+      float behindOfRow = 0;
+      for (int j = 0; j < 3; ++j)
+      {
+        const SeenOfRay low = row[columns.first[j]];
+        const SeenOfRay high = row[columns.first[j] + 1];
+        transmittanceOfRow +=
+          columns.low[j] * low.transmittance + columns.high[j] * high.transmittance;
+        behindOfRow += columns.low[j] * low.behind + columns.high[j] * high.behind;
+      }
+      const float share = i % 2 == 0 ? rows.low[i / 2] : rows.high[i / 2];
+      transmittance += share * transmittanceOfRow;
+      behind += share * behindOfRow;
     }
-    this->Transmittance = mean.transmittance;
-    this->Behind = mean.behind;
+    this->Transmittance = transmittance;
+    this->Behind = behind;
   }
 
-  LIMPID_HD LIMPID_INLINE float TransmitFromSide(const RayStates& rays) const
+  LIMPID_HD LIMPID_INLINE float TransmitFromSide(const SliceImages& rays) const
   {
-    return this->TransmitDensity(this->SampleRays(rays.density, this->U, this->V));
+    return this->TransmitDensity(this->SampleRays(ImageOf{ rays.density }));
   }
 
   LIMPID_HD LIMPID_INLINE float TransmitDensity(float density) const
@@ -254,19 +272,19 @@ private:
     return Transmitted(density * (this->Here.RelativeDepth() - entry));
   }
 
-  LIMPID_HD LIMPID_INLINE float SampleCubic(const float* image) const
+  template <class Image>
+  LIMPID_HD LIMPID_INLINE float SampleCubic(const Image& image) const
   {
     const LinearMap columns = this->Columns();
     const LinearMap rows = this->Rows();
     const Index stride = this->Frustum.columns;
-    const float* first =
-      image + this->Frustum.RayAt(columns.index[this->U] - 1, rows.index[this->V] - 1);
+    const Index first = this->Frustum.RayAt(columns.index[this->U] - 1, rows.index[this->V] - 1);
     float blend[4];
     for (int i = 0; i < 4; ++i)
     {
-      const float* at = first + i;
-      blend[i] =
-        CubicBetween(at[0], at[stride], at[2 * stride], at[3 * stride], rows.weight[this->V]);
+      const Index at = first + i;
+      blend[i] = CubicBetween(image(at), image(at + stride), image(at + 2 * stride),
+        image(at + 3 * stride), rows.weight[this->V]);
     }
     const float sideways = columns.weight[this->U];
     const float front = Curvature(blend[0], blend[1], blend[2]);
