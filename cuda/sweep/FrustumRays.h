@@ -8,6 +8,7 @@
 
 #include "backend/DeviceArray.h"
 #include "backend/HostDevice.h"
+#include "sweep/HatOfVoxel.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/RaySteps.h"
 #include "sweep/SliceWindow.h"
@@ -73,6 +74,18 @@ public:
 
   const FaceFrustum& Plan() const { return this->Addresses; }
 
+  /// What means over voxels read of the rays, slice by slice; made when first needed.
+  const HatOfVoxel* Hats()
+  {
+    if (this->Means.Empty())
+    {
+      const Index count = MadeHat::CountOf(this->Addresses);
+      this->Means = { this->Device, std::size_t(count), "the plan of a sweep" };
+      this->Device->ForIndices("plan", count, MadeHat{ this->Addresses, this->Means.Data() });
+    }
+    return this->Means.Data();
+  }
+
   /// Room for so many values, for images of the rays on some slices; made when first needed.
   float* ImageRoom(std::size_t count)
   {
@@ -82,6 +95,7 @@ public:
 private:
   std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, unsigned char> Tables;
+  DeviceArray<AnyDevice, HatOfVoxel> Means;
   DeviceArray<AnyDevice, float> Images;
   FaceFrustum Addresses;
 };

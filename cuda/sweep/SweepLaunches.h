@@ -84,19 +84,21 @@ struct SlabImages
 
   SeenOfRay* seen;
   float* density;
+  const HatOfVoxel* hats; ///< see MadeHat
   Index rays;
+  int nodesU;
+  int nodesV;
 
-  static std::size_t Size(const FaceFrustum& frustum)
+  template <class AnyDevice>
+  explicit SlabImages(FrustumRays<AnyDevice>& frustum)
+    : hats(frustum.Hats())
+    , rays(frustum.Plan().RayCount())
+    , nodesU(frustum.Plan().nodesU)
+    , nodesV(frustum.Plan().nodesV)
   {
-    return std::size_t(3 * slices * frustum.RayCount());
-  }
-
-  /// In Size() floats.
-  SlabImages(const FaceFrustum& frustum, float* room)
-    : seen(reinterpret_cast<SeenOfRay*>(room))
-    , density(room + 2 * slices * frustum.RayCount())
-    , rays(frustum.RayCount())
-  {
+    float* room = frustum.ImageRoom(std::size_t(3 * slices * this->rays));
+    this->seen = reinterpret_cast<SeenOfRay*>(room);
+    this->density = room + 2 * slices * this->rays;
   }
 
   /// `behind`: importance behind [scale^2].
@@ -110,7 +112,9 @@ struct SlabImages
   /// What voxels of slice `s` read.
   LIMPID_HD LIMPID_INLINE SliceImages At(int s) const
   {
-    return { this->seen + this->First(s), this->density + this->First(s) };
+    const HatOfVoxel* columnHats = this->hats + Index(s) * (this->nodesU + this->nodesV);
+    return { this->seen + this->First(s), this->density + this->First(s), columnHats,
+      columnHats + this->nodesU };
   }
 
 private:
@@ -235,12 +239,13 @@ struct SlabPhases
   SlabImages images;
   int slabs;
 
-  SlabPhases(const FaceFrustum& plan, const RayStates& rays, const Kernel& what, float* values)
-    : frustum(plan)
-    , states(rays)
+  template <class AnyDevice>
+  SlabPhases(FrustumRays<AnyDevice>& rays, const Kernel& what)
+    : frustum(rays.Plan())
+    , states(rays.States())
     , kernel(what)
-    , images(plan, values)
-    , slabs((Way::CountOf(plan) + slicesPerSlab - 1) / slicesPerSlab)
+    , images(rays)
+    , slabs((Way::CountOf(this->frustum) + slicesPerSlab - 1) / slicesPerSlab)
   {
   }
 
@@ -374,9 +379,7 @@ inline Extent ExtentOfRays(const FaceFrustum& frustum)
 template <class Way, class AnyDevice, class Kernel>
 void SweepSlabs(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
-  const FaceFrustum& frustum = rays.Plan();
-  const SlabPhases<Way, Kernel> phases(
-    frustum, rays.States(), kernel, rays.ImageRoom(SlabImages::Size(frustum)));
+  const SlabPhases<Way, Kernel> phases(rays, kernel);
   device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 }
@@ -405,10 +408,8 @@ void SweepBackward(
 template <class AnyDevice, class Kernel>
 void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
-  const FaceFrustum& frustum = rays.Plan();
-  float* room = rays.ImageRoom(detail::SlabImages::Size(frustum));
-  const detail::BackwardPhases<Kernel> phases{ frustum, rays.States(), kernel,
-    detail::SlabImages(frustum, room) };
+  const detail::BackwardPhases<Kernel> phases{ rays.Plan(), rays.States(), kernel,
+    detail::SlabImages(rays) };
   device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 

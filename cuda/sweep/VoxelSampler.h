@@ -10,6 +10,7 @@
 #include "sweep/Cubic.h"
 #include "sweep/FaceFrustum.h"
 #include "sweep/HatMean.h"
+#include "sweep/HatOfVoxel.h"
 #include "sweep/RaySteps.h"
 
 namespace limpid
@@ -26,28 +27,8 @@ struct SliceImages
 {
   const SeenOfRay* seen;
   const float* density; ///< see RayStates
-};
-
-/// Where a mean over the hat function of a voxel reads rays along one axis: at the voxel before,
-/// the voxel and the one behind, a pair of rays each.
-struct HatOfVoxel
-{
-  int first[3];  ///< of a pair
-  float low[3];  ///< weight of the first of a pair
-  float high[3]; ///< ... of the second
-
-  LIMPID_HD LIMPID_INLINE HatOfVoxel(const LinearMap& rays, float side, int voxel, int nodes)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const int beside = voxel + i - 1;
-      const int at = beside < 0 ? 0 : beside < nodes ? beside : nodes - 1;
-      const float share = i == 1 ? 1.0f - 2.0f * side : side;
-      this->first[i] = rays.index[at];
-      this->high[i] = share * rays.weight[at];
-      this->low[i] = share - this->high[i];
-    }
-  }
+  const HatOfVoxel* columnHats;
+  const HatOfVoxel* rowHats;
 };
 
 /// One voxel on a slice of a frustum.
@@ -84,10 +65,11 @@ public:
     {
       return false;
     }
-    this->Average(rays.seen);
-    if (!this->IsBetweenFrontRays())
+    const Hats hats = this->HatsIn(rays);
+    this->Average(rays.seen, hats);
+    if (!this->IsBetweenFrontRays(hats))
     {
-      const float here = this->TransmitFromSide(rays);
+      const float here = this->TransmitFromSide(rays.density, hats);
       this->Behind = Exchanged(this->Behind, this->Transmittance, here);
       this->Transmittance = here;
     }
@@ -111,7 +93,11 @@ public:
     this->Importance = *this->Row(nodeImportance);
     if (!this->Frustum.seesAll)
     {
-      this->Importance *= this->SampleRays(ImageOf{ this->Frustum.Row(this->Frustum.inView) });
+      const LinearMap columns = this->Frustum.Row(this->Frustum.voxelColumns, this->S);
+      const LinearMap rows = this->Frustum.Row(this->Frustum.voxelRows, this->S);
+      this->Importance *= this->SampleRays(ImageOf{ this->Frustum.Row(this->Frustum.inView) },
+        { columns.index[this->U], rows.index[this->V], columns.weight[this->U],
+          rows.weight[this->V] });
     }
     return &this->Importance;
   }
@@ -137,36 +123,54 @@ public:
   LIMPID_HD LIMPID_INLINE void FindTransmittance(
     const SliceImages& rays, float* transmittance) const
   {
-    const int column = this->Columns().index[this->U];
-    const int row = this->Rows().index[this->V];
+    const Hats hats = this->HatsIn(rays);
+    const Pair pair = hats.Own();
     // Ahead of its entry into the box a ray says nothing that four rays could bend by.
     const float depth = this->Here.RelativeDepth();
     const bool entered = HaveEntered(this->Frustum.Row(this->Frustum.columnEntry),
-                           this->Frustum.columns, column, depth) &&
-      HaveEntered(this->Frustum.Row(this->Frustum.rowEntry), this->Frustum.rows, row, depth);
+                           this->Frustum.columns, pair.column, depth) &&
+      HaveEntered(this->Frustum.Row(this->Frustum.rowEntry), this->Frustum.rows, pair.row, depth);
     if (!entered)
     {
-      *transmittance = this->IsBetweenFrontRays() ? this->SampleRays(TransmittanceOf{ rays.seen })
-                                                  : this->TransmitFromSide(rays);
+      *transmittance = this->IsBetweenFrontRays(hats)
+        ? this->SampleRays(TransmittanceOf{ rays.seen }, pair)
+        : this->TransmitFromSide(rays.density, hats);
       return;
     }
-    if (HoldsFour(this->Frustum.frontColumns, column) && HoldsFour(this->Frustum.frontRows, row))
+    if (HoldsFour(this->Frustum.frontColumns, pair.column) &&
+      HoldsFour(this->Frustum.frontRows, pair.row))
     {
-      *transmittance = Clamp(this->SampleCubic(TransmittanceOf{ rays.seen }), 0.0f, 1.0f);
+      *transmittance = Clamp(this->SampleCubic(TransmittanceOf{ rays.seen }, pair), 0.0f, 1.0f);
       return;
     }
-    *transmittance = this->TransmitDensity(this->SampleCubic(ImageOf{ rays.density }));
+    *transmittance = this->TransmitDensity(this->SampleCubic(ImageOf{ rays.density }, pair), hats);
   }
 
 private:
-  LIMPID_HD LIMPID_INLINE LinearMap Columns() const
+  /// Rays between which the voxel lies: the first of two along each axis, and the weights of the
+  /// second ones.
+  struct Pair
   {
-    return this->Frustum.Row(this->Frustum.voxelColumns, this->S);
-  }
+    int column;
+    int row;
+    float sideways;
+    float across;
+  };
 
-  LIMPID_HD LIMPID_INLINE LinearMap Rows() const
+  struct Hats
   {
-    return this->Frustum.Row(this->Frustum.voxelRows, this->S);
+    HatOfVoxel column;
+    HatOfVoxel row;
+
+    LIMPID_HD LIMPID_INLINE Pair Own() const
+    {
+      return { this->column.first[1], this->row.first[1], this->column.weight, this->row.weight };
+    }
+  };
+
+  LIMPID_HD LIMPID_INLINE Hats HatsIn(const SliceImages& rays) const
+  {
+    return { rays.columnHats[this->U], rays.rowHats[this->V] };
   }
 
   LIMPID_HD LIMPID_INLINE bool IsActive() const
@@ -174,10 +178,10 @@ private:
     return this->Frustum.ActiveVoxels(this->S, this->V).Contains(this->U);
   }
 
-  LIMPID_HD LIMPID_INLINE bool IsBetweenFrontRays() const
+  LIMPID_HD LIMPID_INLINE bool IsBetweenFrontRays(const Hats& hats) const
   {
-    const int column = this->Columns().index[this->U];
-    const int row = this->Rows().index[this->V];
+    const int column = hats.column.first[1];
+    const int row = hats.row.first[1];
     const Range<int>& columns = this->Frustum.frontColumns;
     const Range<int>& rows = this->Frustum.frontRows;
     return column >= columns.begin && column + 1 < columns.end && row >= rows.begin &&
@@ -215,31 +219,25 @@ private:
   };
 
   template <class Image>
-  LIMPID_HD LIMPID_INLINE float SampleRays(const Image& image) const
+  LIMPID_HD LIMPID_INLINE float SampleRays(const Image& image, const Pair& pair) const
   {
-    const LinearMap columns = this->Columns();
-    const LinearMap rows = this->Rows();
-    const Index first = this->Frustum.RayAt(columns.index[this->U], rows.index[this->V]);
+    const Index first = this->Frustum.RayAt(pair.column, pair.row);
     const Index second = first + this->Frustum.columns;
-    const float across = rows.weight[this->V];
-    const float left = image(first) + across * (image(second) - image(first));
-    const float right = image(first + 1) + across * (image(second + 1) - image(first + 1));
-    return left + columns.weight[this->U] * (right - left);
+    const float left = image(first) + pair.across * (image(second) - image(first));
+    const float right = image(first + 1) + pair.across * (image(second + 1) - image(first + 1));
+    return left + pair.sideways * (right - left);
   }
 
   /// Means over the hat function of the voxel, across the rays.
-  LIMPID_HD LIMPID_INLINE void Average(const SeenOfRay* rays)
+  LIMPID_HD LIMPID_INLINE void Average(const SeenOfRay* seen, const Hats& hats)
   {
-    const HatOfVoxel columns(this->Columns(),
-      this->Frustum.Row(this->Frustum.columnSides, this->S)[this->U], this->U,
-      this->Frustum.nodesU);
-    const HatOfVoxel rows(this->Rows(), this->Frustum.Row(this->Frustum.rowSides, this->S)[this->V],
-      this->V, this->Frustum.nodesV);
+    const HatOfVoxel& columns = hats.column;
+    const HatOfVoxel& rows = hats.row;
     float transmittance = 0;
     float behind = 0;
     for (int i = 0; i < 6; ++i)
     {
-      const SeenOfRay* row = rays + this->Frustum.RayAt(0, rows.first[i / 2] + i % 2);
+      const SeenOfRay* row = seen + this->Frustum.RayAt(0, rows.first[i / 2] + i % 2);
       float transmittanceOfRow = 0;
       float behindOfRow = 0;
       for (int j = 0; j < 3; ++j)
@@ -258,35 +256,31 @@ private:
     this->Behind = behind;
   }
 
-  LIMPID_HD LIMPID_INLINE float TransmitFromSide(const SliceImages& rays) const
+  LIMPID_HD LIMPID_INLINE float TransmitFromSide(const float* density, const Hats& hats) const
   {
-    return this->TransmitDensity(this->SampleRays(ImageOf{ rays.density }));
+    return this->TransmitDensity(this->SampleRays(ImageOf{ density }, hats.Own()), hats);
   }
 
-  LIMPID_HD LIMPID_INLINE float TransmitDensity(float density) const
+  LIMPID_HD LIMPID_INLINE float TransmitDensity(float density, const Hats& hats) const
   {
-    const float inRow = this->Frustum.Row(this->Frustum.voxelRowEntry, this->S)[this->V];
-    const float inColumn = this->Frustum.Row(this->Frustum.voxelColumnEntry, this->S)[this->U];
-    const float row = inRow > this->Frustum.frontDepth ? inRow : this->Frustum.frontDepth;
-    const float entry = row > inColumn ? row : inColumn;
+    const float row = AtLeast(hats.row.entry, this->Frustum.frontDepth);
+    const float entry = AtLeast(row, hats.column.entry);
     return Transmitted(density * (this->Here.RelativeDepth() - entry));
   }
 
   template <class Image>
-  LIMPID_HD LIMPID_INLINE float SampleCubic(const Image& image) const
+  LIMPID_HD LIMPID_INLINE float SampleCubic(const Image& image, const Pair& pair) const
   {
-    const LinearMap columns = this->Columns();
-    const LinearMap rows = this->Rows();
     const Index stride = this->Frustum.columns;
-    const Index first = this->Frustum.RayAt(columns.index[this->U] - 1, rows.index[this->V] - 1);
+    const Index first = this->Frustum.RayAt(pair.column - 1, pair.row - 1);
     float blend[4];
     for (int i = 0; i < 4; ++i)
     {
       const Index at = first + i;
-      blend[i] = CubicBetween(image(at), image(at + stride), image(at + 2 * stride),
-        image(at + 3 * stride), rows.weight[this->V]);
+      blend[i] = CubicBetween(
+        image(at), image(at + stride), image(at + 2 * stride), image(at + 3 * stride), pair.across);
     }
-    const float sideways = columns.weight[this->U];
+    const float sideways = pair.sideways;
     const float front = Curvature(blend[0], blend[1], blend[2]);
     const float back = Curvature(blend[1], blend[2], blend[3]);
     return Bent(

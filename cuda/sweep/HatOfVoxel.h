@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_HatOfVoxel_h
+#define limpid_sweep_HatOfVoxel_h
+
+#include "sweep/FaceFrustum.h"
+
+namespace limpid
+{
+/// Where a mean over the hat function of a voxel (HatMean) reads rays along one axis: at the voxel
+/// before, the voxel and the one behind, a pair of neighbouring rays each. Devices have a table of
+/// these.
+struct alignas(16) HatOfVoxel
+{
+  int first[3];  ///< of a pair
+  float entry;   ///< relative depth where the rays through the voxel enter the box
+  float low[3];  ///< weight of the first of a pair
+  float high[3]; ///< ... of the second
+  float weight;  ///< weight of the second of the voxel's own pair alone
+
+  /// `rays`: map from voxels to rays on a slice; `side`: SideWeight.
+  LIMPID_HD LIMPID_INLINE static HatOfVoxel Of(
+    const LinearMap& rays, float side, float entry, int voxel, int nodes)
+  {
+    HatOfVoxel hat;
+    hat.entry = entry;
+    hat.weight = rays.weight[voxel];
+    for (int i = 0; i < 3; ++i)
+    {
+      const int beside = voxel + i - 1;
+      const int at = beside < 0 ? 0 : beside < nodes ? beside : nodes - 1;
+      const float share = i == 1 ? 1.0f - 2.0f * side : side;
+      hat.first[i] = rays.index[at];
+      hat.high[i] = share * rays.weight[at];
+      hat.low[i] = share - hat.high[i];
+    }
+    return hat;
+  }
+};
+
+/// Makes the hats of all slices of a frustum: of each, those of the columns, then of the rows.
+struct MadeHat
+{
+  FaceFrustum frustum;
+  HatOfVoxel* hats;
+
+  static Index CountOf(const FaceFrustum& frustum)
+  {
+    return Index(frustum.SliceCount()) * (frustum.nodesU + frustum.nodesV);
+  }
+
+  LIMPID_HD void operator()(Index number) const
+  {
+    const FaceFrustum& plan = this->frustum;
+    const int length = plan.nodesU + plan.nodesV;
+    const auto s = static_cast<int>(number / length);
+    const auto voxel = static_cast<int>(number % length);
+    const int v = voxel - plan.nodesU;
+    this->hats[number] = v < 0
+      ? HatOfVoxel::Of(plan.Row(plan.voxelColumns, s), plan.Row(plan.columnSides, s)[voxel],
+          plan.Row(plan.voxelColumnEntry, s)[voxel], voxel, plan.nodesU)
+      : HatOfVoxel::Of(plan.Row(plan.voxelRows, s), plan.Row(plan.rowSides, s)[v],
+          plan.Row(plan.voxelRowEntry, s)[v], v, plan.nodesV);
+  }
+};
+}
+
+#endif
