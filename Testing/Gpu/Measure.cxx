@@ -9,8 +9,11 @@
 
 #include "backend/Backend.h"
 #include "backend/CompiledDevice.h"
+#include "backend/ComputeBackend.h"
+#include "math/Require.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/ProblemFields.h"
+#include "optimize/Progressive.h"
 #include "optimize/SolverBackend.h"
 #include "render/RenderPasses.h"
 #include "sweep/PlanSweep.h"
@@ -210,18 +213,24 @@ TransferFunctions FunctionsOf(float largest)
   return functions;
 }
 
-/// From the scene's camera, turned about the scene by an angle [radians].
-View ViewOf(const SceneForSolver& scene, int side, double angle)
+/// The place of the scene's camera, turned about the scene by an angle [radians].
+Vec3 Turned(const SceneForSolver& scene, double angle)
 {
   const Vec3 centre = scene.grid.Centre();
   const Vec3 away = scene.camera.position - centre;
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  const Vec3 turned(c * away.x + s * away.z, away.y, c * away.z - s * away.x);
+  return centre + Vec3(c * away.x + s * away.z, away.y, c * away.z - s * away.x);
+}
+
+/// From there.
+View ViewOf(const SceneForSolver& scene, int side, double angle)
+{
+  const Vec3 centre = scene.grid.Centre();
   const double radius = scene.grid.Radius();
   View view;
   view.width = view.height = side;
-  view.clipToWorld = Perspective(LookAt(centre + turned, centre, Vec3(0, 1, 0)),
+  view.clipToWorld = Perspective(LookAt(Turned(scene, angle), centre, Vec3(0, 1, 0)),
     scene.camera.viewAngle, 1, 1.5 * radius, 6 * radius);
   return view;
 }
@@ -234,15 +243,22 @@ Lighting LightingOf(const SceneForSolver& scene)
   return lighting;
 }
 
-/// Of the scene with the extinction that was found [1/length].
-void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver& scene,
-  const std::vector<float>& extinction, const Effort& effort, Json& result)
+/// A renderer of the scene on the device that all share, lit, with shadows.
+Renderer MakeRenderer(std::unique_ptr<RenderBackend> backend, const SceneForSolver& scene)
 {
-  Renderer renderer(std::make_unique<RenderPasses<Device>>(device));
+  Renderer renderer(std::move(backend));
   renderer.SetScalars(scene.grid, scene.extinction.data());
   renderer.SetTransferFunctions(
     FunctionsOf(*std::max_element(scene.extinction.begin(), scene.extinction.end())));
   renderer.SetLighting(LightingOf(scene));
+  return renderer;
+}
+
+/// Of the scene with the extinction that was found [1/length].
+void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver& scene,
+  const std::vector<float>& extinction, const Effort& effort, Json& result)
+{
+  Renderer renderer = MakeRenderer(std::make_unique<RenderPasses<Device>>(device), scene);
   const DeviceArray<Device, float> base(device, scene.extinction, "the base extinction");
   const DeviceArray<Device, float> found(device, extinction, "the extinction");
   Picture picture;
@@ -259,6 +275,40 @@ void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver
       draw();
     });
   result["picture_at_rest"] = Repeat(effort, 2, draw);
+}
+
+/// The product's own frame after the camera has moved: the whole optimisation, shadows, picture.
+Json MeasureFrame(const SceneForSolver& scene, const Effort& effort)
+{
+  Settings settings;
+  settings.backend = BackendKind::Cuda;
+  Progressive progressive(scene.Fields(), settings);
+  Renderer renderer = MakeRenderer(CudaBackend().MakeRenderBackend(), scene);
+  Picture picture;
+  double angle = 0;
+  const auto frame = [&]
+  {
+    angle += 0.002;
+    Camera camera = scene.camera;
+    camera.position = Turned(scene, angle);
+    progressive.SetView(camera, scene.light, settings);
+    while (!progressive.Refine())
+    {
+    }
+    const ShownOnDevice there = progressive.OnDevice();
+    LIMPID_EXPECT(there.light != nullptr);
+    renderer.ShowThere(progressive.ShownGrid(), there.fields.base, there.fields.extinction);
+    renderer.Render(ViewOf(scene, effort.pictureSide, angle), picture);
+  };
+  Json result = Repeat(effort, 1, frame);
+  const std::shared_ptr<Device> device = Device::Shared();
+  LaunchTimes times;
+  device->Time(&times);
+  frame();
+  device->Time(nullptr);
+  result["parts"] = PartsOf(times, 1, {});
+  result["iterations"] = progressive.Iterations();
+  return result;
 }
 }
 
@@ -302,10 +352,11 @@ Json MeasureScene(const SceneForSolver& scene, const Effort& effort)
   {
     const std::vector<float> found = MeasureRun(scene, effort, result);
     MeasurePictures(MakeDevice(), scene, found, effort, result);
+    result["frame"] = MeasureFrame(scene, effort);
   }
   catch (const std::exception& error)
   {
-    for (const char* name : { "begin", "run", "download", "picture", "picture_at_rest" })
+    for (const char* name : { "begin", "run", "download", "picture", "picture_at_rest", "frame" })
     {
       if (!result.contains(name))
       {

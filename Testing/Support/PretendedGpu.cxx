@@ -12,15 +12,6 @@
 
 namespace limpid
 {
-namespace
-{
-std::shared_ptr<SimulatedDevice> Shared()
-{
-  static const auto device = std::make_shared<SimulatedDevice>();
-  return device;
-}
-}
-
 const CudaState& FindCuda()
 {
   static const CudaState state{ true, 0, "processor", "" };
@@ -34,7 +25,7 @@ std::size_t FreeCudaBytes()
 
 const ComputeBackend& CudaBackend()
 {
-  static const BackendOn<SimulatedDevice> backend(Shared());
+  static const BackendOn<SimulatedDevice> backend(SimulatedDevice::Shared());
   return backend;
 }
 }

@@ -18,6 +18,12 @@ std::shared_ptr<HostDevice> HostDevice::Shared()
   return shared;
 }
 
+std::shared_ptr<SimulatedDevice> SimulatedDevice::Shared()
+{
+  static const auto shared = std::make_shared<SimulatedDevice>();
+  return shared;
+}
+
 void* HostDevice::Allocate(std::size_t bytes, const char*)
 {
   return this->Take(std::malloc(std::max<std::size_t>(bytes, 1)), bytes);

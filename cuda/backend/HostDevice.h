@@ -187,6 +187,8 @@ class SimulatedDevice : public HostDevice
 public:
   using HostDevice::HostDevice;
   static constexpr bool readsHostMemory = false;
+
+  static std::shared_ptr<SimulatedDevice> Shared();
 };
 }
 

@@ -20,6 +20,7 @@ STEPS = {
     "sphere": "scores of all directions",
     "picture": "picture of another extinction, with its shadows",
     "picture_at_rest": "picture of the same extinction",
+    "frame": "frame of the display: all of these after the camera has moved",
     "processor": "policy iteration on the processor"}
 ITERATIONS = {"policy": "policy iteration", "adam": "Adam iteration"}
 
