@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""What a GPU would have to do, counted without one."""
+
+from markdown import fixed, plural, significant, table
+
+COPIES = ("upload", "download", "copy", "set to zero")
+
+
+def launch_table(parts, heading):
+    launches = [part for part in parts if part["label"] not in COPIES]
+    total = {"label": "all", **{key: sum(part[key] for part in launches)
+                                for key in ("launches", "waits")}}
+    return table([*launches, total], [
+        (heading, lambda p: p["label"]), ("launches", lambda p: significant(p["launches"])),
+        ("waits of the grid", lambda p: significant(p["waits"]))])
+
+
+def copy_table(parts, heading):
+    return table([part for part in parts if part["label"] in COPIES], [
+        (heading, lambda p: p["label"]), ("how often", lambda p: significant(p["launches"])),
+        ("bytes", lambda p: fixed(p["copied"]))])
+
+
+def page(measured):
+    slices = measured["nodes"]
+    return f"""# Counts
+
+What a GPU would have to do, counted without one, by
+
+    bash Testing/Gpu/count.sh
+
+* compiler: nvcc, {measured['compiler']}, for sm_90
+* date: {measured['date']}
+
+Nothing here was measured on a GPU. Launches, waits and bytes are those of the processor in the role
+of a GPU, which runs the same launches; instructions are the compiler's output.
+
+## An iteration
+
+Of the policy, {measured['scene']}, {slices}³: {slices} slices. *Waits*: how often all threads of a
+launch wait for each other. Numbers are means over iterations; where one was taken back, the next one
+begins with optical depths.
+{launch_table(measured['iteration'], 'launch')}{copy_table(measured['iteration'], 'copy')}
+## A frame of the display
+
+After the camera has moved: {plural(measured['iterations'], 'iteration')}, shadows, and a picture
+of 64 × 64 pixels (16 384 bytes). What goes to the device are the plans of the rays.
+{launch_table(measured['frame'], 'launch')}{copy_table(measured['frame'], 'copy')}
+## A ray on a slice, a voxel
+
+Kernels of one ray step or one voxel each, with the policy's usual settings: scores counted, nothing
+weighed. Instructions are those of **all paths together**, of which none takes all: rays that enter
+or leave in the layer and rays that cross it, voxels near the sides of the box, divisions of numbers
+out of range. *Threads*: how many a multiprocessor holds with so many registers.
+""" + table(measured["kernels"], [
+        ("kernel", lambda k: k["kernel"]), ("instructions", lambda k: k["instructions"]),
+        *((kind, lambda k, kind=kind: k[kind])
+          for kind in ("loads", "stores", "branches", "of double precision", "registers",
+                       "threads"))])

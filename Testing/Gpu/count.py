@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Puts together what count.sh has counted: python3 count.py FOLDER FILE.json"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+
+REGISTERS = 65536  # of a multiprocessor of sm_90, given to warps in blocks of 8 per thread
+MOST_THREADS = 2048
+KINDS = {"loads": ("LDG",), "stores": ("STG",), "branches": ("BRA",),
+         "of double precision": ("DADD", "DMUL", "DFMA", "DSETP")}
+
+
+def instructions(path):
+    """The instructions of each kernel, by name, without padding."""
+    found = {}
+    name = None
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            function = re.search(r"Function : (\S+)", line)
+            if function:
+                name = function.group(1)
+                found[name] = []
+            code = re.match(r"\s+/\*[0-9a-f]{4,}\*/\s+(?:@!?U?P\w+\s+)?([A-Z][\w.]*)", line)
+            if code and name and code.group(1) != "NOP":
+                found[name].append(code.group(1))
+    return found
+
+
+def registers(path):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    return {name: int(count) for name, count in
+            re.findall(r"Function (\S+):\s+REG:(\d+)", text)}
+
+
+def kernel(name, codes, used):
+    row = {"kernel": name, "instructions": len(codes), "registers": used}
+    for kind, starts in KINDS.items():
+        row[kind] = sum(code.split(".")[0] in starts for code in codes)
+    row["threads"] = min(MOST_THREADS, REGISTERS // (32 * (-(-used // 8) * 8)) * 32)
+    return row
+
+
+def main():
+    folder, output = sys.argv[1:]
+    with open(os.path.join(folder, "launches.json"), encoding="utf-8") as file:
+        scene = json.load(file)["scenes"][0]
+    codes = instructions(os.path.join(folder, "counted.sass"))
+    used = registers(os.path.join(folder, "registers.txt"))
+    version = subprocess.run(["nvcc", "--version"], check=True, stdout=subprocess.PIPE, text=True)
+    measured = {
+        "date": time.strftime("%Y-%m-%d"), "scene": scene["scene"], "nodes": scene["nodes"],
+        "compiler": re.search(r"release [\d.]+", version.stdout).group(),
+        "iteration": scene["policy"]["parts"], "frame": scene["frame"]["parts"],
+        "iterations": scene["frame"]["iterations"],
+        "kernels": [kernel(name, codes[name], used[name]) for name in sorted(codes)]}
+    with open(output, "w", encoding="utf-8") as file:
+        file.write(json.dumps(measured, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()
