@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <string>
 
 namespace limpid
 {
@@ -18,10 +19,8 @@ void detail::RequireCuda(cudaError_t status, const char* call)
     return;
   }
   cudaGetLastError(); // it is told here, once
-  LIMPID_REQUIRE(false,
-    "CUDA says \"" << cudaGetErrorString(status) << "\" (" << call
-                   << "; the result would be wrong). Use the backend CPU, and report this if it "
-                      "happens again.");
+  throw DeviceError(std::string("CUDA says \"") + cudaGetErrorString(status) + "\" (" + call +
+    "; the result would be wrong). Use the backend CPU, and report this if it happens again.");
 }
 
 std::shared_ptr<CudaDevice> CudaDevice::Shared()
@@ -83,10 +82,10 @@ void* CudaDevice::Allocate(std::size_t bytes, const char* what)
     std::size_t free = 0;
     std::size_t total = 0;
     LIMPID_CUDA(cudaMemGetInfo(&free, &total));
-    LIMPID_REQUIRE(false,
-      "The GPU has no " << bytes / 1000000 << " MB left for " << what << " (" << free / 1000000
-                        << " of " << total / 1000000
-                        << " MB are free). Use a smaller volume or the backend CPU.");
+    const auto megabytes = [](std::size_t size) { return std::to_string(size / 1000000); };
+    throw DeviceError("The GPU has no " + megabytes(bytes) + " MB left for " + what + " (" +
+      megabytes(free) + " of " + megabytes(total) +
+      " MB are free). Use a smaller volume or the backend CPU.");
   }
   LIMPID_CUDA(status);
   this->Memory.Add(bytes);

@@ -4,11 +4,13 @@
 #include "backend/HostDevice.h"
 
 #include "backend/LargePages.h"
+#include "math/Require.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <string>
 
 namespace limpid
 {
@@ -22,6 +24,23 @@ std::shared_ptr<SimulatedDevice> SimulatedDevice::Shared()
 {
   static const auto shared = std::make_shared<SimulatedDevice>();
   return shared;
+}
+
+void SimulatedDevice::MayFail(const char* what)
+{
+  Index left = this->UntilFailure;
+  while (left > 0 && !this->UntilFailure.compare_exchange_weak(left, left - 1))
+  {
+  }
+  if (left == 0)
+  {
+    this->UntilFailure = Failed;
+  }
+  if (left == 0 || (left == Failed && this->FailsForGood))
+  {
+    throw DeviceError(
+      std::string("The pretended GPU fails (") + what + "; it was told to). Use the backend CPU.");
+  }
 }
 
 void* HostDevice::Allocate(std::size_t bytes, const char*)

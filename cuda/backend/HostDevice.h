@@ -10,6 +10,7 @@
 #include "backend/MemoryCount.h"
 #include "backend/ThreadTeam.h"
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -181,7 +182,7 @@ private:
 };
 
 /// The processor in the role of a GPU, for tests: it runs what is written for all devices also
-/// where HostDevice has a form of its own.
+/// where HostDevice has a form of its own, and fails when it is told to.
 class SimulatedDevice : public HostDevice
 {
 public:
@@ -189,6 +190,79 @@ public:
   static constexpr bool readsHostMemory = false;
 
   static std::shared_ptr<SimulatedDevice> Shared();
+
+  /// Allocation, copy or launch number `operation` from now on throws DeviceError, and so do all
+  /// that follow if `forGood`. Negative: none does.
+  void FailAt(Index operation, bool forGood)
+  {
+    this->UntilFailure = operation;
+    this->FailsForGood = forGood;
+  }
+
+  /// Whether it has failed since then.
+  bool HasFailed() const { return this->UntilFailure == Failed; }
+
+  void* Allocate(std::size_t bytes, const char* what)
+  {
+    this->MayFail(what);
+    return HostDevice::Allocate(bytes, what);
+  }
+
+  void* AllocateZeros(std::size_t bytes, const char* what)
+  {
+    this->MayFail(what);
+    return HostDevice::AllocateZeros(bytes, what);
+  }
+
+  void Upload(void* to, const void* from, std::size_t bytes)
+  {
+    this->MayFail("upload");
+    HostDevice::Upload(to, from, bytes);
+  }
+
+  void Download(void* to, const void* from, std::size_t bytes)
+  {
+    this->MayFail("download");
+    HostDevice::Download(to, from, bytes);
+  }
+
+  template <class Body>
+  void ForEach(const char* label, const Extent& extent, const Body& body)
+  {
+    this->MayFail(label);
+    HostDevice::ForEach(label, extent, body);
+  }
+
+  template <class Body>
+  void ForIndices(const char* label, Index count, const Body& body)
+  {
+    this->MayFail(label);
+    HostDevice::ForIndices(label, count, body);
+  }
+
+  template <class Body>
+  void ForNodes(const char* label, const Int3& nodes, const Body& body)
+  {
+    this->MayFail(label);
+    HostDevice::ForNodes(label, nodes, body);
+  }
+
+  template <class Body>
+  void ForPhases(const char* label, int phases, const Body& body)
+  {
+    this->MayFail(label);
+    HostDevice::ForPhases(label, phases, body);
+  }
+
+private:
+  static constexpr Index Never = -1;
+  static constexpr Index Failed = -2;
+
+  /// Throws if it is time.
+  void MayFail(const char* what);
+
+  std::atomic<Index> UntilFailure{ Never };
+  std::atomic<bool> FailsForGood{ false };
 };
 }
 

@@ -17,6 +17,13 @@ class Error : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// A GPU cannot go on: its memory is full, or it has failed. The processor may do the same.
+class DeviceError : public Error
+{
+public:
+  using Error::Error;
+};
 }
 
 /// Checks the user's data or settings; always on. Throws limpid::Error.

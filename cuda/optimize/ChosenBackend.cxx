@@ -27,7 +27,9 @@ std::size_t CudaBytes(const Grid& grid, const Settings& settings)
 
 void ChosenBackend::Choose(const Settings& settings, const Grid& grid)
 {
-  if (this->Solvers && this->OnGpu && settings.backend != BackendKind::Cpu)
+  this->GpuFailed = this->GpuFailed && settings.backend == this->Wish;
+  this->Wish = settings.backend;
+  if (this->GpuFailed || (this->Solvers && this->OnGpu && settings.backend != BackendKind::Cpu))
   {
     return;
   }
@@ -35,5 +37,18 @@ void ChosenBackend::Choose(const Settings& settings, const Grid& grid)
   this->Solvers = BackendOf(choice.cuda).MakeSolverBackend();
   this->Line = choice.name;
   this->OnGpu = choice.cuda;
+}
+
+bool ChosenBackend::GiveUpGpu(const std::string& reason)
+{
+  if (!this->OnGpu || this->Wish != BackendKind::Auto)
+  {
+    return false;
+  }
+  this->Solvers = ProcessorBackend().MakeSolverBackend();
+  this->Line = ChooseBackend(BackendKind::Cpu, 0).name + " (no CUDA: " + reason + ")";
+  this->OnGpu = false;
+  this->GpuFailed = true;
+  return true;
 }
 }

@@ -23,6 +23,17 @@ void Sweep(const Problem& problem, SourceSweeps& sweeps, double weight, std::vec
 }
 }
 
+template <class Work>
+void PreviewPass::OnBackend(const Work& work)
+{
+  this->Backend.Do(work,
+    [this]
+    {
+      this->FromCamera.reset();
+      this->ForScores.reset();
+    });
+}
+
 void PreviewPass::Make(const Camera& camera, const Light& light, const Settings& settings)
 {
   const Settings& last = this->Given.settings;
@@ -37,7 +48,8 @@ void PreviewPass::Make(const Camera& camera, const Light& light, const Settings&
   this->Backend.Choose(settings, this->Given.grid);
   this->Before.reset();
   this->After.reset();
-  InfoOf(settings.method).iterates ? this->MakeByPolicy(settings) : this->MakeByMethod();
+  this->OnBackend([&]
+    { InfoOf(settings.method).iterates ? this->MakeByPolicy(settings) : this->MakeByMethod(); });
 }
 
 void PreviewPass::MakeByMethod()
@@ -100,7 +112,7 @@ Score PreviewPass::BaseScore()
 {
   if (!this->Before)
   {
-    this->Before = this->ScoreOf(this->Base());
+    this->OnBackend([&] { this->Before = this->ScoreOf(this->Base()); });
   }
   return *this->Before;
 }
@@ -109,7 +121,7 @@ Score PreviewPass::BestScore()
 {
   if (!this->After)
   {
-    this->After = this->ScoreOf(this->Extinction());
+    this->OnBackend([&] { this->After = this->ScoreOf(this->Extinction()); });
   }
   return *this->After;
 }

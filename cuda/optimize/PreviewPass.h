@@ -58,6 +58,9 @@ private:
     return found.empty() ? this->Base() : found.data();
   }
 
+  template <class Work>
+  void OnBackend(const Work& work);
+
   void MakeByPolicy(const Settings& settings);
   void MakeByMethod();
   SourceSweeps& CameraSweeps();

@@ -368,8 +368,12 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
   const Problem problem = scene.ProblemFor(camera, state.light, ForScores(state.settings));
   ChosenBackend backend;
   backend.Choose(state.settings, problem.grid);
-  const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFrom(problem, problem.camera);
-  return { sweeps->ScoreOf(this->BaseExtinction()), sweeps->ScoreOf(this->Extinction()) };
+  const auto score = [&]() -> Scores
+  {
+    const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFrom(problem, problem.camera);
+    return { sweeps->ScoreOf(this->BaseExtinction()), sweeps->ScoreOf(this->Extinction()) };
+  };
+  return backend.Do(score, [] {});
 }
 
 int Progressive::Iterations() const

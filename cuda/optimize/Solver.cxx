@@ -100,6 +100,42 @@ struct Solver::Internals
     this->seconds += std::chrono::duration<double>(Clock::now() - start).count();
   }
 
+  /// Does what the backend computes. If another one takes its place, it begins again and comes as
+  /// far as it was first.
+  template <class Work>
+  decltype(auto) OnBackend(const Work& work)
+  {
+    const int made = this->iterations;
+    const bool wasDone = this->done;
+    const bool wasStopped = this->stopped;
+    const auto restore = [&]
+    {
+      this->Begin();
+      while (!this->done && this->iterations < made)
+      {
+        this->Advance(Progress());
+      }
+      if (wasDone && !this->done)
+      {
+        this->stopped = true;
+        this->FinishRun();
+      }
+      this->stopped = wasStopped;
+    };
+    return this->backend.Do(work, restore);
+  }
+
+  /// The next iteration, or the end of a run.
+  void Advance(const Progress& progress)
+  {
+    if (!this->minimizer || this->RunIsOver())
+    {
+      this->FinishRun();
+      return;
+    }
+    this->Iterate(progress);
+  }
+
   Problem MakeProblem() const
   {
     Settings wanted = this->settings;
@@ -201,6 +237,15 @@ struct Solver::Internals
     return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction.OnHost();
   }
 
+  void FindTransmittance(bool ofLight, float* transmittance) const
+  {
+    const bool other = ofLight && HasLightExtinction(this->settings);
+    const std::vector<float>& field = other ? this->LightExtinction() : this->Extinction();
+    this->backend->FindTransmittance(this->problem,
+      ofLight ? this->problem.light : this->problem.camera,
+      std::max(this->settings.rayDensity, transmittanceRayDensity), field.data(), transmittance);
+  }
+
   ExtinctionOnDevice OnDevice(bool ofLight) const
   {
     if (this->minimizer && this->lightRun == ofLight)
@@ -209,6 +254,12 @@ struct Solver::Internals
     }
     const DeviceResult* result = (ofLight ? this->lightExtinction : this->extinction).OnDevice();
     return result ? result->Fields() : ExtinctionOnDevice();
+  }
+
+  const std::vector<float>& LightExtinction() const
+  {
+    return this->minimizer && this->lightRun ? this->minimizer->Best()
+                                             : this->lightExtinction.OnHost();
   }
 
   int SmoothingLimit() const
@@ -234,7 +285,7 @@ struct Solver::Internals
     return this->IsFound() && this->runSmoothings >= this->SmoothingLimit();
   }
 
-  IterationRecord Advance()
+  IterationRecord NextRecord()
   {
     if (this->IsFound())
     {
@@ -251,7 +302,7 @@ struct Solver::Internals
   void Iterate(const Progress& progress)
   {
     const Clock::time_point start = Clock::now();
-    IterationRecord record = this->Advance();
+    IterationRecord record = this->NextRecord();
     if (!this->Minimizes() && !this->lightRun)
     {
       this->Judged(record);
@@ -333,7 +384,7 @@ Solver::Solver(
   RequireSettings(settings);
   this->State->prepared = std::make_shared<PreparedScene>(scene);
   this->State->Set(camera, light, settings);
-  this->State->Begin();
+  this->State->OnBackend([this] { this->State->Begin(); });
 }
 
 Solver::Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
@@ -343,7 +394,7 @@ Solver::Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const
   RequireSettings(settings);
   this->State->prepared = std::move(scene);
   this->State->Set(camera, light, settings);
-  this->State->Begin();
+  this->State->OnBackend([this] { this->State->Begin(); });
 }
 
 Solver::~Solver() = default;
@@ -361,7 +412,7 @@ void Solver::SetInitialExtinction(const float* extinction)
     "the joint mode.");
   state.initial.assign(extinction, extinction + state.scene.grid.NodeCount());
   state.warm = true;
-  state.Begin();
+  state.OnBackend([&state] { state.Begin(); });
 }
 
 bool Solver::Step(int iterations, const Progress& progress)
@@ -370,12 +421,7 @@ bool Solver::Step(int iterations, const Progress& progress)
   state.stopped = false;
   for (int i = 0; i < iterations && !state.done; ++i)
   {
-    if (!state.minimizer || state.RunIsOver())
-    {
-      state.FinishRun();
-      continue;
-    }
-    state.Iterate(progress);
+    state.OnBackend([&] { state.Advance(progress); });
     if (state.stopped)
     {
       break;
@@ -403,14 +449,14 @@ bool Solver::Stopped() const
 
 const std::vector<float>& Solver::Extinction() const
 {
-  return this->State->Extinction();
+  Internals& state = *this->State;
+  return state.OnBackend([&]() -> const std::vector<float>& { return state.Extinction(); });
 }
 
 const std::vector<float>& Solver::LightExtinction() const
 {
-  const Internals& state = *this->State;
-  return state.minimizer && state.lightRun ? state.minimizer->Best()
-                                           : state.lightExtinction.OnHost();
+  Internals& state = *this->State;
+  return state.OnBackend([&]() -> const std::vector<float>& { return state.LightExtinction(); });
 }
 
 ExtinctionOnDevice Solver::OnDevice() const
@@ -464,10 +510,10 @@ Score Solver::BaseScore() const
 
 Score Solver::BestScore() const
 {
-  const Internals& state = *this->State;
+  Internals& state = *this->State;
   if (!state.best)
   {
-    state.best = state.ScoreOf(state.Extinction().data());
+    state.OnBackend([&] { state.best = state.ScoreOf(state.Extinction().data()); });
     if (state.done)
     {
       state.judge.reset();
@@ -503,18 +549,13 @@ const std::vector<IterationRecord>& Solver::History() const
 
 void Solver::Transmittance(float* transmittance) const
 {
-  const Internals& state = *this->State;
-  state.backend->FindTransmittance(state.problem, state.problem.camera,
-    std::max(state.settings.rayDensity, transmittanceRayDensity), this->Extinction().data(),
-    transmittance);
+  Internals& state = *this->State;
+  state.OnBackend([&] { state.FindTransmittance(false, transmittance); });
 }
 
 void Solver::LightTransmittance(float* transmittance) const
 {
-  const Internals& state = *this->State;
-  const bool separate = HasLightExtinction(state.settings);
-  const std::vector<float>& extinction = separate ? this->LightExtinction() : this->Extinction();
-  state.backend->FindTransmittance(state.problem, state.problem.light,
-    std::max(state.settings.rayDensity, transmittanceRayDensity), extinction.data(), transmittance);
+  Internals& state = *this->State;
+  state.OnBackend([&] { state.FindTransmittance(true, transmittance); });
 }
 }

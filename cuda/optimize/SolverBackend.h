@@ -5,6 +5,7 @@
 #define limpid_optimize_SolverBackend_h
 
 #include "backend/CompiledDevice.h"
+#include "math/Require.h"
 #include "optimize/Problem.h"
 #include "sweep/SumRays.h"
 
@@ -67,13 +68,39 @@ public:
 
   SolverBackend* operator->() const { return this->Solvers.get(); }
 
+  /// Does `work` by the backend. Where the GPU fails in it and nobody insists on CUDA, the
+  /// processor takes its place for good: `restore()` makes what was on the GPU anew, and the work
+  /// is done again.
+  template <class Work, class Restore>
+  decltype(auto) Do(const Work& work, const Restore& restore)
+  {
+    try
+    {
+      return work();
+    }
+    catch (const DeviceError& error)
+    {
+      if (!this->GiveUpGpu(error.what()))
+      {
+        throw;
+      }
+    }
+    restore();
+    return work();
+  }
+
   /// For the user, one line.
   const std::string& Name() const { return this->Line; }
 
 private:
+  /// Whether the processor may go on, and does.
+  bool GiveUpGpu(const std::string& reason);
+
   std::shared_ptr<SolverBackend> Solvers;
   std::string Line;
+  BackendKind Wish = BackendKind::Auto;
   bool OnGpu = false;
+  bool GpuFailed = false;
 };
 }
 
