@@ -45,7 +45,7 @@ struct Prepared
 
   std::unique_ptr<Minimizer> Begin(SolverBackend& backend, bool warm = false) const
   {
-    return backend.MakeMinimizer(this->problem, std::vector<float>(this->scene->extinction), warm);
+    return backend.MakeMinimizer(this->problem, {}, warm);
   }
 
   const SceneForSolver* scene;
@@ -70,24 +70,54 @@ Json PartsOf(const LaunchTimes& times, double iterations, const Traffic& traffic
   return parts;
 }
 
-/// Iterations after the first ones, which allocate.
+/// Iterations of fresh runs after the first ones, which allocate and weigh; none that comes after
+/// the last one.
 Json MeasureIterations(const Prepared& prepared, const Traffic& traffic, const Effort& effort)
 {
-  constexpr int warmUps = 4;
+  constexpr int warmUps = 2;
   const std::shared_ptr<Device> device = MakeDevice();
   const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
-  const std::unique_ptr<Minimizer> minimizer = prepared.Begin(*backend);
-  minimizer->Start();
-  Json result = Repeat(effort, warmUps, [&] { minimizer->Iterate(); });
-  LaunchTimes times;
-  const int timed = result["repeats"].get<int>();
-  device->Time(&times);
-  for (int iteration = 0; iteration < timed; ++iteration)
+  std::vector<double> seconds;
+  double total = 0;
+  const auto run = [&](const auto& iterate)
   {
-    minimizer->Iterate();
+    const std::unique_ptr<Minimizer> minimizer = prepared.Begin(*backend);
+    minimizer->Start();
+    const auto wanted = static_cast<std::size_t>(effort.repetitions);
+    for (int n = 0; n < minimizer->IterationLimit() && !minimizer->Converged() &&
+         seconds.size() < wanted && (total < effort.mostSeconds || n <= warmUps);
+         ++n)
+    {
+      n < warmUps ? void(minimizer->Iterate()) : iterate(*minimizer);
+    }
+  };
+  const auto timed = [&](Minimizer& minimizer)
+  {
+    Stopwatch watch;
+    minimizer.Iterate();
+    device->Wait();
+    seconds.push_back(watch.Lap());
+    total += seconds.back();
+  };
+  for (std::size_t before = 0; seconds.empty() || before < seconds.size();)
+  {
+    before = seconds.size();
+    run(timed);
   }
-  device->Time(nullptr);
-  result["parts"] = PartsOf(times, timed, traffic);
+  Json result = FigureOf(seconds);
+  LaunchTimes times;
+  int taken = 0;
+  seconds.clear();
+  total = 0;
+  run(
+    [&](Minimizer& minimizer)
+    {
+      device->Time(&times);
+      minimizer.Iterate();
+      device->Time(nullptr);
+      ++taken;
+    });
+  result["parts"] = PartsOf(times, taken, traffic);
   result["device_memory"] = device->PeakBytes();
   return result;
 }

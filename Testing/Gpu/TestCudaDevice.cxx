@@ -157,6 +157,31 @@ TEST(CudaDevice, SurvivesAnOptimizationThatDoesNotFit)
   EXPECT_LT(begin()->Start().energy.Total(), 0) << "there is room again";
 }
 
+TEST(CudaDevice, GivesTheSameBitsEachTime)
+{
+  BoxScene scene = BoxScene::Cube(48);
+  scene.FillOnion();
+  PreparedScene prepared(scene.Fields());
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const auto device = MakeTestedDevice();
+  const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
+  const auto run = [&]
+  {
+    const std::unique_ptr<Minimizer> minimizer = backend->MakeMinimizer(problem, {}, false);
+    minimizer->Start();
+    for (int n = 0; n < 5; ++n)
+    {
+      minimizer->Iterate();
+    }
+    return minimizer->TakeBest();
+  };
+  const std::vector<float> first = run();
+  for (int n = 1; n < 50; ++n)
+  {
+    ASSERT_EQ(run(), first) << "run " << n << ": threads do not wait for each other";
+  }
+}
+
 TEST(CudaDevice, GivesItsMemoryBack)
 {
   constexpr std::size_t much = std::size_t(1) << 28;

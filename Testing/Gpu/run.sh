@@ -134,8 +134,11 @@ command -v nvcc > /dev/null || give_up "There is no nvcc (the CUDA backend canno
 command -v cmake > /dev/null || give_up "There is no cmake (nothing can be built). Install it or add it to PATH."
 
 architecture="$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2> /dev/null | head -1 | tr -dc 0-9)"
+if [[ -z "$architecture" ]]; then # not on PATH, perhaps: the CUDA toolkit may know
+  architecture="$(__nvcc_device_query 2> /dev/null | cut -d, -f1 | tr -dc 0-9)"
+fi
 if [[ -z "$architecture" ]]; then
-  ((build_only)) || give_up "There is no GPU, or nvidia-smi does not see it (there is nothing to run on). Run this where there is one, or give --build-only."
+  ((build_only)) || give_up "There is no GPU, or neither nvidia-smi nor the CUDA toolkit sees it (there is nothing to run on). Run this where there is one, or give --build-only."
   architecture=90
 fi
 gpu="$(nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv,noheader 2> /dev/null | head -1)"
@@ -181,33 +184,38 @@ if ((failed)); then
   grep -aE -A3 'error|Error|FAILED' "$out/build.log" | head -60
 fi
 
-# --- tests, sanitizers, benchmark ----------------------------------------------------------------
+# --- tests, benchmark, sanitizers ----------------------------------------------------------------
 
 reserve=190
 program_step "devices" 60 tests.log say_tests test_gpu
 if grep -q 'SKIPPED \] all tests' "$build/step.log"; then
   give_up "The GPU cannot be used: $(grep -A1 ': Skipped$' "$build/step.log" | sed -n 2p). Nothing was tested."
 fi
+
+# What matters most comes first: the time may not be enough for all.
+reserve=60
+program_step "benchmark" 150 benchmark.log say_figures limpid_bench_gpu --output "$out/Gpu.json"
+
+reserve=40
 for program in "${core_tests[@]}"; do
   program_step "${program#test_core_}" 40 tests.log say_tests "$program"
 done
 
-reserve=110
-for tool in memcheck racecheck synccheck initcheck; do
+# Not racecheck, which sees shared memory alone: test_gpu repeats a run 50 times, bit by bit.
+reserve=20
+for tool in memcheck synccheck initcheck; do
   if ! command -v compute-sanitizer > /dev/null; then
     note "$tool" "not run: there is no compute-sanitizer" 0
     continue
   fi
   launcher=(compute-sanitizer --tool "$tool" --error-exitcode 9 --print-limit 10)
   if [[ $tool == memcheck ]]; then
-    launcher+=(--leak-check full)
+    launcher+=(--leak-check full --track-stream-ordered-races all)
   fi
   program_step "$tool" 45 sanitizers.log say_findings test_gpu "--gtest_filter=$sanitized"
 done
 launcher=()
-
 reserve=0
-program_step "benchmark" 150 benchmark.log say_figures limpid_bench_gpu --output "$out/Gpu.json"
 
 # The page, and sweeps by the hardware's own counters; nothing depends on them.
 before=$failed
@@ -219,7 +227,7 @@ fi
 if command -v ncu > /dev/null && ((total_seconds - SECONDS > 20)); then
   launcher=(ncu --clock-control none --section SpeedOfLight --section MemoryWorkloadAnalysis
     --section LaunchStats --section Occupancy --kernel-name "regex:VisitEach|VisitPhases"
-    --launch-count 24)
+    --launch-skip 200 --launch-count 24)
   program_step "profile" 60 profile.log say_done \
     limpid_bench_gpu --quick --sizes 256 --scenes onion
   failed=$before

@@ -29,8 +29,13 @@ template <class Body>
 __global__ void VisitEach(const Extent extent, const Body body)
 {
   const int column = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
-  const int row = static_cast<int>(blockIdx.y * blockDim.y + threadIdx.y);
-  if (column < extent.columns && row < extent.rows)
+  if (column >= extent.columns)
+  {
+    return;
+  }
+  const int step = static_cast<int>(gridDim.y * blockDim.y);
+  for (int row = static_cast<int>(blockIdx.y * blockDim.y + threadIdx.y); row < extent.rows;
+       row += step)
   {
     body(column, row);
   }
@@ -149,8 +154,9 @@ public:
     }
     this->Use();
     const dim3 block = BlockOf();
-    const dim3 grid(
-      (extent.columns + block.x - 1) / block.x, (extent.rows + block.y - 1) / block.y);
+    constexpr unsigned mostRows = 65535; // of blocks; those that are more take turns
+    const unsigned down = (extent.rows + block.y - 1) / block.y;
+    const dim3 grid((extent.columns + block.x - 1) / block.x, down < mostRows ? down : mostRows);
     const Timed timed(*this, { label });
     detail::VisitEach<<<grid, block, 0, this->Stream>>>(extent, body);
     detail::RequireCuda(cudaGetLastError(), label);

@@ -70,9 +70,14 @@ CudaState Look()
     state.reason = "the GPU " + state.name + " is not one that this build has code for";
     return state;
   }
-  if (!properties.cooperativeLaunch || !properties.memoryPoolsSupported)
+  if (!properties.cooperativeLaunch)
   {
     state.reason = "the GPU " + state.name + " cannot start kernels that wait for each other";
+    return state;
+  }
+  if (!properties.memoryPoolsSupported)
+  {
+    state.reason = "the GPU " + state.name + " or its driver has no memory pools";
     return state;
   }
   state.usable = true;

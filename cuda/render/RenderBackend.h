@@ -68,6 +68,9 @@ public:
   /// the same box. There is an extinction.
   virtual void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) = 0;
 
+  /// Waits until all work is done.
+  virtual void Wait() = 0;
+
   /// Forgets the shadows. No picture asks for them before they are cast again.
   virtual void ClearShadows() = 0;
 

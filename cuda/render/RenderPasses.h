@@ -144,6 +144,8 @@ public:
     this->GradientHasShadow = false;
   }
 
+  void Wait() override { this->Device->Wait(); }
+
   void ClearShadows() override { this->Shown.ClearShadow(); }
 
   void FindGradient() override

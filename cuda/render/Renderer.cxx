@@ -341,7 +341,12 @@ void Renderer::SetShadowCoarseness(int factor)
 
 bool Renderer::UpdateShadows()
 {
-  return this->State->HasScene() && this->State->UpdateShadow();
+  const bool made = this->State->HasScene() && this->State->UpdateShadow();
+  if (made)
+  {
+    this->State->backend->Wait();
+  }
+  return made;
 }
 
 void Renderer::Prepare()

@@ -163,7 +163,8 @@ public:
   /// the extinction's, for pictures that move. Default 1.
   void SetShadowCoarseness(int factor);
 
-  /// Computes the shadows now if the next picture would. Returns whether there was anything to do.
+  /// Computes the shadows now if the next picture would, and waits until they are there. Returns
+  /// whether there was anything to do.
   bool UpdateShadows();
 
   /// Makes everything for the next picture but its rays, which are all that is left to Render.
