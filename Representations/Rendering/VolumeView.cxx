@@ -109,7 +109,7 @@ void VolumeView::ChoosePictures(BackendKind wish, const Grid& grid)
   {
     return;
   }
-  constexpr std::size_t bytesPerNode = 32;
+  constexpr std::size_t bytesPerNode = 32 + 28; // of pictures, and of the optimisation beside them
   const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
   const bool cuda = wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
   this->ReleaseNow();

@@ -17,7 +17,7 @@ std::size_t CudaBytes(const Grid& grid, const Settings& settings)
   // Adam: extinction, best, derivative and its two means.
   const double fields = settings.solver == SolverKind::Policy ? 7 : 8;
   const double nodes = double(grid.NodeCount());
-  // Rays of two sources, with images of them on the slices of a launch.
+  // Rays of two sources, with images of them on a few slices, and plans.
   const double across =
     settings.rayDensity * std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z });
   const double rays = 4 * across * across;
