@@ -5,7 +5,7 @@
 
 #include "optimize/Policy.h"
 
-#include "backend/LargePages.h"
+#include "optimize/Iterate.h"
 #include "optimize/ProximalDescent.h"
 #include "optimize/Smoothing.h"
 #include "sweep/Sweeps.h"
@@ -92,71 +92,6 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
     SweepBackwardByPhases(device, rays, kernel);
   }
 }
-
-/// An extinction at all nodes; it may be the base extinction, which is not to be overwritten.
-template <class AnyDevice>
-struct Iterate
-{
-  DeviceArray<AnyDevice, float> own;
-  const float* values = nullptr;
-};
-
-/// Makes sure that an iterate can be overwritten. Where sweeps do not come, and for rays that meet
-/// voxels of a frustum that is swept later, it gets the values of the last one; the processor
-/// copies only what is filled: all else is 0.
-template <class AnyDevice>
-void Prepare(const std::shared_ptr<AnyDevice>& device, const Problem& problem, std::size_t frusta,
-  const float* last, Iterate<AnyDevice>& next)
-{
-  const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
-  const bool fresh = next.own.Empty();
-  if (fresh)
-  {
-    next.own = DeviceArray<AnyDevice, float>::Zeros(device, count, "an iterate");
-    next.values = next.own.Data();
-  }
-  if (!AnyDevice::readsHostMemory && (fresh || frusta > 1))
-  {
-    device->Copy(next.own.Data(), last, count * sizeof(float));
-  }
-  else if (frusta > 1)
-  {
-    problem.CopyFilled(last, next.own.Data());
-  }
-}
-
-/// An iterate that was found on a device; empty: the base extinction.
-template <class AnyDevice>
-class ResultOn : public DeviceResult
-{
-public:
-  ResultOn(std::shared_ptr<AnyDevice> device, std::shared_ptr<ProblemFields<AnyDevice>> fields,
-    DeviceArray<AnyDevice, float>&& found)
-    : Device(std::move(device))
-    , Given(std::move(fields))
-    , Found(std::move(found))
-  {
-  }
-
-  ExtinctionOnDevice Fields() const override
-  {
-    const float* base = this->Given->base.Data();
-    return { base, this->Found.Empty() ? base : this->Found.Data() };
-  }
-
-  std::vector<float> Download() const override
-  {
-    std::vector<float> values = RoomFor(static_cast<Index>(this->Given->base.Size()));
-    values.resize(this->Given->base.Size());
-    this->Device->Download(values.data(), this->Fields().extinction, values.size() * sizeof(float));
-    return values;
-  }
-
-private:
-  std::shared_ptr<AnyDevice> Device;
-  std::shared_ptr<ProblemFields<AnyDevice>> Given;
-  DeviceArray<AnyDevice, float> Found;
-};
 
 template <class AnyDevice>
 class Policy : public Minimizer
@@ -373,7 +308,7 @@ private:
     const std::size_t free = this->FreeIterate();
     const float* last = this->Iterates[this->Now].values;
     limpid::Iterate<AnyDevice>& next = this->Iterates[free];
-    Prepare(this->Device, *this->Given, turn.swept->Frusta().size(), last, next);
+    PrepareIterate(this->Device, *this->Given, turn.swept->Frusta().size(), last, next);
     const IterationRecord record = this->Sweep(turn, last, next.own.Data());
     this->Now = free;
     this->Change = record.meanChange;

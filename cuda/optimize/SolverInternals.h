@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_SolverInternals_h
+#define limpid_optimize_SolverInternals_h
+
+#include "backend/Backend.h"
+#include "energy/TransmittanceSweep.h"
+#include "optimize/ExtinctionBounds.h"
+#include "optimize/PreparedScene.h"
+#include "optimize/Smoothing.h"
+#include "optimize/Solver.h"
+#include "optimize/SolverBackend.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <sstream>
+
+namespace limpid
+{
+/// The runs of a solver, and what they have found.
+struct Solver::Internals
+{
+  std::shared_ptr<PreparedScene> prepared;
+  ChosenBackend backend;
+  SceneFields scene;
+  Camera camera;
+  Light light;
+  Settings settings;
+  std::vector<float> initial; ///< empty: the base extinction
+
+  /// One run of a minimiser: the joint field, or in separate mode first the camera's field and
+  /// then the light's.
+  Problem problem;
+  std::unique_ptr<Minimizer> minimizer;
+  int runIterations = 0;
+  int runSmoothings = 0; ///< that follow
+  bool runFound = false; ///< whether the iterations have found what they look for
+  bool lightRun = false;
+  bool hasIterate = false; ///< whether this run has made one at full resolution
+
+  FoundExtinction extinction; ///< result of a finished run
+  FoundExtinction lightExtinction;
+  std::vector<IterationRecord> history;
+  Score base;
+  mutable std::optional<Score> best; ///< not there: not known yet
+
+  /// The camera's rays through the importance as given; null: nobody has asked.
+  struct Judge
+  {
+    Problem problem;
+    std::unique_ptr<SourceSweeps> sweeps;
+  };
+  mutable std::unique_ptr<Judge> judge;
+
+  Energy bestEnergy;
+  int iterations = 0;
+  double seconds = 0;
+  bool done = false;
+  bool stopped = false;
+  bool settled = false;
+  bool warm = false;
+
+  void Set(const Camera& eye, const Light& lamp, const Settings& wanted)
+  {
+    this->scene = this->prepared->Arrays();
+    this->camera = eye;
+    this->light = lamp;
+    this->settings = wanted;
+    this->backend.Choose(wanted, this->scene.grid);
+  }
+
+  /// Starts the first run.
+  void Begin()
+  {
+    this->history.clear();
+    this->iterations = 0;
+    this->seconds = 0;
+    this->done = false;
+    this->stopped = false;
+    this->settled = true;
+    this->lightRun = false;
+    this->base = Score();
+    this->best = Score();
+    this->judge.reset();
+    this->bestEnergy = Energy();
+    this->lightExtinction = {};
+    if (HasLightExtinction(this->settings))
+    {
+      this->AssignBase(this->lightExtinction); // until the light's own run
+    }
+    const auto start = std::chrono::steady_clock::now();
+    this->problem = this->MakeProblem();
+    RequireReach(this->problem);
+    this->MakeMinimizer(this->FirstIterate());
+    this->seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Does what the backend computes. If another one takes its place, it begins again and comes as
+  /// far as it was first.
+  template <class Work>
+  decltype(auto) OnBackend(const Work& work)
+  {
+    const int made = this->iterations;
+    const bool wasDone = this->done;
+    const bool wasStopped = this->stopped;
+    const auto restore = [&]
+    {
+      this->Begin();
+      while (!this->done && this->iterations < made)
+      {
+        this->Advance(Progress());
+      }
+      if (wasDone && !this->done)
+      {
+        this->stopped = true;
+        this->FinishRun();
+      }
+      this->stopped = wasStopped;
+    };
+    return this->backend.Do(work, restore);
+  }
+
+  /// The next iteration, or the end of a run.
+  void Advance(const Progress& progress)
+  {
+    if (!this->minimizer || this->RunIsOver())
+    {
+      this->FinishRun();
+      return;
+    }
+    this->Iterate(progress);
+  }
+
+  Problem MakeProblem() const
+  {
+    Settings wanted = this->settings;
+    if (this->Minimizes() && wanted.mode == Mode::Separate)
+    {
+      (this->lightRun ? wanted.weights.view : wanted.weights.light) = 0;
+    }
+    Problem made = this->prepared->ProblemFor(this->camera, this->light, wanted);
+    made.forLight = this->lightRun;
+    return made;
+  }
+
+  void AssignBase(FoundExtinction& field) const
+  {
+    const float* baseField = this->scene.baseExtinction;
+    field = std::vector<float>(baseField, baseField + this->scene.grid.NodeCount());
+  }
+
+  /// Empty: the base extinction.
+  std::vector<float> FirstIterate() const
+  {
+    std::vector<float> start = this->initial;
+    const float* baseField = this->scene.baseExtinction;
+    const float* importance = this->problem.importance;
+    const ExtinctionBounds<float> bounds = BoundsOf(this->problem);
+    ParallelFor(static_cast<Index>(start.size()), 65536,
+      [&](Index voxel)
+      {
+        float& value = start[std::size_t(voxel)];
+        const bool empty = !(baseField[voxel] > 0) && !(importance[voxel] > 0);
+        value = empty ? 0.0f : bounds.Clamp(value, importance[voxel], baseField[voxel]);
+      });
+    return start;
+  }
+
+  void MakeMinimizer(std::vector<float> start)
+  {
+    const Weights& weights = this->problem.settings.weights;
+    this->runIterations = 0;
+    this->runSmoothings = 0;
+    this->runFound = false;
+    this->hasIterate = false;
+    const bool weightless = this->Minimizes() && !(weights.view > 0 || weights.light > 0);
+    const bool nothingAtStake = weightless || !this->prepared->SomethingToSee();
+    if (nothingAtStake)
+    {
+      // Only the regularisation is left, whose minimum is the base extinction.
+      this->AssignBase(this->lightRun ? this->lightExtinction : this->extinction);
+      this->minimizer.reset();
+      if (!this->lightRun)
+      {
+        this->base = this->ScoreOf(this->scene.baseExtinction);
+        this->best = this->base;
+        this->bestEnergy.view = -weights.view * this->base.visibility;
+        IterationRecord record;
+        record.energy = this->bestEnergy;
+        record.score = this->base;
+        this->history.push_back(record);
+      }
+      return;
+    }
+    this->minimizer = this->backend->MakeMinimizer(this->problem, std::move(start), this->warm);
+    IterationRecord record = this->minimizer->Start();
+    record.iteration = this->iterations;
+    if (!this->lightRun)
+    {
+      this->base = this->SeesAlong() ? this->minimizer->BaseScore()
+                                     : this->ScoreOf(this->scene.baseExtinction);
+      this->best = this->SeesAlong() ? record.score : this->base;
+      this->bestEnergy = record.energy;
+      record.score = this->Minimizes() ? record.score : this->base;
+    }
+    this->history.push_back(record);
+  }
+
+  bool SeesAlong() const { return limpid::TellsScores(this->problem.settings); }
+
+  /// Whether records have scores.
+  bool KnowsScores() const { return !this->Minimizes() || this->SeesAlong(); }
+
+  /// Whether iterations minimise Eq. (21); else there is one, by a method of another kind.
+  bool Minimizes() const { return InfoOf(this->settings.method).iterates; }
+
+  Score ScoreOf(const float* field) const
+  {
+    if (!this->judge)
+    {
+      auto made = std::make_unique<Judge>();
+      made->problem =
+        this->prepared->ProblemFor(this->camera, this->light, ForScores(this->settings));
+      made->sweeps = this->backend->SweepsFrom(made->problem, made->problem.camera);
+      this->judge = std::move(made);
+    }
+    return this->judge->sweeps->ScoreOf(field);
+  }
+
+  const std::vector<float>& Extinction() const
+  {
+    return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction.OnHost();
+  }
+
+  void FindTransmittance(bool ofLight, float* transmittance) const
+  {
+    const bool other = ofLight && HasLightExtinction(this->settings);
+    const std::vector<float>& field = other ? this->LightExtinction() : this->Extinction();
+    this->backend->FindTransmittance(this->problem,
+      ofLight ? this->problem.light : this->problem.camera,
+      std::max(this->settings.rayDensity, transmittanceRayDensity), field.data(), transmittance);
+  }
+
+  ExtinctionOnDevice OnDevice(bool ofLight) const
+  {
+    if (this->minimizer && this->lightRun == ofLight)
+    {
+      return this->minimizer->BestOnDevice();
+    }
+    const DeviceResult* result = (ofLight ? this->lightExtinction : this->extinction).OnDevice();
+    return result ? result->Fields() : ExtinctionOnDevice();
+  }
+
+  const std::vector<float>& LightExtinction() const
+  {
+    return this->minimizer && this->lightRun ? this->minimizer->Best()
+                                             : this->lightExtinction.OnHost();
+  }
+
+  int SmoothingLimit() const
+  {
+    const bool smooths = this->Minimizes() && this->settings.smoothness > 0;
+    return smooths && this->minimizer->IterationLimit() > 0 ? smoothingSweeps : 0;
+  }
+
+  double Share() const
+  {
+    const double limit = this->minimizer->IterationLimit() + this->SmoothingLimit();
+    return std::min(1.0, (this->runIterations + this->runSmoothings) / std::max(1.0, limit));
+  }
+
+  /// Whether the optimum is found, or nearly, if smoothing follows, which goes on minimising.
+  bool IsFound() const
+  {
+    return this->runFound || this->runIterations >= this->minimizer->IterationLimit();
+  }
+
+  bool RunIsOver() const
+  {
+    return this->IsFound() && this->runSmoothings >= this->SmoothingLimit();
+  }
+
+  IterationRecord NextRecord()
+  {
+    if (this->IsFound())
+    {
+      ++this->runSmoothings;
+      return this->minimizer->Smooth();
+    }
+    ++this->runIterations;
+    const IterationRecord record = this->minimizer->Iterate();
+    this->runFound =
+      this->SmoothingLimit() > 0 ? this->minimizer->IsNear() : this->minimizer->Converged();
+    return record;
+  }
+
+  void Iterate(const Progress& progress)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    IterationRecord record = this->NextRecord();
+    if (!this->Minimizes() && !this->lightRun)
+    {
+      this->Judged(record);
+    }
+    ++this->iterations;
+    this->seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    record.iteration = this->iterations;
+    record.seconds = this->seconds;
+    this->history.push_back(record);
+    this->hasIterate = this->hasIterate || record.level == 0;
+    const bool better =
+      record.isResult || (record.level == 0 && record.energy.Total() < this->bestEnergy.Total());
+    if (better && !this->lightRun)
+    {
+      this->bestEnergy = record.energy;
+      this->best = this->KnowsScores() ? std::optional<Score>(record.score) : std::nullopt;
+    }
+    if (progress && !progress(this->Share(), this->Describe(record)))
+    {
+      this->stopped = true;
+    }
+    const bool late =
+      this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds;
+    if (this->stopped || late || this->RunIsOver())
+    {
+      this->FinishRun();
+    }
+  }
+
+  /// The energy counts what the method shows, by its own measure.
+  void Judged(IterationRecord& record) const
+  {
+    record.score = this->ScoreOf(this->minimizer->Best().data());
+    record.energy.view = -this->settings.weights.view * record.score.visibility; // Eq. (23)
+  }
+
+  std::string Describe(const IterationRecord& record) const
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "Iteration " << record.iteration;
+    if (record.level > 0)
+    {
+      text << " at 1/" << (1 << record.level) << " resolution";
+    }
+    if (!this->lightRun && this->KnowsScores())
+    {
+      text << ": " << 100 * record.score.fraction << " % of the important structures visible";
+    }
+    return text.str();
+  }
+
+  void FinishRun()
+  {
+    FoundExtinction& result = this->lightRun ? this->lightExtinction : this->extinction;
+    if (this->minimizer)
+    {
+      this->settled = this->settled && this->runFound;
+      result = this->minimizer->TakeResult();
+      this->minimizer.reset();
+    }
+    const bool lightFollows = HasLightExtinction(this->settings) && !this->lightRun;
+    if (!lightFollows || this->stopped)
+    {
+      this->done = true;
+      return;
+    }
+    this->lightRun = true;
+    this->problem = this->MakeProblem();
+    this->MakeMinimizer(this->FirstIterate());
+    this->done = !this->minimizer;
+  }
+};
+}
+
+#endif
