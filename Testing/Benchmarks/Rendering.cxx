@@ -98,6 +98,12 @@ struct PictureTime
   double cpuSeconds; ///< of all threads: another program on the machine adds less to it
 };
 
+/// Of all threads, since std::clock() was asked [s].
+double CpuSecondsSince(std::clock_t before)
+{
+  return double(std::clock() - before) / CLOCKS_PER_SEC;
+}
+
 PictureTime TimeOf(Renderer& renderer, const View& view, int repeats)
 {
   Picture picture;
@@ -109,7 +115,7 @@ PictureTime TimeOf(Renderer& renderer, const View& view, int repeats)
     Stopwatch watch;
     const std::clock_t before = std::clock();
     renderer.Render(view, picture);
-    cpuSeconds.push_back(double(std::clock() - before) / CLOCKS_PER_SEC);
+    cpuSeconds.push_back(CpuSecondsSince(before));
     seconds.push_back(watch.Lap());
   }
   return { Median(seconds), Median(cpuSeconds) };
@@ -190,8 +196,7 @@ Json TimeMethods(const Drawable& drawable, int repeats)
       renderers[std::size_t(method)].Render(view, picture);
       if (repeat >= 0) // the first picture warms up
       {
-        rounds[InfoOf(static_cast<Method>(method)).name].push_back(
-          double(std::clock() - before) / CLOCKS_PER_SEC);
+        rounds[InfoOf(static_cast<Method>(method)).name].push_back(CpuSecondsSince(before));
       }
     }
   }

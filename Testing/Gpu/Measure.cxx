@@ -79,7 +79,7 @@ Json MeasureIterations(const Prepared& prepared, const Traffic& traffic, const E
   const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
   std::vector<double> seconds;
   double total = 0;
-  const auto run = [&](const auto& iterate)
+  const auto run = [&](LaunchTimes* times)
   {
     const std::unique_ptr<Minimizer> minimizer = prepared.Begin(*backend);
     minimizer->Start();
@@ -88,36 +88,29 @@ Json MeasureIterations(const Prepared& prepared, const Traffic& traffic, const E
          seconds.size() < wanted && (total < effort.mostSeconds || n <= warmUps);
          ++n)
     {
-      n < warmUps ? void(minimizer->Iterate()) : iterate(*minimizer);
+      device->Time(n < warmUps ? nullptr : times);
+      Stopwatch watch;
+      minimizer->Iterate();
+      device->Wait();
+      if (n >= warmUps)
+      {
+        seconds.push_back(watch.Lap());
+        total += seconds.back();
+      }
     }
-  };
-  const auto timed = [&](Minimizer& minimizer)
-  {
-    Stopwatch watch;
-    minimizer.Iterate();
-    device->Wait();
-    seconds.push_back(watch.Lap());
-    total += seconds.back();
+    device->Time(nullptr);
   };
   for (std::size_t before = 0; seconds.empty() || before < seconds.size();)
   {
     before = seconds.size();
-    run(timed);
+    run(nullptr);
   }
   Json result = FigureOf(seconds);
-  LaunchTimes times;
-  int taken = 0;
   seconds.clear();
   total = 0;
-  run(
-    [&](Minimizer& minimizer)
-    {
-      device->Time(&times);
-      minimizer.Iterate();
-      device->Time(nullptr);
-      ++taken;
-    });
-  result["parts"] = PartsOf(times, taken, traffic);
+  LaunchTimes times;
+  run(&times);
+  result["parts"] = PartsOf(times, double(seconds.size()), traffic);
   result["device_memory"] = device->PeakBytes();
   return result;
 }

@@ -48,6 +48,30 @@ void ExpectItCounts(const std::shared_ptr<TestedDevice>& device)
   }
 }
 
+/// A scene to optimise.
+struct Onion
+{
+  BoxScene scene;
+  PreparedScene prepared;
+  Problem problem;
+
+  explicit Onion(int nodes)
+    : scene(Filled(nodes))
+    , prepared(this->scene.Fields())
+    , problem(
+        this->prepared.ProblemFor(this->scene.camera, this->scene.light, this->scene.settings))
+  {
+  }
+
+private:
+  static BoxScene Filled(int nodes)
+  {
+    BoxScene scene = BoxScene::Cube(nodes);
+    scene.FillOnion();
+    return scene;
+  }
+};
+
 std::string MessageOf(const std::shared_ptr<TestedDevice>& device, std::size_t bytes)
 {
   try
@@ -139,14 +163,13 @@ TEST(CudaDevice, SaysWhatDoesNotFit)
 
 TEST(CudaDevice, SurvivesAnOptimizationThatDoesNotFit)
 {
-  BoxScene scene = BoxScene::Cube(96);
-  scene.FillOnion();
-  PreparedScene prepared(scene.Fields());
-  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const Onion onion(96);
   const auto device = MakeTestedDevice();
   const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
   const auto begin = [&]
-  { return backend->MakeMinimizer(problem, std::vector<float>(scene.extinction), false); };
+  {
+    return backend->MakeMinimizer(onion.problem, std::vector<float>(onion.scene.extinction), false);
+  };
   {
     const std::vector<Bytes> all = TakeAll(device);
     const std::size_t taken = device->Bytes();
@@ -159,15 +182,12 @@ TEST(CudaDevice, SurvivesAnOptimizationThatDoesNotFit)
 
 TEST(CudaDevice, GivesTheSameBitsEachTime)
 {
-  BoxScene scene = BoxScene::Cube(48);
-  scene.FillOnion();
-  PreparedScene prepared(scene.Fields());
-  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const Onion onion(48);
   const auto device = MakeTestedDevice();
   const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
   const auto run = [&]
   {
-    const std::unique_ptr<Minimizer> minimizer = backend->MakeMinimizer(problem, {}, false);
+    const std::unique_ptr<Minimizer> minimizer = backend->MakeMinimizer(onion.problem, {}, false);
     minimizer->Start();
     for (int n = 0; n < 5; ++n)
     {

@@ -32,6 +32,11 @@ std::string Obstacle(std::size_t bytes)
 }
 }
 
+std::string CpuWithoutCuda(const std::string& reason)
+{
+  return CpuName() + " (no CUDA: " + reason + ")";
+}
+
 BackendChoice ChooseBackend(BackendKind wish, std::size_t bytes)
 {
   if (wish == BackendKind::Cpu)
@@ -46,6 +51,6 @@ BackendChoice ChooseBackend(BackendKind wish, std::size_t bytes)
   {
     return { true, "CUDA, " + FindCuda().name };
   }
-  return { false, CpuName() + " (no CUDA: " + obstacle + ")" };
+  return { false, CpuWithoutCuda(obstacle) };
 }
 }

@@ -40,6 +40,9 @@ struct BackendChoice
   std::string name; ///< one line for the user: what it is and, for Auto, why
 };
 
+/// One line for the user: the processor, and why it is not CUDA.
+std::string CpuWithoutCuda(const std::string& reason);
+
 /// `bytes`: what is needed on the GPU. Throws limpid::Error if CUDA was asked for and cannot be
 /// had.
 BackendChoice ChooseBackend(BackendKind wish, std::size_t bytes);

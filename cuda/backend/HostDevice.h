@@ -226,6 +226,18 @@ public:
     HostDevice::Download(to, from, bytes);
   }
 
+  void Copy(void* to, const void* from, std::size_t bytes)
+  {
+    this->MayFail("copy");
+    HostDevice::Copy(to, from, bytes);
+  }
+
+  void SetZero(void* memory, std::size_t bytes)
+  {
+    this->MayFail("set to zero");
+    HostDevice::SetZero(memory, bytes);
+  }
+
   template <class Body>
   void ForEach(const char* label, const Extent& extent, const Body& body)
   {

@@ -44,6 +44,7 @@ template <class Input, class Output>
 struct GradientKernel
 {
   static constexpr const char* label = "derivative";
+  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
 
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]
@@ -93,12 +94,6 @@ struct GradientKernel
         this->Carry(rays);
       }
     }
-  }
-
-  /// What voxels read of the importance behind, per ray.
-  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
-  {
-    return rays.behind;
   }
 
   template <class Voxels>

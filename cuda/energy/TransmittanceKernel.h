@@ -16,6 +16,7 @@ template <class Input, class Output>
 struct TransmittanceKernel
 {
   static constexpr const char* label = "transmittance";
+  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
 
   Input extinction;     ///< [1/length]
   Output transmittance; ///< [0, 1]
@@ -48,12 +49,6 @@ struct TransmittanceKernel
       rays.EnterLayer(s, true);
       rays.ForEachInLayer(DeepenStep{ rays.States() });
     }
-  }
-
-  /// What voxels read of the importance behind, per ray.
-  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
-  {
-    return rays.behind;
   }
 
   template <class Voxels>

@@ -58,6 +58,7 @@ template <class Input, class Output>
 struct BehindKernel
 {
   static constexpr const char* label = "importance behind nodes";
+  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
 
   Input field; ///< [1/length]
   Output behind;
@@ -81,12 +82,6 @@ struct BehindKernel
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void LeaveStep(Rays&) const
   {
-  }
-
-  /// What voxels read of the importance behind, per ray.
-  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
-  {
-    return rays.behind;
   }
 
   template <class Voxels>

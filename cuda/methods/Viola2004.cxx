@@ -105,6 +105,7 @@ template <class Output>
 struct ClipKernel
 {
   static constexpr const char* label = "clipped extinction";
+  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
 
   Output extinction; ///< in: the base [1/length]
   const RayObject* objects;
@@ -131,12 +132,6 @@ struct ClipKernel
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void LeaveStep(Rays&) const
   {
-  }
-
-  /// What voxels read of the importance behind, per ray.
-  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays)
-  {
-    return rays.behind;
   }
 
   template <class Voxels>

@@ -46,7 +46,7 @@ bool ChosenBackend::GiveUpGpu(const std::string& reason)
     return false;
   }
   this->Solvers = ProcessorBackend().MakeSolverBackend();
-  this->Line = ChooseBackend(BackendKind::Cpu, 0).name + " (no CUDA: " + reason + ")";
+  this->Line = CpuWithoutCuda(reason);
   this->OnGpu = false;
   this->GpuFailed = true;
   return true;

@@ -44,8 +44,11 @@ public:
   {
   }
 
-  /// Null: it is on the host alone.
-  const DeviceResult* OnDevice() const { return this->There.get(); }
+  /// Nulls: it is on the host alone.
+  ExtinctionOnDevice OnDevice() const
+  {
+    return this->There ? this->There->Fields() : ExtinctionOnDevice();
+  }
 
   /// Empty: nothing was found. A device that has it is asked once.
   const std::vector<float>& OnHost() const

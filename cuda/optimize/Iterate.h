@@ -46,6 +46,16 @@ void PrepareIterate(const std::shared_ptr<AnyDevice>& device, const Problem& pro
   }
 }
 
+/// A field of a device in the memory of the host. Waits.
+template <class AnyDevice>
+std::vector<float> OnHost(AnyDevice& device, const float* field, Index count)
+{
+  std::vector<float> values = RoomFor(count);
+  values.resize(static_cast<std::size_t>(count));
+  device.Download(values.data(), field, values.size() * sizeof(float));
+  return values;
+}
+
 /// An iterate that was found on a device; empty: the base extinction.
 template <class AnyDevice>
 class ResultOn : public DeviceResult
@@ -67,10 +77,8 @@ public:
 
   std::vector<float> Download() const override
   {
-    std::vector<float> values = RoomFor(static_cast<Index>(this->Given->base.Size()));
-    values.resize(this->Given->base.Size());
-    this->Device->Download(values.data(), this->Fields().extinction, values.size() * sizeof(float));
-    return values;
+    return OnHost(
+      *this->Device, this->Fields().extinction, static_cast<Index>(this->Given->base.Size()));
   }
 
 private:

@@ -179,10 +179,8 @@ public:
   {
     if (this->OnHost.empty())
     {
-      this->OnHost = RoomFor(this->Given->grid.NodeCount());
-      this->OnHost.resize(static_cast<std::size_t>(this->Given->grid.NodeCount()));
-      this->Device->Download(this->OnHost.data(), this->Iterates[this->BestOf].values,
-        this->OnHost.size() * sizeof(float));
+      this->OnHost = limpid::OnHost(
+        *this->Device, this->Iterates[this->BestOf].values, this->Given->grid.NodeCount());
     }
     return this->OnHost;
   }

@@ -72,6 +72,7 @@ template <class Input, class Output>
 struct PolicyKernel
 {
   static constexpr const char* label = "policy sweep";
+  static constexpr auto seenBehind = &RayStates::ahead; ///< what voxels read
 
   Input base;           ///< [1/length]
   Input importance;     ///< [0, 1]
@@ -135,9 +136,6 @@ struct PolicyKernel
       this->Carry(rays, s);
     }
   }
-
-  /// What voxels read of the importance behind, per ray.
-  LIMPID_HD static LIMPID_INLINE const float* BehindOf(const RayStates& rays) { return rays.ahead; }
 
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void VoxelStep(Voxels& voxels, const typename Voxels::Rays& rays) const

@@ -318,10 +318,8 @@ ShownOnDevice Progressive::OnDevice() const
   }
   else if (state.shown == Shown::Kept)
   {
-    const auto fieldsOf = [](const FoundExtinction& kept)
-    { return kept.OnDevice() ? kept.OnDevice()->Fields() : ExtinctionOnDevice(); };
-    found = fieldsOf(state.kept[0]);
-    ofLight = state.keptForLight ? fieldsOf(state.kept[1]) : found;
+    found = state.kept[0].OnDevice();
+    ofLight = state.keptForLight ? state.kept[1].OnDevice() : found;
   }
   return ofLight.extinction ? ShownOnDevice{ found, ofLight.extinction } : ShownOnDevice();
 }

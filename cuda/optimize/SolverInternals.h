@@ -250,8 +250,7 @@ struct Solver::Internals
     {
       return this->minimizer->BestOnDevice();
     }
-    const DeviceResult* result = (ofLight ? this->lightExtinction : this->extinction).OnDevice();
-    return result ? result->Fields() : ExtinctionOnDevice();
+    return (ofLight ? this->lightExtinction : this->extinction).OnDevice();
   }
 
   const std::vector<float>& LightExtinction() const

@@ -80,8 +80,10 @@ public:
     if (this->Means.Empty())
     {
       const Index count = MadeHat::CountOf(this->Addresses);
-      this->Means = { this->Device, std::size_t(count), "the plan of a sweep" };
-      this->Device->ForIndices("plan", count, MadeHat{ this->Addresses, this->Means.Data() });
+      DeviceArray<AnyDevice, HatOfVoxel> hats(
+        this->Device, std::size_t(count), "the plan of a sweep");
+      this->Device->ForIndices("plan", count, MadeHat{ this->Addresses, hats.Data() });
+      this->Means = std::move(hats); // not before they are there
     }
     return this->Means.Data();
   }

@@ -101,10 +101,12 @@ struct SlabImages
     this->density = room + 2 * slices * this->rays;
   }
 
-  /// `behind`: importance behind [scale^2].
-  LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayStates& here, float behind) const
+  /// Takes what voxels read of a ray.
+  template <class Kernel>
+  LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayStates& here) const
   {
     const Index at = this->First(s) + ray;
+    const float behind = *(here.*Kernel::seenBehind);
     this->seen[at] = { *here.transmittance, *here.transmittance * behind };
     this->density[at] = *here.density;
   }
@@ -182,7 +184,7 @@ struct BackToFront
     for (int s = slices.end; s-- > slices.begin;)
     {
       kernel.RayStep(ray, s);
-      images.Take(s, index, here.States(), *Kernel::BehindOf(here.States()));
+      images.Take<Kernel>(s, index, here.States());
     }
     if (slices.begin == frustum.firstNodeSlice)
     {
@@ -223,7 +225,7 @@ struct FrontToBack
     for (int s = slices.begin; s < slices.end; ++s)
     {
       kernel.RayStep(ray, s, Range<int>{});
-      images.Take(s, index, here.States(), *Kernel::BehindOf(here.States()));
+      images.Take<Kernel>(s, index, here.States());
     }
   }
 };
@@ -354,7 +356,7 @@ struct BackwardPhases
     if (s >= this->frustum.firstNodeSlice)
     {
       this->kernel.RayStep(ray, s);
-      this->images.Take(s, index, here, *Kernel::BehindOf(here));
+      this->images.Take<Kernel>(s, index, here);
       return;
     }
     this->kernel.LeaveStep(ray);

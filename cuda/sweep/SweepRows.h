@@ -105,7 +105,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   ParallelFor(frustum.RayCount(), 8192, StartBehind{ states });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
-  const RaysBeside beside{ states.transmittance, states.density, Kernel::BehindOf(states) };
+  const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
   const auto forRays = [&](const auto& step)
   {
     ParallelFor(frustum.rows, rowsPerTask,
@@ -162,7 +162,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
   ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
   FieldWindows windows(rays, nullptr);
   const auto rowKernel = kernel.With(windows);
-  const RaysBeside beside{ states.transmittance, states.density, Kernel::BehindOf(states) };
+  const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
   for (const Range<int>& slab : SlabsOf(frustum))
   {
