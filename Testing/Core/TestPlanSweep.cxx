@@ -5,7 +5,9 @@
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
+#include "backend/HostDevice.h"
 #include "sweep/PlanSweep.h"
+#include "sweep/SweepTiles.h"
 
 #include <gtest/gtest.h>
 
@@ -161,6 +163,36 @@ bool AnyNear(const PlannedFrustum& frustum, const std::vector<bool>& rays, int c
   }
   return false;
 }
+
+/// What is swept in tiles does not matter to where they are.
+struct Nothing
+{
+};
+
+/// Whether all voxels of slice `s` along one axis that the rays read are among those `found`, as
+/// far as they are `owned`.
+bool FindsAll(const FaceFrustum& plan, const MapTable& planes, int s, const Range<int>& rays,
+  const Range<int>& owned, const Range<int>& found)
+{
+  for (int layer = std::max(s - 1, 0); layer <= std::min(s, plan.lastSlice - 1); ++layer)
+  {
+    for (int ray = rays.begin; ray < rays.end; ++ray)
+    {
+      for (const int half : { 0, 1 })
+      {
+        const int first = plan.Row(planes, 2 * layer + half).index[ray];
+        for (const int node : { first, first + 1 })
+        {
+          if (owned.Contains(node) && !found.Contains(node))
+          {
+            return false;
+          }
+        }
+      }
+    }
+  }
+  return true;
+}
 }
 
 // What a ray meets in a layer matters if there is something important there or behind, on the ray
@@ -292,6 +324,47 @@ TEST_P(PlanOf, KnowsWhereTheRaysOfVoxelsEnterTheBox)
           (std::abs(rays.eye) + frustum.nodesU) / std::abs(fromEye);
         ASSERT_WITHIN(entry, std::max(expected, -1e30),
           Roundoff<float>(2, expected) + Roundoff<double>(16, size));
+      }
+    }
+  }
+}
+
+// So that a tile waits for no other; and every voxel is found by one of them at least.
+TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
+{
+  std::vector<FrustumRays<SimulatedDevice>> moved =
+    PlanRays(SimulatedDevice::Shared(), this->scene.grid, this->scene.MakeOccupancy(),
+      GetParam().eye, { GetParam().rayDensity, GetParam().placement });
+  for (FrustumRays<SimulatedDevice>& rays : moved)
+  {
+    const FaceFrustum& plan = rays.Plan();
+    const detail::BackwardTiles<Nothing> tiles(rays, {});
+    for (int phase = 1; phase < tiles.PhaseCount(); ++phase)
+    {
+      const int s = plan.lastSlice - phase + 1;
+      const Slice& slice = plan.SliceAt(s);
+      std::vector<int> finders(std::size_t(plan.nodesU) * std::size_t(plan.nodesV), 0);
+      for (int number = 0; number < tiles.TileCount(); ++number)
+      {
+        const auto tile = tiles.TileAt(phase, number);
+        ASSERT_TRUE(
+          FindsAll(plan, plan.planeColumns, s, tile.columns, slice.ownedColumns, tile.voxelsOfU));
+        ASSERT_TRUE(FindsAll(plan, plan.planeRows, s, tile.rows, slice.ownedRows, tile.voxelsOfV));
+        for (int v = tile.voxelsOfV.begin; v < tile.voxelsOfV.end; ++v)
+        {
+          for (int u = tile.voxelsOfU.begin; u < tile.voxelsOfU.end; ++u)
+          {
+            ++finders[std::size_t(v * plan.nodesU + u)];
+          }
+        }
+      }
+      for (int v = 0; v < plan.nodesV; ++v)
+      {
+        for (int u = 0; u < plan.nodesU; ++u)
+        {
+          const bool owned = slice.ownedColumns.Contains(u) && slice.ownedRows.Contains(v);
+          ASSERT_EQ(finders[std::size_t(v * plan.nodesU + u)] > 0, owned) << u << " " << v;
+        }
       }
     }
   }

@@ -39,6 +39,11 @@ def registers(path):
             re.findall(r"Function (\S+):\s+REG:(\d+)", text)}
 
 
+def counts(parts):
+    """What happens how often: the processor's times say nothing about a GPU."""
+    return [{key: value for key, value in part.items() if key != "seconds"} for part in parts]
+
+
 def kernel(name, codes, used):
     row = {"kernel": name, "instructions": len(codes), "registers": used}
     for kind, starts in KINDS.items():
@@ -57,7 +62,7 @@ def main():
     measured = {
         "date": time.strftime("%Y-%m-%d"), "scene": scene["scene"], "nodes": scene["nodes"],
         "compiler": re.search(r"release [\d.]+", version.stdout).group(),
-        "iteration": scene["policy"]["parts"], "frame": scene["frame"]["parts"],
+        "iteration": counts(scene["policy"]["parts"]), "frame": counts(scene["frame"]["parts"]),
         "iterations": scene["frame"]["iterations"],
         "kernels": [kernel(name, codes[name], used[name]) for name in sorted(codes)]}
     with open(output, "w", encoding="utf-8") as file:

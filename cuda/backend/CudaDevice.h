@@ -91,6 +91,38 @@ __global__ void VisitPhases(const int phases, const Body body)
     }
   }
 }
+
+template <class Body>
+__global__ void VisitTiles(const int phases, const Body body)
+{
+  const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
+  const int tiles = body.TileCount();
+  for (int phase = 0; phase < phases; ++phase)
+  {
+    if (phase > 0)
+    {
+      grid.sync();
+    }
+    for (int number = static_cast<int>(blockIdx.x); number < tiles;
+         number += static_cast<int>(gridDim.x))
+    {
+      const auto tile = body.TileAt(phase, number);
+      for (int step = 0; step < tile.steps; ++step)
+      {
+        if (step > 0)
+        {
+          __syncthreads();
+        }
+        const Extent extent = tile.ExtentOf(step);
+        for (int item = static_cast<int>(threadIdx.x); item < extent.columns * extent.rows;
+             item += static_cast<int>(blockDim.x))
+        {
+          tile(step, item % extent.columns, item / extent.columns);
+        }
+      }
+    }
+  }
+}
 }
 
 #define LIMPID_CUDA(call) ::limpid::detail::RequireCuda((call), #call)
@@ -198,20 +230,19 @@ public:
   template <class Body>
   void ForPhases(const char* label, int phases, const Body& body)
   {
-    this->Use();
-    const dim3 block = BlockOf();
-    int blocksPerProcessor = 0;
-    LIMPID_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
-      &blocksPerProcessor, detail::VisitPhases<Body>, static_cast<int>(block.x * block.y), 0));
-    const dim3 grid(static_cast<unsigned>(blocksPerProcessor * this->Processors));
-    int count = phases;
-    Body copy = body;
-    void* arguments[] = { &count, &copy };
-    const Timed timed(*this, { label, 0, phases - 1 });
-    detail::RequireCuda(
-      cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(&detail::VisitPhases<Body>), grid,
-        block, arguments, 0, this->Stream),
-      label);
+    this->LaunchResident(
+      { label, 0, phases - 1 }, &detail::VisitPhases<Body>, BlockOf(), phases, body);
+  }
+
+  /// Phases in order, tile by tile, in any order: of each, its steps in order, like ForEach over
+  /// tile.ExtentOf(step) of tile(step, column, row), where tile is body.TileAt(phase, number). A
+  /// step sees what the tile's steps before and all phases before have written. Tiles of a phase
+  /// may write the same to the same place. One launch.
+  template <class Body>
+  void ForTiles(const char* label, int phases, const Body& body)
+  {
+    this->LaunchResident({ label, 0, phases - 1 }, &detail::VisitTiles<Body>,
+      dim3(Body::tile.columns * Body::tile.rows), phases, body);
   }
 
 private:
@@ -219,6 +250,23 @@ private:
   void Use() const;
 
   static dim3 BlockOf() { return dim3(32, 4); }
+
+  /// Launches as many blocks as can wait for each other.
+  template <class Body>
+  void LaunchResident(
+    const Launch& launch, void (*kernel)(int, Body), const dim3& block, int phases, Body body)
+  {
+    this->Use();
+    int blocksPerProcessor = 0;
+    LIMPID_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
+      &blocksPerProcessor, kernel, static_cast<int>(block.x * block.y), 0));
+    const dim3 grid(static_cast<unsigned>(blocksPerProcessor * this->Processors));
+    void* arguments[] = { &phases, &body };
+    const Timed timed(*this, launch);
+    detail::RequireCuda(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(kernel), grid,
+                          block, arguments, 0, this->Stream),
+      launch.label);
+  }
 
   /// Blocks of a launch whose threads take turns if there are more indices than that.
   unsigned BlocksFor(Index count) const

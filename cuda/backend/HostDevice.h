@@ -130,6 +130,29 @@ public:
     }
   }
 
+  /// Phases in order, tile by tile, in any order: of each, its steps in order, like ForEach over
+  /// tile.ExtentOf(step) of tile(step, column, row), where tile is body.TileAt(phase, number). A
+  /// step sees what the tile's steps before and all phases before have written. Tiles of a phase
+  /// may write the same to the same place, so that they take turns here, now in this order and now
+  /// in that.
+  template <class Body>
+  void ForTiles(const char* label, int phases, const Body& body)
+  {
+    const Timed timed(this->Times, { label, 0, phases - 1 });
+    const int tiles = body.TileCount();
+    for (int phase = 0; phase < phases; ++phase)
+    {
+      for (int number = 0; number < tiles; ++number)
+      {
+        const auto tile = body.TileAt(phase, phase % 2 == 0 ? number : tiles - 1 - number);
+        for (int step = 0; step < tile.steps; ++step)
+        {
+          Visit(tile.ExtentOf(step), [&](int column, int row) { tile(step, column, row); });
+        }
+      }
+    }
+  }
+
 private:
   /// Adds its own lifetime.
   class Timed
@@ -264,6 +287,13 @@ public:
   {
     this->MayFail(label);
     HostDevice::ForPhases(label, phases, body);
+  }
+
+  template <class Body>
+  void ForTiles(const char* label, int phases, const Body& body)
+  {
+    this->MayFail(label);
+    HostDevice::ForTiles(label, phases, body);
   }
 
 private:

@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // How a device sweeps: launch by launch, a thread for every ray or voxel. A kernel says what
-// happens to them; SweepRows.h sweeps the same kernels on the processor.
+// happens to them; SweepRows.h sweeps the same kernels on the processor. SweepTiles.h is for those
+// whose rays depend on the voxels behind.
 
 #ifndef limpid_sweep_SweepLaunches_h
 #define limpid_sweep_SweepLaunches_h
 
 #include "backend/Extent.h"
-#include "sweep/FrustumRays.h"
 #include "sweep/RaySampler.h"
-#include "sweep/VoxelSampler.h"
-
-#include <algorithm>
+#include "sweep/SlabImages.h"
 
 namespace limpid
 {
-/// Slices that rays cross between one wait and the next. So few that the images of two slabs stay
-/// in the second-level cache of a large GPU (30 MB at 256^3).
-constexpr int slicesPerSlab = 4;
-
 namespace detail
 {
 /// What one ray carries, in registers.
@@ -74,54 +68,6 @@ struct RayHere
     *ray.keptVisible = this->keptVisible;
     *ray.keptUnattenuated = this->keptUnattenuated;
   }
-};
-
-/// Images of the rays on the slices of two slabs, that of the rays and the one before it, which
-/// voxels read.
-struct SlabImages
-{
-  static constexpr int slices = 2 * slicesPerSlab;
-
-  SeenOfRay* seen;
-  float* density;
-  const HatOfVoxel* hats; ///< see MadeHat
-  Index rays;
-  int nodesU;
-  int nodesV;
-
-  template <class AnyDevice>
-  explicit SlabImages(FrustumRays<AnyDevice>& frustum)
-    : hats(frustum.Hats())
-    , rays(frustum.Plan().RayCount())
-    , nodesU(frustum.Plan().nodesU)
-    , nodesV(frustum.Plan().nodesV)
-  {
-    float* room = frustum.ImageRoom(std::size_t(3 * slices * this->rays));
-    this->seen = reinterpret_cast<SeenOfRay*>(room);
-    this->density = room + 2 * slices * this->rays;
-  }
-
-  /// Takes what voxels read of a ray.
-  template <class Kernel>
-  LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayStates& here) const
-  {
-    const Index at = this->First(s) + ray;
-    const float behind = *(here.*Kernel::seenBehind);
-    this->seen[at] = { *here.transmittance, *here.transmittance * behind };
-    this->density[at] = *here.density;
-  }
-
-  /// What voxels of slice `s` read.
-  LIMPID_HD LIMPID_INLINE SliceImages At(int s) const
-  {
-    const HatOfVoxel* columnHats = this->hats + Index(s) * (this->nodesU + this->nodesV);
-    return { this->seen + this->First(s), this->density + this->First(s), columnHats,
-      columnHats + this->nodesU };
-  }
-
-private:
-  /// Slabs are neighbours, so that this tells the slices of one from those of the other.
-  LIMPID_HD LIMPID_INLINE Index First(int s) const { return (s % slices) * this->rays; }
 };
 
 /// A ray through all layers, front to back.
@@ -310,68 +256,6 @@ private:
   }
 };
 
-/// Back to front, two phases per slice: first all rays move to it through the voxels behind, then
-/// its own voxels are visited. In a last phase the rays leave the volume.
-template <class Kernel>
-struct BackwardPhases
-{
-  FaceFrustum frustum;
-  RayStates states;
-  Kernel kernel;
-  SlabImages images;
-
-  int PhaseCount() const
-  {
-    return 2 * (this->frustum.SliceCount() - this->frustum.firstNodeSlice) + 1;
-  }
-
-  LIMPID_HD LIMPID_INLINE Extent ExtentOf(int phase) const
-  {
-    if (IsOfRays(phase))
-    {
-      return { this->frustum.columns, this->frustum.rows };
-    }
-    const Slice& slice = this->frustum.SliceAt(this->SliceOf(phase));
-    return { slice.ownedColumns.Length(), slice.ownedRows.Length() };
-  }
-
-  LIMPID_HD LIMPID_INLINE void operator()(int phase, int column, int row) const
-  {
-    const int s = this->SliceOf(phase);
-    if (!IsOfRays(phase))
-    {
-      const Slice& slice = this->frustum.SliceAt(s);
-      VoxelSampler voxel(
-        this->frustum, s, slice.ownedColumns.begin + column, slice.ownedRows.begin + row);
-      this->kernel.VoxelStep(voxel, this->images.At(s));
-      return;
-    }
-    const Index index = this->frustum.RayAt(column, row);
-    const RayStates here = this->states.From(index);
-    if (phase == 0)
-    {
-      StartBehind{ here }(0);
-    }
-    RaySampler ray(this->frustum, here, column, row);
-    if (s >= this->frustum.firstNodeSlice)
-    {
-      this->kernel.RayStep(ray, s);
-      this->images.Take<Kernel>(s, index, here);
-      return;
-    }
-    this->kernel.LeaveStep(ray);
-    FinishBehind{ here }(0);
-  }
-
-private:
-  LIMPID_HD static LIMPID_INLINE bool IsOfRays(int phase) { return phase % 2 == 0; }
-
-  LIMPID_HD LIMPID_INLINE int SliceOf(int phase) const
-  {
-    return this->frustum.lastSlice - phase / 2;
-  }
-};
-
 inline Extent ExtentOfRays(const FaceFrustum& frustum)
 {
   return { frustum.columns, frustum.rows };
@@ -403,16 +287,6 @@ void SweepBackward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
 {
   detail::SweepSlabs<detail::BackToFront>(device, rays, kernel);
-}
-
-/// Back to front over all slices of voxels, slice by slice: the rays may depend on the voxels
-/// behind.
-template <class AnyDevice, class Kernel>
-void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
-{
-  const detail::BackwardPhases<Kernel> phases{ rays.Plan(), rays.States(), kernel,
-    detail::SlabImages(rays) };
-  device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 
 /// Front to back over all slices, the source's own included.

@@ -8,5 +8,6 @@
 
 #include "sweep/SweepLaunches.h"
 #include "sweep/SweepRows.h"
+#include "sweep/SweepTiles.h"
 
 #endif
