@@ -9,10 +9,8 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
-#include "backend/ComputeBackend.h"
 #include "backend/Interruption.h"
-#include "optimize/Levels.h"
-#include "render/RenderBackend.h"
+#include "math/Require.h"
 
 #include <algorithm>
 #include <array>
@@ -24,20 +22,18 @@ namespace limpid
 {
 namespace
 {
-// Shares of a moving frame's time: shadows get the first one at most, the rays what the
-// optimisation and the shadows have left, but never less than the second one.
-constexpr double ShadowShare = 0.25;
+// Shares of a moving frame's time: the rays get what the optimisation and the shadows have left,
+// but never less than this.
 constexpr double LeastRayShare = 0.3;
-
-// Rays of the shadow volume per voxel and axis.
-constexpr double StillShadowDensity = 3;
-constexpr double MovingShadowDensity = 1;
-
-// How coarse the shadows of moving frames may be, see Renderer::SetShadowCoarseness.
-constexpr std::array<int, 7> Coarsenesses{ { 1, 2, 3, 4, 6, 8, 12 } };
 
 // Alpha above which a pixel counts as hit by a selection.
 constexpr double VisibleAlpha = 0.05;
+
+// Whether a GPU has failed: the processor may do the same.
+bool IsOfGpu(const std::exception& error)
+{
+  return dynamic_cast<const DeviceError*>(&error) != nullptr;
+}
 }
 
 VolumeView::VolumeView(vtkRenderer* renderer, vtkVolume* volume, std::function<void()> whenHidden)
@@ -102,19 +98,13 @@ bool VolumeView::IsIn(vtkWindow* window) const
   return this->Target && this->Target->GetVTKWindow() == window;
 }
 
-// Who asks for CUDA where there is none is told by the optimisation, and sees a picture.
 void VolumeView::ChoosePictures(BackendKind wish, const Grid& grid)
 {
-  if (this->PicturesFor == wish)
+  if (!this->Backend.Suits(wish))
   {
-    return;
+    this->ReleaseNow();
+    this->Caster = Renderer(this->Backend.Choose(wish, grid));
   }
-  constexpr std::size_t bytesPerNode = 32 + 28; // of pictures, and of the optimisation beside them
-  const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
-  const bool cuda = wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
-  this->ReleaseNow();
-  this->Caster = Renderer(BackendOf(cuda).MakeRenderBackend());
-  this->PicturesFor = wish;
 }
 
 void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& data)
@@ -159,6 +149,10 @@ void VolumeView::UseImportance(
   }
   catch (const std::exception& error)
   {
+    if (IsOfGpu(error))
+    {
+      throw;
+    }
     const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(WordsOf(error, &points[0], drawingNeed) +
       " What the picture misses is not painted over it, and it is that of ordinary rendering if it "
@@ -166,36 +160,6 @@ void VolumeView::UseImportance(
   }
   this->Caster.ShowMissed(frame.showMissed ? std::optional(frame.missedColor) : std::nullopt);
   this->Caster.ComposeBy(frame.Composing());
-}
-
-void VolumeView::MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine)
-{
-  if (fine)
-  {
-    this->Caster.SetShadowRayDensity(StillShadowDensity);
-    this->Caster.SetShadowCoarseness(1);
-    this->Caster.UpdateShadows();
-    return;
-  }
-  std::vector<Index> nodes;
-  nodes.reserve(Coarsenesses.size());
-  for (const int factor : Coarsenesses)
-  {
-    nodes.push_back(CoarseGrid(grid, factor).NodeCount());
-  }
-  const std::size_t level =
-    this->ShadowTime.Choose(nodes, ShadowShare * frame.frameTime, this->ShadowLevel);
-  this->ShadowLevel = level;
-  this->Caster.SetShadowRayDensity(MovingShadowDensity);
-  this->Caster.SetShadowCoarseness(Coarsenesses[level]);
-  const auto start = FrameClock::SteadyClock::now();
-  const bool made = this->Caster.UpdateShadows();
-  // The first time on a grid, something has to be prepared that will not be again.
-  if (made && this->ShadowNodes == nodes[level])
-  {
-    this->ShadowTime.Learn(nodes[level], FrameClock::SecondsSince(start));
-  }
-  this->ShadowNodes = nodes[level];
 }
 
 double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geometry)
@@ -240,14 +204,27 @@ bool VolumeView::MakePicture(const View& view)
   return true;
 }
 
-// What is asked of the view by observers meanwhile is done afterwards.
-template <class Action>
-void VolumeView::WhileDrawing(const Action& action)
+// What is asked of the view by observers meanwhile is done afterwards. `again`: what the processor
+// does where a GPU fails.
+template <class Action, class Again>
+void VolumeView::WhileDrawing(const Action& action, const Again& again)
 {
   this->IsDrawing = true;
   try
   {
-    action();
+    try
+    {
+      action();
+    }
+    catch (const DeviceError& error)
+    {
+      if (!this->Backend.GiveUpGpu(error.what()))
+      {
+        throw;
+      }
+      this->ReleaseNow();
+      again();
+    }
   }
   catch (...)
   {
@@ -257,10 +234,21 @@ void VolumeView::WhileDrawing(const Action& action)
   this->EndDrawing();
 }
 
+template <class Action>
+void VolumeView::WhileDrawing(const Action& action)
+{
+  this->WhileDrawing(action, action);
+}
+
 FrameResult VolumeView::Prepare(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   this->WhileDrawing([&]() { this->PrepareNow(frame, data, messages); });
+  this->PrepareAgain = [this, frame, &data]()
+  {
+    FrameMessages told;
+    this->PrepareNow(frame, data, told);
+  };
   return this->LastResult;
 }
 
@@ -295,7 +283,13 @@ void VolumeView::DrawPart(const RayParts& parts, std::size_t part)
 {
   if (this->Geometry)
   {
-    this->WhileDrawing([&]() { this->DrawPartNow(parts, part); });
+    const auto draw = [&]() { this->DrawPartNow(parts, part); };
+    this->WhileDrawing(draw,
+      [&]()
+      {
+        this->PrepareAgain();
+        draw();
+      });
   }
 }
 
@@ -371,6 +365,10 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
   }
   catch (const std::exception& error)
   {
+    if (IsOfGpu(error) && frame.solver.backend == BackendKind::Auto)
+    {
+      throw; // of the one that makes pictures: the optimisation helps itself
+    }
     const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(
       WordsOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
@@ -387,6 +385,7 @@ std::function<bool()> VolumeView::AbortCheck() const
 void VolumeView::PrepareNow(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
+  messages = FrameMessages();
   this->Clock.Begin(this->GoesOn);
   if (this->CastSeconds > 0)
   {
@@ -414,6 +413,10 @@ void VolumeView::PrepareNow(
       "volume is drawn without light. Switch a light on, or set LightSource to Own.");
   }
   this->UpdateRenderer(frame, data);
+  if (!this->Backend.Warning().empty())
+  {
+    messages.warnings.push_back(this->Backend.Warning());
+  }
   this->UseImportance(frame, data, messages);
 
   FrameResult result;
@@ -427,7 +430,7 @@ void VolumeView::PrepareNow(
     const bool fine = frame.still && !this->GoesOn;
     const Grid* shown = this->Optimization.ShownGrid();
     const Interruptible interruptible([&isAborted]() { return !isAborted(); });
-    this->MakeShadows(frame, shown ? *shown : data.Nodes(), fine);
+    this->Shadows.Make(frame, shown ? *shown : data.Nodes(), fine);
     this->Caster.Prepare();
     this->PlacePicture(
       frame, geometry, data.Cropped().planes, fine ? 1 : this->PixelSize(frame, geometry));
@@ -472,7 +475,7 @@ void VolumeView::ReleaseNow()
 {
   this->Optimization.Release();
   this->Caster = Renderer();
-  this->PicturesFor.reset();
+  this->Backend.Forget();
   this->ScalarsVersion = 0;
   this->FunctionsVersion = 0;
   this->ImportanceVersion = 0;

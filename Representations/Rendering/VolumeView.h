@@ -10,12 +10,13 @@
 #include "Frame.h"
 #include "FrameBudget.h"
 #include "Memory.h"
+#include "PictureBackend.h"
 #include "PictureQuad.h"
 #include "ViewGeometry.h"
 #include "ViewOptimization.h"
+#include "ViewShadows.h"
 #include "VolumeData.h"
 
-#include "optimize/PassTime.h"
 #include "render/Renderer.h"
 
 #include "vtkWeakPointer.h"
@@ -81,6 +82,8 @@ public:
   std::vector<vtkWeakPointer<vtkVolume>> Peeled;
 
 private:
+  template <class Action, class Again>
+  void WhileDrawing(const Action& action, const Again& again);
   template <class Action>
   void WhileDrawing(const Action& action);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
@@ -94,7 +97,6 @@ private:
   void UseImportance(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
-  void MakeShadows(const FrameSettings& frame, const Grid& grid, bool fine);
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
   void PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
     const std::vector<glm::dvec4>& planes, double pixelSize);
@@ -110,18 +112,17 @@ private:
   bool ReleaseAfter = false; ///< likewise
 
   Renderer Caster;
-  std::optional<BackendKind> PicturesFor; ///< for which wish it was chosen what makes pictures
+  PictureBackend Backend;
   std::uint64_t ScalarsVersion = 0;
   std::uint64_t FunctionsVersion = 0;
   std::uint64_t ImportanceVersion = 0; ///< 0: pictures need none
 
   ViewOptimization Optimization{ this->Caster };
+  ViewShadows Shadows{ this->Caster };
   FrameResult LastResult;
+  std::function<void()> PrepareAgain; ///< for parts of the frame
 
   FrameBudget Budget;
-  PassTime ShadowTime;
-  std::size_t ShadowLevel = 0; ///< how coarse the shadows of the last moving frame were
-  Index ShadowNodes = 0;       ///< of their grid
   FrameClock Clock;
   bool GoesOn = false; ///< whether the last frame was one of several on the way to the still one
 

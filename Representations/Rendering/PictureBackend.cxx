@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PictureBackend.h"
+
+#include "backend/ComputeBackend.h"
+
+#include <cstddef>
+
+namespace limpid
+{
+std::unique_ptr<RenderBackend> PictureBackend::Choose(BackendKind wish, const Grid& grid)
+{
+  if (this->FailedFor != wish)
+  {
+    this->FailedFor.reset();
+    this->Words.clear();
+  }
+  constexpr std::size_t bytesPerNode = 32 + 28; // of pictures, and of the optimisation beside them
+  const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
+  this->OnGpu =
+    !this->FailedFor && wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
+  this->For = wish;
+  return BackendOf(this->OnGpu).MakeRenderBackend();
+}
+
+bool PictureBackend::GiveUpGpu(const std::string& reason)
+{
+  if (!this->OnGpu || !this->For)
+  {
+    return false;
+  }
+  this->FailedFor = this->For;
+  this->Words = reason + " Until Backend is changed, the processor draws the volume.";
+  this->OnGpu = false;
+  return true;
+}
+}

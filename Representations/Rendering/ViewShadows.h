@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The shadows of one volume in one renderer, as fine as the time of a frame allows.
+
+#ifndef limpid_ViewShadows_h
+#define limpid_ViewShadows_h
+
+#include "Frame.h"
+
+#include "optimize/PassTime.h"
+#include "render/Renderer.h"
+
+#include <cstddef>
+
+namespace limpid
+{
+class ViewShadows
+{
+public:
+  explicit ViewShadows(Renderer& pictures)
+    : Pictures(pictures)
+  {
+  }
+
+  /// Computes them if the next picture would. `grid`: of the extinction that casts them; `fine`:
+  /// however long it takes.
+  void Make(const FrameSettings& frame, const Grid& grid, bool fine);
+
+private:
+  Renderer& Pictures;
+  PassTime Time;
+  std::size_t Level = 0; ///< how coarse those of the last moving frame were
+  Index Nodes = 0;       ///< of their grid
+};
+}
+
+#endif

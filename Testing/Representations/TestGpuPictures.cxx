@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A GPU that fails at each thing that it is told to do while the mapper draws: a pretended one.
+
+#include "SmallWindow.h"
+
+#include "backend/HostDevice.h"
+
+#include "vtkAutoInit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
+
+using namespace limpid;
+
+namespace
+{
+SimulatedDevice& Gpu()
+{
+  return *SimulatedDevice::Shared();
+}
+
+/// Forgets to fail in the end.
+class FailingGpu
+{
+public:
+  FailingGpu(Index operation, bool forGood) { Gpu().FailAt(operation, forGood); }
+  ~FailingGpu() { Gpu().FailAt(-1, false); }
+  FailingGpu(const FailingGpu&) = delete;
+  FailingGpu& operator=(const FailingGpu&) = delete;
+};
+
+void Take(SmallWindow& scene, int backend)
+{
+  scene.mapper->GetVisibilitySettings()->SetBackend(backend);
+  scene.Forget();
+}
+
+/// The largest difference of two pictures, in steps of 255.
+int Difference(const std::vector<unsigned char>& one, const std::vector<unsigned char>& other)
+{
+  int largest = 0;
+  for (std::size_t n = 0; n < one.size(); ++n)
+  {
+    largest = std::max(largest, std::abs(int(one[n]) - int(other[n])));
+  }
+  return largest;
+}
+
+// Sums of the solvers are added in another order on a GPU, and pictures are rounded.
+constexpr int oneStep = 1;
+
+void ExpectTheProcessorsPicture(SmallWindow& scene, bool forGood)
+{
+  Take(scene, vtkVisibilitySettings::CPU);
+  const std::vector<unsigned char> truth = scene.Picture();
+  ASSERT_GT(scene.mapper->GetVisibilityScore(), 0);
+  bool failed = true;
+  int withWarning = 0;
+  for (Index operation = 0; failed; operation += 4)
+  {
+    Take(scene, vtkVisibilitySettings::CPU); // after that, what has failed may be tried again
+    scene.Picture();
+    Take(scene, vtkVisibilitySettings::AUTO);
+    const std::size_t before = Gpu().Bytes();
+    {
+      const FailingGpu failing(operation, forGood);
+      ASSERT_LE(Difference(scene.Picture(), truth), oneStep) << "operation " << operation;
+      failed = Gpu().HasFailed();
+    }
+    ASSERT_LE(Difference(scene.Picture(), truth), oneStep) << "after operation " << operation;
+    EXPECT_EQ(scene.errors, 0) << "operation " << operation;
+    ASSERT_LE(scene.warnings.size(), failed ? 1u : 0u) << scene.warnings.back();
+    if (!scene.warnings.empty())
+    {
+      EXPECT_NE(scene.warnings[0].find("The pretended GPU fails"), std::string::npos);
+      EXPECT_NE(scene.warnings[0].find("the processor draws the volume"), std::string::npos);
+      ++withWarning;
+    }
+    scene.mapper->ReleaseMemory();
+    ASSERT_EQ(Gpu().Bytes(), before) << "something is left after operation " << operation;
+  }
+  EXPECT_GT(withWarning, 5);
+}
+}
+
+class GpuPictures : public ::testing::TestWithParam<bool>
+{
+};
+
+TEST_P(GpuPictures, AreThoseOfTheProcessorWhereItFails)
+{
+  SmallWindow scene;
+  ExpectTheProcessorsPicture(scene, GetParam());
+}
+
+TEST_P(GpuPictures, AreThoseOfTheProcessorWhereItFailsInParts)
+{
+  SmallWindow scene;
+  scene.Peel();
+  ExpectTheProcessorsPicture(scene, GetParam());
+}
+
+// It is asked for by name: the error is told, and there is a picture.
+TEST_P(GpuPictures, AreMadeWhereCudaWasAskedFor)
+{
+  SmallWindow scene;
+  for (const Index operation : { 0, 9, 40, 90 })
+  {
+    Take(scene, vtkVisibilitySettings::CPU);
+    scene.Picture();
+    Take(scene, vtkVisibilitySettings::CUDA);
+    const FailingGpu failing(operation, GetParam());
+    scene.Picture();
+    ASSERT_TRUE(Gpu().HasFailed());
+    EXPECT_GE(scene.errors + int(scene.warnings.size()), 1) << "operation " << operation;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OnceAndForGood, GpuPictures, ::testing::Values(false, true),
+  [](const auto& forGood) { return forGood.param ? "ForGood" : "Once"; });
