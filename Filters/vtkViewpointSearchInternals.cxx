@@ -160,7 +160,7 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
   const std::shared_ptr<limpid::PreparedScene>& scene, limpid::FoundViews& found) const
 {
   const limpid::OptimizedViews views(scene, found.orbit, this->MakeSettings());
-  found.backend = limpid::ChooseBackend(this->MakeSettings().backend, 0).name;
+  found.backend = limpid::ChooseBackend(this->MakeSettings().backend, {}).name;
   const Clock::time_point start = Clock::now();
   const std::size_t count = found.sphere.directions.size();
   bool isFirst = true;

@@ -17,9 +17,10 @@ std::unique_ptr<RenderBackend> PictureBackend::Choose(BackendKind wish, const Gr
     this->Words.clear();
   }
   constexpr std::size_t bytesPerNode = 32 + 28; // of pictures, and of the optimisation beside them
-  const std::size_t bytes = bytesPerNode * static_cast<std::size_t>(grid.NodeCount());
+  const Index nodes = grid.NodeCount();
+  const GpuNeed need{ nodes, bytesPerNode * static_cast<std::size_t>(nodes) };
   this->OnGpu =
-    !this->FailedFor && wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, bytes).cuda;
+    !this->FailedFor && wish != BackendKind::Cpu && ChooseBackend(BackendKind::Auto, need).cuda;
   this->For = wish;
   return BackendOf(this->OnGpu).MakeRenderBackend();
 }

@@ -169,26 +169,30 @@ INSTANTIATE_TEST_SUITE_P(Boxes, ViewsOfDevice,
 
 TEST(BackendChoice, SaysWhatItIsAndWhy)
 {
-  EXPECT_FALSE(ChooseBackend(BackendKind::Cpu, 0).cuda);
-  const BackendChoice choice = ChooseBackend(BackendKind::Auto, 0);
+  EXPECT_FALSE(ChooseBackend(BackendKind::Cpu, {}).cuda);
+  const BackendChoice choice = ChooseBackend(BackendKind::Auto, {});
   EXPECT_EQ(choice.cuda, FindCuda().usable);
   if (FindCuda().usable)
   {
     EXPECT_NE(choice.name.find(FindCuda().name), std::string::npos);
-    EXPECT_TRUE(ChooseBackend(BackendKind::Cuda, 0).cuda);
+    EXPECT_TRUE(ChooseBackend(BackendKind::Cuda, {}).cuda);
   }
   else
   {
     EXPECT_NE(choice.name.find("no CUDA: " + FindCuda().reason), std::string::npos) << choice.name;
-    EXPECT_THROW(ChooseBackend(BackendKind::Cuda, 0), Error);
+    EXPECT_THROW(ChooseBackend(BackendKind::Cuda, {}), Error);
   }
 }
 
 TEST(BackendChoice, RefusesWhatDoesNotFit)
 {
-  constexpr std::size_t tooMuch = std::size_t(1) << 50;
-  const BackendChoice choice = ChooseBackend(BackendKind::Auto, tooMuch);
-  EXPECT_FALSE(choice.cuda);
-  EXPECT_NE(choice.name.find("no CUDA"), std::string::npos) << choice.name;
-  EXPECT_THROW(ChooseBackend(BackendKind::Cuda, tooMuch), Error);
+  const GpuNeed tooManyBytes{ 1, std::size_t(1) << 50 };
+  const GpuNeed tooManyNodes{ Index(1) << 31, 1 };
+  for (const GpuNeed& need : { tooManyBytes, tooManyNodes })
+  {
+    const BackendChoice choice = ChooseBackend(BackendKind::Auto, need);
+    EXPECT_FALSE(choice.cuda);
+    EXPECT_NE(choice.name.find("no CUDA"), std::string::npos) << choice.name;
+    EXPECT_THROW(ChooseBackend(BackendKind::Cuda, need), Error);
+  }
 }

@@ -6,27 +6,35 @@
 #include "backend/Backend.h"
 #include "math/Require.h"
 
+#include <cstdint>
+#include <limits>
 #include <sstream>
 
 namespace limpid
 {
 namespace
 {
-/// Why CUDA cannot be used for so many bytes; empty: it can.
-std::string Obstacle(std::size_t bytes)
+/// Why CUDA cannot be used; empty: it can.
+std::string Obstacle(const GpuNeed& need)
 {
   const CudaState& cuda = FindCuda();
   if (!cuda.usable)
   {
     return cuda.reason;
   }
+  constexpr Index mostNodes = std::numeric_limits<std::int32_t>::max(); // kernels count so far
+  std::ostringstream text;
+  if (need.nodes > mostNodes)
+  {
+    text << "the scene has " << need.nodes << " points, on a GPU there can be " << mostNodes;
+    return text.str();
+  }
   const std::size_t free = FreeCudaBytes();
-  if (bytes <= free)
+  if (need.bytes <= free)
   {
     return {};
   }
-  std::ostringstream text;
-  text << "the scene needs about " << bytes / 1000000 << " MB, " << free / 1000000
+  text << "the scene needs about " << need.bytes / 1000000 << " MB, " << free / 1000000
        << " MB are free on the " << cuda.name;
   return text.str();
 }
@@ -37,13 +45,13 @@ std::string CpuWithoutCuda(const std::string& reason)
   return CpuName() + " (no CUDA: " + reason + ")";
 }
 
-BackendChoice ChooseBackend(BackendKind wish, std::size_t bytes)
+BackendChoice ChooseBackend(BackendKind wish, const GpuNeed& need)
 {
   if (wish == BackendKind::Cpu)
   {
     return { false, CpuName() };
   }
-  const std::string obstacle = Obstacle(bytes);
+  const std::string obstacle = Obstacle(need);
   LIMPID_REQUIRE(wish == BackendKind::Auto || obstacle.empty(),
     "CUDA was asked for, but " << obstacle
                                << " (nothing would run on a GPU). Choose the backend Auto or CPU.");

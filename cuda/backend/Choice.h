@@ -4,6 +4,8 @@
 #ifndef limpid_backend_Choice_h
 #define limpid_backend_Choice_h
 
+#include "math/Vec.h"
+
 #include <cstddef>
 #include <string>
 
@@ -33,6 +35,13 @@ const CudaState& FindCuda();
 /// Bytes that are free on the GPU; 0 if there is none.
 std::size_t FreeCudaBytes();
 
+/// What is needed of a GPU.
+struct GpuNeed
+{
+  Index nodes = 0; ///< of the largest grid
+  std::size_t bytes = 0;
+};
+
 /// What a wish comes to.
 struct BackendChoice
 {
@@ -43,9 +52,8 @@ struct BackendChoice
 /// One line for the user: the processor, and why it is not CUDA.
 std::string CpuWithoutCuda(const std::string& reason);
 
-/// `bytes`: what is needed on the GPU. Throws limpid::Error if CUDA was asked for and cannot be
-/// had.
-BackendChoice ChooseBackend(BackendKind wish, std::size_t bytes);
+/// Throws limpid::Error if CUDA was asked for and cannot be had, or not for such a need.
+BackendChoice ChooseBackend(BackendKind wish, const GpuNeed& need);
 }
 
 #endif

@@ -21,7 +21,7 @@ std::size_t FreeCudaBytes()
 
 const ComputeBackend& CudaBackend()
 {
-  ChooseBackend(BackendKind::Cuda, 0); // says why not
+  ChooseBackend(BackendKind::Cuda, {}); // says why not
   return ProcessorBackend();
 }
 }

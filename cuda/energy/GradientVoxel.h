@@ -27,7 +27,8 @@ struct GradientVoxel
   /// On a slice to which rays carry the weight of Deviation D1, or do not.
   LIMPID_HD static LIMPID_INLINE GradientVoxel On(const Slice& slice, bool areaWeighted)
   {
-    return { Real(1) / (areaWeighted ? slice.scale * slice.scale : Real(1)) };
+    const Real scale = areaWeighted ? slice.scale : Real(1);
+    return { Quotient(Real(1), scale * scale) };
   }
 
   /// `transmittance` [0, 1], `seenBehind` G [scale^2], `importance` [0, 1].

@@ -10,8 +10,8 @@ namespace limpid
 {
 namespace
 {
-/// Bytes that an optimisation on a GPU needs, about.
-std::size_t CudaBytes(const Grid& grid, const Settings& settings)
+/// What an optimisation needs on a GPU, about.
+GpuNeed NeedOf(const Grid& grid, const Settings& settings)
 {
   // Fields: base, importance and that of nodes; policy: three iterates and the light's derivative;
   // Adam: extinction, best, derivative and its two means.
@@ -21,7 +21,7 @@ std::size_t CudaBytes(const Grid& grid, const Settings& settings)
   const double across =
     settings.rayDensity * std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z });
   const double rays = 4 * across * across;
-  return static_cast<std::size_t>(4 * fields * nodes + 300 * rays + 64e6);
+  return { grid.NodeCount(), static_cast<std::size_t>(4 * fields * nodes + 300 * rays + 64e6) };
 }
 }
 
@@ -33,7 +33,7 @@ void ChosenBackend::Choose(const Settings& settings, const Grid& grid)
   {
     return;
   }
-  const BackendChoice choice = ChooseBackend(settings.backend, CudaBytes(grid, settings));
+  const BackendChoice choice = ChooseBackend(settings.backend, NeedOf(grid, settings));
   this->Solvers = BackendOf(choice.cuda).MakeSolverBackend();
   this->Line = choice.name;
   this->OnGpu = choice.cuda;

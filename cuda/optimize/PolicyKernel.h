@@ -148,15 +148,15 @@ struct PolicyKernel
       this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr;
     const float* bases = voxels.Row(this->base);
     const float* lasts = this->policy.inertia > 0 ? voxels.Row(this->last) : bases;
-    voxels.ForIdle(IdleStep{
-      this->policy, protects, bases, lasts, voxels.Row(this->lagged), voxels.Row(this->next) });
+    const float* lags = this->lagged ? voxels.Row(this->lagged) : nullptr;
+    voxels.ForIdle(IdleStep{ this->policy, protects, bases, lasts, lags, voxels.Row(this->next) });
     if (voxels.FindSeen(rays))
     {
       const auto seen = voxels.SeenHere();
       voxels.ForActive(
         PolicyStep{ this->policy, GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted),
           seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance), protects,
-          bases, lasts, voxels.Row(this->lagged), voxels.Row(this->next) });
+          bases, lasts, lags, voxels.Row(this->next) });
     }
   }
 

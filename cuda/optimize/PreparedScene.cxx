@@ -63,7 +63,7 @@ void RequireDistance(const char* what, const RaySource& source, const Grid& grid
 void RequireSettings(const Settings& settings)
 {
   settings.Require();
-  ChooseBackend(settings.backend, 0);
+  ChooseBackend(settings.backend, {});
 }
 
 void RequireReach(const Problem& problem)

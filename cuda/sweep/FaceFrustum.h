@@ -93,9 +93,9 @@ struct FaceFrustum : FlatTables
   int SliceCount() const { return this->lastSlice + 1; }
   Index RayCount() const { return Index(this->columns) * this->rows; }
 
-  LIMPID_HD LIMPID_INLINE Index RayAt(int column, int row) const
+  LIMPID_HD LIMPID_INLINE int RayAt(int column, int row) const
   {
-    return Index(row) * this->columns + column;
+    return row * this->columns + column;
   }
 
   LIMPID_HD LIMPID_INLINE Index VoxelAt(int node, int u, int v) const

@@ -8,9 +8,11 @@
 #define limpid_sweep_FlatTables_h
 
 #include "math/Macros.h"
+#include "math/Require.h"
 #include "math/Vec.h"
 
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <new>
 
@@ -43,14 +45,20 @@ struct FlatTables
 {
   const unsigned char* tables = nullptr;
 
-  /// Row `row` of a table.
+  /// Row `row` of a table. No table has 2^31 values.
   template <class Value>
-  LIMPID_HD LIMPID_INLINE const Value* Row(const Table<Value>& table, Index row = 0) const
+  LIMPID_HD LIMPID_INLINE const Value* Row(const Table<Value>& table, int row = 0) const
   {
     return reinterpret_cast<const Value*>(this->tables + table.offset) + row * table.rowLength;
   }
 
-  LIMPID_HD LIMPID_INLINE LinearMap Row(const MapTable& table, Index row) const
+  template <class Value>
+  LIMPID_HD LIMPID_INLINE Value At(const Table<Value>& table, int row, int column) const
+  {
+    return this->Row(table)[row * table.rowLength + column];
+  }
+
+  LIMPID_HD LIMPID_INLINE LinearMap Row(const MapTable& table, int row) const
   {
     return { this->Row(table.index, row), this->Row(table.weight, row) };
   }
@@ -69,7 +77,7 @@ struct OwnedTables : Tables
 
   /// A row of a table to be written.
   template <class Value>
-  Value* Room(const Table<Value>& table, Index row = 0)
+  Value* Room(const Table<Value>& table, int row = 0)
   {
     return const_cast<Value*>(this->Row(table, row));
   }
@@ -83,6 +91,7 @@ public:
   void Add(Table<Value>& table, Index rows, int rowLength)
   {
     constexpr Index alignment = 256;
+    LIMPID_EXPECT(rows * rowLength <= std::numeric_limits<int>::max());
     table.offset = this->Bytes;
     table.rowLength = rowLength;
     const Index end = this->Bytes + rows * rowLength * Index(sizeof(Value));

@@ -13,7 +13,7 @@ namespace limpid
 constexpr double gaussPoints[2] = { 0.21132486540518712, 0.78867513459481288 };
 
 /// The layer between two neighbouring slices, the same for all rays that cross it.
-struct Layer
+struct alignas(16) Layer
 {
   float front = 0;      ///< relative depth of the slice in front [index]
   float thickness = 0;  ///< distance of the slices along the depth axis [index]
@@ -51,7 +51,7 @@ struct HalfLayer
   {
     const Real x = length * extinction;
     const Real widening = backScale - frontScale;
-    const Real centre = Real(1) / (Real(2) + x * (Real(1) / 3 + x * (Real(1) / 18)));
+    const Real centre = Quotient(Real(1), Real(2) + x * (Real(1) / 3 + x * (Real(1) / 18)));
     const Real area = frontScale * frontScale +
       widening * centre * (Real(2) * frontScale + (Real(4) / 3) * widening * centre);
     const Real meanArea =

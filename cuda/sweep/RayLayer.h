@@ -89,8 +89,9 @@ struct RayInLayer
   /// Share of a half's extinction that is kept of the base extinction [0, 1].
   LIMPID_HD LIMPID_INLINE float KeptShare(int half) const
   {
-    return this->kept[half] < this->extinction[half] ? this->kept[half] / this->extinction[half]
-                                                     : 1.0f;
+    return this->kept[half] < this->extinction[half]
+      ? Quotient(this->kept[half], this->extinction[half])
+      : 1.0f;
   }
 
   LIMPID_HD LIMPID_INLINE float WholeDepth() const

@@ -10,6 +10,9 @@
 #include "sweep/FaceFrustum.h"
 #include "sweep/RaySteps.h"
 
+#include <cmath>
+#include <cstdint>
+
 namespace limpid
 {
 /// One ray of a frustum, which enters one layer after the other.
@@ -30,16 +33,23 @@ public:
 
   LIMPID_HD LIMPID_INLINE bool EnterLayer(int s, bool areaWeighted)
   {
+    const Slice& slice = this->Frustum.SliceAt(s);
     this->S = s;
-    this->Ray.layer = this->Frustum.SliceAt(s).layer;
+    this->Ray.layer = slice.layer;
     if (!areaWeighted)
     {
       this->Ray.layer.frontScale = this->Ray.layer.backScale = 1;
     }
-    this->Ray.length = this->Frustum.Row(this->Frustum.length, this->J)[this->I];
+    this->Ray.length = this->Frustum.At(this->Frustum.length, this->J, this->I);
     this->Ray.column = this->Frustum.StayOfColumn(this->I);
     this->Ray.row = this->Frustum.StayOfRow(this->J);
-    return this->Frustum.ActiveRays(s, this->J).Contains(this->I);
+    const bool active = this->Frustum.ActiveRays(s, this->J).Contains(this->I);
+    if (active)
+    {
+      this->FindCorner(0, slice);
+      this->FindCorner(1, slice);
+    }
+    return active;
   }
 
   LIMPID_HD LIMPID_INLINE void SampleExtinction(Field field)
@@ -56,14 +66,12 @@ public:
 
   LIMPID_HD LIMPID_INLINE void SampleExtinctionBehind(Field field)
   {
-    const Corner corner = this->CornerOf(1);
-    const Index strideU = this->Frustum.strideU;
-    const Index strideV = this->Frustum.strideV;
-    const float* near =
-      field + this->Frustum.strideW * this->Frustum.SliceAt(this->S).nodes[1] + corner.offset;
-    const float* far = near + strideU;
-    const float left = near[0] + corner.across * (near[strideV] - near[0]);
-    const float right = far[0] + corner.across * (far[strideV] - far[0]);
+    const Corner& corner = this->Corners[1];
+    const Node strideV = this->StrideV();
+    const Node near = corner.back;
+    const Node far = near + this->StrideU();
+    const float left = field[near] + corner.across * (field[near + strideV] - field[near]);
+    const float right = field[far] + corner.across * (field[far + strideV] - field[far]);
     this->Ray.extinction[0] = this->Ray.extinction[1] = left + corner.sideways * (right - left);
   }
 
@@ -94,8 +102,7 @@ public:
   {
     for (int half = 0; half < 2; ++half)
     {
-      this->Ray.kept[half] = this->BlendLayer(LesserOf{ extinction, base }, this->CornerOf(half),
-        this->Frustum.SliceAt(this->S).fractions[half]);
+      this->Ray.kept[half] = this->BlendLayer(LesserOf{ extinction, base }, this->Corners[half]);
     }
   }
 
@@ -170,57 +177,72 @@ public:
   }
 
 protected:
+  /// Number of a node. No device has a volume of 2^31 nodes (ChooseBackend).
+  using Node = std::int32_t;
+
   /// The lesser of two fields at a node.
   struct LesserOf
   {
     Field field;
     Field other;
 
-    LIMPID_HD LIMPID_INLINE float operator()(Index node) const
+    LIMPID_HD LIMPID_INLINE float operator()(Node node) const
     {
-      return this->field[node] < this->other[node] ? this->field[node] : this->other[node];
+      return std::fmin(this->field[node], this->other[node]);
     }
   };
 
   /// Where a ray meets a plane across the depth axis.
   struct Corner
   {
-    Index offset;   ///< of the first of four nodes in a slice
+    Node front;     ///< the first of four nodes in the slice in front
+    Node back;      ///< ... behind
     float sideways; ///< weight of the second one along u
     float across;   ///< ... along v
+    float along;    ///< ... of the slice behind
   };
 
-  LIMPID_HD LIMPID_INLINE Corner CornerAt(
-    const LinearMap& columns, int column, const LinearMap& rows, int row) const
+  LIMPID_HD LIMPID_INLINE Node StrideU() const { return static_cast<Node>(this->Frustum.strideU); }
+  LIMPID_HD LIMPID_INLINE Node StrideV() const { return static_cast<Node>(this->Frustum.strideV); }
+
+  /// Where a plane is met along one axis.
+  struct Place
   {
-    return { this->Frustum.strideU * columns.index[column] +
-        this->Frustum.strideV * rows.index[row],
-      columns.weight[column], rows.weight[row] };
+    int index;    ///< of a node
+    float weight; ///< of the next one
+  };
+
+  /// `along`: weight of the slice behind.
+  LIMPID_HD LIMPID_INLINE Corner CornerAt(const Place& column, const Place& row, float along) const
+  {
+    const Slice& slice = this->Frustum.SliceAt(this->S);
+    const auto strideW = static_cast<Node>(this->Frustum.strideW);
+    const Node offset = this->StrideU() * column.index + this->StrideV() * row.index;
+    return { strideW * slice.nodes[0] + offset, strideW * slice.nodes[1] + offset, column.weight,
+      row.weight, along };
   }
 
-  /// Trilinear in the layer; `along`: weight of its second slice.
-  LIMPID_HD LIMPID_INLINE float SampleLayer(Field field, const Corner& corner, float along) const
+  /// Trilinear in the layer.
+  LIMPID_HD LIMPID_INLINE float SampleLayer(Field field, const Corner& corner) const
   {
-    return this->BlendLayer([field](Index node) { return field[node]; }, corner, along);
+    return this->BlendLayer([field](Node node) { return field[node]; }, corner);
   }
 
   /// The same of values at the nodes.
   template <class ValueAt>
-  LIMPID_HD LIMPID_INLINE float BlendLayer(
-    const ValueAt& at, const Corner& corner, float along) const
+  LIMPID_HD LIMPID_INLINE float BlendLayer(const ValueAt& at, const Corner& corner) const
   {
-    const Slice& slice = this->Frustum.SliceAt(this->S);
-    const Index strideV = this->Frustum.strideV;
-    const Index front = this->Frustum.strideW * slice.nodes[0] + corner.offset;
-    const Index back = this->Frustum.strideW * slice.nodes[1] + corner.offset;
-    const auto column = [&](Index f, Index b)
+    const Node strideU = this->StrideU();
+    const Node strideV = this->StrideV();
+    const float along = corner.along;
+    const auto column = [&](Node front, Node back)
     {
-      const float first = at(f) + along * (at(b) - at(f));
-      const float second = at(f + strideV) + along * (at(b + strideV) - at(f + strideV));
+      const float first = at(front) + along * (at(back) - at(front));
+      const float second = at(front + strideV) + along * (at(back + strideV) - at(front + strideV));
       return first + corner.across * (second - first);
     };
-    const float left = column(front, back);
-    const float right = column(front + this->Frustum.strideU, back + this->Frustum.strideU);
+    const float left = column(corner.front, corner.back);
+    const float right = column(corner.front + strideU, corner.back + strideU);
     return left + corner.sideways * (right - left);
   }
 
@@ -232,17 +254,21 @@ protected:
 
 private:
   /// On the plane at a Gauss point.
-  LIMPID_HD LIMPID_INLINE Corner CornerOf(int half) const
+  LIMPID_HD LIMPID_INLINE void FindCorner(int half, const Slice& slice)
   {
-    const Index plane = 2 * Index(this->S) + half;
-    return this->CornerAt(this->Frustum.Row(this->Frustum.planeColumns, plane), this->I,
-      this->Frustum.Row(this->Frustum.planeRows, plane), this->J);
+    const int plane = 2 * this->S + half;
+    const auto placeOf = [&](const MapTable& table, int ray)
+    {
+      return Place{ this->Frustum.At(table.index, plane, ray),
+        this->Frustum.At(table.weight, plane, ray) };
+    };
+    this->Corners[half] = this->CornerAt(placeOf(this->Frustum.planeColumns, this->I),
+      placeOf(this->Frustum.planeRows, this->J), slice.fractions[half]);
   }
 
   LIMPID_HD LIMPID_INLINE float SamplePlane(Field field, int half) const
   {
-    return this->SampleLayer(
-      field, this->CornerOf(half), this->Frustum.SliceAt(this->S).fractions[half]);
+    return this->SampleLayer(field, this->Corners[half]);
   }
 
   LIMPID_HD LIMPID_INLINE float InView() const
@@ -251,6 +277,7 @@ private:
   }
 
   RayStates Here;
+  Corner Corners[2]{}; ///< at the Gauss points of a layer that the ray matters in
 };
 }
 

@@ -35,8 +35,8 @@ public:
   /// The columns that may change.
   const Range<int>& Filled() const { return this->Changing; }
 
-  /// Row of a field; null if there is none.
-  float* Row(Field field) const { return field ? field->Row(this->Here.node, this->V) : nullptr; }
+  /// Row of a field.
+  float* Row(Field field) const { return field->Row(this->Here.node, this->V); }
 
   /// Brings the next row of a field, if there is one.
   LIMPID_INLINE void Prefetch(Field field) const

@@ -45,6 +45,7 @@ public:
     , S(s)
     , U(u)
     , V(v)
+    , Own(static_cast<int>(frustum.VoxelAt(this->Here.node, u, v)))
   {
   }
 
@@ -53,7 +54,7 @@ public:
   template <class Value>
   LIMPID_HD LIMPID_INLINE Value* Row(Value* field) const
   {
-    return field ? field + this->Frustum.VoxelAt(this->Here.node, this->U, this->V) : nullptr;
+    return field + this->Own;
   }
 
   /// Only rows can be brought ahead of time.
@@ -65,8 +66,7 @@ public:
     {
       return false;
     }
-    const Hats hats = this->HatsIn(rays);
-    this->Average(rays.seen, hats);
+    const Hats hats = this->FindSeenInside(rays);
     if (!this->IsBetweenFrontRays(hats))
     {
       const float here = this->TransmitFromSide(rays.density, hats);
@@ -146,7 +146,7 @@ public:
     *transmittance = this->TransmitDensity(this->SampleCubic(ImageOf{ rays.density }, pair), hats);
   }
 
-private:
+protected:
   /// Rays between which the voxel lies: the first of two along each axis, and the weights of the
   /// second ones.
   struct Pair
@@ -168,6 +168,15 @@ private:
     }
   };
 
+  /// Between rays that enter the box in its front.
+  LIMPID_HD LIMPID_INLINE Hats FindSeenInside(const SliceImages& rays)
+  {
+    const Hats hats = this->HatsIn(rays);
+    this->Average(rays.seen, hats);
+    return hats;
+  }
+
+private:
   LIMPID_HD LIMPID_INLINE Hats HatsIn(const SliceImages& rays) const
   {
     return { rays.columnHats[this->U], rays.rowHats[this->V] };
@@ -206,13 +215,13 @@ private:
   struct ImageOf
   {
     const float* values;
-    LIMPID_HD LIMPID_INLINE float operator()(Index ray) const { return this->values[ray]; }
+    LIMPID_HD LIMPID_INLINE float operator()(int ray) const { return this->values[ray]; }
   };
 
   struct TransmittanceOf
   {
     const SeenOfRay* seen;
-    LIMPID_HD LIMPID_INLINE float operator()(Index ray) const
+    LIMPID_HD LIMPID_INLINE float operator()(int ray) const
     {
       return this->seen[ray].transmittance;
     }
@@ -221,8 +230,8 @@ private:
   template <class Image>
   LIMPID_HD LIMPID_INLINE float SampleRays(const Image& image, const Pair& pair) const
   {
-    const Index first = this->Frustum.RayAt(pair.column, pair.row);
-    const Index second = first + this->Frustum.columns;
+    const int first = this->Frustum.RayAt(pair.column, pair.row);
+    const int second = first + this->Frustum.columns;
     const float left = image(first) + pair.across * (image(second) - image(first));
     const float right = image(first + 1) + pair.across * (image(second + 1) - image(first + 1));
     return left + pair.sideways * (right - left);
@@ -237,16 +246,16 @@ private:
     float behind = 0;
     for (int i = 0; i < 6; ++i)
     {
-      const SeenOfRay* row = seen + this->Frustum.RayAt(0, rows.first[i / 2] + i % 2);
+      const int row = this->Frustum.RayAt(0, rows.first[i / 2] + i % 2);
       float transmittanceOfRow = 0;
       float behindOfRow = 0;
       for (int j = 0; j < 3; ++j)
       {
-        const SeenOfRay low = row[columns.first[j]];
-        const SeenOfRay high = row[columns.first[j] + 1];
-        transmittanceOfRow +=
-          columns.low[j] * low.transmittance + columns.high[j] * high.transmittance;
-        behindOfRow += columns.low[j] * low.behind + columns.high[j] * high.behind;
+        const SeenOfRay* pair = seen + (row + columns.first[j]);
+        transmittanceOfRow += columns.low[j] * pair[0].transmittance;
+        behindOfRow += columns.low[j] * pair[0].behind;
+        transmittanceOfRow += columns.high[j] * pair[1].transmittance;
+        behindOfRow += columns.high[j] * pair[1].behind;
       }
       const float share = i % 2 == 0 ? rows.low[i / 2] : rows.high[i / 2];
       transmittance += share * transmittanceOfRow;
@@ -271,12 +280,12 @@ private:
   template <class Image>
   LIMPID_HD LIMPID_INLINE float SampleCubic(const Image& image, const Pair& pair) const
   {
-    const Index stride = this->Frustum.columns;
-    const Index first = this->Frustum.RayAt(pair.column - 1, pair.row - 1);
+    const int stride = this->Frustum.columns;
+    const int first = this->Frustum.RayAt(pair.column - 1, pair.row - 1);
     float blend[4];
     for (int i = 0; i < 4; ++i)
     {
-      const Index at = first + i;
+      const int at = first + i;
       blend[i] = CubicBetween(
         image(at), image(at + stride), image(at + 2 * stride), image(at + 3 * stride), pair.across);
     }
@@ -292,6 +301,7 @@ private:
   int S;
   int U;
   int V;
+  int Own; ///< number of its node; no device has a volume of 2^31 nodes (ChooseBackend)
   float Transmittance = 1; ///< mean, see FindSeen
   float Behind = 0;
   float Importance = 0;

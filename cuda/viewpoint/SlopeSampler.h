@@ -120,8 +120,10 @@ private:
   LIMPID_HD LIMPID_INLINE float Sample(Field field, int half, const LinearMap& columns, int column,
     const LinearMap& rows, int row) const
   {
-    return this->SampleLayer(field, CornerAt(columns, column, rows, row),
-      this->Sampled->Row(this->Sampled->fractions)[this->FirstPlane + half]);
+    const float along = this->Sampled->Row(this->Sampled->fractions)[this->FirstPlane + half];
+    return this->SampleLayer(field,
+      this->CornerAt({ columns.index[column], columns.weight[column] },
+        { rows.index[row], rows.weight[row] }, along));
   }
 
   const ViewDerivativePlan* Sampled = nullptr;

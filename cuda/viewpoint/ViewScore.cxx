@@ -34,9 +34,10 @@ ViewScore::ViewScore(
       ImportantExtinction(grid, viewed.base ? viewed.base : viewed.extinction, viewed.importance))
 {
   // The fields, twice; the rays of a direction take little.
-  const auto nodes = static_cast<std::size_t>(this->Fields->InOrder().grid.NodeCount());
+  const Index nodes = this->Fields->InOrder().grid.NodeCount();
   const std::size_t fields = viewed.base ? 3 : 2;
-  const BackendChoice choice = ChooseBackend(backend, 2 * fields * sizeof(float) * nodes);
+  const BackendChoice choice =
+    ChooseBackend(backend, { nodes, 2 * fields * sizeof(float) * static_cast<std::size_t>(nodes) });
   this->Name = choice.name;
   this->Sweep = BackendOf(choice.cuda).MakeScoreSweep(*this->Fields);
 }
