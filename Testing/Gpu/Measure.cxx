@@ -303,6 +303,7 @@ void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver
 /// The product's own frame after the camera has moved: the whole optimisation, shadows, picture.
 Json MeasureFrame(const SceneForSolver& scene, const Effort& effort)
 {
+  fprintf(stderr,"FRAME\n");
   Settings settings;
   settings.backend = BackendKind::Cuda;
   Progressive progressive(scene.Fields(), settings);
@@ -331,6 +332,7 @@ Json MeasureFrame(const SceneForSolver& scene, const Effort& effort)
   device->Time(nullptr);
   result["parts"] = PartsOf(times, 1, {});
   result["iterations"] = progressive.Iterations();
+  result["device_memory"] = device->PeakBytes();
   return result;
 }
 }

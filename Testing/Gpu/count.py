@@ -12,6 +12,7 @@ import time
 
 REGISTERS = 65536  # of a multiprocessor of sm_90, given to warps in blocks of 8 per thread
 MOST_THREADS = 2048
+SWEEPS = {"VisitTiles": "the policy's sweep", "VisitPhases": "the derivative's sweep"}
 KINDS = {"loads": ("LDG",), "stores": ("STG",), "branches": ("BRA",),
          "of double precision": ("DADD", "DMUL", "DFMA", "DSETP")}
 
@@ -32,11 +33,12 @@ def instructions(path):
     return found
 
 
-def registers(path):
+def usage(path):
+    """Registers, and bytes of memory of a thread's own, by name."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    return {name: int(count) for name, count in
-            re.findall(r"Function (\S+):\s+REG:(\d+)", text)}
+    return {name: (int(registers), int(stack)) for name, registers, stack in
+            re.findall(r"Function (\S+):\s+REG:(\d+) STACK:(\d+)", text)}
 
 
 def counts(parts):
@@ -45,10 +47,13 @@ def counts(parts):
 
 
 def kernel(name, codes, used):
-    row = {"kernel": name, "instructions": len(codes), "registers": used}
+    sweep = next((text for part, text in SWEEPS.items() if part in name), None)
+    registers, stack = used
+    row = {"kernel": sweep or name, "instructions": len(codes), "registers": registers,
+           "stack": stack}
     for kind, starts in KINDS.items():
         row[kind] = sum(code.split(".")[0] in starts for code in codes)
-    row["threads"] = min(MOST_THREADS, REGISTERS // (32 * (-(-used // 8) * 8)) * 32)
+    row["threads"] = min(MOST_THREADS, REGISTERS // (32 * (-(-registers // 8) * 8)) * 32)
     return row
 
 
@@ -57,14 +62,15 @@ def main():
     with open(os.path.join(folder, "launches.json"), encoding="utf-8") as file:
         scene = json.load(file)["scenes"][0]
     codes = instructions(os.path.join(folder, "counted.sass"))
-    used = registers(os.path.join(folder, "registers.txt"))
+    used = usage(os.path.join(folder, "registers.txt"))
     version = subprocess.run(["nvcc", "--version"], check=True, stdout=subprocess.PIPE, text=True)
     measured = {
         "date": time.strftime("%Y-%m-%d"), "scene": scene["scene"], "nodes": scene["nodes"],
         "compiler": re.search(r"release [\d.]+", version.stdout).group(),
         "iteration": counts(scene["policy"]["parts"]), "frame": counts(scene["frame"]["parts"]),
         "iterations": scene["frame"]["iterations"],
-        "kernels": [kernel(name, codes[name], used[name]) for name in sorted(codes)]}
+        "kernels": sorted((kernel(name, codes[name], used[name]) for name in codes),
+                          key=lambda row: row["kernel"])}
     with open(output, "w", encoding="utf-8") as file:
         file.write(json.dumps(measured, indent=1) + "\n")
 

@@ -25,8 +25,20 @@ namespace detail
 /// Throws limpid::Error unless a call of the CUDA runtime has succeeded.
 void RequireCuda(cudaError_t status, const char* call);
 
+// A body stays where launches put it (__grid_constant__): whoever took its address would else have
+// a copy in each thread's own memory.
+
+/// Threads of a block that visits columns and rows.
+constexpr int blockColumns = 32;
+constexpr int blockRows = 4;
+constexpr int blockThreads = blockColumns * blockRows;
+
+/// Threads on a multiprocessor of a launch whose blocks wait for each other: enough to hide what
+/// memory takes, so few that each has 80 registers.
+constexpr int residentThreads = 768;
+
 template <class Body>
-__global__ void VisitEach(const Extent extent, const Body body)
+__global__ void VisitEach(const Extent extent, const __grid_constant__ Body body)
 {
   const int column = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
   if (column >= extent.columns)
@@ -42,7 +54,7 @@ __global__ void VisitEach(const Extent extent, const Body body)
 }
 
 template <class Body>
-__global__ void VisitIndices(const Index count, const Body body)
+__global__ void VisitIndices(const Index count, const __grid_constant__ Body body)
 {
   const Index step = Index(gridDim.x) * blockDim.x;
   for (Index index = Index(blockIdx.x) * blockDim.x + threadIdx.x; index < count; index += step)
@@ -52,7 +64,8 @@ __global__ void VisitIndices(const Index count, const Body body)
 }
 
 template <class Body>
-__global__ void VisitNodes(const int columns, const int rows, const Index count, const Body body)
+__global__ void VisitNodes(
+  const int columns, const int rows, const Index count, const __grid_constant__ Body body)
 {
   const Index step = Index(gridDim.x) * blockDim.x;
   for (Index node = Index(blockIdx.x) * blockDim.x + threadIdx.x; node < count; node += step)
@@ -64,7 +77,8 @@ __global__ void VisitNodes(const int columns, const int rows, const Index count,
 }
 
 template <class Body>
-__global__ void VisitPhases(const int phases, const Body body)
+__global__ void __launch_bounds__(blockThreads, residentThreads / blockThreads)
+  VisitPhases(const int phases, const __grid_constant__ Body body)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   for (int phase = 0; phase < phases; ++phase)
@@ -93,7 +107,8 @@ __global__ void VisitPhases(const int phases, const Body body)
 }
 
 template <class Body>
-__global__ void VisitTiles(const int phases, const Body body)
+__global__ void __launch_bounds__(Body::tileThreads, residentThreads / Body::tileThreads)
+  VisitTiles(const int phases, const __grid_constant__ Body body)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   const int tiles = body.TileCount();
@@ -241,15 +256,15 @@ public:
   template <class Body>
   void ForTiles(const char* label, int phases, const Body& body)
   {
-    this->LaunchResident({ label, 0, phases - 1 }, &detail::VisitTiles<Body>,
-      dim3(Body::tile.columns * Body::tile.rows), phases, body);
+    this->LaunchResident(
+      { label, 0, phases - 1 }, &detail::VisitTiles<Body>, dim3(Body::tileThreads), phases, body);
   }
 
 private:
   /// Makes it the device of the calling thread.
   void Use() const;
 
-  static dim3 BlockOf() { return dim3(32, 4); }
+  static dim3 BlockOf() { return dim3(detail::blockColumns, detail::blockRows); }
 
   /// Launches as many blocks as can wait for each other.
   template <class Body>

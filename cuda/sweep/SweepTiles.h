@@ -23,6 +23,7 @@ struct BackwardTiles
 {
   /// Of rays: a block of threads.
   static constexpr Extent tile{ 32, 8 };
+  static constexpr int tileThreads = tile.columns * tile.rows;
 
   FaceFrustum frustum;
   RayStates states;

@@ -51,11 +51,13 @@ of 64 × 64 pixels (16 384 bytes). What goes to the device are the plans of the 
 ## A ray on a slice, a voxel
 
 Kernels of one ray step or one voxel each, with the policy's usual settings: scores counted, nothing
-weighed. Instructions are those of **all paths together**, of which none takes all: rays that enter
-or leave in the layer and rays that cross it, voxels near the sides of the box, divisions of numbers
-out of range. *Threads*: how many a multiprocessor holds with so many registers.
+weighed. *Inside*: what nearly all take, rays that cross the layer from front to back and voxels far
+from the sides of the box. Else **all paths together**, of which none takes all: rays that enter or
+leave in the layer and rays that cross it, voxels near the sides and voxels inside. *Threads*: how
+many a multiprocessor holds with so many registers; *stack*: bytes of memory of a thread's own, into
+which the compiler moves what finds no register.
 """ + table(measured["kernels"], [
         ("kernel", lambda k: k["kernel"]), ("instructions", lambda k: k["instructions"]),
         *((kind, lambda k, kind=kind: k[kind])
           for kind in ("loads", "stores", "branches", "of double precision", "registers",
-                       "threads"))])
+                       "threads", "stack"))])
