@@ -338,7 +338,7 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
   for (FrustumRays<SimulatedDevice>& rays : moved)
   {
     const FaceFrustum& plan = rays.Plan();
-    const detail::BackwardTiles<Nothing> tiles(rays, {});
+    const detail::BackwardTiles<Nothing> tiles(rays, nullptr, {});
     for (int phase = 1; phase < tiles.PhaseCount(); ++phase)
     {
       const int s = plan.lastSlice - phase + 1;

@@ -23,43 +23,46 @@ template <class AnyDevice>
 class RayImages
 {
 public:
-  RayImages(const std::shared_ptr<AnyDevice>& device, Index rays)
-    : Rays(rays)
-    , Depths(device, std::size_t(2 * rays), "optical depths")
-    , Others(device, std::size_t(images * rays), "rays")
+  RayImages(std::shared_ptr<AnyDevice> device, Index rays)
+    : Device(std::move(device))
+    , Rays(rays)
+    , Depths(this->Device, std::size_t(rays), "optical depths")
   {
   }
 
+  /// All that a sweep on a device from the front carries from slab to slab.
+  double* OpticalDepths() { return this->Depths.Data(); }
+
   RayStates States()
   {
-    double* depths = this->Depths.Data();
-    double* collected = depths + this->Rays;
-    if (this->Swapped)
+    if (this->Others.Empty())
     {
-      std::swap(depths, collected);
+      this->Collected = { this->Device, std::size_t(this->Rays), "optical depths" };
+      this->Others = { this->Device, std::size_t(images * this->Rays), "rays" };
     }
     float* image[images];
     for (Index i = 0; i < images; ++i)
     {
       image[i] = this->Others.Data() + i * this->Rays;
     }
-    return { depths, collected, image[0], image[1], image[2], image[3], image[4], image[5],
-      image[6], image[7], image[8], image[9], image[10], image[11], image[12] };
+    return { this->Depths.Data(), this->Collected.Data(), image[0], image[1], image[2], image[3],
+      image[4], image[5], image[6], image[7], image[8], image[9], image[10], image[11], image[12] };
   }
 
   /// Makes what a sweep has collected the optical depths.
-  void KeepCollected() { this->Swapped = !this->Swapped; }
+  void KeepCollected() { std::swap(this->Depths, this->Collected); }
 
 private:
   static constexpr int images = 13;
 
+  std::shared_ptr<AnyDevice> Device;
   Index Rays;
   DeviceArray<AnyDevice, double> Depths;
+  DeviceArray<AnyDevice, double> Collected; ///< this and the others: when first asked for
   DeviceArray<AnyDevice, float> Others;
-  bool Swapped = false;
 };
 
-/// The plan of a frustum in the memory of a device, a copy of its tables; and room for images.
+/// The plan of a frustum in the memory of a device, a copy of its tables.
 template <class AnyDevice>
 class FrustumTables
 {
@@ -88,17 +91,16 @@ public:
     return this->Means.Data();
   }
 
-  /// Room for so many values, for images of the rays on some slices; made when first needed.
-  float* ImageRoom(std::size_t count)
+  /// Images of the rays on some slices, so many values, for one sweep.
+  DeviceArray<AnyDevice, float> MakeImages(Index count) const
   {
-    return this->Images.RoomFor(this->Device, count, "images of rays");
+    return { this->Device, static_cast<std::size_t>(count), "images of rays" };
   }
 
 private:
   std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, unsigned char> Tables;
   DeviceArray<AnyDevice, HatOfVoxel> Means;
-  DeviceArray<AnyDevice, float> Images;
   FaceFrustum Addresses;
 };
 
@@ -133,6 +135,7 @@ public:
   }
 
   RayStates States() { return this->Values.States(); }
+  double* OpticalDepths() { return this->Values.OpticalDepths(); }
 
   /// Makes what a sweep from the back has collected the optical depths.
   void KeepCollected() { this->Values.KeepCollected(); }

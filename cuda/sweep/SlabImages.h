@@ -9,18 +9,13 @@
 
 namespace limpid
 {
-/// Slices that rays cross between one wait and the next. So few that the images of two slabs stay
-/// in the second-level cache of a large GPU (30 MB at 256^3).
-constexpr int slicesPerSlab = 4;
-
 namespace detail
 {
 /// Images of the rays on the slices of two slabs, that of the rays and the one before it, which
 /// voxels read.
 struct SlabImages
 {
-  static constexpr int slices = 2 * slicesPerSlab;
-
+  int slices; ///< of both, a power of two
   SeenOfRay* seen;
   float* density;
   const HatOfVoxel* hats; ///< see MadeHat
@@ -28,16 +23,23 @@ struct SlabImages
   int nodesU;
   int nodesV;
 
+  /// Room for what follows.
   template <class AnyDevice>
-  explicit SlabImages(FrustumRays<AnyDevice>& frustum)
-    : hats(frustum.Hats())
+  static DeviceArray<AnyDevice, float> RoomFor(FrustumRays<AnyDevice>& frustum, int slicesPerSlab)
+  {
+    return frustum.MakeImages(3 * 2 * slicesPerSlab * frustum.Plan().RayCount());
+  }
+
+  template <class AnyDevice>
+  SlabImages(FrustumRays<AnyDevice>& frustum, int slicesPerSlab, float* room)
+    : slices(2 * slicesPerSlab)
+    , seen(reinterpret_cast<SeenOfRay*>(room))
+    , density(room + 2 * this->slices * frustum.Plan().RayCount())
+    , hats(frustum.Hats())
     , rays(frustum.Plan().RayCount())
     , nodesU(frustum.Plan().nodesU)
     , nodesV(frustum.Plan().nodesV)
   {
-    float* room = frustum.ImageRoom(std::size_t(3 * slices * this->rays));
-    this->seen = reinterpret_cast<SeenOfRay*>(room);
-    this->density = room + 2 * slices * this->rays;
   }
 
   /// Takes what voxels read of a ray.
@@ -60,7 +62,7 @@ struct SlabImages
 
 private:
   /// Slabs are neighbours, so that this tells the slices of one from those of the other.
-  LIMPID_HD LIMPID_INLINE Index First(int s) const { return (s % slices) * this->rays; }
+  LIMPID_HD LIMPID_INLINE Index First(int s) const { return (s & (this->slices - 1)) * this->rays; }
 };
 }
 }

@@ -16,6 +16,10 @@ namespace limpid
 {
 namespace detail
 {
+/// Slices that rays cross between one wait and the next. So few that the images of two slabs stay
+/// in the second-level cache of a large GPU (30 MB at 256^3).
+constexpr int slicesPerSlab = 4;
+
 /// What one ray carries, in registers.
 struct RayHere
 {
@@ -94,6 +98,15 @@ struct ForwardRay
 /// Slices from the back on, as far as there are voxels.
 struct BackToFront
 {
+  /// What goes from slab to slab.
+  using Carried = RayStates;
+
+  template <class AnyDevice>
+  static Carried CarriedBy(FrustumRays<AnyDevice>& rays)
+  {
+    return rays.States();
+  }
+
   static int CountOf(const FaceFrustum& frustum)
   {
     return frustum.SliceCount() - frustum.firstNodeSlice;
@@ -107,20 +120,21 @@ struct BackToFront
   }
 
   /// What a ray is before a slab. It has its optical depth from the start.
-  LIMPID_HD static LIMPID_INLINE void Load(bool first, const RayStates& kept, RayHere& here)
+  LIMPID_HD static LIMPID_INLINE void Load(
+    bool first, const RayStates& all, int index, RayHere& here)
   {
     if (first)
     {
       StartBehind{ here.States() }(0);
-      here.opticalDepth = *kept.opticalDepth;
+      here.opticalDepth = all.opticalDepth[index];
       return;
     }
-    here.Load(kept);
+    here.Load(all.From(index));
   }
 
-  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, const RayStates& kept)
+  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, const RayStates& all, int index)
   {
-    here.Store(kept);
+    here.Store(all.From(index));
   }
 
   template <class Kernel>
@@ -143,6 +157,14 @@ struct BackToFront
 /// Slices from the front on, the source's own included.
 struct FrontToBack
 {
+  using Carried = double*; ///< the optical depth
+
+  template <class AnyDevice>
+  static Carried CarriedBy(FrustumRays<AnyDevice>& rays)
+  {
+    return rays.OpticalDepths();
+  }
+
   static int CountOf(const FaceFrustum& frustum) { return frustum.SliceCount(); }
 
   LIMPID_HD static Range<int> SlabOf(const FaceFrustum& frustum, int slab)
@@ -152,16 +174,16 @@ struct FrontToBack
     return { begin, end < frustum.lastSlice + 1 ? end : frustum.lastSlice + 1 };
   }
 
-  /// Nothing goes from slab to slab but the optical depth.
-  LIMPID_HD static LIMPID_INLINE void Load(bool first, const RayStates& kept, RayHere& here)
+  LIMPID_HD static LIMPID_INLINE void Load(
+    bool first, const double* opticalDepths, int index, RayHere& here)
   {
     StartInFront{ here.States() }(0);
-    here.opticalDepth = first ? 0.0 : *kept.opticalDepth;
+    here.opticalDepth = first ? 0.0 : opticalDepths[index];
   }
 
-  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, const RayStates& kept)
+  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, double* opticalDepths, int index)
   {
-    *kept.opticalDepth = here.opticalDepth;
+    opticalDepths[index] = here.opticalDepth;
   }
 
   template <class Kernel>
@@ -182,17 +204,17 @@ template <class Way, class Kernel>
 struct SlabPhases
 {
   FaceFrustum frustum;
-  RayStates states;
+  typename Way::Carried carried;
   Kernel kernel;
   SlabImages images;
   int slabs;
 
   template <class AnyDevice>
-  SlabPhases(FrustumRays<AnyDevice>& rays, const Kernel& what)
+  SlabPhases(FrustumRays<AnyDevice>& rays, float* room, const Kernel& what)
     : frustum(rays.Plan())
-    , states(rays.States())
+    , carried(Way::CarriedBy(rays))
     , kernel(what)
-    , images(rays)
+    , images(rays, slicesPerSlab, room)
     , slabs((Way::CountOf(this->frustum) + slicesPerSlab - 1) / slicesPerSlab)
   {
   }
@@ -235,14 +257,13 @@ private:
     {
       return;
     }
-    const Index index = this->frustum.RayAt(column, row);
-    const RayStates kept = this->states.From(index);
+    const int index = this->frustum.RayAt(column, row);
     RayHere here;
-    Way::Load(slab == 0, kept, here);
+    Way::Load(slab == 0, this->carried, index, here);
     RaySampler ray(this->frustum, here.States(), column, row);
     Way::Cross(Way::SlabOf(this->frustum, slab), this->frustum, this->kernel, this->images, index,
       ray, here);
-    Way::Store(here, kept);
+    Way::Store(here, this->carried, index);
   }
 
   LIMPID_HD LIMPID_INLINE void VisitVoxel(int s, int u, int v) const
@@ -265,7 +286,8 @@ inline Extent ExtentOfRays(const FaceFrustum& frustum)
 template <class Way, class AnyDevice, class Kernel>
 void SweepSlabs(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
-  const SlabPhases<Way, Kernel> phases(rays, kernel);
+  DeviceArray<AnyDevice, float> images = SlabImages::RoomFor(rays, slicesPerSlab);
+  const SlabPhases<Way, Kernel> phases(rays, images.Data(), kernel);
   device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 }

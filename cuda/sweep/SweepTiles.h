@@ -24,6 +24,7 @@ struct BackwardTiles
   /// Of rays: a block of threads.
   static constexpr Extent tile{ 32, 8 };
   static constexpr int tileThreads = tile.columns * tile.rows;
+  static constexpr int slicesPerSlab = 1;
 
   FaceFrustum frustum;
   RayStates states;
@@ -31,11 +32,11 @@ struct BackwardTiles
   SlabImages images;
 
   template <class AnyDevice>
-  BackwardTiles(FrustumRays<AnyDevice>& rays, const Kernel& what)
+  BackwardTiles(FrustumRays<AnyDevice>& rays, float* room, const Kernel& what)
     : frustum(rays.Plan())
     , states(rays.States())
     , kernel(what)
-    , images(rays)
+    , images(rays, slicesPerSlab, room)
   {
   }
 
@@ -164,7 +165,9 @@ private:
 template <class AnyDevice, class Kernel>
 void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
-  const detail::BackwardTiles<Kernel> tiles(rays, kernel);
+  using Tiles = detail::BackwardTiles<Kernel>;
+  DeviceArray<AnyDevice, float> images = detail::SlabImages::RoomFor(rays, Tiles::slicesPerSlab);
+  const Tiles tiles(rays, images.Data(), kernel);
   device.ForTiles(Kernel::label, tiles.PhaseCount(), tiles);
 }
 }
