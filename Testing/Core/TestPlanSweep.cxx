@@ -344,6 +344,8 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
       const int s = plan.lastSlice - phase + 1;
       const Slice& slice = plan.SliceAt(s);
       std::vector<int> finders(std::size_t(plan.nodesU) * std::size_t(plan.nodesV), 0);
+      const auto findersOf = [&](int u, int v) -> int&
+      { return finders[std::size_t(v) * std::size_t(plan.nodesU) + std::size_t(u)]; };
       for (int number = 0; number < tiles.TileCount(); ++number)
       {
         const auto tile = tiles.TileAt(phase, number);
@@ -354,7 +356,7 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
         {
           for (int u = tile.voxelsOfU.begin; u < tile.voxelsOfU.end; ++u)
           {
-            ++finders[std::size_t(v * plan.nodesU + u)];
+            ++findersOf(u, v);
           }
         }
       }
@@ -363,7 +365,7 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
         for (int u = 0; u < plan.nodesU; ++u)
         {
           const bool owned = slice.ownedColumns.Contains(u) && slice.ownedRows.Contains(v);
-          ASSERT_EQ(finders[std::size_t(v * plan.nodesU + u)] > 0, owned) << u << " " << v;
+          ASSERT_EQ(findersOf(u, v) > 0, owned) << u << " " << v;
         }
       }
     }
