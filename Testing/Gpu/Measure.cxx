@@ -303,7 +303,6 @@ void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver
 /// The product's own frame after the camera has moved: the whole optimisation, shadows, picture.
 Json MeasureFrame(const SceneForSolver& scene, const Effort& effort)
 {
-  fprintf(stderr,"FRAME\n");
   Settings settings;
   settings.backend = BackendKind::Cuda;
   Progressive progressive(scene.Fields(), settings);

@@ -382,6 +382,7 @@ int Progressive::Iterations() const
 std::string Progressive::BackendName() const
 {
   const Internals& state = *this->State;
-  return state.solver ? state.solver->BackendName() : ChooseBackend(state.settings.backend, {}).name;
+  return state.solver ? state.solver->BackendName()
+                      : ChooseBackend(state.settings.backend, {}).name;
 }
 }
