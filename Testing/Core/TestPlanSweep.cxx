@@ -338,7 +338,9 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
   for (FrustumRays<SimulatedDevice>& rays : moved)
   {
     const FaceFrustum& plan = rays.Plan();
-    const detail::BackwardTiles<Nothing> tiles(rays, nullptr, {});
+    using Tiles = detail::BackwardTiles<Nothing>;
+    auto images = detail::SlabImages::RoomFor(rays, Tiles::slicesPerSlab);
+    const Tiles tiles(rays, images.Data(), {});
     for (int phase = 1; phase < tiles.PhaseCount(); ++phase)
     {
       const int s = plan.lastSlice - phase + 1;
