@@ -106,6 +106,26 @@ std::vector<std::string> Split(const std::string& list)
   return items;
 }
 
+std::string Options::UsageOf(const Table& known)
+{
+  std::string usage;
+  for (const auto& [name, value] : known)
+  {
+    usage += " --" + name + (value == "no" ? "" : value.empty() ? " VALUE" : " " + value);
+  }
+  return usage;
+}
+
+bool Options::TellUsage(const std::vector<std::string>& arguments, const Table& known)
+{
+  const bool asked = std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
+  if (asked)
+  {
+    std::cout << "There are these options, with their defaults:" << UsageOf(known) << '\n';
+  }
+  return asked;
+}
+
 Options::Options(const std::vector<std::string>& arguments, const Table& known)
   : Values(known)
 {
@@ -118,14 +138,9 @@ Options::Options(const std::vector<std::string>& arguments, const Table& known)
     }
     const auto option = this->Values.find(arguments[at].substr(2));
     const bool flag = option != this->Values.end() && option->second == "no";
-    std::string usage;
-    for (const auto& [name, value] : known)
-    {
-      usage += " --" + name + (value == "no" ? "" : value.empty() ? " VALUE" : " " + value);
-    }
     LIMPID_REQUIRE(option != this->Values.end() && (flag || at + 1 < arguments.size()),
       "The option " << arguments[at] << " is unknown or has no value (nothing would come of it). "
-                    << "There are, with their defaults:" << usage);
+                    << "There are, with their defaults:" << UsageOf(known));
     const std::string value = flag ? "yes" : arguments[++at];
     RequireFit(option->first, option->second, value);
     option->second = value;
@@ -157,7 +172,12 @@ int RunProgram(int argc, char* argv[], const Options::Table& known, const Measur
     const double load = LoadAverage();
     Options::Table all{ { "output", "" }, { "threads", "0" }, { "quick", "no" } };
     all.insert(known.begin(), known.end());
-    const Options options(std::vector<std::string>(argv + 1, argv + argc), all);
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    if (Options::TellUsage(arguments, all))
+    {
+      return 0;
+    }
+    const Options options(arguments, all);
     const int threads = options.Count("threads");
     const ThreadLimit limit(threads > 0 ? threads : ThreadCount());
     Json results = Json::object();

@@ -78,6 +78,9 @@ public:
   /// Throws limpid::Error on what it does not understand.
   Options(const std::vector<std::string>& arguments, const Table& known);
 
+  /// Tells which options there are if "--help" is among the arguments. Returns whether it is.
+  static bool TellUsage(const std::vector<std::string>& arguments, const Table& known);
+
   const std::string& Text(const std::string& name) const { return this->Values.at(name); }
   double Number(const std::string& name) const { return std::stod(this->Text(name)); }
   int Count(const std::string& name) const { return static_cast<int>(this->Number(name)); }
@@ -89,6 +92,8 @@ public:
   std::vector<std::string> words;
 
 private:
+  static std::string UsageOf(const Table& known);
+
   Table Values;
 };
 

@@ -236,9 +236,14 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const Options options(std::vector<std::string>(argv + 1, argv + argc),
-      { { "onion", "64" }, { "threads", std::to_string(ThreadCount()) }, { "skips-off", "no" },
-        { "derivative-ray", "no" }, { "camera-only", "no" } });
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const Options::Table known{ { "onion", "64" }, { "threads", std::to_string(ThreadCount()) },
+      { "skips-off", "no" }, { "derivative-ray", "no" }, { "camera-only", "no" } };
+    if (Options::TellUsage(arguments, known))
+    {
+      return 0;
+    }
+    const Options options(arguments, known);
     Settings settings;
     settings.backend = BackendKind::Cpu;
     settings.skipUnneeded = !options.Flag("skips-off");
