@@ -52,6 +52,14 @@ public:
   void SetImportanceArray(int index, int port, int connection, int association, const char* name);
 
   /**
+   * What is assumed where nothing says what is important, and where to start from otherwise: the
+   * two values of the importance array, or of the array that stands for it, between which
+   * importance rises from 0 to 1. Both 0 if there are no data yet, if all values are alike, and if
+   * they are importance themselves: of an array that was chosen, and from 0 to 1.
+   */
+  double* GetSuggestedImportance() VTK_SIZEHINT(2);
+
+  /**
    * Those of the mapper: importance, weights, own light and solver. ScalarComponent is that of the
    * color map.
    */
@@ -171,6 +179,7 @@ private:
   void EndFrame(vtkObject* renderer, unsigned long event, void* data);
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
   void ApplyFunctions(vtkDataArray* array);
+  void AssumeImportance(vtkDataArray* array);
   void ApplyImportance(vtkImageData* image, const char* colorArray, bool colorsOnCells);
   void AddUnavailable(int components, std::vector<std::string>& messages) const;
   void Say(const std::vector<std::string>& messages);

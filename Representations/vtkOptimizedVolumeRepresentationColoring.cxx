@@ -101,6 +101,7 @@ void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
   if (this->State->DefaultsTime != array->GetMTime()) // times are unique among arrays
   {
     limpid::SpreadOverRange(array, this->State->DefaultColors, this->State->DefaultOpacity);
+    this->AssumeImportance(array);
     this->State->DefaultsTime = array->GetMTime();
   }
   if (!this->State->ColorsGiven)
@@ -121,6 +122,43 @@ void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
   this->State->Mapper->SetScalarComponent(colors->GetVectorMode() == vtkScalarsToColors::COMPONENT
       ? colors->GetVectorComponent()
       : unchosen);
+}
+
+void vtkOptimizedVolumeRepresentation::AssumeImportance(vtkDataArray* array)
+{
+  const limpid::ImportanceRamp ramp = limpid::StartingImportance(array, -1);
+  vtkPiecewiseFunction* function = this->State->AssumedImportance;
+  function->RemoveAllPoints();
+  if (ramp.IsKnown())
+  {
+    function->AddPoint(ramp.begin, 0);
+    function->AddPoint(ramp.end, 1);
+  }
+  this->State->ShownRamp = ramp;
+  this->State->Mapper->SetAssumedImportance(ramp.IsKnown() ? function : nullptr);
+}
+
+double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
+{
+  auto* image = vtkImageData::SafeDownCast(this->VolumeMapper->GetDataSetInput());
+  const std::string& name = this->State->ImportanceArray;
+  const bool onCells = this->State->ImportanceAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataArray* chosen = image ? limpid::FindScalars(image, name.c_str(), onCells).array : nullptr;
+  limpid::ImportanceRamp ramp;
+  if (chosen)
+  {
+    double range[2];
+    chosen->GetFiniteRange(range, chosen->GetNumberOfComponents() > 1 ? -1 : 0);
+    const bool isImportance = range[0] >= 0 && range[1] <= 1;
+    ramp = isImportance ? limpid::ImportanceRamp() : limpid::StartingImportance(chosen, -1);
+  }
+  else if (image && (name == COLOR_ARRAY || name == IMPORTANCE))
+  {
+    ramp = this->State->ShownRamp;
+  }
+  this->State->SuggestedRamp[0] = ramp.begin;
+  this->State->SuggestedRamp[1] = ramp.end;
+  return this->State->SuggestedRamp;
 }
 
 void vtkOptimizedVolumeRepresentation::ApplyImportance(

@@ -4,6 +4,7 @@
 #ifndef vtkOptimizedVolumeRepresentationInternals_h
 #define vtkOptimizedVolumeRepresentationInternals_h
 
+#include "StartingImportance.h"
 #include "vtkOptimizedVolumeRepresentation.h"
 #include "vtkScoreAnnotation.h"
 #include "vtkTransmittanceVolumeMapper.h"
@@ -46,7 +47,10 @@ struct vtkOptimizedVolumeRepresentation::Internals
   // What the volume's property has in place of functions that were not given.
   vtkNew<vtkColorTransferFunction> DefaultColors;
   vtkNew<vtkPiecewiseFunction> DefaultOpacity;
-  vtkMTimeType DefaultsTime = 0; // of the array that they are for
+  vtkMTimeType DefaultsTime = 0;                  // of the array that they are for
+  vtkNew<vtkPiecewiseFunction> AssumedImportance; // of the array that is shown
+  limpid::ImportanceRamp ShownRamp;               // the same
+  double SuggestedRamp[2] = { 0, 0 };
   bool ColorsGiven = false;
   bool OpacityGiven = false;
 

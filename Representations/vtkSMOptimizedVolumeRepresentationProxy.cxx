@@ -19,15 +19,28 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
 
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMOptimizedVolumeRepresentationProxy);
 
 namespace
 {
 const char* const TYPE = "Optimized Volume"; // text in LimpidRepresentations.xml
+
+const char* const COLOR_ARRAY = "(Color Array)"; // none_string there
+
+// Of a function over values that are importance themselves.
+const std::vector<double> WHOLE_RANGE{ 0, 0, 0.5, 0, 1, 1, 0.5, 0 };
+
+std::vector<double> PointsOf(vtkSMProxy* function)
+{
+  return function ? vtkSMPropertyHelper(function, "Points").GetDoubleArray()
+                  : std::vector<double>();
+}
 
 struct ColorArray
 {
@@ -81,11 +94,16 @@ vtkSMOptimizedVolumeRepresentationProxy::~vtkSMOptimizedVolumeRepresentationProx
 void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
 {
   this->Superclass::CreateVTKObjects();
-  if (!this->WatchesPreset)
+  if (!this->WatchesOwn)
   {
-    this->WatchesPreset = true;
+    this->WatchesOwn = true;
     this->GetProperty("Preset")->AddObserver(
       vtkCommand::ModifiedEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnPresetChosen);
+    for (const char* name : { "ImportanceArray", "UseImportanceFunction" })
+    {
+      this->GetProperty(name)->AddObserver(vtkCommand::ModifiedEvent, this,
+        &vtkSMOptimizedVolumeRepresentationProxy::OnImportanceChosen);
+    }
   }
   vtkSMProxy* display = this->GetParentProxy();
   vtkSMProperty* type = display ? display->GetProperty("Representation") : nullptr;
@@ -105,11 +123,26 @@ bool vtkSMOptimizedVolumeRepresentationProxy::IsActive()
     std::string(vtkSMPropertyHelper(display, "Representation").GetAsString()) == TYPE;
 }
 
+// Whether changes come from a user or a script, and not from a state or from another client.
+bool vtkSMOptimizedVolumeRepresentationProxy::IsEdited()
+{
+  return !this->GetSessionProxyManager()->GetInLoadXMLState() &&
+    !this->GetSession()->IsMultiClients();
+}
+
 void vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged()
 {
   auto* display = vtkSMPVRepresentationProxy::SafeDownCast(this->GetParentProxy());
-  if (!display || !this->IsActive() || display->GetUsingScalarColoring() ||
-    this->GetSessionProxyManager()->GetInLoadXMLState() || this->GetSession()->IsMultiClients())
+  if (!display || !this->IsActive() || !this->IsEdited())
+  {
+    return;
+  }
+  if (this->Suggested.empty())
+  {
+    this->Starts = vtkSMPropertyHelper(this, "UseImportanceFunction").GetAsInt() == 0;
+    this->Suggested = PointsOf(vtkSMPropertyHelper(this, "ImportanceFunction").GetAsProxy());
+  }
+  if (display->GetUsingScalarColoring())
   {
     return;
   }
@@ -127,6 +160,51 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged()
   {
     display->RescaleTransferFunctionToDataRange(true);
   }
+}
+
+// Takes what is suggested for the points of the function, or else those that it had at first,
+// unless they were changed. Returns whether there is a suggestion.
+bool vtkSMOptimizedVolumeRepresentationProxy::TakeSuggestion()
+{
+  vtkSMProxy* function = vtkSMPropertyHelper(this, "ImportanceFunction").GetAsProxy();
+  const std::vector<double> ramp =
+    vtkSMPropertyHelper(this, "SuggestedImportance").GetDoubleArray();
+  if (!function || ramp.size() != 2)
+  {
+    return false;
+  }
+  const bool known = ramp[0] < ramp[1];
+  const std::vector<double> points = PointsOf(function);
+  const std::vector<double> wanted =
+    known ? std::vector<double>{ ramp[0], 0, 0.5, 0, ramp[1], 1, 0.5, 0 } : WHOLE_RANGE;
+  const bool untouched = points == this->Suggested;
+  if (untouched && points != wanted)
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", function);
+    vtkSMPropertyHelper(function, "Points").Set(wanted.data(), unsigned(wanted.size()));
+    function->UpdateVTKObjects();
+  }
+  this->Suggested = untouched ? wanted : this->Suggested;
+  return known;
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::OnImportanceChosen()
+{
+  if (this->IsTaking || !this->ObjectsCreated || !this->IsActive() || !this->IsEdited())
+  {
+    return;
+  }
+  this->IsTaking = true;
+  this->UpdateProperty("ImportanceArray");
+  this->UpdatePropertyInformation();
+  vtkSMPropertyHelper use(this, "UseImportanceFunction");
+  const bool suggested = use.GetAsInt() != 0 && this->TakeSuggestion();
+  if (use.GetAsInt() != 0 && !suggested && this->FunctionIsOn)
+  {
+    this->UseFunction(false); // the array's values are importance themselves
+  }
+  this->FunctionIsOn = this->FunctionIsOn && suggested;
+  this->IsTaking = false;
 }
 
 void vtkSMOptimizedVolumeRepresentationProxy::OnPresetChosen()
@@ -194,7 +272,34 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnRendered(
     vtkSMPropertyHelper(display, "Visibility").GetAsInt() != 0)
   {
     this->UpdatePropertyInformation();
+    this->Start();
   }
+}
+
+// What was assumed for the first picture becomes what the user sees and may change.
+void vtkSMOptimizedVolumeRepresentationProxy::Start()
+{
+  if (!this->Starts)
+  {
+    return;
+  }
+  const char* name = vtkSMPropertyHelper(this, "ImportanceArray").GetAsString(4);
+  this->Starts = false;
+  if (name && std::string(name) == COLOR_ARRAY &&
+    vtkSMPropertyHelper(this, "UseImportanceFunction").GetAsInt() == 0 && this->TakeSuggestion())
+  {
+    this->IsTaking = true;
+    this->UseFunction(true);
+    this->FunctionIsOn = true;
+    this->IsTaking = false;
+  }
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::UseFunction(bool use)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->GetParentProxy());
+  vtkSMPropertyHelper(this, "UseImportanceFunction").Set(use ? 1 : 0);
+  this->UpdateVTKObjects();
 }
 
 void vtkSMOptimizedVolumeRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)

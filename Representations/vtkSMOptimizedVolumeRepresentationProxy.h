@@ -13,6 +13,10 @@
  * When a display without scalar coloring changes to the type "Optimized Volume", an array to color
  * by is chosen, as ParaView does for the type "Volume".
  *
+ * Where nothing says what is important, the importance function is switched on after the first
+ * picture, with what was assumed for that; and as long as nobody has changed its points, they
+ * follow the importance array (SuggestedImportance).
+ *
  * To set the property "Preset" to a name is to set the properties to the values of that preset
  * (Presets.h). Itself it has no value, so it is in no state.
  */
@@ -23,7 +27,8 @@
 #include "vtkLimpidRepresentationsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
 
-#include <map> // for the views
+#include <map>    // for the views
+#include <vector> // for points
 
 class VTKLIMPIDREPRESENTATIONS_EXPORT vtkSMOptimizedVolumeRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -47,12 +52,21 @@ private:
   void operator=(const vtkSMOptimizedVolumeRepresentationProxy&) = delete;
 
   bool IsActive();
+  bool IsEdited();
   void OnTypeChanged();
+  void OnImportanceChosen();
+  bool TakeSuggestion();
+  void Start();
+  void UseFunction(bool use);
   void OnPresetChosen();
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 
   bool WatchesType = false;
-  bool WatchesPreset = false;
+  bool WatchesOwn = false;   // properties
+  bool Starts = false;       // with what is assumed to be important, after the first picture
+  bool FunctionIsOn = false; // because of what was suggested
+  bool IsTaking = false;
+  std::vector<double> Suggested;              // points of the function that nobody has chosen
   std::map<vtkSMProxy*, unsigned long> Views; // that show it, and the tag of the observer there
 };
 

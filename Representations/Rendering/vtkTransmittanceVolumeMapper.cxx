@@ -58,6 +58,15 @@ const char* vtkTransmittanceVolumeMapper::GetImportanceArray() const
   return this->ImportanceArray.c_str();
 }
 
+void vtkTransmittanceVolumeMapper::SetAssumedImportance(vtkPiecewiseFunction* function)
+{
+  if (function != this->AssumedImportance)
+  {
+    this->AssumedImportance = function;
+    this->Modified();
+  }
+}
+
 void vtkTransmittanceVolumeMapper::Reset()
 {
   for (const auto& view : this->State->Views)
@@ -188,7 +197,8 @@ void vtkTransmittanceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 vtkMTimeType vtkTransmittanceVolumeMapper::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
+  const vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
+  return this->AssumedImportance ? std::max(time, this->AssumedImportance->GetMTime()) : time;
 }
 
 void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -200,6 +210,7 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Settings->PrintSelf(os, indent.GetNextIndent());
   print("ImportanceArray", this->ImportanceArray);
   print("ImportanceArrayAssociation", this->ImportanceArrayAssociation);
+  print("AssumedImportance", static_cast<void*>(this->AssumedImportance));
   print("Optimization", this->Optimization);
   print("PauseOptimization", this->PauseOptimization);
   print("LightSource", this->LightSource);

@@ -53,6 +53,7 @@
 #define vtkTransmittanceVolumeMapper_h
 
 #include "vtkLimpidRenderingModule.h" // for export macro
+#include "vtkPiecewiseFunction.h"     // for the smart pointer
 #include "vtkSmartPointer.h"          // for the settings
 #include "vtkVisibilitySettings.h"    // for the methods that are passed on
 #include "vtkVolumeMapper.h"
@@ -117,6 +118,16 @@ public:
    */
   void SetImportanceArray(const char* name);
   const char* GetImportanceArray() const;
+  ///@}
+
+  ///@{
+  /**
+   * Function from the scalars to importance that stands in where nothing says what is important:
+   * no array is named, there is none of the name "Importance", and UseImportanceFunction is off.
+   * Null: that is an error. Default is null.
+   */
+  void SetAssumedImportance(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetAssumedImportance() { return this->AssumedImportance; }
   ///@}
 
   ///@{
@@ -408,6 +419,7 @@ private:
 
   vtkSmartPointer<vtkVisibilitySettings> Settings;
   std::string ImportanceArray;
+  vtkSmartPointer<vtkPiecewiseFunction> AssumedImportance;
   int ImportanceArrayAssociation = 3; // vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS
 
   int Optimization = CONTINUOUS;

@@ -261,11 +261,10 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   const limpid::FieldSource scalars = this->ScalarSource(image, volume);
   this->Data.UpdateScalars(image, scalars, this->CropRegionOf(volume));
   this->Data.UpdateFunctions(volume->GetProperty());
-  vtkPiecewiseFunction* importanceFunction = this->Self->GetImportanceFunction();
   try
   {
-    this->Data.UpdateImportance(image, this->ImportanceSource(image, scalars),
-      importanceFunction ? importanceFunction->GetMTime() : 0);
+    const Importance importance = this->ImportanceOf(image, scalars);
+    this->Data.UpdateImportance(image, importance.source, importance.functionTime);
   }
   catch (const std::exception& error)
   {

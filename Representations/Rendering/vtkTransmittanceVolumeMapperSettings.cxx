@@ -119,17 +119,22 @@ vtkDataArray* vtkTransmittanceVolumeMapper::Internals::FindImportance(
   return array;
 }
 
-limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ImportanceSource(
+vtkTransmittanceVolumeMapper::Internals::Importance
+vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
   vtkImageData* image, const limpid::FieldSource& scalars)
 {
   const std::string& given = this->Self->ImportanceArray;
   const std::string name = given.empty() ? "Importance" : given;
-  limpid::FieldSource source;
+  const bool mapped = this->Self->GetUseImportanceFunction() != 0;
+  Importance importance;
+  limpid::FieldSource& source = importance.source;
   source.array = this->FindImportance(image, name, source.onCells);
   source.component = this->Self->GetImportanceComponent();
-  if (!source.array && given.empty() && this->Self->GetUseImportanceFunction())
+  vtkPiecewiseFunction* function = mapped ? this->Self->GetImportanceFunction() : nullptr;
+  if (!source.array && given.empty() && (mapped || this->Self->AssumedImportance))
   {
     source = scalars;
+    function = mapped ? function : this->Self->AssumedImportance.Get();
   }
   LIMPID_REQUIRE(source.array,
     "The importance array \"" << name
@@ -138,8 +143,10 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ImportanceSource(
                               << limpid::ArrayNames(image)
                               << "; or turn optimization and ShowMissed off.");
   limpid::RequireComponent("ImportanceComponent", source.array, source.component);
-  source.mapping = limpid::ImportanceMapping(this->Self->Settings);
-  return source;
+  source.mapping = function && !mapped ? limpid::Evaluate(function)
+                                       : limpid::ImportanceMapping(this->Self->Settings);
+  importance.functionTime = function ? function->GetMTime() : 0;
+  return importance;
 }
 
 limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolume* volume) const

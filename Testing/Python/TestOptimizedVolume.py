@@ -187,9 +187,9 @@ class TestOptimizedVolume(displays.DisplayTest):
         self.assertGreater(display.VisibleFraction, 0)
 
     def test_draws_ordinarily_and_says_so_without_importance(self):
-        display = self.shown(simple.Wavelet())
+        display = self.shown(simple.Wavelet(), ImportanceArray=["POINTS", "not there"])
 
-        self.assert_draws(display, "mportance")
+        self.assert_draws(display, "The importance array \"not there\" is not among")
         self.assertEqual(display.VisibleFraction, 0)
         self.assertEqual(display.Converged, 1)
 

@@ -8,8 +8,7 @@ import time
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume, vtkWindowToImageFilter
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
@@ -37,6 +36,7 @@ class TestProperties(MapperTest):
                 SampleDistance=0.5, Jitter=1, ShowMissed=1, MissedColor=(0.1, 0.2, 0.3),
                 InteractiveFrameTime=0.2, EaseTime=0.1,
                 AdaptiveQuality=0, ProgressiveStill=1,
+                AssumedImportance=vtkPiecewiseFunction(),
                 ImportanceFunction=vtkPiecewiseFunction()).items():
             with self.subTest(name=name):
                 before = mapper.GetMTime()
@@ -169,50 +169,6 @@ class TestOptimization(MapperTest):
         view, mapper = show(phantom(16), Solver=Mapper.ADAM, IterationsPerLevel=(4, 4, 8))
         view.window.Render()
         self.assertGreater(mapper.GetVisibilityScore(), mapper.GetBaseVisibilityScore())
-        self.assert_fine(view)
-
-    def test_importance_is_mapped_by_a_function(self):
-        image = phantom()
-        view, mapper = show(image, ImportanceArray="Scalars", UseImportanceFunction=1,
-                            ImportanceFunction=opacity_of((0.6, 0), (0.8, 1)))
-        view.window.Render()
-        expected = mapper.GetVisibilityScore()
-        self.assertGreater(expected, 0)
-
-        mapped = np.interp(values(image, "Scalars"), (0.6, 0.8), (0, 1)).astype(np.float32)
-        array = numpy_to_vtk(mapped, deep=1)
-        array.SetName("mapped")
-        image.GetPointData().AddArray(array)
-        mapper.UseImportanceFunctionOff()
-        mapper.SetImportanceArray("mapped")
-        view.window.Render()
-        self.assertAlmostEqual(mapper.GetVisibilityScore(), expected, delta=1e-4 * expected)
-
-        # Without a name and without an array "Importance", it maps the scalars.
-        image.GetPointData().RemoveArray("Importance")
-        mapper.UseImportanceFunctionOn()
-        mapper.SetImportanceArray("")
-        view.window.Render()
-        self.assertAlmostEqual(mapper.GetVisibilityScore(), expected, delta=1e-4 * expected)
-        mapper.SetImportanceFunction(opacity_of((0.1, 0), (0.2, 1)))
-        view.window.Render()
-        self.assertNotEqual(mapper.GetVisibilityScore(), expected)
-        self.assert_fine(view)
-
-    def test_importance_of_cells(self):
-        image = phantom()
-        importance = values(image, "Importance").reshape(32, 32, 32)
-        cells = importance[:-1, :-1, :-1].ravel()
-        array = numpy_to_vtk(cells, deep=1)
-        array.SetName("Importance")
-        image.GetCellData().AddArray(array)
-        view, mapper = show(image)
-        view.window.Render()
-        of_points = mapper.GetVisibilityScore()
-        mapper.SetImportanceArrayAssociation(vtkDataObject.FIELD_ASSOCIATION_CELLS)
-        view.window.Render()
-        self.assertNotEqual(mapper.GetVisibilityScore(), of_points)
-        self.assertGreater(mapper.GetVisibilityScore(), 0)
         self.assert_fine(view)
 
 

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is taken for important where nobody has said it.
+
+#ifndef limpid_StartingImportance_h
+#define limpid_StartingImportance_h
+
+class vtkDataArray;
+
+namespace limpid
+{
+/// Importance rises from 0 to 1 between two values.
+struct ImportanceRamp
+{
+  double begin = 0;
+  double end = 0; ///< where it is 1
+
+  /// Not where all values are alike, or none is a number: nothing stands out of them.
+  bool IsKnown() const { return this->begin < this->end; }
+};
+
+/// The largest few per cent of an array's values, of which there are usually few that matter most:
+/// bones, vessels, cores. `component`: -1 for the magnitude.
+ImportanceRamp StartingImportance(vtkDataArray* array, int component);
+}
+
+#endif

@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Where the mapper takes from what is important.
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from mapper_tests import MapperTest, show
+from volume_views import opacity_of, phantom, values
+
+
+class TestImportance(MapperTest):
+    def test_importance_is_mapped_by_a_function(self):
+        image = phantom()
+        view, mapper = show(image, ImportanceArray="Scalars", UseImportanceFunction=1,
+                            ImportanceFunction=opacity_of((0.6, 0), (0.8, 1)))
+        view.window.Render()
+        expected = mapper.GetVisibilityScore()
+        self.assertGreater(expected, 0)
+
+        mapped = np.interp(values(image, "Scalars"), (0.6, 0.8), (0, 1)).astype(np.float32)
+        array = numpy_to_vtk(mapped, deep=1)
+        array.SetName("mapped")
+        image.GetPointData().AddArray(array)
+        mapper.UseImportanceFunctionOff()
+        mapper.SetImportanceArray("mapped")
+        view.window.Render()
+        self.assertAlmostEqual(mapper.GetVisibilityScore(), expected, delta=1e-4 * expected)
+
+        # Without a name and without an array "Importance", it maps the scalars.
+        image.GetPointData().RemoveArray("Importance")
+        mapper.UseImportanceFunctionOn()
+        mapper.SetImportanceArray("")
+        view.window.Render()
+        self.assertAlmostEqual(mapper.GetVisibilityScore(), expected, delta=1e-4 * expected)
+        mapper.SetImportanceFunction(opacity_of((0.1, 0), (0.2, 1)))
+        view.window.Render()
+        self.assertNotEqual(mapper.GetVisibilityScore(), expected)
+        self.assert_fine(view)
+
+    def test_the_function_of_the_importance_can_be_switched_off_and_on(self):
+        view, mapper = show(phantom(16), ImportanceArray="Scalars",
+                            ImportanceFunction=opacity_of((0.6, 0), (0.8, 1)))
+        scores = {}
+        for use in (1, 0, 1):
+            mapper.SetUseImportanceFunction(use)
+            view.window.Render()
+            self.assertEqual(scores.setdefault(use, mapper.GetBaseVisibilityScore()),
+                             mapper.GetBaseVisibilityScore())
+        self.assertNotEqual(scores[0], scores[1])
+
+    def test_what_is_assumed_counts_where_nothing_says_what_is_important(self):
+        image = phantom(16)
+        function = opacity_of((0.6, 0), (0.8, 1))
+        view, mapper = show(image, AssumedImportance=opacity_of((0.1, 0), (0.2, 1)))
+        view.window.Render()
+        own = mapper.GetBaseVisibilityScore()
+        mapper.SetAssumedImportance(function)
+        view.window.Render()
+        self.assertEqual(mapper.GetBaseVisibilityScore(), own, "it has an array of its own")
+
+        image.GetPointData().RemoveArray("Importance")
+        view.window.Render()
+        assumed = mapper.GetBaseVisibilityScore()
+        mapper.SetImportanceFunction(function)
+        mapper.UseImportanceFunctionOn()
+        mapper.SetAssumedImportance(None)
+        view.window.Render()
+        self.assertEqual(mapper.GetBaseVisibilityScore(), assumed)
+        self.assert_fine(view)
+
+    def test_importance_of_cells(self):
+        image = phantom()
+        importance = values(image, "Importance").reshape(32, 32, 32)
+        cells = importance[:-1, :-1, :-1].ravel()
+        array = numpy_to_vtk(cells, deep=1)
+        array.SetName("Importance")
+        image.GetCellData().AddArray(array)
+        view, mapper = show(image)
+        view.window.Render()
+        of_points = mapper.GetVisibilityScore()
+        mapper.SetImportanceArrayAssociation(vtkDataObject.FIELD_ASSOCIATION_CELLS)
+        view.window.Render()
+        self.assertNotEqual(mapper.GetVisibilityScore(), of_points)
+        self.assertGreater(mapper.GetVisibilityScore(), 0)
+        self.assert_fine(view)
+
+
+if __name__ == "__main__":
+    unittest.main()
