@@ -180,7 +180,7 @@ private:
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
   void ApplyFunctions(vtkDataArray* array);
   void AssumeImportance(vtkDataArray* array);
-  void ApplyImportance(vtkImageData* image, const char* colorArray, bool colorsOnCells);
+  void ApplyImportance(vtkImageData* image, vtkDataArray* colorArray, bool colorsOnCells);
   void AddUnavailable(int components, std::vector<std::string>& messages) const;
   void Say(const std::vector<std::string>& messages);
 

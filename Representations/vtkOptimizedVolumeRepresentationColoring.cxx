@@ -92,7 +92,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   mapper->SelectScalarArray(scalars.array->GetName());
   mapper->SetScalarMode(
     scalars.onCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-  this->ApplyImportance(image, scalars.array->GetName(), scalars.onCells);
+  this->ApplyImportance(image, scalars.array, scalars.onCells);
   return scalars.array;
 }
 
@@ -101,7 +101,6 @@ void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
   if (this->State->DefaultsTime != array->GetMTime()) // times are unique among arrays
   {
     limpid::SpreadOverRange(array, this->State->DefaultColors, this->State->DefaultOpacity);
-    this->AssumeImportance(array);
     this->State->DefaultsTime = array->GetMTime();
   }
   if (!this->State->ColorsGiven)
@@ -126,6 +125,11 @@ void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
 
 void vtkOptimizedVolumeRepresentation::AssumeImportance(vtkDataArray* array)
 {
+  if (this->State->AssumedTime == array->GetMTime())
+  {
+    return;
+  }
+  this->State->AssumedTime = array->GetMTime();
   const limpid::ImportanceRamp ramp = limpid::StartingImportance(array, -1);
   vtkPiecewiseFunction* function = this->State->AssumedImportance;
   function->RemoveAllPoints();
@@ -162,7 +166,7 @@ double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
 }
 
 void vtkOptimizedVolumeRepresentation::ApplyImportance(
-  vtkImageData* image, const char* colorArray, bool colorsOnCells)
+  vtkImageData* image, vtkDataArray* colorArray, bool colorsOnCells)
 {
   vtkTransmittanceVolumeMapper* mapper = this->State->Mapper;
   const std::string& name = this->State->ImportanceArray;
@@ -176,11 +180,13 @@ void vtkOptimizedVolumeRepresentation::ApplyImportance(
 
   if (name == COLOR_ARRAY && (isThere(IMPORTANCE, false) || isThere(IMPORTANCE, true)))
   {
-    mapper->SetImportanceArray(colorArray);
+    this->AssumeImportance(colorArray);
+    mapper->SetImportanceArray(colorArray->GetName());
     mapper->SetImportanceArrayAssociation(association(colorsOnCells));
   }
   else if (name == COLOR_ARRAY || (name == IMPORTANCE && !isThere(name, onCells)))
   {
+    this->AssumeImportance(colorArray);
     mapper->SetImportanceArray(""); // "Importance", or what the function makes of the scalars
     mapper->SetImportanceArrayAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
   }

@@ -47,12 +47,15 @@ struct vtkOptimizedVolumeRepresentation::Internals
   // What the volume's property has in place of functions that were not given.
   vtkNew<vtkColorTransferFunction> DefaultColors;
   vtkNew<vtkPiecewiseFunction> DefaultOpacity;
-  vtkMTimeType DefaultsTime = 0;                  // of the array that they are for
-  vtkNew<vtkPiecewiseFunction> AssumedImportance; // of the array that is shown
-  limpid::ImportanceRamp ShownRamp;               // the same
-  double SuggestedRamp[2] = { 0, 0 };
+  vtkMTimeType DefaultsTime = 0; // of the array that they are for
   bool ColorsGiven = false;
   bool OpacityGiven = false;
+
+  // What is important of the array that is shown, where nothing says it.
+  vtkNew<vtkPiecewiseFunction> AssumedImportance;
+  limpid::ImportanceRamp ShownRamp;
+  vtkMTimeType AssumedTime = 0; // of the array that they are for
+  double SuggestedRamp[2] = { 0, 0 };
 
   // Asked for, but not available.
   bool UseSeparateOpacityArray = false;
