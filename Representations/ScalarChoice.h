@@ -6,6 +6,8 @@
 #ifndef limpid_ScalarChoice_h
 #define limpid_ScalarChoice_h
 
+#include <array>
+
 class vtkColorTransferFunction;
 class vtkDataArray;
 class vtkImageData;
@@ -27,6 +29,9 @@ ScalarChoice FindScalars(vtkImageData* image, const char* name, bool onCells);
  * the points or else of the cells. An array of the name `last` is taken only if there is no other.
  */
 ScalarChoice ChooseScalars(vtkImageData* image, const char* last);
+
+/// Smallest and largest number of an array, of its magnitudes if there are several components.
+std::array<double, 2> FiniteRangeOf(vtkDataArray* array);
 
 /// A straight line from 0 to 1 and ParaView's cool to warm colours over the range of the array.
 void SpreadOverRange(

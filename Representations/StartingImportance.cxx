@@ -3,6 +3,8 @@
 
 #include "StartingImportance.h"
 
+#include "ScalarChoice.h"
+
 #include "vtkDataArray.h"
 
 #include <algorithm>
@@ -64,13 +66,14 @@ ImportanceRamp StartingImportance(vtkDataArray* array, int component)
     return {};
   }
   std::sort(samples.begin(), samples.end());
-  ImportanceRamp ramp{ QuantileOf(samples, Begin), QuantileOf(samples, End) };
+  const std::array<double, 2> range = FiniteRangeOf(array);
+  ImportanceRamp ramp{ QuantileOf(samples, Begin), QuantileOf(samples, End), range };
   if (!ramp.IsKnown())
   {
     // Many are alike up there, as in a mask: from the next smaller value on, or to the largest.
     const auto first = std::lower_bound(samples.begin(), samples.end(), ramp.end);
-    ramp = first != samples.begin() ? ImportanceRamp{ *(first - 1), ramp.end }
-                                    : ImportanceRamp{ ramp.begin, samples.back() };
+    ramp = first != samples.begin() ? ImportanceRamp{ *(first - 1), ramp.end, range }
+                                    : ImportanceRamp{ ramp.begin, samples.back(), range };
   }
   return ramp;
 }

@@ -6,15 +6,18 @@
 #ifndef limpid_StartingImportance_h
 #define limpid_StartingImportance_h
 
+#include <array>
+
 class vtkDataArray;
 
 namespace limpid
 {
-/// Importance rises from 0 to 1 between two values.
+/// Importance rises from 0 to 1 between two values of an array.
 struct ImportanceRamp
 {
   double begin = 0;
-  double end = 0; ///< where it is 1
+  double end = 0;                   ///< where it is 1
+  std::array<double, 2> range = {}; ///< of all values of the array
 
   /// Not where all values are alike, or none is a number: nothing stands out of them.
   bool IsKnown() const { return this->begin < this->end; }

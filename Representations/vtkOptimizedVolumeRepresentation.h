@@ -52,12 +52,13 @@ public:
   void SetImportanceArray(int index, int port, int connection, int association, const char* name);
 
   /**
-   * What is assumed where nothing says what is important, and where to start from otherwise: the
-   * two values of the importance array, or of the array that stands for it, between which
-   * importance rises from 0 to 1. Both 0 if there are no data yet, if all values are alike, and if
-   * they are importance themselves: of an array that was chosen, and from 0 to 1.
+   * What is assumed where nothing says what is important, and where to start from otherwise: four
+   * values of the importance array, or of the array that stands for it. Between the inner two
+   * importance rises from 0 to 1; the outer two are the range of the array. All are 0 if there are
+   * no data yet, if all values are alike, and if they are importance themselves: of an array that
+   * was chosen, and from 0 to 1.
    */
-  double* GetSuggestedImportance() VTK_SIZEHINT(2);
+  double* GetSuggestedImportance() VTK_SIZEHINT(4);
 
   /**
    * Those of the mapper: importance, weights, own light and solver. ScalarComponent is that of the

@@ -151,8 +151,7 @@ double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
   limpid::ImportanceRamp ramp;
   if (chosen)
   {
-    double range[2];
-    chosen->GetFiniteRange(range, chosen->GetNumberOfComponents() > 1 ? -1 : 0);
+    const std::array<double, 2> range = limpid::FiniteRangeOf(chosen);
     const bool isImportance = range[0] >= 0 && range[1] <= 1;
     ramp = isImportance ? limpid::ImportanceRamp() : limpid::StartingImportance(chosen, -1);
   }
@@ -160,9 +159,8 @@ double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
   {
     ramp = this->State->ShownRamp;
   }
-  this->State->SuggestedRamp[0] = ramp.begin;
-  this->State->SuggestedRamp[1] = ramp.end;
-  return this->State->SuggestedRamp;
+  this->State->SuggestedImportance = { ramp.range[0], ramp.begin, ramp.end, ramp.range[1] };
+  return this->State->SuggestedImportance.data();
 }
 
 void vtkOptimizedVolumeRepresentation::ApplyImportance(

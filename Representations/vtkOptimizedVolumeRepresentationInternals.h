@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ struct vtkOptimizedVolumeRepresentation::Internals
   vtkNew<vtkPiecewiseFunction> AssumedImportance;
   limpid::ImportanceRamp ShownRamp;
   vtkMTimeType AssumedTime = 0; // of the array that they are for
-  double SuggestedRamp[2] = { 0, 0 };
+  std::array<double, 4> SuggestedImportance = {};
 
   // Asked for, but not available.
   bool UseSeparateOpacityArray = false;

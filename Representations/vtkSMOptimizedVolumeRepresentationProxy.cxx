@@ -3,7 +3,9 @@
 
 #include "vtkSMOptimizedVolumeRepresentationProxy.h"
 
+#include "ImportancePoints.h"
 #include "Presets.h"
+
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -167,16 +169,14 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged()
 bool vtkSMOptimizedVolumeRepresentationProxy::TakeSuggestion()
 {
   vtkSMProxy* function = vtkSMPropertyHelper(this, "ImportanceFunction").GetAsProxy();
-  const std::vector<double> ramp =
-    vtkSMPropertyHelper(this, "SuggestedImportance").GetDoubleArray();
-  if (!function || ramp.size() != 2)
+  if (!function)
   {
     return false;
   }
-  const bool known = ramp[0] < ramp[1];
+  const std::vector<double> suggested =
+    limpid::ImportancePoints(vtkSMPropertyHelper(this, "SuggestedImportance").GetDoubleArray());
   const std::vector<double> points = PointsOf(function);
-  const std::vector<double> wanted =
-    known ? std::vector<double>{ ramp[0], 0, 0.5, 0, ramp[1], 1, 0.5, 0 } : WHOLE_RANGE;
+  const std::vector<double> wanted = suggested.empty() ? WHOLE_RANGE : suggested;
   const bool untouched = points == this->Suggested;
   if (untouched && points != wanted)
   {
@@ -185,7 +185,7 @@ bool vtkSMOptimizedVolumeRepresentationProxy::TakeSuggestion()
     function->UpdateVTKObjects();
   }
   this->Suggested = untouched ? wanted : this->Suggested;
-  return known;
+  return !suggested.empty();
 }
 
 void vtkSMOptimizedVolumeRepresentationProxy::OnImportanceChosen()

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidViewpoints.h"
 
-#include "vtkAlgorithm.h"
+#include "LimpidDataArray.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPointData.h"
-#include "vtkSMPropertyHelper.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
 
@@ -16,24 +15,11 @@ namespace
 {
 const unsigned int VIEWPOINTS = 1; // output port
 
-// A proxy that has an output's data here, on the client.
-vtkSmartPointer<vtkSMSourceProxy> Bring(vtkSMSourceProxy* source, unsigned int port, double time)
+// The data of an output, null if it has none.
+vtkSmartPointer<vtkDataSet> Bring(vtkSMSourceProxy* source, unsigned int port, double time)
 {
-  vtkSmartPointer<vtkSMSourceProxy> mover;
-  mover.TakeReference(vtkSMSourceProxy::SafeDownCast(
-    source->GetSessionProxyManager()->NewProxy("filters", "ClientServerMoveData")));
-  vtkSMPropertyHelper(mover, "Input").Set(source, port);
-  vtkSMPropertyHelper(mover, "OutputDataType")
-    .Set(source->GetDataInformation(port)->GetDataSetType());
-  mover->UpdateVTKObjects();
-  mover->UpdatePipeline(time);
-  return mover;
-}
-
-vtkDataSet* DataOf(vtkSMSourceProxy* mover)
-{
-  auto* algorithm = vtkAlgorithm::SafeDownCast(mover->GetClientSideObject());
-  return algorithm ? vtkDataSet::SafeDownCast(algorithm->GetOutputDataObject(0)) : nullptr;
+  const int type = source->GetDataInformation(port)->GetDataSetType();
+  return vtkDataSet::SafeDownCast(BringToClient(source, port, type, time));
 }
 
 // Tuples of an array, zeros where there is none.
@@ -92,8 +78,7 @@ LimpidViewpoint ViewOf(
 LimpidViewpoints FindViewpoints(vtkSMSourceProxy* search, double time)
 {
   LimpidViewpoints found;
-  const auto mover = Bring(search, VIEWPOINTS, time);
-  vtkDataSet* data = DataOf(mover);
+  const auto data = Bring(search, VIEWPOINTS, time);
   if (!data || data->GetNumberOfPoints() == 0)
   {
     return found;
@@ -127,8 +112,7 @@ std::optional<LimpidViewpoint> FindBestSelected(vtkSMSourceProxy* search, double
 {
   std::optional<LimpidViewpoint> best;
   double bestScore = 0;
-  const auto viewpoints = Bring(search, VIEWPOINTS, time);
-  vtkDataSet* summary = DataOf(viewpoints);
+  const auto summary = Bring(search, VIEWPOINTS, time);
   for (unsigned int port = 0; summary && port < search->GetNumberOfOutputPorts(); ++port)
   {
     vtkSMSourceProxy* selected =
@@ -138,8 +122,7 @@ std::optional<LimpidViewpoint> FindBestSelected(vtkSMSourceProxy* search, double
       continue;
     }
     selected->UpdatePipeline(time);
-    const auto mover = Bring(selected, 0, time);
-    vtkDataSet* data = DataOf(mover);
+    const auto data = Bring(selected, 0, time);
     for (vtkIdType point = 0; data && point < data->GetNumberOfPoints(); ++point)
     {
       const double score = Tuples(data->GetPointData(), "VisibilityScore").Number(point);
