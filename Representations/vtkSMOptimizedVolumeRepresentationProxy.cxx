@@ -194,6 +194,7 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnImportanceChosen()
   {
     return;
   }
+  this->Starts = false;
   this->IsTaking = true;
   this->UpdateProperty("ImportanceArray");
   this->UpdatePropertyInformation();

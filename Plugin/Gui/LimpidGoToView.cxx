@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidGoToView.h"
 
+#include "LimpidBestView.h"
 #include "LimpidViewpoints.h"
 #include "pqActiveObjects.h"
 #include "pqCoreUtilities.h"
@@ -9,11 +10,9 @@
 #include "pqRenderView.h"
 #include "vtkCommand.h"
 #include "vtkPVDataInformation.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTrace.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -23,52 +22,6 @@
 namespace
 {
 const unsigned int VIEWPOINTS = 1; // output port
-
-void Set(vtkSMProxy* view, const char* name, const std::array<double, 3>& value)
-{
-  vtkSMPropertyHelper(view, name).Set(value.data(), 3);
-  // The trace needs also what has not changed since the mouse, unknown to the trace, brought it.
-  view->GetProperty(name)->Modified();
-}
-
-void Set(vtkSMProxy* view, const char* name, double value)
-{
-  vtkSMPropertyHelper(view, name).Set(value);
-  view->GetProperty(name)->Modified();
-}
-
-void SetCamera(pqRenderView* view, const LimpidViewpoint& viewpoint)
-{
-  vtkSMProxy* proxy = view->getProxy();
-  Set(proxy, "CameraPosition", viewpoint.Position);
-  Set(proxy, "CameraFocalPoint", viewpoint.FocalPoint);
-  Set(proxy, "CameraViewUp", viewpoint.ViewUp);
-  Set(proxy, "CameraViewAngle", viewpoint.ViewAngle);
-  vtkSMPropertyHelper(proxy, "CameraParallelProjection").Set(viewpoint.ParallelProjection ? 1 : 0);
-  if (viewpoint.ParallelProjection)
-  {
-    Set(proxy, "CameraParallelScale", viewpoint.ParallelScale);
-  }
-  if (view->getResetCenterWithCamera())
-  {
-    Set(proxy, "CenterOfRotation", viewpoint.FocalPoint);
-  }
-  proxy->UpdateVTKObjects();
-}
-
-// To the view it is an interaction, so that "Camera Undo" has it.
-void LookFrom(const LimpidViewpoint& viewpoint, pqRenderView* view, const QString& comment)
-{
-  vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
-  proxy->SynchronizeCameraProperties();
-  {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy).arg("comment", comment.toUtf8().data());
-    proxy->GetInteractor()->InvokeEvent(vtkCommand::StartInteractionEvent);
-    SetCamera(view, viewpoint);
-    proxy->GetInteractor()->InvokeEvent(vtkCommand::EndInteractionEvent);
-  }
-  view->render();
-}
 
 // The rank, from 0, of the viewpoint that a view looks from, or -1.
 int RankOf(vtkSMProxy* view, const std::vector<LimpidViewpoint>& ranked)

@@ -2,41 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidOptimizedVolumes.h"
 
+#include "pqActiveObjects.h"
+#include "pqRenderView.h"
 #include "vtkClientServerStream.h"
 #include "vtkPVSession.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSession.h"
-#include "vtkSMViewProxy.h"
 
 #include <cstring>
 
-namespace
+vtkSMRenderViewProxy* ActiveRenderView()
 {
-// The sub-proxy of a representation that shows an optimised volume, null if it shows none. Names
-// are those of LimpidRepresentations.xml.
-vtkSMProxy* OptimizedVolumeOf(vtkSMProxy* representation)
-{
-  vtkSMProperty* converged = representation->GetProperty("Converged"); // a sub-proxy's, exposed
-  if (!converged || vtkSMPropertyHelper(representation, "Visibility").GetAsInt() == 0)
-  {
-    return nullptr;
-  }
-  const char* type = vtkSMPropertyHelper(representation, "Representation").GetAsString();
-  return type && std::strcmp(type, "Optimized Volume") == 0 ? converged->GetParent() : nullptr;
+  auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+  return view ? view->getRenderViewProxy() : nullptr;
 }
+
+bool IsOptimizedVolume(vtkSMProxy* display)
+{
+  if (!display->GetProperty("Converged") || !display->GetProperty("Representation"))
+  {
+    return false;
+  }
+  const char* type = vtkSMPropertyHelper(display, "Representation").GetAsString();
+  return type && std::strcmp(type, "Optimized Volume") == 0; // text in LimpidRepresentations.xml
 }
 
 std::vector<vtkSMProxy*> VisibleOptimizedVolumes(vtkSMViewProxy* view)
 {
   std::vector<vtkSMProxy*> volumes;
-  vtkSMPropertyHelper representations(view, "Representations");
-  for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
+  if (!view)
   {
-    vtkSMProxy* representation = representations.GetAsProxy(i);
-    if (vtkSMProxy* volume = representation ? OptimizedVolumeOf(representation) : nullptr)
+    return volumes;
+  }
+  vtkSMPropertyHelper displays(view, "Representations");
+  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* display = displays.GetAsProxy(i);
+    if (display && IsOptimizedVolume(display) &&
+      vtkSMPropertyHelper(display, "Visibility").GetAsInt() != 0)
     {
-      volumes.push_back(volume);
+      volumes.push_back(display->GetProperty("Converged")->GetParent()); // a sub-proxy's, exposed
     }
   }
   return volumes;

@@ -14,9 +14,17 @@
 #include <vector>
 
 class vtkSMProxy;
+class vtkSMRenderViewProxy;
 class vtkSMViewProxy;
 
-/// The visible representations of type "Optimized Volume" in a view: their own sub-proxies.
+/// The active view if it has a camera, else null: a comparative view has none of its own.
+vtkSMRenderViewProxy* ActiveRenderView();
+
+/// Whether a display shows an optimised volume.
+bool IsOptimizedVolume(vtkSMProxy* display);
+
+/// The visible representations of type "Optimized Volume" in a view: their own sub-proxies. None
+/// for null.
 std::vector<vtkSMProxy*> VisibleOptimizedVolumes(vtkSMViewProxy* view);
 
 /// Whether the following still renders make one step each (vtkOptimizedVolumeRepresentation).

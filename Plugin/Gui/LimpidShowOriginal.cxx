@@ -4,23 +4,15 @@
 
 #include "LimpidOptimizedVolumes.h"
 #include "pqActiveObjects.h"
-#include "pqRenderView.h"
 #include "pqUndoStack.h"
+#include "pqView.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMViewProxy.h"
-
-#include <QToolButton>
+#include "vtkSMRenderViewProxy.h"
 
 namespace
 {
 const int ORDINARY = 1; // of the enumeration Method in LimpidRepresentations.xml
-
-std::vector<vtkSMProxy*> VolumesOfTheActiveView()
-{
-  auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
-  return view ? VisibleOptimizedVolumes(view->getViewProxy()) : std::vector<vtkSMProxy*>();
-}
 
 void SetMethod(vtkSMProxy* volume, int method)
 {
@@ -38,42 +30,20 @@ void RenderTheActiveView()
 }
 
 LimpidShowOriginal::LimpidShowOriginal(QWidget* parentWidget)
-  : QToolBar(tr("Limpid"), parentWidget)
-  , Button(new QToolButton(this))
+  : QToolButton(parentWidget)
 {
-  this->setObjectName("LimpidToolbar");
-  this->Button->setObjectName("ShowOriginal");
-  this->Button->setText(tr("Show Original"));
-  this->Button->setToolTip(tr("Hold down to see the volume without optimization."));
-  this->addWidget(this->Button);
-
-  this->connect(this->Button, &QToolButton::pressed, this, &LimpidShowOriginal::showOriginal);
-  this->connect(this->Button, &QToolButton::released, this, &LimpidShowOriginal::showOptimized);
-
-  pqActiveObjects& active = pqActiveObjects::instance();
-  this->connect(&active, &pqActiveObjects::viewChanged, this, &LimpidShowOriginal::watch);
-  this->watch(active.activeView());
-}
-
-void LimpidShowOriginal::watch(pqView* view)
-{
-  if (view)
-  {
-    this->connect(
-      view, &pqView::endRender, this, &LimpidShowOriginal::enable, Qt::UniqueConnection);
-  }
-  this->enable();
-}
-
-void LimpidShowOriginal::enable()
-{
-  this->Button->setEnabled(!VolumesOfTheActiveView().empty());
+  this->setObjectName("ShowOriginal");
+  this->setText(tr("Show Original"));
+  this->setIcon(QIcon(":/Limpid/Icons/ShowOriginal.svg"));
+  this->setToolTip(tr("Hold down to see the volume without optimization."));
+  this->connect(this, &QToolButton::pressed, this, &LimpidShowOriginal::showOriginal);
+  this->connect(this, &QToolButton::released, this, &LimpidShowOriginal::showOptimized);
 }
 
 void LimpidShowOriginal::showOriginal()
 {
   SCOPED_UNDO_EXCLUDE();
-  for (vtkSMProxy* volume : VolumesOfTheActiveView())
+  for (vtkSMProxy* volume : VisibleOptimizedVolumes(ActiveRenderView()))
   {
     this->Methods.emplace_back(volume, vtkSMPropertyHelper(volume, "Method").GetAsInt());
     SetMethod(volume, ORDINARY);

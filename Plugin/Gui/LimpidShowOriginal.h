@@ -3,7 +3,7 @@
 
 /**
  * @class   LimpidShowOriginal
- * @brief   a toolbar with a button that shows the original volume while it is held down
+ * @brief   a button that shows the original volume while it is held down
  *
  * While the button is down the optimised volumes of the active view have the method "Ordinary".
  * Afterwards they have their own again: nothing stays behind, and there is nothing to undo.
@@ -14,15 +14,13 @@
 
 #include "vtkWeakPointer.h"
 
-#include <QToolBar>
+#include <QToolButton>
 #include <utility>
 #include <vector>
 
-class QToolButton;
-class pqView;
 class vtkSMProxy;
 
-class LimpidShowOriginal : public QToolBar
+class LimpidShowOriginal : public QToolButton
 {
   Q_OBJECT
 
@@ -30,13 +28,10 @@ public:
   explicit LimpidShowOriginal(QWidget* parent = nullptr);
 
 private Q_SLOTS:
-  void watch(pqView* view);
-  void enable();
   void showOriginal();
   void showOptimized();
 
 private:
-  QToolButton* Button;
   std::vector<std::pair<vtkWeakPointer<vtkSMProxy>, int>> Methods; // to be given back
 };
 

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   LimpidSetup
+ * @brief   what was set up for a volume once counts everywhere in ParaView's window
+ *
+ * A filter of Limpid that is created from a volume on display starts with what the display has, and
+ * with the camera of the view. A volume that is shown in another view, too, looks there as it does
+ * where it was shown last. Both are part of the step that creates the filter or the display, for
+ * undo and trace. Python makes filters and displays with their own defaults.
+ *
+ * ParaView makes one object of this class when the plugin is loaded.
+ */
+
+#ifndef LimpidSetup_h
+#define LimpidSetup_h
+
+#include <QObject>
+
+class pqPipelineSource;
+class pqRepresentation;
+class pqView;
+class vtkSMProxy;
+class vtkSMRenderViewProxy;
+
+/// Gives a filter of Limpid what a display of its input has, property by property of the same name:
+/// importance, weights and method of an optimised volume; array, opacity function and unit distance
+/// of any volume; and the camera of a view.
+void TakeOverDisplay(vtkSMProxy* filter, vtkSMProxy* display, vtkSMRenderViewProxy* view);
+
+class LimpidSetup : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit LimpidSetup(QObject* parent = nullptr);
+
+  void onStartup();
+  void onShutdown() {}
+
+private Q_SLOTS:
+  void setUpFilter(pqPipelineSource* filter);
+  void addView(pqView* view);
+  void setUpDisplay(pqRepresentation* display);
+};
+
+#endif

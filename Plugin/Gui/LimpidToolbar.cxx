@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimpidToolbar.h"
+
+#include "LimpidBestView.h"
+#include "LimpidOptimizedVolumes.h"
+#include "LimpidShowOriginal.h"
+#include "pqActiveObjects.h"
+#include "pqView.h"
+#include "vtkSMRenderViewProxy.h"
+
+LimpidToolbar::LimpidToolbar(QWidget* parentWidget)
+  : QToolBar(tr("Limpid"), parentWidget)
+{
+  this->setObjectName("LimpidToolbar");
+  this->addWidget(new LimpidShowOriginal(this));
+  QAction* best =
+    this->addAction(QIcon(":/Limpid/Icons/FindBestView.svg"), tr("Find Best View"), &FindBestView);
+  best->setObjectName("FindBestView");
+  best->setToolTip(
+    tr("Look from where most of what is important can be seen. Camera Undo goes back."));
+
+  pqActiveObjects& active = pqActiveObjects::instance();
+  this->connect(&active, &pqActiveObjects::viewChanged, this, &LimpidToolbar::watch);
+  this->watch(active.activeView());
+}
+
+void LimpidToolbar::watch(pqView* view)
+{
+  if (view)
+  {
+    this->connect(view, &pqView::endRender, this, &LimpidToolbar::enable, Qt::UniqueConnection);
+  }
+  this->enable();
+}
+
+// The toolbar itself stays as it is: it can be moved.
+void LimpidToolbar::enable()
+{
+  const bool isThere = !VisibleOptimizedVolumes(ActiveRenderView()).empty();
+  for (QAction* action : this->actions())
+  {
+    action->setEnabled(isThere);
+  }
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   LimpidToolbar
+ * @brief   what a person does with the optimised volumes of the active view
+ */
+
+#ifndef LimpidToolbar_h
+#define LimpidToolbar_h
+
+#include <QToolBar>
+
+class pqView;
+
+class LimpidToolbar : public QToolBar
+{
+  Q_OBJECT
+
+public:
+  explicit LimpidToolbar(QWidget* parent = nullptr);
+
+private Q_SLOTS:
+  void watch(pqView* view);
+  void enable();
+};
+
+#endif

@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The first minute with a CT: from the menu File to a picture of the skull inside the head, in five
+# actions and without a message. TestFirstMinute.xml has them. Then what was set up is taken over:
+# by filters, by a second view, and by a trace for TestFirstMinute.replay.py.
+
+import json
+import os
+
+import story
+from paraview import simple, smtrace
+from story import expect
+
+PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
+
+# What filters take from the display, and from the view.
+SETTINGS = ["UseImportanceFunction", "RegularizationWeight", "ProtectImportance", "ViewWeight",
+            "LightWeight", "ImportanceSmoothing", "Smoothness", "Method", "Mode",
+            "RestrictToView", "ScalarOpacityUnitDistance"]
+CAMERA = ["CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle",
+          "CameraParallelProjection"]
+
+
+def value_of(proxy, name):
+    value = proxy.GetProperty(name).GetData()
+    return list(value) if isinstance(value, (list, tuple)) else value
+
+
+def setup_of(proxy, names):
+    """Values of those properties that the proxy has, and the points of its functions."""
+    values = {name: value_of(proxy, name) for name in names if proxy.GetProperty(name)}
+    for function in ("ImportanceFunction", "ScalarOpacityFunction"):
+        values[function] = list(proxy.GetProperty(function)[0].Points)
+    return values
+
+
+def expect_setup(display, view, what):
+    source = simple.GetActiveSource()
+    wanted = setup_of(display, SETTINGS)
+    wanted.update({name: value_of(view, name) for name in CAMERA})
+    got = setup_of(source, SETTINGS + CAMERA)
+    different = [f"{name} is {got[name]}, not {wanted[name]}" for name in got
+                 if got[name] != wanted[name]]
+    expect(len(got) > 8 and not different, f"{what} has {len(got)} properties of display and view"
+           + "".join("; " + text for text in different))
+    for name in ("ImportanceArray", "ScalarArray"):
+        expect(source.GetProperty(name)[1] == "ct", f"{what}: {name} is "
+               f"{source.GetProperty(name)[1]}")
+    return got
+
+
+def tell():
+    for plugin in ("Limpid.so", "LimpidGui.so"):
+        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    smtrace.start_trace()
+    yield
+
+    view = simple.GetActiveView()
+    display = simple.GetDisplayProperties()
+    frames = story.Frames(view)
+    expect(frames.settle(PATIENCE), "the first picture is finished")
+    display.UpdatePropertyInformation()
+    first = display.VisibleFraction
+    expect(display.Messages == "", f"no message: {display.Messages!r}")
+    expect(first > 2 * display.BaseVisibleFraction,
+           f"of what is important {100 * first:.1f} % shows, "
+           f"{100 * display.BaseVisibleFraction:.1f} % in Ordinary")
+    story.screenshot("window-first.png")
+    frames.clear()
+    yield
+
+    expect(frames.settle(PATIENCE), "the best view is finished")
+    display.UpdatePropertyInformation()
+    expect(display.VisibleFraction > 1.2 * first,
+           f"from the best view {100 * display.VisibleFraction:.1f} %")
+    expect(len(simple.GetSources()) == 1, "the search left nothing in the pipeline browser")
+    expect(list(view.CameraPosition)[:2] != [0, 0] and view.CameraViewUp, "the camera moved")
+    story.screenshot("window-best.png")
+    yield
+
+    taken = expect_setup(display, view, "the Extinction Optimizer")
+    story.screenshot("window-filter.png")
+    yield
+
+    expect(len(simple.GetSources()) == 1, "one step of undo takes the filter away")
+    yield
+
+    expect(len(simple.GetSources()) == 2, "redo brings it back")
+    optimizer = [each for (name, _), each in simple.GetSources().items() if "Optimizer" in name][0]
+    simple.SetActiveSource(optimizer)
+    expect(expect_setup(display, view, "the filter again") == taken, "with the same values")
+    yield
+
+    expect_setup(display, view, "the Viewpoint Search")
+    with open("taken.json", "w", encoding="utf-8") as file:
+        json.dump(taken, file)
+    with open("trace.py", "w", encoding="utf-8") as file:
+        file.write(smtrace.stop_trace())
+
+    reader = simple.FindSource("volume.vti")
+    display.UseImportanceFunction = 0
+    display.Shadows = 0
+    second = simple.CreateRenderView()
+    simple.AssignViewToLayout(second)
+    other = simple.Show(reader, second)
+    for name in ("Representation", "ColorArrayName", "ImportanceArray", "Shadows", *SETTINGS):
+        if display.GetProperty(name):
+            expect(value_of(other, name) == value_of(display, name),
+                   f"in a second view {name} is {value_of(other, name)}")
+    simple.Render(second)
+    expect(other.UseImportanceFunction == 0, "what was switched off stays off there")
+    function = display.ImportanceFunction
+    expect(other.ImportanceFunction != function, "each has an importance function of its own,")
+    expect(list(other.ImportanceFunction.Points) == list(function.Points), "with the same points")
+
+
+story.begin(tell())
