@@ -45,7 +45,7 @@ std::string Progress(vtkTransmittanceVolumeMapper* mapper)
 }
 }
 
-std::string ScoreText(vtkTransmittanceVolumeMapper* mapper)
+std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& name)
 {
   // Of what is important, some is visible at least through a haze: zero stands for no importance.
   const double before = mapper->GetBaseVisibleFraction();
@@ -54,7 +54,9 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper)
   {
     return {};
   }
-  std::string text = "Visible: " + Percent(now) + " of what is important";
+  std::string text =
+    name.empty() ? "Visible: " + Percent(now) : name + ": " + Percent(now) + " visible";
+  text += " of what is important";
   if (IsOptimizing(mapper))
   {
     text += " (was " + Percent(before) + ")\n";

@@ -13,8 +13,9 @@ class vtkTransmittanceVolumeMapper;
 namespace limpid
 {
 /// How much of what is important can be seen, before the optimisation too, and how far the
-/// optimisation is; empty when the last picture knew no importance.
-std::string ScoreText(vtkTransmittanceVolumeMapper* mapper);
+/// optimisation is; empty when the last picture knew no importance. `name`: of the volume; empty:
+/// the text has none.
+std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& name);
 }
 
 #endif

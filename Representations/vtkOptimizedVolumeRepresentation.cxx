@@ -17,6 +17,7 @@
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
 vtkStandardNewMacro(vtkOptimizedVolumeRepresentation);
@@ -35,6 +36,20 @@ void GetBounds(vtkDataObject* input, double bounds[6])
     blocks->GetBounds(bounds);
   }
 }
+
+bool HasSeveralOptimizedVolumes(vtkRenderer* renderer)
+{
+  int count = 0;
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator position;
+  volumes->InitTraversal(position);
+  while (vtkVolume* volume = volumes->GetNextVolume(position))
+  {
+    const bool optimized = vtkTransmittanceVolumeMapper::SafeDownCast(volume->GetMapper());
+    count += optimized && volume->GetVisibility() ? 1 : 0;
+  }
+  return count > 1;
+}
 }
 
 vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
@@ -46,8 +61,9 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
   this->State->Annotation->SetTextSource(
     [this]()
     {
-      const auto& mapper = this->State->Mapper;
-      return mapper->HasDrawn ? limpid::ScoreText(mapper) : std::string();
+      const Internals& state = *this->State;
+      const std::string name = state.TellsName ? state.SourceName : std::string();
+      return state.Mapper->HasDrawn ? limpid::ScoreText(state.Mapper, name) : std::string();
     });
 }
 
@@ -143,6 +159,7 @@ void vtkOptimizedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ImportanceArray: " << this->State->ImportanceArray << "\n";
   os << indent << "ShowScore: " << this->State->ShowScore << "\n";
+  os << indent << "SourceName: " << this->State->SourceName << "\n";
   os << indent << "Messages: " << this->GetMessages() << "\n";
 }
 
@@ -152,6 +169,7 @@ void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned lo
 {
   this->State->Mapper->HasDrawn = false;
   auto* renderer = static_cast<vtkRenderer*>(object);
+  this->State->TellsName = HasSeveralOptimizedVolumes(renderer);
   this->State->PeelsVolumes = this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes() &&
     !vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer);
   if (this->State->PeelsVolumes)

@@ -144,6 +144,12 @@ public:
    */
   void SetShowScore(int);
 
+  /**
+   * What the score is called where a view shows several optimised volumes. Set for each render by
+   * the client, part of no state. Default is an empty name, which is not shown.
+   */
+  void SetSourceName(const char*);
+
   ///@{
   /**
    * What came of the last picture, on the process that drew it.

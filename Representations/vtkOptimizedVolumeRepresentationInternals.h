@@ -40,6 +40,8 @@ struct vtkOptimizedVolumeRepresentation::Internals
 {
   vtkNew<vtkRepresentedVolumeMapper> Mapper;
   vtkNew<vtkScoreAnnotation> Annotation;
+  std::string SourceName;
+  bool TellsName = false; // in the present frame
   bool ShowScore = true;
 
   std::string ImportanceArray = "Importance";

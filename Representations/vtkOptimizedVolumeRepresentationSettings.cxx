@@ -79,6 +79,11 @@ void vtkOptimizedVolumeRepresentation::SetShowScore(int show)
   this->State->Annotation->SetVisibility(this->GetVisibility() && this->State->ShowScore);
 }
 
+void vtkOptimizedVolumeRepresentation::SetSourceName(const char* name)
+{
+  this->State->SourceName = name ? name : "";
+}
+
 int vtkOptimizedVolumeRepresentation::GetConverged()
 {
   // A frame without the volume has left nothing to do.

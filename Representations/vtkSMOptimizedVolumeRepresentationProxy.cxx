@@ -6,6 +6,7 @@
 #include "ImportancePoints.h"
 #include "Presets.h"
 
+#include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -248,8 +249,10 @@ void vtkSMOptimizedVolumeRepresentationProxy::AddConsumer(
   this->Superclass::AddConsumer(property, proxy);
   if (vtkSMViewProxy::SafeDownCast(proxy) && this->Views.count(proxy) == 0)
   {
-    this->Views[proxy] = proxy->AddObserver(
-      vtkCommand::EndEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnRendered);
+    this->Views[proxy] = { proxy->AddObserver(vtkCommand::StartEvent, this,
+                             &vtkSMOptimizedVolumeRepresentationProxy::TellSourceName),
+      proxy->AddObserver(
+        vtkCommand::EndEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnRendered) };
   }
 }
 
@@ -260,9 +263,33 @@ void vtkSMOptimizedVolumeRepresentationProxy::RemoveConsumer(
   const auto view = this->Views.find(proxy);
   if (view != this->Views.end())
   {
-    proxy->RemoveObserver(view->second);
+    for (const unsigned long observer : view->second)
+    {
+      proxy->RemoveObserver(observer);
+    }
     this->Views.erase(view);
   }
+}
+
+// The name may change at any time, and nothing is rendered for that.
+void vtkSMOptimizedVolumeRepresentationProxy::TellSourceName(vtkObject*, unsigned long, void*)
+{
+  if (!this->ObjectsCreated || !this->IsActive())
+  {
+    return;
+  }
+  vtkSMProxy* source = vtkSMPropertyHelper(this->GetParentProxy(), "Input").GetAsProxy();
+  const char* registered = this->GetSessionProxyManager()->GetProxyName("sources", source);
+  const std::string name = registered ? registered : "";
+  if (name == this->ToldName)
+  {
+    return;
+  }
+  this->ToldName = name;
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetSourceName" << name
+         << vtkClientServerStream::End;
+  this->ExecuteStream(stream);
 }
 
 void vtkSMOptimizedVolumeRepresentationProxy::OnRendered(

@@ -17,6 +17,9 @@
  * picture, with what was assumed for that; and as long as nobody has changed its points, they
  * follow the importance array (SuggestedImportance).
  *
+ * Before every render the process that draws is told what the source is called in the pipeline
+ * browser (SetSourceName).
+ *
  * To set the property "Preset" to a name is to set the properties to the values of that preset
  * (Presets.h). Itself it has no value, so it is in no state.
  */
@@ -27,7 +30,9 @@
 #include "vtkLimpidRepresentationsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
 
+#include <array>  // for observers
 #include <map>    // for the views
+#include <string> // for a name
 #include <vector> // for points
 
 class VTKLIMPIDREPRESENTATIONS_EXPORT vtkSMOptimizedVolumeRepresentationProxy
@@ -59,6 +64,7 @@ private:
   void Start();
   void UseFunction(bool use);
   void OnPresetChosen();
+  void TellSourceName(vtkObject* view, unsigned long event, void* interactive);
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 
   bool WatchesType = false;
@@ -66,8 +72,10 @@ private:
   bool Starts = false;       // with what is assumed to be important, after the first picture
   bool FunctionIsOn = false; // because of what was suggested
   bool IsTaking = false;
-  std::vector<double> Suggested;              // points of the function that nobody has chosen
-  std::map<vtkSMProxy*, unsigned long> Views; // that show it, and the tag of the observer there
+  std::vector<double> Suggested; // points of the function that nobody has chosen
+  std::string ToldName;          // of the source, to the process that draws
+  // Views that show it, and the tags of the observers there.
+  std::map<vtkSMProxy*, std::array<unsigned long, 2>> Views;
 };
 
 #endif

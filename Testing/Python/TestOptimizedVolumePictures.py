@@ -294,6 +294,36 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         self.assertGreater(changed.sum(), 500)
         np.testing.assert_array_equal(pictures.take(self.view), without)
 
+    def score_texts(self):
+        props = self.view.GetRenderer().GetViewProps()
+        texts = [str(prop) for prop in props if prop.IsA("vtkScoreAnnotation")]
+        return [text.split("Text: ")[1].splitlines()[0] for text in texts]
+
+    def test_scores_have_names_where_there_are_several(self):
+        for name, x in (("one", -1.2), ("another", 1.2)):
+            source = OcclusionPhantom(Resolution=24, registrationName=name)
+            display = displays.show(source, self.view)
+            display.Position = [x, 0, 0]
+            display.ShowScore = 1
+            simple.ResetCamera(self.view)
+            simple.Render(self.view)
+            if name == "one":
+                texts = self.score_texts()
+                self.assertEqual(len(texts), 1)
+                self.assertRegex(texts[0], "^Visible: [0-9.]+ % of what is important")
+        texts = self.score_texts()
+        self.assertEqual(len(texts), 2)
+        self.assertRegex(texts[0], "^one: [0-9.]+ % visible of what is important")
+        self.assertRegex(texts[1], "^another: [0-9.]+ % visible of what is important")
+
+        simple.RenameSource("a new name", source)
+        simple.Render(self.view)
+        self.assertTrue(self.score_texts()[1].startswith("a new name: "))
+
+        simple.Hide(source, self.view)
+        simple.Render(self.view)
+        self.assertTrue(self.score_texts()[0].startswith("Visible: "))
+
     def test_the_score_can_be_read_on_any_background(self):
         display = displays.show_head(self.view)
         display.ShowScore = 1
