@@ -3,6 +3,7 @@
 
 #include "PictureQuad.h"
 
+#include "OpaqueDepth.h"
 #include "OpenGl.h"
 
 #include "vtkOpenGLQuadHelper.h"
@@ -35,6 +36,25 @@ const char* const FragmentShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D picture;
 uniform vec4 mask; // colour; alpha that is left out, negative: draw the picture itself
+
+// Of two pictures, see PicturesBetween
+uniform int between; // 0: there is one
+uniform sampler2D nearPicture;
+uniform sampler2D ranges;
+uniform sampler2D depths; // of the view's pixels
+uniform vec2 depthRange;  // of the box
+uniform vec4 depthPlace;  // of the rectangle in `depths`: left bottom, width height [pixels]
+
+// 0: the near picture, 1: the far one. All ranges around have the pixel's own depth in them.
+float shareOfFar()
+{
+  vec2 range = texture2D(ranges, texCoord).rg;
+  ivec2 pixel = ivec2(floor(depthPlace.xy + depthPlace.zw * texCoord));
+  float depth = texelFetch(depths, clamp(pixel, ivec2(0), textureSize(depths, 0) - 1), 0).r;
+  float beyond = clamp(depth, depthRange.x, depthRange.y) - range.r;
+  return range.r < range.g ? clamp(beyond / (range.g - range.r), 0.0, 1.0) : 1.0;
+}
+
 void main()
 {
   vec4 color = texture2D(picture, texCoord);
@@ -45,6 +65,10 @@ void main()
       discard;
     }
     color = vec4(mask.rgb, 1.0);
+  }
+  if (between != 0)
+  {
+    color = mix(texture2D(nearPicture, texCoord), color, shareOfFar());
   }
   gl_FragData[0] = color;
 }
@@ -62,6 +86,30 @@ std::array<float, 4> RectangleOf(const PictureFrame& frame)
   }
   return rectangle;
 }
+
+constexpr std::array<float, 4> noMask{ { 0, 0, 0, -1 } };
+
+// Makes a texture of values, and gives it a unit.
+void SetTexture(vtkRenderer* renderer, const std::array<int, 2>& size, int components, int type,
+  const void* values, int filter, vtkTextureObject* texture)
+{
+  texture->SetContext(WindowOf(renderer));
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(filter);
+  texture->SetMagnificationFilter(filter);
+  // VTK does not write to the values.
+  texture->Create2DFromRaw(static_cast<unsigned>(size[0]), static_cast<unsigned>(size[1]),
+    components, type, const_cast<void*>(values));
+  texture->Activate();
+}
+
+void SetPicture(
+  vtkRenderer* renderer, const Picture& picture, int filter, vtkTextureObject* texture)
+{
+  const std::array<int, 2> size{ { picture.width, picture.height } };
+  SetTexture(renderer, size, 4, VTK_UNSIGNED_CHAR, picture.rgba.data(), filter, texture);
+}
 }
 
 PictureQuad::PictureQuad() = default;
@@ -70,7 +118,7 @@ PictureQuad::~PictureQuad() = default;
 void PictureQuad::Draw(
   vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth)
 {
-  this->Draw(renderer, picture, frame, depth, { { 0, 0, 0, -1 } });
+  this->Draw(renderer, picture, frame, depth, noMask);
 }
 
 void PictureQuad::DrawMask(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
@@ -82,6 +130,54 @@ void PictureQuad::DrawMask(vtkRenderer* renderer, const Picture& picture, const 
 
 void PictureQuad::Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
   double depth, const std::array<float, 4>& mask)
+{
+  const bool masked = mask[3] >= 0;
+  std::array<int, 2> size;
+  renderer->GetTiledSize(&size[0], &size[1]);
+  const bool samePixels = frame.whole == size;
+  this->Ready(renderer);
+  SetPicture(renderer, picture,
+    masked || samePixels ? vtkTextureObject::Nearest : vtkTextureObject::Linear, this->Texture);
+  this->Quad->Program->SetUniformi("between", 0);
+  this->Blend(renderer, frame, depth, mask);
+}
+
+void PictureQuad::DrawBetween(vtkRenderer* renderer, const PicturesBetween& pictures,
+  const PictureFrame& frame, const ViewGeometry& geometry)
+{
+  this->Ready(renderer);
+  const int linear = vtkTextureObject::Linear;
+  SetPicture(renderer, pictures.farthest, linear, this->Texture);
+  SetPicture(renderer, pictures.nearest, linear, this->NearTexture);
+  SetTexture(renderer, frame.size, 2, VTK_FLOAT, pictures.ranges.data(), linear, this->Ranges);
+  SetTexture(renderer, pictures.opaque.Size(), 1, VTK_FLOAT, pictures.opaque.OfPixels().data(),
+    vtkTextureObject::Nearest, this->Depths);
+
+  std::array<float, 4> place;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const double pixel = double(geometry.size[axis]) / frame.whole[axis];
+    place[axis] = static_cast<float>(frame.origin[axis] * pixel - geometry.covered[2 * axis]);
+    place[axis + 2] = static_cast<float>(frame.size[axis] * pixel);
+  }
+  const std::array<float, 2> depthRange{ { static_cast<float>(geometry.nearest),
+    static_cast<float>(geometry.farthest) } };
+  vtkShaderProgram* program = this->Quad->Program;
+  program->SetUniformi("between", 1);
+  program->SetUniformi("nearPicture", this->NearTexture->GetTextureUnit());
+  program->SetUniformi("ranges", this->Ranges->GetTextureUnit());
+  program->SetUniformi("depths", this->Depths->GetTextureUnit());
+  program->SetUniform2f("depthRange", depthRange.data());
+  program->SetUniform4f("depthPlace", place.data());
+  this->Blend(renderer, frame, geometry.nearest, noMask);
+}
+
+std::array<vtkTextureObject*, 4> PictureQuad::Textures()
+{
+  return { { this->Texture, this->NearTexture, this->Ranges, this->Depths } };
+}
+
+void PictureQuad::Ready(vtkRenderer* renderer)
 {
   vtkOpenGLRenderWindow* window = WindowOf(renderer);
   if (!this->Quad)
@@ -96,48 +192,42 @@ void PictureQuad::Draw(vtkRenderer* renderer, const Picture& picture, const Pict
   LIMPID_REQUIRE(this->Quad->Program,
     "The shader that draws pictures could not be made (OpenGL is too old or gone). Check the "
     "graphics driver.");
+}
 
-  const bool masked = mask[3] >= 0;
-  std::array<int, 2> size;
-  renderer->GetTiledSize(&size[0], &size[1]);
-  const bool samePixels = frame.whole == size;
-  const int filter = masked || samePixels ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-  this->Texture->SetContext(window);
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(filter);
-  this->Texture->SetMagnificationFilter(filter);
-  // VTK does not write to the picture.
-  this->Texture->Create2DFromRaw(static_cast<unsigned>(picture.width),
-    static_cast<unsigned>(picture.height), 4, VTK_UNSIGNED_CHAR,
-    const_cast<std::uint8_t*>(picture.rgba.data()));
-
-  vtkOpenGLState* state = window->GetState();
+void PictureQuad::Blend(
+  vtkRenderer* renderer, const PictureFrame& frame, double depth, const std::array<float, 4>& mask)
+{
+  vtkOpenGLState* state = WindowOf(renderer)->GetState();
   const vtkOpenGLState::ScopedglEnableDisable blending(state, gl::blend);
   const vtkOpenGLState::ScopedglEnableDisable culling(state, gl::cullFace);
   const vtkOpenGLState::ScopedglEnableDisable testing(state, gl::depthTest);
   const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
   const vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  state->SetEnumState(gl::blend, !masked);
+  state->SetEnumState(gl::blend, mask[3] < 0);
   state->vtkglDisable(gl::cullFace);
   state->vtkglEnable(gl::depthTest);
   state->vtkglBlendFunc(gl::one, gl::oneMinusSourceAlpha); // colours are multiplied by alpha
   state->vtkglDepthMask(0);
 
   const std::array<float, 4> rectangle = RectangleOf(frame);
-  this->Texture->Activate();
   vtkShaderProgram* program = this->Quad->Program;
   program->SetUniformi("picture", this->Texture->GetTextureUnit());
   program->SetUniform4f("rectangle", rectangle.data());
   program->SetUniform4f("mask", mask.data());
   program->SetUniformf("depth", static_cast<float>(2 * depth - 1));
   this->Quad->Render();
-  this->Texture->Deactivate();
+  for (vtkTextureObject* texture : this->Textures())
+  {
+    texture->Deactivate();
+  }
 }
 
 void PictureQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Texture->ReleaseGraphicsResources(window);
+  for (vtkTextureObject* texture : this->Textures())
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
   this->Quad.reset();
 }
 }

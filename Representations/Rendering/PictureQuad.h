@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 class vtkOpenGLQuadHelper;
 class vtkTextureObject;
@@ -19,7 +20,19 @@ class vtkWindow;
 
 namespace limpid
 {
+class OpaqueDepth;
+struct DepthRange;
 struct Picture;
+
+/// Two coarse pictures, of rays that end at the nearest and at the farthest opaque geometry within
+/// what their pixels cover, which is `ranges`.
+struct PicturesBetween
+{
+  const Picture& nearest;
+  const Picture& farthest;
+  const std::vector<DepthRange>& ranges;
+  const OpaqueDepth& opaque;
+};
 
 /**
  * A rectangle with a texture, pixel by pixel where picture and viewport have equal pixels and
@@ -38,6 +51,11 @@ public:
   /// Throws when the window has no OpenGL.
   void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth);
 
+  /// Likewise, the one of two pictures that each pixel's own depth asks for, or what is between
+  /// them: a line or an edge is as fine as the view then, and leaves nothing beside it.
+  void DrawBetween(vtkRenderer* renderer, const PicturesBetween& pictures,
+    const PictureFrame& frame, const ViewGeometry& geometry);
+
   /// Like Draw, but where the picture's alpha is above `threshold` in this colour, and nowhere
   /// else.
   void DrawMask(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
@@ -48,9 +66,16 @@ public:
 private:
   void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth,
     const std::array<float, 4>& mask);
+  void Ready(vtkRenderer* renderer);
+  void Blend(vtkRenderer* renderer, const PictureFrame& frame, double depth,
+    const std::array<float, 4>& mask);
+  std::array<vtkTextureObject*, 4> Textures();
 
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkTextureObject> NearTexture; // this and the following: of two pictures only
+  vtkNew<vtkTextureObject> Ranges;
+  vtkNew<vtkTextureObject> Depths;
 };
 }
 

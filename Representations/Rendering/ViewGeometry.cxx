@@ -187,7 +187,8 @@ void Cover(const glm::dmat4& dataToClip, const Grid& grid, ViewGeometry& geometr
     geometry.covered[2 * std::size_t(axis) + 1] =
       high[axis] >= -1 && low[axis] <= 1 ? std::min(pixel(high[axis]) + 1, int(pixels)) : 0;
   }
-  geometry.nearest = std::min(std::max(0.5 * (low.z + 1), 0.001), 0.999);
+  geometry.nearest = std::clamp(0.5 * (low.z + 1), 0.001, 0.999);
+  geometry.farthest = std::clamp(0.5 * (high.z + 1), geometry.nearest, 1.0);
 }
 
 bool AreClose(const Vec3& a, const Vec3& b, double size)
@@ -294,32 +295,6 @@ glm::dmat4 ClipToData(const ViewGeometry& geometry, const PictureFrame& frame)
     toWhole[3][axis] = (2.0 * frame.origin[std::size_t(axis)] + size) / whole - 1;
   }
   return geometry.clipToData * toWhole;
-}
-
-std::vector<float> ReadDepth(
-  vtkRenderer* renderer, const ViewGeometry& geometry, const PictureFrame& frame)
-{
-  if (renderer->GetNumberOfPropsRendered() == 0)
-  {
-    return {};
-  }
-  const int columns = geometry.covered[1] - geometry.covered[0];
-  const int rows = geometry.covered[3] - geometry.covered[2];
-  std::vector<float> buffer(std::size_t(columns) * std::size_t(rows), 1.0F);
-  const int left = geometry.origin[0] + geometry.covered[0];
-  const int bottom = geometry.origin[1] + geometry.covered[2];
-  LIMPID_REQUIRE(renderer->GetRenderWindow()->GetZbufferData(
-                   left, bottom, left + columns - 1, bottom + rows - 1, buffer.data()) != 0,
-    "The depth buffer of " << columns << " x " << rows
-                           << " pixels cannot be read (the volume would be drawn over opaque "
-                              "geometry). Use a render window with a depth buffer.");
-
-  return ValuesOf(geometry, frame,
-    [&](int column, int row)
-    {
-      const int at = (row - geometry.covered[2]) * columns + column - geometry.covered[0];
-      return 2 * buffer[std::size_t(at)] - 1;
-    });
 }
 
 bool AreSame(const Camera& a, const Camera& b)

@@ -39,7 +39,8 @@ struct ViewGeometry
   /// What of the viewport the box covers: first and one past the last column, then row. Empty
   /// when it is out of view.
   std::array<int, 4> covered{ { 0, 0, 0, 0 } };
-  double nearest = 0; ///< depth of the box where it is nearest, as in the depth buffer [0, 1]
+  double nearest = 0;  ///< depth of the box where it is nearest, as in the depth buffer [0, 1]
+  double farthest = 1; ///< likewise, where it is farthest
 
   glm::dmat4 clipToData{ 1.0 }; ///< of the viewport
 
@@ -93,13 +94,6 @@ std::vector<float> ValuesOf(const ViewGeometry& geometry, const PictureFrame& fr
   }
   return values;
 }
-
-/**
- * Where the rays of a frame end at geometry that has been drawn before, in clip coordinates; empty
- * when nothing has been drawn. Throws when the depth cannot be read.
- */
-std::vector<float> ReadDepth(
-  vtkRenderer* renderer, const ViewGeometry& geometry, const PictureFrame& frame);
 
 /// Whether they differ by no more than rounding.
 bool AreSame(const Camera& a, const Camera& b);

@@ -10,10 +10,8 @@
 #include "vtkVolume.h"
 
 #include "backend/Interruption.h"
-#include "math/Require.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +23,6 @@ namespace
 // Shares of a moving frame's time: the rays get what the optimisation and the shadows have left,
 // but never less than this.
 constexpr double LeastRayShare = 0.3;
-
-// Alpha above which a pixel counts as hit by a selection.
-constexpr double VisibleAlpha = 0.05;
 
 // Whether a GPU has failed: the processor may do the same.
 bool IsOfGpu(const std::exception& error)
@@ -185,172 +180,6 @@ void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& ge
   this->Rays.jitter = frame.jitter;
 }
 
-// Returns whether it was not aborted.
-bool VolumeView::MakePicture(const View& view)
-{
-  const auto start = FrameClock::SteadyClock::now();
-  try
-  {
-    const std::function<bool()> isAborted = this->AbortCheck();
-    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
-    this->Caster.Render(view, this->Part);
-  }
-  catch (const Interrupted&)
-  {
-    this->Part = Picture(); // VTK does not show what was aborted
-    return false;
-  }
-  this->CastSeconds += FrameClock::SecondsSince(start);
-  return true;
-}
-
-// What is asked of the view by observers meanwhile is done afterwards. `again`: what the processor
-// does where a GPU fails.
-template <class Action, class Again>
-void VolumeView::WhileDrawing(const Action& action, const Again& again)
-{
-  this->IsDrawing = true;
-  try
-  {
-    try
-    {
-      action();
-    }
-    catch (const DeviceError& error)
-    {
-      if (!this->Backend.GiveUpGpu(error.what()))
-      {
-        throw;
-      }
-      this->ReleaseNow();
-      again();
-    }
-  }
-  catch (...)
-  {
-    this->EndDrawing();
-    throw;
-  }
-  this->EndDrawing();
-}
-
-template <class Action>
-void VolumeView::WhileDrawing(const Action& action)
-{
-  this->WhileDrawing(action, action);
-}
-
-FrameResult VolumeView::Prepare(
-  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
-{
-  this->WhileDrawing([&]() { this->PrepareNow(frame, data, messages); });
-  this->PrepareAgain = [this, frame, &data]()
-  {
-    FrameMessages told;
-    this->PrepareNow(frame, data, told);
-  };
-  return this->LastResult;
-}
-
-FrameResult VolumeView::Draw(
-  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
-{
-  this->WhileDrawing(
-    [&]()
-    {
-      this->PrepareNow(frame, data, messages);
-      if (!this->Geometry)
-      {
-        return;
-      }
-      const std::vector<float> depth = ReadDepth(this->Target, *this->Geometry, this->Frame);
-      View view = this->Rays;
-      view.depth = depth.empty() ? nullptr : depth.data();
-      if (this->MakePicture(view))
-      {
-        this->Image = std::move(this->Part);
-        this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
-      }
-      else
-      {
-        this->LastResult.converged = false;
-      }
-    });
-  return this->LastResult;
-}
-
-void VolumeView::DrawPart(const RayParts& parts, std::size_t part)
-{
-  if (this->Geometry)
-  {
-    const auto draw = [&]() { this->DrawPartNow(parts, part); };
-    this->WhileDrawing(draw,
-      [&]()
-      {
-        this->PrepareAgain();
-        draw();
-      });
-  }
-}
-
-// What is missed belongs in front of everything: the foremost part has it of the whole rays.
-void VolumeView::DrawPartNow(const RayParts& parts, std::size_t part)
-{
-  const std::array<int, 2>& size = this->Geometry->size;
-  const auto clip = [&](const auto& depthOf)
-  {
-    return ValuesOf(*this->Geometry, this->Frame,
-      [&](int column, int row)
-      {
-        const Index x = Index(column) * parts.size[0] / size[0];
-        const Index y = Index(row) * parts.size[1] / size[1];
-        const std::size_t pixel = std::size_t(y * parts.size[0] + x);
-        return 2 * depthOf(parts.depths.data() + 4 * pixel) - 1;
-      });
-  };
-  const std::vector<float> nearDepth = clip([=](const float* of) { return of[2 * part]; });
-  const std::vector<float> depth = clip([=](const float* of) { return of[2 * part + 1]; });
-  std::vector<float> whole;
-  View view = this->Rays;
-  view.nearDepth = nearDepth.data();
-  view.depth = depth.data();
-  view.paintsMissed = this->ImportanceVersion != 0 && parts.outermost && part == 0;
-  if (view.paintsMissed)
-  {
-    whole = clip([](const float* of) { return std::max(of[1], of[3]); });
-    view.missedDepth = whole.data();
-  }
-  const auto isEmpty = [](float begin, float end) { return !(end > begin); };
-  const bool empty =
-    !view.paintsMissed && std::equal(nearDepth.begin(), nearDepth.end(), depth.begin(), isEmpty);
-  if (empty || !this->MakePicture(view))
-  {
-    return;
-  }
-  this->Quad.Draw(this->Target, this->Part, this->Frame, this->Geometry->nearest);
-  this->Image.width = this->Part.width;
-  this->Image.height = this->Part.height;
-  this->Image.rgba.resize(this->Part.rgba.size());
-  for (std::size_t alpha = 3; alpha < this->Image.rgba.size(); alpha += 4)
-  {
-    const int both = this->Image.rgba[alpha] + this->Part.rgba[alpha];
-    this->Image.rgba[alpha] = static_cast<std::uint8_t>(std::min(both, 255));
-  }
-}
-
-void VolumeView::EndDrawing()
-{
-  this->IsDrawing = false;
-  if (std::exchange(this->ResetAfter, false))
-  {
-    this->Reset();
-  }
-  if (std::exchange(this->ReleaseAfter, false))
-  {
-    this->Release();
-  }
-}
-
 void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
   const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result)
 {
@@ -440,15 +269,6 @@ void VolumeView::PrepareNow(
     result.converged = false;
   }
   this->LastResult = result;
-}
-
-void VolumeView::DrawMask(const float color[3])
-{
-  if (!this->Image.rgba.empty() && this->Target && this->Geometry)
-  {
-    this->Quad.DrawMask(
-      this->Target, this->Image, this->Frame, this->Geometry->nearest, color, VisibleAlpha);
-  }
 }
 
 void VolumeView::Reset()

@@ -32,6 +32,9 @@ class vtkObject;
 
 namespace limpid
 {
+class OpaqueDepth;
+struct DepthRange;
+
 /// With optimisation and light, and either solver; measured.
 inline const MemoryNeed drawingNeed{ 56, fewerPoints };
 
@@ -88,6 +91,8 @@ private:
   void WhileDrawing(const Action& action);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   bool MakePicture(const View& view);
+  bool DrawWhole();
+  bool DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges);
   void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();
   void ReleaseNow();

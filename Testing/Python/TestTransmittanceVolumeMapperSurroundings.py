@@ -15,8 +15,8 @@ from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
-from volume_views import (BACKGROUND, View, caught, colors_of, difference, gray_property, image_of,
-                          opacity_of, phantom, plain_mapper, property_of, save)
+from volume_views import (BACKGROUND, View, actor_of, caught, colors_of, difference, gray_property,
+                          image_of, opacity_of, phantom, plain_mapper, property_of, save, sphere)
 
 
 class TestLights(MapperTest):
@@ -340,6 +340,52 @@ class TestSeveralVolumes(MapperTest):
         self.assertEqual(renderer.GetCullers().GetNumberOfItems(), 1)
         Mapper.SortBackToFront(renderer)
         self.assertEqual(renderer.GetCullers().GetNumberOfItems(), 1)
+
+
+class TestOpaqueGeometry(MapperTest):
+    """In front of a volume and inside it, while the volume is drawn with eight times fewer pixels
+    along each axis."""
+
+    def coarse(self, *actors, moving=True, visible=True):
+        view, mapper = show(size=(240, 240), Optimization=Mapper.OFF, Shadows=0,
+                            InteractiveFrameTime=1e-6)
+        for actor in actors:
+            view.renderer.AddActor(actor)
+        view.volume.SetVisibility(visible)
+        view.interact(moving)
+        picture = view.picture()
+        self.assert_fine(view)
+        return picture
+
+    def check_what_is_beside(self, actor):
+        """Returns the pixels that the actor covers, and its coarse picture with the volume."""
+        covered = np.any(self.coarse(actor, visible=False) != self.coarse(visible=False), axis=2)
+        both = self.coarse(actor)
+        save(both, self.id().rsplit(".", 1)[1])
+        without = self.coarse()
+        self.assertGreater(covered.sum(), 500)
+        # Interpolated twice from the same pixels: a step of rounding.
+        self.assertLessEqual(np.abs(both - without)[~covered].max(), 1)
+        return covered, both
+
+    def lines(self, radius):
+        actor = actor_of(sphere((0, 0, 0), radius), color=(1, 1, 0))
+        actor.GetProperty().SetRepresentationToWireframe()
+        return actor
+
+    def test_lines_around_the_volume_leave_nothing_beside_them(self):
+        self.check_what_is_beside(self.lines(1.9))
+
+    def test_lines_inside_leave_nothing_beside_them(self):
+        self.check_what_is_beside(self.lines(0.6))
+
+    def test_a_thick_thing_inside_has_no_halo_and_is_covered_as_in_a_still_picture(self):
+        actor = actor_of(sphere((0, 0, 0), 0.5))
+        covered, both = self.check_what_is_beside(actor)
+        wrong = np.abs(both - self.coarse(actor, moving=False))[covered].mean()
+        # No more than the volume alone differs between coarse and fine.
+        expected = np.abs(self.coarse() - self.coarse(moving=False))[covered].mean()
+        self.assertLessEqual(wrong, expected)
 
 
 class TestSelection(MapperTest):

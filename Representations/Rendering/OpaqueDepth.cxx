@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OpaqueDepth.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include "math/Require.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpid
+{
+OpaqueDepth::OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry)
+  : Geometry(geometry)
+  , Covered{ { geometry.covered[1] - geometry.covered[0],
+      geometry.covered[3] - geometry.covered[2] } }
+{
+  if (renderer->GetNumberOfPropsRendered() == 0)
+  {
+    return;
+  }
+  const int columns = this->Covered[0];
+  const int rows = this->Covered[1];
+  this->Values.assign(std::size_t(columns) * std::size_t(rows), 1.0F);
+  const int left = geometry.origin[0] + geometry.covered[0];
+  const int bottom = geometry.origin[1] + geometry.covered[2];
+  LIMPID_REQUIRE(renderer->GetRenderWindow()->GetZbufferData(
+                   left, bottom, left + columns - 1, bottom + rows - 1, this->Values.data()) != 0,
+    "The depth buffer of " << columns << " x " << rows
+                           << " pixels cannot be read (the volume would be drawn over opaque "
+                              "geometry). Use a render window with a depth buffer.");
+}
+
+std::vector<float> OpaqueDepth::InMiddles(const PictureFrame& frame) const
+{
+  return ValuesOf(this->Geometry, frame,
+    [this](int column, int row)
+    {
+      const int at =
+        (row - this->Geometry.covered[2]) * this->Covered[0] + column - this->Geometry.covered[0];
+      return ToClip(this->Values[std::size_t(at)]);
+    });
+}
+
+// The view's pixels along an axis, counted in what the box covers, that are less than a pixel of
+// the frame away from the middle of one.
+OpaqueDepth::Pixels OpaqueDepth::FedBy(const PictureFrame& frame, std::size_t axis, int pixel) const
+{
+  const double size = double(this->Geometry.size[axis]) / frame.whole[axis];
+  const double middle = (frame.origin[axis] + pixel + 0.5) * size - 0.5;
+  const int begin = this->Geometry.covered[2 * axis];
+  const int first = static_cast<int>(std::floor(middle - size)) + 1 - begin;
+  const int end = static_cast<int>(std::ceil(middle + size)) - begin;
+  const int last = this->Covered[axis] - 1;
+  return { std::clamp(first, 0, last), std::clamp(end - 1, 0, last) + 1 };
+}
+
+// For each row of the view and each pixel of a frame's row.
+std::vector<DepthRange> OpaqueDepth::AlongRows(const PictureFrame& frame) const
+{
+  // In front of the box and behind it, one depth is like another.
+  const auto nearest = static_cast<float>(this->Geometry.nearest);
+  const auto farthest = static_cast<float>(this->Geometry.farthest);
+  std::vector<Pixels> columns;
+  columns.reserve(std::size_t(frame.size[0]));
+  for (int column = 0; column < frame.size[0]; ++column)
+  {
+    columns.push_back(this->FedBy(frame, 0, column));
+  }
+  std::vector<DepthRange> ranges;
+  ranges.reserve(columns.size() * std::size_t(this->Covered[1]));
+  for (int row = 0; row < this->Covered[1]; ++row)
+  {
+    const float* values = this->Values.data() + std::size_t(row) * std::size_t(this->Covered[0]);
+    for (const Pixels& fed : columns)
+    {
+      DepthRange range{ farthest, nearest };
+      for (int column = fed.first; column < fed.end; ++column)
+      {
+        const float depth = std::clamp(values[column], nearest, farthest);
+        range = { std::min(range.nearest, depth), std::max(range.farthest, depth) };
+      }
+      ranges.push_back(range);
+    }
+  }
+  return ranges;
+}
+
+std::vector<DepthRange> OpaqueDepth::RangesOf(const PictureFrame& frame) const
+{
+  const std::vector<DepthRange> along = this->AlongRows(frame);
+  const auto width = std::size_t(frame.size[0]);
+  std::vector<DepthRange> ranges;
+  ranges.reserve(width * std::size_t(frame.size[1]));
+  for (int row = 0; row < frame.size[1]; ++row)
+  {
+    const Pixels fed = this->FedBy(frame, 1, row);
+    for (std::size_t column = 0; column < width; ++column)
+    {
+      DepthRange range = along[std::size_t(fed.first) * width + column];
+      for (int from = fed.first + 1; from < fed.end; ++from)
+      {
+        const DepthRange& other = along[std::size_t(from) * width + column];
+        range = { std::min(range.nearest, other.nearest),
+          std::max(range.farthest, other.farthest) };
+      }
+      ranges.push_back(range);
+    }
+  }
+  const bool differ = std::any_of(ranges.begin(), ranges.end(),
+    [](const DepthRange& range) { return range.nearest < range.farthest; });
+  return differ ? ranges : std::vector<DepthRange>();
+}
+}

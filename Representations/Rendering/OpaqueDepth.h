@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The depth of opaque geometry, at which the rays of a volume end.
+
+#ifndef limpid_OpaqueDepth_h
+#define limpid_OpaqueDepth_h
+
+#include "ViewGeometry.h"
+
+#include <array>
+#include <vector>
+
+class vtkRenderer;
+
+namespace limpid
+{
+/// Depths as in the depth buffer, from 0 to 1.
+struct DepthRange
+{
+  float nearest;
+  float farthest;
+};
+
+class OpaqueDepth
+{
+public:
+  /// Reads what has been drawn before, where the box covers the view. Throws when it cannot be
+  /// read.
+  OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry);
+
+  /// Whether nothing has been drawn before.
+  bool IsEmpty() const { return this->Values.empty(); }
+
+  /// Of the pixels of the view that the box covers, row by row, and how many those are.
+  const std::vector<float>& OfPixels() const { return this->Values; }
+  const std::array<int, 2>& Size() const { return this->Covered; }
+
+  /// Of the view's pixel in the middle of each pixel of a frame, in clip coordinates.
+  std::vector<float> InMiddles(const PictureFrame& frame) const;
+
+  /**
+   * For each pixel of a coarse frame, the depths of the view's pixels that it gives something to
+   * when the picture is interpolated, as far as they are within those of the box. Empty when no
+   * pixel has two of them.
+   */
+  std::vector<DepthRange> RangesOf(const PictureFrame& frame) const;
+
+private:
+  struct Pixels
+  {
+    int first;
+    int end; // one past the last
+  };
+  Pixels FedBy(const PictureFrame& frame, std::size_t axis, int pixel) const;
+  std::vector<DepthRange> AlongRows(const PictureFrame& frame) const;
+
+  ViewGeometry Geometry;
+  std::array<int, 2> Covered; ///< size [pixels]
+  std::vector<float> Values;
+};
+
+/// From the depth buffer to clip coordinates.
+inline float ToClip(float depth)
+{
+  return 2 * depth - 1;
+}
+}
+
+#endif

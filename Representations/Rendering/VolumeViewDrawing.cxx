@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The pictures of a volume and their way into the view.
+
+#include "VolumeView.h"
+
+#include "OpaqueDepth.h"
+
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include "backend/Interruption.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace limpid
+{
+namespace
+{
+// Alpha above which a pixel counts as hit by a selection.
+constexpr double VisibleAlpha = 0.05;
+}
+
+// Returns whether it was not aborted.
+bool VolumeView::MakePicture(const View& view)
+{
+  const auto start = FrameClock::SteadyClock::now();
+  try
+  {
+    const std::function<bool()> isAborted = this->AbortCheck();
+    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+    this->Caster.Render(view, this->Part);
+  }
+  catch (const Interrupted&)
+  {
+    this->Part = Picture(); // VTK does not show what was aborted
+    return false;
+  }
+  this->CastSeconds += FrameClock::SecondsSince(start);
+  return true;
+}
+
+// What is asked of the view by observers meanwhile is done afterwards. `again`: what the processor
+// does where a GPU fails.
+template <class Action, class Again>
+void VolumeView::WhileDrawing(const Action& action, const Again& again)
+{
+  this->IsDrawing = true;
+  try
+  {
+    try
+    {
+      action();
+    }
+    catch (const DeviceError& error)
+    {
+      if (!this->Backend.GiveUpGpu(error.what()))
+      {
+        throw;
+      }
+      this->ReleaseNow();
+      again();
+    }
+  }
+  catch (...)
+  {
+    this->EndDrawing();
+    throw;
+  }
+  this->EndDrawing();
+}
+
+template <class Action>
+void VolumeView::WhileDrawing(const Action& action)
+{
+  this->WhileDrawing(action, action);
+}
+
+FrameResult VolumeView::Prepare(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  this->WhileDrawing([&]() { this->PrepareNow(frame, data, messages); });
+  this->PrepareAgain = [this, frame, &data]()
+  {
+    FrameMessages told;
+    this->PrepareNow(frame, data, told);
+  };
+  return this->LastResult;
+}
+
+FrameResult VolumeView::Draw(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  this->WhileDrawing(
+    [&]()
+    {
+      this->PrepareNow(frame, data, messages);
+      if (!this->Geometry)
+      {
+        return;
+      }
+      if (!this->DrawWhole())
+      {
+        this->LastResult.converged = false;
+      }
+    });
+  return this->LastResult;
+}
+
+// Returns whether it was not aborted.
+bool VolumeView::DrawWhole()
+{
+  const ViewGeometry& geometry = *this->Geometry;
+  const OpaqueDepth opaque(this->Target, geometry);
+  const bool coarse = this->Frame.whole != geometry.size;
+  const std::vector<DepthRange> ranges =
+    coarse && !opaque.IsEmpty() ? opaque.RangesOf(this->Frame) : std::vector<DepthRange>();
+  if (!ranges.empty())
+  {
+    return this->DrawBetween(opaque, ranges);
+  }
+  const std::vector<float> depth =
+    opaque.IsEmpty() ? std::vector<float>() : opaque.InMiddles(this->Frame);
+  View view = this->Rays;
+  view.depth = depth.empty() ? nullptr : depth.data();
+  if (!this->MakePicture(view))
+  {
+    return false;
+  }
+  this->Image = std::move(this->Part);
+  this->Quad.Draw(this->Target, this->Image, this->Frame, geometry.nearest);
+  return true;
+}
+
+// Where opaque geometry begins or ends within what a coarse pixel covers, there are two colours for
+// it: of the ray that ends at the nearest depth there is, and of the one that ends at the farthest.
+bool VolumeView::DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges)
+{
+  std::vector<float> depth(ranges.size());
+  View view = this->Rays;
+  view.depth = depth.data();
+  std::transform(ranges.begin(), ranges.end(), depth.begin(),
+    [](const DepthRange& range) { return ToClip(range.farthest); });
+  if (!this->MakePicture(view))
+  {
+    return false;
+  }
+  this->Image = std::move(this->Part);
+  constexpr float noRay = -2;
+  const auto differs = [](const DepthRange& range) { return range.nearest < range.farthest; };
+  std::transform(ranges.begin(), ranges.end(), depth.begin(),
+    [&](const DepthRange& range) { return differs(range) ? ToClip(range.nearest) : noRay; });
+  if (!this->MakePicture(view))
+  {
+    return false;
+  }
+  for (std::size_t pixel = 0; pixel < ranges.size(); ++pixel)
+  {
+    if (!differs(ranges[pixel]))
+    {
+      std::copy_n(&this->Image.rgba[4 * pixel], 4, &this->Part.rgba[4 * pixel]);
+    }
+  }
+  this->Quad.DrawBetween(
+    this->Target, { this->Part, this->Image, ranges, opaque }, this->Frame, *this->Geometry);
+  return true;
+}
+
+void VolumeView::DrawPart(const RayParts& parts, std::size_t part)
+{
+  if (this->Geometry)
+  {
+    const auto draw = [&]() { this->DrawPartNow(parts, part); };
+    this->WhileDrawing(draw,
+      [&]()
+      {
+        this->PrepareAgain();
+        draw();
+      });
+  }
+}
+
+// What is missed belongs in front of everything: the foremost part has it of the whole rays.
+void VolumeView::DrawPartNow(const RayParts& parts, std::size_t part)
+{
+  const std::array<int, 2>& size = this->Geometry->size;
+  const auto clip = [&](const auto& depthOf)
+  {
+    return ValuesOf(*this->Geometry, this->Frame,
+      [&](int column, int row)
+      {
+        const Index x = Index(column) * parts.size[0] / size[0];
+        const Index y = Index(row) * parts.size[1] / size[1];
+        const std::size_t pixel = std::size_t(y * parts.size[0] + x);
+        return ToClip(depthOf(parts.depths.data() + 4 * pixel));
+      });
+  };
+  const std::vector<float> nearDepth = clip([=](const float* of) { return of[2 * part]; });
+  const std::vector<float> depth = clip([=](const float* of) { return of[2 * part + 1]; });
+  std::vector<float> whole;
+  View view = this->Rays;
+  view.nearDepth = nearDepth.data();
+  view.depth = depth.data();
+  view.paintsMissed = this->ImportanceVersion != 0 && parts.outermost && part == 0;
+  if (view.paintsMissed)
+  {
+    whole = clip([](const float* of) { return std::max(of[1], of[3]); });
+    view.missedDepth = whole.data();
+  }
+  const auto isEmpty = [](float begin, float end) { return !(end > begin); };
+  const bool empty =
+    !view.paintsMissed && std::equal(nearDepth.begin(), nearDepth.end(), depth.begin(), isEmpty);
+  if (empty || !this->MakePicture(view))
+  {
+    return;
+  }
+  this->Quad.Draw(this->Target, this->Part, this->Frame, this->Geometry->nearest);
+  this->Image.width = this->Part.width;
+  this->Image.height = this->Part.height;
+  this->Image.rgba.resize(this->Part.rgba.size());
+  for (std::size_t alpha = 3; alpha < this->Image.rgba.size(); alpha += 4)
+  {
+    const int both = this->Image.rgba[alpha] + this->Part.rgba[alpha];
+    this->Image.rgba[alpha] = static_cast<std::uint8_t>(std::min(both, 255));
+  }
+}
+
+void VolumeView::EndDrawing()
+{
+  this->IsDrawing = false;
+  if (std::exchange(this->ResetAfter, false))
+  {
+    this->Reset();
+  }
+  if (std::exchange(this->ReleaseAfter, false))
+  {
+    this->Release();
+  }
+}
+
+void VolumeView::DrawMask(const float color[3])
+{
+  if (!this->Image.rgba.empty() && this->Target && this->Geometry)
+  {
+    this->Quad.DrawMask(
+      this->Target, this->Image, this->Frame, this->Geometry->nearest, color, VisibleAlpha);
+  }
+}
+}
