@@ -41,34 +41,45 @@ bool IsConstantOutside(vtkColorTransferFunction* function)
     !function->GetUseAboveRangeColor();
 }
 
-// Where the functions are not constant; sets `constantOutside` to whether they are outside of it.
-ScalarRange ScalarRangeOf(vtkVolumeProperty* property, bool& constantOutside)
+// Where functions are not constant, and whether they are constant outside of it.
+struct FunctionRange
 {
   ScalarRange interval;
-  interval.Include(property->GetScalarOpacity(0)->GetRange());
-  constantOutside = property->GetScalarOpacity(0)->GetClamping() != 0;
+  bool constantOutside = true;
+};
+
+FunctionRange RangeOfColors(vtkVolumeProperty* property)
+{
+  FunctionRange range;
   if (property->GetColorChannels(0) == 1)
   {
-    interval.Include(property->GetGrayTransferFunction(0)->GetRange());
-    constantOutside &= property->GetGrayTransferFunction(0)->GetClamping() != 0;
+    range.interval.Include(property->GetGrayTransferFunction(0)->GetRange());
+    range.constantOutside = property->GetGrayTransferFunction(0)->GetClamping() != 0;
   }
   else
   {
-    interval.Include(property->GetRGBTransferFunction(0)->GetRange());
-    constantOutside &= IsConstantOutside(property->GetRGBTransferFunction(0));
+    range.interval.Include(property->GetRGBTransferFunction(0)->GetRange());
+    range.constantOutside = IsConstantOutside(property->GetRGBTransferFunction(0));
   }
-  return interval;
+  return range;
+}
+
+FunctionRange RangeOfFunctions(vtkVolumeProperty* property)
+{
+  FunctionRange range = RangeOfColors(property);
+  range.interval.Include(property->GetScalarOpacity(0)->GetRange());
+  range.constantOutside &= property->GetScalarOpacity(0)->GetClamping() != 0;
+  return range;
 }
 
 // An interval to be sampled: never empty, and within the data unless that makes it so.
-ScalarRange SampledRange(vtkVolumeProperty* property, double low, double high)
+ScalarRange SampledRange(const FunctionRange& range, double low, double high)
 {
-  bool constantOutside = false;
-  const ScalarRange functions = ScalarRangeOf(property, constantOutside);
+  const ScalarRange& functions = range.interval;
   ScalarRange sampled;
   sampled.low = low;
   sampled.high = high;
-  if (constantOutside && functions.low <= functions.high)
+  if (range.constantOutside && functions.low <= functions.high)
   {
     sampled.low = std::min(std::max(low, functions.low), functions.high);
     sampled.high = std::max(std::min(high, functions.high), functions.low);
@@ -95,7 +106,7 @@ void SampleLogarithmicColors(
   }
 }
 
-std::vector<double> SampleColors(vtkVolumeProperty* property, const ScalarRange& interval)
+std::vector<double> ColorTable(vtkVolumeProperty* property, const ScalarRange& interval)
 {
   std::vector<double> table(3 * Samples, 0.0);
   if (property->GetColorChannels(0) == 1)
@@ -125,6 +136,23 @@ float Color(double value)
 {
   return std::isfinite(value) ? static_cast<float>(std::min(std::max(value, 0.0), 1.0)) : 0.0F;
 }
+
+// Functions without extinction yet.
+TransferFunctions WithColors(
+  vtkVolumeProperty* property, const ScalarRange& interval, const ValueUnit& unit)
+{
+  const std::vector<double> colors = ColorTable(property, interval);
+  TransferFunctions functions;
+  functions.low = (interval.low - unit.offset) * unit.scale;
+  functions.high = (interval.high - unit.offset) * unit.scale;
+  functions.color.resize(Samples);
+  for (std::size_t i = 0; i < Samples; ++i)
+  {
+    functions.color[i] = { { Color(colors[3 * i]), Color(colors[3 * i + 1]),
+      Color(colors[3 * i + 2]) } };
+  }
+  return functions;
+}
 }
 
 TransferFunctions SampleFunctions(
@@ -135,23 +163,25 @@ TransferFunctions SampleFunctions(
     "The scalar opacity unit distance is "
       << unitDistance << " (opacity is light lost on a distance). Set a length above zero.");
 
-  const ScalarRange interval = SampledRange(property, low, high);
-  const std::vector<double> colors = SampleColors(property, interval);
+  const ScalarRange interval = SampledRange(RangeOfFunctions(property), low, high);
+  TransferFunctions functions = WithColors(property, interval, unit);
   std::vector<double> opacities(Samples);
   property->GetScalarOpacity(0)->GetTable(interval.low, interval.high, Samples, opacities.data());
-
-  TransferFunctions functions;
-  functions.low = (interval.low - unit.offset) * unit.scale;
-  functions.high = (interval.high - unit.offset) * unit.scale;
   functions.extinction.resize(Samples);
-  functions.color.resize(Samples);
   for (std::size_t i = 0; i < Samples; ++i)
   {
     const double opacity = std::isfinite(opacities[i]) ? opacities[i] : 0.0;
     functions.extinction[i] = static_cast<float>(ExtinctionOfOpacity(opacity, unitDistance));
-    functions.color[i] = { { Color(colors[3 * i]), Color(colors[3 * i + 1]),
-      Color(colors[3 * i + 2]) } };
   }
+  return functions;
+}
+
+TransferFunctions SampleColors(
+  vtkVolumeProperty* property, double low, double high, const ValueUnit& unit, float extinction)
+{
+  const ScalarRange interval = SampledRange(RangeOfColors(property), low, high);
+  TransferFunctions functions = WithColors(property, interval, unit);
+  functions.extinction.assign(Samples, extinction);
   return functions;
 }
 

@@ -31,6 +31,10 @@ struct ValueUnit
 TransferFunctions SampleFunctions(
   vtkVolumeProperty* property, double low, double high, const ValueUnit& unit);
 
+/// The colours alone, likewise, with the same extinction for all values [1/length].
+TransferFunctions SampleColors(
+  vtkVolumeProperty* property, double low, double high, const ValueUnit& unit, float extinction);
+
 /// Largest extinction that the opacity function has anywhere, Eq. (25) [1/length].
 float LargestExtinction(vtkVolumeProperty* property);
 

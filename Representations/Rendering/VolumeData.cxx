@@ -72,6 +72,10 @@ VolumeData::ArrayKey VolumeData::KeyOf(
   vtkImageData* image, const FieldSource& source, vtkMTimeType mapping)
 {
   ArrayKey key;
+  if (!source.array)
+  {
+    return key;
+  }
   key.array = source.array->GetMTime();
   key.mapping = mapping;
   key.component = source.component;
@@ -128,13 +132,30 @@ vtkIdType VolumeData::EmptyScalars(const CropRegion& crop, const float* shares, 
   return invalidScalars;
 }
 
-void VolumeData::UpdateScalars(
-  vtkImageData* image, const FieldSource& source, const CropRegion& crop)
+// From an array: its share of a function that has the same extinction for all scalars.
+void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, float* scalars)
+{
+  this->ArrayUnit.reset();
+  this->NegativeExtinctions = 0;
+  if (source.array)
+  {
+    ArrayExtinction extinction(image, source, scalars);
+    this->ScalarShares = std::move(extinction.shares);
+    this->ArrayUnit = extinction.unit;
+    this->ArrayMajorant = extinction.largest;
+    this->InvalidScalars += extinction.invalidPoints;
+    this->NegativeExtinctions = extinction.negativePoints;
+  }
+}
+
+void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
+  const FieldSource& extinction, const CropRegion& crop)
 {
   const Grid grid = GridOfImage(image);
   const ArrayKey key = KeyOf(image, source, 0);
-  const bool same =
-    key == this->ScalarsKey && HaveSameNodes(grid, this->NodeGrid) && crop == this->Crop;
+  const ArrayKey extinctionKey = KeyOf(image, extinction, 0);
+  const bool same = key == this->ScalarsKey && extinctionKey == this->ExtinctionKey &&
+    HaveSameNodes(grid, this->NodeGrid) && crop == this->Crop;
   if (same && this->ScalarValues)
   {
     return;
@@ -152,8 +173,10 @@ void VolumeData::UpdateScalars(
   const vtkSmartPointer<vtkFloatArray> values = ConvertField(image, scaled, "Scalars");
   this->ScalarShares = Blanking(image).Shares(source.onCells);
   this->InvalidScalars = this->EmptyScalars(crop, this->Shares(), values->GetPointer(0));
+  this->TakeExtinction(image, extinction, values->GetPointer(0));
   this->ScalarValues = values; // wholly or not at all
   this->ScalarsKey = key;
+  this->ExtinctionKey = extinctionKey;
   this->Crop = crop;
   ++this->ScalarChanges;
 }
@@ -172,8 +195,11 @@ void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
     return;
   }
   const TransferFunctions before = std::exchange(this->Tables, TransferFunctions());
-  const float majorant = std::exchange(this->Majorant, LargestExtinction(property));
-  this->Tables = SampleFunctions(property, this->Low, this->High, this->Unit);
+  const float majorant = std::exchange(
+    this->Majorant, this->ArrayUnit ? this->ArrayMajorant : LargestExtinction(property));
+  this->Tables = this->ArrayUnit
+    ? SampleColors(property, this->Low, this->High, this->Unit, *this->ArrayUnit)
+    : SampleFunctions(property, this->Low, this->High, this->Unit);
   this->Property = property;
   this->PropertyTime = time;
   this->FunctionsScalars = this->ScalarChanges;
@@ -282,6 +308,7 @@ std::string VolumeData::Warning() const
 {
   SceneArrays counts = this->Arrays;
   counts.invalidPoints = std::max(counts.invalidPoints, this->InvalidScalars);
+  counts.negativePoints = this->NegativeExtinctions;
   if (!counts.baseExtinction)
   {
     counts.baseExtinction = this->ScalarValues; // for the number of points

@@ -7,6 +7,7 @@
 #ifndef limpid_VolumeData_h
 #define limpid_VolumeData_h
 
+#include "ArrayExtinction.h"
 #include "CropRegion.h"
 #include "SceneConversion.h"
 #include "TransferTables.h"
@@ -15,6 +16,7 @@
 #include "render/Renderer.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,10 @@ namespace limpid
 class VolumeData
 {
 public:
-  /// The scalar field. Throws when the image or the array cannot be worked with.
-  void UpdateScalars(vtkImageData* image, const FieldSource& source, const CropRegion& crop);
+  /// The scalar field, and the base extinction if that comes from an array, too; an array of null:
+  /// it comes from the functions. Throws when the image or an array cannot be worked with.
+  void UpdateScalars(vtkImageData* image, const FieldSource& source, const FieldSource& extinction,
+    const CropRegion& crop);
 
   /// The transfer functions, for the present scalars. Throws when they make no sense.
   void UpdateFunctions(vtkVolumeProperty* property);
@@ -43,7 +47,7 @@ public:
   const float* Scalars() const { return this->ScalarValues->GetPointer(0); } ///< NaN: empty
   const CropRegion& Cropped() const { return this->Crop; }
 
-  /// The part of the extinction that is left at each point [0, 1]; null: all of it.
+  /// The part of the functions' extinction that is left at each point [0, 1]; null: all of it.
   const float* Shares() const
   {
     return this->ScalarShares.empty() ? nullptr : this->ScalarShares.data();
@@ -92,6 +96,7 @@ private:
   static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);
   ValueUnit ChooseUnit(const FieldSource& source);
   vtkIdType EmptyScalars(const CropRegion& crop, const float* shares, float* values) const;
+  void TakeExtinction(vtkImageData* image, const FieldSource& source, float* scalars);
   void CorrectImportance(const std::vector<float>& shares);
   void UpdateBaseExtinction();
 
@@ -102,8 +107,12 @@ private:
   double Low = 0;  ///< smallest value of the data
   double High = 0; ///< largest value of the data
   vtkSmartPointer<vtkFloatArray> ScalarValues;
-  std::vector<float> ScalarShares; ///< see Blanking::Shares
-  vtkIdType InvalidScalars = 0;
+  std::vector<float> ScalarShares; ///< see Shares
+  ArrayKey ExtinctionKey;
+  std::optional<float> ArrayUnit; ///< see ArrayExtinction; none: the functions have the extinction
+  float ArrayMajorant = 0;        ///< likewise
+  vtkIdType InvalidScalars = 0;   ///< or extinctions of the array
+  vtkIdType NegativeExtinctions = 0;
   std::uint64_t DataChanges = 0;
   std::uint64_t ScalarChanges = 0;
 
@@ -111,7 +120,7 @@ private:
   vtkMTimeType PropertyTime = 0;
   std::uint64_t FunctionsScalars = 0; ///< version of the scalars that they were sampled for
   TransferFunctions Tables;
-  float Majorant = 0; ///< of the opacity function, wherever it has it [1/length]
+  float Majorant = 0; ///< of the opacity function, wherever it has it, or of the array [1/length]
   std::uint64_t FunctionChanges = 0;
 
   ArrayKey ImportanceKey;

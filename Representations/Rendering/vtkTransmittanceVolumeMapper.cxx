@@ -16,6 +16,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkTransmittanceVolumeMapper);
 
@@ -29,7 +30,7 @@ vtkTransmittanceVolumeMapper::vtkTransmittanceVolumeMapper()
   this->Settings->SetImportanceSmoothing(MEDIAN);
   this->Settings->SetSmoothness(0.2);
   static_assert(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS == 3,
-    "the default of ImportanceArrayAssociation in the header");
+    "the default of ImportanceArrayAssociation and ExtinctionArrayAssociation in the header");
 }
 
 vtkTransmittanceVolumeMapper::~vtkTransmittanceVolumeMapper() = default;
@@ -43,12 +44,20 @@ void vtkTransmittanceVolumeMapper::SetVisibilitySettings(vtkVisibilitySettings* 
   }
 }
 
+namespace
+{
+// Returns whether that changes it.
+bool Rename(std::string& array, const char* name)
+{
+  const std::string before = std::exchange(array, name ? name : "");
+  return array != before;
+}
+}
+
 void vtkTransmittanceVolumeMapper::SetImportanceArray(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  if (wanted != this->ImportanceArray)
+  if (Rename(this->ImportanceArray, name))
   {
-    this->ImportanceArray = wanted;
     this->Modified();
   }
 }
@@ -56,6 +65,19 @@ void vtkTransmittanceVolumeMapper::SetImportanceArray(const char* name)
 const char* vtkTransmittanceVolumeMapper::GetImportanceArray() const
 {
   return this->ImportanceArray.c_str();
+}
+
+void vtkTransmittanceVolumeMapper::SetExtinctionArray(const char* name)
+{
+  if (Rename(this->ExtinctionArray, name))
+  {
+    this->Modified();
+  }
+}
+
+const char* vtkTransmittanceVolumeMapper::GetExtinctionArray() const
+{
+  return this->ExtinctionArray.c_str();
 }
 
 void vtkTransmittanceVolumeMapper::SetAssumedImportance(vtkPiecewiseFunction* function)
@@ -210,6 +232,9 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Settings->PrintSelf(os, indent.GetNextIndent());
   print("ImportanceArray", this->ImportanceArray);
   print("ImportanceArrayAssociation", this->ImportanceArrayAssociation);
+  print("ExtinctionSource", this->ExtinctionSource);
+  print("ExtinctionArray", this->ExtinctionArray);
+  print("ExtinctionArrayAssociation", this->ExtinctionArrayAssociation);
   print("AssumedImportance", static_cast<void*>(this->AssumedImportance));
   print("Optimization", this->Optimization);
   print("PauseOptimization", this->PauseOptimization);

@@ -14,7 +14,7 @@
  * the points first), of any numeric type, chosen as for all volume mappers with SelectScalarArray
  * and SetScalarMode. Points with a NaN or an infinite value and hidden (blanked) points are empty.
  * Extents, spacing and direction matrices of either handedness are honoured. A second array has the
- * importance, see SetImportanceArray.
+ * importance, see SetImportanceArray; a third one may have the extinction, see SetExtinctionSource.
  *
  * Colours, opacities and the unit distance are those of the first component of vtkVolumeProperty;
  * scalars are always interpolated linearly. The volume is lit if Shadows or the property's Shade is
@@ -89,6 +89,12 @@ public:
     OWN = 1
   };
 
+  enum ExtinctionSources
+  {
+    OPACITY_FUNCTION = 0,
+    ARRAY = 1
+  };
+
   LIMPID_VISIBILITY_CHOICES();
 
   ///@{
@@ -141,7 +147,37 @@ public:
 
   ///@{
   /**
-   * OFF: the extinction of the transfer functions, and the score is that of it. ONCE: optimized
+   * Where the base extinction comes from: OPACITY_FUNCTION of the scalar array and its unit
+   * distance, or ARRAY, the extinction array, interpolated linearly; with that the scalars say the
+   * colours alone. Scores, too, are of what the array has: what was removed from it before does not
+   * count. Default is OPACITY_FUNCTION.
+   */
+  vtkSetMacro(ExtinctionSource, int);
+  vtkGetMacro(ExtinctionSource, int);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array with the extinction [1/length], one number per point or cell: not negative,
+   * else the point is empty, as where it is NaN or infinite. Empty: the array "Extinction", as
+   * vtkExtinctionOptimizer makes it. Default is empty.
+   */
+  void SetExtinctionArray(const char* name);
+  const char* GetExtinctionArray() const;
+  ///@}
+
+  ///@{
+  /**
+   * Where the array with the extinction is: as SetImportanceArrayAssociation.
+   * Default is FIELD_ASSOCIATION_POINTS_THEN_CELLS.
+   */
+  vtkSetMacro(ExtinctionArrayAssociation, int);
+  vtkGetMacro(ExtinctionArrayAssociation, int);
+  ///@}
+
+  ///@{
+  /**
+   * OFF: the base extinction, and the score is that of it. ONCE: optimized
    * for camera and light of the first still frame, and kept until Reset is called or the data
    * change; changed functions and settings are followed. CONTINUOUS: optimized for every frame.
    * Default is CONTINUOUS.
@@ -421,6 +457,9 @@ private:
   std::string ImportanceArray;
   vtkSmartPointer<vtkPiecewiseFunction> AssumedImportance;
   int ImportanceArrayAssociation = 3; // vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS
+  int ExtinctionSource = OPACITY_FUNCTION;
+  std::string ExtinctionArray;
+  int ExtinctionArrayAssociation = 3; // likewise
 
   int Optimization = CONTINUOUS;
   vtkTypeBool PauseOptimization = 0;

@@ -259,7 +259,8 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   this->RequireAvailableChoices();
   limpid::FrameSettings frame = this->MakeFrameSettings(renderer, volume);
   const limpid::FieldSource scalars = this->ScalarSource(image, volume);
-  this->Data.UpdateScalars(image, scalars, this->CropRegionOf(volume));
+  this->Data.UpdateScalars(
+    image, scalars, this->ExtinctionSource(image), this->CropRegionOf(volume));
   this->Data.UpdateFunctions(volume->GetProperty());
   try
   {

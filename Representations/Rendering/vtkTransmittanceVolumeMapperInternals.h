@@ -51,13 +51,13 @@ struct vtkTransmittanceVolumeMapper::Internals
   // From properties to what the core wants
   vtkImageData* RequireImage() const;
   limpid::FieldSource ScalarSource(vtkImageData* image, vtkVolume* volume);
+  limpid::FieldSource ExtinctionSource(vtkImageData* image) const;
   struct Importance
   {
     limpid::FieldSource source;
     vtkMTimeType functionTime = 0; ///< of the function that maps it; 0: none does
   };
   Importance ImportanceOf(vtkImageData* image, const limpid::FieldSource& scalars);
-  vtkDataArray* FindImportance(vtkImageData* image, const std::string& name, bool& onCells) const;
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequireAvailableChoices() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);

@@ -117,7 +117,8 @@ void vtkTransmittanceVolumeMapper::Internals::ReportIgnored(vtkVolume* volume)
                "them): they are not used. Call ClearAllShaderReplacements of its shader property.");
   }
   this->ReportNumbers(property);
-  if (property->GetScalarOpacity(0)->GetSize() == 0)
+  const bool opacityCounts = this->Self->ExtinctionSource == OPACITY_FUNCTION;
+  if (opacityCounts && property->GetScalarOpacity(0)->GetSize() == 0)
   {
     this->Warn("The scalar opacity function has no points (nothing can be seen). Add points.");
   }
@@ -143,7 +144,10 @@ void vtkTransmittanceVolumeMapper::Internals::ReportNumbers(vtkVolumeProperty* p
       }
     }
   };
-  report("opacity", property->GetScalarOpacity(0), 4);
+  if (this->Self->ExtinctionSource == OPACITY_FUNCTION)
+  {
+    report("opacity", property->GetScalarOpacity(0), 4);
+  }
   property->GetColorChannels(0) == 1 ? report("colour", property->GetGrayTransferFunction(0), 4)
                                      : report("colour", property->GetRGBTransferFunction(0), 6);
 }

@@ -51,6 +51,23 @@ void RequirePositive(const char* property, double value)
     property << " is " << value
              << " (a picture needs more than none of it). Set a number above zero.");
 }
+
+// Sets where an array is; null: there is none of that name.
+void FindArray(
+  vtkImageData* image, const std::string& name, int association, limpid::FieldSource& source)
+{
+  const bool both = association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  source.array = nullptr;
+  if (both || association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    source.array = image->GetPointData()->GetArray(name.c_str());
+  }
+  source.onCells = !source.array;
+  if (!source.array && (both || association == vtkDataObject::FIELD_ASSOCIATION_CELLS))
+  {
+    source.array = image->GetCellData()->GetArray(name.c_str());
+  }
+}
 }
 
 vtkImageData* vtkTransmittanceVolumeMapper::Internals::RequireImage() const
@@ -101,22 +118,29 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
   return source;
 }
 
-vtkDataArray* vtkTransmittanceVolumeMapper::Internals::FindImportance(
-  vtkImageData* image, const std::string& name, bool& onCells) const
+// Its array is null where the extinction is the opacity function's.
+limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
+  vtkImageData* image) const
 {
-  const int association = this->Self->ImportanceArrayAssociation;
-  const bool both = association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
-  vtkDataArray* array = nullptr;
-  if (both || association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  limpid::FieldSource source;
+  if (this->Self->ExtinctionSource != ARRAY)
   {
-    array = image->GetPointData()->GetArray(name.c_str());
+    return source;
   }
-  onCells = !array;
-  if (!array && (both || association == vtkDataObject::FIELD_ASSOCIATION_CELLS))
-  {
-    array = image->GetCellData()->GetArray(name.c_str());
-  }
-  return array;
+  const std::string& given = this->Self->ExtinctionArray;
+  const std::string name = given.empty() ? "Extinction" : given;
+  FindArray(image, name, this->Self->ExtinctionArrayAssociation, source);
+  LIMPID_REQUIRE(source.array,
+    "The extinction array \"" << name
+                              << "\" is not among the input's numeric arrays (there is nothing to "
+                                 "be drawn). Choose one of these: "
+                              << limpid::ArrayNames(image)
+                              << "; or set ExtinctionSource to Opacity Function.");
+  LIMPID_REQUIRE(source.array->GetNumberOfComponents() == 1,
+    "The extinction array \""
+      << name << "\" has " << source.array->GetNumberOfComponents()
+      << " components (extinction is one number per point). Choose an array with one component.");
+  return source;
 }
 
 vtkTransmittanceVolumeMapper::Internals::Importance
@@ -128,7 +152,7 @@ vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
   const bool mapped = this->Self->GetUseImportanceFunction() != 0;
   Importance importance;
   limpid::FieldSource& source = importance.source;
-  source.array = this->FindImportance(image, name, source.onCells);
+  FindArray(image, name, this->Self->ImportanceArrayAssociation, source);
   source.component = this->Self->GetImportanceComponent();
   vtkPiecewiseFunction* function = mapped ? this->Self->GetImportanceFunction() : nullptr;
   if (!source.array && given.empty() && (mapped || this->Self->AssumedImportance))
@@ -195,6 +219,7 @@ void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
   const vtkTransmittanceVolumeMapper* self = this->Self;
   limpid::RequireChoice("Optimization", self->Optimization, 3);
   limpid::RequireChoice("LightSource", self->LightSource, 2);
+  limpid::RequireChoice("ExtinctionSource", self->ExtinctionSource, 2);
   limpid::RequireChoices(self->Settings);
   RequireShare("ShadowStrength", self->ShadowStrength);
   RequireShare("Ambient", self->Ambient);

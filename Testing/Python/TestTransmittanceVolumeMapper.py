@@ -23,7 +23,8 @@ class TestProperties(MapperTest):
         mapper = Mapper()
         for name, value in dict(
                 ScalarComponent=1, ImportanceArray="g", ImportanceArrayAssociation=1,
-                ImportanceComponent=2, UseImportanceFunction=1, Method=1, Optimization=1,
+                ImportanceComponent=2, UseImportanceFunction=1, ExtinctionSource=1,
+                ExtinctionArray="mu", ExtinctionArrayAssociation=1, Method=1, Optimization=1,
                 PauseOptimization=1, RegularizationWeight=0.5, ViewWeight=2.0, LightWeight=3.0,
                 Mode=1, Solver=1, MaximumIterations=3, IterationsPerLevel=(1, 2, 3),
                 LearningRate=0.1, Tolerance=0.01, MaximumSeconds=1.5, Derivative=1, RayDensity=2.0,
