@@ -25,6 +25,14 @@ bool IsOptimizing(vtkTransmittanceVolumeMapper* mapper)
     mapper->GetOptimization() != vtkTransmittanceVolumeMapper::OFF;
 }
 
+// What was removed from an array before is not there to be seen.
+std::string Where(vtkTransmittanceVolumeMapper* mapper)
+{
+  const std::string array = mapper->GetExtinctionArray();
+  const bool inArray = mapper->GetExtinctionSource() == vtkTransmittanceVolumeMapper::ARRAY;
+  return inArray ? " in " + (array.empty() ? "Extinction" : array) : "";
+}
+
 std::string Progress(vtkTransmittanceVolumeMapper* mapper)
 {
   if (mapper->GetPauseOptimization())
@@ -56,7 +64,7 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& n
   }
   std::string text =
     name.empty() ? "Visible: " + Percent(now) : name + ": " + Percent(now) + " visible";
-  text += " of what is important";
+  text += " of what is important" + Where(mapper);
   if (IsOptimizing(mapper))
   {
     text += " (was " + Percent(before) + ")\n";

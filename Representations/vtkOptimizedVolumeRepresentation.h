@@ -60,6 +60,15 @@ public:
    */
   double* GetSuggestedImportance() VTK_SIZEHINT(4);
 
+  ///@{
+  /**
+   * Where the extinction comes from, and the array with it, by association and name as for
+   * SetImportanceArray. Default is the opacity function, and "Extinction".
+   */
+  void SetExtinctionSource(int);
+  void SetExtinctionArray(int index, int port, int connection, int association, const char* name);
+  ///@}
+
   /**
    * Those of the mapper: importance, weights, own light and solver. ScalarComponent is that of the
    * color map.

@@ -201,8 +201,9 @@ void vtkOptimizedVolumeRepresentation::AddUnavailable(
 {
   if (this->State->UseSeparateOpacityArray)
   {
-    messages.emplace_back("Use Separate Opacity Array is on (Optimized Volume takes opacity from "
-                          "the array that it is colored by). Turn it off.");
+    messages.emplace_back("Use Separate Opacity Array is on (Optimized Volume takes extinctions "
+                          "from an array, not opacities). Turn it off; for extinctions, set "
+                          "Extinction Source to Array.");
   }
   if (this->State->UseTransfer2D)
   {

@@ -20,6 +20,7 @@
     return this->State->Mapper->Get##name();                                                       \
   }
 
+LIMPID_FORWARD(ExtinctionSource, int)
 LIMPID_FORWARD(Optimization, int)
 LIMPID_FORWARD(PauseOptimization, int)
 LIMPID_FORWARD(Shadows, int)
@@ -61,6 +62,13 @@ void vtkOptimizedVolumeRepresentation::SetImportanceArray(int vtkNotUsed(index),
 {
   this->State->ImportanceAssociation = association;
   this->State->ImportanceArray = name ? name : "";
+}
+
+void vtkOptimizedVolumeRepresentation::SetExtinctionArray(int vtkNotUsed(index),
+  int vtkNotUsed(port), int vtkNotUsed(connection), int association, const char* name)
+{
+  this->State->Mapper->SetExtinctionArray(name);
+  this->State->Mapper->SetExtinctionArrayAssociation(association);
 }
 
 void vtkOptimizedVolumeRepresentation::SetMissedColor(double red, double green, double blue)

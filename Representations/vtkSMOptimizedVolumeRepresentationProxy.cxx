@@ -3,20 +3,15 @@
 
 #include "vtkSMOptimizedVolumeRepresentationProxy.h"
 
+#include "DisplayColoring.h"
+#include "FoundExtinction.h"
 #include "ImportancePoints.h"
 #include "Presets.h"
 
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
-#include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVArrayInformation.h"
-#include "vtkPVDataInformation.h"
-#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVSession.h"
-#include "vtkSMArrayListDomain.h"
-#include "vtkSMCoreUtilities.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -43,50 +38,6 @@ std::vector<double> PointsOf(vtkSMProxy* function)
 {
   return function ? vtkSMPropertyHelper(function, "Points").GetDoubleArray()
                   : std::vector<double>();
-}
-
-struct ColorArray
-{
-  std::string name; // empty: none
-  int association = vtkDataObject::POINT;
-};
-
-// Name of the active scalars of the points; empty if there are none.
-std::string ActiveScalars(vtkPVDataInformation* data)
-{
-  vtkPVDataSetAttributesInformation* points = data ? data->GetPointDataInformation() : nullptr;
-  vtkPVArrayInformation* active =
-    points ? points->GetAttributeInformation(vtkDataSetAttributes::SCALARS) : nullptr;
-  return active && active->GetName() ? active->GetName() : "";
-}
-
-// Of the arrays that a display can be coloured by: the active scalars of the points, or else the
-// first array of the points, or else the first one. `last` is for want of another one only.
-ColorArray ChooseColorArray(vtkSMArrayListDomain* arrays, const std::string& last)
-{
-  const std::string active = ActiveScalars(arrays->GetInputDataInformation("Input"));
-  ColorArray choice;
-  int best = 0;
-  for (unsigned int i = 0; i < arrays->GetNumberOfStrings(); ++i)
-  {
-    const std::string name = arrays->GetString(i);
-    const int association = arrays->GetFieldAssociation(i);
-    const bool onPoints = association == vtkDataObject::POINT;
-    const int rank =
-      1 + (onPoints ? 1 : 0) + (onPoints && name == active ? 1 : 0) + (name != last ? 3 : 0);
-    if (rank > best)
-    {
-      best = rank;
-      choice = { name, association };
-    }
-  }
-  return choice;
-}
-
-bool HasColorMap(vtkSMProxy* display, const std::string& array)
-{
-  const std::string name = vtkSMCoreUtilities::SanitizeName(array) + ".PVLookupTable";
-  return display->GetSessionProxyManager()->GetProxy("lookup_tables", name.c_str()) != nullptr;
 }
 }
 
@@ -142,27 +93,13 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged()
   }
   if (this->Suggested.empty())
   {
+    limpid::ShowFoundExtinction(this, display);
     this->Starts = vtkSMPropertyHelper(this, "UseImportanceFunction").GetAsInt() == 0;
     this->Suggested = PointsOf(vtkSMPropertyHelper(this, "ImportanceFunction").GetAsProxy());
   }
-  if (display->GetUsingScalarColoring())
-  {
-    return;
-  }
-  vtkSMProperty* coloring = display->GetProperty("ColorArrayName");
-  auto* arrays = coloring ? coloring->FindDomain<vtkSMArrayListDomain>() : nullptr;
-  if (!arrays)
-  {
-    return;
-  }
   const char* importance = vtkSMPropertyHelper(this, "ImportanceArray").GetAsString(4);
-  const ColorArray choice = ChooseColorArray(arrays, importance ? importance : "");
-  const bool hasColorMap = !choice.name.empty() && HasColorMap(display, choice.name);
-  if (!choice.name.empty() && display->SetScalarColoring(choice.name.c_str(), choice.association) &&
-    !hasColorMap)
-  {
-    display->RescaleTransferFunctionToDataRange(true);
-  }
+  limpid::ColorByAnArray(
+    display, limpid::ScalarsOfOptimizer(display), importance ? importance : "");
 }
 
 // Takes what is suggested for the points of the function, or else those that it had at first,

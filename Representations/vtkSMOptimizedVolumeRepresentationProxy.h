@@ -11,7 +11,9 @@
  * draws.
  *
  * When a display without scalar coloring changes to the type "Optimized Volume", an array to color
- * by is chosen, as ParaView does for the type "Volume".
+ * by is chosen, as ParaView does for the type "Volume". When one changes to it for the first time
+ * that shows the image of the filter Extinction Optimizer, it shows the extinction that was found
+ * there (FoundExtinction.h).
  *
  * Where nothing says what is important, the importance function is switched on after the first
  * picture, with what was assumed for that; and as long as nobody has changed its points, they

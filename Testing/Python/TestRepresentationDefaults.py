@@ -13,8 +13,8 @@ import vtkmodules.vtkRenderingVolume  # noqa: F401
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 XML = os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml")
-# Of the representation itself; and the array, whose choice is ParaView's.
-NOT_OF_THE_MAPPER = {"ShowScore", "ImportanceArray"}
+# Of the representation itself; and the arrays, whose choice is ParaView's.
+NOT_OF_THE_MAPPER = {"ShowScore", "ImportanceArray", "ExtinctionArray"}
 
 
 def properties():
