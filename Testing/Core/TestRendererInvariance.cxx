@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 using namespace limpid;
@@ -189,6 +190,22 @@ TEST_P(SkippedEmptiness, DoesNotChangeABitOfAThinFeatureOfTheTransferFunction)
   scene.functions.color.assign(1001, { { 1, 0.5f, 0 } });
   scene.functions.extinction[333] = 300;
 
+  ExpectNoDifference(scene);
+}
+
+// Where all scalars have the same extinction, emptiness is in the nodes.
+TEST_P(SkippedEmptiness, DoesNotChangeABitOfEmptyNodesInOneExtinction)
+{
+  RenderScene scene = Balls();
+  for (float& scalar : scene.scalars)
+  {
+    scalar = scalar < 0.2f ? std::numeric_limits<float>::quiet_NaN() : scalar;
+  }
+  std::fill(scene.functions.extinction.begin(), scene.functions.extinction.end(), 2.0f);
+  ExpectNoDifference(scene);
+
+  ChangeSomewhere(scene);
+  scene.lighting.enabled = true;
   ExpectNoDifference(scene);
 }
 

@@ -105,13 +105,22 @@ enum class Cleared
   IsNot
 };
 
+/// Whether the transfer function has the same extinction for all scalars. Then a segment that ends
+/// at nodes without any share of it has none; else it may, if only one of them has none.
+enum class Function
+{
+  Varies,
+  IsUniform
+};
+
 /// 0 where a brick may have extinction, else the largest distance.
 struct EmptyBrick
 {
   Int3 nodes;
   OpticalTable table;
   const ScalarRange* ranges;
-  const TwoPacked* overlay; ///< see ExtinctionOverlay; null: unchanged
+  const std::uint8_t* unfilled; ///< not 0 where no node is filled; null: scalars alone tell
+  const TwoPacked* overlay;     ///< see ExtinctionOverlay; null: unchanged
   Int3 overlayNodes;
   Cleared cleared;
   std::uint8_t* distance; ///< out
@@ -119,8 +128,9 @@ struct EmptyBrick
   LIMPID_HD void operator()(Index brick, int i, int j, int k) const
   {
     const ScalarRange range = this->ranges[brick];
-    const bool classified = this->table.LargestBetween(this->table.axis.Position(range.least),
-                              this->table.axis.Position(range.most)) > 0;
+    const bool classified = !(this->unfilled && this->unfilled[brick] != 0) &&
+      this->table.LargestBetween(
+        this->table.axis.Position(range.least), this->table.axis.Position(range.most)) > 0;
     bool filled = classified;
     if (this->overlay)
     {
@@ -138,19 +148,18 @@ struct EmptyBrick
   }
 };
 
-/// 0 where a brick may be important, else the largest distance.
-struct UnimportantBrick
+/// 0 where a field is above zero at any node of a brick, else the largest distance.
+struct ZeroBrick
 {
   Int3 nodes;
-  const float* importance;
+  const float* field;
   std::uint8_t* distance; ///< out
 
   LIMPID_HD void operator()(Index brick, int i, int j, int k) const
   {
-    const bool important =
-      BrickNodes::Of({ i, j, k }, this->nodes)
-        .Any(this->nodes, [this](Index node) { return this->importance[node] > 0; });
-    this->distance[brick] = important ? 0 : farthestBrick;
+    const bool any = BrickNodes::Of({ i, j, k }, this->nodes)
+                       .Any(this->nodes, [this](Index node) { return this->field[node] > 0; });
+    this->distance[brick] = any ? 0 : farthestBrick;
   }
 };
 
@@ -195,8 +204,9 @@ struct SpreadBrick
  * Nothing waits.
  *
  * A brick is empty if no scalar that its cells can have and no change that they can have give an
- * extinction above zero. Neighbouring bricks share their nodes, so their ranges of scalars touch:
- * a segment between samples in two empty neighbours meets no extinction either.
+ * extinction above zero, nor, of a function with one extinction, its shares at the nodes.
+ * Neighbouring bricks share their nodes, so their ranges of scalars touch: a segment between
+ * samples in two empty neighbours meets no extinction either.
  */
 template <class AnyDevice>
 class Bricks
@@ -207,27 +217,36 @@ public:
   {
   }
 
-  /// Finds the ranges of the scalars at the nodes of a grid.
-  void SetScalars(const Int3& nodes, const float* scalars)
+  /// Finds the ranges of the scalars at the nodes of a grid, and where none of them is filled.
+  /// `filled`: see ScalarField; null: all are.
+  void SetScalars(const Int3& nodes, const float* scalars, const float* filled)
   {
     constexpr int size = BrickDistances::size;
     this->Nodes = nodes;
     this->Count = (nodes + (size - 2)) / size;
     ScalarRange* ranges = this->Ranges.RoomFor(this->Device, this->Total(), "the bricks");
     this->Device->ForNodes("ranges of bricks", this->Count, RangeOfBrick{ nodes, scalars, ranges });
+    this->Unfilled = {};
+    if (filled)
+    {
+      std::uint8_t* unfilled = this->Unfilled.RoomFor(this->Device, this->Total(), "the bricks");
+      this->Device->ForNodes("unfilled bricks", this->Count, ZeroBrick{ nodes, filled, unfilled });
+    }
   }
 
   /// Finds the empty bricks, and how far around each all are empty. `overlay`: at `overlayNodes`;
   /// null: nothing is changed.
-  void FindEmpty(const OpticalTable& table, const TwoPacked* overlay, const Int3& overlayNodes)
+  void FindEmpty(const OpticalTable& table, Function function, const TwoPacked* overlay,
+    const Int3& overlayNodes)
   {
-    this->Find(this->Distance, table, overlay, overlayNodes, Cleared::IsEmpty);
+    this->Find(this->Distance, table, function, overlay, overlayNodes, Cleared::IsEmpty);
   }
 
   /// Likewise, the bricks that are empty without the change, too.
-  void FindBare(const OpticalTable& table, const TwoPacked* overlay, const Int3& overlayNodes)
+  void FindBare(const OpticalTable& table, Function function, const TwoPacked* overlay,
+    const Int3& overlayNodes)
   {
-    this->Find(this->BareDistance, table, overlay, overlayNodes, Cleared::IsNot);
+    this->Find(this->BareDistance, table, function, overlay, overlayNodes, Cleared::IsNot);
   }
 
   /// Likewise, the bricks where nothing is important, at the nodes of the scalars.
@@ -235,7 +254,7 @@ public:
   {
     this->Spread(this->UnimportantDistance,
       [&](std::uint8_t* out) {
-        return UnimportantBrick{ this->Nodes, importance, out };
+        return ZeroBrick{ this->Nodes, importance, out };
       });
   }
 
@@ -264,14 +283,16 @@ public:
 private:
   using DistanceArray = DeviceArray<AnyDevice, std::uint8_t>;
 
-  void Find(DistanceArray& distances, const OpticalTable& table, const TwoPacked* overlay,
-    const Int3& overlayNodes, Cleared cleared)
+  void Find(DistanceArray& distances, const OpticalTable& table, Function function,
+    const TwoPacked* overlay, const Int3& overlayNodes, Cleared cleared)
   {
+    const std::uint8_t* unfilled =
+      function == Function::IsUniform ? this->Unfilled.Data() : nullptr;
     this->Spread(distances,
       [&](std::uint8_t* out)
       {
-        return EmptyBrick{ this->Nodes, table, this->Ranges.Data(), overlay, overlayNodes, cleared,
-          out };
+        return EmptyBrick{ this->Nodes, table, this->Ranges.Data(), unfilled, overlay, overlayNodes,
+          cleared, out };
       });
   }
 
@@ -302,6 +323,7 @@ private:
   Int3 Nodes{ 0 };
   Int3 Count{ 0 };
   DeviceArray<AnyDevice, ScalarRange> Ranges;
+  DistanceArray Unfilled; ///< empty: all nodes are filled
   DeviceArray<AnyDevice, std::uint8_t> Distance;
   DeviceArray<AnyDevice, std::uint8_t> BareDistance;        ///< empty: not asked for
   DeviceArray<AnyDevice, std::uint8_t> UnimportantDistance; ///< likewise

@@ -77,6 +77,8 @@ Classification::Classification(const TransferFunctions& given)
   this->Axis = TableAxis(functions.low, functions.high, count);
   this->LargestExtinction =
     *std::max_element(functions.extinction.begin(), functions.extinction.end());
+  this->HasOneExtinction = std::all_of(functions.extinction.begin(), functions.extinction.end(),
+    [this](float value) { return value == this->LargestExtinction; });
   const float unit = this->LargestExtinction > 0 ? 1 / this->LargestExtinction : 0.0f;
 
   this->All.resize(count);

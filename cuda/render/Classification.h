@@ -175,12 +175,16 @@ public:
   float Majorant() const { return this->LargestExtinction; } ///< [1/length]
   bool Empty() const { return this->All.empty(); }
 
+  /// Whether all scalars have the same extinction.
+  bool IsUniform() const { return this->HasOneExtinction; }
+
   const std::vector<OpticalEntry>& Entries() const { return this->All; }
   const std::vector<float>& LargestOfEntries() const { return this->Maxima; }
 
 private:
   TableAxis Axis;
   float LargestExtinction = 0;
+  bool HasOneExtinction = false;
   std::vector<OpticalEntry> All; ///< see OpticalTable, like the other
   std::vector<float> Maxima;
 };

@@ -67,7 +67,7 @@ public:
     {
       this->Mended = std::move(field);
     }
-    this->Empty.SetScalars(grid.nodes, this->Scalars.Data());
+    this->Empty.SetScalars(grid.nodes, this->Scalars.Data(), this->Filled.Data());
   }
 
   void SetTransferFunctions(const Classification& classification) override
@@ -177,8 +177,8 @@ public:
 
   void FindEmptyBricks() override
   {
-    this->Empty.FindEmpty(
-      this->Table, this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
+    this->Empty.FindEmpty(this->Table, this->KindOfFunction(),
+      this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
   }
 
   void SetImportance(const float* importance) override
@@ -196,8 +196,8 @@ public:
 
   void FindBareBricks() override
   {
-    this->Empty.FindBare(
-      this->Table, this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
+    this->Empty.FindBare(this->Table, this->KindOfFunction(),
+      this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
   }
 
   void Cast(const Casting& casting, const View& view, Picture& picture) override
@@ -358,6 +358,11 @@ private:
       scene.bricks = this->Empty.BareDistances();
     }
     return scene;
+  }
+
+  Function KindOfFunction() const
+  {
+    return this->Functions.IsUniform() ? Function::IsUniform : Function::Varies;
   }
 
   /// Whether another extinction than the transfer function's may be shown.
