@@ -69,6 +69,7 @@ class TestOptimizedVolume(displays.DisplayTest):
         self.assertIn("Optimized Volume", display.GetProperty("Representation").GetAvailable())
         self.assertLessEqual(
             {"ImportanceArray", "UseImportanceFunction", "ImportanceFunction",
+             "ExtinctionSource", "ExtinctionArray",
              "RegularizationWeight", "ViewWeight", "LightWeight", "LightType", "LightPosition",
              "Mode", "Solver", "MaximumIterations", "Tolerance", "MaximumSeconds", "Derivative",
              "RayDensity", "SkipUnneeded", "RestrictToView", "ProtectImportance", "Backend",
