@@ -20,6 +20,7 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
 #include "vtkScalarsToColors.h"
 
@@ -32,7 +33,7 @@ namespace
 using Names = std::set<std::string>;
 
 // What is a filter's own even where a display has the name: how long it may take.
-const Names NOT_TAKEN{ "Input", "MaximumIterations" };
+const Names NOT_TAKEN{ "MaximumIterations" };
 
 // What is a display's own.
 const Names NOT_COPIED{ "Input", "Visibility", "Representation" };
@@ -81,7 +82,13 @@ std::vector<double> PointsOf(vtkSMProxy* owner, const char* name)
                   : std::vector<double>();
 }
 
-// Values of an optimised volume under the same names. The light only if it is the volume's own.
+// What they choose of their inputs' arrays: in a filter it also says which of its arrays that is.
+void TakeArray(vtkSMProxy* filter, const char* name, int association, const std::string& array)
+{
+  vtkSMPropertyHelper(filter, name).SetInputArrayToProcess(association, array.c_str());
+}
+
+// Numbers of an optimised volume under the same names. The light only if it is the volume's own.
 void TakeSettings(vtkSMProxy* filter, vtkSMProxy* display)
 {
   const bool hasLight = vtkSMPropertyHelper(display, "LightSource").GetAsInt() == 1;
@@ -89,7 +96,8 @@ void TakeSettings(vtkSMProxy* filter, vtkSMProxy* display)
     [&](const std::string& name, vtkSMProperty* property)
     {
       const bool isOfLight = name == "LightType" || name == "LightPosition";
-      if (NOT_TAKEN.count(name) == 0 && (hasLight || !isOfLight))
+      const bool isNumber = !vtkSMStringVectorProperty::SafeDownCast(property);
+      if (isNumber && NOT_TAKEN.count(name) == 0 && (hasLight || !isOfLight))
       {
         CopyValue(property, display->GetProperty(name.c_str()));
       }
@@ -106,8 +114,7 @@ void TakeScalars(vtkSMProxy* filter, vtkSMProxy* display)
   {
     return;
   }
-  vtkSMPropertyHelper(filter, "ScalarArray")
-    .SetInputArrayToProcess(colored.GetInputArrayAssociation(), name);
+  TakeArray(filter, "ScalarArray", colored.GetInputArrayAssociation(), name);
   const bool isComponent =
     vtkSMPropertyHelper(colors, "VectorMode").GetAsInt() == vtkScalarsToColors::COMPONENT;
   vtkSMPropertyHelper(filter, "ScalarComponent")
@@ -150,8 +157,10 @@ void TakeOverDisplay(vtkSMProxy* filter, vtkSMProxy* display, vtkSMRenderViewPro
     {
       TakeSettings(filter, display);
       const LimpidDataArray array = ImportanceArrayOf(display);
-      vtkSMPropertyHelper(filter, "ImportanceArray")
-        .SetInputArrayToProcess(array.Association, array.Name.c_str());
+      TakeArray(filter, "ImportanceArray", array.Association, array.Name);
+      vtkSMPropertyHelper extinction(display, "ExtinctionArray");
+      TakeArray(filter, "ExtinctionArray", extinction.GetInputArrayAssociation(),
+        extinction.GetInputArrayNameToProcess());
       importance = PointsOf(display, "ImportanceFunction");
     }
     else

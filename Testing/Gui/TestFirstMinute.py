@@ -57,6 +57,7 @@ def tell():
     yield
 
     view = simple.GetActiveView()
+    reader = simple.GetActiveSource()
     display = simple.GetDisplayProperties()
     frames = story.Frames(view)
     expect(frames.settle(PATIENCE), "the first picture is finished")
@@ -90,6 +91,12 @@ def tell():
     optimizer = [each for (name, _), each in simple.GetSources().items() if "Optimizer" in name][0]
     simple.SetActiveSource(optimizer)
     expect(expect_setup(display, view, "the filter again") == taken, "with the same values")
+    optimizer.UpdatePipeline()
+    share = optimizer.FieldData["BaseVisibleFraction"].GetRange()[0]
+    expect(abs(share - display.BaseVisibleFraction) < 1e-6,
+           f"of what is important the filter sees {100 * share:.4f} % in Ordinary, the display "
+           f"{100 * display.BaseVisibleFraction:.4f} %")
+    simple.SetActiveSource(reader)
     yield
 
     expect_setup(display, view, "the Viewpoint Search")
@@ -98,7 +105,6 @@ def tell():
     with open("trace.py", "w", encoding="utf-8") as file:
         file.write(smtrace.stop_trace())
 
-    reader = simple.FindSource("volume.vti")
     display.UseImportanceFunction = 0
     display.Shadows = 0
     second = simple.CreateRenderView()
