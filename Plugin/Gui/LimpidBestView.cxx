@@ -3,7 +3,7 @@
 #include "LimpidBestView.h"
 
 #include "LimpidOptimizedVolumes.h"
-#include "LimpidSetup.h"
+#include "LimpidTakeOver.h"
 #include "LimpidViewpoints.h"
 #include "pqActiveObjects.h"
 #include "pqDataRepresentation.h"
@@ -23,6 +23,10 @@
 
 namespace
 {
+// Of an icosphere. From the best of so many the search climbs as high as from the best of 642, in a
+// third of the time (5 s instead of 13.5 s for 8.4 M voxels on two cores).
+const int DIRECTIONS = 162;
+
 void Set(vtkSMProxy* view, const char* name, const std::array<double, 3>& value)
 {
   vtkSMPropertyHelper(view, name).Set(value.data(), 3);
@@ -84,6 +88,7 @@ LimpidViewpoints Search(vtkSMProxy* display, vtkSMRenderViewProxy* view)
   vtkSMPropertyHelper input(display, "Input");
   vtkSMPropertyHelper(search, "Input").Set(input.GetAsProxy(), input.GetOutputPort());
   controller->PostInitializeProxy(search);
+  vtkSMPropertyHelper(search, "NumberOfDirections").Set(DIRECTIONS);
   TakeOverDisplay(search, display, view);
   return FindViewpoints(search, vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
 }

@@ -38,9 +38,13 @@ void LimpidPresets::onStartup()
       presets->AddPreset(name.c_str(), QJsonDocument(preset.toObject()).toJson().toStdString());
     }
   }
+  // The mode is "Clamp and update on Apply": the range becomes that of the data.
   vtkSMSettings::GetInstance()->AddCollectionFromString(
     R"({ "standard_presets": {
       "NormalizedScore": "Limpid Viewpoint Score",
-      "VisibilityScore": "Limpid Viewpoint Score" } })",
+      "VisibilityScore": "Limpid Viewpoint Score" },
+    "array_lookup_tables": {
+      "NormalizedScore": { "PVLookupTable": { "AutomaticRescaleRangeMode": 2 } },
+      "VisibilityScore": { "PVLookupTable": { "AutomaticRescaleRangeMode": 2 } } } })",
     LEAST_PRIORITY);
 }

@@ -6,8 +6,9 @@
  * @brief   adds the color presets of Plugin/Presets to ParaView's
  *
  * ParaView makes one object of this class when the plugin is loaded. A preset that is there already
- * stays as it is. Arrays of visibility scores have their preset from the start, unless the user's
- * own settings say otherwise.
+ * stays as it is. Arrays of visibility scores have their preset from the start, and colors that
+ * span the scores of the last search (ParaView's own only ever span more), unless the user's own
+ * settings say otherwise.
  */
 
 #ifndef LimpidPresets_h

@@ -8,7 +8,8 @@
  * A filter of Limpid that is created from a volume on display starts with what the display has, and
  * with the camera of the view. A volume that is shown in another view, too, looks there as it does
  * where it was shown last. Both are part of the step that creates the filter or the display, for
- * undo and trace. Python makes filters and displays with their own defaults.
+ * undo and trace. In pvpython filters and displays have their own defaults. Volumes that were on
+ * display before the plugin was loaded are displayed anew, with the types that the plugin adds.
  *
  * ParaView makes one object of this class when the plugin is loaded.
  */
@@ -21,13 +22,6 @@
 class pqPipelineSource;
 class pqRepresentation;
 class pqView;
-class vtkSMProxy;
-class vtkSMRenderViewProxy;
-
-/// Gives a filter of Limpid what a display of its input has, property by property of the same name:
-/// importance, weights and method of an optimised volume; array, opacity function and unit distance
-/// of any volume; and the camera of a view.
-void TakeOverDisplay(vtkSMProxy* filter, vtkSMProxy* display, vtkSMRenderViewProxy* view);
 
 class LimpidSetup : public QObject
 {
@@ -43,6 +37,7 @@ private Q_SLOTS:
   void setUpFilter(pqPipelineSource* filter);
   void addView(pqView* view);
   void setUpDisplay(pqRepresentation* display);
+  void renewDisplays();
 };
 
 #endif

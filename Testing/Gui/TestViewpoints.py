@@ -45,6 +45,13 @@ def expect_camera(view, camera, what):
     expect(not different, f"{what} {'; '.join(different) or 'is the camera'}")
 
 
+def expect_colors(display, search, what):
+    points = display.LookupTable.RGBPoints
+    scores = search.PointData["VisibilityScore"].GetRange()
+    expect(max(abs(points[0] - scores[0]), abs(points[-4] - scores[1])) < 1e-6 * scores[1],
+           f"colors from {points[0]:.4f} to {points[-4]:.4f} span {what}: {scores}")
+
+
 def tell():
     for plugin in ("Limpid.so", "LimpidGui.so"):
         simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
@@ -95,6 +102,14 @@ def tell():
         file.write(smtrace.stop_trace())
     with open("camera.json", "w", encoding="utf-8") as file:
         json.dump(camera_of(view), file)
+
+    simple.ColorBy(display, ("POINTS", "VisibilityScore"))
+    simple.Render(view)
+    expect_colors(display, search, "the scores of the importance proxy")
+    yield
+
+    frames.settle(20)
+    expect_colors(display, search, "after Apply those of the base extinction, which are smaller")
 
 
 smtrace.start_trace()

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# A volume that is on display before the plugin is loaded: it looks as it did, and can be shown as
+# an optimized volume like any other. TestLatePlugin.xml opens it, and chooses the type.
+
+import os
+
+import pictures
+import story
+from paraview import simple
+from story import expect
+
+PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
+
+
+def tell():
+    view = simple.GetActiveView()
+    display = simple.GetDisplayProperties()
+    frames = story.Frames(view)
+    display.ScalarOpacityUnitDistance = 7
+    expect(frames.settle(PATIENCE), "the volume is shown")
+    expect(not display.GetProperty("ImportanceArray"), "ParaView knows no importance")
+    before = story.take(view, "before.png")
+
+    for plugin in ("Limpid.so", "LimpidGui.so"):
+        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    story.live_until(lambda: simple.GetDisplayProperties().GetProperty("ImportanceArray"), 5)
+    display = simple.GetDisplayProperties()
+    expect(display.GetProperty("ImportanceArray"), "with the plugin it does")
+    expect(display.Representation == "Volume", f"the type is still {display.Representation}")
+    expect(display.ScalarOpacityUnitDistance == 7, "so is the unit distance")
+    frames.settle(PATIENCE)
+    mean, _ = pictures.difference(before, story.take(view, "after.png"))
+    expect(mean == 0, f"it looks as before (mean difference {mean:.3f})")
+    yield
+
+    expect(simple.GetDisplayProperties().Representation == "Optimized Volume",
+           "the type can be chosen")
+    expect(frames.settle(PATIENCE), "the picture is finished")
+    # Python's class of displays is older than the plugin, and lacks its properties' names.
+    display.UpdatePropertyInformation()
+    now, before, messages = (display.GetProperty(name).GetData() for name in
+                             ("VisibleFraction", "BaseVisibleFraction", "Messages"))
+    expect(now > before and not messages, f"{100 * now:.1f} % shows, {100 * before:.1f} % before"
+           f" {messages}")
+
+
+story.begin(tell())
