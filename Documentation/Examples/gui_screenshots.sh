@@ -18,33 +18,7 @@ if (($# < 2)); then
   sed -n '5,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
-for program in paraview xdotool import; do
-  if ! command -v "$program" > /dev/null; then
-    echo "There is no program $program (it is needed for the pictures). Install" \
-      "paraview, xdotool and imagemagick." >&2
-    exit 1
-  fi
-done
-
-root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
-plugins="$(cd "$1" && pwd)"
-mkdir -p "$2"
-LIMPID_OUTPUT="$(cd "$2" && pwd)"
 LIMPID_SCENE="${3:+$(realpath "$3")}"
-export LIMPID_OUTPUT LIMPID_SCENE
-# The settings of whoever runs this must not show, nor be changed.
-XDG_CONFIG_HOME="$(mktemp -d)"
-export XDG_CONFIG_HOME
-trap 'rm -rf "$XDG_CONFIG_HOME"' EXIT
-export PV_PLUGIN_PATH="$plugins/Limpid:$plugins/LimpidGui"
-modules="$root/Testing/Gui:$root/Testing/Python:$root/Documentation/Examples"
-export PYTHONPATH="$modules${PYTHONPATH:+:$PYTHONPATH}"
-
-cd "$LIMPID_OUTPUT"
-with_display=()
-if [[ -z "${DISPLAY:-}" ]]; then
-  with_display=(bash "$root/Testing/with-display.sh")
-fi
-"${with_display[@]}" paraview --dr -geometry 1600x1000+0+0 \
-  --script="$root/Documentation/Examples/gui_screenshots.py" > paraview.log 2>&1 || true
-cat report.txt
+export LIMPID_SCENE
+here="$(dirname "${BASH_SOURCE[0]}")"
+bash "$here/in_window.sh" "$1" "$2" "$here/gui_screenshots.py"

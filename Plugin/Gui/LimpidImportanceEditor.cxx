@@ -5,6 +5,7 @@
 #include "ImportancePoints.h"
 #include "LimpidDataArray.h"
 #include "pqCoreUtilities.h"
+#include "pqLineEdit.h"
 #include "pqPropertyWidget.h"
 #include "pqTransferFunctionWidget.h"
 #include "pqUndoStack.h"
@@ -34,9 +35,9 @@ const int BINS = 128;
 // Of a point of a piecewise function in the property Points.
 const std::size_t POINT_SIZE = 4;
 
-QLineEdit* NewField(const char* name, const QString& toolTip, QWidget* parent)
+pqLineEdit* NewField(const char* name, const QString& toolTip, QWidget* parent)
 {
-  auto* field = new QLineEdit(parent);
+  auto* field = new pqLineEdit(parent);
   field->setObjectName(name);
   field->setToolTip(toolTip);
   field->setValidator(new QDoubleValidator(field));
@@ -76,9 +77,10 @@ LimpidImportanceEditor::LimpidImportanceEditor(pqPropertyWidget* row, vtkSMProxy
     &LimpidImportanceEditor::takeCurve);
   this->connect(this->Chart, &pqTransferFunctionWidget::currentPointChanged, this,
     &LimpidImportanceEditor::followPoint);
-  for (QLineEdit* field : { this->Value, this->Importance })
+  for (pqLineEdit* field : { this->Value, this->Importance })
   {
-    this->connect(field, &QLineEdit::editingFinished, this, &LimpidImportanceEditor::takeFields);
+    this->connect(
+      field, &pqLineEdit::textChangedAndEditingFinished, this, &LimpidImportanceEditor::takeFields);
   }
   pqCoreUtilities::connect(
     function->GetProperty("Points"), vtkCommand::ModifiedEvent, this, SLOT(follow()));

@@ -20,7 +20,7 @@
 
 #include <vector>
 
-class QLineEdit;
+class pqLineEdit;
 class pqPropertyWidget;
 class pqTransferFunctionWidget;
 class vtkPiecewiseFunction;
@@ -55,8 +55,8 @@ private:
   pqPropertyWidget* Row;
   vtkSMProxy* Function;
   pqTransferFunctionWidget* Chart;
-  QLineEdit* Value;
-  QLineEdit* Importance;
+  pqLineEdit* Value;
+  pqLineEdit* Importance;
   QTimer Counting;
   bool Outdated = true;
 };
