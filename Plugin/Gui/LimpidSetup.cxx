@@ -63,7 +63,12 @@ void LimpidSetup::onStartup()
 // When ParaView knows the definitions of a plugin that it has just loaded.
 void LimpidSetup::renewDisplays()
 {
-  QTimer::singleShot(0, this, [] { RenewDisplays(); });
+  QTimer::singleShot(0, this, SLOT(renewNow()));
+}
+
+void LimpidSetup::renewNow()
+{
+  RenewDisplays();
 }
 
 void LimpidSetup::setUpFilter(pqPipelineSource* filter)

@@ -38,6 +38,7 @@ private Q_SLOTS:
   void addView(pqView* view);
   void setUpDisplay(pqRepresentation* display);
   void renewDisplays();
+  void renewNow();
 };
 
 #endif
