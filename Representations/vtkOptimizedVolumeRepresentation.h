@@ -149,6 +149,11 @@ public:
   void SetProgressiveStill(int);
 
   /**
+   * Whether the following still renders are made like interactive ones, likewise.
+   */
+  void SetDeferStill(int);
+
+  /**
    * Whether the view shows how much of what is important can be seen. Default is on.
    */
   void SetShowScore(int);

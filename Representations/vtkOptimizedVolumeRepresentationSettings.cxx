@@ -38,6 +38,7 @@ LIMPID_FORWARD(AdaptiveQuality, int)
 LIMPID_FORWARD(InteractiveFrameTime, double)
 LIMPID_FORWARD(EaseTime, double)
 LIMPID_FORWARD(ProgressiveStill, int)
+LIMPID_FORWARD(DeferStill, int)
 
 LIMPID_FORWARD_RESULT(VisibilityScore, double)
 LIMPID_FORWARD_RESULT(BaseVisibilityScore, double)

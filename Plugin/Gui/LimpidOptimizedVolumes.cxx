@@ -49,11 +49,13 @@ std::vector<vtkSMProxy*> VisibleOptimizedVolumes(vtkSMViewProxy* view)
   return volumes;
 }
 
-void SetProgressiveStill(vtkSMProxy* volume, bool progressive)
+void SetStillRenders(vtkSMProxy* volume, StillRenders how)
 {
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(volume) << "SetProgressiveStill"
-         << (progressive ? 1 : 0) << vtkClientServerStream::End;
+         << (how == StillRenders::Stepwise ? 1 : 0) << vtkClientServerStream::End;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(volume) << "SetDeferStill"
+         << (how == StillRenders::Deferred ? 1 : 0) << vtkClientServerStream::End;
   volume->GetSession()->ExecuteStream(volume->GetLocation(), stream);
 }
 

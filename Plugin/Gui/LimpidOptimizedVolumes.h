@@ -27,8 +27,15 @@ bool IsOptimizedVolume(vtkSMProxy* display);
 /// for null.
 std::vector<vtkSMProxy*> VisibleOptimizedVolumes(vtkSMViewProxy* view);
 
-/// Whether the following still renders make one step each (vtkOptimizedVolumeRepresentation).
-void SetProgressiveStill(vtkSMProxy* volume, bool progressive);
+/// How the following still renders are made: at once, in steps of one render each, or like
+/// interactive ones (vtkOptimizedVolumeRepresentation).
+enum class StillRenders
+{
+  Whole,
+  Stepwise,
+  Deferred
+};
+void SetStillRenders(vtkSMProxy* volume, StillRenders how);
 
 /// Whether the last frame left nothing to do, as the process that made the picture knows it.
 bool IsConverged(vtkSMProxy* volume);

@@ -20,6 +20,9 @@ namespace
 // Milliseconds until a step is tried again while ParaView is at work on something else.
 const int RETRY_INTERVAL = 50;
 
+// Milliseconds after a notch and its pictures, after which the mouse wheel is at rest.
+const int WHEEL_REST = 400;
+
 // Reads a state that views keep protected; there is never an object of this type.
 struct CaptureState : public vtkPVView
 {
@@ -40,6 +43,9 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
   this->NextStep.setSingleShot(true);
   this->connect(&this->NextStep, &QTimer::timeout, this, &LimpidProgressiveView::step);
 
+  this->WheelRest.setSingleShot(true);
+  this->connect(&this->WheelRest, &QTimer::timeout, this, &LimpidProgressiveView::scheduleStep);
+
   this->Events->Connect(proxy, vtkCommand::StartEvent, this,
     SLOT(beginRender(vtkObject*, unsigned long, void*, void*)));
   this->Events->Connect(
@@ -50,6 +56,12 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
       interactor, vtkCommand::StartInteractionEvent, this, SLOT(beginInteraction()));
     this->Events->Connect(
       interactor, vtkCommand::EndInteractionEvent, this, SLOT(endInteraction()));
+    constexpr float first = 1; // before ParaView renders for it
+    for (const auto event :
+      { vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent })
+    {
+      this->Events->Connect(interactor, event, this, SLOT(wheelTurned()), nullptr, first);
+    }
   }
 }
 
@@ -68,10 +80,12 @@ void LimpidProgressiveView::beginRender(vtkObject*, unsigned long, void*, void* 
   {
     return;
   }
-  const bool progressive = !this->isCapturing();
+  const StillRenders how = this->isCapturing() ? StillRenders::Whole
+    : this->WheelRest.isActive()               ? StillRenders::Deferred
+                                               : StillRenders::Stepwise;
   for (vtkSMProxy* volume : VisibleOptimizedVolumes(this->Proxy))
   {
-    SetProgressiveStill(volume, progressive);
+    SetStillRenders(volume, how);
   }
 }
 
@@ -81,6 +95,10 @@ void LimpidProgressiveView::endRender(vtkObject*, unsigned long, void*, void* in
   {
     this->Unfinished = false; // ParaView makes a still render itself when the interaction ends
     return;
+  }
+  if (this->WheelRest.isActive())
+  {
+    this->WheelRest.start(WHEEL_REST); // pictures take their time
   }
   if (!this->isCapturing()) // else what was unfinished in the window still is
   {
@@ -109,6 +127,12 @@ void LimpidProgressiveView::endInteraction()
   this->scheduleStep();
 }
 
+void LimpidProgressiveView::wheelTurned()
+{
+  this->WheelRest.start(WHEEL_REST);
+  this->NextStep.stop();
+}
+
 bool LimpidProgressiveView::isCapturing() const
 {
   auto* view = vtkPVView::SafeDownCast(this->Proxy->GetClientSideObject());
@@ -117,7 +141,7 @@ bool LimpidProgressiveView::isCapturing() const
 
 void LimpidProgressiveView::scheduleStep()
 {
-  if (this->Unfinished && !this->Interacting && !this->Paused)
+  if (this->Unfinished && !this->Interacting && !this->Paused && !this->WheelRest.isActive())
   {
     this->NextStep.start(0); // no time, but after the events that wait
   }

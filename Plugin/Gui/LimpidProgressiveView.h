@@ -7,8 +7,9 @@
  *
  * Still renders of the view make one step each. As long as the last one left something to do,
  * another follows as soon as no event of the user waits. None follows when all is done, while the
- * user interacts, or while an animation plays. Pictures that are captured (screenshots, frames of
- * a saved animation) are made whole in one render.
+ * user interacts, or while an animation plays. Between notches of the mouse wheel, ParaView's still
+ * renders are made like interactive ones, and no step is made until the wheel has rested. Pictures
+ * that are captured (screenshots, frames of a saved animation) are made whole in one render.
  */
 
 #ifndef LimpidProgressiveView_h
@@ -42,6 +43,7 @@ private Q_SLOTS:
   // Events of the view's interactor.
   void beginInteraction();
   void endInteraction();
+  void wheelTurned();
   void step();
 
 private:
@@ -52,6 +54,7 @@ private:
   vtkSMRenderViewProxy* Proxy;
   vtkNew<vtkEventQtSlotConnect> Events;
   QTimer NextStep;
+  QTimer WheelRest;        // active: the wheel has just been turned
   bool Unfinished = false; // the last render left something to do
   bool Interacting = false;
   bool Paused = false;

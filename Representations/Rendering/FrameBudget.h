@@ -19,6 +19,9 @@ public:
    */
   double PixelSize(double pixels, double seconds);
 
+  /// What a picture of so many rays is expected to take [s].
+  double SecondsOf(double rays) const { return rays * this->SecondsPerRay; }
+
   /// What a picture of `rays` rays took.
   void Record(double rays, double seconds);
 

@@ -60,6 +60,9 @@ private:
   std::vector<float> Values;
 };
 
+/// In clip coordinates, where a ray ends that is not to be cast.
+constexpr float noRay = -2;
+
 /// From the depth buffer to clip coordinates.
 inline float ToClip(float depth)
 {

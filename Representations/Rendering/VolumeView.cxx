@@ -302,6 +302,7 @@ void VolumeView::ReleaseNow()
   this->Geometry.reset();
   this->Image = Picture();
   this->Part = Picture();
+  this->Fine.Clear();
 }
 
 void VolumeView::ReleaseGraphicsResources(vtkWindow* window)

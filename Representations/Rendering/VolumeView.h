@@ -12,6 +12,7 @@
 #include "Memory.h"
 #include "PictureBackend.h"
 #include "PictureQuad.h"
+#include "SlicedPicture.h"
 #include "ViewGeometry.h"
 #include "ViewOptimization.h"
 #include "ViewShadows.h"
@@ -92,6 +93,7 @@ private:
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   bool MakePicture(const View& view);
   bool DrawWhole();
+  bool DrawInSlices(const FrameSettings& frame);
   bool DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges);
   void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();
@@ -136,6 +138,7 @@ private:
   View Rays;     ///< of the frame's pictures, but for where they begin and end
   Picture Image; ///< of the frame; of several parts, their alpha only
   Picture Part;
+  SlicedPicture Fine;     ///< at rest, in full resolution
   double CastSeconds = 0; ///< what the pictures of the frame took
   PictureQuad Quad;
 };

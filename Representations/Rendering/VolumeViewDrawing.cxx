@@ -7,6 +7,7 @@
 
 #include "OpaqueDepth.h"
 
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,13 @@ namespace
 {
 // Alpha above which a pixel counts as hit by a selection.
 constexpr double VisibleAlpha = 0.05;
+
+// How long a frame may work for a picture in full resolution, in times of a moving frame: about
+// as long as for a step of the optimisation.
+constexpr double SliceShare = 3;
+
+// Each takes some time beside its rays.
+constexpr double MostSlices = 16;
 }
 
 // Returns whether it was not aborted.
@@ -103,7 +112,10 @@ FrameResult VolumeView::Draw(
       {
         return;
       }
-      if (!this->DrawWhole())
+      // The pictures of two eyes would begin each other anew.
+      const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
+      const bool inSlices = frame.still && frame.stepwise && !this->GoesOn && !stereo;
+      if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole()))
       {
         this->LastResult.converged = false;
       }
@@ -136,6 +148,39 @@ bool VolumeView::DrawWhole()
   return true;
 }
 
+// As long as the picture is not complete, there is one as in motion. Returns whether nothing was
+// aborted.
+bool VolumeView::DrawInSlices(const FrameSettings& frame)
+{
+  const ViewGeometry geometry = *this->Geometry;
+  const OpaqueDepth opaque(this->Target, geometry);
+  const double seconds = SliceShare * frame.frameTime;
+  const double rays = double(this->Rays.width) * this->Rays.height;
+  const double slices = std::ceil(this->Budget.SecondsOf(rays) / seconds);
+  constexpr float end = 1; // of the clipping range
+  this->Fine.Begin(this->Rays,
+    opaque.IsEmpty() ? std::vector<float>(std::size_t(rays), end) : opaque.InMiddles(this->Frame),
+    this->Caster.Changes(), static_cast<int>(std::clamp(slices, 1.0, MostSlices)));
+  const bool aborted = !this->Fine.Advance(
+    seconds, [this](const View& view) { return this->MakePicture(view) ? &this->Part : nullptr; });
+  this->CastSeconds = 0; // not of a whole picture
+  if (aborted)
+  {
+    return false;
+  }
+  if (this->Fine.IsComplete())
+  {
+    this->Image = this->Fine.Whole();
+    this->Quad.Draw(this->Target, this->Image, this->Frame, geometry.nearest);
+    return true;
+  }
+  this->LastResult.converged = false;
+  this->GoesOn = true;
+  const std::vector<glm::dvec4> planes = this->Rays.planes;
+  this->PlacePicture(frame, geometry, planes, this->PixelSize(frame, geometry));
+  return this->DrawWhole();
+}
+
 // Where opaque geometry begins or ends within what a coarse pixel covers, there are two colours for
 // it: of the ray that ends at the nearest depth there is, and of the one that ends at the farthest.
 bool VolumeView::DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges)
@@ -150,7 +195,6 @@ bool VolumeView::DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthR
     return false;
   }
   this->Image = std::move(this->Part);
-  constexpr float noRay = -2;
   const auto differs = [](const DepthRange& range) { return range.nearest < range.farthest; };
   std::transform(ranges.begin(), ranges.end(), depth.begin(),
     [&](const DepthRange& range) { return differs(range) ? ToClip(range.nearest) : noRay; });

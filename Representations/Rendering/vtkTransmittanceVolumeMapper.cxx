@@ -255,6 +255,7 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("EaseTime", this->EaseTime);
   print("AdaptiveQuality", this->AdaptiveQuality);
   print("ProgressiveStill", this->ProgressiveStill);
+  print("DeferStill", this->DeferStill);
   print("VisibilityScore", this->GetVisibilityScore());
   print("VisibleFraction", this->GetVisibleFraction());
   print("SacrificedFraction", this->GetSacrificedFraction());

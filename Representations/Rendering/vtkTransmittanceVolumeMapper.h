@@ -360,6 +360,16 @@ public:
 
   ///@{
   /**
+   * Whether still frames are made like moving ones, so that they leave something to do: for such a
+   * program while its user is likely to move on at once. Default is off.
+   */
+  vtkSetMacro(DeferStill, vtkTypeBool);
+  vtkGetMacro(DeferStill, vtkTypeBool);
+  vtkBooleanMacro(DeferStill, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Visibility score of what the last frame showed, S of Eq. (32), and of the base extinction in
    * the same view [length^2]. Zero without importance.
    */
@@ -480,6 +490,7 @@ private:
   double EaseTime = 0.3;
   vtkTypeBool AdaptiveQuality = 1;
   vtkTypeBool ProgressiveStill = 0;
+  vtkTypeBool DeferStill = 0;
 
   struct Internals; // speaks to the core, so that no core type shows here
   std::unique_ptr<Internals> State;

@@ -281,7 +281,8 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
 {
   const vtkTransmittanceVolumeMapper* self = this->Self;
   limpid::FrameSettings frame;
-  frame.still = !self->AdaptiveQuality || renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1;
+  const bool atRest = renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1;
+  frame.still = !self->AdaptiveQuality || (atRest && !self->DeferStill);
   const bool ordinary = self->Settings->GetMethod() == ORDINARY;
   frame.optimize = !ordinary && self->Optimization != OFF;
   frame.once = self->Optimization == ONCE;

@@ -76,6 +76,13 @@ def tell():
     expect(frames.all() == 0, "no step is made while the mouse button is down")
     story.let_go(view)
     the_end_is_reached(frames, display, "turned")
+    frames.clear()
+    story.zoom(view, 5)
+    story.live(0.1)
+    expect(frames.interactive == 5 and frames.still <= 5,
+           f"{frames.interactive} quick frames for 5 notches of the wheel, and no steps between: "
+           f"{frames.still} still renders")
+    the_end_is_reached(frames, display, "zoomed")
     turned = story.shown(view)
     compare(optimized, turned, False, "turned")
     compare(turned, story.take(view, "turned.png"), True, "turned: steps and screenshot")

@@ -102,6 +102,16 @@ def let_go(view):
     view.GetInteractor().InvokeEvent("LeftButtonReleaseEvent")
 
 
+def zoom(view, notches):
+    """Turns the mouse wheel in the middle of a view."""
+    interactor = view.GetInteractor()
+    width, height = view.ViewSize
+    interactor.SetEventInformation(width // 2, height // 2, 0, 0)
+    for _ in range(notches):
+        interactor.InvokeEvent("MouseWheelForwardEvent")
+        live(0)
+
+
 class Frames:
     """The renders of a view since the last call of `clear`."""
 

@@ -36,7 +36,7 @@ class TestProperties(MapperTest):
                 Anisotropy=0.1, Specular=0.2, SpecularPower=3.0, LightIntensity=2.0,
                 SampleDistance=0.5, Jitter=1, ShowMissed=1, MissedColor=(0.1, 0.2, 0.3),
                 InteractiveFrameTime=0.2, EaseTime=0.1,
-                AdaptiveQuality=0, ProgressiveStill=1,
+                AdaptiveQuality=0, ProgressiveStill=1, DeferStill=1,
                 AssumedImportance=vtkPiecewiseFunction(),
                 ImportanceFunction=vtkPiecewiseFunction()).items():
             with self.subTest(name=name):
@@ -457,20 +457,6 @@ class TestMoving(MapperTest):
         view.volume.GetProperty().SetScalarOpacity(phantom_property().GetScalarOpacity())
         view.window.Render()
         self.assertEqual(mapper.GetVisibilityScore(), score)
-
-    def test_still_frames_in_steps_end_at_the_same_picture(self):
-        expected = show()[0].picture()
-        view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=0.001)
-        frames = 0
-        while True:
-            view.window.Render()
-            frames += 1
-            if mapper.GetConverged():
-                break
-            self.assertLess(frames, 400)
-        self.assertGreater(frames, 1)
-        np.testing.assert_array_equal(view.picture(), expected)
-        self.assertTrue(mapper.GetConverged())
 
 
 if __name__ == "__main__":

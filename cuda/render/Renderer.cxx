@@ -34,6 +34,15 @@ void RequireSameBox(const Grid& scalars, const Grid& extinction)
 }
 } // namespace
 
+bool operator==(const Lighting& one, const Lighting& other)
+{
+  return one.enabled == other.enabled && one.light == other.light &&
+    one.intensity == other.intensity && one.ambient == other.ambient &&
+    one.anisotropy == other.anisotropy && one.surface == other.surface &&
+    one.specularPower == other.specularPower && one.shadows == other.shadows &&
+    one.shadowStrength == other.shadowStrength && one.color == other.color;
+}
+
 struct Renderer::Internals
 {
   explicit Internals(std::unique_ptr<RenderBackend> drawing)
@@ -60,6 +69,15 @@ struct Renderer::Internals
   bool bricksAreCurrent = false;
   bool bareBricksAreCurrent = false;
   bool shadowIsCurrent = false;
+  std::uint64_t changes = 0;
+
+  /// Takes a new value, and notes whether it is another one.
+  template <class Value>
+  void Take(Value& old, const Value& value)
+  {
+    this->changes += value == old ? 0 : 1;
+    old = value;
+  }
 
   void ForgetBricks()
   {
@@ -104,6 +122,7 @@ struct Renderer::Internals
   /// Makes way for a given extinction. Returns whether there is one.
   bool WillShow(const Grid& nodes, const float* base, const float* extinction, double share)
   {
+    ++this->changes;
     this->ForgetBricks();
     this->shadowIsCurrent = false;
     this->ForgetTransferFunction();
@@ -223,6 +242,7 @@ void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* s
   LIMPID_REQUIRE(
     scalars != nullptr, "There are no scalars (nothing tells what is where). Give an array.");
   Internals& state = *this->State;
+  ++state.changes;
   state.hasScalars = false; // in case that one of the next lines throws
   state.ForgetImportance();
   state.backend->SetScalars(grid, scalars, shares);
@@ -237,6 +257,7 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
 {
   Internals& state = *this->State;
   const Classification classification(functions);
+  ++state.changes;
   state.hasFunctions = false; // in case that the next line throws
   state.backend->SetTransferFunctions(classification);
   state.majorant = classification.Majorant();
@@ -249,6 +270,7 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
 void Renderer::SetImportance(const float* importance)
 {
   Internals& state = *this->State;
+  ++state.changes;
   state.ForgetImportance();
   if (!importance)
   {
@@ -271,12 +293,12 @@ void Renderer::ShowMissed(const std::optional<std::array<float, 3>>& color)
       "A channel of the colour of what is missed is "
         << channel << " (a picture has nothing brighter than 1). Keep it between 0 and 1.");
   }
-  this->State->missedColor = color;
+  this->State->Take(this->State->missedColor, color);
 }
 
 void Renderer::ComposeBy(Compositing compositing)
 {
-  this->State->compositing = compositing;
+  this->State->Take(this->State->compositing, compositing);
 }
 
 void Renderer::SetExtinction(const Grid& grid, const float* base, const float* extinction,
@@ -311,7 +333,7 @@ void Renderer::SetLighting(const Lighting& lighting)
     old.light.type == lighting.light.type && old.light.position == lighting.light.position &&
     old.light.focalPoint == lighting.light.focalPoint;
   state.shadowIsCurrent = state.shadowIsCurrent && sameShadow;
-  state.lighting = lighting;
+  state.Take(state.lighting, lighting);
 }
 
 void Renderer::SetShadowRayDensity(double density)
@@ -322,7 +344,7 @@ void Renderer::SetShadowRayDensity(double density)
                                         "16.");
   this->State->shadowIsCurrent =
     this->State->shadowIsCurrent && density == this->State->shadowRayDensity;
-  this->State->shadowRayDensity = density;
+  this->State->Take(this->State->shadowRayDensity, density);
 }
 
 void Renderer::SetShadowCoarseness(int factor)
@@ -335,7 +357,7 @@ void Renderer::SetShadowCoarseness(int factor)
   {
     state.ForgetTransferFunction();
     state.shadowIsCurrent = false;
-    state.shadowCoarseness = factor;
+    state.Take(state.shadowCoarseness, factor);
   }
 }
 
@@ -347,6 +369,11 @@ bool Renderer::UpdateShadows()
     this->State->backend->Wait();
   }
   return made;
+}
+
+std::uint64_t Renderer::Changes() const
+{
+  return this->State->changes;
 }
 
 void Renderer::Prepare()

@@ -9,6 +9,7 @@
 #include "scene/RaySource.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -48,6 +49,8 @@ struct Lighting
   double shadowStrength = 0.7; ///< share of the shadow that is drawn [0, 1]
   std::array<float, 3> color{ { 1.0f, 1.0f, 1.0f } };
 };
+
+bool operator==(const Lighting& one, const Lighting& other);
 
 /// A picture to be made: where its rays run, where they end, how they are sampled.
 struct View
@@ -169,6 +172,9 @@ public:
 
   /// Makes everything for the next picture but its rays, which are all that is left to Render.
   void Prepare();
+
+  /// How often something has changed that pictures depend on, beside their views.
+  std::uint64_t Changes() const;
 
   /// Throws limpid::Error when there are no scalars or transfer functions, or the view is unusable.
   void Render(const View& view, Picture& picture);
