@@ -6,8 +6,6 @@
 # ColorEditorVolumeControls and RescaleRange of its type "Volume". TestColorMapEditor.xml has the
 # events.
 
-import os
-
 import pictures
 import story
 from paraview import simple
@@ -42,10 +40,9 @@ class Shown:
 
 
 def tell():
-    for plugin in ("Limpid.so", "LimpidGui.so"):
-        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    story.load_plugins()
     view = simple.GetActiveView()
-    phantom = OcclusionPhantom(Resolution=64)
+    phantom = simple.OcclusionPhantom(Resolution=64)
     display = simple.Show(phantom, view)
     simple.ColorBy(display, ("POINTS", "Scalars"))
     display.SetRepresentationType("Optimized Volume")

@@ -6,7 +6,6 @@
 # by filters, by a second view, and by a trace for TestFirstMinute.replay.py.
 
 import json
-import os
 
 import story
 from paraview import simple, smtrace
@@ -51,8 +50,7 @@ def expect_setup(display, view, what):
 
 
 def tell():
-    for plugin in ("Limpid.so", "LimpidGui.so"):
-        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    story.load_plugins()
     smtrace.start_trace()
     yield
 

@@ -5,16 +5,13 @@
 # shows the extinction that was found, colored by the integers that the filter was given, and nothing
 # else opens. TestFoundExtinction.xml has the events between.
 
-import os
-
 import story
 from paraview import simple
 from story import expect
 
 
 def tell():
-    for plugin in ("Limpid.so", "LimpidGui.so"):
-        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    story.load_plugins()
     yield
 
     integers = simple.Calculator(Input=simple.GetActiveSource(), ResultArrayName="Values",

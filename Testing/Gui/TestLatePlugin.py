@@ -4,8 +4,6 @@
 # A volume that is on display before the plugin is loaded: it looks as it did, and can be shown as
 # an optimized volume like any other. TestLatePlugin.xml opens it, and chooses the type.
 
-import os
-
 import pictures
 import story
 from paraview import simple
@@ -23,8 +21,7 @@ def tell():
     expect(not display.GetProperty("ImportanceArray"), "ParaView knows no importance")
     before = story.take(view, "before.png")
 
-    for plugin in ("Limpid.so", "LimpidGui.so"):
-        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    story.load_plugins()
     story.live_until(lambda: simple.GetDisplayProperties().GetProperty("ImportanceArray"), 5)
     display = simple.GetDisplayProperties()
     expect(display.GetProperty("ImportanceArray"), "with the plugin it does")

@@ -20,8 +20,7 @@ def share(display):
 
 
 def tell():
-    for plugin in ("Limpid.so", "LimpidGui.so"):
-        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    story.load_plugins()
     yield
 
     view = simple.GetActiveView()

@@ -6,7 +6,6 @@
 # is undone and traced for TestViewpoints.replay.py. TestViewpoints.xml has the events between.
 
 import json
-import os
 import sys
 
 import story
@@ -53,8 +52,7 @@ def expect_colors(display, search, what):
 
 
 def tell():
-    for plugin in ("Limpid.so", "LimpidGui.so"):
-        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
+    story.load_plugins()
     yield
 
     view = simple.GetActiveView()

@@ -10,6 +10,7 @@ if nothing was wrong.
 """
 
 import ctypes
+import os
 import shutil
 import statistics
 import subprocess
@@ -38,6 +39,12 @@ def expect(condition, text):
     global _failures
     _failures += not condition
     say(("ok: " if condition else "WRONG: ") + text)
+
+
+def load_plugins():
+    """Those of the working directory; `simple` gets their sources and filters."""
+    for plugin in ("Limpid.so", "LimpidGui.so"):
+        simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=vars(simple))
 
 
 def live(seconds):

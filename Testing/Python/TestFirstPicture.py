@@ -4,7 +4,6 @@
 # What someone sees who opens data, chooses "Optimized Volume" and does nothing else.
 
 import os
-import tempfile
 
 import numpy as np
 from paraview import simple
@@ -129,13 +128,7 @@ class TestFirstPicture(displays.DisplayTest):
         simple.Render(self.view)
         self.assertEqual(display.UseImportanceFunction, 0)
 
-        with tempfile.TemporaryDirectory() as folder:
-            state = os.path.join(folder, "state.pvsm")
-            simple.SaveState(state)
-            displays.clear()
-            simple.LoadState(state)
-        view = simple.GetActiveView()
-        simple.Render(view)
+        view = displays.through_a_state()
         display = simple.GetDisplayProperties(list(simple.GetSources().values())[0], view)
         self.assertEqual(display.UseImportanceFunction, 0)
 

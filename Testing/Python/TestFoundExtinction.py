@@ -5,7 +5,6 @@
 # anything of, on integer data, and in the place of the opacity function of other data.
 
 import os
-import tempfile
 
 import numpy as np
 from paraview import simple, smtrace
@@ -165,13 +164,7 @@ class TestFoundExtinction(displays.DisplayTest):
     def test_a_state_says_what_is_shown(self):
         display = self.shown(optimized(data(resolution=12)), Method="Optimized",
                              ExtinctionSource="Opacity Function")
-        with tempfile.TemporaryDirectory() as folder:
-            state = os.path.join(folder, "state.pvsm")
-            simple.SaveState(state)
-            displays.clear()
-            simple.LoadState(state)
-        view = simple.GetActiveView()
-        simple.Render(view)
+        view = displays.through_a_state()
         result = next(source for (name, _), source in simple.GetSources().items()
                       if name.startswith("ExtinctionOptimizer"))
         display = simple.GetDisplayProperties(result, view)

@@ -371,13 +371,7 @@ class TestViews(MapperTest):
 
     def test_memory_is_given_back_and_everything_made_again(self):
         view, mapper = show()
-        expected = view.picture()
-        for act in (mapper.ReleaseMemory, view.window.Finalize, view.volume.VisibilityOff):
-            act()
-            view.window.Render()
-            view.volume.VisibilityOn()
-            np.testing.assert_array_equal(view.picture(), expected)
-        self.assert_fine(view)
+        self.assert_made_again(view, mapper)
 
 
 class TestMoving(MapperTest):

@@ -313,13 +313,7 @@ class TestArray(MapperTest):
 
     def test_memory_is_given_back_and_everything_made_again(self):
         view, mapper = show(linear_phantom(), phantom_property(), ExtinctionSource=Mapper.ARRAY)
-        expected = view.picture()
-        for act in (mapper.ReleaseMemory, view.window.Finalize, view.volume.VisibilityOff):
-            act()
-            view.window.Render()
-            view.volume.VisibilityOn()
-            np.testing.assert_array_equal(view.picture(), expected)
-        self.assert_fine(view)
+        self.assert_made_again(view, mapper)
 
 
 if __name__ == "__main__":

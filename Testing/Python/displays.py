@@ -3,6 +3,8 @@
 
 """What the tests of the representation in ParaView share: views, displays of the phantom."""
 
+import os
+import tempfile
 import unittest
 
 from paraview import simple
@@ -36,6 +38,18 @@ def clear():
             proxies.UnRegisterProxy(group, name, proxy.SMProxy)
     simple.SetActiveSource(None)
     simple.SetActiveView(None)
+
+
+def through_a_state():
+    """Saves a state, deletes everything, and loads it; the view, rendered."""
+    with tempfile.TemporaryDirectory() as folder:
+        state = os.path.join(folder, "state.pvsm")
+        simple.SaveState(state)
+        clear()
+        simple.LoadState(state)
+    view = simple.GetActiveView()
+    simple.Render(view)
+    return view
 
 
 def new_view(size=(200, 200)):

@@ -45,6 +45,16 @@ class MapperTest(unittest.TestCase):
                       mapper.GetSacrificedFraction()):
             self.assertTrue(0 <= share <= 1)
 
+    def assert_made_again(self, view, mapper):
+        """The same picture after all memory was given back, in each way in which it is."""
+        expected = view.picture()
+        for act in (mapper.ReleaseMemory, view.window.Finalize, view.volume.VisibilityOff):
+            act()
+            view.window.Render()
+            view.volume.VisibilityOn()
+            np.testing.assert_array_equal(view.picture(), expected)
+        self.assert_fine(view)
+
     def assert_survives_aborts(self, view, mapper):
         """An abort at any check leaves a mapper that draws. VTK asks five times a second: give the
         view a size at which a frame takes longer."""
