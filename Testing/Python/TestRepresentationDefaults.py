@@ -24,6 +24,15 @@ def properties():
             element.tag.endswith("VectorProperty") and not element.get("information_only") and element.get("name") not in NOT_OF_THE_MAPPER]
 
 
+def group(label):
+    """The properties of a group of the panel."""
+    root = ElementTree.parse(XML).getroot()
+    proxy = root.find(".//OptimizedVolumeRepresentationProxy")
+    names = [element.get("name") for element in
+             root.find(f".//ExposedProperties/PropertyGroup[@label='{label}']").findall("Property")]
+    return [proxy.find(f"*[@name='{name}']") for name in names]
+
+
 class TestRepresentationDefaults(unittest.TestCase):
     def test_defaults_are_those_of_the_mapper(self):
         mapper = Mapper()
@@ -42,6 +51,25 @@ class TestRepresentationDefaults(unittest.TestCase):
                 with self.subTest(property=element.get("name"), entry=entry.get("text")):
                     constant = entry.get("text").upper().replace(" ", "_")
                     self.assertEqual(int(entry.get("value")), getattr(Mapper, constant))
+
+    def test_the_panel_has_few_rows_that_say_what_they_are(self):
+        rows = group("Optimized Volume")
+        shown = [row.get("name") for row in rows
+                 if row.get("panel_visibility", "default") == "default"]
+        self.assertLessEqual(len(shown), 8, shown)
+        for row in rows:
+            with self.subTest(property=row.get("name")):
+                self.assertGreater(len(row.findtext("Documentation", "").split()), 3)
+
+    def test_numbers_have_sliders(self):
+        # This one has a slider of its own, over powers of ten.
+        own = "RegularizationWeight"
+        for row in group("Optimized Volume") + group("Light of the Volume"):
+            if row.tag == "DoubleVectorProperty" and row.get("number_of_elements") == "1":
+                with self.subTest(property=row.get("name")):
+                    limits = row.find("DoubleRangeDomain")
+                    self.assertTrue(row.get("name") == own or
+                                    (limits.get("min") and limits.get("max")))
 
 
 if __name__ == "__main__":
