@@ -4,8 +4,8 @@
 // A GPU that fails at each thing that it is told to do, in turn: a pretended one.
 
 #include "BoxScene.h"
+#include "FailingGpu.h"
 
-#include "backend/HostDevice.h"
 #include "math/Require.h"
 #include "optimize/Progressive.h"
 
@@ -49,18 +49,6 @@ struct Outcome
     this->backend = solver.BackendName();
   }
 };
-
-/// Forgets to fail in the end.
-class FailingGpu
-{
-public:
-  FailingGpu(Index operation, bool forGood) { Gpu().FailAt(operation, forGood); }
-  ~FailingGpu() { Gpu().FailAt(-1, false); }
-  FailingGpu(const FailingGpu&) = delete;
-  FailingGpu& operator=(const FailingGpu&) = delete;
-
-  static SimulatedDevice& Gpu() { return *SimulatedDevice::Shared(); }
-};
 }
 
 class GpuFaults : public ::testing::TestWithParam<bool>
@@ -70,14 +58,14 @@ class GpuFaults : public ::testing::TestWithParam<bool>
 TEST_P(GpuFaults, LeaveTheProcessorItsOwnResult)
 {
   const Outcome truth(SmallScene(BackendKind::Cpu));
-  const std::size_t before = FailingGpu::Gpu().Bytes();
+  const std::size_t before = Gpu().Bytes();
   bool failed = true;
   int operations = 0;
   for (Index operation = 0; failed; ++operation)
   {
     const FailingGpu gpu(operation, GetParam());
     const Outcome found(SmallScene(BackendKind::Auto));
-    failed = FailingGpu::Gpu().HasFailed();
+    failed = Gpu().HasFailed();
     if (failed)
     {
       ++operations;
@@ -90,20 +78,19 @@ TEST_P(GpuFaults, LeaveTheProcessorItsOwnResult)
         << found.backend;
       ASSERT_EQ(found.backend.find('\n'), std::string::npos);
     }
-    ASSERT_EQ(FailingGpu::Gpu().Bytes(), before)
-      << "something is left after operation " << operation;
+    ASSERT_EQ(Gpu().Bytes(), before) << "something is left after operation " << operation;
   }
   EXPECT_GT(operations, 50);
 }
 
 TEST_P(GpuFaults, AreToldWhereCudaWasAskedFor)
 {
-  const std::size_t before = FailingGpu::Gpu().Bytes();
+  const std::size_t before = Gpu().Bytes();
   for (const Index operation : { 0, 3, 17, 40, 60 })
   {
     const FailingGpu gpu(operation, GetParam());
     EXPECT_THROW(Outcome(SmallScene(BackendKind::Cuda)), DeviceError) << operation;
-    EXPECT_EQ(FailingGpu::Gpu().Bytes(), before) << operation;
+    EXPECT_EQ(Gpu().Bytes(), before) << operation;
   }
   EXPECT_FALSE(Outcome(SmallScene(BackendKind::Cuda)).extinction.empty()) << "it works again";
 }
@@ -135,7 +122,7 @@ TEST_P(GpuFaults, LeavePreviewsAndWhatIsShown)
   {
     const FailingGpu gpu(operation, GetParam());
     const std::vector<double> found = show(BackendKind::Auto);
-    failed = FailingGpu::Gpu().HasFailed();
+    failed = Gpu().HasFailed();
     ASSERT_EQ(found.size(), truth.size());
     for (std::size_t n = 0; n < truth.size(); ++n)
     {

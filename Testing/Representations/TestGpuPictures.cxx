@@ -5,7 +5,7 @@
 
 #include "SmallWindow.h"
 
-#include "backend/HostDevice.h"
+#include "FailingGpu.h"
 
 #include "vtkAutoInit.h"
 
@@ -22,21 +22,6 @@ using namespace limpid;
 
 namespace
 {
-SimulatedDevice& Gpu()
-{
-  return *SimulatedDevice::Shared();
-}
-
-/// Forgets to fail in the end.
-class FailingGpu
-{
-public:
-  FailingGpu(Index operation, bool forGood) { Gpu().FailAt(operation, forGood); }
-  ~FailingGpu() { Gpu().FailAt(-1, false); }
-  FailingGpu(const FailingGpu&) = delete;
-  FailingGpu& operator=(const FailingGpu&) = delete;
-};
-
 void Take(SmallWindow& scene, int backend)
 {
   scene.mapper->GetVisibilitySettings()->SetBackend(backend);
