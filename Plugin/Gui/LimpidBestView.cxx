@@ -20,6 +20,7 @@
 #include "vtkSMTrace.h"
 
 #include <QApplication>
+#include <QIcon>
 
 namespace
 {
@@ -124,4 +125,15 @@ void FindBestView()
       qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView()),
       QCoreApplication::translate("LimpidBestView", " best viewpoint"));
   }
+}
+
+QIcon BestViewIcon()
+{
+  return QIcon(":/Limpid/Icons/FindBestView.svg");
+}
+
+QString BestViewToolTip()
+{
+  return QCoreApplication::translate("LimpidBestView",
+    "Look from where most of what is important can be seen. Camera Undo goes back.");
 }

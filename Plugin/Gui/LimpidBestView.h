@@ -9,6 +9,7 @@
 #define LimpidBestView_h
 
 class pqRenderView;
+class QIcon;
 class QString;
 struct LimpidViewpoint;
 
@@ -20,5 +21,9 @@ void LookFrom(const LimpidViewpoint& viewpoint, pqRenderView* view, const QStrin
 /// the active one if there are several: a ViewpointSearch with the volume's own settings, which
 /// leaves nothing behind.
 void FindBestView();
+
+/// What buttons for that look like, and say.
+QIcon BestViewIcon();
+QString BestViewToolTip();
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidReveal.h"
 
+#include "LimpidBestView.h"
+
 #include "pqCoreUtilities.h"
 #include "pqDoubleVectorPropertyWidget.h"
 #include "pqPropertiesPanel.h"
@@ -17,6 +19,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStandardItemModel>
@@ -96,6 +99,7 @@ LimpidReveal::LimpidReveal(
   this->Grid->addLayout(ends, 1, 0, 1, 2);
   this->Grid->addWidget(this->RowLabel, 2, 0);
   this->Grid->addWidget(this->Row, 2, 1);
+  this->Grid->addWidget(this->newBestView(), 3, 0, 1, 2);
 
   this->connect(
     this->Row, &pqPropertyWidget::changeAvailable, this, &pqPropertyWidget::changeAvailable);
@@ -137,6 +141,15 @@ void LimpidReveal::createSlider()
   this->connect(this->Slider, &QSlider::valueChanged, this, &LimpidReveal::moveSlider);
   this->connect(this->Slider, &QSlider::sliderPressed, this, &LimpidReveal::beginDrag);
   this->connect(this->Slider, &QSlider::sliderReleased, this, &LimpidReveal::endDrag);
+}
+
+QPushButton* LimpidReveal::newBestView()
+{
+  auto* button = new QPushButton(BestViewIcon(), tr("Find Best View"), this);
+  button->setObjectName("FindBestView");
+  button->setToolTip(BestViewToolTip());
+  this->connect(button, &QPushButton::clicked, this, [] { FindBestView(); });
+  return button;
 }
 
 void LimpidReveal::apply()

@@ -3,7 +3,8 @@
 
 /**
  * @class   LimpidReveal
- * @brief   presets of an Optimized Volume, and a slider from keeping context to revealing
+ * @brief   presets of an Optimized Volume, a slider from keeping context to revealing, and a button
+ *          that looks from the best view
  *
  * For the property RegularizationWeight of a display, with panel_widget="LimpidReveal". The slider
  * is logarithmic: it sets that weight to a tenth, or down to a ten-thousandth, of the larger one of
@@ -21,6 +22,7 @@
 class QComboBox;
 class QGridLayout;
 class QLabel;
+class QPushButton;
 class QSlider;
 
 class LimpidReveal : public pqPropertyWidget
@@ -48,6 +50,7 @@ private Q_SLOTS:
 private:
   void createPresets();
   void createSlider();
+  QPushButton* newBestView();
   void followPreset();
   void followWeights();
   double largestWeight() const; // of view and light

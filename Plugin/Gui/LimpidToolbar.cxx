@@ -14,11 +14,9 @@ LimpidToolbar::LimpidToolbar(QWidget* parentWidget)
 {
   this->setObjectName("LimpidToolbar");
   this->addWidget(new LimpidShowOriginal(this));
-  QAction* best =
-    this->addAction(QIcon(":/Limpid/Icons/FindBestView.svg"), tr("Find Best View"), &FindBestView);
+  QAction* best = this->addAction(BestViewIcon(), tr("Find Best View"), &FindBestView);
   best->setObjectName("FindBestView");
-  best->setToolTip(
-    tr("Look from where most of what is important can be seen. Camera Undo goes back."));
+  best->setToolTip(BestViewToolTip());
 
   pqActiveObjects& active = pqActiveObjects::instance();
   this->connect(&active, &pqActiveObjects::viewChanged, this, &LimpidToolbar::watch);

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# A volume that is on display before the plugin is loaded: it looks as it did, and can be shown as
-# an optimized volume like any other. TestLatePlugin.xml opens it, and chooses the type.
+# A volume that is on display before the plugin is loaded: it looks as it did, filters take it over,
+# and it can be shown as an optimized volume like any other. TestLatePlugin.xml opens it, makes a
+# filter and chooses the type.
 
 import pictures
 import story
@@ -14,6 +15,7 @@ PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and 
 
 def tell():
     view = simple.GetActiveView()
+    reader = simple.GetActiveSource()
     display = simple.GetDisplayProperties()
     frames = story.Frames(view)
     display.ScalarOpacityUnitDistance = 7
@@ -30,6 +32,20 @@ def tell():
     frames.settle(PATIENCE)
     mean, _ = pictures.difference(before, story.take(view, "after.png"))
     expect(mean == 0, f"it looks as before (mean difference {mean:.3f})")
+    yield
+
+    optimizer = simple.GetActiveSource()
+    least, begin, end, most = optimizer.ImportanceFunction.Points[::4]
+    expect(optimizer.UseImportanceFunction == 1 and least < begin < end < most,
+           f"a filter starts with the largest values for important: {begin:.1f} to {end:.1f}")
+    expect(optimizer.ScalarOpacityUnitDistance == 7, "and with the volume's unit distance,")
+    expect(list(optimizer.ScalarOpacityFunction.Points)
+           == list(simple.GetOpacityTransferFunction("ct").Points), "opacity function")
+    expect(list(optimizer.CameraPosition) == list(view.CameraPosition), "and camera of the view")
+    yield
+
+    expect(list(simple.GetSources().values()) == [reader], "undo takes it away")
+    simple.SetActiveSource(reader)
     yield
 
     expect(simple.GetDisplayProperties().Representation == "Optimized Volume",
