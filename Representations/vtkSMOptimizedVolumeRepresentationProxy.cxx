@@ -61,6 +61,12 @@ void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
   }
   vtkSMProxy* display = this->GetParentProxy();
   vtkSMProperty* type = display ? display->GetProperty("Representation") : nullptr;
+  // Its row is among the advanced ones but for the type "Volume", and its group is shown for types
+  // of volumes alone: there it is one of the first for all of them.
+  if (vtkSMProperty* shade = display ? display->GetProperty("Shade") : nullptr)
+  {
+    shade->SetPanelVisibility("default");
+  }
   if (type && !this->WatchesType)
   {
     this->WatchesType = true;

@@ -63,6 +63,10 @@ class TestOptimizedVolume(displays.DisplayTest):
 
     # Properties
 
+    def test_shade_is_a_row_as_for_volume(self):
+        display = self.shown(OcclusionPhantom())
+        self.assertEqual(display.GetProperty("Shade").SMProperty.GetPanelVisibility(), "default")
+
     def test_has_the_properties_of_the_contract(self):
         display = simple.Show(OcclusionPhantom(), self.view)
 

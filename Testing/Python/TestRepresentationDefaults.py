@@ -56,7 +56,7 @@ class TestRepresentationDefaults(unittest.TestCase):
         rows = group("Optimized Volume")
         shown = [row.get("name") for row in rows
                  if row.get("panel_visibility", "default") == "default"]
-        self.assertLessEqual(len(shown), 8, shown)
+        self.assertLessEqual(len(shown) + len(["Shade", "UseCropping"]), 8, shown)
         for row in rows:
             with self.subTest(property=row.get("name")):
                 self.assertGreater(len(row.findtext("Documentation", "").split()), 3)
