@@ -3,6 +3,7 @@
 
 #include "StartingImportance.h"
 
+#include "ImportancePoints.h"
 #include "ScalarChoice.h"
 
 #include "vtkDataArray.h"
@@ -18,10 +19,6 @@ namespace
 {
 // So many values tell the quantiles to a thousandth.
 constexpr vtkIdType MostSamples = 1 << 20;
-
-// Shares of the values that lie below the two ends of the ramp.
-constexpr double Begin = 0.95;
-constexpr double End = 0.99;
 
 std::vector<double> SamplesOf(vtkDataArray* array, int component)
 {
@@ -67,7 +64,8 @@ ImportanceRamp StartingImportance(vtkDataArray* array, int component)
   }
   std::sort(samples.begin(), samples.end());
   const std::array<double, 2> range = FiniteRangeOf(array);
-  ImportanceRamp ramp{ QuantileOf(samples, Begin), QuantileOf(samples, End), range };
+  ImportanceRamp ramp{ QuantileOf(samples, ImportanceBegins), QuantileOf(samples, ImportanceIsFull),
+    range };
   if (!ramp.IsKnown())
   {
     // Many are alike up there, as in a mask: from the next smaller value on, or to the largest.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidDataArray.h"
 
+#include "ImportancePoints.h"
+
 #include "pqUndoStack.h"
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -57,20 +59,27 @@ vtkSmartPointer<vtkTable> CountValues(
   vtkSMPropertyHelper(reducer, "Input").Set(counter);
   vtkSMPropertyHelper(reducer, "PostGatherHelperName").Set("vtkPVMergeTables");
   reducer->UpdateVTKObjects();
-  const auto counts = BringToClient(reducer, 0, VTK_TABLE, 0);
+  const auto counts = BringToClient(reducer, 0, VTK_TABLE, std::nullopt);
   return vtkTable::SafeDownCast(counts);
 }
 }
 
 vtkSmartPointer<vtkDataObject> BringToClient(
-  vtkSMSourceProxy* source, unsigned int port, int type, double time)
+  vtkSMSourceProxy* source, unsigned int port, int type, std::optional<double> time)
 {
   SCOPED_UNDO_EXCLUDE(); // else each helper on the way would be a step of its own
   const auto mover = NewFilter(source, "ClientServerMoveData");
   vtkSMPropertyHelper(mover, "Input").Set(source, port);
   vtkSMPropertyHelper(mover, "OutputDataType").Set(type);
   mover->UpdateVTKObjects();
-  mover->UpdatePipeline(time);
+  if (time)
+  {
+    mover->UpdatePipeline(*time);
+  }
+  else
+  {
+    mover->UpdatePipeline();
+  }
   auto* algorithm = vtkAlgorithm::SafeDownCast(mover->GetClientSideObject());
   return algorithm ? algorithm->GetOutputDataObject(0) : nullptr;
 }
@@ -126,7 +135,7 @@ std::vector<double> LimpidDataArray::SuggestedImportance() const
   {
     all += countIn(bin);
   }
-  // The upper ends of the parts in which 95 and 99 % of the values are reached. Where that is one
+  // The upper ends of the parts in which those shares of the values are reached. Where that is one
   // and the same, its lower end stands for the first.
   const double width = (range[1] - range[0]) / FINE;
   std::array<double, 2> ends{ range[1], range[1] };
@@ -134,8 +143,8 @@ std::vector<double> LimpidDataArray::SuggestedImportance() const
   for (vtkIdType bin = counts->GetNumberOfRows() - 1; bin >= 0; --bin)
   {
     const double end = range[0] + width * double(bin + 1);
-    ends[0] = reached >= 0.95 * all ? std::min(end, ends[1] - width) : ends[0];
-    ends[1] = reached >= 0.99 * all ? end : ends[1];
+    ends[0] = reached >= limpid::ImportanceBegins * all ? std::min(end, ends[1] - width) : ends[0];
+    ends[1] = reached >= limpid::ImportanceIsFull * all ? end : ends[1];
     reached -= countIn(bin);
   }
   return { range[0], ends[0], ends[1], range[1] };

@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,11 @@ class vtkSMProxy;
 class vtkSMSourceProxy;
 class vtkTable;
 
-/// An output of a source, executed for a time and brought to the client as data of a type
-/// (VTK_POLY_DATA, ...). Null if it has none.
+/// An output of a source, brought to the client as data of a type (VTK_POLY_DATA, ...). Null if it
+/// has none. `time`: for which it is executed; none: its data stay those of the time that they are
+/// for.
 vtkSmartPointer<vtkDataObject> BringToClient(
-  vtkSMSourceProxy* source, unsigned int port, int type, double time);
+  vtkSMSourceProxy* source, unsigned int port, int type, std::optional<double> time);
 
 /// An array of an output of a source.
 struct LimpidDataArray

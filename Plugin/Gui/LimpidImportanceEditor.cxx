@@ -4,6 +4,7 @@
 
 #include "ImportancePoints.h"
 #include "LimpidDataArray.h"
+#include "LimpidProperties.h"
 #include "pqCoreUtilities.h"
 #include "pqLineEdit.h"
 #include "pqPropertyWidget.h"
@@ -14,7 +15,6 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTrace.h"
 #include "vtkTable.h"
 
 #include <QAction>
@@ -31,6 +31,8 @@ namespace
 {
 const int CHART_HEIGHT = 110; // pixels
 const int BINS = 128;
+
+const char* const FUNCTION = "ImportanceFunction"; // the row's property
 
 // Of a point of a piecewise function in the property Points.
 const std::size_t POINT_SIZE = 4;
@@ -128,7 +130,7 @@ vtkPiecewiseFunction* LimpidImportanceEditor::curve() const
 
 std::vector<double> LimpidImportanceEditor::points() const
 {
-  return vtkSMPropertyHelper(this->Function, "Points").GetDoubleArray();
+  return PointsOf(this->Row->proxy(), FUNCTION);
 }
 
 void LimpidImportanceEditor::setPoints(const std::vector<double>& points)
@@ -138,11 +140,7 @@ void LimpidImportanceEditor::setPoints(const std::vector<double>& points)
     return;
   }
   SCOPED_UNDO_SET(tr("Importance Function"));
-  {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Function);
-    vtkSMPropertyHelper(this->Function, "Points").Set(points.data(), unsigned(points.size()));
-    this->Function->UpdateVTKObjects();
-  }
+  SetPoints(this->Row->proxy(), FUNCTION, points);
   Q_EMIT this->Row->changeAvailable();
   Q_EMIT this->Row->changeFinished();
 }
@@ -156,20 +154,25 @@ void LimpidImportanceEditor::showEvent(QShowEvent* event)
 void LimpidImportanceEditor::follow()
 {
   const std::vector<double> points = this->points();
-  if (points.size() >= POINT_SIZE)
+  this->followPoint();
+  if (points.size() < POINT_SIZE)
   {
-    const std::array<std::pair<const char*, double>, 2> ends{ { { "rangeMin", points.front() },
-      { "rangeMax", points[points.size() - POINT_SIZE] } } };
-    for (const auto& [name, value] : ends)
+    return;
+  }
+  const std::array<double, 2> range{ points.front(), points[points.size() - POINT_SIZE] };
+  const std::array<const char*, 2> names{ "rangeMin", "rangeMax" };
+  for (std::size_t end = 0; end < 2; ++end)
+  {
+    if (auto* field = this->Row->findChild<QLineEdit*>(names[end]))
     {
-      if (auto* field = this->Row->findChild<QLineEdit*>(name))
-      {
-        field->setText(QString::number(value));
-      }
+      field->setText(QString::number(range[end]));
     }
   }
-  this->followPoint();
-  this->outdate();
+  if (range != this->Range) // the histogram is the same for all curves over it
+  {
+    this->Range = range;
+    this->outdate();
+  }
 }
 
 void LimpidImportanceEditor::followPoint()
@@ -198,12 +201,9 @@ void LimpidImportanceEditor::count()
 {
   if (this->Outdated)
   {
-    const std::vector<double> points = this->points();
     this->Outdated = false;
-    this->Chart->setHistogramTable(points.size() < 2 * POINT_SIZE
-        ? nullptr
-        : ImportanceArrayOf(this->Row->proxy())
-            .Histogram({ points.front(), points[points.size() - POINT_SIZE] }, BINS));
+    this->Chart->setHistogramTable(
+      ImportanceArrayOf(this->Row->proxy()).Histogram(this->Range, BINS));
   }
 }
 

@@ -18,6 +18,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <array>
 #include <vector>
 
 class pqLineEdit;
@@ -58,6 +59,7 @@ private:
   pqLineEdit* Value;
   pqLineEdit* Importance;
   QTimer Counting;
+  std::array<double, 2> Range{}; // of the function, and so of the histogram
   bool Outdated = true;
 };
 
