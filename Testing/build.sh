@@ -20,15 +20,13 @@ bash "$root/Testing/install-packages.sh"
 # Another Python on the PATH may hide Debian's, which ParaView's packages are made for.
 configure=(-DPython3_EXECUTABLE=/usr/bin/python3)
 if [[ $tests == ON ]]; then
-  # The Python package, against the VTK inside ParaView: python3-vtk9 cannot be installed beside it.
-  vtk="$(ls -d /usr/lib/*/cmake/paraview-*/vtk 2> /dev/null | sort -V | tail -1)"
-  if [[ -n "$vtk" ]]; then
-    cmake -S "$root" -B "$build/vtk" -G Ninja -Wno-dev \
-      -DLIMPID_ENABLE_PARAVIEW=OFF -DLIMPID_BUILD_TESTING=OFF -DLIMPID_ENABLE_CUDA=OFF -DVTK_DIR="$vtk" "${configure[@]}"
-    cmake --build "$build/vtk"
-    python_path="$(ls -d "$build"/vtk/lib/python3*/*-packages | tail -1)"
-    configure+=(-DLIMPID_PYTHON_PATH="$python_path")
-  fi
+  # The Python package, against the VTK that ParaView uses.
+  vtk="$(bash "$root/Testing/vtk-folder.sh")"
+  cmake -S "$root" -B "$build/vtk" -G Ninja -Wno-dev \
+    -DLIMPID_ENABLE_PARAVIEW=OFF -DLIMPID_BUILD_TESTING=OFF -DLIMPID_ENABLE_CUDA=OFF -DVTK_DIR="$vtk" "${configure[@]}"
+  cmake --build "$build/vtk"
+  python_path="$(ls -d "$build"/vtk/lib/python3*/*-packages | tail -1)"
+  configure+=(-DLIMPID_PYTHON_PATH="$python_path")
   # No test needs code for every GPU there is.
   configure+=(-DLIMPID_BUILD_TESTING=ON -DCMAKE_CUDA_ARCHITECTURES="75;90")
 elif [[ ! -f "$build/CMakeCache.txt" ]]; then

@@ -77,11 +77,11 @@ check_clang()
   ctest --preset clang --label-regex '^quick$' --parallel "$(nproc)"
 }
 
-# Configures a preset of sanitizers, with VTK from ParaView; then come other options.
+# Configures a preset of sanitizers, with the VTK that ParaView uses; then come other options.
 configure_sanitized()
 {
   local vtk
-  vtk="$(ls -d /usr/lib/*/cmake/paraview-*/vtk 2> /dev/null | sort -V | tail -1)"
+  vtk="$(bash Testing/vtk-folder.sh)"
   cmake --preset "$1" -Wno-dev -DVTK_DIR="$vtk" -DPython3_EXECUTABLE=/usr/bin/python3 "${@:2}"
 }
 

@@ -11,9 +11,7 @@ packages=(
   # build
   g++ cmake ninja-build libglm-dev libtbb-dev
   # ParaView and what its CMake files look for
-  paraview-dev python3-paraview python3-dev libopenmpi-dev libglew-dev libfreetype-dev
-  # the button in ParaView's window (optional, see LIMPID_ENABLE_GUI)
-  qtbase5-dev libqt5opengl5-dev qttools5-dev
+  paraview-dev python3-paraview python3-dev libopenmpi-dev
   # tests and benchmarks
   libgtest-dev nlohmann-json3-dev libbenchmark-dev
   # checks of layout and of mistakes, and a second compiler
@@ -21,15 +19,54 @@ packages=(
   # pictures without a screen
   xvfb xauth libgl1-mesa-dri python3-numpy python3-matplotlib
 )
+# ParaView with a VTK of its own, or on Debian's
+with_own_vtk=(libglew-dev libfreetype-dev)
+with_debians_vtk=(libvtk9-dev)
+# the parts for ParaView's window (optional, see LIMPID_ENABLE_GUI)
+with_qt5=(qtbase5-dev libqt5opengl5-dev qttools5-dev)
+with_qt6=(qt6-base-dev qt6-tools-dev qt6-5compat-dev)
+with_qt6_and_debians_vtk=(libvtk9-qt-dev)
 
 if ! command -v dpkg-query > /dev/null; then
   echo "This is no Debian system: install what ${packages[*]} hold by hand." >&2
   exit 0
 fi
 
+is_installed() { [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2> /dev/null)" == installed ]]; }
+
+as_root=()
+if ((EUID != 0)); then
+  as_root=(sudo)
+fi
+
+# What the ParaView that is installed, or would be, was built with decides on the rest.
+if is_installed paraview; then
+  paraview="$(dpkg-query -W -f '${Depends}' paraview)"
+else
+  "${as_root[@]}" apt-get update -q
+  paraview="$(apt-cache show --no-all-versions paraview | grep '^Depends:')"
+fi
+vtk=own
+if [[ "$paraview" =~ libvtk9 ]]; then
+  vtk=debians
+fi
+if [[ $vtk == debians ]]; then
+  packages+=("${with_debians_vtk[@]}")
+else
+  packages+=("${with_own_vtk[@]}")
+fi
+if [[ "$paraview" =~ libqt6 ]]; then
+  packages+=("${with_qt6[@]}")
+  if [[ $vtk == debians ]]; then
+    packages+=("${with_qt6_and_debians_vtk[@]}")
+  fi
+else
+  packages+=("${with_qt5[@]}")
+fi
+
 missing=()
 for package in "${packages[@]}"; do
-  if [[ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null)" != installed ]]; then
+  if ! is_installed "$package"; then
     missing+=("$package")
   fi
 done
@@ -38,11 +75,6 @@ if ((${#missing[@]} == 0)); then
 fi
 
 echo "Installing Debian packages: ${missing[*]}"
-as_root=()
-if ((EUID != 0)); then
-  as_root=(sudo)
-fi
-export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -q
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install -q -y --no-install-recommends "${missing[@]}"
