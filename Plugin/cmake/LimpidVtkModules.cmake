@@ -7,7 +7,7 @@
 include(PredeclareMissingPythonTargets)
 limpid_predeclare_missing_python_targets(VTK)
 
-find_package(VTK 9.1 REQUIRED
+find_package(VTK 9.2 REQUIRED
   COMPONENTS
     CommonExecutionModel FiltersCore FiltersModeling FiltersSources ImagingCore ParallelCore
     RenderingOpenGL2 RenderingVolume

@@ -10,7 +10,6 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 
 #include "math/Require.h"
@@ -213,11 +212,7 @@ glm::dmat4 ToMatrix(vtkMatrix4x4* matrix)
 glm::dmat4 DataToWorld(vtkVolume* volume)
 {
   vtkNew<vtkMatrix4x4> matrix;
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   volume->GetModelToWorldMatrix(matrix); // honours the coordinate system of the prop
-#else
-  volume->GetMatrix(matrix);
-#endif
   return ToMatrix(matrix);
 }
 
