@@ -39,6 +39,19 @@ function (limpid_missing_dependencies name result)
   set(${result} "${missing}" PARENT_SCOPE)
 endfunction ()
 
+# Sets <result> to the header of VTK's Qt module if it is missing, empty if not. The target alone
+# tells nothing: Debian has the headers in a package of their own where VTK is its own.
+function (limpid_missing_qt_header result)
+  set(${result} "" PARENT_SCOPE)
+  if (TARGET VTK::GUISupportQt)
+    get_target_property(folders VTK::GUISupportQt INTERFACE_INCLUDE_DIRECTORIES)
+    find_file(header vtkGUISupportQtModule.h PATHS ${folders} NO_DEFAULT_PATH NO_CACHE)
+    if (NOT header)
+      set(${result} "vtkGUISupportQtModule.h (Debian: libvtk9-qt-dev)" PARENT_SCOPE)
+    endif ()
+  endif ()
+endfunction ()
+
 # Sets <result> to what is missing for the plugin, empty if nothing. A function, because looking
 # for ParaView's widgets must not change what the caller found.
 function (limpid_find_gui result)
@@ -52,6 +65,8 @@ function (limpid_find_gui result)
   limpid_missing_dependencies(ParaView::pqComponents missing)
   set(qt "${missing}")
   list(FILTER qt INCLUDE REGEX "^Qt")
+  limpid_missing_qt_header(header)
+  list(APPEND qt ${header})
   list(JOIN qt " " qt)
   set(${result} "${qt}" PARENT_SCOPE)
   if (qt)
