@@ -40,6 +40,21 @@ function (limpid_expand_setting use result)
   set(${result} "${tag}${content}${closing}" PARENT_SCOPE)
 endfunction ()
 
+# ParaView 6.1 shows rectilinear grids by a proxy of its own. They are refused by a message that says
+# what to do, for which the representation type has to be there, too.
+function (limpid_extend_rectilinear_grids text result)
+  if (ParaView_VERSION VERSION_GREATER_EQUAL 6.1)
+    set(images "<Extension name=\"UniformGridRepresentation\">")
+    string(REGEX MATCH "${images}.*</Extension>" extension "${text}")
+    if (extension)
+      string(REPLACE "${images}" "<Extension name=\"RectilinearGridRepresentation\">"
+        likewise "${extension}")
+      string(REPLACE "${extension}" "${extension}\n\n    ${likewise}" text "${text}")
+    endif ()
+  endif ()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction ()
+
 # Writes the server manager's XML file <output> from <input>, with all settings put in.
 function (limpid_configure_xml input output)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${input}" "${LIMPID_SETTINGS_XML}")
@@ -50,5 +65,6 @@ function (limpid_configure_xml input output)
     limpid_expand_setting("${use}" property)
     string(REPLACE "${use}" "${property}" text "${text}")
   endforeach ()
+  limpid_extend_rectilinear_grids("${text}" text)
   file(CONFIGURE OUTPUT "${output}" CONTENT "${text}" @ONLY)
 endfunction ()
