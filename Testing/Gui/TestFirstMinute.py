@@ -58,6 +58,7 @@ def tell():
     reader = simple.GetActiveSource()
     display = simple.GetDisplayProperties()
     frames = story.Frames(view)
+    story.listen(view)
     expect(frames.settle(PATIENCE), "the first picture is finished")
     display.UpdatePropertyInformation()
     first = display.VisibleFraction

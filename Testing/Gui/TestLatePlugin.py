@@ -18,6 +18,7 @@ def tell():
     reader = simple.GetActiveSource()
     display = simple.GetDisplayProperties()
     frames = story.Frames(view)
+    story.listen(view)
     display.ScalarOpacityUnitDistance = 7
     expect(frames.settle(PATIENCE), "the volume is shown")
     expect(not display.GetProperty("ImportanceArray"), "ParaView knows no importance")

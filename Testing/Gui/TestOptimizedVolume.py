@@ -34,6 +34,7 @@ def tell():
     view = simple.GetActiveView()
     display = simple.GetDisplayProperties()
     frames = story.Frames(view)
+    story.listen(view)
 
     expect(display.Representation == "Optimized Volume", "the type can be chosen")
     expect(display.ImportanceArray[1] == "ct", "the importance can be chosen")

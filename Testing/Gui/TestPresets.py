@@ -35,6 +35,7 @@ def tell():
     view = simple.GetActiveView()
     display = simple.GetDisplayProperties()
     frames = story.Frames(view)
+    story.listen(view)
     expect_values(display, DEFAULT, "from the start")
     smtrace.start_trace()
     yield

@@ -6,6 +6,7 @@
 # and names no preset.
 
 import json
+import re
 import sys
 
 from paraview import simple
@@ -27,8 +28,8 @@ found = {name: getattr(display, name) for name in expected}
 print(f"The trace replayed: {found}.")
 if found != expected:
     sys.exit(f"The story ended with {expected}. Read trace.py.")
-lines = [line.split(".", 1)[1] for line in trace.splitlines() if "Weight = " in line or
-         "ProtectImportance = " in line or "Preset" in line]
+lines = [f"{name} = {value}" for name, value in
+         re.findall(r"\b(\w*Weight|ProtectImportance|Preset) ?= ?([^\s,)]+)", trace)]
 wanted = ["ProtectImportance = 0.1"] + [f"RegularizationWeight = {weight}" for weight in
                                         WEIGHTS + [expected["RegularizationWeight"]]]
 if sorted(lines) != sorted(wanted):

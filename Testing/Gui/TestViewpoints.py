@@ -58,6 +58,7 @@ def tell():
     view = simple.GetActiveView()
     search = simple.GetActiveSource()
     frames = story.Frames(view)
+    story.listen(view)
     before = camera_of(view)
     ranked = servermanager.Fetch(search, idx=1)
     count = ranked.GetNumberOfPoints()

@@ -35,10 +35,23 @@ else
   pvpython "$here/write_phantom.py" "${plugins[0]}" volume.vti
 fi
 
+# The events, in words of the ParaView that is there; <proceed/> is a press of the macro "Proceed",
+# <proceed quietly="1"/> of the key that story.listen waits for.
+viewport=pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.0/CentralWidgetFrame/Viewport
+macro='object="pqClientMainWindow/MacrosToolbar/1QToolButton0" command="activate" arguments=""'
+key="object=\"$viewport/1QVTKOpenGLNativeWidget0\" command=\"keyEvent\" arguments=\"6:16777272:0::0:1\"" # F9
+words=(-e "s|<proceed/>|<pqevent $macro />|" -e "s|<proceed quietly=\"1\"/>|<pqevent $key />|")
+version="$(pvpython --version 2>&1 | grep -oE '[0-9]+\.[0-9]+' | tail -1)"
+if [[ "$(printf '5.12\n%s\n' "$version" | sort -V | head -1)" == 5.12 ]]; then
+  words+=(-e 's|pqRescaleRangeDialog|RescaleScalarRangeToCustomDialog|')
+  words+=(-e 's|PluginManagerDialog/pqFileDialog|PluginManagerDialog/1pqFileDialog0|')
+fi
+sed "${words[@]}" "$here/$name.xml" > events.xml
+
 # A window with a view of about 1000 x 700 pixels. Not for ever: an event that fails can leave a
 # dialog open.
 timeout --kill-after=5 240 paraview --dr -geometry 1305x933+0+0 --test-directory="$folder" \
-  --script="$here/$name.py" --test-script="$here/$name.xml" --exit ||
+  --script="$here/$name.py" --test-script="$folder/events.xml" --exit ||
   echo "ParaView ended with $?."
 cat report.txt
 [[ "$(tail -1 report.txt)" == "The story ended well." ]]
