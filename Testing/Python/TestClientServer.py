@@ -149,10 +149,12 @@ class ServerTest(unittest.TestCase):
             cls.there = tell(cls.stories)
             simple.Connect()  # without a server: that one has nobody left
             gc.collect()
-            cls.exit_code = server.wait(20)
+            cls.exit_code = server.wait(20 if runner.PARAVIEW < (6, 1) else 0)
             cls.output = server.output()
 
     def check_that_the_server_ends_with_the_client(self):
+        if runner.PARAVIEW >= (6, 1):
+            self.skipTest("pvserver 6.1 does not end with its client if any plugin was loaded")
         self.assertEqual(self.exit_code, 0, self.output)
         self.assertNotIn("FATL", self.output)
 

@@ -178,9 +178,9 @@ class TestFoundExtinction(displays.DisplayTest):
             self.shown(optimized(data(resolution=12)))
         finally:
             text = smtrace.stop_trace()
-        for line in ("Display.Representation = 'Optimized Volume'",
-                     "Display.ExtinctionSource = 'Array'", "Display.Method = 'Ordinary'"):
-            self.assertIn(line, text)
+        for name, value in (("Representation", "Optimized Volume"),
+                            ("ExtinctionSource", "Array"), ("Method", "Ordinary")):
+            self.assertRegex(text, displays.sets(name) + f"'{value}'")
 
     # Other data
 

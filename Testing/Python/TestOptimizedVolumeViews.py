@@ -44,7 +44,7 @@ class TestOptimizedVolumeViews(displays.DisplayTest):
         opacity = display.ScalarOpacityFunction
         seen = [self.assert_is_stock(display)]
         changes = {
-            "preset": lambda: colors.ApplyPreset("Viridis (matplotlib)", True),
+            "preset": lambda: colors.ApplyPreset("X Ray", True),
             "rescaled": lambda: colors.RescaleTransferFunction(0.2, 0.6),
             "other opacities": lambda: setattr(opacity, "Points", [0, 0, 0.5, 0, 1, 0.4, 0.5, 0]),
             "logarithmic": lambda: colors.MapControlPointsToLogSpace() or setattr(
@@ -128,11 +128,12 @@ class TestOptimizedVolumeViews(displays.DisplayTest):
 
     # Time
 
-    def animation(self):
-        """The frames of an animation, saved as pictures."""
+    def animation(self, frames):
+        """The frames of an animation, saved as pictures. ParaView 5.13 does not know how many they
+        are if it is not told."""
         with tempfile.TemporaryDirectory() as folder:
             simple.SaveAnimation(os.path.join(folder, "frame.png"), self.view,
-                                 ImageResolution=self.view.ViewSize)
+                                 ImageResolution=self.view.ViewSize, FrameWindow=[0, frames - 1])
             return [pictures.read(path)
                     for path in sorted(glob.glob(os.path.join(folder, "*.png")))]
 
@@ -147,7 +148,7 @@ class TestOptimizedVolumeViews(displays.DisplayTest):
         keys = [simple.CompositeKeyFrame(KeyTime=time, KeyValues=[value])
                 for time, value in ((0, 24), (1, 40))]
         track.KeyFrames = keys
-        frames = self.animation()
+        frames = self.animation(3)
         simple.Delete(track)
 
         self.assertEqual(len(frames), 3)

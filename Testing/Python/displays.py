@@ -40,6 +40,12 @@ def clear():
     simple.SetActiveView(None)
 
 
+def sets(name):
+    """A pattern for what a trace or a state in Python says before the new value of a property:
+    display.Mode = 'Joint', or display.Set(Mode='Joint') since ParaView 6."""
+    return rf"\b{name} ?= ?"
+
+
 def through_a_state():
     """Saves a state, deletes everything, and loads it; the view, rendered."""
     with tempfile.TemporaryDirectory() as folder:
