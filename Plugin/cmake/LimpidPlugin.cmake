@@ -24,7 +24,13 @@ paraview_plugin_scan(
   PLUGIN_FILES ${plugin_files}
   PROVIDES_PLUGINS plugins
   ENABLE_BY_DEFAULT ON)
+# Installed, they lie where ParaView keeps its own plugins.
+set(LIMPID_PLUGIN_DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}")
 paraview_plugin_build(
   PLUGINS ${plugins}
   AUTOLOAD ${plugins}
+  LIBRARY_DESTINATION "${LIMPID_PLUGIN_DESTINATION}"
+  PLUGINS_COMPONENT runtime
+  TARGET_COMPONENT runtime
+  INSTALL_HEADERS OFF
   PLUGINS_FILE_NAME "limpid.plugins.xml")
