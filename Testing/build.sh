@@ -26,7 +26,7 @@ if [[ $tests == ON ]]; then
     -DLIMPID_ENABLE_PARAVIEW=OFF -DLIMPID_BUILD_TESTING=OFF -DLIMPID_ENABLE_CUDA=OFF -DVTK_DIR="$vtk" "${configure[@]}"
   cmake --build "$build/vtk"
   python_path="$(ls -d "$build"/vtk/lib/python3*/*-packages | tail -1)"
-  configure+=(-DLIMPID_PYTHON_PATH="$python_path")
+  configure+=(-DLIMPID_PYTHON_PATH="$python_path" -DLIMPID_VTK_BUILD="$build/vtk")
   # No test needs code for every GPU there is.
   configure+=(-DLIMPID_BUILD_TESTING=ON -DCMAKE_CUDA_ARCHITECTURES="75;90")
 elif [[ ! -f "$build/CMakeCache.txt" ]]; then

@@ -39,7 +39,7 @@ check_format()
     echo "The layout is not checked: it is that of clang-format $layout_version, here is $version."
     return
   fi
-  find cuda Filters Plugin Representations Testing -name '*.h' -print0 -o -name '*.cxx' -print0 |
+  find Documentation cuda Filters Plugin Representations Testing -name '*.h' -print0 -o -name '*.cxx' -print0 |
     xargs -0 "$formatter" --dry-run -Werror
 }
 
