@@ -33,10 +33,6 @@ function (limpid_add_warnings)
   target_compile_options(limpid_vtk_warnings
     INTERFACE
       "$<${gnuLike}:-Wall;-Wextra;-Wshadow>")
-  # Loops carry hints for GCC's vectoriser, which other compilers may pass over.
-  target_compile_options(limpid_vtk_warnings
-    INTERFACE
-      "$<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wno-unknown-pragmas>")
   if (LIMPID_WARNINGS_AS_ERRORS)
     target_compile_options(limpid_vtk_warnings
       INTERFACE

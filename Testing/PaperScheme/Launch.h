@@ -18,8 +18,21 @@ namespace limpid::reference
 #define LIMPID_FLATTEN
 #endif
 
-/// body(index) for every index in [begin, end).
+/// body(index) for every index in [begin, end). Clang joins bodies to a lambda, GCC to a version.
 template <class Body>
+#if defined(__clang__)
+void RunRange(const Body& body, Index begin, Index end)
+{
+  RunMultiversioned(
+    [&body, begin, end]() LIMPID_INLINE_LAMBDA LIMPID_FLATTEN
+    {
+      for (Index index = begin; index < end; ++index)
+      {
+        body(index);
+      }
+    });
+}
+#else
 LIMPID_MULTIVERSION LIMPID_FLATTEN void RunRange(const Body& body, Index begin, Index end)
 {
   for (Index index = begin; index < end; ++index)
@@ -27,6 +40,7 @@ LIMPID_MULTIVERSION LIMPID_FLATTEN void RunRange(const Body& body, Index begin, 
     body(index);
   }
 }
+#endif
 
 /// body(index) for every index in [0, count), in parallel and in any order.
 template <class Body>

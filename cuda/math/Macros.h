@@ -23,4 +23,11 @@
 #define LIMPID_INLINE inline
 #endif
 
+/// Marks a lambda as such, after its parameters.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define LIMPID_INLINE_LAMBDA __attribute__((always_inline))
+#else
+#define LIMPID_INLINE_LAMBDA
+#endif
+
 #endif

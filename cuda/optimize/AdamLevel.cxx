@@ -45,14 +45,18 @@ struct StepAndChange
 };
 
 template <class Voxel>
-LIMPID_MULTIVERSION void StepRange(const Voxel& body, Index begin, Index end)
+void StepRange(const Voxel& body, Index begin, Index end)
 {
-  const Voxel voxel = body;
-#pragma GCC ivdep
-  for (Index i = begin; i < end; ++i)
-  {
-    voxel(i);
-  }
+  RunMultiversioned(
+    [&body, begin, end]() LIMPID_INLINE_LAMBDA
+    {
+      const Voxel voxel = body;
+      LIMPID_IVDEP
+      for (Index i = begin; i < end; ++i)
+      {
+        voxel(i);
+      }
+    });
 }
 
 /// A step in [begin, end), in vector registers. Returns the sum of the changes [1/length].

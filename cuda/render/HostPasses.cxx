@@ -24,23 +24,21 @@ constexpr int tilesAtATime = 8; ///< along a row: they read the same nodes
 using HostPixel = Pixel<BlockSampler::Optical>;
 using TraceOneRay = void (*)(const RayScene&, const Ray&, HostPixel&);
 
-#define LIMPID_TRACE(name, compositing, lit, overlaid)                                             \
-  LIMPID_MULTIVERSION void name(const RayScene& scene, const Ray& ray, HostPixel& pixel)           \
-  {                                                                                                \
-    TraceAs<Compositing::compositing, BlockSampler, lit, overlaid>(scene, ray, pixel);             \
-  }
-#define LIMPID_TRACE_ALL(compositing)                                                              \
-  LIMPID_TRACE(Plain##compositing, compositing, false, false)                                      \
-  LIMPID_TRACE(Overlaid##compositing, compositing, false, true)                                    \
-  LIMPID_TRACE(Lit##compositing, compositing, true, false)                                         \
-  LIMPID_TRACE(LitOverlaid##compositing, compositing, true, true)                                  \
-  constexpr TraceOneRay all##compositing[2][2] = { { Plain##compositing, Overlaid##compositing },  \
-    { Lit##compositing, LitOverlaid##compositing } };
-LIMPID_TRACE_ALL(FrontToBack)
-LIMPID_TRACE_ALL(FromObject)
-LIMPID_TRACE_ALL(ImportanceMean)
-#undef LIMPID_TRACE_ALL
-#undef LIMPID_TRACE
+template <Compositing compositing, bool lit, bool overlaid>
+void Trace(const RayScene& scene, const Ray& ray, HostPixel& pixel)
+{
+  RunMultiversioned([&]() LIMPID_INLINE_LAMBDA
+    { TraceAs<compositing, BlockSampler, lit, overlaid>(scene, ray, pixel); });
+}
+
+template <Compositing compositing>
+TraceOneRay TraceBy(bool lit, bool overlaid)
+{
+  constexpr TraceOneRay all[2][2] = { { Trace<compositing, false, false>,
+                                        Trace<compositing, false, true> },
+    { Trace<compositing, true, false>, Trace<compositing, true, true> } };
+  return all[lit][overlaid];
+}
 
 TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
 {
@@ -49,25 +47,21 @@ TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
   switch (compositing)
   {
     case Compositing::FromObject:
-      return allFromObject[lit][overlaid];
+      return TraceBy<Compositing::FromObject>(lit, overlaid);
     case Compositing::ImportanceMean:
-      return allImportanceMean[lit][overlaid];
+      return TraceBy<Compositing::ImportanceMean>(lit, overlaid);
     case Compositing::FrontToBack:
       break;
   }
-  return allFrontToBack[lit][overlaid];
+  return TraceBy<Compositing::FrontToBack>(lit, overlaid);
 }
 
-using GatherOneRay = RayImportance (*)(const RayScene&, const Ray&);
-
-#define LIMPID_GATHER(name, overlaid)                                                              \
-  LIMPID_MULTIVERSION RayImportance name(const RayScene& scene, const Ray& ray)                    \
-  {                                                                                                \
-    return TraceMissed<BlockSampler, overlaid>(scene, ray);                                        \
-  }
-LIMPID_GATHER(GatherPlain, false)
-LIMPID_GATHER(GatherOverlaid, true)
-#undef LIMPID_GATHER
+template <bool overlaid>
+RayImportance Gather(const RayScene& scene, const Ray& ray)
+{
+  return RunMultiversioned(
+    [&]() LIMPID_INLINE_LAMBDA { return TraceMissed<BlockSampler, overlaid>(scene, ray); });
+}
 
 /// Pixels from (left, bottom) to (right - 1, top - 1).
 struct Tile
@@ -114,12 +108,15 @@ void ForTiles(const PictureRays& rays, const Action& action)
 }
 
 /// Moves the beginnings of RayLanes::count rays to where they may meet anything.
-LIMPID_MULTIVERSION
 void SkipEmptyFronts(const BrickDistances& bricks, Ray* rays)
 {
-  const RayLanes lanes(rays);
   std::int32_t begins[RayLanes::count];
-  BrickWalk<RayLanes>(bricks, lanes).SkipEmpty(lanes.begin).Store(begins);
+  RunMultiversioned(
+    [&]() LIMPID_INLINE_LAMBDA
+    {
+      const RayLanes lanes(rays);
+      BrickWalk<RayLanes>(bricks, lanes).SkipEmpty(lanes.begin).Store(begins);
+    });
   for (int i = 0; i < RayLanes::count; ++i)
   {
     rays[i].begin = begins[i];
@@ -160,7 +157,7 @@ void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays, Compo
 void PaintMissed(
   HostDevice&, const RayScene& scene, const PictureRays& rays, const MissedPaint& paint)
 {
-  const GatherOneRay gather = scene.overlay ? GatherOverlaid : GatherPlain;
+  const auto gather = scene.overlay ? Gather<true> : Gather<false>;
   ForTiles(rays,
     [&](const Tile& tile)
     {

@@ -57,51 +57,63 @@ namespace detail
 {
 /// Calls step(ray, column) for all columns of a row.
 template <class Step>
-LIMPID_MULTIVERSION void StepThroughLayer(const RayRow& row, const Step& step)
+void StepThroughLayer(const RayRow& row, const Step& step)
 {
-  const RayRow rays = row; // copies: nothing that a step writes can be part of them
-  const Step body = step;
-  const Range<int> through = rays.Through();
-  const Range<int> clipped[2] = { { rays.columns.begin, through.begin },
-    { through.end, rays.columns.end } };
-  for (const Range<int>& part : clipped)
-  {
-    for (int i = part.begin; i < part.end; ++i)
+  RunMultiversioned(
+    [&row, &step]() LIMPID_INLINE_LAMBDA
     {
-      body(rays.template At<Passage::Clipped>(i), i);
-    }
-  }
-#pragma GCC ivdep
-  for (int i = through.begin; i < through.end; ++i)
-  {
-    body(rays.template At<Passage::Through>(i), i);
-  }
+      const RayRow rays = row; // copies: nothing that a step writes can be part of them
+      const Step body = step;
+      const Range<int> through = rays.Through();
+      const Range<int> clipped[2] = { { rays.columns.begin, through.begin },
+        { through.end, rays.columns.end } };
+      for (const Range<int>& part : clipped)
+      {
+        for (int i = part.begin; i < part.end; ++i)
+        {
+          body(rays.template At<Passage::Clipped>(i), i);
+        }
+      }
+      LIMPID_IVDEP
+      for (int i = through.begin; i < through.end; ++i)
+      {
+        body(rays.template At<Passage::Through>(i), i);
+      }
+    });
 }
 
 /// Calls step(ray, column) for all columns of a row, all of which are taken to pass in one way.
 template <Passage passage, class Step>
-LIMPID_MULTIVERSION void StepAllAs(const RayRow& row, const Step& step)
+void StepAllAs(const RayRow& row, const Step& step)
 {
-  const RayRow rays = row;
-  const Step body = step;
-#pragma GCC ivdep
-  for (int i = rays.columns.begin; i < rays.columns.end; ++i)
-  {
-    body(rays.template At<passage>(i), i);
-  }
+  RunMultiversioned(
+    [&row, &step]() LIMPID_INLINE_LAMBDA
+    {
+      const RayRow rays = row;
+      const Step body = step;
+      LIMPID_IVDEP
+      for (int i = rays.columns.begin; i < rays.columns.end; ++i)
+      {
+        body(rays.template At<passage>(i), i);
+      }
+    });
 }
 
 /// Calls step(column) for some columns.
 template <class Step>
-LIMPID_MULTIVERSION void StepAlongRow(const Range<int>& columns, const Step& step)
+void StepAlongRow(const Range<int>& columns, const Step& step)
 {
-  const Step body = step;
-  const int end = columns.end;
-#pragma GCC ivdep
-  for (int i = columns.begin; i < end; ++i)
-  {
-    body(i);
-  }
+  RunMultiversioned(
+    [&columns, &step]() LIMPID_INLINE_LAMBDA
+    {
+      const Step body = step;
+      const int end = columns.end;
+      LIMPID_IVDEP
+      for (int i = columns.begin; i < end; ++i)
+      {
+        body(i);
+      }
+    });
 }
 }
 

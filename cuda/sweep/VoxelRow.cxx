@@ -70,7 +70,7 @@ void SeeRow(const RayImageRows& images, const BetweenRows& row, const Range<int>
   const RowsAbout own(images, row);
   float* __restrict transmittance = out.transmittance;
   float* __restrict behind = out.behind;
-#pragma GCC ivdep
+  LIMPID_IVDEP
   for (int i = columns.begin; i < columns.end; ++i)
   {
     float passed = 0;
@@ -91,7 +91,7 @@ void SeeRows(const RayImageRows& images, const std::array<BetweenRows, 3>& rows,
   const RowsAbout after(images, rows[2]);
   float* __restrict transmittance = out.transmittance;
   float* __restrict behind = out.behind;
-#pragma GCC ivdep
+  LIMPID_IVDEP
   for (int i = columns.begin; i < columns.end; ++i)
   {
     float passed = 0;
