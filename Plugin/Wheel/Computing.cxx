@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Computing.h"
+
+#include "backend/Interruption.h"
+
+#include <nanobind/nanobind.h>
+
+namespace nb = nanobind;
+
+namespace limpid::python
+{
+namespace
+{
+// Python calls handlers of signals when it is asked to, and in its main thread alone.
+bool GoOn()
+{
+  const nb::gil_scoped_acquire acquired;
+  return PyErr_CheckSignals() == 0;
+}
+
+// Returns whether it came to its end.
+bool Compute(const std::function<void()>& compute)
+{
+  const nb::gil_scoped_release released;
+  try
+  {
+    const Interruptible interruptible(GoOn);
+    compute();
+    return true;
+  }
+  catch (const Interrupted&)
+  {
+    return false;
+  }
+}
+}
+
+void ComputeBesidePython(const std::function<void()>& compute)
+{
+  if (!Compute(compute))
+  {
+    throw nb::python_error(); // the one that the handler raised
+  }
+}
+}

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_wheel_Computing_h
+#define limpid_wheel_Computing_h
+
+#include <functional>
+
+namespace limpid::python
+{
+/**
+ * Calls a function that computes and touches nothing of Python's, while other threads of Python
+ * run. A signal whose handler raises an exception, as Ctrl-C does, ends it: the exception goes on
+ * from here.
+ */
+void ComputeBesidePython(const std::function<void()>& compute);
+}
+
+#endif

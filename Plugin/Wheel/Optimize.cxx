@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Arrays.h"
+#include "Bindings.h"
+#include "Computing.h"
+
+#include "optimize/Solver.h"
+#include "viewpoint/Concurrent.h"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+#include <memory>
+#include <optional>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace limpid::python
+{
+namespace
+{
+// What is to be optimised, and how.
+struct Run
+{
+  Run(const Grid& grid, const Field& extinction, const Field& importance, float majorant)
+    : scene{ grid, extinction.data(), importance.data(), majorant }
+  {
+  }
+
+  SceneFields scene;
+  Camera camera;
+  Light light;
+  Settings settings;
+  std::optional<Guide> guide; ///< with it, the camera moves, too
+  Progress progress;
+
+  ConcurrentResult Solve() const
+  {
+    if (this->guide)
+    {
+      return OptimizeConcurrently(
+        this->scene, this->camera, this->light, this->settings, *this->guide, this->progress);
+    }
+    ConcurrentResult result;
+    result.camera = this->camera;
+    result.solver =
+      std::make_unique<Solver>(this->scene, this->camera, this->light, this->settings);
+    result.solver->Run(this->progress);
+    return result;
+  }
+};
+
+// A callable of Python's, which returns false to stop, as the core calls it.
+Progress ToProgress(const nb::object& callable)
+{
+  if (callable.is_none())
+  {
+    return {};
+  }
+  return [&callable](double share, const std::string& text)
+  {
+    const nb::gil_scoped_acquire acquired;
+    return !callable(share, text).equal(nb::bool_(false));
+  };
+}
+
+// A row per iteration, in the order of CONVERGENCE in optimization.py.
+nb::list RowsOf(const std::vector<IterationRecord>& history)
+{
+  nb::list rows;
+  for (const IterationRecord& record : history)
+  {
+    const Energy& energy = record.energy;
+    const Score& score = record.score;
+    rows.append(nb::make_tuple(record.iteration, record.level, energy.Total(),
+      energy.regularization, energy.view, energy.light, score.visibility, score.fraction,
+      score.sacrificed, record.seconds));
+  }
+  return rows;
+}
+
+nb::dict ResultsOf(const Solver& solver, const Camera& camera)
+{
+  nb::dict results;
+  const Score base = solver.BaseScore();
+  const Score best = solver.BestScore();
+  results["visibility_score"] = best.visibility;
+  results["base_visibility_score"] = base.visibility;
+  results["visible_fraction"] = best.fraction;
+  results["base_visible_fraction"] = base.fraction;
+  results["sacrificed_fraction"] = best.sacrificed;
+  results["energy"] = solver.BestEnergy().Total();
+  results["iterations"] = solver.Iterations();
+  results["settled"] = solver.Settled();
+  results["seconds"] = solver.Seconds();
+  results["backend"] = solver.BackendName();
+  results["convergence"] = RowsOf(solver.History());
+  results["camera_position"] = ToTriple(camera.position);
+  results["camera_view_up"] = ToTriple(camera.viewUp);
+  return results;
+}
+
+nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& importance,
+  float majorant, const Camera& camera, const Light& light, const Settings& settings,
+  std::optional<Guide> guide, const nb::object& progress)
+{
+  Run run(grid, extinction, importance, majorant);
+  run.camera = camera;
+  run.light = light;
+  run.settings = settings;
+  run.guide = guide;
+  run.progress = ToProgress(progress);
+  ConcurrentResult found;
+  ComputeBesidePython(
+    [&]
+    {
+      found = run.Solve();
+      found.solver->BestScore(); // which may take a sweep
+    });
+
+  nb::dict results = ResultsOf(*found.solver, found.camera);
+  std::vector<float> forCamera;
+  std::vector<float> forLight; // empty: there is none
+  ComputeBesidePython(
+    [&]
+    {
+      std::array<FoundExtinction, 2> taken = found.solver->TakeExtinctions();
+      forCamera = taken[0].Take();
+      forLight = taken[1].Take();
+    });
+  results["extinction"] = ToNumpy(std::move(forCamera));
+  if (!forLight.empty())
+  {
+    results["light_extinction"] = ToNumpy(std::move(forLight));
+  }
+  return results;
+}
+}
+
+void BindOptimize(nb::module_& module)
+{
+  module.def("optimize", Optimize, "grid"_a, "extinction"_a.noconvert(), "importance"_a.noconvert(),
+    "majorant"_a, "camera"_a, "light"_a, "settings"_a, "guide"_a.none(), "progress"_a.none());
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Arrays.h"
+#include "Bindings.h"
+
+#include "scene/Grid.h"
+#include "scene/RaySource.h"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace limpid::python
+{
+namespace
+{
+// `direction`: a world direction for each axis of the grid.
+void MakeGrid(Grid* grid, const std::array<int, 3>& nodes, const Triple& origin,
+  const Triple& spacing, const std::array<Triple, 3>& direction)
+{
+  new (grid) Grid();
+  grid->nodes = { nodes[0], nodes[1], nodes[2] };
+  grid->origin = ToVec3(origin);
+  grid->spacing = ToVec3(spacing);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid->direction[axis] = ToVec3(direction[std::size_t(axis)]);
+  }
+  grid->Require();
+}
+
+// `light`: with a focal point it is directional.
+void MakeLight(Light* light, const Triple& position, const std::optional<Triple>& focalPoint)
+{
+  new (light) Light();
+  light->position = ToVec3(position);
+  if (focalPoint)
+  {
+    light->type = LightType::Directional;
+    light->focalPoint = ToVec3(*focalPoint);
+  }
+}
+}
+
+void BindScene(nb::module_& module)
+{
+  nb::class_<Grid>(module, "Grid")
+    .def("__init__", MakeGrid, "nodes"_a, "origin"_a, "spacing"_a, "direction"_a);
+  nb::class_<Camera>(module, "Camera")
+    .def(
+      "__init__",
+      [](Camera* camera, const Triple& position, const Triple& focalPoint, const Triple& viewUp,
+        double viewAngle, bool parallel, double parallelScale, double aspect)
+      {
+        new (camera) Camera{ ToVec3(position), ToVec3(focalPoint), ToVec3(viewUp), viewAngle,
+          parallel, parallelScale, aspect, {} };
+      },
+      "position"_a, "focal_point"_a, "view_up"_a, "view_angle"_a, "parallel_projection"_a,
+      "parallel_scale"_a, "aspect_ratio"_a);
+  nb::class_<Light>(module, "Light")
+    .def("__init__", MakeLight, "position"_a, "focal_point"_a.none());
+}
+}

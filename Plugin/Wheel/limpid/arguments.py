@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Checks of arguments. A message says what is wrong (why it matters) and what to do."""
+
+import math
+import operator
+import reprlib
+
+
+def number(name, value, why, advice):
+    """`value` as a finite float. `why` and `advice` complete the message of the ValueError."""
+    try:
+        result = float(value)
+    except (TypeError, ValueError):
+        result = math.nan
+    if not math.isfinite(result):
+        raise ValueError(f"{name} is {reprlib.repr(value)} ({why}). {advice}")
+    return result
+
+
+def number_between(name, value, least, most, why, advice):
+    """`value` as a float in [least, most]."""
+    result = number(name, value, why, advice)
+    if not least <= result <= most:
+        raise ValueError(f"{name} is {result:g} ({why}). {advice}")
+    return result
+
+
+def whole_number(name, value, least, most, why, advice):
+    """`value` as an int in [least, most]."""
+    try:
+        result = operator.index(value)
+    except TypeError:
+        result = None
+    if result is None or not least <= result <= most:
+        raise ValueError(f"{name} is {reprlib.repr(value)} ({why}). {advice}")
+    return result
+
+
+def vector(name, value, why):
+    """`value` as a tuple of three finite floats."""
+    advice = "Give three finite numbers, like (1, 2, 3)."
+    try:
+        parts = tuple(value)
+    except TypeError:
+        parts = ()
+    if len(parts) != 3:
+        raise ValueError(f"{name} is {reprlib.repr(value)} ({why}). {advice}")
+    return tuple(number(name, part, why, advice) for part in parts)
+
+
+def choice(name, value, enumeration):
+    """The member of an enumeration of the core that has this name."""
+    members = enumeration.__members__
+    if value not in members:
+        raise ValueError(f"{name} is {value!r} (there is no such choice). "
+                         f"Choose one of {', '.join(map(repr, members))}.")
+    return members[value]

@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Finds the extinction that makes what is important visible."""
+
+import dataclasses
+
+import numpy as np
+
+from . import _core
+from .arguments import choice
+from .scene import scene_of
+from .settings import Settings
+from .views import Camera, camera_of, light_of
+
+#: A row of Optimization.convergence, in the order of RowsOf in Optimize.cxx.
+CONVERGENCE = np.dtype([
+    ("iteration", int), ("level", int), ("energy", float), ("regularization_energy", float),
+    ("view_energy", float), ("light_energy", float), ("visibility_score", float),
+    ("visible_fraction", float), ("sacrificed_fraction", float), ("seconds", float)])
+
+
+@dataclasses.dataclass(frozen=True, repr=False)
+class Optimization:
+    """What optimize has found. Arrays have the shape and the order in memory of the input."""
+
+    extinction: np.ndarray  #: for the camera, in joint mode also for the light [1/length]
+    light_extinction: np.ndarray  #: for the light, in separate mode; else None [1/length]
+    camera: Camera  #: as used; with optimize_viewpoint where it came to
+    unit_distance: float  #: of opacities [length]
+    visibility_score: float  #: S of Eq. (32) [length^2]
+    base_visibility_score: float  #: S of the base extinction [length^2]
+    visible_fraction: float  #: share of the important matter whose light reaches the camera [0, 1]
+    base_visible_fraction: float  #: of the base extinction [0, 1]
+    sacrificed_fraction: float  #: share of the important matter that was removed [0, 1]
+    energy: float  #: Eq. (21), in world units [length^2]
+    iterations: int
+    settled: bool  #: another iteration would change next to nothing; else there was a limit
+    seconds: float
+    backend: str  #: what computed: "CPU, 2 threads"
+    convergence: np.ndarray  #: one row per iteration, of type CONVERGENCE, the first is the base's
+
+    def opacity(self, unit_distance=None):
+        """Opacity of the extinction on one unit distance, 1 - exp(-extinction * distance), for
+        volume renderers that want opacities; an array like `extinction`, in [0, 1].
+
+        unit_distance: [length]; None: the one of the scene.
+        """
+        distance = self.unit_distance if unit_distance is None else unit_distance
+        opacity = np.multiply(self.extinction, np.float32(-distance))
+        np.expm1(opacity, out=opacity)
+        return np.negative(opacity, out=opacity)
+
+    def __repr__(self):
+        return (f"<limpid.Optimization of {' x '.join(map(str, self.extinction.shape))} points: "
+                f"{100 * self.base_visible_fraction:.1f} % of what is important visible before, "
+                f"{100 * self.visible_fraction:.1f} % after, "
+                f"{100 * self.sacrificed_fraction:.1f} % removed; "
+                f"S {self.base_visibility_score:.6g} before, {self.visibility_score:.6g} after; "
+                f"{self.iterations} iterations in {self.seconds:.2f} s on {self.backend}>")
+
+
+def optimize(volume=None, *, scalars=None, importance=None, importance_function=None,
+             extinction=None, extinction_function=None, opacity_function=None, unit_distance=None,
+             spacing=None, origin=None, direction=None, camera=None, light=None,
+             optimize_viewpoint=False, viewpoint_guide="proxy", progress=None, **settings):
+    """Finds the extinction that minimises Eq. (21) for one camera and one light.
+
+    Arrays have one number per point, shape (X, Y, Z), indexed [x, y, z]; those of images may be
+    flat, x fastest, as VTK has them. Arrays of float32 are used where they are if their memory has
+    no gaps and both have the same order of axes, whichever that is (Fortran's and VTK's, C's); of
+    others there is one copy in float32, and functions make one array each. A point with NaN,
+    infinity or a negative extinction is taken as empty, and importance is moved into [0, 1], with a
+    warning.
+
+    volume: an image of PyVista's or VTK's, or an array of scalars; None where `extinction` and
+        `importance` are arrays.
+    scalars: an array, or the name of one of the image's; None: `volume`, or its active scalars.
+    importance: the same for the importance; None: the image's array "Importance", or with
+        `importance_function` the scalars.
+    importance_function: nodes [value, importance] that map `importance` to [0, 1].
+    extinction: an array of the base extinction, or a name [1/length].
+    extinction_function: nodes [scalar, extinction], in place of `extinction` [1/length].
+    opacity_function: nodes [scalar, opacity on one unit distance], in place of both. None of the
+        three: a straight line from 0 to 1 over the range of the scalars.
+    unit_distance: of opacities [length]; None: the mean length of a cell.
+    spacing, origin, direction: of an array's points, see PyVista's ImageData; spacings 1, origin 0,
+        a matrix (3, 3) whose columns are the directions of the axes; an image has its own.
+    camera: a limpid.Camera, a camera of PyVista, (position, focal point, view up), or a mapping
+        with these names; None: on the z axis, where Reset Camera puts a new one.
+    light: a limpid.Light, a light of PyVista, or its position; None: above the camera.
+    optimize_viewpoint: move the camera on the sphere round its focal point, too (Section 3.4).
+    viewpoint_guide: what tells the way: "proxy", or "coupled": the extinction found last.
+    progress: called after every iteration with the share of the work that is done and a text;
+        stops with the best so far if it returns False.
+    settings: members of limpid.Settings by name, such as view_weight=20.
+
+    Returns an Optimization. Raises ValueError for data and settings that cannot be worked with,
+    TypeError for names that there are not. Ctrl-C ends it.
+    """
+    core_settings = Settings.of(settings).in_core()
+    guide = choice("viewpoint_guide", viewpoint_guide, _core.ViewpointGuide)
+    scene = scene_of(volume, scalars, importance, importance_function, extinction,
+                     extinction_function, opacity_function, unit_distance, spacing, origin,
+                     direction)
+    view = camera_of(camera, scene.grid)
+    lamp = light_of(light, view)
+    found = _core.optimize(*scene.in_core(), scene.majorant, view.in_core(), lamp.in_core(view),
+                           core_settings, guide if optimize_viewpoint else None, progress)
+
+    def as_given(values):
+        return None if values is None else scene.layout.shaped(values, scene.grid.shape)
+
+    view = dataclasses.replace(view, position=found.pop("camera_position"),
+                               view_up=found.pop("camera_view_up"))
+    return Optimization(extinction=as_given(found.pop("extinction")),
+                        light_extinction=as_given(found.pop("light_extinction", None)),
+                        camera=view, unit_distance=scene.unit_distance,
+                        convergence=np.array(found.pop("convergence"), dtype=CONVERGENCE), **found)

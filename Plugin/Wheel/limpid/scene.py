@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""What is to be optimised or searched: a base extinction and an importance over a grid."""
+
+import dataclasses
+import math
+
+import numpy as np
+
+from .fields import Layout, converted, corrected, mapped
+from .functions import ExtinctionOfOpacity, PiecewiseLinear
+from .grid import Grid
+from .volume import Volume
+
+
+@dataclasses.dataclass(frozen=True)
+class Scene:
+    """Fields of shape grid.shape, float32, in the layout."""
+
+    grid: Grid
+    layout: Layout
+    base_extinction: np.ndarray  #: >= 0 [1/length]
+    importance: np.ndarray  #: [0, 1]
+    majorant: float  #: upper bound of Eq. (25), of the function; 0: that of the data [1/length]
+    unit_distance: float  #: of opacities [length]
+
+    def in_core(self):
+        """Grid, base extinction and importance as the core takes them; the arrays are views."""
+        return (self.grid.in_core(self.layout.order), self.layout.flat(self.base_extinction),
+                self.layout.flat(self.importance))
+
+    def largest_extinction(self):
+        """The majorant of Eq. (25) [1/length]; 0 where nothing absorbs."""
+        largest = float(self.base_extinction.max())
+        return max(largest, self.majorant) if largest > 0 else 0.0
+
+
+def unit_distance_of(given, grid):
+    """The distance on which opacities hold [length]."""
+    if given is None:
+        return grid.cell_length()
+    if not (isinstance(given, (int, float, np.number)) and 0 < given < math.inf):
+        raise ValueError(f"unit_distance is {given!r} (opacity is light lost on a distance). Give "
+                         "a length above zero, or None for the mean length of a cell.")
+    return float(given)
+
+
+def extinction_function_of(extinction_function, opacity_function, unit_distance):
+    """The extinction of a scalar [1/length]; None: neither function is given."""
+    if extinction_function is not None and opacity_function is not None:
+        raise ValueError("extinction_function and opacity_function are given (each tells the "
+                         "extinction of a scalar). Give one of them.")
+    if extinction_function is not None:
+        return PiecewiseLinear("extinction_function", extinction_function)
+    if opacity_function is not None:
+        opacity = PiecewiseLinear("opacity_function", opacity_function, most=1.0)
+        return ExtinctionOfOpacity(opacity, unit_distance)
+    return None
+
+
+def ramp_of(scalars, unit_distance):
+    """The filters' default: opacities on a straight line from 0 to 1 over the finite scalars."""
+    finite = np.isfinite(scalars)
+    low = float(scalars.min(where=finite, initial=np.inf))
+    high = float(scalars.max(where=finite, initial=-np.inf))
+    nodes = [[low, 0.0], [high, 1.0]] if high > low else [[0.0, 0.0]]
+    return ExtinctionOfOpacity(PiecewiseLinear("opacity_function", nodes), unit_distance)
+
+
+def scene_of(volume, scalars=None, importance=None, importance_function=None, extinction=None,
+             extinction_function=None, opacity_function=None, unit_distance=None, spacing=None,
+             origin=None, direction=None):
+    """A Scene from the arguments that optimize documents. Raises ValueError."""
+    source = Volume(volume, [scalars, extinction, importance], spacing, origin, direction)
+    distance = unit_distance_of(unit_distance, source.grid)
+    function = extinction_function_of(extinction_function, opacity_function, distance)
+    if extinction is not None and function is not None:
+        raise ValueError("extinction and a function of the scalars are given (both tell the base "
+                         "extinction). Give one of them.")
+
+    own_extinction = extinction is not None
+    mu = source.field("extinction", extinction) if own_extinction else \
+        source.field("scalar", scalars)
+    if importance_function is not None and importance is None:
+        g = source.field("scalar", scalars)
+    else:
+        g = source.field("importance", importance, "Importance")
+    layout = Layout.for_all([mu, g])
+
+    majorant = function.largest() if function else 0.0
+    if own_extinction:
+        mu = converted(mu, layout)
+    else:
+        mu = mapped(mu, function or ramp_of(mu, distance), layout)
+    if importance_function is None:
+        g = converted(g, layout)
+    else:
+        g = mapped(g, PiecewiseLinear("importance_function", importance_function, -math.inf,
+                                      math.inf), layout)
+    mu, g = corrected(mu, g, layout)
+    return Scene(source.grid, layout, mu, g, majorant, distance)

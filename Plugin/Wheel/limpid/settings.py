@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""How the extinction is optimised."""
+
+import dataclasses
+import difflib
+import reprlib
+
+from . import _core
+from .arguments import choice
+
+#: Settings that are one of several words, and the enumeration of the core that has them.
+CHOICES = {"method": _core.Method, "mode": _core.Mode, "solver": _core.Solver,
+           "derivative": _core.Derivative, "importance_smoothing": _core.ImportanceSmoothing,
+           "backend": _core.Backend}
+
+
+@dataclasses.dataclass(frozen=True)
+class Settings:
+    """What optimize takes beside the scene: names, defaults and ranges are those of the filter
+    vtkExtinctionOptimizer, whose documentation says more.
+
+    Weights are dimensionless, not below zero, and belong to normalised coordinates.
+    """
+
+    view_weight: float = 10.0  #: q of Eq. (23); 0 leaves the view as it is
+    light_weight: float = 1.0  #: r of Eq. (24); 0 leaves the light as it is
+    regularization_weight: float = 1e-3  #: p of Eq. (22)
+    mode: str = "joint"  #: one extinction for camera and light, or "separate": one for each
+    solver: str = "policy"  #: policy sweeps, or "adam": the paper's, coarse to fine
+    maximum_iterations: int = 8  #: of the policy solver
+    iterations_per_level: tuple = (32, 32, 64)  #: of Adam: quarter, half, full resolution
+    learning_rate: float = 0.05  #: of Adam (0, 1] [majorant]
+    tolerance: float = 1e-3  #: stop when the mean change of an iteration is below [majorant]
+    maximum_seconds: float = 0.0  #: stop after; 0: no limit [s]
+    derivative: str = "volume"  #: exact, or "ray": Eqs. (19)-(20) as printed
+    ray_density: float = 1.0  #: rays per voxel and axis on the farthest slice [0.1, 16]
+    skip_unneeded: bool = True  #: leave out what provably cannot change the result
+    restrict_to_view: bool = False  #: count only what the picture shows
+    protect_importance: float = 0.0  #: share of it that may not be removed [0, 1]
+    importance_smoothing: str = "off"  #: or "median": without specks
+    smoothness: float = 0.0  #: how strongly changes are drawn to their neighbours [0, 10]
+    backend: str = "auto"  #: or "cpu", "cuda": this or an error
+    method: str = "optimized"  #: or "ordinary", "viola_2004", "marchesin_2010", "ament_2017"
+    ament_exponent: float = 1.0  #: lambda of "ament_2017", and so on
+    ament_regularization: float = 1.0
+    ament_occluders: float = 100.0
+    ament_background: float = 0.0
+    ament_light_occluders: float = 100.0
+    ament_light_background: float = 0.0
+    ament_smoothing: int = 1
+
+    @classmethod
+    def of(cls, given):
+        """Settings from keyword arguments. Raises TypeError for a name that there is not."""
+        names = [field.name for field in dataclasses.fields(cls)]
+        for name in given:
+            if name not in names:
+                near = difflib.get_close_matches(name, names, 1)
+                raise TypeError(f"There is no setting {name!r}" +
+                                (f". Did you mean {near[0]!r}?" if near else
+                                 f" (help(limpid.Settings) lists all). Use one of these: "
+                                 f"{', '.join(names)}."))
+        return cls(**given)
+
+    def in_core(self):
+        """The settings as the core has them, whose ranges the core checks. Raises ValueError for a
+        value of another kind."""
+        settings = _core.Settings()
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if field.name in CHOICES:
+                value = choice(field.name, value, CHOICES[field.name])
+            try:
+                setattr(settings, field.name, value)
+            except (TypeError, RuntimeError, OverflowError):
+                raise ValueError(f"{field.name} is {reprlib.repr(value)} (it is of the kind of "
+                                 f"{field.default!r}, its default). Give such a value.") from None
+        return settings

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Cameras and lights, by VTK's conventions, and where they stand when nobody has placed them."""
+
+import collections.abc
+import dataclasses
+import math
+
+import numpy as np
+
+from . import _core
+from .arguments import number, vector
+
+
+@dataclasses.dataclass(frozen=True)
+class Camera:
+    """A camera in world coordinates."""
+
+    position: tuple
+    focal_point: tuple
+    view_up: tuple = (0.0, 1.0, 0.0)
+    view_angle: float = 30.0  #: vertical opening, perspective only [degrees]
+    parallel_projection: bool = False  #: all rays run along the view direction
+    parallel_scale: float = 1.0  #: half the height of the picture, parallel only [length]
+    aspect_ratio: float = 1.0  #: width of the picture over its height, for restrict_to_view
+
+    def __post_init__(self):
+        for name in ("position", "focal_point", "view_up"):
+            value = vector(f"The camera's {name}", getattr(self, name), "it is where rays begin")
+            object.__setattr__(self, name, value)
+        for name in ("view_angle", "parallel_scale", "aspect_ratio"):
+            value = number(f"The camera's {name}", getattr(self, name), "a picture is so large",
+                           "Give a finite number.")
+            object.__setattr__(self, name, value)
+
+    def in_core(self):
+        """The camera as the core has it."""
+        return _core.Camera(self.position, self.focal_point, self.view_up, self.view_angle,
+                            bool(self.parallel_projection), self.parallel_scale,
+                            self.aspect_ratio)
+
+    def axes(self):
+        """Right, up and forward in the picture, and the distance of the focal point [length]."""
+        way = np.subtract(self.focal_point, self.position)
+        distance = np.linalg.norm(way)
+        right = np.cross(way, self.view_up)
+        if not np.linalg.norm(right) > 1e-12 * distance * np.linalg.norm(self.view_up):
+            right = np.cross(way, np.eye(3)[np.argmin(np.abs(way))])  # any will do
+        if not distance > 0:
+            raise ValueError(f"The camera's position and focal_point are {self.position} (it looks "
+                             "in no direction). Move one of the two.")
+        right /= np.linalg.norm(right)
+        forward = way / distance
+        return right, np.cross(right, forward), forward, distance
+
+
+@dataclasses.dataclass(frozen=True)
+class Light:
+    """The light that the extinction is optimised for, in world coordinates."""
+
+    position: tuple
+    directional: bool = False  #: parallel rays, from the position towards the focal point
+    focal_point: tuple = None  #: directional only; None: the camera's
+
+    def __post_init__(self):
+        position = vector("The light's position", self.position, "the light is there")
+        object.__setattr__(self, "position", position)
+
+    def in_core(self, camera):
+        """The light as the core has it."""
+        focal_point = camera.focal_point if self.focal_point is None else self.focal_point
+        return _core.Light(self.position, vector("The light's focal_point", focal_point,
+                                                 "it shines there") if self.directional else None)
+
+
+def members_of(given, names):
+    """What a mapping or an object has of these names. `names`: of members, each with the names by
+    which a mapping or an object may call it."""
+    if isinstance(given, collections.abc.Mapping):
+        return {name: given[key] for name, keys in names.items() for key in keys if key in given}
+    return {name: getattr(given, key) for name, keys in names.items()
+            for key in keys if hasattr(given, key)}
+
+
+def camera_of(given, grid):
+    """A Camera from what a user gives.
+
+    given: a Camera; an object or a mapping with its members, as cameras of PyVista and VTK and
+        scene files are; (position, focal point, view up), as PyVista's camera_position; None: where
+        Reset Camera puts a new one, on the z axis through the volume's centre.
+    """
+    if given is None:
+        centre = grid.centre()
+        return Camera(tuple(centre + [0, 0, grid.radius() / math.sin(math.radians(15))]),
+                      tuple(centre), parallel_scale=grid.radius())
+    if isinstance(given, Camera):
+        return given
+    names = {field.name: (field.name,) for field in dataclasses.fields(Camera)}
+    members = members_of(given, {**names, "view_up": ("up", "view_up")})
+    if "position" not in members and hasattr(given, "__len__") and len(given) == 3:
+        members = dict(zip(("position", "focal_point", "view_up"), given))
+    if "position" not in members or "focal_point" not in members:
+        raise ValueError(f"camera is {given!r} (it has no position and focal_point). Give a "
+                         "limpid.Camera, a camera of PyVista, or (position, focal point, view up).")
+    return Camera(**members)
+
+
+def light_of(given, camera):
+    """A Light from what a user gives.
+
+    given: a Light; its position; an object or a mapping with its members, as lights of PyVista and
+        scene files are; None: 50 degrees above and 10 degrees to the right of the camera, as far
+        from the focal point.
+    """
+    if given is None:
+        return Light(tuple(key_light(camera)))
+    if isinstance(given, Light):
+        return given
+    members = members_of(given, {"position": ("position",), "focal_point": ("focal_point",),
+                                 "directional": ("directional",), "positional": ("positional",)})
+    if "positional" in members:
+        members["directional"] = not members.pop("positional")
+    return Light(**members) if "position" in members else Light(given)
+
+
+def key_light(camera):
+    """Where the key light of ParaView's light kit shines from, (3,) [length]."""
+    right, up, forward, distance = camera.axes()
+    elevation, azimuth = math.radians(50), math.radians(10)
+    level = math.sin(azimuth) * right - math.cos(azimuth) * forward
+    return camera.focal_point + distance * (math.cos(elevation) * level + math.sin(elevation) * up)
+
+
+def clip_to_world(camera, grid, aspect):
+    """The matrix from clip coordinates, each in [-1, 1], near -1, to homogeneous world coordinates,
+    (4, 4), for columns; what lies in front of the camera and in the volume is between near and far.
+
+    aspect: width of the picture over its height.
+    """
+    right, up, forward, _ = camera.axes()
+    middle = float(np.dot(grid.centre() - camera.position, forward))
+    reach = 1.01 * grid.radius()
+    far = max(middle + reach, reach)
+    eye = np.array(camera.position)
+
+    def column(vector3, weight):
+        return np.append(vector3, weight)
+
+    if camera.parallel_projection:
+        near = middle - reach
+        scale = camera.parallel_scale
+        return np.column_stack([column(aspect * scale * right, 0), column(scale * up, 0),
+                                column(0.5 * (far - near) * forward, 0),
+                                column(eye + 0.5 * (far + near) * forward, 1)])
+    # 1 / depth is a straight line between 1 / near and 1 / far.
+    near = max(middle - reach, 1e-3 * far)
+    tangent = math.tan(math.radians(0.5 * camera.view_angle))
+    slope, mean = 0.5 * (1 / far - 1 / near), 0.5 * (1 / far + 1 / near)
+    return np.column_stack([column(aspect * tangent * right, 0), column(tangent * up, 0),
+                            slope * column(eye, 1), column(forward, 0) + mean * column(eye, 1)])
