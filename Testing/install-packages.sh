@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs the Debian packages that building, testing and the demo need, if any is missing.
-#   bash Testing/install-packages.sh
+# Installs the Debian packages that building, testing and the demo need, or those that are named, if
+# any is missing.
+#   bash Testing/install-packages.sh [PACKAGE]...
 
 set -euo pipefail
 
@@ -27,6 +28,9 @@ with_qt5=(qtbase5-dev libqt5opengl5-dev qttools5-dev)
 with_qt6=(qt6-base-dev qt6-tools-dev qt6-5compat-dev)
 with_qt6_and_debians_vtk=(libvtk9-qt-dev)
 
+if (($# > 0)); then
+  packages=("$@")
+fi
 if ! command -v dpkg-query > /dev/null; then
   echo "This is no Debian system: install what ${packages[*]} hold by hand." >&2
   exit 0
@@ -39,29 +43,36 @@ if ((EUID != 0)); then
   as_root=(sudo)
 fi
 
-# What the ParaView that is installed, or would be, was built with decides on the rest.
-if is_installed paraview; then
-  paraview="$(dpkg-query -W -f '${Depends}' paraview)"
-else
-  "${as_root[@]}" apt-get update -q
-  paraview="$(apt-cache show --no-all-versions paraview | grep '^Depends:')"
-fi
-vtk=own
-if [[ "$paraview" =~ libvtk9 ]]; then
-  vtk=debians
-fi
-if [[ $vtk == debians ]]; then
-  packages+=("${with_debians_vtk[@]}")
-else
-  packages+=("${with_own_vtk[@]}")
-fi
-if [[ "$paraview" =~ libqt6 ]]; then
-  packages+=("${with_qt6[@]}")
-  if [[ $vtk == debians ]]; then
-    packages+=("${with_qt6_and_debians_vtk[@]}")
+# What the ParaView that is installed, or would be, was built with decides on some packages.
+add_what_paraview_needs()
+{
+  local paraview vtk=own
+  if is_installed paraview; then
+    paraview="$(dpkg-query -W -f '${Depends}' paraview)"
+  else
+    "${as_root[@]}" apt-get update -q
+    paraview="$(apt-cache show --no-all-versions paraview | grep '^Depends:')"
   fi
-else
-  packages+=("${with_qt5[@]}")
+  if [[ "$paraview" =~ libvtk9 ]]; then
+    vtk=debians
+  fi
+  if [[ $vtk == debians ]]; then
+    packages+=("${with_debians_vtk[@]}")
+  else
+    packages+=("${with_own_vtk[@]}")
+  fi
+  if [[ "$paraview" =~ libqt6 ]]; then
+    packages+=("${with_qt6[@]}")
+    if [[ $vtk == debians ]]; then
+      packages+=("${with_qt6_and_debians_vtk[@]}")
+    fi
+  else
+    packages+=("${with_qt5[@]}")
+  fi
+}
+
+if (($# == 0)); then
+  add_what_paraview_needs
 fi
 
 missing=()

@@ -40,14 +40,14 @@ def whole_number(name, value, least, most, why, advice):
 
 def vector(name, value, why):
     """`value` as a tuple of three finite floats."""
-    advice = "Give three finite numbers, like (1, 2, 3)."
     try:
-        parts = tuple(value)
-    except TypeError:
-        parts = ()
-    if len(parts) != 3:
-        raise ValueError(f"{name} is {reprlib.repr(value)} ({why}). {advice}")
-    return tuple(number(name, part, why, advice) for part in parts)
+        result = tuple(map(float, value))
+    except (TypeError, ValueError):
+        result = ()
+    if len(result) != 3 or not all(map(math.isfinite, result)):
+        raise ValueError(f"{name} is {reprlib.repr(value)} ({why}). Give three finite numbers, "
+                         "like (1, 2, 3).")
+    return result
 
 
 def choice(name, value, enumeration):

@@ -168,7 +168,7 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
 
     camera = {"focal_point": orbit["centre"], **{name: orbit[name] for name in (
         "view_angle", "parallel_projection", "parallel_scale")}}
-    ranked = tuple(Viewpoint(position=position, view_up=view_up, direction=way,
+    ranked = tuple(Viewpoint(position=tuple(position), view_up=tuple(view_up), direction=tuple(way),
                              visibility_score=score, visible_fraction=fraction, **camera)
                    for way, position, view_up, score, fraction in found["viewpoints"])
     samples = found["samples"]

@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What the package says when it cannot work with what it is given: what is wrong (why). What to do.
+
+import unittest
+
+import numpy as np
+
+import limpid
+
+import phantom
+from phantom import COLORS, SCENE
+
+VALUES = phantom.scalars()
+
+
+class Refusals(unittest.TestCase):
+    def assert_refuses(self, function, *words, error=ValueError, **arguments):
+        with self.assertRaises(error) as caught:
+            function(arguments.pop("volume", VALUES), **{**SCENE, **arguments})
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+
+
+class TestOptimizeRefuses(Refusals):
+    def refuses(self, *words, **arguments):
+        self.assert_refuses(limpid.optimize, *words, **arguments)
+
+    def test_volumes_without_volume(self):
+        self.refuses("24 x 20 x 1 points", "at least two", volume=VALUES[:, :, :1])
+        self.refuses("(24, 20)", "three axes", volume=VALUES[:, :, 0])
+        self.refuses("neither a volume", volume=None)
+
+    def test_arrays_that_do_not_fit(self):
+        mu, g = phantom.fields()
+        self.refuses("importance", "(23, 20, 16)", "(24, 20, 16)", importance=g[1:])
+        self.refuses("complex64", importance=g.astype(np.complex64))
+        self.refuses("'density'", "a name", scalars="density")
+        self.refuses("There is no importance", importance_function=None)
+        self.refuses("extinction and a function", extinction=mu)
+
+    def test_functions_that_are_none(self):
+        for nodes in ([], [1, 2], "steep", [[1, 2, 3]], [[0, "a"]]):
+            self.refuses("extinction_function is not a list of nodes", extinction_function=nodes)
+        self.refuses("behind", "order of their values", extinction_function=[[1, 0], [0, 1]])
+        self.refuses("[1.0, -2.0]", extinction_function=[[0, 0], [1, -2]])
+        self.refuses("[0.0, nan]", extinction_function=[[0, np.nan]])
+        self.refuses("[1.0, 1.5]", extinction_function=None, opacity_function=[[0, 0], [1, 1.5]])
+        self.refuses("Give one of them", opacity_function=[[0, 0], [1, 1]])
+        self.refuses("unit_distance is 0", unit_distance=0)
+
+    def test_grids_that_are_none(self):
+        self.refuses("spacing is (1, 2)", spacing=(1, 2))
+        self.refuses("spacing along axis 1 is -1", spacing=(1, -1, 1))  # the core's words
+        self.refuses("(2, 2)", "3 x 3", direction=np.eye(2))
+        self.refuses("not orthonormal", direction=2 * np.eye(3))
+        self.refuses("origin is (0, nan, 0)", origin=(0, np.nan, 0))
+
+    def test_cameras_and_lights_that_are_none(self):
+        self.refuses("camera is 'front'", "focal_point", camera="front")
+        self.refuses("no direction", camera=((1, 2, 3), (1, 2, 3), (0, 0, 1)))
+        self.refuses("The camera's position is (1, 2)", camera=((1, 2), (0, 0, 0), (0, 0, 1)))
+        self.refuses("The light's position", light=3)
+
+    def test_settings_that_are_none(self):
+        self.refuses("'view_weigth'", "'view_weight'", error=TypeError, view_weigth=1)
+        self.refuses("mode is 'both'", "'joint', 'separate'", mode="both")
+        self.refuses("view_weight is 'strong'", "10.0", view_weight="strong")
+        self.refuses("maximum_iterations is 2.5", maximum_iterations=2.5)
+        self.refuses("view weight", "-1", view_weight=-1)  # the core's words
+        self.refuses("viewpoint_guide is 'map'", viewpoint_guide="map")
+
+    def test_a_gpu_that_is_not_there(self):
+        self.refuses("CUDA", backend="cuda")
+
+
+class TestViewpointsRefuses(Refusals):
+    def refuses(self, *words, **arguments):
+        self.assert_refuses(limpid.viewpoints, *words, **arguments)
+
+    def test_searches_that_are_none(self):
+        self.refuses("number_of_directions is 0", number_of_directions=0)
+        self.refuses("number_of_viewpoints is 0", number_of_viewpoints=0)
+        self.refuses("separation_angle is 270", separation_angle=270)
+        self.refuses("camera_distance is 0.5", camera_distance=0.5)
+        self.refuses("camera_view_angle is 180", camera_view_angle=180)
+        self.refuses("camera_focal_point", "radii", camera_focal_point=(50, 0, 0))
+        self.refuses("field is 'all'", "'base_extinction'", field="all")
+        self.refuses("backend is 'gpu'", backend="gpu")
+
+
+class TestRenderRefuses(Refusals):
+    def refuses(self, *words, **arguments):
+        scene = {**SCENE, "color_function": COLORS, **arguments}
+        del scene["importance_function"]
+        with self.assertRaises(ValueError) as caught:
+            limpid.render(VALUES, **scene)
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+
+    def test_pictures_that_are_none(self):
+        self.refuses("color_function is not a list", color_function=[[0, 1]])
+        self.refuses("Divide by 255", color_function=[[0, 255, 0, 0]])
+        self.refuses("width is 0", width=0)
+        self.refuses("sample distance is 0", sample_distance=0)
+        self.refuses("ambient is nan", ambient=np.nan)
+        self.refuses("without extinction", light_extinction=phantom.fields()[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

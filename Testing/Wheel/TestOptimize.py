@@ -1,0 +1,241 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# limpid.optimize on arrays: what comes out, in which order, without copies, and how it ends.
+
+import signal
+import threading
+import unittest
+import warnings
+
+import numpy as np
+
+import limpid
+from limpid.scene import scene_of
+
+import phantom
+from phantom import ORIGIN, SCENE, SHAPE, SPACING, VIEW
+
+
+def optimize(values=None, **arguments):
+    return limpid.optimize(phantom.scalars() if values is None else values,
+                           **{**SCENE, **VIEW, **arguments})
+
+
+class TestResult(unittest.TestCase):
+    def test_shows_more_than_before(self):
+        result = optimize()
+
+        self.assertGreater(result.visibility_score, result.base_visibility_score)
+        self.assertGreater(result.visible_fraction, result.base_visible_fraction)
+        self.assertLessEqual(result.visible_fraction + result.sacrificed_fraction, 1)
+        self.assertTrue(result.settled)
+        self.assertIn("CPU", result.backend)
+
+    def test_keeps_extinction_within_its_bounds(self):
+        result = optimize()
+
+        self.assertEqual(result.extinction.dtype, np.float32)
+        self.assertGreaterEqual(result.extinction.min(), 0)
+        self.assertLessEqual(result.extinction.max(), np.float32(phantom.EXTINCTION[-1][1]))
+
+    def test_tells_every_iteration(self):
+        result = optimize()
+
+        rows = result.convergence
+        self.assertEqual(list(rows["iteration"]), list(range(result.iterations + 1)))
+        self.assertEqual(rows["visibility_score"][0], result.base_visibility_score)
+        self.assertEqual(rows["energy"].min(), result.energy)
+
+    def test_has_opacities_of_a_distance(self):
+        result = optimize()
+
+        for distance in (None, 2.5):
+            length = result.unit_distance if distance is None else distance
+            depth = result.extinction.astype(float) * length
+            # The product and 1 - exp are rounded to single precision; |d opacity| <= |d depth|.
+            bound = phantom.SINGLE * (2 * depth.max() + 4)
+            difference = result.opacity(distance) - -np.expm1(-depth)
+            self.assertLess(np.abs(difference).max(), bound)
+
+    def test_says_in_a_line_what_was_achieved(self):
+        result = optimize()
+
+        self.assertIn(f"{100 * result.visible_fraction:.1f} % after", repr(result))
+        self.assertIn("24 x 20 x 16 points", repr(result))
+
+    def test_has_an_extinction_for_the_light_in_separate_mode(self):
+        self.assertIsNone(optimize().light_extinction)
+        self.assertEqual(optimize(mode="separate").light_extinction.shape, SHAPE)
+
+    def test_settings_count(self):
+        self.assertEqual(optimize(view_weight=0, light_weight=0).visibility_score,
+                         optimize(method="ordinary").visibility_score)
+        self.assertLess(optimize(protect_importance=1).sacrificed_fraction,
+                        optimize().sacrificed_fraction)
+        self.assertEqual(optimize(solver="adam", iterations_per_level=(1, 2, 3)).iterations, 6)
+
+    def test_moves_the_camera_to_where_more_is_seen(self):
+        moved = optimize(optimize_viewpoint=True)
+
+        self.assertGreaterEqual(moved.visibility_score, optimize().visibility_score)
+        self.assertEqual(moved.camera.focal_point, VIEW["camera"]["focal_point"])
+
+
+class TestOrder(unittest.TestCase):
+    def test_results_have_the_shape_and_the_order_of_the_input(self):
+        for order in "FC":
+            result = optimize(phantom.scalars(order))
+
+            self.assertEqual(result.extinction.shape, SHAPE)
+            self.assertTrue(result.extinction.flags[f"{order}_CONTIGUOUS"])
+        turned = phantom.scalars().transpose(2, 0, 1).copy().transpose(1, 2, 0)
+        self.assertEqual(optimize(turned).extinction.strides, turned.strides)
+
+    def test_every_order_of_axes_has_the_same_result(self):
+        fortran = optimize()
+        for axes in ((2, 1, 0), (1, 0, 2), (0, 2, 1), (1, 2, 0), (2, 0, 1)):
+            values = phantom.scalars().transpose(axes).copy("F").transpose(np.argsort(axes))
+            result = optimize(values)
+
+            bound = phantom.rounding_of_sweeps()
+            for name in ("base_visibility_score", "visibility_score", "energy"):
+                one, other = getattr(fortran, name), getattr(result, name)
+                self.assertLess(abs(one - other), bound * abs(one), (axes, name))
+
+    def test_the_box_may_be_turned(self):
+        turn = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]], dtype=float)
+
+        def turned(point):
+            return tuple(turn @ point)
+        camera = {name: turned(value) for name, value in VIEW["camera"].items()}
+        for order in "FC":
+            result = optimize(phantom.scalars(order), direction=turn, origin=turned(ORIGIN),
+                              camera=camera, light=turned(VIEW["light"]))
+
+            # A quarter turn rounds no coordinate.
+            self.assertEqual(result.visibility_score,
+                             optimize(phantom.scalars(order)).visibility_score)
+
+
+class TestArrays(unittest.TestCase):
+    def scene(self, **arrays):
+        return scene_of(None, spacing=SPACING, **arrays)
+
+    def test_dense_arrays_of_single_precision_are_used_where_they_are(self):
+        for order in "FC":
+            mu, g = phantom.fields(order)
+            mu.flags.writeable = g.flags.writeable = False
+            scene = self.scene(extinction=mu, importance=g)
+            _, flat_extinction, flat_importance = scene.in_core()
+
+            self.assertIs(scene.base_extinction, mu)
+            self.assertIs(scene.importance, g)
+            self.assertTrue(np.shares_memory(flat_extinction, mu))
+            self.assertTrue(np.shares_memory(flat_importance, g))
+
+    def test_others_are_converted_and_not_changed(self):
+        expected = limpid.optimize(extinction=phantom.fields()[0], importance=phantom.fields()[1],
+                                   **VIEW)
+        for convert in (lambda array: array.astype(float), lambda array: array.astype(">f4"),
+                        lambda array: np.repeat(array, 2, axis=1)[:, ::2]):
+            mu, g = map(convert, phantom.fields())
+            before = mu.copy(), g.copy()
+            result = limpid.optimize(extinction=mu, importance=g, **VIEW)
+
+            np.testing.assert_array_equal(result.extinction, expected.extinction)
+            np.testing.assert_array_equal((mu, g), before)
+
+    def test_arrays_of_different_orders_go_together(self):
+        mu, g = phantom.fields()
+        result = limpid.optimize(extinction=mu, importance=np.ascontiguousarray(g), **VIEW)
+
+        expected = limpid.optimize(extinction=mu, importance=g, **VIEW)
+        np.testing.assert_array_equal(result.extinction, expected.extinction)
+
+    def test_functions_give_what_their_fields_give(self):
+        mu, g = phantom.fields()
+        result = limpid.optimize(extinction=mu, importance=g, spacing=SPACING, origin=ORIGIN,
+                                 **VIEW)
+
+        np.testing.assert_array_equal(result.extinction, optimize().extinction)
+        self.assertEqual(result.energy, optimize().energy)
+
+    def test_small_integers_are_as_their_values(self):
+        for dtype in (np.uint8, np.int8, np.uint16, np.int16):
+            values = (100 * phantom.scalars()).astype(dtype) - np.array(50).astype(dtype) * (
+                np.dtype(dtype).kind == "i")
+            self.assertEqual(values.dtype, dtype)
+            nodes = {"extinction_function": [[-30, 0], [0, 1], [90, 2]],
+                     "importance_function": [[30, 0], [45, 1]]}
+            result = optimize(values, **nodes)
+
+            np.testing.assert_array_equal(result.extinction,
+                                          optimize(values.astype(float), **nodes).extinction)
+
+    def test_opacities_are_those_of_their_distance(self):
+        nodes = [[0.3, 0.0], [1.0, 0.5]]
+        scene = scene_of(phantom.scalars(), opacity_function=nodes, unit_distance=2.0,
+                         importance_function=phantom.IMPORTANCE)
+
+        opacity = np.interp(phantom.scalars().astype(float), *np.transpose(nodes))
+        np.testing.assert_allclose(scene.base_extinction, -np.log1p(-opacity) / 2, rtol=phantom.SINGLE)
+        self.assertAlmostEqual(scene.majorant, np.log(2) / 2)
+
+    def test_unusable_points_are_empty_and_told_once(self):
+        mu, g = phantom.fields()
+        mu[3, 4, 5], mu[4, 4, 4], g[5, 5, 5], g[6, 6, 6] = np.nan, -1, np.inf, 2
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            scene = self.scene(extinction=mu, importance=g)
+            limpid.optimize(extinction=mu, importance=g)
+
+        self.assertEqual(len(caught), 2)
+        self.assertEqual(caught[1].filename, __file__)
+        text = str(caught[0].message)
+        self.assertIn("2 of 7680 points have a NaN or an infinite value", text)
+        self.assertIn("1 of 7680 points have a negative extinction", text)
+        self.assertIn("1 of 7680 points have an importance outside [0, 1]", text)
+        for point in ((3, 4, 5), (4, 4, 4), (5, 5, 5)):
+            self.assertEqual((scene.base_extinction[point], scene.importance[point]), (0, 0))
+        self.assertEqual(scene.importance[6, 6, 6], 1)
+        self.assertTrue(np.isnan(mu[3, 4, 5]), "The caller's array was changed.")
+
+
+class TestEnds(unittest.TestCase):
+    ENDLESS = {"solver": "adam", "iterations_per_level": (0, 0, 10 ** 9), "tolerance": 0}
+
+    def test_is_told_how_far_it_is_and_can_be_stopped(self):
+        seen = []
+
+        def progress(share, text):
+            seen.append((share, text))
+            return len(seen) < 3
+        result = optimize(progress=progress, **self.ENDLESS)
+
+        self.assertEqual(result.iterations, 3)
+        self.assertGreater(result.visibility_score, result.base_visibility_score)
+
+    def test_an_exception_of_the_callers_comes_out(self):
+        with self.assertRaises(ZeroDivisionError):
+            optimize(progress=lambda *_: 1 // 0)
+
+    def test_ctrl_c_ends_it(self):
+        signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+
+        with self.assertRaises(KeyboardInterrupt):
+            optimize(**self.ENDLESS)
+
+    def test_other_threads_run_meanwhile(self):
+        stop = threading.Event()
+        other = threading.Thread(target=lambda: (stop.wait(0.2), signal.raise_signal(signal.SIGINT)))
+        other.start()
+
+        with self.assertRaises(KeyboardInterrupt):  # which is what the other thread did
+            optimize(**self.ENDLESS)
+        other.join()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Builds the Python package for numpy as a wheel, installs it with VTK and PyVista into a virtual
+# environment that has nothing else, and tests it there.
+#   bash Testing/wheel.sh [FOLDER]
+# FOLDER (build/wheel) keeps the wheel in dist/, the environment in venv/, and what was compiled.
+# Packages come from where pip and apt have them. LIMPID_PYTHON_PATH: where the VTK modules' Python
+# package is (build/vtk/lib/python3/*-packages); where it is, what the wheel finds and how much
+# memory that takes is compared with the filter. LIMPID_TEST_DATA: the folder with the test scenes.
+# LIMPID_PYTHON: the Python of the environment and of the VTK modules (/usr/bin/python3).
+
+set -euo pipefail
+shopt -s nullglob
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+folder="$(realpath -m "${1:-$root/build/wheel}")"
+python="${LIMPID_PYTHON:-/usr/bin/python3}"
+modules=("$root"/build/vtk/lib/python3*/*-packages)
+data="$root/../shared/data"
+
+bash "$root/Testing/install-packages.sh" g++ libglm-dev libtbb-dev python3-venv python3-dev \
+  xvfb xauth libgl1-mesa-dri libgl1 libxrender1
+
+rm -rf "$folder/venv" "$folder/dist"
+"$python" -m venv "$folder/venv"
+pip=("$folder/venv/bin/pip" --disable-pip-version-check)
+start=$SECONDS
+"${pip[@]}" wheel --quiet --no-deps --wheel-dir "$folder/dist" \
+  --config-settings="build-dir=$folder/compiled" "$root"
+echo "Built $(du -h "$folder"/dist/*.whl | cut -f1) in $((SECONDS - start)) s:" "$folder"/dist/*.whl
+wheel=("$folder"/dist/*.whl)
+"${pip[@]}" install --quiet "${wheel[0]}[pyvista]"
+
+export LIMPID_PYTHON="$python"
+export LIMPID_PYTHON_PATH="${LIMPID_PYTHON_PATH:-${modules[0]:-}}"
+if [[ -z "${LIMPID_TEST_DATA:-}" && -d "$data" ]]; then
+  export LIMPID_TEST_DATA="$data"
+fi
+# From a folder without sources: the package that is tested is the installed one.
+cd "$folder"
+bash "$root/Testing/with-display.sh" \
+  "$folder/venv/bin/python" -B -m unittest discover --verbose --buffer \
+  --start-directory "$root/Testing/Wheel" --pattern 'Test*.py'
