@@ -68,8 +68,20 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("mode is 'both'", "'joint', 'separate'", mode="both")
         self.refuses("view_weight is 'strong'", "10.0", view_weight="strong")
         self.refuses("maximum_iterations is 2.5", maximum_iterations=2.5)
+        self.refuses("maximum_iterations is 100000000", maximum_iterations=10 ** 12)
+        self.refuses("iterations_per_level is (1, 2)", iterations_per_level=(1, 2))
+        self.refuses("skip_unneeded is 'no'", skip_unneeded="no")
         self.refuses("view weight", "-1", view_weight=-1)  # the core's words
         self.refuses("viewpoint_guide is 'map'", viewpoint_guide="map")
+
+    def test_numbers_of_numpy_are_numbers(self):
+        settings = limpid.Settings(view_weight=np.float32(3), maximum_iterations=np.int64(4),
+                                   iterations_per_level=np.array([1, 2, 3]),
+                                   skip_unneeded=np.bool_(False)).in_core()
+
+        self.assertEqual((settings.view_weight, settings.maximum_iterations), (3.0, 4))
+        self.assertEqual(tuple(settings.iterations_per_level), (1, 2, 3))
+        self.assertFalse(settings.skip_unneeded)
 
     def test_a_gpu_that_is_not_there(self):
         self.refuses("CUDA", backend="cuda")

@@ -5,6 +5,7 @@
 
 import dataclasses
 import difflib
+import operator
 import reprlib
 
 from . import _core
@@ -14,6 +15,18 @@ from .arguments import choice
 CHOICES = {"method": _core.Method, "mode": _core.Mode, "solver": _core.Solver,
            "derivative": _core.Derivative, "importance_smoothing": _core.ImportanceSmoothing,
            "backend": _core.Backend}
+
+
+def whether(value):
+    """A truth value, also as 0 or 1 and as numpy has it."""
+    if value not in (0, 1):
+        raise ValueError
+    return bool(value)
+
+
+#: How a value becomes one of the kind that a default is of.
+CONVERSIONS = {bool: whether, int: operator.index, float: float,
+               tuple: lambda value: tuple(map(operator.index, value))}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -71,10 +84,11 @@ class Settings:
         for field in dataclasses.fields(self):
             value = getattr(self, field.name)
             if field.name in CHOICES:
-                value = choice(field.name, value, CHOICES[field.name])
+                setattr(settings, field.name, choice(field.name, value, CHOICES[field.name]))
+                continue
             try:
-                setattr(settings, field.name, value)
-            except (TypeError, RuntimeError, OverflowError):
+                setattr(settings, field.name, CONVERSIONS[type(field.default)](value))
+            except (TypeError, ValueError, OverflowError, RuntimeError):
                 raise ValueError(f"{field.name} is {reprlib.repr(value)} (it is of the kind of "
                                  f"{field.default!r}, its default). Give such a value.") from None
         return settings

@@ -44,12 +44,12 @@ class Camera:
         """Right, up and forward in the picture, and the distance of the focal point [length]."""
         way = np.subtract(self.focal_point, self.position)
         distance = np.linalg.norm(way)
-        right = np.cross(way, self.view_up)
-        if not np.linalg.norm(right) > 1e-12 * distance * np.linalg.norm(self.view_up):
-            right = np.cross(way, np.eye(3)[np.argmin(np.abs(way))])  # any will do
         if not distance > 0:
             raise ValueError(f"The camera's position and focal_point are {self.position} (it looks "
                              "in no direction). Move one of the two.")
+        right = np.cross(way, self.view_up)
+        if not np.linalg.norm(right) > 1e-12 * distance * np.linalg.norm(self.view_up):
+            right = np.cross(way, np.eye(3)[np.argmin(np.abs(way))])  # any will do
         right /= np.linalg.norm(right)
         forward = way / distance
         return right, np.cross(right, forward), forward, distance
