@@ -12,27 +12,16 @@
 set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+source "$root/Testing/another-debian.sh"
 build="$(cd "${1:-$root/build}" && pwd)"
 chroots="${LIMPID_CHROOTS:-$build/chroots}"
 
-if ((EUID != 0)) || ! type debootstrap dpkg-shlibdeps &> /dev/null; then
+if ! can_make_debian || ! command -v dpkg-shlibdeps > /dev/null; then
   echo "Not tried: a Debian of its own needs root, debootstrap and dpkg-dev."
   exit 77
 fi
 release="$(. /etc/os-release && echo "${VERSION_CODENAME:-sid}")"
 debian="$chroots/$release"
-
-# Runs a command in that Debian, with processes and memory files of its own.
-inside()
-{
-  # shellcheck disable=SC2016
-  unshare --mount --pid --fork --kill-child bash -c '
-    mount -t proc proc "$0/proc"
-    mkdir -p "$0/dev/shm"
-    mount -t tmpfs tmpfs "$0/dev/shm"
-    exec env -i HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-      PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$0" "$@"' "$debian" "$@"
-}
 
 make_package()
 {
@@ -41,41 +30,33 @@ make_package()
   ls "$build"/packages/*.deb
 }
 
-make_debian()
-{
-  rm -rf --one-file-system "$debian"
-  mkdir -p "$chroots"
-  debootstrap --variant=minbase "$release" "$debian" > "$chroots/$release.log"
-  inside apt-get -q update
-}
-
 install_package()
 {
   cp "$1" "$debian/tmp/limpid.deb"
-  inside apt-get -q -y --no-install-recommends install /tmp/limpid.deb
-  inside dpkg -L limpid-paraview > "$chroots/files"
+  inside "$debian" apt-get -q -y --no-install-recommends install /tmp/limpid.deb
+  inside "$debian" dpkg -L limpid-paraview > "$chroots/files"
   plugin="$(grep '/Limpid\.so$' "$chroots/files")"
 }
 
 expect_all_libraries()
 {
   # shellcheck disable=SC2016
-  inside bash -c '! ldd "$1" | grep "not found"' _ "$plugin"
+  inside "$debian" bash -c '! ldd "$1" | grep "not found"' _ "$plugin"
 }
 
 show_a_volume()
 {
-  inside apt-get -q -y --no-install-recommends install \
+  inside "$debian" apt-get -q -y --no-install-recommends install \
     python3-paraview xvfb xauth libgl1-mesa-dri
   (cd "$root" && tar -c Testing/with-display.sh Testing/Install Testing/Python/runner.py) |
     tar -x -C "$debian/tmp"
-  inside env "PV_PLUGIN_PATH=$(dirname "$plugin")" bash /tmp/Testing/with-display.sh \
+  inside "$debian" env "PV_PLUGIN_PATH=$(dirname "$plugin")" bash /tmp/Testing/with-display.sh \
     pvpython /tmp/Testing/Install/TestInstalledPlugin.py
 }
 
 remove_package()
 {
-  inside apt-get -q -y purge limpid-paraview
+  inside "$debian" apt-get -q -y purge limpid-paraview
   local left=()
   while read -r path; do
     if [[ -e "$debian$path" && ! -d "$debian$path" ]] || [[ "$path" == */Limpid* && -e "$debian$path" ]]; then
@@ -89,7 +70,8 @@ remove_package()
 }
 
 package="$(make_package)"
-make_debian
+make_debian "$release" "$debian"
+inside "$debian" apt-get -q update
 install_package "$package"
 expect_all_libraries
 show_a_volume

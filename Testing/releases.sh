@@ -15,6 +15,7 @@
 set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+source "$root/Testing/another-debian.sh"
 folders="${LIMPID_RELEASES:-/var/tmp/limpid-releases}"
 scenes="${LIMPID_TEST_DATA:-$root/../shared/data}"
 keep=0
@@ -35,35 +36,17 @@ done
 if ((${#releases[@]} == 0)); then
   releases=(bookworm trixie sid)
 fi
-if ((EUID != 0)) || ! command -v debootstrap > /dev/null; then
+if ! can_make_debian; then
   echo "Other releases are installed into folders of their own: that needs root and debootstrap." >&2
   exit 1
 fi
-
-# Runs a command in the root folder of a release, with processes and memory files of its own.
-inside()
-{
-  local release="$1"
-  shift
-  # shellcheck disable=SC2016
-  unshare --mount --pid --fork --kill-child bash -c '
-    mount -t proc proc "$0/proc"
-    mkdir -p "$0/dev/shm"
-    mount -t tmpfs tmpfs "$0/dev/shm"
-    env -i HOME=/root LANG=C.UTF-8 TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-      chroot "$0" "$@"' "$folders/$release" "$@"
-}
 
 # Fills a release's folder with Debian's smallest system and a clone of the last commit.
 prepare()
 {
   local folder="$folders/$1"
-  if ((!keep)); then
-    rm -rf --one-file-system "$folder"
-  fi
-  if [[ ! -d "$folder" ]]; then
-    mkdir -p "$folders"
-    debootstrap --variant=minbase "$1" "$folder" > "$folders/$1-debootstrap.log"
+  if ((!keep)) || [[ ! -d "$folder" ]]; then
+    make_debian "$1" "$folder"
   fi
   local clone="$folder/root/limpid"
   if [[ ! -d "$clone/.git" ]]; then
@@ -83,7 +66,7 @@ note()
   local release="$1" name="$2"
   shift 2
   local start=$SECONDS code=0
-  inside "$release" bash -c 'cd /root/limpid && exec "$@"' _ "$@" \
+  inside "$folders/$release" bash -c 'cd /root/limpid && exec "$@"' _ "$@" \
     > "$folders/$release-$name.log" 2>&1 || code=$?
   echo "$name $code $((SECONDS - start))" >> "$folders/$release-commands"
   echo "$release: $* ended with $code after $((SECONDS - start)) s ($folders/$release-$name.log)"
@@ -98,7 +81,7 @@ for release in "${releases[@]}"; do
   if ((clang)); then
     note "$release" clang bash Testing/check.sh clang
   fi
-  inside "$release" bash /root/limpid/Testing/versions.sh > "$folders/$release-versions"
+  inside "$folders/$release" bash /root/limpid/Testing/versions.sh > "$folders/$release-versions"
   if grep -qv " 0 [0-9]*$" "$folders/$release-commands"; then
     failed=1
   fi
