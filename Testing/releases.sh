@@ -48,15 +48,15 @@ prepare()
   if ((!keep)) || [[ ! -d "$folder" ]]; then
     make_debian "$1" "$folder"
   fi
-  local clone="$folder/root/limpid"
+  local clone="$folder/limpid"
   if [[ ! -d "$clone/.git" ]]; then
     git clone --quiet --no-hardlinks "$root" "$clone"
   fi
   git -C "$clone" fetch --quiet "$root" HEAD
   git -C "$clone" reset --quiet --hard FETCH_HEAD
-  if [[ -d "$scenes" && ! -d "$folder/root/shared/data" ]]; then
-    mkdir -p "$folder/root/shared"
-    cp -r "$scenes" "$folder/root/shared/data"
+  if [[ -d "$scenes" && ! -d "$folder/shared/data" ]]; then
+    mkdir -p "$folder/shared"
+    cp -r "$scenes" "$folder/shared/data"
   fi
 }
 
@@ -66,7 +66,7 @@ note()
   local release="$1" name="$2"
   shift 2
   local start=$SECONDS code=0
-  inside "$folders/$release" bash -c 'cd /root/limpid && exec "$@"' _ "$@" \
+  inside "$folders/$release" bash -c 'cd /limpid && exec "$@"' _ "$@" \
     > "$folders/$release-$name.log" 2>&1 || code=$?
   echo "$name $code $((SECONDS - start))" >> "$folders/$release-commands"
   echo "$release: $* ended with $code after $((SECONDS - start)) s ($folders/$release-$name.log)"
@@ -81,7 +81,7 @@ for release in "${releases[@]}"; do
   if ((clang)); then
     note "$release" clang bash Testing/check.sh clang
   fi
-  inside "$folders/$release" bash /root/limpid/Testing/versions.sh > "$folders/$release-versions"
+  inside "$folders/$release" bash /limpid/Testing/versions.sh > "$folders/$release-versions"
   if grep -qv " 0 [0-9]*$" "$folders/$release-commands"; then
     failed=1
   fi

@@ -52,7 +52,7 @@ def lines_of(path):
 
 
 def found(folders, release):
-    clone = folders / release / "root" / "limpid"
+    clone = folders / release / "limpid"
     log = clone / "build" / "Testing" / "Temporary" / "LastTest.log"
     results = Results(log.read_text(encoding="utf-8", errors="replace") if log.exists() else "")
     commit = subprocess.run(["git", "-C", str(clone), "rev-parse", "--short", "HEAD"], check=True,
