@@ -6,6 +6,7 @@
 # and names no preset.
 
 import json
+import os
 import re
 import sys
 
@@ -13,7 +14,7 @@ from paraview import simple
 
 WEIGHTS = [0.0001, 0.0316, 1.0]  # of the preset, and of the slider before it was dragged
 
-simple.LoadPlugin("../Limpid.so", remote=False, ns=globals())
+simple.LoadPlugin(os.path.abspath("../Limpid.so"), remote=False, ns=globals())
 view = simple.CreateView("RenderView")
 simple.AssignViewToLayout(view)
 display = simple.Show(OcclusionPhantom(Resolution=16), view)
