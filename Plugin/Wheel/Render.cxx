@@ -46,7 +46,7 @@ void MakeView(View* view, int width, int height, const std::array<double, 16>& c
   {
     for (int row = 0; row < 4; ++row)
     {
-      view->clipToWorld[column][row] = clipToWorld[std::size_t(4 * column + row)];
+      view->clipToWorld[column][row] = clipToWorld[4 * std::size_t(column) + std::size_t(row)];
     }
   }
 }

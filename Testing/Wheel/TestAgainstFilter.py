@@ -86,11 +86,12 @@ class TestAgainstFilter(unittest.TestCase):
         self.assertLessEqual(package["peak"], filters["peak"])
 
     def report(self, name, given, package, filters):
-        def megabytes(numbers):
-            return f"{numbers['peak'] / 1e6:.1f} MB, {(numbers['peak'] - numbers['before']) / 1e6:.1f} of them in the run"
-        print(f"\n{name}, extinction from {given}: S {package['visibility_score']!r} (filter "
-              f"{filters['visibility_score']!r}), peak {megabytes(package)} (filter "
-              f"{megabytes(filters)})", file=sys.__stderr__)
+        def told(numbers):
+            run = numbers["peak"] - numbers["before"]
+            return (f"S {numbers['visibility_score']!r}, peak {numbers['peak'] / 1e6:.1f} MB, "
+                    f"{run / 1e6:.1f} of them in the run")
+        print(f"\n{name}, extinction from {given}: {told(package)}; the filter {told(filters)}",
+              file=sys.__stderr__)
 
 
 if __name__ == "__main__":

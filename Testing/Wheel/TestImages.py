@@ -116,7 +116,7 @@ class TestPyVista(unittest.TestCase):
                                                      **SCENE).energy)
 
     def test_the_sphere_is_a_surface(self):
-        found = limpid.viewpoints(self.image(), number_of_directions=42, **FUNCTIONS)
+        found = limpid.viewpoints(self.image(), number_of_directions=42, refine=False, **FUNCTIONS)
         surface = pyvista.PolyData.from_regular_faces(found.directions, found.triangles)
 
         self.assertTrue(surface.is_manifold)

@@ -179,7 +179,8 @@ class TestArrays(unittest.TestCase):
                          importance_function=phantom.IMPORTANCE)
 
         opacity = np.interp(phantom.scalars().astype(float), *np.transpose(nodes))
-        np.testing.assert_allclose(scene.base_extinction, -np.log1p(-opacity) / 2, rtol=phantom.SINGLE)
+        np.testing.assert_allclose(scene.base_extinction, -np.log1p(-opacity) / 2,
+                                   rtol=phantom.SINGLE)
         self.assertAlmostEqual(scene.majorant, np.log(2) / 2)
 
     def test_unusable_points_are_empty_and_told_once(self):
@@ -229,7 +230,11 @@ class TestEnds(unittest.TestCase):
 
     def test_other_threads_run_meanwhile(self):
         stop = threading.Event()
-        other = threading.Thread(target=lambda: (stop.wait(0.2), signal.raise_signal(signal.SIGINT)))
+
+        def interrupt():
+            stop.wait(0.2)
+            signal.raise_signal(signal.SIGINT)
+        other = threading.Thread(target=interrupt)
         other.start()
 
         with self.assertRaises(KeyboardInterrupt):  # which is what the other thread did

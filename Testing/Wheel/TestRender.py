@@ -86,7 +86,8 @@ class TestPicture(unittest.TestCase):
 
         before, after = render(lit=False), render(extinction=found.extinction, lit=False)
 
-        self.assertLess(int(before[20, 30, 0]) - before[20, 30, 2], int(after[20, 30, 0]) - after[20, 30, 2])
+        redness = [int(picture[20, 30, 0]) - int(picture[20, 30, 2]) for picture in (before, after)]
+        self.assertLess(*redness)
         same = render(extinction=phantom.fields()[0])
         np.testing.assert_array_equal(same, render())
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Prints the defaults of the filter's properties as JSON, by the names of the package's settings."""
+"""Prints the defaults of the filter's properties as JSON, by the package's names of settings."""
 
 import json
 import sys

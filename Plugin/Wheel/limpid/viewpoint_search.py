@@ -128,8 +128,8 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
                camera_distance=3.0, camera_view_angle=30.0, camera_parallel_projection=False,
                number_of_viewpoints=4, separation_angle=30.0, refine=True, ray_density=1.0,
                backend="auto"):
-    """Scores views from all around a volume by S of Eq. (32), climbs from the best of them along its
-    derivative (Eqs. (29)-(31)), and ranks what is reached.
+    """Scores views from all around a volume by S of Eq. (32), climbs from the best of them along
+    its derivative (Eqs. (29)-(31)), and ranks what is reached.
 
     The cameras stand on a sphere round the volume's centre and look at it, upright by Eq. (10).
 
