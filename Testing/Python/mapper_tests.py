@@ -80,16 +80,18 @@ class MapperTest(unittest.TestCase):
         self.assert_fine(view)
 
     def assert_survives_lack_of_memory(self, view, mapper, *words):
-        """One message with these words in it about an image that is too large; then draws what it
-        drew before."""
+        """A message with these words in it about an image that is too large; then draws what it
+        drew before. A second one where memory lacks for the picture without optimization, too: how
+        much the allocator has kept is not known."""
         expected = view.picture()
         small = mapper.GetInput()
         mapper.SetInputData(phantom(160))
         with memory_limited_to(2 ** 22):
             view.window.Render()
-        self.assertEqual(len(view.messages), 1, view.messages)
+        self.assertIn(len(view.messages), (1, 2), view.messages)
         for word in words:
-            self.assertIn(word, view.messages[0])
+            for message in view.messages:
+                self.assertIn(word, message)
         view.messages.clear()
         mapper.SetInputData(small)
         np.testing.assert_array_equal(view.picture(), expected)
