@@ -45,7 +45,10 @@ function (limpid_missing_qt_header result)
   set(${result} "" PARENT_SCOPE)
   if (TARGET VTK::GUISupportQt)
     get_target_property(folders VTK::GUISupportQt INTERFACE_INCLUDE_DIRECTORIES)
-    find_file(header vtkGUISupportQtModule.h PATHS ${folders} NO_DEFAULT_PATH NO_CACHE)
+    # Since VTK 9.6 they are those of a set of headers.
+    get_target_property(foldersOfSet VTK::GUISupportQt HEADER_DIRS_vtk_module_headers)
+    find_file(header vtkGUISupportQtModule.h PATHS ${folders} ${foldersOfSet}
+      NO_DEFAULT_PATH NO_CACHE)
     if (NOT header)
       set(${result} "vtkGUISupportQtModule.h (Debian: libvtk9-qt-dev)" PARENT_SCOPE)
     endif ()
