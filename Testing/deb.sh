@@ -20,7 +20,9 @@ if ! can_make_debian || ! command -v dpkg-shlibdeps > /dev/null; then
   echo "Not tried: a Debian of its own needs root, debootstrap and dpkg-dev."
   exit 77
 fi
-release="$(. /etc/os-release && echo "${VERSION_CODENAME:-sid}")"
+# As apt calls it: /etc/os-release of sid has the name of the release to come.
+# shellcheck disable=SC2016
+release="$(apt-get indextargets --format '$(CODENAME)' 'Created-By: Packages' | sed -n 1p)"
 debian="$chroots/$release"
 
 make_package()
@@ -54,17 +56,18 @@ show_a_volume()
     pvpython /tmp/Testing/Install/TestInstalledPlugin.py
 }
 
+# What belonged to the package is gone, or is a folder of other packages.
 remove_package()
 {
   inside "$debian" apt-get -q -y purge limpid-paraview
-  local left=()
-  while read -r path; do
-    if [[ -e "$debian$path" && ! -d "$debian$path" ]] || [[ "$path" == */Limpid* && -e "$debian$path" ]]; then
-      left+=("$path")
-    fi
-  done < "$chroots/files"
-  if ((${#left[@]} != 0)); then
-    echo "Still there after the removal of the package: ${left[*]}" >&2
+  local left
+  # shellcheck disable=SC2016
+  left="$(inside "$debian" bash -c '
+    while read -r path; do
+      if [[ -e "$path" ]] && ! dpkg -S "$path" &> /dev/null; then echo "$path"; fi
+    done' < "$chroots/files")"
+  if [[ -n "$left" ]]; then
+    echo "Still there after the removal of the package: $left" >&2
     return 1
   fi
 }
