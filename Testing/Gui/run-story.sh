@@ -50,7 +50,7 @@ sed "${words[@]}" "$here/$name.xml" > events.xml
 
 # A window with a view of about 1000 x 700 pixels. Not for ever: an event that fails can leave a
 # dialog open.
-timeout --kill-after=5 240 paraview --dr -geometry 1305x933+0+0 --test-directory="$folder" \
+timeout --kill-after=5 540 paraview --dr -geometry 1305x933+0+0 --test-directory="$folder" \
   --script="$here/$name.py" --test-script="$folder/events.xml" --exit ||
   echo "ParaView ended with $?."
 cat report.txt
