@@ -12,7 +12,7 @@ import tempfile
 import time
 
 STARTS_WITHIN = 60  # seconds
-LIVES_FOR = 150  # seconds: "timeout" ends it then, should this process be gone
+LIVES_FOR = 400  # seconds: "timeout" ends it then, should this process be gone
 READY = re.compile(r"Accepting connection\(s\): .*:(\d+)")
 
 
