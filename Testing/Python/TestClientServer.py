@@ -53,7 +53,7 @@ def two_with_scores(view):
     for name, x in (("one", -1.2), ("another", 1.2)):
         source = OcclusionPhantom(Resolution=24, registrationName=name)
         display = displays.show(source, view)
-        display.Position = [x, 0, 0]
+        displays.move(display, [x, 0, 0])
         display.ShowScore = 1
     return Shown(view, display)
 

@@ -19,6 +19,7 @@ simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 vars(simple).update(OcclusionPhantom=OcclusionPhantom)
 
 ORDINARY = {"Method": "Ordinary", "Shadows": 0, "Shade": 0}
+VIRIDIS = "Viridis" if runner.PARAVIEW >= (6, 0) else "Viridis (matplotlib)"
 
 
 class TestOptimizedVolumeViews(displays.DisplayTest):
@@ -44,7 +45,7 @@ class TestOptimizedVolumeViews(displays.DisplayTest):
         opacity = display.ScalarOpacityFunction
         seen = [self.assert_is_stock(display)]
         changes = {
-            "preset": lambda: colors.ApplyPreset("X Ray", True),
+            "preset": lambda: colors.ApplyPreset(VIRIDIS, True),
             "rescaled": lambda: colors.RescaleTransferFunction(0.2, 0.6),
             "other opacities": lambda: setattr(opacity, "Points", [0, 0, 0.5, 0, 1, 0.4, 0.5, 0]),
             "logarithmic": lambda: colors.MapControlPointsToLogSpace() or setattr(

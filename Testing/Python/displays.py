@@ -76,6 +76,12 @@ def look(view, position):
     view.CameraViewUp = [0, 0, 1]
 
 
+def move(display, offset):
+    """By the property that ParaView calls Position before 5.12."""
+    name = "Translation" if "Translation" in display.ListProperties() else "Position"
+    setattr(display, name, offset)
+
+
 def set_functions(array="Scalars"):
     """The colour map and the opacity function that displays of an array of this name use."""
     colors = simple.GetColorTransferFunction(array)
