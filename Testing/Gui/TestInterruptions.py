@@ -9,6 +9,7 @@
 import os
 import shutil
 
+import displays
 import pictures
 import story
 from paraview import simple
@@ -92,7 +93,7 @@ def hidden(view, frames):
 def two_volumes(view, frames):
     phantom, display = show(view)
     other, _ = show(view, 64, Scene="Shells")
-    simple.GetDisplayProperties(other, view).Position = [2.5, 0, 0]
+    displays.move(simple.GetDisplayProperties(other, view), [2.5, 0, 0])
     simple.ResetCamera(view)
     start(view)
     the_end_is_reached(frames, display, "two volumes")

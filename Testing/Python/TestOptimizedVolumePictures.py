@@ -63,8 +63,7 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
 
     def test_is_paraviews_own_rendering_where_the_display_is_moved(self):
         display = displays.show_head(self.view, **ORDINARY)
-        moved = "Translation" if "Translation" in display.ListProperties() else "Position"
-        setattr(display, moved, [0.3, 0.1, -0.2])
+        displays.move(display, [0.3, 0.1, -0.2])
         display.Orientation = [20, 30, 40]
         display.Scale = [1.2, 0.7, 1.0]
 
@@ -179,13 +178,12 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
 
     def test_volumes_are_peeled_where_one_of_them_needs_it(self):
         displayed = [displays.show_head(self.view, 24), displays.show_head(self.view, 24)]
-        moved = "Translation" if "Translation" in displayed[0].ListProperties() else "Position"
         ball = simple.Sphere(Center=[-1.5, -2, 0], Radius=0.4)
         add_surface(ball, self.view, [1, 1, 0], opacity=0.5)
         displays.look(self.view, [0, -12, 0])
         for behind, before in (displayed, displayed[::-1]):  # the ball: the first or the last shown
-            setattr(behind, moved, [-1.5, 0, 0])
-            setattr(before, moved, [1.5, -4, 0])
+            displays.move(behind, [-1.5, 0, 0])
+            displays.move(before, [1.5, -4, 0])
             simple.Render(self.view)
             self.assertEqual(behind.Messages + before.Messages, "")
 
@@ -205,17 +203,16 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         for display in (first, second):
             for name, value in ORDINARY.items():
                 setattr(display, name, value)
-        moved = "Translation" if "Translation" in first.ListProperties() else "Position"
-        setattr(first, moved, [0, -1.5, 0])
-        setattr(second, moved, [0, 1.5, 0])
+        displays.move(first, [0, -1.5, 0])
+        displays.move(second, [0, 1.5, 0])
         displays.look(self.view, [2, -8, 1])
         from_first = pictures.take(self.view)
         displays.look(self.view, [2, 8, 1])
         from_second = pictures.take(self.view)
 
         # Exchanged, which must not matter: the order in which they were added is another one.
-        setattr(first, moved, [0, 1.5, 0])
-        setattr(second, moved, [0, -1.5, 0])
+        displays.move(first, [0, 1.5, 0])
+        displays.move(second, [0, -1.5, 0])
         np.testing.assert_array_equal(pictures.take(self.view), from_second)
         displays.look(self.view, [2, -8, 1])
         np.testing.assert_array_equal(pictures.take(self.view), from_first)
@@ -303,7 +300,7 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         for name, x in (("one", -1.2), ("another", 1.2)):
             source = OcclusionPhantom(Resolution=24, registrationName=name)
             display = displays.show(source, self.view)
-            display.Position = [x, 0, 0]
+            displays.move(display, [x, 0, 0])
             display.ShowScore = 1
             simple.ResetCamera(self.view)
             simple.Render(self.view)
