@@ -97,7 +97,7 @@ class TestPresets(displays.DisplayTest):
         self.assertEqual(self.display.Preset, "")
         state = smstate.get_state()
         self.assertNotIn("Preset", state)
-        self.assertIn("RegularizationWeight = 0.0001", state)
+        self.assertRegex(state, displays.sets("RegularizationWeight") + "0.0001")
         self.assertIn("ProtectImportance = 0.1", state)
 
 
