@@ -89,7 +89,7 @@ public:
       if (kind == "median" || kind == "spread" || kind == "least")
       {
         for (const char* key : { "name", "family_index", "per_family_instance_index", "run_type",
-               "repetitions", "repetition_index", "aggregate_unit", "iterations", "cpu_time" })
+               "repetitions", "repetition_index", "aggregate_unit", "iterations" })
         {
           entry.erase(key);
         }

@@ -277,16 +277,21 @@ Json MeasureRendering(const SceneOfFile& scene, const Options& options)
 {
   const int repeats = options.Count("repeats");
   const Drawable drawable(scene);
+  Json result{ { "scene", scene.name }, { "nodes", ToJson(scene.grid.nodes) },
+    { "pixels", stillSize },
+    { "rays", { { "base", TimeRays(drawable, scene.extinction, repeats) } } } };
+  if (!options.Has("parts", "stages"))
+  {
+    return result;
+  }
   Solver solver = scene.MakeSolver(Settings());
   solver.Run();
   const std::vector<float> optimized = solver.Extinction();
-  return { { "scene", scene.name }, { "nodes", ToJson(scene.grid.nodes) }, { "pixels", stillSize },
-    { "moving_pixels", movingSize }, { "frames", movingFrames }, { "preview_seconds", previewTime },
-    { "still", TimeStages(drawable, optimized, repeats) },
-    { "rays",
-      { { "base", TimeRays(drawable, scene.extinction, repeats) },
-        { "optimised", TimeRays(drawable, optimized, repeats) } } },
+  result["rays"]["optimised"] = TimeRays(drawable, optimized, repeats);
+  result.update({ { "moving_pixels", movingSize }, { "frames", movingFrames },
+    { "preview_seconds", previewTime }, { "still", TimeStages(drawable, optimized, repeats) },
     { "methods", TimeMethods(drawable, repeats) }, { "moving", TimeMoving(drawable) },
-    { "few_rays", TimeFewRays(drawable, repeats) } };
+    { "few_rays", TimeFewRays(drawable, repeats) } });
+  return result;
 }
 }

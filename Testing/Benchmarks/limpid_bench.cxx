@@ -22,7 +22,8 @@ using namespace limpid::benchmark;
 const Options::Table known{
   { "repeats", "5" },    // of a timed run
   { "march-rays", "3" }, // per voxel and axis of the independent march
-  { "parts", "memory,quality,time,paper,sizes,threads,skips" }, // of solvers and scaling
+  { "parts",
+    "memory,quality,time,paper,sizes,threads,skips,rays,stages" }, // of solvers, scaling, rendering
   { "paper-samples", "2" },     // solvers: per voxel and axis of the paper's grids
   { "paper-iterations", "12" }, // ... timed Adam iterations on them, at most
   { "paper-seconds", "20" },    // ... and no further one after, but at least three [s]
