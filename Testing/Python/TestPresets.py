@@ -98,7 +98,7 @@ class TestPresets(displays.DisplayTest):
         state = smstate.get_state()
         self.assertNotIn("Preset", state)
         self.assertRegex(state, displays.sets("RegularizationWeight") + "0.0001")
-        self.assertIn("ProtectImportance = 0.1", state)
+        self.assertRegex(state, displays.sets("ProtectImportance") + "0.1")
 
 
 if __name__ == "__main__":
