@@ -5,6 +5,7 @@
 
 import json
 import os
+import shlex
 import sys
 import time
 
@@ -14,7 +15,7 @@ def facts():
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         models = [line.split(": ", 1)[1].strip() for line in file if line.startswith("model name")]
     words = (os.path.basename(word) if os.path.isabs(word) else word for word in sys.argv)
-    return {"command": " ".join(["python3", *words]), "processor": (models + ["unknown"])[0],
+    return {"command": shlex.join(["python3", *words]), "processor": (models + ["unknown"])[0],
             "cores": len(os.sched_getaffinity(0)), "date": time.strftime("%Y-%m-%d"),
             "load_before": os.getloadavg()[0]}
 
