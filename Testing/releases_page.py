@@ -25,7 +25,8 @@ END = "<!-- end -->"
 
 TEST = re.compile(r'^\d+/\d+ Testing: (?P<name>.+?)$(?P<text>.*?)^"(?P=name)" end time',
                   re.MULTILINE | re.DOTALL)
-SKIPPED_BY_PYTHON = re.compile(r"^(\w+) \(.*?\).*? \.\.\. (?:.*\n)?skipped ['\"](.*)['\"]$", re.MULTILINE)
+SKIPPED_BY_PYTHON = re.compile(r"^\s*(\w+) \(.*?\).*? \.\.\. (?:.*\n)?skipped ['\"](.*)['\"]$",
+                               re.MULTILINE)
 SKIPPED_BY_GTEST = re.compile(r": Skipped\n(.+)$", re.MULTILINE)
 
 
@@ -36,7 +37,7 @@ class Results:
         self.passed, self.failed = [], []
         self.skipped = collections.defaultdict(list)  # names by reason
         for test in TEST.finditer(log):
-            self._add(test["name"], test["text"])
+            self._add(test["name"].split("  # GetParam")[0], test["text"])
 
     def _add(self, name, text):
         for reason in SKIPPED_BY_GTEST.findall(text):
