@@ -17,9 +17,12 @@ rm -rf "$folder" "$first"
 "${CMAKE_COMMAND:-cmake}" --install "$build" --prefix "$first"
 mv "$first" "$folder"
 
+# A path begins where no name or variable goes on: /limpid is not part of include/limpid.
 status=0
 for name in "$root" "$build" "$first"; do
-  if files="$(grep --recursive --files-with-matches --fixed-strings -- "$name" "$folder")"; then
+  pattern="(^|[^[:alnum:]_./}-])$(sed 's/[^[:alnum:]/_-]/[&]/g' <<< "$name")"
+  if files="$(LC_ALL=C grep --recursive --files-with-matches --text --extended-regexp \
+    -- "$pattern" "$folder")"; then
     printf 'These name %s:\n%s\n' "$name" "$files" >&2
     status=1
   fi
