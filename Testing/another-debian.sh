@@ -12,6 +12,8 @@ make_debian()
   rm -rf --one-file-system "$2"
   mkdir -p "$(dirname "$2")"
   debootstrap --variant=minbase "$1" "$2" > "$2-debootstrap.log"
+  # debootstrap leaves this to who installs a machine.
+  echo "127.0.0.1 localhost" > "$2/etc/hosts"
   # A mirror of some weeks ago will do.
   echo 'Acquire::Check-Valid-Until "false";' > "$2/etc/apt/apt.conf.d/any-mirror"
 }
