@@ -50,10 +50,14 @@ def vector(name, value, why):
     return result
 
 
+def require_choice(name, value, choices):
+    """Raises ValueError unless `value` is one of the choices."""
+    if value not in choices:
+        raise ValueError(f"{name} is {value!r} (there is no such choice). "
+                         f"Choose one of {', '.join(map(repr, choices))}.")
+
+
 def choice(name, value, enumeration):
     """The member of an enumeration of the core that has this name."""
-    members = enumeration.__members__
-    if value not in members:
-        raise ValueError(f"{name} is {value!r} (there is no such choice). "
-                         f"Choose one of {', '.join(map(repr, members))}.")
-    return members[value]
+    require_choice(name, value, enumeration.__members__)
+    return enumeration.__members__[value]

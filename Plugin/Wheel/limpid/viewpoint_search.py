@@ -11,7 +11,7 @@ import warnings
 import numpy as np
 
 from . import _core, sphere
-from .arguments import number, number_between, vector, whole_number
+from .arguments import number, number_between, require_choice, vector, whole_number
 from .scene import scene_of
 from .settings import Settings
 
@@ -104,10 +104,7 @@ def search_settings(number_of_viewpoints, separation_angle, refine, directions):
 
 def viewed_fields(scene, field):
     """The extinction that is looked at, and the base extinction, flat; see viewpoints."""
-    fields = {"importance_proxy", "base_extinction"}
-    if field not in fields:
-        raise ValueError(f"field is {field!r} (there is no such choice). Choose one of "
-                         f"{', '.join(map(repr, sorted(fields)))}.")
+    require_choice("field", field, ("base_extinction", "importance_proxy"))
     _, base, importance = scene.in_core()
     largest = scene.largest_extinction()
     if not (largest > 0 and importance.max() > 0):
