@@ -55,20 +55,21 @@ class Limpid(CMakePackage, CudaPackage):
             args.append(self.builder.define_cuda_architectures(self))
         return args
 
+    def plugin_folder(self, name):
+        version = self.spec["paraview"].version.up_to(2)
+        return join_path(self.prefix.lib, f"paraview-{version}", "plugins", name)
+
     def setup_run_environment(self, env):
         # ParaView looks into each folder of this variable for plugins of the folder's name.
         if self.spec.satisfies("+paraview"):
-            version = self.spec["paraview"].version.up_to(2)
             for name in ("Limpid", "LimpidGui"):
-                env.append_path("PV_PLUGIN_PATH",
-                                join_path(self.prefix.lib, f"paraview-{version}", "plugins", name))
+                env.append_path("PV_PLUGIN_PATH", self.plugin_folder(name))
 
     @run_after("install")
     @on_package_attributes(run_tests=True)
     def check_install(self):
         """Loads the plugin, optimises a phantom, and looks whether more of it can be seen."""
         if self.spec.satisfies("+paraview"):
-            version = self.spec["paraview"].version.up_to(2)
-            plugin = join_path(self.prefix.lib, f"paraview-{version}", "plugins", "Limpid", "Limpid.so")
+            plugin = join_path(self.plugin_folder("Limpid"), "Limpid.so")
             script = join_path(self.stage.source_path, "Plugin", "Packaging", "test_plugin.py")
             Executable(join_path(self.spec["paraview"].prefix.bin, "pvpython"))(script, plugin)
