@@ -43,6 +43,16 @@ if ((EUID != 0)); then
   as_root=(sudo)
 fi
 
+# Brings the lists of packages, once.
+updated=0
+update_lists()
+{
+  if ((!updated)); then
+    "${as_root[@]}" apt-get update -q
+    updated=1
+  fi
+}
+
 # What the ParaView that is installed, or would be, was built with decides on some packages.
 add_what_paraview_needs()
 {
@@ -50,7 +60,7 @@ add_what_paraview_needs()
   if is_installed paraview; then
     paraview="$(dpkg-query -W -f '${Depends}' paraview)"
   else
-    "${as_root[@]}" apt-get update -q
+    update_lists
     paraview="$(apt-cache show --no-all-versions paraview | grep '^Depends:')"
   fi
   if [[ "$paraview" =~ libvtk9 ]]; then
@@ -86,6 +96,6 @@ if ((${#missing[@]} == 0)); then
 fi
 
 echo "Installing Debian packages: ${missing[*]}"
-"${as_root[@]}" apt-get update -q
+update_lists
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install -q -y --no-install-recommends "${missing[@]}"
