@@ -180,7 +180,7 @@ class TestFoundExtinction(displays.DisplayTest):
             text = smtrace.stop_trace()
         for name, value in (("Representation", "Optimized Volume"),
                             ("ExtinctionSource", "Array"), ("Method", "Ordinary")):
-            self.assertRegex(text, displays.sets(name) + f"'{value}'")
+            self.assertRegex(text, displays.sets(name, value))
 
     # Other data
 

@@ -97,8 +97,8 @@ class TestPresets(displays.DisplayTest):
         self.assertEqual(self.display.Preset, "")
         state = smstate.get_state()
         self.assertNotIn("Preset", state)
-        self.assertRegex(state, displays.sets("RegularizationWeight") + "0.0001")
-        self.assertRegex(state, displays.sets("ProtectImportance") + "0.1")
+        self.assertRegex(state, displays.sets("RegularizationWeight", 0.0001))
+        self.assertRegex(state, displays.sets("ProtectImportance", 0.1))
 
 
 if __name__ == "__main__":

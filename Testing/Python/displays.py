@@ -4,6 +4,7 @@
 """What the tests of the representation in ParaView share: views, displays of the phantom."""
 
 import os
+import re
 import tempfile
 import unittest
 
@@ -40,10 +41,11 @@ def clear():
     simple.SetActiveView(None)
 
 
-def sets(name):
-    """A pattern for what a trace or a state in Python says before the new value of a property:
-    display.Mode = 'Joint', or display.Set(Mode='Joint') since ParaView 6."""
-    return rf"\b{name} ?= ?"
+def sets(name, value=None):
+    """A pattern for what a trace or a state in Python says where a display gets a value, or any:
+    display.Mode = 'Joint', or display.Set(..., Mode='Joint') since ParaView 6."""
+    shown = "" if value is None else re.escape(repr(value))
+    return rf"Display\.(?:{name} = |Set\((?s:.)*?\b{name}=){shown}"
 
 
 def through_a_state():
@@ -77,7 +79,7 @@ def look(view, position):
 
 
 def move(display, offset):
-    """By the property that ParaView calls Position before 5.12."""
+    """By the property that ParaView 5.11 calls Position, and 5.13 Translation."""
     name = "Translation" if "Translation" in display.ListProperties() else "Position"
     setattr(display, name, offset)
 
