@@ -3,9 +3,8 @@
 
 #include "OptimizedViews.h"
 
-#include "ScenePlacement.h"
-
 #include "backend/Interruption.h"
+#include "scene/Placement.h"
 
 #include <algorithm>
 #include <utility>

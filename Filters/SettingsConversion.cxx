@@ -4,7 +4,7 @@
 #include "SettingsConversion.h"
 
 #include "Choices.h"
-#include "ScenePlacement.h"
+#include "Vectors.h"
 
 #include "vtkPiecewiseFunction.h"
 #include "vtkVisibilitySettings.h"

@@ -9,8 +9,8 @@
 #include "OptimizedImage.h"
 #include "OwnArrays.h"
 #include "PropertyPrinter.h"
-#include "ScenePlacement.h"
 #include "SettingsConversion.h"
+#include "Vectors.h"
 #include "vtkVisibilityAlgorithmScene.h"
 
 #include "vtkExtentTranslator.h"
@@ -27,6 +27,7 @@
 #include "backend/Interruption.h"
 #include "math/Require.h"
 #include "optimize/Solver.h"
+#include "scene/Placement.h"
 #include "viewpoint/Concurrent.h"
 
 #include <algorithm>

@@ -7,9 +7,9 @@
 #include "AllCores.h"
 #include "Choices.h"
 #include "OptimizedViews.h"
-#include "ScenePlacement.h"
 #include "SearchReport.h"
 #include "SettingsConversion.h"
+#include "Vectors.h"
 #include "ViewpointData.h"
 
 #include "vtkImageData.h"

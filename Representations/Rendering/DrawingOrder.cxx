@@ -3,7 +3,7 @@
 
 #include "DrawingOrder.h"
 
-#include "ScenePlacement.h"
+#include "Vectors.h"
 #include "ViewGeometry.h"
 
 #include "vtkAbstractVolumeMapper.h"

@@ -3,8 +3,8 @@
 
 #include "SceneLight.h"
 
-#include "ScenePlacement.h"
 #include "SettingsConversion.h"
+#include "Vectors.h"
 #include "ViewGeometry.h"
 
 #include "vtkCamera.h"
@@ -12,6 +12,8 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
+
+#include "scene/Placement.h"
 
 #include <algorithm>
 #include <sstream>

@@ -3,7 +3,7 @@
 
 #include "ViewGeometry.h"
 
-#include "ScenePlacement.h"
+#include "Vectors.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

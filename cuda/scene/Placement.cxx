@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ScenePlacement.h"
+#include "scene/Placement.h"
 
-#include "vtkMath.h"
-
-#include "optimize/Solver.h"
+#include "scene/Grid.h"
+#include "scene/RaySource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,36 +13,47 @@ namespace limpid
 {
 namespace
 {
-const Vec3 InitialPosition(0, 0, 1);
-const Vec3 InitialFocalPoint(0, 0, 0);
+double RadiansOf(double degrees)
+{
+  return degrees * (3.14159265358979323846 / 180);
+}
+
+// Some unit vector at right angles to a vector.
+Vec3 AcrossOf(const Vec3& vector)
+{
+  const Vec3 unit = vector / glm::length(vector);
+  const Vec3 squares = vector * vector;
+  const int largest =
+    squares.x > squares.y && squares.x > squares.z ? 0 : (squares.y > squares.z ? 1 : 2);
+  Vec3 next(0.0);
+  next[(largest + 1) % 3] = 1.0;
+  const Vec3 across = glm::cross(next, unit);
+  return across / glm::length(across);
+}
 
 // Some direction at right angles to both, or to the first if they are parallel.
 Vec3 RightOf(const Vec3& back, const Vec3& up)
 {
-  Vec3 right = glm::cross(up, back);
-  if (!(glm::length(right) > 1e-12 * glm::length(up) * glm::length(back)))
-  {
-    double any[3];
-    vtkMath::Perpendiculars(&back.x, any, nullptr, 0.0);
-    right = Vec3(any[0], any[1], any[2]);
-  }
-  return glm::normalize(right);
+  const Vec3 right = glm::cross(up, back);
+  const bool parallel = !(glm::length(right) > 1e-12 * glm::length(up) * glm::length(back));
+  return glm::normalize(parallel ? AcrossOf(back) : right);
 }
 }
 
 bool IsUnplaced(const Camera& camera)
 {
-  return camera.position == InitialPosition && camera.focalPoint == InitialFocalPoint;
+  const Camera fresh;
+  return camera.position == fresh.position && camera.focalPoint == fresh.focalPoint;
 }
 
 bool IsUnplaced(const Light& light)
 {
-  return light.position == InitialPosition;
+  return light.position == Light().position;
 }
 
 void PlaceCamera(const Grid& grid, Camera& camera)
 {
-  const double halfAngle = 0.5 * vtkMath::RadiansFromDegrees(camera.viewAngle);
+  const double halfAngle = 0.5 * RadiansOf(camera.viewAngle);
   const double radius = std::max(grid.Radius(), 1e-300);
   camera.focalPoint = grid.Centre();
   camera.position = camera.focalPoint + Vec3(0, 0, radius / std::sin(halfAngle));
@@ -52,8 +62,8 @@ void PlaceCamera(const Grid& grid, Camera& camera)
 
 void PlaceLight(const Camera& camera, Light& light)
 {
-  const double elevation = vtkMath::RadiansFromDegrees(50.0);
-  const double azimuth = vtkMath::RadiansFromDegrees(10.0);
+  const double elevation = RadiansOf(50.0);
+  const double azimuth = RadiansOf(10.0);
   const double distance = glm::distance(camera.position, camera.focalPoint);
   if (!(distance > 0))
   {
