@@ -11,7 +11,7 @@
 
 namespace limpid::python
 {
-/// Grid, Camera, Light.
+/// Grid, Camera, Light, and where they stand when nobody has placed them.
 void BindScene(nanobind::module_& module);
 
 /// Settings of the optimiser, and their choices.

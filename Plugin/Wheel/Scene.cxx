@@ -5,6 +5,7 @@
 #include "Bindings.h"
 
 #include "scene/Grid.h"
+#include "scene/Placement.h"
 #include "scene/RaySource.h"
 
 #include <nanobind/stl/array.h>
@@ -30,6 +31,23 @@ void MakeGrid(Grid* grid, const std::array<int, 3>& nodes, const Triple& origin,
     grid->direction[axis] = ToVec3(direction[std::size_t(axis)]);
   }
   grid->Require();
+}
+
+// Position, focal point and parallel scale of a camera that nobody has placed.
+nb::tuple PlacedCamera(const Grid& grid)
+{
+  Camera camera;
+  PlaceCamera(grid, camera);
+  return nb::make_tuple(
+    ToTriple(camera.position), ToTriple(camera.focalPoint), camera.parallelScale);
+}
+
+// Position of a light that nobody has placed.
+Triple PlacedLight(const Camera& camera)
+{
+  Light light;
+  PlaceLight(camera, light);
+  return ToTriple(light.position);
 }
 
 // `light`: with a focal point it is directional.
@@ -62,5 +80,7 @@ void BindScene(nb::module_& module)
       "parallel_scale"_a, "aspect_ratio"_a);
   nb::class_<Light>(module, "Light")
     .def("__init__", MakeLight, "position"_a, "focal_point"_a.none());
+  module.def("placed_camera", PlacedCamera, "grid"_a);
+  module.def("placed_light", PlacedLight, "camera"_a);
 }
 }

@@ -91,9 +91,8 @@ def camera_of(given, grid):
         Reset Camera puts a new one, on the z axis through the volume's centre.
     """
     if given is None:
-        centre = grid.centre()
-        return Camera(tuple(centre + [0, 0, grid.radius() / math.sin(math.radians(15))]),
-                      tuple(centre), parallel_scale=grid.radius())
+        position, focal_point, scale = _core.placed_camera(grid.in_core((0, 1, 2)))
+        return Camera(position, focal_point, parallel_scale=scale)
     if isinstance(given, Camera):
         return given
     names = {field.name: (field.name,) for field in dataclasses.fields(Camera)}
@@ -114,7 +113,7 @@ def light_of(given, camera):
         from the focal point.
     """
     if given is None:
-        return Light(tuple(key_light(camera)))
+        return Light(_core.placed_light(camera.in_core()))
     if isinstance(given, Light):
         return given
     members = members_of(given, {"position": ("position",), "focal_point": ("focal_point",),
@@ -122,14 +121,6 @@ def light_of(given, camera):
     if "positional" in members:
         members["directional"] = not members.pop("positional")
     return Light(**members) if "position" in members else Light(given)
-
-
-def key_light(camera):
-    """Where the key light of ParaView's light kit shines from, (3,) [length]."""
-    right, up, forward, distance = camera.axes()
-    elevation, azimuth = math.radians(50), math.radians(10)
-    level = math.sin(azimuth) * right - math.cos(azimuth) * forward
-    return camera.focal_point + distance * (math.cos(elevation) * level + math.sin(elevation) * up)
 
 
 def clip_to_world(camera, grid, aspect):
