@@ -5,8 +5,8 @@
 
 NAME.xml has the events for ParaView's test player, and <proceed/> between them (run-story.sh makes
 events of it). NAME.py has a generator: it runs from one `yield` to the next at each <proceed/>, and
-may wait while the window goes on living. What it finds is in report.txt of the working directory, whose last line is ENDED
-if nothing was wrong.
+may wait while the window goes on living. What it finds is in report.txt of the working directory,
+whose last line is ENDED if nothing was wrong.
 """
 
 import ctypes
@@ -171,8 +171,8 @@ def begin(generator):
 
 
 def listen(view):
-    """Lets <proceed quietly="1"/> work: a key in this view. Since ParaView 5.12 a macro, which
-    <proceed/> is, counts as a step that could be undone."""
+    """Lets <proceed quietly="1"/> work: a key in this view. In ParaView 5.13 and later a macro,
+    which <proceed/> is, counts as a step that could be undone."""
     def key_pressed(interactor, _):
         if interactor.GetKeySym() == "F9":
             proceed()

@@ -89,6 +89,7 @@ class MapperTest(unittest.TestCase):
         with memory_limited_to(2 ** 22):
             view.window.Render()
         self.assertIn(len(view.messages), (1, 2), view.messages)
+        self.assertEqual(len(set(view.messages)), len(view.messages))
         for word in words:
             for message in view.messages:
                 self.assertIn(word, message)
