@@ -5,8 +5,7 @@
 
 #include "backend/HostDevice.h"
 #include "backend/Interruption.h"
-#include "render/BlockSampler.h"
-#include "render/ExtinctionOverlay.h"
+#include "render/HostTrace.h"
 #include "render/RayLanes.h"
 #include "render/Raycast.h"
 
@@ -21,25 +20,6 @@ constexpr int tileWidth = 4; // pixels
 constexpr int tileHeight = RayLanes::count / tileWidth;
 constexpr int tilesAtATime = 8; ///< along a row: they read the same nodes
 
-using HostPixel = Pixel<BlockSampler::Optical>;
-using TraceOneRay = void (*)(const RayScene&, const Ray&, HostPixel&);
-
-template <Compositing compositing, bool lit, bool overlaid>
-void Trace(const RayScene& scene, const Ray& ray, HostPixel& pixel)
-{
-  RunMultiversioned([&]() LIMPID_INLINE_LAMBDA
-    { TraceAs<compositing, BlockSampler, lit, overlaid>(scene, ray, pixel); });
-}
-
-template <Compositing compositing>
-TraceOneRay TraceBy(bool lit, bool overlaid)
-{
-  constexpr TraceOneRay all[2][2] = { { Trace<compositing, false, false>,
-                                        Trace<compositing, false, true> },
-    { Trace<compositing, true, false>, Trace<compositing, true, true> } };
-  return all[lit][overlaid];
-}
-
 TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
 {
   const bool lit = scene.gradient != nullptr;
@@ -47,13 +27,13 @@ TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
   switch (compositing)
   {
     case Compositing::FromObject:
-      return TraceBy<Compositing::FromObject>(lit, overlaid);
+      return HostTraceBy<Compositing::FromObject>(lit, overlaid);
     case Compositing::ImportanceMean:
-      return TraceBy<Compositing::ImportanceMean>(lit, overlaid);
+      return HostTraceBy<Compositing::ImportanceMean>(lit, overlaid);
     case Compositing::FrontToBack:
       break;
   }
-  return TraceBy<Compositing::FrontToBack>(lit, overlaid);
+  return HostTraceBy<Compositing::FrontToBack>(lit, overlaid);
 }
 
 template <bool overlaid>

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How the processor traces a ray: the samples in blocks, by the widest registers it has. Each way
+// of compositing is compiled in a file of its own, since one takes a compiler as long as everything
+// else of a picture.
+
+#ifndef limpid_render_HostTrace_h
+#define limpid_render_HostTrace_h
+
+#include "backend/Simd.h"
+#include "render/BlockSampler.h"
+#include "render/ExtinctionOverlay.h"
+#include "render/TraceByImportance.h"
+
+namespace limpid
+{
+using HostPixel = Pixel<BlockSampler::Optical>;
+using TraceOneRay = void (*)(const RayScene& scene, const Ray& ray, HostPixel& pixel);
+
+template <Compositing compositing, bool lit, bool overlaid>
+void HostTrace(const RayScene& scene, const Ray& ray, HostPixel& pixel)
+{
+  RunMultiversioned([&]() LIMPID_INLINE_LAMBDA
+    { TraceAs<compositing, BlockSampler, lit, overlaid>(scene, ray, pixel); });
+}
+
+/// What traces the rays of scenes that have a gradient (lit) and an overlay, or not.
+template <Compositing compositing>
+TraceOneRay HostTraceBy(bool lit, bool overlaid)
+{
+  constexpr TraceOneRay all[2][2] = { { HostTrace<compositing, false, false>,
+                                        HostTrace<compositing, false, true> },
+    { HostTrace<compositing, true, false>, HostTrace<compositing, true, true> } };
+  return all[lit][overlaid];
+}
+
+extern template TraceOneRay HostTraceBy<Compositing::FrontToBack>(bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::FromObject>(bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::ImportanceMean>(bool lit, bool overlaid);
+}
+
+#endif

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "render/HostTrace.h"
+
+namespace limpid
+{
+template TraceOneRay HostTraceBy<Compositing::FrontToBack>(bool lit, bool overlaid);
+}
