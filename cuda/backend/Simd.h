@@ -27,10 +27,10 @@
 #define LIMPID_HAS_VERSIONS
 #endif
 
-/// Marks a function of several versions; it is no template. The loader chooses. Clang has it from
-/// version 18 on: before, it takes no names of instruction sets, and what calls a version in
-/// another file calls nothing.
-#if defined(LIMPID_HAS_VERSIONS) && (!defined(__clang__) || __clang_major__ >= 18)
+/// Marks a function of several versions; it is no template. The loader chooses. Not with clang:
+/// before version 18 it takes no names of instruction sets, and what calls a version in another
+/// file calls nothing; later ones leave out functions that versions alone call.
+#if defined(LIMPID_HAS_VERSIONS) && !defined(__clang__)
 #define LIMPID_MULTIVERSION                                                                        \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
