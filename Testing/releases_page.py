@@ -25,6 +25,7 @@ END = "<!-- end -->"
 
 TEST = re.compile(r'^\d+/\d+ Testing: (?P<name>.+?)$(?P<text>.*?)^"(?P=name)" end time',
                   re.MULTILINE | re.DOTALL)
+PASSED = re.compile(r"^Test (Passed\.|Pass Reason:)", re.MULTILINE)
 SKIPPED_BY_PYTHON = re.compile(r"^\s*(\w+) \(.*?\).*? \.\.\. (?:.*\n)?skipped ['\"](.*)['\"]$",
                                re.MULTILINE)
 SKIPPED_BY_GTEST = re.compile(r": Skipped\n(.+)$", re.MULTILINE)
@@ -43,7 +44,7 @@ class Results:
         for reason in SKIPPED_BY_GTEST.findall(text):
             self.skipped[reason].append(name)
             return
-        (self.passed if "\nTest Passed." in text else self.failed).append(name)
+        (self.passed if PASSED.search(text) else self.failed).append(name)
         for part, reason in SKIPPED_BY_PYTHON.findall(text):
             self.skipped[reason].append(f"{name}: {part}")
 
