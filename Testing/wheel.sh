@@ -28,7 +28,7 @@ rm -rf "$folder/venv" "$folder/dist"
 pip=("$folder/venv/bin/pip" --disable-pip-version-check)
 start=$SECONDS
 "${pip[@]}" wheel --quiet --no-deps --wheel-dir "$folder/dist" \
-  --config-settings="build-dir=$folder/compiled" "$root"
+  --config-settings="build-dir=$folder/compiled" "$root/Plugin/Wheel"
 echo "Built $(du -h "$folder"/dist/*.whl | cut -f1) in $((SECONDS - start)) s:" "$folder"/dist/*.whl
 wheel=("$folder"/dist/*.whl)
 "${pip[@]}" install --quiet "${wheel[0]}[pyvista]"
