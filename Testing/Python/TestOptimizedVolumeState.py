@@ -61,11 +61,8 @@ def views_by_name():
 
 
 def take_all():
-    """Before a background that is always the same: traces say nothing of it, and what is theirs then
-    depends on ParaView's version and settings."""
     for view in simple.GetViews():
-        view.UseColorPaletteForBackground = 0
-        view.Background = displays.BACKGROUND
+        displays.set_background(view)  # traces say nothing of it
     return [pictures.take(view, SIZE) for view in views_by_name()]
 
 

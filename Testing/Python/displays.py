@@ -60,14 +60,19 @@ def through_a_state():
     return view
 
 
+def set_background(view):
+    """The same whatever ParaView's version and settings have by default."""
+    view.UseColorPaletteForBackground = 0
+    view.Background = BACKGROUND
+
+
 def new_view(size=(200, 200)):
     simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
     view.ViewSize = list(size)
     view.OrientationAxesVisibility = 0
     view.CenterAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = BACKGROUND
+    set_background(view)
     look(view, POSITIONS[0])
     return view
 
