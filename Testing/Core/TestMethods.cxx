@@ -94,7 +94,6 @@ TEST(Methods, ScoreNestedShellsAsTheirClosedForms)
   // The integral of 1 - exp(-2 m u) over the disc, with u half the chord: 2 pi u du.
   const double a = coreRadius;
   const double m = thickness;
-  const double pi = 3.14159265358979;
   const double bare =
     pi * a * a - 2 * pi * (1 - std::exp(-2 * m * a) * (1 + 2 * m * a)) / (4 * m * m);
 

@@ -98,7 +98,6 @@ Column RandomColumn(unsigned seed, double cellDepth)
   const double slow = 6 + 6 * uniform(generator);
   const double fast = 6 + 2 * uniform(generator);
   const double phase = 6 * uniform(generator);
-  const double pi = std::acos(-1.0);
   Column column;
   column.spacing = 0.5;
   for (int k = 0; k < depth; ++k)

@@ -25,7 +25,6 @@ namespace
 /// than a cell.
 std::vector<double> SmoothDirection(const Grid& grid, unsigned seed)
 {
-  const double pi = std::acos(-1.0);
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
   double frequency[3][3];

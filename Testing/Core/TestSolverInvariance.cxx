@@ -99,8 +99,6 @@ void ExpectTheSameMoved(double unit, const Mat3& rotation, const Vec3& shift)
     RmsDifference(there.transmittance, here.transmittance), 0, (Tolerance{ 1e-4, reason }));
 }
 
-const double pi = std::acos(-1.0);
-
 /// Moves by `angle` about the axis.
 Mat3 RotationAbout(Vec3 axis, double angle)
 {

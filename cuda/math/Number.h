@@ -15,6 +15,8 @@
 
 namespace limpid
 {
+constexpr double pi = 3.14159265358979323846;
+
 /// condition ? one : other
 LIMPID_HD LIMPID_INLINE float Select(bool condition, float one, float other)
 {

@@ -11,8 +11,6 @@
 
 namespace limpid
 {
-constexpr double pi = 3.14159265358979323846;
-
 /**
  * Phase function f_v of Eq. (5) [HG41]: share of the light scattered per solid angle [1/steradian].
  * Integrates to 1 over the sphere.

@@ -3,6 +3,7 @@
 
 #include "scene/Placement.h"
 
+#include "math/Number.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 
@@ -15,7 +16,7 @@ namespace
 {
 double RadiansOf(double degrees)
 {
-  return degrees * (3.14159265358979323846 / 180);
+  return degrees * (pi / 180);
 }
 
 // Some unit vector at right angles to a vector.

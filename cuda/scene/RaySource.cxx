@@ -3,6 +3,7 @@
 
 #include "scene/RaySource.h"
 
+#include "math/Number.h"
 #include "math/Require.h"
 #include "scene/Grid.h"
 
@@ -95,9 +96,8 @@ void AddOpening(RaySource& eye, const Camera& camera, const Grid& grid, const Ve
   }
   right = glm::normalize(right);
   const Vec3 up = glm::cross(right, forward);
-  const double halfHeight = camera.parallel
-    ? camera.parallelScale
-    : std::tan(0.5 * camera.viewAngle * 3.14159265358979323846 / 180.0);
+  const double halfHeight =
+    camera.parallel ? camera.parallelScale : std::tan(0.5 * camera.viewAngle * pi / 180.0);
   const double halfWidth = halfHeight * camera.aspect;
   for (const double side : { -1.0, 1.0 })
   {
