@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace limpid
 {
@@ -64,6 +65,38 @@ double Vessel(const PhantomPoint& point, double side, double radius)
   const double across = std::hypot(point[0] - x, point[1] - y) / std::hypot(1.0, 0.5 * slope);
   const double ends = std::abs(point[2] + 0.05) - 0.42;
   return std::max(across - radius, ends);
+}
+
+// Distance to the nearest of several thin vessels, which wind along all three axes.
+double ThinVessels(const PhantomPoint& p)
+{
+  constexpr int vessels = 12;
+  double nearest = 2;
+  for (int vessel = 0; vessel < vessels; ++vessel)
+  {
+    const double x = p[std::size_t(vessel % 3)];
+    const double y = p[std::size_t((vessel + 1) % 3)];
+    const double along = p[std::size_t((vessel + 2) % 3)];
+    const double turn = 3.0 * along + 1.7 * vessel;
+    const double wide = 0.12 + 0.035 * vessel;
+    const double across = std::hypot(x - wide * std::cos(turn), y - wide * std::sin(turn)) /
+      std::hypot(1.0, 3.0 * wide); // as it leans by that much
+    nearest = std::min(nearest, std::max(across - 0.012, std::abs(along) - 0.55));
+  }
+  return nearest;
+}
+
+// White noise [0, 1], equal in cells of 1/64.
+double Noise(const PhantomPoint& p)
+{
+  std::uint32_t bits = 2166136261u;
+  for (const double coordinate : p)
+  {
+    bits = (bits ^ static_cast<std::uint32_t>(std::lround(64 * (coordinate + 1)))) * 16777619u;
+    bits ^= bits >> 15;
+  }
+  bits *= 2246822519u;
+  return double(bits >> 8) / double(1u << 24);
 }
 
 double SkullDistance(const PhantomPoint& p, double edge)
@@ -145,6 +178,18 @@ Material ShellsScene(const PhantomPoint& p, double edge)
   Fill(material, { 0.45, 0.3, 6.0 }, Inside(std::abs(radius - 0.62) - 0.05, edge));
   Fill(material, { 0.7, 0.6, 10.0 }, Inside(std::abs(radius - 0.4) - 0.05, edge));
   Fill(material, { 1.0, 1.0, 20.0 }, Inside(radius - 0.2, edge));
+  return material;
+}
+
+Material VesselsScene(const PhantomPoint& p, double edge)
+{
+  const double noise = Noise(p);
+  const Material tissue{ 0.2 + 0.2 * noise, 0.6 * std::pow(noise, 3), 1.0 + 4.0 * noise };
+  const double body = Ellipsoid(p, { 0, 0, 0 }, { 0.75, 0.8, 0.7 });
+  Material material;
+  Fill(material, { 0.5, 0, 8.0 }, Inside(body, edge));
+  Fill(material, tissue, Inside(body + 0.05, edge));
+  Fill(material, { 1.0, 1.0, 40.0 }, Inside(ThinVessels(p), 0.5 * edge));
   return material;
 }
 

@@ -30,6 +30,7 @@ Material HeadScene(const PhantomPoint& point, double edge);
 Material FlameScene(const PhantomPoint& point, double edge);
 Material ShellsScene(const PhantomPoint& point, double edge);
 Material HomogeneousScene(const PhantomPoint& point, double edge);
+Material VesselsScene(const PhantomPoint& point, double edge);
 }
 
 #endif

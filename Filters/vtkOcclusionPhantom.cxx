@@ -85,8 +85,8 @@ int vtkOcclusionPhantom::RequestInformation(
 int vtkOcclusionPhantom::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  constexpr std::array<limpid::PhantomScene, 4> scenes{ { limpid::HeadScene, limpid::FlameScene,
-    limpid::ShellsScene, limpid::HomogeneousScene } };
+  constexpr std::array<limpid::PhantomScene, 5> scenes{ { limpid::HeadScene, limpid::FlameScene,
+    limpid::ShellsScene, limpid::HomogeneousScene, limpid::VesselsScene } };
   const limpid::PhantomScene scene = scenes[static_cast<std::size_t>(this->Scene)];
 
   vtkInformation* info = outputVector->GetInformationObject(0);

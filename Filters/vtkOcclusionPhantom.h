@@ -16,7 +16,8 @@
  *   HEAD         skin and soft tissue around a skull, with two vessels and a tumour inside;
  *   FLAME        a flickering plume of hot gas with a thin reaction front inside;
  *   SHELLS       four spheres inside each other, the inner the more important;
- *   HOMOGENEOUS  extinction 1 and importance 1 everywhere, for comparison with closed forms.
+ *   HOMOGENEOUS  extinction 1 and importance 1 everywhere, for comparison with closed forms;
+ *   VESSELS      thin vessels in tissue with noise, which is the same in cells of 1/64.
  *
  * @sa vtkExtinctionOptimizer
  */
@@ -39,7 +40,8 @@ public:
     HEAD = 0,
     FLAME = 1,
     SHELLS = 2,
-    HOMOGENEOUS = 3
+    HOMOGENEOUS = 3,
+    VESSELS = 4
   };
 
   ///@{
@@ -54,7 +56,7 @@ public:
   /**
    * Which scene. Default is HEAD.
    */
-  vtkSetClampMacro(Scene, int, HEAD, HOMOGENEOUS);
+  vtkSetClampMacro(Scene, int, HEAD, VESSELS);
   vtkGetMacro(Scene, int);
   ///@}
 

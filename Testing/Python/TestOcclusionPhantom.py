@@ -10,7 +10,7 @@ from limpid.vtkLimpidFilters import vtkOcclusionPhantom
 import images
 from images import abort_at_every_event, caught, memory_limited_to, values
 
-SCENES = {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3}
+SCENES = {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3, "Vessels": 4}
 
 
 def phantom(scene, resolution=32):

@@ -69,7 +69,7 @@ class TestPropertyDefaults(unittest.TestCase):
             "ImportanceSmoothing": {"Off": optimizer.AS_GIVEN, "Median": optimizer.MEDIAN},
             "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},
             "Backend": {"Auto": optimizer.AUTO, "CPU": optimizer.CPU, "CUDA": optimizer.CUDA},
-            "Scene": {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3},
+            "Scene": {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3, "Vessels": 4},
             "Field": {"Importance Proxy": search.IMPORTANCE_PROXY,
                       "Base Extinction": search.BASE_EXTINCTION,
                       "Extinction Array": search.EXTINCTION_ARRAY,
