@@ -363,18 +363,20 @@ TEST(ProximalDescent, GoesBackToTheBestIterateBeforeItStepsShorter)
   EXPECT_EQ(descent.Proximity(), 7);
 }
 
-// p (mu - mu-bar) + t (mu - mu_last) + derivatives vanishes at the minimum.
-TEST(PolicyVoxel, MinimisesItsEnergyAndTheProximalTerm)
+// p (mu - mu-bar) + s (mu - mu_last) + t (mu - mu_previous) + derivatives vanishes at the minimum.
+TEST(PolicyVoxel, MinimisesItsEnergyAndWhatKeepsItNear)
 {
   const double p = 0.3;
-  const double t = 0.9;
+  const double s = 0.9;
+  const double t = 0.4;
   const double weight = 2;
-  const PolicyVoxel<double> policy{ weight / (p + t), 1 / (p + t), t / (p + t), { 0, 10 } };
+  const double all = p + s + t;
+  const PolicyVoxel<double> policy{ weight / all, 1 / all, s / all, t / all, { 0, 10 } };
 
-  const double found = policy(1.5, 4, 0, 0.2, -0.7);
+  const double found = policy(1.5, 4, 3, 0, 0.2, -0.7);
 
-  EXPECT_WITHIN(
-    p * (found - 1.5) + t * (found - 4) + weight * 0.2 - 0.7, 0, Roundoff<double>(8, weight));
+  EXPECT_WITHIN(p * (found - 1.5) + s * (found - 4) + t * (found - 3) + weight * 0.2 - 0.7, 0,
+    Roundoff<double>(10, weight));
 }
 
 TEST(Policy, EndsWhenTheEnergyNoLongerChanges)

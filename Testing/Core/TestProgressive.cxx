@@ -8,6 +8,7 @@
 
 #include "backend/Interruption.h"
 #include "math/Require.h"
+#include "optimize/Levels.h"
 #include "optimize/PassTime.h"
 #include "optimize/Progressive.h"
 
@@ -262,6 +263,137 @@ TEST(Progressive, KeepsShowingTheLastViewUntilThereIsSomethingNew)
   EXPECT_EQ(Copy(progressive, progressive.Extinction()), shown);
   progressive.Refine();
   EXPECT_NE(Copy(progressive, progressive.Extinction()), shown);
+}
+
+TEST(Progressive, NeverShowsTheBaseWhileIteratesAreNoBetter)
+{
+  const BoxScene scene = Onion();
+  int worse = 0;
+  for (const double regularization : { 0.1, 1.0, 10.0, 100.0 })
+  {
+    Progressive progressive = MakeProgressive(scene);
+    RefineAll(progressive);
+    Settings settings = scene.settings;
+    settings.weights.regularization = regularization;
+    progressive.SetView(scene.camera, scene.light, settings);
+    while (!progressive.Refine())
+    {
+      EXPECT_NE(Copy(progressive, progressive.Extinction()), scene.extinction) << regularization;
+    }
+    Solver solver(scene.Fields(), scene.camera, scene.light, settings);
+    solver.Step(1);
+    const std::vector<IterationRecord>& history = solver.History();
+    worse += history[1].energy.Total() > history[0].energy.Total() ? 1 : 0;
+  }
+  EXPECT_GT(worse, 0); // or nothing was tested
+}
+
+TEST(Progressive, GoesOnFromWhatAnotherSceneShowed)
+{
+  const BoxScene scene = Onion();
+  Progressive first = MakeProgressive(scene);
+  EXPECT_TRUE(first.Change().Empty());
+  RefineAll(first);
+  const std::vector<float> shown = Copy(first, first.Extinction());
+  BoxScene edited = Onion();
+  for (float& value : edited.extinction)
+  {
+    value *= 0.5f;
+  }
+
+  Progressive second(edited.Fields(), edited.settings);
+  second.GoOnFrom(first.Change());
+  second.SetView(edited.camera, edited.light, edited.settings);
+
+  ASSERT_EQ(second.ShownGrid().nodes, edited.grid.nodes);
+  const std::vector<float> carried = Copy(second, second.Extinction());
+  const float majorant = *std::max_element(edited.extinction.begin(), edited.extinction.end());
+  for (std::size_t node = 0; node < shown.size(); ++node)
+  {
+    // All of the scene is half as much, and so is the change.
+    EXPECT_WITHIN(carried[node], 0.5 * shown[node], Roundoff<float>(16, majorant));
+  }
+  EXPECT_GT(second.BestScore().fraction, second.BaseScore().fraction);
+  second.Refine();
+  EXPECT_EQ(Copy(second, second.Extinction()), carried);
+  RefineAll(second);
+  ExpectWhatASolverFinds(second, edited);
+}
+
+TEST(Progressive, DoesNotGoOnFromAnotherBox)
+{
+  const BoxScene scene = Onion();
+  Progressive first = MakeProgressive(scene);
+  RefineAll(first);
+  BoxScene moved = Onion();
+  moved.grid.origin.x += 0.5;
+
+  Progressive second(moved.Fields(), moved.settings);
+  second.GoOnFrom(first.Change());
+
+  EXPECT_TRUE(second.Change().Empty());
+}
+
+TEST_P(ProgressiveWays, StaysNearWhatItShows)
+{
+  BoxScene scene = this->Scene();
+  scene.settings.iterationsPerLevel = { { 8, 8, 48 } }; // Adam begins at the base
+  const auto distances = [&](double coherence)
+  {
+    scene.settings.temporalCoherence = coherence;
+    Progressive progressive = MakeProgressive(scene);
+    RefineAll(progressive);
+    const std::vector<float> before = Copy(progressive, progressive.Extinction());
+    const std::vector<float> lightBefore = Copy(progressive, progressive.LightExtinction());
+    progressive.SetView(Turned(scene, 3), scene.light, scene.settings);
+    RefineAll(progressive);
+    const auto distance = [&](const float* now, const std::vector<float>& then)
+    {
+      double sum = 0;
+      for (std::size_t node = 0; node < then.size(); ++node)
+      {
+        sum += std::abs(double(now[node]) - double(then[node]));
+      }
+      return sum;
+    };
+    return std::pair(distance(progressive.Extinction(), before),
+      distance(progressive.LightExtinction(), lightBefore));
+  };
+
+  const auto [free, freeOfLight] = distances(0);
+  const auto [near, nearOfLight] = distances(1);
+
+  EXPECT_LT(near, 0.7 * free);
+  if (GetParam().solver == SolverKind::Policy) // steps of Adam go to and fro about an optimum
+  {
+    EXPECT_LE(nearOfLight, std::max(freeOfLight, 1e-2 * free)); // the light has not moved
+  }
+}
+
+TEST_P(ProgressiveWays, PreviewsStayNearWhatIsShown)
+{
+  BoxScene scene = this->Scene();
+  scene.settings.temporalCoherence = 1e7; // changes are large where little absorbs
+  Progressive progressive = MakeProgressive(scene);
+  RefineAll(progressive);
+  const CarriedChange before = progressive.Change();
+
+  progressive.SetView(Turned(scene, 1), scene.light, scene.settings);
+  progressive.Preview(1e-9); // on a coarse grid
+
+  ASSERT_LT(progressive.ShownGrid().NodeCount(), scene.grid.NodeCount());
+  const std::vector<float> coarse =
+    Resampled(before.grid, before.ofExtinction.data(), progressive.ShownGrid());
+  const std::vector<float> now = progressive.Change().ofExtinction;
+  double sum = 0;
+  double size = 0;
+  for (std::size_t node = 0; node < now.size(); ++node)
+  {
+    const bool filled = progressive.BaseExtinction()[node] > 0;
+    sum += filled ? std::abs(double(now[node]) - double(coarse[node])) : 0.0;
+    size += std::abs(double(coarse[node]));
+  }
+  EXPECT_LT(sum, 0.01 * size);
 }
 
 TEST(Progressive, DoesNothingForTheSameView)

@@ -43,6 +43,7 @@ Settings MakeSettings(Invented& make)
   settings.importanceSmoothing =
     make.Chance() ? ImportanceSmoothing::Median : ImportanceSmoothing::Off;
   settings.smoothness = make.Chance() ? make.Number(0, 10) : 0;
+  settings.temporalCoherence = make.Chance() ? make.Number(0, 10) : 0;
   settings.backend = BackendKind::Cpu;
   return settings;
 }

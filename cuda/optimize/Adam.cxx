@@ -25,6 +25,7 @@ struct Level
   std::vector<float> baseStorage; ///< empty on the full resolution
   std::vector<float> importanceStorage;
   std::vector<float> nodeImportanceStorage;
+  std::vector<float> previousStorage;
   std::unique_ptr<AdamLevel> state;
   int count = 0; ///< of steps
 };
@@ -191,6 +192,11 @@ private:
         here.problem.grid, here.baseStorage.data(), here.importanceStorage.data());
       here.problem.importance = here.importanceStorage.data();
       here.problem.nodeImportance = here.nodeImportanceStorage.data();
+      if (this->Given.previous)
+      {
+        here.previousStorage = Restrict(this->Given.grid, this->Given.previous, here.problem.grid);
+        here.problem.previous = here.previousStorage.data();
+      }
       here.problem.camera = Rescaled(this->Given.camera, this->Given.grid, here.problem.grid);
       here.problem.light = Rescaled(this->Given.light, this->Given.grid, here.problem.grid);
       here.problem.occupancy =

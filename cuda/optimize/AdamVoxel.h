@@ -28,6 +28,8 @@ struct AdamVoxel
   Real* second;           ///< running mean of its square
   Real* extinction;       ///< [1/length]
   Real regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
+  const Real* previous;   ///< what to stay near [1/length]; null: nothing
+  Real coherence;         ///< weight of (mu - mu_previous) [length]
   Real step;              ///< learning rate, bias of the first moment removed [1/length]
   Real secondCorrection;  ///< 1 / (1 - beta2^n), removes the bias of the second moment
   Real floor;             ///< epsilon
@@ -38,7 +40,10 @@ struct AdamVoxel
     constexpr Real beta1 = Real(0.9);
     constexpr Real beta2 = Real(0.999);
     const Real now = this->extinction[voxel];
-    const Real slope = this->gradient[voxel] + this->regularization * (now - this->base[voxel]);
+    const Real toPrevious =
+      this->previous ? this->coherence * (now - this->previous[voxel]) : Real(0);
+    const Real slope =
+      this->gradient[voxel] + this->regularization * (now - this->base[voxel]) + toPrevious;
     const Real mean = beta1 * this->first[voxel] + (Real(1) - beta1) * slope;
     const Real square = beta2 * this->second[voxel] + (Real(1) - beta2) * slope * slope;
     this->first[voxel] = mean;

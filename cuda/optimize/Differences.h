@@ -14,16 +14,18 @@ double SumOfSquares(const float* a, const float* b, Index count);
 /// Sum of |a - b| over `count` values.
 double SumOfChanges(const float* a, const float* b, Index count);
 
-/// How far an iterate is from the base and from the last one.
+/// How far an iterate is from the base, from the last one and from what it is to stay near.
 struct Differences
 {
-  double squares = 0; ///< sum of (iterate - base)^2
-  double changes = 0; ///< sum of |iterate - last|
+  double squares = 0;             ///< sum of (iterate - base)^2
+  double changes = 0;             ///< sum of |iterate - last|
+  double squaresFromPrevious = 0; ///< sum of (iterate - previous)^2
 
   Differences& operator+=(const Differences& other)
   {
     this->squares += other.squares;
     this->changes += other.changes;
+    this->squaresFromPrevious += other.squaresFromPrevious;
     return *this;
   }
 };

@@ -11,16 +11,6 @@
 
 namespace limpid
 {
-namespace
-{
-std::vector<float> Resampled(const Grid& from, const float* field, const Grid& to)
-{
-  std::vector<float> values(static_cast<std::size_t>(to.NodeCount()));
-  Resample(HostDevice::Shared(), from, field, to, values.data());
-  return values;
-}
-}
-
 AxisFilter::AxisFilter(int from, int to)
   : begin{ 0 }
 {
@@ -59,6 +49,13 @@ Grid CoarseGrid(const Grid& grid, int factor)
       cells > 0 ? grid.spacing[axis] * cells / coarseCells : grid.spacing[axis];
   }
   return coarse;
+}
+
+std::vector<float> Resampled(const Grid& from, const float* field, const Grid& to)
+{
+  std::vector<float> values(static_cast<std::size_t>(to.NodeCount()));
+  Resample(HostDevice::Shared(), from, field, to, values.data());
+  return values;
 }
 
 std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse)

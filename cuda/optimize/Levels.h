@@ -14,6 +14,10 @@ namespace limpid
 /// the grid has two.
 Grid CoarseGrid(const Grid& grid, int factor);
 
+/// A field on another grid over the same box: along axes that are coarser there as Restrict has it,
+/// along others as Prolong has it.
+std::vector<float> Resampled(const Grid& from, const float* field, const Grid& to);
+
 /// A field on a coarse grid over the same box: the mean of the fine field about each coarse node,
 /// weighted by the coarse node's trilinear hat function.
 std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse);

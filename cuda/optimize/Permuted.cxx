@@ -117,6 +117,12 @@ public:
     this->Inside.nodeImportance = this->Fields->nodeImportance.Data();
     this->Inside.occupancy = this->Fields->occupancy;
     this->Inside.resident = nullptr; // it keeps what is in the problem's order
+    if (problem.previous)
+    {
+      this->Before = this->Room();
+      Permute(this->Nodes, order, problem.previous, this->Before.data());
+      this->Inside.previous = this->Before.data();
+    }
   }
 
   const Problem& ProblemInside() const { return this->Inside; }
@@ -188,7 +194,8 @@ private:
 
   Grid Nodes; ///< of the problem
   std::shared_ptr<const PermutedFields> Fields;
-  Problem Inside; ///< the problem in that order
+  Problem Inside;            ///< the problem in that order
+  std::vector<float> Before; ///< what it is to stay near; empty: nothing
   std::unique_ptr<Minimizer> Inner;
   mutable std::vector<float> Restored; ///< the best iterate in the order of the problem, if asked
   mutable bool RestoredIsBest = false;

@@ -27,8 +27,11 @@ double RegularizationOf(const Problem& problem)
 /// is cleared all along the diameter, p (R majorant)^2 in normalised coordinates, against a V of 1.
 bool CanCostMoreThanItShows(const Problem& problem, double weight)
 {
-  const double diameter = problem.grid.Radius() * problem.majorant;
-  return weight < problem.settings.weights.regularization * diameter * diameter;
+  const double radius = problem.grid.Radius();
+  const double diameter = radius * problem.majorant;
+  const double change =
+    problem.settings.weights.regularization + problem.CoherenceWeight() / radius;
+  return weight < change * diameter * diameter;
 }
 
 /// For ProximalDescent: it doubles the regularisation at least, and moves voxels through their
@@ -46,12 +49,14 @@ PolicyKernel<const float*, float*> KernelOf(
   const Problem& problem, const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep)
 {
   const double own = RegularizationOf(problem);
+  const double coherence = sweep.previous ? problem.CoherenceWeight() : 0.0;
   const double proximity = own * sweep.proximity;
-  const double p = own + proximity + sweep.smoothing;
+  const double p = own + proximity + coherence + sweep.smoothing;
   const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
   return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
-    sweep.lagged, sweep.next, sweep.alternative,
-    { gainOf(sweep.weight), gainOf(1.0), static_cast<float>(proximity / p), BoundsOf(problem) },
+    sweep.previous, sweep.lagged, sweep.next, sweep.alternative,
+    { gainOf(sweep.weight), gainOf(1.0), static_cast<float>(proximity / p),
+      static_cast<float>(coherence / p), BoundsOf(problem) },
     sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept,
     0.5f / gainOf(sweep.weight) };
 }
@@ -67,15 +72,17 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
   {
     std::vector<Differences> rows(std::size_t(rays.Plan().nodesV)); // of all slices
     SweepBackwardByPhases(device, rays, occupancy, kernel,
-      [&rows, moved](const auto& voxels, const auto& windows, int v)
+      [&rows, &kernel, moved](const auto& voxels, const auto& windows, int v)
       {
         if (moved)
         {
           const Range<int>& filled = voxels.Filled();
           const float* next = voxels.Row(windows.next) + filled.begin;
-          rows[std::size_t(v)] +=
-            { SumOfSquares(next, voxels.Row(windows.base) + filled.begin, filled.Length()),
-              SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()) };
+          const auto squaresFrom = [&](const auto& field)
+          { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
+          rows[std::size_t(v)] += { squaresFrom(windows.base),
+            SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()),
+            kernel.previous ? squaresFrom(windows.previous) : 0.0 };
         }
       });
     for (std::size_t v = 1; moved && v < rows.size(); ++v)
@@ -356,11 +363,11 @@ private:
     const bool scored = this->Energy.IsOfCamera(*turn.swept) && TellsScores(this->Given->settings);
     const Kept kept = scored ? Kept::Counted : Kept::Ignored;
     const bool afterCamera = turn.other && this->Energy.IsOfCamera(*turn.other);
-    const float* alternative = afterCamera ? last : this->Energy.Fields().base.Data();
+    const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
       { last, turn.smoothing > 0 ? this->FindPull(last, turn.smoothing) : this->Lagged.Data(), next,
         this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Descent.Proximity(),
-        turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing },
+        turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous() },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
@@ -374,6 +381,15 @@ private:
     const bool lastFirst =
       !turn.weighs && MetNextIterate(frusta - 1, frusta, this->Given->settings.derivative);
     this->Energy.TakeSeen(*turn.swept, kept, lastFirst ? frusta - 1 : 0);
+  }
+
+  /// What costs less to keep, the base or what was before.
+  const float* Cheapest() const
+  {
+    const Problem& problem = *this->Given;
+    return problem.CoherenceWeight() > problem.RegularizationWeight()
+      ? this->Energy.Previous()
+      : this->Energy.Fields().base.Data();
   }
 
   /// The pull of neighbours beside the derivative of the other terms.
@@ -460,10 +476,12 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
 
 template <class AnyDevice>
 void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, double weight, float* next)
+  const ProblemFields<AnyDevice>& fields, const float* previous, double weight, float* next)
 {
-  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields,
-    { fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne, Kept::Ignored });
+  PolicySweep sweep{ fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne,
+    Kept::Ignored };
+  sweep.previous = previous;
+  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
   for (FrustumRays<AnyDevice>& rays : term.Frusta())
   {
     SweepFrustum(device, rays, term.Occupied(), kernel, nullptr);
@@ -481,7 +499,7 @@ std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
   template void SweepPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,                \
     const ProblemFields<AnyDevice>&, const PolicySweep&, Differences&);                            \
   template void SweepFirstPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,           \
-    const ProblemFields<AnyDevice>&, double, float*);                                              \
+    const ProblemFields<AnyDevice>&, const float*, double, float*);                                \
   template std::unique_ptr<Minimizer> MakePolicy(                                                  \
     const std::shared_ptr<AnyDevice>&, const Problem&, const std::vector<float>&, bool);
 LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE_POLICY)

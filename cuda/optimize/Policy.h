@@ -32,7 +32,8 @@ struct PolicySweep
   double proximity = 0;               ///< of ProximalDescent
   const float* alternative = nullptr; ///< see WeighStep [1/length]; null: nothing is weighed
   Reach reach = Reach::Unlimited;     ///< of the rays, where something is weighed
-  double smoothing = 0; ///< sigma of SmoothedChange [length], if `lagged` has its pull
+  double smoothing = 0;            ///< sigma of SmoothedChange [length], if `lagged` has its pull
+  const float* previous = nullptr; ///< what to stay near [1/length]; null: nothing
 };
 
 /// Sweeps all frusta of a term. Leaves what its rays have seen of the next iterate, and its optical
@@ -42,10 +43,10 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
   const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, Differences& moved);
 
 /// The first policy sweep of one term alone: nothing is known of transmittance or other terms.
-/// Leaves nothing with the rays.
+/// Leaves nothing with the rays. `previous`: see PolicySweep.
 template <class AnyDevice>
 void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, double weight, float* next);
+  const ProblemFields<AnyDevice>& fields, const float* previous, double weight, float* next);
 
 /// Whether what the rays of a frustum have met in their policy sweep was the next iterate, whose
 /// score and optical depths are known then: not the voxels of a frustum that is swept later. With

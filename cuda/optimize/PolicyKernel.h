@@ -29,15 +29,16 @@ struct PolicyStep
   const float* importance;    ///< [0, 1]; null: nothing is protected
   const float* base;          ///< [1/length]
   const float* last;          ///< the last iterate, or the base where it does not matter [1/length]
+  const float* previous;      ///< what to stay near, likewise [1/length]
   const float* lagged;        ///< derivative of the other terms, with weights; null: none
   float* next;                ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->next[u] =
-      this->policy(this->base[u], this->last[u], this->importance ? this->importance[u] : 0.0f,
-        this->derivative(this->transmittance[u], this->behind[u], this->inView[u]),
-        this->lagged ? this->lagged[u] : 0.0f);
+    this->next[u] = this->policy(this->base[u], this->last[u], this->previous[u],
+      this->importance ? this->importance[u] : 0.0f,
+      this->derivative(this->transmittance[u], this->behind[u], this->inView[u]),
+      this->lagged ? this->lagged[u] : 0.0f);
   }
 };
 
@@ -49,12 +50,13 @@ struct IdleStep
   const float* importance; ///< [0, 1]; null: nothing is protected
   const float* base;       ///< [1/length]
   const float* last;       ///< see PolicyStep
+  const float* previous;   ///< see PolicyStep
   const float* lagged;     ///< null: none
   float* next;             ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->next[u] = this->policy(this->base[u], this->last[u],
+    this->next[u] = this->policy(this->base[u], this->last[u], this->previous[u],
       this->importance ? this->importance[u] : 0.0f, 0.0f, this->lagged ? this->lagged[u] : 0.0f);
   }
 };
@@ -78,6 +80,7 @@ struct PolicyKernel
   Input importance;     ///< [0, 1]
   Input nodeImportance; ///< see NodeImportance.h [0, 1]
   Input last;           ///< the last iterate [1/length]
+  Input previous;       ///< what iterates are to stay near [1/length]; null: nothing
   Input lagged;         ///< derivative of the other terms, with weights; null: none
   Output next;          ///< the next iterate [1/length]
   Input alternative;    ///< what the next iterate is weighed against, see WeighStep; null: nothing
@@ -93,9 +96,9 @@ struct PolicyKernel
     const FieldUse useOfBase{ this->kept == Kept::Counted ? 2 : 0 };
     return { windows(this->base, useOfBase), windows(this->importance, FieldUse{ 2 }),
       windows(this->nodeImportance, FieldUse{ 0 }), windows(this->last, FieldUse{ 1 }),
-      windows(this->lagged, FieldUse{ 0 }), windows(this->next, FieldUse{ 2, true }),
-      windows(this->alternative, FieldUse{ 2 }), this->policy, this->transmittance,
-      this->areaWeighted, this->kept, this->priceOfSquare };
+      windows(this->previous, FieldUse{ 0 }), windows(this->lagged, FieldUse{ 0 }),
+      windows(this->next, FieldUse{ 2, true }), windows(this->alternative, FieldUse{ 2 }),
+      this->policy, this->transmittance, this->areaWeighted, this->kept, this->priceOfSquare };
   }
 
   /// To slice `s`, whose voxels are to be found next. The voxels behind are final.
@@ -148,15 +151,17 @@ struct PolicyKernel
       this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr;
     const float* bases = voxels.Row(this->base);
     const float* lasts = this->policy.inertia > 0 ? voxels.Row(this->last) : bases;
+    const float* before = this->previous ? voxels.Row(this->previous) : bases;
     const float* lags = this->lagged ? voxels.Row(this->lagged) : nullptr;
-    voxels.ForIdle(IdleStep{ this->policy, protects, bases, lasts, lags, voxels.Row(this->next) });
+    voxels.ForIdle(
+      IdleStep{ this->policy, protects, bases, lasts, before, lags, voxels.Row(this->next) });
     if (voxels.FindSeen(rays))
     {
       const auto seen = voxels.SeenHere();
       voxels.ForActive(
         PolicyStep{ this->policy, GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted),
           seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance), protects,
-          bases, lasts, lags, voxels.Row(this->next) });
+          bases, lasts, before, lags, voxels.Row(this->next) });
     }
   }
 

@@ -15,23 +15,26 @@ namespace limpid
  *   mu = clamp( mu-bar - (1/p) [ q T_V (V_V - g) + r T_L (V_L - g) ] )
  *
  * from Eqs. (26)-(28) with G = T V, within its bounds. A proximal step (ProximalDescent) adds
- * t/2 (mu - mu_last)^2 to the energy, which merges into the regularisation: p becomes p + t and
- * mu-bar becomes (p mu-bar + t mu_last) / (p + t).
+ * s/2 (mu - mu_last)^2 to the energy, and staying near a previous extinction t/2 (mu -
+ * mu_previous)^2 (Documentation/Deviations.md, D20). Both merge into the regularisation: p becomes
+ * p + s + t and mu-bar becomes (p mu-bar + s mu_last + t mu_previous) / (p + s + t).
  */
 template <class Real>
 struct PolicyVoxel
 {
-  Real gain;    ///< weight of the term that is swept over p + t [1/length]
-  Real lagGain; ///< 1 over p + t [1/length]
-  Real inertia; ///< t over p + t [0, 1]
+  Real gain;      ///< weight of the term that is swept over p + s + t [1/length]
+  Real lagGain;   ///< 1 over p + s + t [1/length]
+  Real inertia;   ///< s over p + s + t [0, 1]
+  Real coherence; ///< t over p + s + t [0, 1]
   ExtinctionBounds<Real> bounds;
 
-  /// `last`: of the last iterate; `derivative`: T (V - g) of the term that is swept; `lagged`: the
-  /// derivative of all others, with their weights; `base` and `importance`: see ExtinctionBounds.
+  /// `last`: of the last iterate; `previous`: what it is to stay near; `derivative`: T (V - g) of
+  /// the term that is swept; `lagged`: the derivative of all others, with their weights; `base` and
+  /// `importance`: see ExtinctionBounds.
   LIMPID_HD LIMPID_INLINE Real operator()(
-    Real base, Real last, Real importance, Real derivative, Real lagged) const
+    Real base, Real last, Real previous, Real importance, Real derivative, Real lagged) const
   {
-    const Real centre = base + this->inertia * (last - base);
+    const Real centre = base + this->coherence * (previous - base) + this->inertia * (last - base);
     const Real wanted = centre - (this->gain * derivative + this->lagGain * lagged);
     return this->bounds.Clamp(wanted, importance, base);
   }

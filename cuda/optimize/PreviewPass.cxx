@@ -34,7 +34,8 @@ void PreviewPass::OnBackend(const Work& work)
     });
 }
 
-void PreviewPass::Make(const Camera& camera, const Light& light, const Settings& settings)
+void PreviewPass::Make(
+  const Camera& camera, const Light& light, const Settings& settings, const CarriedChange& previous)
 {
   const Settings& last = this->Given.settings;
   if (settings.importanceSmoothing != last.importanceSmoothing || settings.method != last.method)
@@ -44,6 +45,12 @@ void PreviewPass::Make(const Camera& camera, const Light& light, const Settings&
   this->FromCamera.reset();
   this->ForScores.reset();
   this->Given = this->Scene->ProblemFor(camera, light, settings);
+  this->Given.nearness = previous.NearnessTo(camera, light, settings);
+  this->Previous = settings.temporalCoherence * this->Given.nearness > 0
+    ? AppliedTo(this->Scene->Arrays(), this->Scene->Majorant(), previous)
+    : CarriedExtinction();
+  this->Given.TakeIntoBounds(this->Previous.extinction);
+  this->Given.TakeIntoBounds(this->Previous.light);
   this->Judged = this->Scene->ProblemFor(camera, light, limpid::ForScores(settings));
   this->Backend.Choose(settings, this->Given.grid);
   this->Before.reset();
@@ -82,11 +89,13 @@ void PreviewPass::MakeByPolicy(const Settings& settings)
   const bool forLight = toSee && weights.light > 0 && (separate || !forCamera);
   if (forCamera)
   {
+    this->Given.previous = this->Previous.Of(false);
     Sweep(this->Given, this->CameraSweeps(), weights.view, this->ForCamera);
   }
   std::vector<float>& lit = separate ? this->ForLight : this->ForCamera;
   if (forLight)
   {
+    this->Given.previous = this->Previous.Of(separate);
     Sweep(
       this->Given, *this->Backend->SweepsFrom(this->Given, this->Given.light), weights.light, lit);
   }
@@ -102,6 +111,7 @@ void PreviewPass::MakeByPolicy(const Settings& settings)
 
 void PreviewPass::Forget()
 {
+  this->Previous = {};
   this->ForCamera = {};
   this->ForLight = {};
   this->FromCamera.reset();

@@ -26,7 +26,9 @@ public:
   {
   }
 
-  void Make(const Camera& camera, const Light& light, const Settings& settings);
+  /// `previous`: see Solver.
+  void Make(const Camera& camera, const Light& light, const Settings& settings,
+    const CarriedChange& previous = {});
 
   /// Frees the extinctions that passes have made.
   void Forget();
@@ -74,6 +76,7 @@ private:
   std::unique_ptr<SourceSweeps> ForScores;  ///< made when that is another importance
   std::vector<float> ForCamera;             ///< empty: the base extinction
   std::vector<float> ForLight;
+  CarriedExtinction Previous; ///< what these stayed near; nothing without coherence
   std::optional<Score> Before;
   std::optional<Score> After;
 };

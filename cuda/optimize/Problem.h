@@ -36,6 +36,9 @@ struct Problem
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null: nothing can be kept
   float majorant = 0;                         ///< upper bound of the extinction [1/length]
+  double nearness = 1;                        ///< see CarriedChange::NearnessTo
+  const float* previous =
+    nullptr; ///< what the extinction is to stay near [1/length]; null: nothing
   RaySource camera;
   RaySource light;
   bool forLight =
@@ -48,21 +51,35 @@ struct Problem
     return this->settings.weights.regularization * this->grid.Radius();
   }
 
-  /// Sum over all voxels of (mu - mu-bar)^2 [1/length^2].
-  double SquaresFromBase(const float* extinction) const;
+  /// t of Settings::temporalCoherence in world units [length]: with 1, a voxel moves through its
+  /// whole range for all visibility. 0 where there is nothing to stay near.
+  double CoherenceWeight() const;
+
+  /// Sum over all voxels of (mu - other)^2, where `other` differs from the base extinction in
+  /// filled voxels only [1/length^2].
+  double SquaresFrom(const float* other, const float* extinction) const;
 
   /// sigma of SmoothedChange in world units [length]: with smoothness 1, neighbours move a voxel
   /// through its whole range as all visibility does.
   double SmoothingStrength() const;
 
-  /// F_p of Eq. (22) in world units [length^2], from that sum.
-  double Regularization(double squares) const;
+  /// 1/2 weight sum (mu - other)^2 dx [length^2], from that sum: F_p of Eq. (22) in world units
+  /// with the weight of the regularisation and the base extinction.
+  double Regularization(double weight, double squares) const;
+
+  /// Moves an extinction into its bounds, see ExtinctionBounds, and to 0 where the scene is empty.
+  void TakeIntoBounds(std::vector<float>& extinction) const;
 
   /// Copies an extinction where the scene is filled.
   void CopyFilled(const float* from, float* to) const;
 
   /// Mean change over the voxels that may change [majorant], from the sum of all changes.
   double MeanChange(double changes) const;
+
+private:
+  /// Weight of a squared difference of extinctions that moves a voxel through its whole range where
+  /// that share of the visibility terms is at stake [length].
+  double WeightOfRange(double share) const;
 };
 
 /// An iterative method for a problem.

@@ -11,6 +11,17 @@
 
 namespace limpid
 {
+/// What a problem's extinction is to stay near, where it is read; empty: nothing.
+template <class AnyDevice>
+BorrowedArray<AnyDevice, float> PreviousOf(
+  const std::shared_ptr<AnyDevice>& device, const Problem& problem)
+{
+  return problem.previous
+    ? BorrowedArray<AnyDevice, float>(device, problem.previous,
+        static_cast<std::size_t>(problem.grid.NodeCount()), "the previous extinction")
+    : BorrowedArray<AnyDevice, float>();
+}
+
 /// The fields of a problem where they are read: the processor reads those of the caller, a GPU
 /// keeps copies as long as the scene is there.
 template <class AnyDevice>

@@ -10,6 +10,7 @@
 #include "optimize/PreviewPass.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace limpid
 {
@@ -70,7 +71,7 @@ enum class Shown
   Nothing,
   Preview, ///< of the level that was chosen last
   Solver,  ///< what the solver has found for the present view
-  Kept     ///< what a solver had found for the last view
+  Kept     ///< what was shown for the last view or scene
 };
 }
 
@@ -89,13 +90,17 @@ struct Progressive::Internals
   bool hasView = false;
 
   Shown shown = Shown::Nothing;
+  Camera shownCamera; ///< for which that was found
+  Light shownLight;
+  Settings shownSettings;
+  double shownLikeness = 1;
+  bool shownOfOther = false;      ///< whether another scene's
   std::size_t level = 0;          ///< of the last preview
   bool levelIsCurrent = false;    ///< whether it was made for the present view
   std::unique_ptr<Solver> solver; ///< of the present view; null: not begun
   std::array<FoundExtinction, 2> kept;
-  bool keptForLight = false; ///< whether there is another one for the light
-  Score keptBase;
-  Score keptBest;
+  bool keptForLight = false;        ///< whether there is another one for the light
+  std::optional<Scores> keptScores; ///< not there: not known yet
 
   void PlaceGrids()
   {
@@ -143,8 +148,7 @@ struct Progressive::Internals
   {
     if (this->shown == Shown::Solver)
     {
-      this->keptBase = this->solver->BaseScore();
-      this->keptBest = this->solver->BestScore();
+      this->keptScores = { this->solver->BaseScore(), this->solver->BestScore() };
       this->keptForLight = HasLightExtinction(this->settings);
       this->kept = this->solver->TakeExtinctions();
       this->shown = Shown::Kept;
@@ -153,12 +157,41 @@ struct Progressive::Internals
     this->levelIsCurrent = false;
   }
 
+  bool KeepsLight() const
+  {
+    return this->shown == Shown::Kept ? this->keptForLight : HasLightExtinction(this->settings);
+  }
+
+  /// Whether the present view is from the same eye, however much of the scene that sees.
+  bool IsSeenFrom(const Camera& eye, const Light& lamp) const
+  {
+    const double rounding = 1e-6 * glm::length(eye.position - this->scene->Nodes().Centre());
+    const auto same = [rounding](const Vec3& one, const Vec3& other)
+    { return glm::length(one - other) <= rounding; };
+    const bool sameEye = eye.parallel
+      ? same(eye.position - eye.focalPoint, this->camera.position - this->camera.focalPoint)
+      : same(eye.position, this->camera.position);
+    return sameEye && eye.parallel == this->camera.parallel && lamp.type == this->light.type &&
+      same(lamp.position, this->light.position) && same(lamp.focalPoint, this->light.focalPoint);
+  }
+
+  /// On whose grid the shown extinction is.
+  PreparedScene& ShownScene() const
+  {
+    return this->shown == Shown::Preview ? this->LastPreview().Prepared() : *this->scene;
+  }
+
   void Show(Shown what)
   {
     this->shown = what;
     if (what != Shown::Kept)
     {
       this->kept = {};
+      this->shownCamera = this->camera;
+      this->shownLight = this->light;
+      this->shownSettings = this->settings;
+      this->shownLikeness = 1;
+      this->shownOfOther = false;
     }
     if (what == Shown::Solver && this->levels[0].preview)
     {
@@ -183,6 +216,49 @@ Progressive& Progressive::operator=(Progressive&&) noexcept = default;
 void Progressive::SetStopwatch(Stopwatch stopwatch)
 {
   this->State->stopwatch = std::move(stopwatch);
+}
+
+void Progressive::GoOnFrom(const CarriedChange& change)
+{
+  Internals& state = *this->State;
+  LIMPID_EXPECT(state.shown == Shown::Nothing);
+  CarriedExtinction carried = AppliedTo(state.scene->Arrays(), state.scene->Majorant(), change);
+  if (!carried.extinction.empty())
+  {
+    state.keptForLight = !carried.light.empty();
+    state.kept = { { std::move(carried.extinction), std::move(carried.light) } };
+    state.keptScores.reset();
+    state.Show(Shown::Kept);
+    state.shownCamera = change.camera;
+    state.shownLight = change.light;
+    state.shownSettings = change.settings;
+    state.shownLikeness = change.likeness;
+    state.shownOfOther = true;
+  }
+}
+
+CarriedChange Progressive::Change() const
+{
+  const Internals& state = *this->State;
+  CarriedChange change;
+  if (state.shown == Shown::Nothing)
+  {
+    return change;
+  }
+  change.grid = this->ShownGrid();
+  change.camera = state.shownCamera;
+  change.light = state.shownLight;
+  change.settings = state.shownSettings;
+  change.likeness = state.shownLikeness;
+  const float majorant = state.ShownScene().Majorant();
+  const auto changeOf = [&](const float* extinction)
+  { return ChangeOf(change.grid, this->BaseExtinction(), extinction, majorant); };
+  change.ofExtinction = changeOf(this->Extinction());
+  if (state.KeepsLight())
+  {
+    change.ofLight = changeOf(this->LightExtinction());
+  }
+  return change;
 }
 
 void Progressive::SetView(const Camera& camera, const Light& light, const Settings& settings)
@@ -215,9 +291,11 @@ void Progressive::Preview(double seconds)
     return;
   }
   PreviewPass& preview = state.PreviewOn(level);
+  const CarriedChange previous = this->Previous();
   const Index nodes = state.nodes[level];
   state.time.Learn(nodes,
-    state.stopwatch(nodes, [&] { preview.Make(state.camera, state.light, state.settings); }));
+    state.stopwatch(
+      nodes, [&] { preview.Make(state.camera, state.light, state.settings, previous); }));
   state.level = level;
   state.levelIsCurrent = true;
   state.Show(Shown::Preview);
@@ -229,7 +307,8 @@ bool Progressive::Refine()
   LIMPID_EXPECT(state.hasView);
   if (!state.solver)
   {
-    state.solver = std::make_unique<Solver>(state.scene, state.camera, state.light, state.settings);
+    state.solver = std::make_unique<Solver>(
+      state.scene, state.camera, state.light, state.settings, this->Previous());
   }
   else
   {
@@ -240,6 +319,15 @@ bool Progressive::Refine()
     state.Show(Shown::Solver);
   }
   return this->Converged();
+}
+
+/// What is to be stayed near: what was found for another view or at another time. What moves goes
+/// on steadily; where it comes to rest, nothing but the view itself counts.
+CarriedChange Progressive::Previous() const
+{
+  const Internals& state = *this->State;
+  const bool moves = state.shownOfOther || !state.IsSeenFrom(state.shownCamera, state.shownLight);
+  return moves && state.settings.temporalCoherence > 0 ? this->Change() : CarriedChange();
 }
 
 bool Progressive::HasBegun() const
@@ -259,15 +347,12 @@ bool Progressive::Settled() const
 
 const Grid& Progressive::ShownGrid() const
 {
-  const Internals& state = *this->State;
-  return state.shown == Shown::Preview ? state.LastPreview().Nodes() : state.scene->Nodes();
+  return this->State->ShownScene().Nodes();
 }
 
 const float* Progressive::BaseExtinction() const
 {
-  const Internals& state = *this->State;
-  return state.shown == Shown::Preview ? state.LastPreview().Base()
-                                       : state.scene->Arrays().baseExtinction;
+  return this->State->ShownScene().Arrays().baseExtinction;
 }
 
 const float* Progressive::Extinction() const
@@ -334,7 +419,7 @@ Score Progressive::BaseScore() const
     case Shown::Solver:
       return state.solver->BaseScore();
     case Shown::Kept:
-      return state.keptBase;
+      return this->KeptScores().base;
     case Shown::Nothing:
       break;
   }
@@ -351,19 +436,28 @@ Score Progressive::BestScore() const
     case Shown::Solver:
       return state.solver->BestScore();
     case Shown::Kept:
-      return state.keptBest;
+      return this->KeptScores().best;
     case Shown::Nothing:
       break;
   }
   return {};
 }
 
+const Scores& Progressive::KeptScores() const
+{
+  Internals& state = *this->State;
+  if (!state.keptScores)
+  {
+    state.keptScores = this->ScoresFrom(state.camera);
+  }
+  return *state.keptScores;
+}
+
 Scores Progressive::ScoresFrom(const Camera& camera) const
 {
   const Internals& state = *this->State;
-  PreparedScene& scene =
-    state.shown == Shown::Preview ? state.LastPreview().Prepared() : *state.scene;
-  const Problem problem = scene.ProblemFor(camera, state.light, ForScores(state.settings));
+  const Problem problem =
+    state.ShownScene().ProblemFor(camera, state.light, ForScores(state.settings));
   ChosenBackend backend;
   backend.Choose(state.settings, problem.grid);
   const auto score = [&]() -> Scores

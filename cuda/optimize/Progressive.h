@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Progressive_h
 #define limpid_optimize_Progressive_h
 
+#include "optimize/CarriedChange.h"
 #include "optimize/PassTime.h"
 #include "optimize/Solver.h"
 
@@ -32,7 +33,8 @@ struct ShownOnDevice
  *   progressive.Preview(0.05);           // while moving: once per frame
  *   while (!progressive.Refine()) {}     // at rest: once per frame, or all at once
  *
- * A refined result depends on camera, light and settings alone, not on what was previewed before.
+ * A refined result depends on camera, light and settings alone, not on what was shown before,
+ * unless Settings::temporalCoherence is to keep it near that.
  */
 class Progressive
 {
@@ -45,6 +47,13 @@ public:
 
   /// Another stopwatch for previews; for tests.
   void SetStopwatch(Stopwatch stopwatch);
+
+  /// Shows what another scene over the same box showed, until there is something new. Does nothing
+  /// for a change that is empty or of another box. Nothing may have been shown yet.
+  void GoOnFrom(const CarriedChange& change);
+
+  /// What is shown, for another scene; empty: the base extinction is.
+  CarriedChange Change() const;
 
   /// A new camera, light or new settings. What was found before stays shown until there is
   /// something new. Nothing happens if all are the same as before. Throws limpid::Error, and
@@ -86,6 +95,9 @@ public:
   std::string BackendName() const;
 
 private:
+  CarriedChange Previous() const;
+  const Scores& KeptScores() const;
+
   struct Internals;
   std::unique_ptr<Internals> State;
 };

@@ -38,6 +38,8 @@ void Settings::Require() const
     "The smoothness is "
       << this->smoothness
       << " (at 10 neighbours outweigh all that can be gained). Set it between 0 and 10.");
+  RequireNotNegative("temporal coherence", "what was shown before would be left on purpose",
+    this->temporalCoherence);
   LIMPID_REQUIRE(
     std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
     "The ray density is " << this->rayDensity
@@ -71,7 +73,8 @@ bool operator==(const Settings& one, const Settings& other)
   {
     return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
       s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
-      s.restrictToView, s.protectImportance, s.importanceSmoothing, s.smoothness, s.backend);
+      s.restrictToView, s.protectImportance, s.importanceSmoothing, s.smoothness,
+      s.temporalCoherence, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)
   { return one.weights.*info.weight == other.weights.*info.weight; };

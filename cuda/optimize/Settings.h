@@ -90,6 +90,11 @@ struct Settings
   /// of the weights of view and light, see SmoothedChange [0, 10]; 0: not at all, as in the paper.
   double smoothness = 0;
 
+  /// How strongly the extinction is drawn to what was found for a near view or time step before, as
+  /// a share of the weights of view and light (Documentation/Deviations.md, D20), >= 0; 0: what
+  /// was before does not matter, as in the paper.
+  double temporalCoherence = 0;
+
   BackendKind backend = BackendKind::Auto;
 
   /// Throws limpid::Error on a value that cannot be worked with.
@@ -122,7 +127,8 @@ struct Energy
   double regularization = 0; ///< F_p, Eq. (22)
   double view = 0;           ///< F_q, Eq. (23)
   double light = 0;          ///< F_r, Eq. (24)
-  double Total() const { return regularization + view + light; }
+  double coherence = 0;      ///< F_t, Documentation/Deviations.md, D20
+  double Total() const { return regularization + view + light + coherence; }
 };
 
 /// What an iteration ended with.

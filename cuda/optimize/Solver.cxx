@@ -8,23 +8,23 @@
 
 namespace limpid
 {
-Solver::Solver(
-  const SceneFields& scene, const Camera& camera, const Light& light, const Settings& settings)
+Solver::Solver(const SceneFields& scene, const Camera& camera, const Light& light,
+  const Settings& settings, const CarriedChange& previous)
   : State(std::make_unique<Internals>())
 {
   RequireSettings(settings);
   this->State->prepared = std::make_shared<PreparedScene>(scene);
-  this->State->Set(camera, light, settings);
+  this->State->Set(camera, light, settings, previous);
   this->State->OnBackend([this] { this->State->Begin(); });
 }
 
 Solver::Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
-  const Settings& settings)
+  const Settings& settings, const CarriedChange& previous)
   : State(std::make_unique<Internals>())
 {
   RequireSettings(settings);
   this->State->prepared = std::move(scene);
-  this->State->Set(camera, light, settings);
+  this->State->Set(camera, light, settings, previous);
   this->State->OnBackend([this] { this->State->Begin(); });
 }
 
@@ -90,6 +90,19 @@ const std::vector<float>& Solver::LightExtinction() const
   return state.OnBackend([&]() -> const std::vector<float>& { return state.LightExtinction(); });
 }
 
+CarriedChange Solver::Change() const
+{
+  const SceneFields& scene = this->State->scene;
+  const auto changeOf = [&](const std::vector<float>& extinction)
+  {
+    return extinction.empty() ? std::vector<float>()
+                              : ChangeOf(scene.grid, scene.baseExtinction, extinction.data(),
+                                  this->State->prepared->Majorant());
+  };
+  return { scene.grid, changeOf(this->Extinction()), changeOf(this->LightExtinction()),
+    this->State->camera, this->State->light, this->State->settings };
+}
+
 ExtinctionOnDevice Solver::OnDevice() const
 {
   return this->State->OnDevice(false);
@@ -109,7 +122,7 @@ bool Solver::HasResult() const
 {
   const Internals& state = *this->State;
   const bool lastRun = !HasLightExtinction(state.settings) || state.lightRun;
-  return state.done || (lastRun && state.hasIterate);
+  return state.done || (lastRun && state.hasBetter);
 }
 
 std::array<FoundExtinction, 2> Solver::TakeExtinctions()

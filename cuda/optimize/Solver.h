@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Solver_h
 #define limpid_optimize_Solver_h
 
+#include "optimize/CarriedChange.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
@@ -45,13 +46,15 @@ class PreparedScene;
 class Solver
 {
 public:
-  /// Throws limpid::Error when the scene or the settings cannot be worked with.
-  Solver(
-    const SceneFields& scene, const Camera& camera, const Light& light, const Settings& settings);
+  /// `previous`: what the extinction is to stay near with Settings::temporalCoherence; nothing if
+  /// it is of another box. Throws limpid::Error when the scene or the settings cannot be worked
+  /// with.
+  Solver(const SceneFields& scene, const Camera& camera, const Light& light,
+    const Settings& settings, const CarriedChange& previous = {});
 
   /// The same for a scene that has been checked before and may be shared.
   Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
-    const Settings& settings);
+    const Settings& settings, const CarriedChange& previous = {});
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
@@ -81,7 +84,10 @@ public:
   /// The extinction for the light, where there is one (HasLightExtinction) [1/length]; else empty.
   const std::vector<float>& LightExtinction() const;
 
-  /// Whether these are iterates at full resolution, no longer what the iterations start from.
+  /// What was made of the base extinction, for another scene.
+  CarriedChange Change() const;
+
+  /// Whether these are better than what the iterations start from, or all there is to be found.
   bool HasResult() const;
 
   /// Where a device has both, until the next step; nulls: it has not.

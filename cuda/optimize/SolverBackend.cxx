@@ -26,6 +26,7 @@ public:
     : Given(problem)
     , Device(device)
     , Fields(ProblemFields<AnyDevice>::Of(device, problem))
+    , Before(PreviousOf(device, problem))
     , Term(device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity)
     , Sum(device, 1, "sums")
   {
@@ -79,12 +80,14 @@ private:
 
   void Sweep(double weight, float* next)
   {
-    SweepFirstPolicy(*this->Device, this->Term, this->Given, *this->Fields, weight, next);
+    SweepFirstPolicy(*this->Device, this->Term, this->Given, *this->Fields,
+      this->Before.Empty() ? nullptr : this->Before.Data(), weight, next);
   }
 
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Fields;
+  BorrowedArray<AnyDevice, float> Before; ///< what to stay near; empty: nothing
   VisibilityTerm<AnyDevice> Term;
   DeviceArray<AnyDevice, Seen> Sum;
   std::optional<Visible> Base; ///< not seen yet

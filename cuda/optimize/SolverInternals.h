@@ -29,6 +29,8 @@ struct Solver::Internals
   Light light;
   Settings settings;
   std::vector<float> initial; ///< empty: the base extinction
+  CarriedExtinction previous; ///< what is to be stayed near; nothing without coherence
+  double nearness = 0;        ///< of it
 
   /// One run of a minimiser: the joint field, or in separate mode first the camera's field and
   /// then the light's.
@@ -38,7 +40,8 @@ struct Solver::Internals
   int runSmoothings = 0; ///< that follow
   bool runFound = false; ///< whether the iterations have found what they look for
   bool lightRun = false;
-  bool hasIterate = false; ///< whether this run has made one at full resolution
+  double runLowest = 0;   ///< energy of the best at full resolution
+  bool hasBetter = false; ///< whether this run has found something better than its start
 
   FoundExtinction extinction; ///< result of a finished run
   FoundExtinction lightExtinction;
@@ -62,9 +65,15 @@ struct Solver::Internals
   bool settled = false;
   bool warm = false;
 
-  void Set(const Camera& eye, const Light& lamp, const Settings& wanted)
+  void Set(
+    const Camera& eye, const Light& lamp, const Settings& wanted, const CarriedChange& before)
   {
     this->scene = this->prepared->Arrays();
+    this->nearness = before.NearnessTo(eye, lamp, wanted);
+    if (wanted.temporalCoherence * this->nearness > 0)
+    {
+      this->previous = AppliedTo(this->scene, this->prepared->Majorant(), before);
+    }
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
@@ -93,6 +102,8 @@ struct Solver::Internals
     const auto start = std::chrono::steady_clock::now();
     this->problem = this->MakeProblem();
     RequireReach(this->problem);
+    this->problem.TakeIntoBounds(this->previous.extinction);
+    this->problem.TakeIntoBounds(this->previous.light);
     this->MakeMinimizer(this->FirstIterate());
     this->seconds +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -143,6 +154,8 @@ struct Solver::Internals
     }
     Problem made = this->prepared->ProblemFor(this->camera, this->light, wanted);
     made.forLight = this->lightRun;
+    made.previous = this->previous.Of(this->lightRun);
+    made.nearness = this->nearness;
     return made;
   }
 
@@ -156,16 +169,7 @@ struct Solver::Internals
   std::vector<float> FirstIterate() const
   {
     std::vector<float> start = this->initial;
-    const float* baseField = this->scene.baseExtinction;
-    const float* importance = this->problem.importance;
-    const ExtinctionBounds<float> bounds = BoundsOf(this->problem);
-    ParallelFor(static_cast<Index>(start.size()), 65536,
-      [&](Index voxel)
-      {
-        float& value = start[std::size_t(voxel)];
-        const bool empty = !(baseField[voxel] > 0) && !(importance[voxel] > 0);
-        value = empty ? 0.0f : bounds.Clamp(value, importance[voxel], baseField[voxel]);
-      });
+    this->problem.TakeIntoBounds(start);
     return start;
   }
 
@@ -175,7 +179,7 @@ struct Solver::Internals
     this->runIterations = 0;
     this->runSmoothings = 0;
     this->runFound = false;
-    this->hasIterate = false;
+    this->hasBetter = false;
     const bool weightless = this->Minimizes() && !(weights.view > 0 || weights.light > 0);
     const bool nothingAtStake = weightless || !this->prepared->SomethingToSee();
     if (nothingAtStake)
@@ -198,6 +202,7 @@ struct Solver::Internals
     this->minimizer = this->backend->MakeMinimizer(this->problem, std::move(start), this->warm);
     IterationRecord record = this->minimizer->Start();
     record.iteration = this->iterations;
+    this->runLowest = record.energy.Total();
     if (!this->lightRun)
     {
       this->base = this->SeesAlong() ? this->minimizer->BaseScore()
@@ -310,9 +315,13 @@ struct Solver::Internals
     record.iteration = this->iterations;
     record.seconds = this->seconds;
     this->history.push_back(record);
-    this->hasIterate = this->hasIterate || record.level == 0;
     const bool better =
-      record.isResult || (record.level == 0 && record.energy.Total() < this->bestEnergy.Total());
+      record.isResult || (record.level == 0 && record.energy.Total() < this->runLowest);
+    if (better)
+    {
+      this->runLowest = record.energy.Total();
+      this->hasBetter = true;
+    }
     if (better && !this->lightRun)
     {
       this->bestEnergy = record.energy;

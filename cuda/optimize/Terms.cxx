@@ -42,6 +42,7 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
   : Given(&problem)
   , Device(std::move(device))
   , Scene(ProblemFields<AnyDevice>::Of(this->Device, problem))
+  , Before(PreviousOf(this->Device, problem))
   , Add(this->Device)
   , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, 1, "sums"))
 {
@@ -208,7 +209,9 @@ void Terms<AnyDevice>::Sum()
     }
     if (taken.extinction)
     {
-      sums->moved.squares = this->Given->SquaresFromBase(taken.extinction);
+      sums->moved.squares = this->Given->SquaresFrom(this->Given->baseExtinction, taken.extinction);
+      sums->moved.squaresFromPrevious =
+        this->Previous() ? this->Given->SquaresFrom(this->Previous(), taken.extinction) : 0.0;
     }
   }
   else
@@ -223,7 +226,9 @@ void Terms<AnyDevice>::Sum()
       Summand<AbsoluteChange>{
         { taken.extinction, taken.last }, nodes, taken.last ? &sums->moved.changes : nullptr },
       Summand<SquaredDifference>{ { taken.extinction, this->Scene->base.Data() }, nodes,
-        taken.extinction ? &sums->moved.squares : nullptr });
+        taken.extinction ? &sums->moved.squares : nullptr },
+      Summand<SquaredDifference>{ { taken.extinction, this->Previous() }, nodes,
+        taken.extinction && this->Previous() ? &sums->moved.squaresFromPrevious : nullptr });
   }
 }
 
@@ -233,9 +238,13 @@ IterationRecord Terms<AnyDevice>::Record()
   const TermSums sums = this->Read();
   const Weights& weights = this->Given->settings.weights;
   IterationRecord record;
-  record.energy.regularization = this->Given->Regularization(sums.moved.squares); // Eq. (22)
-  record.energy.view = -weights.view * sums.camera.all.visible;                   // Eq. (23)
-  record.energy.light = -weights.light * sums.light.all.visible;                  // Eq. (24)
+  const Problem& problem = *this->Given;
+  record.energy.regularization =
+    problem.Regularization(problem.RegularizationWeight(), sums.moved.squares); // Eq. (22)
+  record.energy.view = -weights.view * sums.camera.all.visible;                 // Eq. (23)
+  record.energy.light = -weights.light * sums.light.all.visible;                // Eq. (24)
+  record.energy.coherence =
+    problem.Regularization(problem.CoherenceWeight(), sums.moved.squaresFromPrevious);
   if (this->Base)
   {
     record.score = ScoreOf(sums.camera, this->Base->unattenuated); // Eq. (32)

@@ -94,6 +94,9 @@ public:
   TermSums* Sums() { return this->Found.Data(); }
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
+
+  /// What the extinction is to stay near; null: nothing.
+  const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }
   const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
 
   std::optional<VisibilityTerm<AnyDevice>> camera;
@@ -128,6 +131,7 @@ private:
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
+  BorrowedArray<AnyDevice, float> Before; ///< see Problem::previous; empty: null
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
   Taken Unsummed;

@@ -21,12 +21,7 @@ namespace
 /// The extinction's grid has to cover the scalars' box: rays read both by the same position.
 void RequireSameBox(const Grid& scalars, const Grid& extinction)
 {
-  const double tolerance = 1e-4 * scalars.Radius();
-  const Vec3 first = extinction.PointToWorld(Vec3(0.0)) - scalars.PointToWorld(Vec3(0.0));
-  const Vec3 last = extinction.PointToWorld(Vec3(extinction.nodes - 1)) -
-    scalars.PointToWorld(Vec3(scalars.nodes - 1));
-  LIMPID_REQUIRE(
-    extinction.HasVolume() && glm::length(first) <= tolerance && glm::length(last) <= tolerance,
+  LIMPID_REQUIRE(extinction.HasVolume() && scalars.HasSameBox(extinction),
     "The extinction's grid of " << extinction.nodes.x << " x " << extinction.nodes.y << " x "
                                 << extinction.nodes.z
                                 << " nodes does not span the box of the scalars (it would be drawn "

@@ -34,6 +34,15 @@ double Grid::Radius() const
   return 0.5 * glm::length((Vec3(this->nodes) - 1.0) * this->spacing);
 }
 
+bool Grid::HasSameBox(const Grid& other) const
+{
+  const double tolerance = 1e-4 * this->Radius();
+  const Vec3 first = other.PointToWorld(Vec3(0.0)) - this->PointToWorld(Vec3(0.0));
+  const Vec3 last =
+    other.PointToWorld(Vec3(other.nodes - 1)) - this->PointToWorld(Vec3(this->nodes - 1));
+  return glm::length(first) <= tolerance && glm::length(last) <= tolerance;
+}
+
 void Grid::Require() const
 {
   LIMPID_REQUIRE(this->nodes.x > 0 && this->nodes.y > 0 && this->nodes.z > 0,

@@ -45,6 +45,9 @@ struct Grid
   /// R of the normalised coordinates: half the diagonal of the box of the nodes [length].
   double Radius() const;
 
+  /// Whether the first and the last node are those of another grid, to 1e-4 of the radius.
+  bool HasSameBox(const Grid& other) const;
+
   /// Throws limpid::Error unless sizes, spacing and direction can be worked with.
   void Require() const;
 };

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "optimize/CarriedChange.h"
+
+#include "backend/Backend.h"
+#include "math/Number.h"
+#include "math/Require.h"
+#include "optimize/Levels.h"
+#include "optimize/Solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpid
+{
+namespace
+{
+constexpr Index valuesPerTask = 65536;
+
+Vec3 DirectionTo(const Camera& camera, const Vec3& centre)
+{
+  return camera.position - (camera.parallel ? camera.focalPoint : centre);
+}
+
+Vec3 DirectionTo(const Light& light, const Vec3& centre)
+{
+  return light.position - (light.type == LightType::Directional ? light.focalPoint : centre);
+}
+
+/// 0 where a direction has no length.
+double DegreesBetween(const Vec3& one, const Vec3& other)
+{
+  const double degrees =
+    std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other)) * (180 / pi);
+  return std::isfinite(degrees) ? degrees : 0.0;
+}
+
+std::vector<float> Applied(
+  const SceneFields& scene, float majorant, const Grid& grid, const std::vector<float>& change)
+{
+  if (change.empty())
+  {
+    return {};
+  }
+  LIMPID_REQUIRE(Index(change.size()) == grid.NodeCount(),
+    "A change that is to be carried on has " << change.size() << " values for " << grid.NodeCount()
+                                             << " nodes (it belongs to another grid). Give one "
+                                                "value per node.");
+  std::vector<float> values =
+    grid.nodes == scene.grid.nodes ? change : Resampled(grid, change.data(), scene.grid);
+  ParallelFor(static_cast<Index>(values.size()), valuesPerTask,
+    [&](Index node)
+    {
+      float& value = values[std::size_t(node)];
+      const float base = scene.baseExtinction[node];
+      const bool empty = !(base > 0) && !(scene.importance[node] > 0);
+      const float room = value < 0 ? base : std::max(majorant - base, 0.0f);
+      value = empty ? 0.0f : base + std::clamp(value, -1.0f, 1.0f) * room;
+    });
+  return values;
+}
+}
+
+double CarriedChange::NearnessTo(
+  const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const
+{
+  if (!(otherSettings == this->settings))
+  {
+    return 0;
+  }
+  const Vec3 centre = this->grid.Centre();
+  const double degrees =
+    std::max(DegreesBetween(DirectionTo(this->camera, centre), DirectionTo(otherCamera, centre)),
+      DegreesBetween(DirectionTo(this->light, centre), DirectionTo(otherLight, centre)));
+  constexpr double farAway = 20;
+  return this->likeness * std::max(1 - degrees / farAway, 0.0);
+}
+
+std::vector<float> ChangeOf(
+  const Grid& grid, const float* base, const float* extinction, float majorant)
+{
+  std::vector<float> change(static_cast<std::size_t>(grid.NodeCount()));
+  ParallelFor(grid.NodeCount(), valuesPerTask,
+    [&](Index node)
+    {
+      const float difference = extinction[node] - base[node];
+      const float room = difference < 0 ? base[node] : majorant - base[node];
+      change[std::size_t(node)] = room > 0 ? std::clamp(difference / room, -1.0f, 1.0f) : 0.0f;
+    });
+  return change;
+}
+
+CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change)
+{
+  if (change.Empty() || !scene.grid.HasSameBox(change.grid))
+  {
+    return {};
+  }
+  return { Applied(scene, majorant, change.grid, change.ofExtinction),
+    Applied(scene, majorant, change.grid, change.ofLight) };
+}
+}

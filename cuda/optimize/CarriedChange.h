@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_CarriedChange_h
+#define limpid_optimize_CarriedChange_h
+
+#include "optimize/Settings.h"
+#include "scene/Grid.h"
+#include "scene/RaySource.h"
+
+#include <vector>
+
+namespace limpid
+{
+struct SceneFields;
+
+/**
+ * What an optimisation has made of a base extinction, so that it outlives that base: transfer
+ * functions are edited, time goes on, and what was clear or opaque stays so.
+ *
+ *   mu = mu-bar + c mu-bar               where c < 0
+ *   mu = mu-bar + c (majorant - mu-bar)  else
+ */
+struct CarriedChange
+{
+  Grid grid;
+  std::vector<float> ofExtinction; ///< c, grid.NodeCount() values in [-1, 1]; empty: none
+  std::vector<float> ofLight;      ///< of the extinction for the light; empty: the same
+  Camera camera;                   ///< for which it was found
+  Light light;
+  Settings settings;
+  double likeness = 1; ///< of what it was found for to what is asked now, beside these [0, 1]
+
+  bool Empty() const { return this->ofExtinction.empty(); }
+
+  /// How much there is to stay near for another camera and light: the likeness for the same
+  /// directions from the middle of the grid, 0 for directions more than 20 degrees away, and for
+  /// other settings.
+  double NearnessTo(
+    const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const;
+};
+
+/// c of an extinction at the nodes of a grid [1/length].
+std::vector<float> ChangeOf(
+  const Grid& grid, const float* base, const float* extinction, float majorant);
+
+/// What a change makes of a scene, one value per node each [1/length].
+struct CarriedExtinction
+{
+  std::vector<float> extinction; ///< empty: nothing
+  std::vector<float> light;      ///< empty: the same
+
+  /// Null: nothing.
+  const float* Of(bool forLight) const
+  {
+    const std::vector<float>& values =
+      forLight && !this->light.empty() ? this->light : this->extinction;
+    return values.empty() ? nullptr : values.data();
+  }
+};
+
+/// That of a scene with that majorant, whose grid may be finer or coarser than the change's;
+/// nothing where it is over another box. Throws limpid::Error for a change of another size than its
+/// grid.
+CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change);
+}
+
+#endif
