@@ -65,6 +65,7 @@ Settings SettingsOf(vtkVisibilitySettings* settings)
   result.protectImportance = settings->GetProtectImportance();
   result.importanceSmoothing = static_cast<ImportanceSmoothing>(settings->GetImportanceSmoothing());
   result.smoothness = settings->GetSmoothness();
+  result.temporalCoherence = settings->GetTemporalCoherence();
   result.backend = static_cast<BackendKind>(settings->GetBackend());
   return result;
 }

@@ -80,6 +80,7 @@ struct vtkExtinctionOptimizer::Internals
   SceneReader Reader;
   vtkSmartPointer<vtkFloatArray> LastExtinction; // for a warm start: shared with the last output
   limpid::Int3 LastNodes{ 0 };
+  limpid::CarriedChange LastChange; // for temporal coherence
 };
 
 vtkExtinctionOptimizer::vtkExtinctionOptimizer()
@@ -169,13 +170,15 @@ void vtkExtinctionOptimizer::Optimize(
   state.LastExtinction = this->WarmStart
     ? vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("Extinction"))
     : nullptr;
+  const bool coherent = this->GetTemporalCoherence() > 0 && this->GetMethod() == OPTIMIZED;
+  state.LastChange = coherent ? result.solver->Change() : limpid::CarriedChange();
 }
 
 // That a run takes beyond its input, results included. Measured by
 // Testing/Benchmarks/filter_memory.py at 512^3 points: with the policy 34, with Adam 40, in
 // separate mode 63, of the viewpoint, too, with the policy 46; at 256^3 up to three more. Counted:
 // smoothed importance and what is made of it, which another copy in another order may join; the
-// pull of neighbours.
+// pull of neighbours; the last change, and what it makes of the scene in two orders.
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;
@@ -184,7 +187,8 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
   const double viewpoint = this->Self->OptimizeViewpoint ? (adam ? 30 : 12) : 0;
   const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 20 : 0;
   const double smoothed = this->Self->GetSmoothness() > 0 ? 4 : 0;
-  return (adam ? 42 : 36) + separate + viewpoint + despeckled + smoothed;
+  const double coherent = this->Self->GetTemporalCoherence() > 0 ? (two ? 24 : 12) : 0;
+  return (adam ? 42 : 36) + separate + viewpoint + despeckled + smoothed + coherent;
 }
 
 void vtkExtinctionOptimizer::Internals::RequireChoices() const
@@ -253,7 +257,8 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   }
   else
   {
-    result.solver = std::make_unique<limpid::Solver>(scene, camera, light, settings);
+    result.solver =
+      std::make_unique<limpid::Solver>(scene, camera, light, settings, this->LastChange);
     this->StartFromLastResult(scene.grid, *result.solver);
     result.solver->Run(progress);
   }

@@ -60,5 +60,6 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("ProtectImportance", this->ProtectImportance);
   print("ImportanceSmoothing", this->ImportanceSmoothing);
   print("Smoothness", this->Smoothness);
+  print("TemporalCoherence", this->TemporalCoherence);
   print("Backend", this->Backend);
 }

@@ -325,6 +325,20 @@ public:
 
   ///@{
   /**
+   * How strongly a result is drawn to the last one of the same owner, so that it does not flicker
+   * while a camera moves or time goes on: what was clear or opaque stays so where less than this
+   * share of the weights of view and light is to be gained. The last result is taken as a change of
+   * its base extinction; one for another box or for other settings does not count, and less and
+   * less does one for a camera or a light in another direction, up to 20 degrees away. Results
+   * depend on what was before, then. 0, the default: they do not, as in [HG24]. vtkViewpointSearch
+   * has no last result.
+   */
+  vtkSetMacro(TemporalCoherence, double);
+  vtkGetMacro(TemporalCoherence, double);
+  ///@}
+
+  ///@{
+  /**
    * AUTO: the fastest that works here, which the owner's results name. CPU, CUDA: this or an
    * error. Default is AUTO.
    */
@@ -376,6 +390,7 @@ private:
   double ProtectImportance = 0;
   int ImportanceSmoothing = AS_GIVEN;
   double Smoothness = 0;
+  double TemporalCoherence = 0;
   int Backend = AUTO;
 };
 

@@ -130,6 +130,7 @@
   LIMPID_FORWARD_SETTING(ProtectImportance, double)                                                \
   LIMPID_FORWARD_SETTING(ImportanceSmoothing, int)                                                 \
   LIMPID_FORWARD_SETTING(Smoothness, double)                                                       \
+  LIMPID_FORWARD_SETTING(TemporalCoherence, double)                                                \
   LIMPID_FORWARD_SETTING(Backend, int)                                                             \
   static_assert(true, "takes a semicolon")
 

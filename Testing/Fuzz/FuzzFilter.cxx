@@ -94,6 +94,7 @@ void SetProperties(Invented& make, vtkExtinctionOptimizer* filter)
   settings->SetProtectImportance(make.Number(-0.1, 1.1));
   settings->SetImportanceSmoothing(make.Chance() ? 1 : 0);
   settings->SetSmoothness(make.Number(-0.1, 1));
+  settings->SetTemporalCoherence(make.Number(-0.1, 1));
   settings->SetBackend(make.Integer(0, 1) == 0 ? 1 : make.Integer(-1, 3));
 }
 

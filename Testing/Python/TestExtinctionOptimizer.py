@@ -4,6 +4,7 @@
 # The filter round the solver: what goes in, what comes out, and what it says when it cannot.
 
 import itertools
+import math
 import unittest
 
 import numpy as np
@@ -756,6 +757,52 @@ class TestRuns(OptimizerTest):
         result.Update()
 
         self.assertEqual(result.messages["ErrorEvent"], [])
+
+    def moved(self, coherence, degrees=2, **settings):
+        """How much the extinction changes when the camera turns."""
+        result = optimizer(phantom(32), TemporalCoherence=coherence, **settings)
+        found = []
+        for angle in (0, math.radians(degrees)):
+            result.SetCameraPosition(5 * math.sin(angle), -1, 5 * math.cos(angle))
+            result.Update()
+            found.append(values(result.GetOutput(), "Extinction"))
+        return np.abs(found[1] - found[0]).mean(), result
+
+    def test_coherence_keeps_what_was_found_for_a_near_view(self):
+        free, _ = self.moved(0)
+        near, _ = self.moved(1)
+
+        self.assertLess(near, 0.5 * free)
+
+    def test_coherence_is_for_the_same_box_and_settings(self):
+        _, result = self.moved(1)
+        for change in ({"ViewWeight": 5}, {"ViewWeight": 10}):
+            for name, value in change.items():
+                getattr(result, "Set" + name)(value)
+            result.Update()
+            fresh = optimizer(phantom(32), CameraPosition=result.GetCameraPosition(), **change)
+            fresh.Update()
+            np.testing.assert_array_equal(values(result.GetOutput(), "Extinction"),
+                                          values(fresh.GetOutput(), "Extinction"))
+        other = phantom(32)
+        other.SetOrigin(1, 2, 3)
+        result.SetInputData(other)
+        fresh.SetInputData(other)
+        for filter_ in (result, fresh):
+            filter_.Update()
+        np.testing.assert_array_equal(values(result.GetOutput(), "Extinction"),
+                                      values(fresh.GetOutput(), "Extinction"))
+
+    def test_coherence_of_more_points(self):
+        _, result = self.moved(1)
+        result.SetInputData(phantom(40))
+        result.Update()
+        fresh = optimizer(phantom(40), CameraPosition=result.GetCameraPosition())
+        fresh.Update()
+
+        self.assertEqual(result.messages["ErrorEvent"], [])
+        self.assertTrue((values(result.GetOutput(), "Extinction")
+                         != values(fresh.GetOutput(), "Extinction")).any())
 
     def test_cuda_is_used_or_an_error(self):
         result = optimizer(phantom(8), Backend=vtkExtinctionOptimizer.CUDA)
