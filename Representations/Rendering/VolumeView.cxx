@@ -303,6 +303,7 @@ void VolumeView::ReleaseNow()
   this->Image = Picture();
   this->Part = Picture();
   this->Fine.Clear();
+  this->Sharpening.Clear();
 }
 
 void VolumeView::ReleaseGraphicsResources(vtkWindow* window)

@@ -12,6 +12,7 @@
 #include "Memory.h"
 #include "PictureBackend.h"
 #include "PictureQuad.h"
+#include "SharpenedPicture.h"
 #include "SlicedPicture.h"
 #include "ViewGeometry.h"
 #include "ViewOptimization.h"
@@ -92,7 +93,7 @@ private:
   void WhileDrawing(const Action& action);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   bool MakePicture(const View& view);
-  bool DrawWhole();
+  bool DrawWhole(const FrameSettings& frame);
   bool DrawInSlices(const FrameSettings& frame);
   bool DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges);
   void DrawPartNow(const RayParts& parts, std::size_t part);
@@ -138,8 +139,9 @@ private:
   View Rays;     ///< of the frame's pictures, but for where they begin and end
   Picture Image; ///< of the frame; of several parts, their alpha only
   Picture Part;
-  SlicedPicture Fine;     ///< at rest, in full resolution
-  double CastSeconds = 0; ///< what the pictures of the frame took
+  SlicedPicture Fine;          ///< at rest, in full resolution
+  SharpenedPicture Sharpening; ///< the way there, in frames that follow each other
+  double CastSeconds = 0;      ///< what the pictures of the frame took
   PictureQuad Quad;
 };
 }

@@ -30,6 +30,9 @@ constexpr double VisibleAlpha = 0.05;
 // as long as for a step of the optimisation.
 constexpr double SliceShare = 3;
 
+// The time constant of becoming sharp, in those of other changes: nothing else changes meanwhile.
+constexpr double SharpeningShare = 1.0 / 3;
+
 // Each takes some time beside its rays.
 constexpr double MostSlices = 16;
 }
@@ -115,7 +118,7 @@ FrameResult VolumeView::Draw(
       // The pictures of two eyes would begin each other anew.
       const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
       const bool inSlices = frame.still && frame.stepwise && !this->GoesOn && !stereo;
-      if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole()))
+      if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole(frame)))
       {
         this->LastResult.converged = false;
       }
@@ -124,7 +127,7 @@ FrameResult VolumeView::Draw(
 }
 
 // Returns whether it was not aborted.
-bool VolumeView::DrawWhole()
+bool VolumeView::DrawWhole(const FrameSettings& frame)
 {
   const ViewGeometry& geometry = *this->Geometry;
   const OpaqueDepth opaque(this->Target, geometry);
@@ -133,6 +136,7 @@ bool VolumeView::DrawWhole()
     coarse && !opaque.IsEmpty() ? opaque.RangesOf(this->Frame) : std::vector<DepthRange>();
   if (!ranges.empty())
   {
+    this->Sharpening.Clear(); // these are two pictures
     return this->DrawBetween(opaque, ranges);
   }
   const std::vector<float> depth =
@@ -145,6 +149,10 @@ bool VolumeView::DrawWhole()
   }
   this->Image = std::move(this->Part);
   this->Quad.Draw(this->Target, this->Image, this->Frame, geometry.nearest);
+  if (frame.stepwise || !frame.still)
+  {
+    this->Sharpening.Begin(this->Image, this->Frame, geometry);
+  }
   return true;
 }
 
@@ -170,15 +178,18 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame)
   }
   if (this->Fine.IsComplete())
   {
-    this->Image = this->Fine.Whole();
+    this->Image = this->Sharpening.Advance(this->Fine.Whole(), this->Frame, geometry,
+      this->Clock.SecondsSinceLast(), SharpeningShare * frame.easeTime);
     this->Quad.Draw(this->Target, this->Image, this->Frame, geometry.nearest);
+    this->GoesOn = !this->Sharpening.IsOver();
+    this->LastResult.converged = this->LastResult.converged && !this->GoesOn;
     return true;
   }
   this->LastResult.converged = false;
   this->GoesOn = true;
   const std::vector<glm::dvec4> planes = this->Rays.planes;
   this->PlacePicture(frame, geometry, planes, this->PixelSize(frame, geometry));
-  return this->DrawWhole();
+  return this->DrawWhole(frame);
 }
 
 // Where opaque geometry begins or ends within what a coarse pixel covers, there are two colours for
