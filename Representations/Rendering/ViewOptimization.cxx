@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limpid
 {
@@ -21,6 +22,24 @@ constexpr double OptimizationShare = 0.4;
 // at rest, the picture becomes sharp in the same moment and hides more.
 constexpr double LeastChange = 1.0 / 512;
 constexpr double LeastChangeAtRest = 1.0 / 32;
+}
+
+// Makes an optimiser for the present data and functions, which goes on from what was shown of the
+// last ones.
+void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& data)
+{
+  CarriedChange shown =
+    this->Optimizer && !this->ShowsBase ? this->Optimizer->Change() : CarriedChange();
+  // Who edits anything gets what it makes, as if nothing else had been shown.
+  shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? 1 : 0;
+  this->Optimizer.reset();
+  this->Base = nullptr;
+  auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
+  optimizer->GoOnFrom(shown);
+  this->Optimizer = std::move(optimizer);
+  this->Base = data.BaseExtinction();
+  this->SceneVersion = data.SceneVersion();
+  this->SceneTimeVersion = data.TimeVersion();
 }
 
 // Tells the optimiser what it works for. Returns whether that is known at all.
@@ -160,9 +179,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   bool changed = false;
   if (!this->Optimizer || this->SceneVersion != data.SceneVersion())
   {
-    this->Optimizer.reset();
-    this->Optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
-    this->SceneVersion = data.SceneVersion();
+    this->TakeScene(frame, data);
     changed = true;
   }
   // What has been found stays, for when optimization is on again.
@@ -206,6 +223,7 @@ void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& da
 void ViewOptimization::Release()
 {
   this->Optimizer.reset();
+  this->Base = nullptr;
   this->ShowsBase = true;
   this->CasterVersion = 0;
   this->Remaining = 0;

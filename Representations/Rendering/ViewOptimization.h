@@ -50,6 +50,7 @@ public:
   const Grid* ShownGrid() const;
 
 private:
+  void TakeScene(const FrameSettings& frame, const VolumeData& data);
   bool TakeView(const FrameSettings& frame, const Camera& camera);
   bool Refine(const std::function<bool()>& isAborted);
   bool Work(
@@ -60,13 +61,15 @@ private:
 
   Renderer& Pictures;
   std::unique_ptr<Progressive> Optimizer;
+  vtkSmartPointer<vtkFloatArray> Base; ///< that it works with
   std::uint64_t SceneVersion = 0;
-  std::uint64_t DataVersion = 0; ///< of the data that the view below is for
-  bool HasView = false;          ///< whether camera and light below were set
-  bool IsOnceView = false;       ///< whether they are those of a first still frame
-  bool IsBaseView = false;       ///< whether nothing was to be found for them
-  Settings ViewSettings;         ///< with which they were taken
-  Camera ViewCamera;             ///< that the optimiser works for, in data coordinates
+  std::uint64_t SceneTimeVersion = 0; ///< of the data in it
+  std::uint64_t DataVersion = 0;      ///< of the data that the view below is for
+  bool HasView = false;               ///< whether camera and light below were set
+  bool IsOnceView = false;            ///< whether they are those of a first still frame
+  bool IsBaseView = false;            ///< whether nothing was to be found for them
+  Settings ViewSettings;              ///< with which they were taken
+  Camera ViewCamera;                  ///< that the optimiser works for, in data coordinates
   Light ViewLight;
   std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for the one above
   Camera ElsewhereCamera;

@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -24,6 +25,14 @@ namespace limpid
 namespace
 {
 constexpr float Empty = std::numeric_limits<float>::quiet_NaN();
+
+std::optional<double> TimeOf(vtkImageData* image)
+{
+  vtkInformation* information = image->GetInformation();
+  return information->Has(vtkDataObject::DATA_TIME_STEP())
+    ? std::optional(information->Get(vtkDataObject::DATA_TIME_STEP()))
+    : std::nullopt;
+}
 
 bool HaveSameNodes(const Grid& a, const Grid& b)
 {
@@ -161,6 +170,8 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
     return;
   }
   this->DataChanges += same ? 0 : 1;
+  const std::optional<double> before = std::exchange(this->Time, TimeOf(image));
+  this->TimeChanges += before && this->Time && *before != *this->Time ? 1 : 0;
   this->ScalarValues = nullptr;
   this->Unit = this->ChooseUnit(source);
   FieldSource scaled = source;

@@ -62,6 +62,9 @@ public:
   /// The scene for the optimisation. HasImportance() must be true.
   SceneFields Scene() const;
 
+  /// Whose base extinction outlives this object's for those who hold it.
+  vtkSmartPointer<vtkFloatArray> BaseExtinction() const { return this->Arrays.baseExtinction; }
+
   /// What casts shadows, if that is less than what the scalars have, because planes cut between
   /// points; else null.
   const float* ShadowCaster() const
@@ -71,6 +74,9 @@ public:
 
   /// Grows with every change of the scalars that is more than making them again.
   std::uint64_t DataVersion() const { return this->DataChanges; }
+
+  /// Grows with every change of the scalars to those of another time step.
+  std::uint64_t TimeVersion() const { return this->TimeChanges; }
 
   /// They grow with every change of a part; a change of the scalars changes the scene, too.
   std::uint64_t ScalarsVersion() const { return this->ScalarChanges; }
@@ -114,6 +120,8 @@ private:
   vtkIdType InvalidScalars = 0;   ///< or extinctions of the array
   vtkIdType NegativeExtinctions = 0;
   std::uint64_t DataChanges = 0;
+  std::optional<double> Time; ///< of the time step; none: the data knows of none
+  std::uint64_t TimeChanges = 0;
   std::uint64_t ScalarChanges = 0;
 
   vtkVolumeProperty* Property = nullptr; // only to tell one from another

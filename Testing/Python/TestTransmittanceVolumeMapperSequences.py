@@ -60,6 +60,7 @@ class Stage:
         self.images = all_images
         self.view = View()
         self.mapper = Mapper()
+        self.mapper.SetTemporalCoherence(0)  # else what was seen from nearby may leave one
         self.property = phantom_property()
         self.volume = self.view.add(all_images[0], self.property, self.mapper)
         self.light = vtkLight()

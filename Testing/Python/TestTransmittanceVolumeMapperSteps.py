@@ -6,16 +6,18 @@
 import unittest
 
 import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
+from images import phantom
 from volume_views import actor_of, colors_of, difference, sphere
 
 
 class TestSteps(MapperTest):
     def frames_to_the_end(self, view, mapper):
-        for frames in range(1, 400):
+        for frames in range(1, 4000):  # they may be fast, and changes take time
             view.window.Render()
             if mapper.GetConverged():
                 return frames
@@ -72,6 +74,90 @@ class TestSteps(MapperTest):
                 np.testing.assert_array_equal(view.pixels(), after)
                 self.assertGreater(difference(before, after), 0)
                 before = after
+
+    def test_a_coarse_picture_becomes_sharp_little_by_little(self):
+        view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=1e-6, EaseTime=0.05,
+                            Method=Mapper.ORDINARY)
+        view.interact(True)
+        for _ in range(5):  # until it knows how coarse to be
+            view.window.Render()
+        view.interact(False)
+        frames = []
+        while not frames or not mapper.GetConverged():
+            frames.append(view.picture())
+        # The first one may be coarser than the others: it has their time, too.
+        left = [difference(frame, frames[-1]) for frame in frames[1:]]
+        self.assertGreater(left[0], 0.5)
+        self.assertGreaterEqual(sum(0 < share < left[0] for share in left), 4)
+        for before, after in zip(left, left[1:]):
+            self.assertLess(before - after, 0.3 * left[0])
+        # Another view has nothing of this one.
+        view.camera.Azimuth(40)
+        mapper.SetInteractiveFrameTime(10)  # sharp at once
+        view.window.Render()
+        other, _ = show(Method=Mapper.ORDINARY)
+        other.camera.Azimuth(40)
+        np.testing.assert_array_equal(view.pixels(), other.picture())
+
+    def assert_never_the_original(self, view, mapper, change):
+        """While a change comes in, no frame is nearer to the volume without optimization than to
+        the pictures before and after."""
+        before = view.pixels()
+        change()
+        frames = []
+        for _ in range(4000):
+            frames.append(view.picture())
+            if mapper.GetConverged():
+                break
+        mapper.SetOptimization(Mapper.OFF)
+        self.frames_to_the_end(view, mapper)
+        original = view.pixels()
+        mapper.SetOptimization(Mapper.CONTINUOUS)
+        self.assertGreater(len(frames), 3)
+        self.assertGreater(difference(original, before), 2)
+        for frame in frames:
+            optimized = min(difference(frame, before), difference(frame, frames[-1]))
+            self.assertLess(optimized, difference(frame, original))
+
+    def test_the_original_is_not_shown_again(self):
+        def turn(view, _):
+            view.camera.Azimuth(15)
+
+        def edit(view, _):
+            view.volume.GetProperty().SetScalarOpacityUnitDistance(0.1)
+
+        def reveal(_, mapper):
+            mapper.SetRegularizationWeight(0.01)
+
+        def resize(view, _):
+            view.window.SetSize(180, 260)
+
+        for change in (turn, edit, reveal):
+            with self.subTest(change.__name__):
+                view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=0.001, EaseTime=0.05)
+                self.frames_to_the_end(view, mapper)
+                self.assert_never_the_original(view, mapper, lambda: change(view, mapper))
+        view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=0.001, EaseTime=0.05)
+        self.frames_to_the_end(view, mapper)
+        optimized = mapper.GetVisibleFraction()
+        resize(view, mapper)
+        view.window.Render()
+        self.assertGreater(mapper.GetVisibleFraction(), 0.8 * optimized)  # of another part
+
+    def test_time_goes_on_steadily_and_edits_do_as_they_say(self):
+        def score(coherence, timed):
+            view, mapper = show(phantom(24), TemporalCoherence=coherence)
+            for step, image in enumerate((phantom(24), phantom(24, 2))):
+                image.GetPointData().SetActiveScalars("Scalars")
+                if timed:
+                    image.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), step)
+                mapper.SetInputData(image)
+                view.window.Render()
+            return mapper.GetVisibilityScore()
+
+        fresh = score(0, True)
+        self.assertEqual(score(0.5, False), fresh)
+        self.assertNotEqual(score(0.5, True), fresh)
 
     def test_a_still_picture_for_two_eyes_has_an_end(self):
         view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=1e-6, Method=Mapper.ORDINARY)

@@ -21,7 +21,7 @@ OWN_DEFAULTS = {
     vtkTransmittanceVolumeMapper: {"ScalarComponent": vtkTransmittanceVolumeMapper.UNDECIDED,
                                    "RestrictToView": 1, "ProtectImportance": 1,
                                    "ImportanceSmoothing": vtkTransmittanceVolumeMapper.MEDIAN,
-                                   "Smoothness": 0.2},
+                                   "Smoothness": 0.2, "TemporalCoherence": 0.1},
 }
 
 
@@ -40,7 +40,7 @@ def other(value):
 
 class TestVisibilitySettings(unittest.TestCase):
     def test_owners_pass_every_setting_on(self):
-        self.assertEqual(len(names()), 32)
+        self.assertEqual(len(names()), 33)
         for owner in OWNERS:
             instance = owner()
             settings = instance.GetVisibilitySettings()
