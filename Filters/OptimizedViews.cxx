@@ -142,10 +142,15 @@ SearchResult OptimizedViews::Find(const std::vector<ScoredView>& samples,
   const SearchSettings& settings, const SearchProgress& progress) const
 {
   SearchResult result;
+  std::vector<ScoredView> candidates = WithAllowed(samples, settings,
+    [&](const Vec3& direction)
+    {
+      return this->At(
+        direction, [&] { return progress(0); }, nullptr);
+    });
   result.evaluations = std::count_if(
-    samples.begin(), samples.end(), [](const ScoredView& view) { return view.valid; });
-  const std::vector<ScoredView> starts = RankedViews(samples, settings);
-  std::vector<ScoredView> candidates = samples;
+    candidates.begin(), candidates.end(), [](const ScoredView& view) { return view.valid; });
+  const std::vector<ScoredView> starts = RankedViews(candidates, settings);
   for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
   {
     const auto goOn = [&] { return progress(double(i) / double(starts.size())); };

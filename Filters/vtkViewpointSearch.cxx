@@ -44,6 +44,26 @@ vtkViewpointSearch::vtkViewpointSearch()
 
 vtkViewpointSearch::~vtkViewpointSearch() = default;
 
+void vtkViewpointSearch::AddAvoidedDirection(double x, double y, double z)
+{
+  this->State->Avoided.emplace_back(x, y, z);
+  this->Modified();
+}
+
+void vtkViewpointSearch::RemoveAllAvoidedDirections()
+{
+  if (!this->State->Avoided.empty())
+  {
+    this->State->Avoided.clear();
+    this->Modified();
+  }
+}
+
+int vtkViewpointSearch::GetNumberOfAvoidedDirections() const
+{
+  return static_cast<int>(this->State->Avoided.size());
+}
+
 vtkPolyData* vtkViewpointSearch::GetOutput()
 {
   return this->GetOutput(0);
@@ -129,6 +149,10 @@ void vtkViewpointSearch::PrintSelf(ostream& os, vtkIndent indent)
   print("CameraDistance", this->CameraDistance);
   print("CameraViewAngle", this->CameraViewAngle);
   print("CameraParallelProjection", this->CameraParallelProjection);
+  print("CameraViewUp", this->CameraViewUp);
+  print("ElevationRange", this->ElevationRange);
+  print("AvoidedDirections", this->GetNumberOfAvoidedDirections());
+  print("AvoidanceAngle", this->AvoidanceAngle);
   print("NumberOfViewpoints", this->NumberOfViewpoints);
   print("SeparationAngle", this->SeparationAngle);
   print("Refine", this->Refine);

@@ -160,6 +160,38 @@ public:
 
   ///@{
   /**
+   * What is upwards in the pictures, as far as it is across the direction of view, and what
+   * elevations are above; of any length. The angles of Eq. (10), "Azimuth" and "Polar", are about
+   * the y axis all the same. Default is (0, 1, 0).
+   */
+  vtkSetVector3Macro(CameraViewUp, double);
+  vtkGetVector3Macro(CameraViewUp, double);
+  ///@}
+
+  ///@{
+  /**
+   * From which elevations above the plane at right angles to CameraViewUp a viewpoint may look
+   * [degrees]: (0, 90) is the hemisphere above, (0, 0) the horizon. Scores of the S-sphere are
+   * those of all directions. Default is (-90, 90).
+   */
+  vtkSetVector2Macro(ElevationRange, double);
+  vtkGetVector2Macro(ElevationRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * Directions from what the cameras look at that no viewpoint may come closer to than
+   * AvoidanceAngle [degrees]; of any length. There are none at first, and the angle is 30.
+   */
+  void AddAvoidedDirection(double x, double y, double z);
+  void RemoveAllAvoidedDirections();
+  int GetNumberOfAvoidedDirections() const;
+  vtkSetMacro(AvoidanceAngle, double);
+  vtkGetMacro(AvoidanceAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * Most viewpoints that are ranked, and ascents that are made. Default is 4.
    */
   vtkSetMacro(NumberOfViewpoints, int);
@@ -213,6 +245,9 @@ private:
   double CameraDistance = 3;
   double CameraViewAngle = 30;
   vtkTypeBool CameraParallelProjection = 0;
+  double CameraViewUp[3] = { 0, 1, 0 };
+  double ElevationRange[2] = { -90, 90 };
+  double AvoidanceAngle = 30;
   int NumberOfViewpoints = 4;
   double SeparationAngle = 30;
   vtkTypeBool Refine = 1;

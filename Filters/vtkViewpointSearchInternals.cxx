@@ -122,6 +122,12 @@ void vtkViewpointSearch::Internals::Search(
     this->SearchOneField(*scene, found);
   }
   found.seconds = SecondsSince(start);
+  if (found.search.viewpoints.empty() && !limpid::IsAborted(this->Self))
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "No direction that was scored is within ElevationRange and far enough from all avoided ones "
+      "(there are no viewpoints). Widen the range, avoid less, or raise NumberOfDirections.");
+  }
 
   limpid::FillSphere(found, outputs[0]);
   limpid::FillViewpoints(found, outputs[1]);
@@ -234,6 +240,7 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
     "CameraViewAngle is "
       << self->CameraViewAngle
       << " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
+  this->RequireAllowedViews();
   LIMPID_REQUIRE(self->NumberOfViewpoints >= 1,
     "NumberOfViewpoints is " << self->NumberOfViewpoints
                              << " (a search is for at least one). Set it to 1 or more.");
@@ -280,6 +287,52 @@ limpid::Vec3 vtkViewpointSearch::Internals::FocalPoint(const limpid::Grid& grid)
   return focalPoint;
 }
 
+limpid::Vec3 vtkViewpointSearch::Internals::UpAxis() const
+{
+  const limpid::Vec3 up = limpid::ToVec3(this->Self->CameraViewUp);
+  return up == limpid::Vec3(0, 1, 0) ? up : glm::normalize(up);
+}
+
+limpid::AllowedViews vtkViewpointSearch::Internals::AllowedViews() const
+{
+  limpid::AllowedViews allowed;
+  allowed.up = this->UpAxis();
+  allowed.lowest = vtkMath::RadiansFromDegrees(this->Self->ElevationRange[0]);
+  allowed.highest = vtkMath::RadiansFromDegrees(this->Self->ElevationRange[1]);
+  allowed.avoidanceAngle = vtkMath::RadiansFromDegrees(this->Self->AvoidanceAngle);
+  for (const limpid::Vec3& direction : this->Avoided)
+  {
+    allowed.avoided.push_back(glm::normalize(direction));
+  }
+  return allowed;
+}
+
+void vtkViewpointSearch::Internals::RequireAllowedViews() const
+{
+  const vtkViewpointSearch* self = this->Self;
+  const auto isDirection = [](const limpid::Vec3& vector)
+  { return std::isfinite(glm::length(vector)) && glm::length(vector) > 0; };
+  LIMPID_REQUIRE(isDirection(limpid::ToVec3(self->CameraViewUp)),
+    "CameraViewUp is " << self->CameraViewUp[0] << " " << self->CameraViewUp[1] << " "
+                       << self->CameraViewUp[2]
+                       << " (it is no direction, so nothing is upwards). Set it to an axis, for "
+                          "instance 0 0 1.");
+  const double* range = self->ElevationRange;
+  LIMPID_REQUIRE(range[0] >= -90 && range[0] <= range[1] && range[1] <= 90,
+    "ElevationRange is " << range[0] << " to " << range[1]
+                         << " degrees (no direction has it). Set two angles from -90 to 90, the "
+                            "smaller one first.");
+  LIMPID_REQUIRE(self->AvoidanceAngle >= 0 && self->AvoidanceAngle <= 180,
+    "AvoidanceAngle is " << self->AvoidanceAngle
+                         << " degrees (no two directions have it). Set an angle from 0 to 180.");
+  for (const limpid::Vec3& direction : this->Avoided)
+  {
+    LIMPID_REQUIRE(isDirection(direction),
+      "An avoided direction is " << direction.x << " " << direction.y << " " << direction.z
+                                 << " (it leads nowhere). Remove it or give a direction.");
+  }
+}
+
 limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid) const
 {
   limpid::Orbit orbit;
@@ -288,6 +341,7 @@ limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid)
   orbit.viewAngle = this->Self->CameraViewAngle;
   orbit.parallel = this->Self->CameraParallelProjection != 0;
   orbit.parallelScale = grid.Radius();
+  orbit.up = this->UpAxis();
 
   const limpid::Camera any = orbit.At({ 0.0, 0.0, 1.0 });
   limpid::Light light;
@@ -314,5 +368,6 @@ limpid::SearchSettings vtkViewpointSearch::Internals::MakeSearchSettings(double 
   search.separation = vtkMath::RadiansFromDegrees(this->Self->SeparationAngle);
   search.refine = this->Self->Refine != 0;
   search.firstStep = 0.5 * spacing;
+  search.allowed = this->AllowedViews();
   return search;
 }

@@ -10,9 +10,11 @@
 #include "vtkVisibilityAlgorithmScene.h"
 
 #include <memory>
+#include <vector>
 
 namespace limpid
 {
+struct AllowedViews;
 struct FoundViews;
 struct Orbit;
 class PreparedScene;
@@ -33,6 +35,9 @@ struct vtkViewpointSearch::Internals
   void RequirePossibleSettings() const;
   void WarnOfSceneWithoutScore(const limpid::PreparedScene& scene) const;
   limpid::Vec3 FocalPoint(const limpid::Grid& grid) const;
+  void RequireAllowedViews() const;
+  limpid::Vec3 UpAxis() const;
+  limpid::AllowedViews AllowedViews() const;
   limpid::Orbit MakeOrbit(const limpid::Grid& grid) const;
   limpid::Settings MakeSettings() const;
   limpid::SearchSettings MakeSearchSettings(double spacing) const;
@@ -46,6 +51,7 @@ struct vtkViewpointSearch::Internals
 
   vtkViewpointSearch* Self;
   SceneReader Reader;
+  std::vector<limpid::Vec3> Avoided; // directions, of any length
 };
 
 #endif

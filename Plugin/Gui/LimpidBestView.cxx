@@ -22,6 +22,10 @@
 #include <QApplication>
 #include <QIcon>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace
 {
 // Of an icosphere. From the best of so many the search climbs as high as from the best of 642, in a
@@ -77,6 +81,18 @@ vtkSMProxy* ChooseDisplay(vtkSMRenderViewProxy* view)
   return first;
 }
 
+// The axis of the world that is most nearly upwards in a view, so that it stays that.
+std::array<double, 3> AxisNearest(vtkSMRenderViewProxy* view)
+{
+  std::array<double, 3> up{};
+  vtkSMPropertyHelper(view, "CameraViewUp").Get(up.data(), 3);
+  const auto* largest = std::max_element(
+    up.begin(), up.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  std::array<double, 3> axis{};
+  axis[static_cast<std::size_t>(largest - up.begin())] = *largest < 0 ? -1 : 1;
+  return axis;
+}
+
 // By a filter that no pipeline browser shows and no undo knows.
 LimpidViewpoints Search(vtkSMProxy* display, vtkSMRenderViewProxy* view)
 {
@@ -90,6 +106,7 @@ LimpidViewpoints Search(vtkSMProxy* display, vtkSMRenderViewProxy* view)
   vtkSMPropertyHelper(search, "Input").Set(input.GetAsProxy(), input.GetOutputPort());
   controller->PostInitializeProxy(search);
   vtkSMPropertyHelper(search, "NumberOfDirections").Set(DIRECTIONS);
+  Set(search, "CameraViewUp", AxisNearest(view));
   TakeOverDisplay(search, display, view);
   return FindViewpoints(search, vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
 }

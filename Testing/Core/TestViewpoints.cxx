@@ -251,6 +251,96 @@ TEST(FindViewpoints, KeepsWhatWasDoneWhenItIsStopped)
   EXPECT_TRUE(result.paths.empty());
 }
 
+TEST(FindViewpoints, StaysWhereItIsAllowed)
+{
+  const BoxScene scene = Filled(Content::Waves);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
+  Orbit orbit = OrbitOf(scene.grid, false);
+  const std::vector<ScoredView> samples = ScoreViews(score, orbit, SpreadDirections(40), nullptr);
+  for (const Vec3& up : { Vec3(0, 1, 0), glm::normalize(Vec3(1, -2, 0.5)) })
+  {
+    SearchSettings settings;
+    settings.viewpoints = 2;
+    settings.precision = 0.02;
+    settings.allowed.up = up;
+    const std::vector<ScoredView> anywhere =
+      FindViewpoints(score, orbit, samples, settings, nullptr).viewpoints;
+    // Above the best, at it, and a ring that no sample lies in.
+    const double best = ElevationOf(anywhere.front().direction, up);
+    for (const auto& [lowest, highest] : { std::pair(best + 0.2, 0.5 * pi),
+           std::pair(-0.5 * pi, best + 0.01), std::pair(0.123, 0.124), std::pair(0.0, 0.0) })
+    {
+      settings.allowed.lowest = std::min(lowest, 1.4);
+      settings.allowed.highest = highest;
+      settings.allowed.avoided = { glm::normalize(Vec3(1, 1, 1)) };
+      settings.allowed.avoidanceAngle = 0.6;
+      const SearchResult result = FindViewpoints(score, orbit, samples, settings, nullptr);
+
+      ASSERT_FALSE(result.viewpoints.empty());
+      for (const ScoredView& view : result.viewpoints)
+      {
+        EXPECT_TRUE(settings.allowed.Contains(view.direction));
+        const double elevation = std::asin(glm::clamp(glm::dot(view.direction, up), -1.0, 1.0));
+        EXPECT_GE(elevation, settings.allowed.lowest - 1e-6);
+        EXPECT_LE(elevation, settings.allowed.highest + 1e-6);
+        EXPECT_GE(std::acos(glm::dot(view.direction, settings.allowed.avoided[0])), 0.6 - 1e-6);
+      }
+      for (const ScoredView& sample : samples)
+      {
+        EXPECT_TRUE(!settings.allowed.Contains(sample.direction) ||
+          result.viewpoints.front().worth >= sample.worth);
+      }
+    }
+  }
+}
+
+// Along the edge of what is allowed it climbs as far as anywhere.
+TEST(FindViewpoints, ClimbsAlongAnEdge)
+{
+  const BoxScene scene = Filled(Content::Waves);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
+  const Orbit orbit = OrbitOf(scene.grid, false);
+  SearchSettings settings;
+  settings.viewpoints = 4;
+  settings.separation = 0.2;
+  settings.allowed.lowest = settings.allowed.highest = 0.3;
+  std::vector<Vec3> ring;
+  for (int step = 0; step < 120; ++step)
+  {
+    const double azimuth = step * pi / 60;
+    ring.emplace_back(
+      std::cos(0.3) * std::cos(azimuth), std::sin(0.3), std::cos(0.3) * std::sin(azimuth));
+  }
+  const std::vector<ScoredView> all = ScoreViews(score, orbit, ring, nullptr);
+  const double best = std::min_element(all.begin(), all.end(), IsBetter)->worth;
+
+  const std::vector<ScoredView> samples = ScoreViews(score, orbit, SpreadDirections(60), nullptr);
+  const SearchResult result = FindViewpoints(score, orbit, samples, settings, nullptr);
+
+  ASSERT_FALSE(result.viewpoints.empty());
+  EXPECT_GE(result.viewpoints.front().worth, 0.99 * best);
+}
+
+TEST(Orbit, KeepsUpWhatIsUp)
+{
+  Orbit orbit;
+  for (const Vec3& up : { Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(0, -1, 0),
+         glm::normalize(Vec3(1, -2, 0.5)) })
+  {
+    orbit.up = up;
+    for (const Vec3& direction : RandomDirections(40))
+    {
+      const Vec3 viewUp = orbit.At(direction).viewUp;
+      EXPECT_WITHIN(glm::length(viewUp), 1, Roundoff<double>(20, 1));
+      EXPECT_WITHIN(glm::dot(viewUp, direction), 0, Roundoff<double>(20, 1));
+      // As far up as it can be, so that nothing of it is to the side.
+      EXPECT_GE(glm::dot(viewUp, up), 0);
+      EXPECT_WITHIN(glm::dot(glm::cross(direction, viewUp), up), 0, Roundoff<double>(20, 1));
+    }
+    EXPECT_WITHIN(glm::dot(orbit.At(up).viewUp, up), 0, Roundoff<double>(20, 1));
+  }
+}
+
 class SearchedScene : public RealScene
 {
 };

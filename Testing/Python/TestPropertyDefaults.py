@@ -43,6 +43,12 @@ class TestPropertyDefaults(unittest.TestCase):
                 if command == "SetInputArrayToProcess" or element.tag == "ProxyProperty":
                     continue
                 with self.subTest(property=element.get("name")):
+                    if element.get("repeat_command"):
+                        self.assertEqual(command + "s", "Add" + element.get("name"))
+                        self.assertEqual(
+                            getattr(instance, "GetNumberOf" + element.get("name"))(), 0)
+                        compared += 1
+                        continue
                     self.assertEqual(command, "Set" + element.get("name"))
                     value = getattr(instance, "Get" + element.get("name"))()
                     expected = value if isinstance(value, tuple) else (value,)

@@ -416,6 +416,54 @@ class TestViewpoints(SearchTest):
         self.assertEqual(field(result.GetOutput(), "Evaluations"), 42)
 
 
+class TestAllowedViews(SearchTest):
+    def elevations(self, result, up):
+        directions = values(result.GetViewpoints(), "ViewDirection")
+        return np.degrees(np.arcsin(directions @ (np.array(up) / np.linalg.norm(up))))
+
+    def test_the_axis_that_is_up_is_up_in_all_cameras(self):
+        for up in ((0, 0, 1), (0, -2, 0), (1, 2, 3)):
+            result = self.run_filter(hidden_blob((0, 0, 1), 16), NumberOfDirections=42, CameraViewUp=up)
+            for output in (result.GetOutput(), result.GetViewpoints()):
+                directions = values(output, "ViewDirection")
+                view_ups = values(output, "CameraViewUp")
+                sides = np.cross(directions, view_ups)
+                np.testing.assert_allclose(np.linalg.norm(view_ups, axis=1), 1, atol=20 * DOUBLE)
+                np.testing.assert_allclose(sides @ np.array(up), 0, atol=100 * DOUBLE)
+                self.assertTrue((view_ups @ np.array(up) > -100 * DOUBLE).all())
+
+    def test_viewpoints_keep_to_elevations_and_away_from_directions(self):
+        image = hidden_blob((0, 0, 1), 16)
+        everywhere = self.run_filter(image, NumberOfDirections=162)
+        for up, low, high in (((0, 0, 1), 0, 90), ((0, 0, 1), -90, -20), ((0, 1, 0), 0, 0),
+                              ((1, 1, 0), 10, 10.5)):
+            with self.subTest(up=up, low=low, high=high):
+                result = self.run_filter(image, NumberOfDirections=162, CameraViewUp=up,
+                                ElevationRange=(low, high))
+                found = self.elevations(result, up)
+                self.assertGreater(len(found), 0)
+                self.assertTrue((found > low - 1e-5).all() and (found < high + 1e-5).all())
+                np.testing.assert_array_equal(values(result.GetOutput(), "VisibilityScore"),
+                                              values(everywhere.GetOutput(), "VisibilityScore"))
+        best = values(everywhere.GetViewpoints(), "ViewDirection")[0]
+        away = search(image, NumberOfDirections=162, AvoidanceAngle=50)
+        away.AddAvoidedDirection(*(3 * best))
+        away.Update()
+        for direction in values(away.GetViewpoints(), "ViewDirection"):
+            self.assertGreaterEqual(np.degrees(np.arccos(direction @ best)), 50 - 1e-5)
+        away.RemoveAllAvoidedDirections()
+        away.Update()
+        np.testing.assert_array_equal(values(away.GetViewpoints(), "ViewDirection")[0], best)
+
+    def test_says_where_nothing_is_allowed(self):
+        result = search(hidden_blob((0, 0, 1), 16), NumberOfDirections=12, AvoidanceAngle=180)
+        result.AddAvoidedDirection(0, 0, 1)
+        result.Update()
+
+        self.assertEqual(result.GetViewpoints().GetNumberOfPoints(), 0)
+        self.assertIn("ElevationRange", result.messages["WarningEvent"][-1])
+
+
 class TestPaths(SearchTest):
     def test_climb_from_directions_of_the_sphere(self):
         for field_ in (PROXY, BASE, PER_VIEW):
@@ -577,13 +625,22 @@ class TestDegenerateInput(SearchTest):
     def test_settings_that_make_no_sense_are_named(self):
         cases = dict(NumberOfDirections=(0, -5, 2000000), CameraDistance=(0.5, 0, -3, np.nan),
                      CameraViewAngle=(0, 180, np.nan), NumberOfViewpoints=(0, -1),
-                     SeparationAngle=(-1, 181), SphereRadius=(0, -2), RayDensity=(0, 100),
+                     SeparationAngle=(-1, 181), AvoidanceAngle=(-1, 181), SphereRadius=(0, -2),
+                     RayDensity=(0, 100),
                      ScalarOpacityUnitDistance=(-1,), Field=(4, -1), Sampling=(3, -1),
                      Backend=(9,), ExtinctionSource=(2,), ViewWeight=(-1,), MaximumIterations=(-1,))
         for name, wrong in cases.items():
             for value in wrong:
                 with self.subTest(name=name, value=value):
                     self.assert_refuses(str(value), filter_=search(phantom(8), **{name: value}))
+
+    def test_directions_that_are_none_are_named(self):
+        self.assert_refuses("CameraViewUp", filter_=search(phantom(8), CameraViewUp=(0, 0, 0)))
+        for wrong in ((-91, 0), (10, 5), (0, np.nan)):
+            self.assert_refuses("ElevationRange", filter_=search(phantom(8), ElevationRange=wrong))
+        result = search(phantom(8))
+        result.AddAvoidedDirection(0, 0, 0)
+        self.assert_refuses("avoided direction", filter_=result)
 
     def test_a_camera_inside_the_volume_is_refused_with_the_reason(self):
         self.assert_refuses("CameraDistance", "0.9", "inside",

@@ -30,12 +30,19 @@ Mat3 RotationOf(const ViewAngles& angles)
   return Mat3(Vec3(c1, 0, -s1), Vec3(s1 * s2, c2, c1 * s2), Vec3(s1 * c2, -s2, c1 * c2));
 }
 
+Vec3 ViewUpOf(const Vec3& direction, const Vec3& up)
+{
+  const Vec3 across = up - glm::dot(up, direction) * direction;
+  const bool turns = up != Vec3(0, 1, 0) && glm::length(across) > 1e-12;
+  return turns ? glm::normalize(across) : RotationOf(AnglesOf(direction))[1];
+}
+
 Camera Orbit::At(const Vec3& direction) const
 {
   Camera camera;
   camera.position = this->centre + this->distance * direction;
   camera.focalPoint = this->centre;
-  camera.viewUp = RotationOf(AnglesOf(direction))[1];
+  camera.viewUp = ViewUpOf(direction, this->up);
   camera.viewAngle = this->viewAngle;
   camera.parallel = this->parallel;
   camera.parallelScale = this->parallelScale;
@@ -128,7 +135,8 @@ public:
         return path;
       }
       const ScoredView here = path.back();
-      ascent = this->AscentAt(here.direction).slope;
+      ascent =
+        this->Options.allowed.SlopeWithin(here.direction, this->AscentAt(here.direction).slope);
       const double steepness = glm::length(ascent);
       if (!(steepness > 0))
       {
@@ -199,8 +207,8 @@ private:
     const Vec3 centre = Turned(top.direction, (way.x * ways[0] + way.y * ways[1]) / angle, angle);
     const ViewSlope there = this->AscentAt(centre);
     const ScoredView middle = this->At(centre);
-    if (glm::length(there.slope) < glm::length(ascent) && middle.worth >= path.front().worth &&
-      middle.worth >= (1 - uncertainty) * top.worth)
+    if (this->Options.allowed.Contains(centre) && glm::length(there.slope) < glm::length(ascent) &&
+      middle.worth >= path.front().worth && middle.worth >= (1 - uncertainty) * top.worth)
     {
       while (path.size() > 1 && path.back().worth >= middle.worth)
       {
@@ -223,8 +231,10 @@ private:
   {
     while (length >= this->Options.precision && this->GoOn())
     {
-      const ScoredView next = this->At(Turned(here.direction, along, length));
-      const double gain = next.worth - here.worth;
+      const AllowedViews& allowed = this->Options.allowed;
+      const ScoredView next =
+        this->At(allowed.WithElevation(Turned(here.direction, along, length)));
+      const double gain = allowed.Contains(next.direction) ? next.worth - here.worth : -here.worth;
       // The parabola with the slope at the start and the value at the end has its top there.
       const double excess = steepness * length - gain;
       const double top = excess > 0 ? 0.5 * steepness * length * length / excess : 2 * length;
@@ -257,7 +267,8 @@ std::vector<ScoredView> RankedViews(std::vector<ScoredView> views, const SearchS
     const bool isNew = std::all_of(kept.begin(), kept.end(),
       [&](const ScoredView& other)
       { return AngleBetween(view.direction, other.direction) >= settings.separation; });
-    if (view.valid && isNew && static_cast<int>(kept.size()) < settings.viewpoints)
+    if (view.valid && isNew && settings.allowed.Contains(view.direction) &&
+      static_cast<int>(kept.size()) < settings.viewpoints)
     {
       kept.push_back(view);
     }
@@ -265,15 +276,36 @@ std::vector<ScoredView> RankedViews(std::vector<ScoredView> views, const SearchS
   return kept;
 }
 
+std::vector<ScoredView> WithAllowed(std::vector<ScoredView> samples, const SearchSettings& settings,
+  const std::function<ScoredView(const Vec3&)>& at)
+{
+  if (RankedViews(samples, settings).empty())
+  {
+    SearchSettings anywhere = settings;
+    anywhere.allowed = {};
+    anywhere.viewpoints = static_cast<int>(samples.size());
+    for (const ScoredView& view : RankedViews(samples, anywhere))
+    {
+      const Vec3 direction = settings.allowed.WithElevation(view.direction);
+      if (settings.allowed.Contains(direction))
+      {
+        samples.push_back(at(direction));
+      }
+    }
+  }
+  return samples;
+}
+
 SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
   const std::vector<ScoredView>& samples, const SearchSettings& settings,
   const SearchProgress& progress)
 {
   SearchResult result;
-  std::vector<ScoredView> candidates = samples;
-  const std::vector<ScoredView> starts = RankedViews(samples, settings);
+  std::vector<ScoredView> candidates = WithAllowed(
+    samples, settings, [&](const Vec3& direction) { return ViewAt(score, orbit, direction); });
+  const std::vector<ScoredView> starts = RankedViews(candidates, settings);
   result.evaluations = std::count_if(
-    samples.begin(), samples.end(), [](const ScoredView& view) { return view.valid; });
+    candidates.begin(), candidates.end(), [](const ScoredView& view) { return view.valid; });
   for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
   {
     const SearchProgress climbed = [&](double share)

@@ -4,6 +4,7 @@
 #ifndef limpid_viewpoint_Search_h
 #define limpid_viewpoint_Search_h
 
+#include "viewpoint/AllowedViews.h"
 #include "viewpoint/ViewScore.h"
 
 #include <functional>
@@ -22,6 +23,10 @@ struct ViewAngles
 /// is 0.
 ViewAngles AnglesOf(const Vec3& direction);
 
+/// What is upwards in the picture of a camera in a direction of unit length, if `up`, a unit
+/// vector, is upwards in the world. At the poles it is any way.
+Vec3 ViewUpOf(const Vec3& direction, const Vec3& up);
+
 /// R of Eq. (10).
 Mat3 RotationOf(const ViewAngles& angles);
 
@@ -34,6 +39,7 @@ struct Orbit
   bool parallel = false;
   double parallelScale = 1; ///< parallel only [length]
   double aspect = 1;
+  Vec3 up{ 0.0, 1.0, 0.0 }; ///< unit vector that is upwards in pictures
 
   /// The camera on the side of the centre to which a unit vector points.
   Camera At(const Vec3& direction) const;
@@ -64,6 +70,7 @@ struct SearchSettings
   double firstStep = 0.1;        ///< of a climb: half the distance of samples [radians]
   double precision = 0.002;      ///< smallest step of a climb [radians]
   int largestNumberOfSteps = 30; ///< of one climb
+  AllowedViews allowed;          ///< for viewpoints, and on the way there
 };
 
 /// The best views, best first, and how they were reached.
@@ -85,9 +92,14 @@ ScoredView ViewAt(const ViewScore& score, const Orbit& orbit, const Vec3& direct
 std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress);
 
-/// The best of the views that were evaluated, best first: as many as the settings want, no two
-/// closer to each other than the separation.
+/// The best of the views that were evaluated and are allowed, best first: as many as the settings
+/// want, no two closer to each other than the separation.
 std::vector<ScoredView> RankedViews(std::vector<ScoredView> views, const SearchSettings& settings);
+
+/// Samples; where none of them is allowed, also allowed directions next to distinct good ones, as
+/// `at` finds them.
+std::vector<ScoredView> WithAllowed(std::vector<ScoredView> samples, const SearchSettings& settings,
+  const std::function<ScoredView(const Vec3&)>& at);
 
 /// Climbs from the best samples and ranks what is reached.
 SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
