@@ -11,6 +11,7 @@
 
 #include "math/Require.h"
 #include "optimize/Solver.h"
+#include "scene/ViewSet.h"
 
 #include <algorithm>
 
@@ -23,6 +24,7 @@ void RequireChoices(vtkVisibilitySettings* settings)
   RequireChoice("Mode", settings->GetMode(), 2);
   RequireChoice("Solver", settings->GetSolver(), 2);
   RequireChoice("Derivative", settings->GetDerivative(), 2);
+  RequireChoice("Views", settings->GetViews(), 3);
   RequireChoice("ImportanceSmoothing", settings->GetImportanceSmoothing(), 2);
   RequireChoice("Backend", settings->GetBackend(), 3);
 }
@@ -68,6 +70,16 @@ Settings SettingsOf(vtkVisibilitySettings* settings)
   result.temporalCoherence = settings->GetTemporalCoherence();
   result.backend = static_cast<BackendKind>(settings->GetBackend());
   return result;
+}
+
+ViewSet ViewSetOf(vtkVisibilitySettings* settings)
+{
+  ViewSet views;
+  const bool several = settings->GetMethod() == static_cast<int>(Method::Optimized);
+  views.kind = several ? static_cast<ViewKind>(settings->GetViews()) : ViewKind::Single;
+  views.count = settings->GetNumberOfViews();
+  views.eyeAngle = settings->GetEyeAngle();
+  return views;
 }
 
 Light LightOf(vtkVisibilitySettings* settings, const Vec3& focalPoint)

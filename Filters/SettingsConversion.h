@@ -18,12 +18,16 @@ namespace limpid
 {
 struct Light;
 struct Settings;
+struct ViewSet;
 
 /// Throws on a choice that does not exist.
 VTKLIMPIDFILTERS_EXPORT void RequireChoices(vtkVisibilitySettings* settings);
 
 /// Weights, solver and backend.
 VTKLIMPIDFILTERS_EXPORT Settings SettingsOf(vtkVisibilitySettings* settings);
+
+/// For which cameras.
+VTKLIMPIDFILTERS_EXPORT ViewSet ViewSetOf(vtkVisibilitySettings* settings);
 
 /// The light in world coordinates; a directional one shines towards the focal point.
 VTKLIMPIDFILTERS_EXPORT Light LightOf(vtkVisibilitySettings* settings, const Vec3& focalPoint);

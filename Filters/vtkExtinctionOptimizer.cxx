@@ -28,6 +28,7 @@
 #include "math/Require.h"
 #include "optimize/Solver.h"
 #include "scene/Placement.h"
+#include "scene/ViewSet.h"
 #include "viewpoint/Concurrent.h"
 
 #include <algorithm>
@@ -242,7 +243,10 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
     }
     return true;
   };
-  const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
+  const std::vector<limpid::Camera> cameras = limpid::CamerasOf(
+    limpid::ViewSetOf(this->Self->Settings), camera, limpid::OrbitStart::AtCamera);
+  const limpid::Settings settings =
+    limpid::ForCameras(limpid::SettingsOf(this->Self->Settings), cameras);
   limpid::ConcurrentResult result;
   result.camera = camera;
   if (this->Self->OptimizeViewpoint)
@@ -252,13 +256,16 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
         << limpid::InfoOf(settings.method).name
         << " (the camera climbs with the optimised extinction). Set Method to Optimized or "
            "OptimizeViewpoint off.");
+    LIMPID_REQUIRE(cameras.size() == 1,
+      "OptimizeViewpoint is on and Views are several (only one camera can climb). Set Views to "
+      "Single View or OptimizeViewpoint off.");
     const auto guide = static_cast<limpid::Guide>(this->Self->ViewpointGuide);
     result = limpid::OptimizeConcurrently(scene, camera, light, settings, guide, progress);
   }
   else
   {
     result.solver =
-      std::make_unique<limpid::Solver>(scene, camera, light, settings, this->LastChange);
+      std::make_unique<limpid::Solver>(scene, cameras.front(), light, settings, this->LastChange);
     this->StartFromLastResult(scene.grid, *result.solver);
     result.solver->Run(progress);
   }

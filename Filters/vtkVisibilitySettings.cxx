@@ -57,6 +57,9 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("RayDensity", this->RayDensity);
   print("SkipUnneeded", this->SkipUnneeded);
   print("RestrictToView", this->RestrictToView);
+  print("Views", this->Views);
+  print("NumberOfViews", this->NumberOfViews);
+  print("EyeAngle", this->EyeAngle);
   print("ProtectImportance", this->ProtectImportance);
   print("ImportanceSmoothing", this->ImportanceSmoothing);
   print("Smoothness", this->Smoothness);

@@ -293,6 +293,38 @@ public:
 
   ///@{
   /**
+   * For which cameras one extinction is found: the mean of their view terms takes the place of Eq.
+   * (23), and scores are means. SINGLE_VIEW: the camera. STEREO_PAIR: the two eyes of a viewer,
+   * EyeAngle apart about its focal point. ORBIT: NumberOfViews cameras, equally spaced about the
+   * axis of the world that is most nearly upwards for the camera, through its focal point, as high
+   * and as far away as the camera; vtkExtinctionOptimizer has one at the camera,
+   * vtkTransmittanceVolumeMapper in a fixed direction, so that nothing changes while a camera goes
+   * round, and leaves a light out that goes with it. One iteration sweeps one camera, and there are
+   * MaximumIterations for each. Methods other than OPTIMIZED are for the camera; vtkViewpointSearch
+   * does not ask for it. Default is SINGLE_VIEW.
+   */
+  vtkSetMacro(Views, int);
+  vtkGetMacro(Views, int);
+  ///@}
+
+  ///@{
+  /**
+   * Cameras of an ORBIT, 1 to 360. Default is 8.
+   */
+  vtkSetMacro(NumberOfViews, int);
+  vtkGetMacro(NumberOfViews, int);
+  ///@}
+
+  ///@{
+  /**
+   * Between the eyes of a STEREO_PAIR, as in vtkCamera [degrees], 0 to below 180. Default is 2.
+   */
+  vtkSetMacro(EyeAngle, double);
+  vtkGetMacro(EyeAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * How much of what is important stays where it is: a voxel of importance g keeps at least this
    * share of g times its base extinction, 0 to 1. 0: what is important may be removed to show what
    * is behind it, as in [HG24], which tears holes into it; 1: what has importance 1 stays whole.
@@ -387,6 +419,9 @@ private:
   double RayDensity = 1;
   vtkTypeBool SkipUnneeded = 1;
   vtkTypeBool RestrictToView = 0;
+  int Views = SINGLE_VIEW;
+  int NumberOfViews = 8;
+  double EyeAngle = 2;
   double ProtectImportance = 0;
   int ImportanceSmoothing = AS_GIVEN;
   double Smoothness = 0;

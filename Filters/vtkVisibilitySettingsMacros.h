@@ -29,6 +29,12 @@
     JOINT = 0,                                                                                     \
     SEPARATE = 1                                                                                   \
   };                                                                                               \
+  enum ViewKinds                                                                                   \
+  {                                                                                                \
+    SINGLE_VIEW = 0,                                                                               \
+    STEREO_PAIR = 1,                                                                               \
+    ORBIT = 2                                                                                      \
+  };                                                                                               \
   enum Solvers                                                                                     \
   {                                                                                                \
     POLICY = 0,                                                                                    \
@@ -127,6 +133,9 @@
   LIMPID_FORWARD_SETTING(RayDensity, double)                                                       \
   LIMPID_FORWARD_SWITCH(SkipUnneeded)                                                              \
   LIMPID_FORWARD_SWITCH(RestrictToView)                                                            \
+  LIMPID_FORWARD_SETTING(Views, int)                                                               \
+  LIMPID_FORWARD_SETTING(NumberOfViews, int)                                                       \
+  LIMPID_FORWARD_SETTING(EyeAngle, double)                                                         \
   LIMPID_FORWARD_SETTING(ProtectImportance, double)                                                \
   LIMPID_FORWARD_SETTING(ImportanceSmoothing, int)                                                 \
   LIMPID_FORWARD_SETTING(Smoothness, double)                                                       \

@@ -10,6 +10,7 @@
 
 #include "optimize/Solver.h"
 #include "render/Renderer.h"
+#include "scene/ViewSet.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,7 @@ struct FrameSettings
   bool once = false;    ///< for the camera of the first still frame only
   bool paused = false;  ///< leave the extinction as it is
   Settings solver;
+  ViewSet views;     ///< for which cameras
   ChosenLight light; ///< in data coordinates
   Lighting lighting; ///< but for the light itself, its colour and whether it is on
   bool lit = true;

@@ -62,6 +62,7 @@ ChosenLight OwnLight(vtkVisibilitySettings* settings, vtkRenderer* renderer)
   if (IsUnplaced(chosen.light))
   {
     PlaceLight(camera, chosen.light);
+    chosen.movesWithCamera = true;
   }
   std::ostringstream text;
   const Vec3& position = chosen.light.position;
@@ -107,6 +108,7 @@ ChosenLight StrongestLight(vtkRenderer* renderer)
   strongest->GetTransformedPosition(from);
   strongest->GetTransformedFocalPoint(to);
   chosen.found = true;
+  chosen.movesWithCamera = !strongest->LightTypeIsSceneLight();
   chosen.light.type = strongest->GetPositional() ? LightType::Point : LightType::Directional;
   chosen.light.position = ToVec3(from);
   chosen.light.focalPoint = ToVec3(to);

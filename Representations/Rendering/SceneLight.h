@@ -20,7 +20,8 @@ namespace limpid
 struct ChosenLight
 {
   bool found = false;
-  Light light;                                        ///< in world coordinates, see ToData
+  Light light; ///< in world coordinates, see ToData
+  bool movesWithCamera = false;
   std::array<float, 3> color{ { 1.0f, 1.0f, 1.0f } }; ///< largest channel: 1
   std::string description;                            ///< for the user
 };

@@ -301,6 +301,12 @@ bool AreSame(const Camera& a, const Camera& b)
     AreClose(a.focalPoint, b.focalPoint, size);
 }
 
+bool AreSame(const std::vector<Camera>& a, const std::vector<Camera>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const Camera& one, const Camera& other) { return AreSame(one, other); });
+}
+
 bool AreSame(const Light& a, const Light& b)
 {
   const double size = glm::distance(a.position, a.focalPoint);

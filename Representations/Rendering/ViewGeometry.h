@@ -97,6 +97,7 @@ std::vector<float> ValuesOf(const ViewGeometry& geometry, const PictureFrame& fr
 
 /// Whether they differ by no more than rounding.
 bool AreSame(const Camera& a, const Camera& b);
+bool AreSame(const std::vector<Camera>& a, const std::vector<Camera>& b);
 bool AreSame(const Light& a, const Light& b);
 }
 

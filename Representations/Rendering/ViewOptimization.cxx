@@ -52,25 +52,29 @@ bool ViewOptimization::TakeView(const FrameSettings& frame, const Camera& camera
     return false; // the first still frame decides
   }
   const Light& light = frame.light.light;
-  const bool same =
-    this->HasView && AreSame(camera, this->ViewCamera) && AreSame(light, this->ViewLight);
+  const std::vector<Camera> cameras = CamerasOf(frame.views, camera, OrbitStart::Fixed);
+  // What goes round with the camera would change what is to stay while it does.
+  const bool goesRound = frame.light.movesWithCamera && frame.views.kind == ViewKind::Orbit;
+  const bool hasLight = frame.light.found && !goesRound;
+  const bool same = this->HasView && AreSame(cameras, this->ViewCameras) &&
+    (AreSame(light, this->ViewLight) || !hasLight);
   if (!keeps && !same)
   {
-    this->ViewCamera = camera;
+    this->ViewCameras = cameras;
     this->ViewLight = light;
     this->HasView = true;
   }
   this->IsOnceView = once;
   this->IsBaseView = !frame.optimize;
   this->ViewSettings = frame.solver;
-  Settings settings = frame.solver;
-  settings.weights.light = frame.light.found ? settings.weights.light : 0.0;
+  Settings settings = ForCameras(frame.solver, this->ViewCameras);
+  settings.weights.light = hasLight ? settings.weights.light : 0.0;
   if (this->IsBaseView)
   {
     settings.maximumIterations = 0;
     settings.iterationsPerLevel = { { 0, 0, 0 } };
   }
-  this->Optimizer->SetView(this->ViewCamera, this->ViewLight, settings);
+  this->Optimizer->SetView(this->ViewCameras.front(), this->ViewLight, settings);
   return true;
 }
 
@@ -145,10 +149,11 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
 }
 
 // What the frame's camera sees, which is not the one that the optimiser works for while the
-// extinction is kept. Moving frames have no time for that: they repeat what was measured last.
+// extinction is kept, or not the only one. Moving frames have no time for that: they repeat what
+// was measured last.
 Scores ViewOptimization::Measure(const FrameSettings& frame, const Camera& camera, bool changed)
 {
-  if (AreSame(camera, this->ViewCamera))
+  if (AreSame(std::vector<Camera>{ camera }, this->ViewCameras))
   {
     this->Elsewhere.reset();
     return { this->Optimizer->BaseScore(), this->Optimizer->BestScore() };

@@ -16,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace limpid
 {
@@ -69,9 +70,9 @@ private:
   bool IsOnceView = false;            ///< whether they are those of a first still frame
   bool IsBaseView = false;            ///< whether nothing was to be found for them
   Settings ViewSettings;              ///< with which they were taken
-  Camera ViewCamera;                  ///< that the optimiser works for, in data coordinates
+  std::vector<Camera> ViewCameras;    ///< that the optimiser works for, in data coordinates
   Light ViewLight;
-  std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for the one above
+  std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for those above
   Camera ElsewhereCamera;
   bool ShowsBase = true;
   std::uint64_t CasterVersion = 0; ///< of what casts shadows with the base; 0: the base does

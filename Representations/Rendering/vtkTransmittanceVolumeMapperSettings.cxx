@@ -291,6 +291,8 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   // What another method has found stays for when Ordinary is over.
   frame.solver.method = ordinary ? limpid::Method::Optimized : frame.solver.method;
   frame.solver.Require();
+  frame.views = limpid::ViewSetOf(self->Settings);
+  frame.views.Require();
   frame.lighting = this->MakeLighting();
   frame.lit = self->Shadows || volume->GetProperty()->GetShade(0);
   frame.light = self->LightSource == OWN ? limpid::OwnLight(self->Settings, renderer)

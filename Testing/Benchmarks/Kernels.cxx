@@ -226,20 +226,21 @@ public:
 
   void Forward()
   {
-    this->Energy.camera->Forward(
+    this->Energy.cameras.front().Forward(
       { this->Given.baseExtinction, this->Given.importance }, &this->Energy.Sums()->camera);
   }
 
   void Derive()
   {
-    this->Energy.DifferentiateTerm(*this->Energy.light, this->Next.data(), this->Lagged.data());
+    this->Energy.DifferentiateTerm(*this->Energy.light, this->Next.data(), 0, this->Lagged.data());
   }
 
   void Optimize()
   {
     std::swap(this->Last, this->Next);
     Differences moved;
-    SweepPolicy(*HostDevice::Shared(), *this->Energy.camera, this->Given, this->Energy.Fields(),
+    SweepPolicy(*HostDevice::Shared(), this->Energy.cameras.front(), this->Given,
+      this->Energy.Fields(),
       { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, Transmittance::OfLastIterate,
         Kept::Counted },
       moved);

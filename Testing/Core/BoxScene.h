@@ -99,6 +99,14 @@ struct BoxScene
       });
   }
 
+  /// An onion in [-1, 1]^3 with `nodes` nodes along each axis.
+  static BoxScene Onion(int nodes = 25)
+  {
+    BoxScene scene = Cube(nodes);
+    scene.FillOnion();
+    return scene;
+  }
+
   SceneFields Fields() const { return { grid, extinction.data(), importance.data() }; }
 
   Solver MakeSolver() const { return Solver(Fields(), camera, light, settings); }

@@ -21,13 +21,6 @@ using namespace limpid;
 
 namespace
 {
-BoxScene Onion(int nodes = 25)
-{
-  BoxScene scene = BoxScene::Cube(nodes);
-  scene.FillOnion();
-  return scene;
-}
-
 float MajorantOf(const BoxScene& scene)
 {
   return *std::max_element(scene.extinction.begin(), scene.extinction.end());
@@ -90,7 +83,7 @@ class EverySolver : public ::testing::TestWithParam<SolverKind>
 protected:
   BoxScene Scene() const
   {
-    BoxScene scene = Onion();
+    BoxScene scene = BoxScene::Onion();
     scene.settings.solver = GetParam();
     scene.settings.iterationsPerLevel = { { 8, 8, 48 } };
     return scene;
@@ -191,7 +184,7 @@ TEST(Coherence, MinimisesItsClosedFormWhereNothingIsAtStake)
 
 TEST(Coherence, ComesToAnEndAtWhatItFoundBefore)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion();
   Solver first = scene.MakeSolver();
   first.Run();
   scene.settings.temporalCoherence = 0.1;
@@ -205,7 +198,7 @@ TEST(Coherence, ComesToAnEndAtWhatItFoundBefore)
 
 TEST(Coherence, TakesWhatWasBeforeIntoTheBounds)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion();
   scene.settings.temporalCoherence = 10;
   scene.settings.protectImportance = 1;
   std::vector<float> previous(scene.extinction.size(), 1e30f);
@@ -231,7 +224,7 @@ TEST(Coherence, TakesWhatWasBeforeIntoTheBounds)
 
 TEST(Coherence, StaysNearTwoExtinctionsInSeparateMode)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion();
   scene.settings.mode = Mode::Separate;
   scene.settings.temporalCoherence = 1e6;
   const std::vector<float> camera = AnyExtinction(scene);
@@ -255,7 +248,7 @@ TEST(Coherence, StaysNearTwoExtinctionsInSeparateMode)
 
 TEST(Coherence, RejectsWhatItCannotWorkWith)
 {
-  BoxScene scene = Onion(9);
+  BoxScene scene = BoxScene::Onion(9);
   scene.settings.temporalCoherence = 1;
   CarriedChange small = ChangeFrom(scene, scene.extinction);
   small.ofExtinction.pop_back();
@@ -269,7 +262,7 @@ TEST(Coherence, RejectsWhatItCannotWorkWith)
 
 TEST(CarriedChange, MakesTheSameExtinctionOfTheSameBase)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion();
   const std::vector<float> extinction = AnyExtinction(scene);
   const float majorant = MajorantOf(scene);
   const CarriedChange change = ChangeFrom(scene, extinction);
@@ -286,7 +279,7 @@ TEST(CarriedChange, MakesTheSameExtinctionOfTheSameBase)
 // What was clear stays clear, what was wholly opaque stays so, whatever the base becomes.
 TEST(CarriedChange, KeepsWhatIsClearAndWhatIsOpaque)
 {
-  const BoxScene scene = Onion(17);
+  const BoxScene scene = BoxScene::Onion(17);
   const float majorant = MajorantOf(scene);
   std::vector<float> extinction(scene.extinction.size());
   for (std::size_t node = 0; node < extinction.size(); ++node)
@@ -294,7 +287,7 @@ TEST(CarriedChange, KeepsWhatIsClearAndWhatIsOpaque)
     extinction[node] = node % 2 == 0 ? 0.0f : majorant;
   }
   const CarriedChange change = ChangeFrom(scene, extinction);
-  BoxScene edited = Onion(17);
+  BoxScene edited = BoxScene::Onion(17);
   for (float& value : edited.extinction)
   {
     value *= 0.25f;
@@ -314,8 +307,8 @@ TEST(CarriedChange, KeepsWhatIsClearAndWhatIsOpaque)
 
 TEST(CarriedChange, GoesToFinerAndCoarserGrids)
 {
-  const BoxScene scene = Onion(17);
-  const BoxScene fine = Onion(33);
+  const BoxScene scene = BoxScene::Onion(17);
+  const BoxScene fine = BoxScene::Onion(33);
   const float majorant = MajorantOf(scene);
   for (const float by : { -1.0f, -0.25f, 0.0f, 0.5f, 1.0f })
   {
@@ -339,7 +332,7 @@ TEST(CarriedChange, GoesToFinerAndCoarserGrids)
 
 TEST(CarriedChange, IsNearForNearViewsAndTheSameSettings)
 {
-  const BoxScene scene = Onion(5);
+  const BoxScene scene = BoxScene::Onion(5);
   const CarriedChange change = ChangeFrom(scene, scene.extinction);
   const auto turned = [&](double degrees, auto view)
   {

@@ -11,6 +11,7 @@
 #include "optimize/Adam.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/SolverBackend.h"
+#include "scene/ViewSet.h"
 #include "viewpoint/ScoreSweep.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,38 @@ TEST(AdamOfDevice, IsThatOfTheProcessor)
   }
   // Root mean square: where a derivative is rounding noise, Adam follows its sign.
   EXPECT_LE(std::sqrt(squares / double(best.size())), 1e-4 * prepared.Majorant());
+}
+
+TEST(PolicyOfDevice, IsThatOfTheProcessorForSeveralViews)
+{
+  const BoxScene scene = Onion();
+  const std::vector<Camera> cameras =
+    CamerasOf({ ViewKind::Orbit, 3 }, scene.camera, OrbitStart::AtCamera);
+  PreparedScene prepared(scene.Fields());
+  const Problem problem =
+    prepared.ProblemFor(scene.camera, scene.light, ForCameras(scene.settings, cameras));
+  const std::shared_ptr<SolverBackend> backends[2] = { MakeSolverBackend(HostDevice::Shared()),
+    MakeSolverBackend(MakeTestedDevice()) };
+  std::vector<IterationRecord> records[2];
+  Score scores[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto policy = backends[i]->MakeMinimizer(problem, {}, false);
+    records[i].push_back(policy->Start());
+    for (int iteration = 0; iteration < 8; ++iteration)
+    {
+      records[i].push_back(policy->Iterate());
+    }
+    scores[i] = backends[i]->SweepsFromCameras(problem)->ScoreOf(policy->Best().data());
+  }
+
+  for (std::size_t i = 0; i < records[0].size(); ++i)
+  {
+    // A sweep decides by signs of differences, so that rounding moves whole voxels.
+    EXPECT_NEAR(records[1][i].energy.Total() / records[0][i].energy.Total(), 1, 1e-3) << i;
+    EXPECT_NEAR(records[1][i].score.fraction, records[0][i].score.fraction, 1e-3) << i;
+  }
+  EXPECT_NEAR(scores[1].visibility / scores[0].visibility, 1, 1e-3);
 }
 
 TEST(BackendOfDevice, ScoresLikeTheProcessor)

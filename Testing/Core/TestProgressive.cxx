@@ -25,13 +25,6 @@ using namespace limpid;
 
 namespace
 {
-BoxScene Onion(int nodes = 33)
-{
-  BoxScene scene = BoxScene::Cube(nodes);
-  scene.FillOnion();
-  return scene;
-}
-
 /// A machine on which a pass takes so many seconds per node.
 Stopwatch Machine(double secondsPerNode)
 {
@@ -113,7 +106,7 @@ class ProgressiveWays : public ::testing::TestWithParam<Way>
 protected:
   BoxScene Scene() const
   {
-    BoxScene scene = Onion();
+    BoxScene scene = BoxScene::Onion(33);
     scene.settings.solver = GetParam().solver;
     scene.settings.mode = GetParam().mode;
     scene.settings.iterationsPerLevel = { { 2, 2, 3 } };
@@ -249,7 +242,7 @@ TEST_P(ProgressiveWays, PreviewsInTheScenesBounds)
 
 TEST(Progressive, KeepsShowingTheLastViewUntilThereIsSomethingNew)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion(33);
   Progressive progressive = MakeProgressive(scene);
   RefineAll(progressive);
   const std::vector<float> shown = Copy(progressive, progressive.Extinction());
@@ -267,7 +260,7 @@ TEST(Progressive, KeepsShowingTheLastViewUntilThereIsSomethingNew)
 
 TEST(Progressive, NeverShowsTheBaseWhileIteratesAreNoBetter)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion(33);
   int worse = 0;
   for (const double regularization : { 0.1, 1.0, 10.0, 100.0 })
   {
@@ -290,12 +283,12 @@ TEST(Progressive, NeverShowsTheBaseWhileIteratesAreNoBetter)
 
 TEST(Progressive, GoesOnFromWhatAnotherSceneShowed)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion(33);
   Progressive first = MakeProgressive(scene);
   EXPECT_TRUE(first.Change().Empty());
   RefineAll(first);
   const std::vector<float> shown = Copy(first, first.Extinction());
-  BoxScene edited = Onion();
+  BoxScene edited = BoxScene::Onion(33);
   for (float& value : edited.extinction)
   {
     value *= 0.5f;
@@ -322,10 +315,10 @@ TEST(Progressive, GoesOnFromWhatAnotherSceneShowed)
 
 TEST(Progressive, DoesNotGoOnFromAnotherBox)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion(33);
   Progressive first = MakeProgressive(scene);
   RefineAll(first);
-  BoxScene moved = Onion();
+  BoxScene moved = BoxScene::Onion(33);
   moved.grid.origin.x += 0.5;
 
   Progressive second(moved.Fields(), moved.settings);
@@ -398,7 +391,7 @@ TEST_P(ProgressiveWays, PreviewsStayNearWhatIsShown)
 
 TEST(Progressive, DoesNothingForTheSameView)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion(33);
   Progressive progressive = MakeProgressive(scene);
   const int calls = RefineAll(progressive);
   EXPECT_GT(calls, 2);
@@ -413,7 +406,7 @@ TEST(Progressive, DoesNothingForTheSameView)
 
 TEST(Progressive, StartsAgainForAnyChange)
 {
-  const BoxScene scene = Onion(17);
+  const BoxScene scene = BoxScene::Onion(17);
   Progressive progressive = MakeProgressive(scene);
   const auto startsAgain = [&](const Camera& camera, const Light& light, const Settings& settings)
   {
@@ -440,7 +433,7 @@ TEST(Progressive, StartsAgainForAnyChange)
 
 TEST(Progressive, PreviewsOnCoarserGridsForSmallerBudgets)
 {
-  const BoxScene scene = Onion(65);
+  const BoxScene scene = BoxScene::Onion(65);
   Index last = std::numeric_limits<Index>::max();
   for (const double seconds : { 1.0, 0.1, 0.02, 0.002 })
   {
@@ -462,7 +455,8 @@ TEST(Progressive, PreviewsOnCoarserGridsForSmallerBudgets)
 
 TEST(Progressive, LeavesTheBaseWhereNothingIsToBeSeen)
 {
-  BoxScene scenes[] = { Onion(17), Onion(17), Onion(17), BoxScene({ 9, 9, 1 }, Vec3(0), Vec3(1)) };
+  BoxScene scenes[] = { BoxScene::Onion(17), BoxScene::Onion(17), BoxScene::Onion(17),
+    BoxScene({ 9, 9, 1 }, Vec3(0), Vec3(1)) };
   std::fill(scenes[0].importance.begin(), scenes[0].importance.end(), 0.0f);
   std::fill(scenes[1].extinction.begin(), scenes[1].extinction.end(), 0.0f);
   scenes[2].settings.weights.view = scenes[2].settings.weights.light = 0;
@@ -490,7 +484,7 @@ TEST(Progressive, LeavesTheBaseWhereNothingIsToBeSeen)
 
 TEST(Progressive, SeesWithTheLightAloneWhenTheViewHasNoWeight)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(33);
   scene.settings.weights.view = 0;
   Progressive progressive = MakeProgressive(scene);
 
@@ -504,7 +498,7 @@ TEST(Progressive, SeesWithTheLightAloneWhenTheViewHasNoWeight)
 
 TEST(Progressive, KeepsItsViewWhenTheNewOneIsNoGood)
 {
-  const BoxScene scene = Onion(17);
+  const BoxScene scene = BoxScene::Onion(17);
   Progressive progressive = MakeProgressive(scene);
   RefineAll(progressive);
   Camera camera = scene.camera;
@@ -520,7 +514,7 @@ TEST(Progressive, KeepsItsViewWhenTheNewOneIsNoGood)
 
 TEST(Progressive, RejectsScenesThatASolverRejects)
 {
-  BoxScene scene = Onion(9);
+  BoxScene scene = BoxScene::Onion(9);
   scene.extinction[5] = -1;
   EXPECT_THROW(Progressive(scene.Fields(), scene.settings), Error);
   scene.extinction[5] = 1;
@@ -534,7 +528,7 @@ TEST(Progressive, RefusesCudaWhereThereIsNone)
   {
     GTEST_SKIP() << "there is a GPU";
   }
-  BoxScene scene = Onion(9);
+  BoxScene scene = BoxScene::Onion(9);
   scene.settings.backend = BackendKind::Cuda;
   EXPECT_THROW(Progressive(scene.Fields(), scene.settings), Error);
 }
@@ -584,7 +578,7 @@ TEST(PassTime, LearnsFromWhatIsSlow)
 
 TEST(Progressive, GoesOnAsIfNothingHadHappenedWhenItsBeginningIsInterrupted)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(33);
   Progressive progressive = MakeProgressive(scene);
   RefineAll(progressive);
   const std::vector<float> before = Copy(progressive, progressive.Extinction());

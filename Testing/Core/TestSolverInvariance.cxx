@@ -40,13 +40,6 @@ double RmsDifference(const std::vector<float>& a, const std::vector<float>& b, d
   return std::sqrt(squares / double(a.size()));
 }
 
-BoxScene Onion(int nodes = 25)
-{
-  BoxScene scene = BoxScene::Cube(nodes);
-  scene.FillOnion();
-  return scene;
-}
-
 /// The onion in a box with three different spacings.
 BoxScene FlatOnion()
 {
@@ -118,7 +111,7 @@ Mat3 RotationAbout(Vec3 axis, double angle)
 
 TEST(SolverInvariance, LeavesTheBaseExtinctionBitForBitWithoutWeights)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion();
   scene.settings.weights.view = 0;
   scene.settings.weights.light = 0;
 
@@ -143,7 +136,7 @@ TEST(SolverInvariance, LeavesTheBaseExtinctionBitForBitWithoutWeights)
 
 TEST(SolverInvariance, LeavesTheBaseExtinctionBitForBitWithoutIterations)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion();
   scene.settings.maximumIterations = 0;
 
   const Outcome result = Optimize(scene);
@@ -156,7 +149,7 @@ TEST(SolverInvariance, SkipsOnlyWhatDoesNotMatter)
   for (const SolverKind kind : { SolverKind::Policy, SolverKind::Adam })
   {
     SCOPED_TRACE(kind == SolverKind::Adam ? "Adam" : "policy");
-    BoxScene scene = Onion();
+    BoxScene scene = BoxScene::Onion();
     scene.settings.solver = kind;
     scene.settings.iterationsPerLevel = { { 4, 4, 8 } };
 
@@ -236,7 +229,7 @@ TEST(SolverInvariance, KeepsVoxelsOffTheLineOfSightOfABorderVoxelBitForBit)
 
 TEST(SolverInvariance, NeverTouchesEmptyVoxels)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion();
 
   const Outcome result = Optimize(scene);
 
@@ -336,7 +329,7 @@ TEST(SolverInvariance, DoesNotMindALeftHandedDirectionMatrix)
 TEST(SolverInvariance, SeesTheSameAlongAllThreeAxes)
 {
   // The same scene with its axes exchanged, so that sweeps run along x, y and z.
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion();
   const Outcome here = Optimize(scene);
   for (const int turn : { 1, 2 })
   {

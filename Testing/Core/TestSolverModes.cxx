@@ -19,13 +19,6 @@ using namespace limpid;
 
 namespace
 {
-BoxScene Onion()
-{
-  BoxScene scene = BoxScene::Cube(21);
-  scene.FillOnion();
-  return scene;
-}
-
 std::vector<float> Optimized(const BoxScene& scene)
 {
   Solver solver = scene.MakeSolver();
@@ -36,7 +29,7 @@ std::vector<float> Optimized(const BoxScene& scene)
 
 TEST(SolverModes, SeparateIsOneRunForTheCameraAndOneForTheLight)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.settings.mode = Mode::Separate;
   Solver separate = scene.MakeSolver();
   separate.Run();
@@ -54,7 +47,7 @@ TEST(SolverModes, SeparateIsOneRunForTheCameraAndOneForTheLight)
 
 TEST(SolverModes, JointHasNoLightExtinction)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion(21);
   Solver solver = scene.MakeSolver();
 
   solver.Run();
@@ -64,7 +57,7 @@ TEST(SolverModes, JointHasNoLightExtinction)
 
 TEST(SolverModes, LightTransmitsAsACameraInItsPlace)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   std::vector<float> fromLight(scene.extinction.size());
   std::vector<float> fromCamera(scene.extinction.size());
   for (const LightType type : { LightType::Point, LightType::Directional })
@@ -84,7 +77,7 @@ TEST(SolverModes, LightTransmitsAsACameraInItsPlace)
 
 TEST(SolverModes, RaysOfAParallelCameraDoNotWiden)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.camera.parallel = true;
   scene.light.type = LightType::Directional;
   scene.settings.derivative = Derivative::Volume;
@@ -98,7 +91,7 @@ TEST(SolverModes, RaysOfAParallelCameraDoNotWiden)
 
 TEST(SolverModes, APointFarAwayIsAParallelCamera)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.camera.position = scene.camera.focalPoint + 1e6 * Vec3(0.3, 0.4, -1);
   const double point = scene.MakeSolver().BaseScore().visibility;
 
@@ -111,7 +104,7 @@ TEST(SolverModes, APointFarAwayIsAParallelCamera)
 
 TEST(SolverModes, RestrictedToTheViewCountsOnlyThePicture)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.settings.restrictToView = true;
   scene.camera.viewAngle = 90;
   const double wide = scene.MakeSolver().BaseScore().visibility;
@@ -127,7 +120,7 @@ TEST(SolverModes, RestrictedToTheViewCountsOnlyThePicture)
 
 TEST(SolverModes, StartsFromTheGivenExtinctionAndClampsIt)
 {
-  const BoxScene scene = Onion();
+  const BoxScene scene = BoxScene::Onion(21);
   Solver solver = scene.MakeSolver();
   std::vector<float> wish(scene.extinction.size());
   for (std::size_t node = 0; node < wish.size(); ++node)
@@ -146,7 +139,7 @@ TEST(SolverModes, StartsFromTheGivenExtinctionAndClampsIt)
 
 TEST(SolverModes, RefusesAnInitialExtinctionForSeparateFields)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.settings.mode = Mode::Separate;
   Solver solver = scene.MakeSolver();
 
@@ -155,7 +148,7 @@ TEST(SolverModes, RefusesAnInitialExtinctionForSeparateFields)
 
 TEST(SolverModes, KeepsTheBaseForTheLightWhenStoppedBeforeItsRun)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.settings.mode = Mode::Separate;
   Solver solver = scene.MakeSolver();
 
@@ -178,7 +171,7 @@ TEST(SolverModes, RefusesCudaWhereThereIsNone)
   {
     GTEST_SKIP() << "there is a GPU";
   }
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.settings.backend = BackendKind::Cuda;
 
   EXPECT_THROW(scene.MakeSolver(), Error);
@@ -186,7 +179,7 @@ TEST(SolverModes, RefusesCudaWhereThereIsNone)
 
 TEST(SolverModes, StopsAfterTheIterationsItWasGiven)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.settings.tolerance = 0;
   scene.settings.maximumIterations = 3;
   Solver solver = scene.MakeSolver();
@@ -200,7 +193,7 @@ TEST(SolverModes, StopsAfterTheIterationsItWasGiven)
 
 TEST(SolverModes, StopsAfterTheTimeItWasGiven)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   scene.settings.tolerance = 0;
   scene.settings.maximumIterations = 1000;
   scene.settings.maximumSeconds = 1e-6;
@@ -216,7 +209,7 @@ TEST(SolverModes, BestIsTheBestOfTheHistory)
 {
   for (const SolverKind kind : { SolverKind::Policy, SolverKind::Adam })
   {
-    BoxScene scene = Onion();
+    BoxScene scene = BoxScene::Onion(21);
     scene.settings.solver = kind;
     scene.settings.iterationsPerLevel = { { 8, 8, 16 } };
     Solver solver = scene.MakeSolver();
@@ -236,7 +229,7 @@ TEST(SolverModes, BestIsTheBestOfTheHistory)
 
 TEST(SolverModes, EnergyIsMadeOfScoresAndTheDistanceFromTheBase)
 {
-  BoxScene scene = Onion();
+  BoxScene scene = BoxScene::Onion(21);
   Solver solver = scene.MakeSolver();
   solver.Run();
 

@@ -95,6 +95,9 @@ void SetProperties(Invented& make, vtkExtinctionOptimizer* filter)
   settings->SetImportanceSmoothing(make.Chance() ? 1 : 0);
   settings->SetSmoothness(make.Number(-0.1, 1));
   settings->SetTemporalCoherence(make.Number(-0.1, 1));
+  settings->SetViews(make.Chance() ? make.Integer(-1, 3) : 0);
+  settings->SetNumberOfViews(make.Integer(0, 3));
+  settings->SetEyeAngle(make.Number(-1, 10));
   settings->SetBackend(make.Integer(0, 1) == 0 ? 1 : make.Integer(-1, 3));
 }
 

@@ -71,6 +71,8 @@ class TestPropertyDefaults(unittest.TestCase):
                        "Ament 2017": optimizer.AMENT_2017},
             "Mode": {"Joint": optimizer.JOINT, "Separate": optimizer.SEPARATE},
             "Solver": {"Policy": optimizer.POLICY, "Adam": optimizer.ADAM},
+            "Views": {"Single View": optimizer.SINGLE_VIEW, "Stereo Pair": optimizer.STEREO_PAIR,
+                      "Orbit": optimizer.ORBIT},
             "ViewpointGuide": {"Proxy": optimizer.PROXY, "Coupled": optimizer.COUPLED},
             "ImportanceSmoothing": {"Off": optimizer.AS_GIVEN, "Median": optimizer.MEDIAN},
             "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},

@@ -7,6 +7,7 @@
 #include "sweep/SumRays.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace limpid
 {
@@ -37,6 +38,20 @@ inline Score ScoreOf(const Seen& seen, double important)
     score.sacrificed = std::clamp(1 - seen.kept.unattenuated / important, 0.0, 1.0);
   }
   return score;
+}
+
+/// The mean of what several cameras see; there is one at least.
+inline Score MeanOf(const std::vector<Score>& scores)
+{
+  Score mean;
+  for (const Score& score : scores)
+  {
+    mean.visibility += score.visibility;
+    mean.fraction += score.fraction;
+    mean.sacrificed += score.sacrificed;
+  }
+  const auto count = static_cast<double>(scores.size());
+  return { mean.visibility / count, mean.fraction / count, mean.sacrificed / count };
 }
 
 /// Of the base extinction itself.

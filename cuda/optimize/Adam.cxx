@@ -198,6 +198,10 @@ private:
         here.problem.previous = here.previousStorage.data();
       }
       here.problem.camera = Rescaled(this->Given.camera, this->Given.grid, here.problem.grid);
+      for (RaySource& other : here.problem.otherCameras)
+      {
+        other = Rescaled(other, this->Given.grid, here.problem.grid);
+      }
       here.problem.light = Rescaled(this->Given.light, this->Given.grid, here.problem.grid);
       here.problem.occupancy =
         std::make_shared<const Occupancy>(here.problem.grid, here.problem.baseExtinction,

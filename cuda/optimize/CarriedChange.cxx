@@ -4,6 +4,7 @@
 #include "optimize/CarriedChange.h"
 
 #include "backend/Backend.h"
+#include "math/Angle.h"
 #include "math/Number.h"
 #include "math/Require.h"
 #include "optimize/Levels.h"
@@ -31,8 +32,7 @@ Vec3 DirectionTo(const Light& light, const Vec3& centre)
 /// 0 where a direction has no length.
 double DegreesBetween(const Vec3& one, const Vec3& other)
 {
-  const double degrees =
-    std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other)) * (180 / pi);
+  const double degrees = AngleBetween(one, other) * (180 / pi);
   return std::isfinite(degrees) ? degrees : 0.0;
 }
 
@@ -65,14 +65,23 @@ std::vector<float> Applied(
 double CarriedChange::NearnessTo(
   const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const
 {
-  if (!(otherSettings == this->settings))
+  Settings sameCameras = otherSettings;
+  sameCameras.otherCameras = this->settings.otherCameras;
+  const std::vector<Camera>& one = this->settings.otherCameras;
+  const std::vector<Camera>& other = otherSettings.otherCameras;
+  if (!(sameCameras == this->settings) || one.size() != other.size())
   {
     return 0;
   }
   const Vec3 centre = this->grid.Centre();
-  const double degrees =
-    std::max(DegreesBetween(DirectionTo(this->camera, centre), DirectionTo(otherCamera, centre)),
-      DegreesBetween(DirectionTo(this->light, centre), DirectionTo(otherLight, centre)));
+  const auto degreesBetween = [&centre](const auto& before, const auto& now)
+  { return DegreesBetween(DirectionTo(before, centre), DirectionTo(now, centre)); };
+  double degrees =
+    std::max(degreesBetween(this->camera, otherCamera), degreesBetween(this->light, otherLight));
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    degrees = std::max(degrees, degreesBetween(one[i], other[i]));
+  }
   constexpr double farAway = 20;
   return this->likeness * std::max(1 - degrees / farAway, 0.0);
 }

@@ -17,10 +17,11 @@ GpuNeed NeedOf(const Grid& grid, const Settings& settings)
   // Adam: extinction, best, derivative and its two means.
   const double fields = settings.solver == SolverKind::Policy ? 7 : 8;
   const double nodes = double(grid.NodeCount());
-  // Rays of two sources, with images of them on a few slices, and plans.
+  // Rays of the light and all cameras, with images of them on a few slices, and plans.
   const double across =
     settings.rayDensity * std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z });
-  const double rays = 4 * across * across;
+  const double sources = 2.0 + double(settings.otherCameras.size());
+  const double rays = 2 * sources * across * across;
   return { grid.NodeCount(), static_cast<std::size_t>(4 * fields * nodes + 300 * rays + 64e6) };
 }
 }

@@ -111,6 +111,10 @@ public:
   {
     this->Inside.grid = order.Of(problem.grid);
     this->Inside.camera = order.Of(problem.camera);
+    for (RaySource& other : this->Inside.otherCameras)
+    {
+      other = order.Of(other);
+    }
     this->Inside.light = order.Of(problem.light);
     this->Inside.baseExtinction = this->Fields->base.Data();
     this->Inside.importance = this->Fields->importance.Data();

@@ -124,6 +124,10 @@ public:
   IterationRecord Start() override
   {
     this->Lowest = this->MeasureFirst();
+    for (const Term* term : this->Energy.All())
+    {
+      this->SeeLast.push_back(term);
+    }
     this->Descent.BeginAt(this->Lowest.energy.Total());
     return this->Lowest;
   }
@@ -175,7 +179,10 @@ public:
     return this->ChangesLess(nearness);
   }
 
-  int IterationLimit() const override { return this->Given->settings.maximumIterations; }
+  int IterationLimit() const override
+  {
+    return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
+  }
 
   const float* BestValues() const override
   {
@@ -230,47 +237,58 @@ private:
     constexpr double little = 5;      // change of the extinction, per tolerance
     const double tolerance = times * this->Given->settings.tolerance;
     const bool gains = this->Descent.EnergyChange() >= leastGain * tolerance;
-    return this->Count > 0 && !this->Weighed && this->Change < (gains ? 1 : little) * tolerance;
+    return this->Count >= this->MainTerms() && !this->Weighed &&
+      this->Change < (gains ? 1 : little) * tolerance;
   }
 
   /// What an iteration sweeps.
   struct Turn
   {
     Term* swept;
-    Term* other; ///< acts with its derivative at the last iterate; null: there is none
+    std::vector<Term*> others; ///< act with their derivatives at the last iterate
     Transmittance transmittance;
     bool weighs; ///< its clearing against its cost
     Reach reach;
     double smoothing = 0; ///< see PolicySweep [length]
   };
 
-  /// The camera's term or, without one, the light's.
-  Term& Main() { return this->Energy.camera ? *this->Energy.camera : *this->Energy.light; }
+  /// How many terms are swept in turn: those of the cameras or, without one, the light's.
+  int MainTerms() const { return std::max(1, int(this->Energy.cameras.size())); }
 
-  /// The light's beside the camera's; null: there is only one.
-  Term* Beside()
+  Term& Main(int iteration)
   {
-    return this->Energy.camera && this->Energy.light ? &*this->Energy.light : nullptr;
+    return this->Energy.cameras.empty()
+      ? *this->Energy.light
+      : this->Energy.cameras[std::size_t(iteration % this->MainTerms())];
   }
 
-  /// The camera is swept, or the light without one. But each has a turn in which nothing is in its
-  /// way: what is hidden from it must be able to say what it would gain.
+  std::vector<Term*> AllBut(const Term& swept)
+  {
+    std::vector<Term*> others = this->Energy.All();
+    others.erase(std::find(others.begin(), others.end(), &swept));
+    return others;
+  }
+
+  /// The cameras are swept in turn, or the light without one. But each has a turn in which nothing
+  /// is in its way: what is hidden from it must be able to say what it would gain.
   Turn TurnOf(int iteration)
   {
-    Term* beside = this->Beside();
-    const bool returns = this->IterationLimit() > 2; // the camera has the last word
-    const bool lightFirst = iteration == 1 && beside && returns && !this->Warm;
-    Term& swept = lightFirst ? *beside : this->Main();
-    const bool first = lightFirst || iteration == 0;
-    return { &swept, lightFirst ? &this->Main() : beside,
+    const int round = this->MainTerms();
+    const bool litBeside = !this->Energy.cameras.empty() && this->Energy.light;
+    const bool returns = this->IterationLimit() > round + 1; // a camera has the last word
+    const bool lightFirst = iteration == round && litBeside && returns && !this->Warm;
+    Term& swept = lightFirst ? *this->Energy.light : this->Main(iteration);
+    const bool first = lightFirst || iteration < round;
+    return { &swept, this->AllBut(swept),
       first && !this->Warm ? Transmittance::AssumeOne : Transmittance::OfLastIterate,
-      iteration < 3 && CanCostMoreThanItShows(*this->Given, this->Energy.WeightOf(swept)),
+      iteration < 3 * round && CanCostMoreThanItShows(*this->Given, this->Energy.WeightOf(swept)),
       first ? Reach::Unlimited : Reach::OfLastSweep };
   }
 
   Turn SmoothingTurn()
   {
-    return { &this->Main(), this->Beside(), Transmittance::OfLastIterate, false, Reach::OfLastSweep,
+    Term& swept = this->Main(this->Count++);
+    return { &swept, this->AllBut(swept), Transmittance::OfLastIterate, false, Reach::OfLastSweep,
       this->Given->SmoothingStrength() };
   }
 
@@ -288,9 +306,8 @@ private:
   IterationRecord GoBack()
   {
     this->Now = this->BestOf;
-    this->RaysAreOfLast = false;
-    this->LagOf = nullptr;
-    this->DepthsOf = nullptr;
+    this->LagBeside = nullptr;
+    this->SeeLast.clear();
     IterationRecord record = this->Lowest;
     record.meanChange = this->Change;
     return record;
@@ -323,38 +340,47 @@ private:
 
   IterationRecord Sweep(const Turn& turn, const float* last, float* next)
   {
-    if (!this->RaysAreOfLast)
+    if (!this->Sees(*turn.swept))
     {
       this->Energy.MeasureTerm(*turn.swept, last);
-      this->RaysAreOfLast = true;
     }
     const bool first = this->Count == 1 && turn.transmittance == Transmittance::AssumeOne;
-    if (turn.other && !first && this->LagOf != turn.other)
+    if (!first && this->LagBeside != turn.swept)
     {
-      this->FindLagged(*turn.other, last);
+      this->FindLagged(turn, last);
     }
     this->SweepOnce(turn, last, next);
-    this->LagOf = this->DepthsOf = nullptr;
-    const bool sameOther = AnyDevice::readsHostMemory && this->HasSameOtherNext(turn);
-    if (turn.other && sameOther)
+    this->LagBeside = nullptr;
+    this->SeeLast = { turn.swept };
+    if (AnyDevice::readsHostMemory && this->SweepsSameNext(turn))
     {
-      this->FindLagged(*turn.other, next); // sees the next iterate along the way
+      this->FindLagged(turn, next); // sees the next iterate along the way
     }
-    else if (turn.other)
+    else
     {
-      this->Energy.MeasureTerm(*turn.other, next);
-      this->DepthsOf = turn.other;
+      for (Term* other : turn.others)
+      {
+        this->Energy.MeasureTerm(*other, next);
+        this->SeeLast.push_back(other);
+      }
     }
     return this->Energy.Record();
   }
 
-  /// Whether the derivative of the other term by the next iterate will be needed. Waits: a device
-  /// finds it when it is.
-  bool HasSameOtherNext(const Turn& turn)
+  /// Whether the derivatives of the other terms by the next iterate will be needed. Waits: a device
+  /// finds them when they are.
+  bool SweepsSameNext(const Turn& turn)
   {
     const bool again = this->Count < this->IterationLimit() &&
       (turn.weighs || !(this->Energy.MeanChange() < this->Given->settings.tolerance));
-    return turn.smoothing > 0 || (again && this->TurnOf(this->Count).other == turn.other);
+    return this->MainTerms() == 1 &&
+      (turn.smoothing > 0 || (again && this->TurnOf(this->Count).swept == turn.swept));
+  }
+
+  /// Whether a term's rays have the last iterate's optical depths.
+  bool Sees(const Term& term) const
+  {
+    return std::find(this->SeeLast.begin(), this->SeeLast.end(), &term) != this->SeeLast.end();
   }
 
   void SweepOnce(const Turn& turn, const float* last, float* next)
@@ -362,7 +388,9 @@ private:
     Differences moved;
     const bool scored = this->Energy.IsOfCamera(*turn.swept) && TellsScores(this->Given->settings);
     const Kept kept = scored ? Kept::Counted : Kept::Ignored;
-    const bool afterCamera = turn.other && this->Energy.IsOfCamera(*turn.other);
+    const bool afterCamera = this->Count > 1 &&
+      std::any_of(turn.others.begin(), turn.others.end(),
+        [this](const Term* other) { return this->Energy.IsOfCamera(*other); });
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
       { last, turn.smoothing > 0 ? this->FindPull(last, turn.smoothing) : this->Lagged.Data(), next,
@@ -404,26 +432,36 @@ private:
     return this->Pull.Data();
   }
 
-  void FindLagged(Term& term, const float* extinction)
+  /// The sum of the derivatives of all terms that are not swept.
+  void FindLagged(const Turn& turn, const float* extinction)
   {
-    if (this->LagFilledBy != &term) // each writes voxels of its own
+    const bool several = turn.others.size() > 1;
+    if (turn.others.empty())
+    {
+      return;
+    }
+    if (several && !this->Lagged.Empty())
+    {
+      this->Lagged.SetZero();
+    }
+    else if (several || this->LagFilledBy != turn.others[0]) // each writes voxels of its own
     {
       this->Lagged = {};
       this->Lagged = DeviceArray<AnyDevice, float>::Zeros(this->Device,
         static_cast<std::size_t>(this->Given->grid.NodeCount()), "the lagged derivative");
     }
-    // The camera has just been swept, to the same extinction.
-    const bool known = this->Energy.IsOfCamera(term) || this->DepthsOf == &term;
-    this->DepthsOf = nullptr;
-    if (known)
+    for (Term* other : turn.others)
     {
-      this->Energy.DifferentiateSeen(term, extinction, this->Lagged.Data());
+      const float kept = several ? 1 : 0;
+      this->Sees(*other)
+        ? this->Energy.DifferentiateSeen(*other, extinction, kept, this->Lagged.Data())
+        : this->Energy.DifferentiateTerm(*other, extinction, kept, this->Lagged.Data());
     }
-    else
-    {
-      this->Energy.DifferentiateTerm(term, extinction, this->Lagged.Data());
-    }
-    this->LagOf = this->LagFilledBy = &term;
+    this->SeeLast.erase(std::remove_if(this->SeeLast.begin(), this->SeeLast.end(),
+                          [&turn](const Term* term) { return term != turn.swept; }),
+      this->SeeLast.end()); // derivatives leave no optical depths
+    this->LagFilledBy = several ? nullptr : turn.others[0];
+    this->LagBeside = turn.swept;
   }
 
   const Problem* Given;
@@ -434,15 +472,14 @@ private:
   double Change = 0;
   bool Weighed = false; ///< in the last iteration, which is not stationary then
   ProximalDescent Descent;
-  IterationRecord Lowest;    ///< of the best iterate
-  bool RaysAreOfLast = true; ///< whether the rays that are swept have its optical depths
+  IterationRecord Lowest;           ///< of the best iterate
+  std::vector<const Term*> SeeLast; ///< those whose rays have the last iterate's optical depths
   std::array<limpid::Iterate<AnyDevice>, 3> Iterates; ///< filled as needed
   std::size_t Now = 0;                                ///< the last iterate
   std::size_t BestOf = 0;                             ///< the best
-  DeviceArray<AnyDevice, float> Lagged; ///< derivative of the term that is not swept; empty: none
-  const Term* LagFilledBy = nullptr;    ///< the term that it is of
-  const Term* LagOf = nullptr;          ///< the same if it is at the last iterate
-  const Term* DepthsOf = nullptr;       ///< whose rays have the last iterate's optical depths
+  DeviceArray<AnyDevice, float> Lagged; ///< derivative of the terms not swept; empty: none
+  const Term* LagFilledBy = nullptr;    ///< the one term that it is of
+  const Term* LagBeside = nullptr;      ///< the swept term if it is at the last iterate
   DeviceArray<AnyDevice, float> Pull;   ///< that less the pull of neighbours; empty: not needed
   mutable std::vector<float> OnHost;    ///< the best; empty: not read yet
 };

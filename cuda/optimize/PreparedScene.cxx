@@ -69,6 +69,10 @@ void RequireSettings(const Settings& settings)
 void RequireReach(const Problem& problem)
 {
   RequireDistance("camera", problem.camera, problem.grid);
+  for (const RaySource& camera : problem.otherCameras)
+  {
+    RequireDistance("camera", camera, problem.grid);
+  }
   RequireDistance("light", problem.light, problem.grid);
 }
 
@@ -76,6 +80,10 @@ void RequireView(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid)
 {
   RequireDistance("camera", SourceOfCamera(camera, grid, settings.restrictToView), grid);
+  for (const Camera& other : settings.otherCameras)
+  {
+    RequireDistance("camera", SourceOfCamera(other, grid, settings.restrictToView), grid);
+  }
   RequireDistance("light", SourceOfLight(light, grid), grid);
 }
 
@@ -154,6 +162,10 @@ Problem PreparedScene::ProblemFor(
   task.resident = important.resident;
   task.majorant = this->LargestExtinction;
   task.camera = SourceOfCamera(camera, scene.grid, settings.restrictToView);
+  for (const Camera& other : settings.otherCameras)
+  {
+    task.otherCameras.push_back(SourceOfCamera(other, scene.grid, settings.restrictToView));
+  }
   task.light = SourceOfLight(light, scene.grid);
   task.settings = settings;
   return task;

@@ -140,7 +140,7 @@ SourceSweeps& PreviewPass::CameraSweeps()
 {
   if (!this->FromCamera)
   {
-    this->FromCamera = this->Backend->SweepsFrom(this->Given, this->Given.camera);
+    this->FromCamera = this->Backend->SweepsFromCameras(this->Given);
   }
   return *this->FromCamera;
 }
@@ -153,7 +153,7 @@ Score PreviewPass::ScoreOf(const float* extinction)
   }
   if (!this->ForScores)
   {
-    this->ForScores = this->Backend->SweepsFrom(this->Judged, this->Judged.camera);
+    this->ForScores = this->Backend->SweepsFromCameras(this->Judged);
   }
   return this->ForScores->ScoreOf(extinction);
 }

@@ -40,10 +40,13 @@ struct Problem
   const float* previous =
     nullptr; ///< what the extinction is to stay near [1/length]; null: nothing
   RaySource camera;
+  std::vector<RaySource> otherCameras; ///< see Settings::otherCameras
   RaySource light;
   bool forLight =
     false; ///< whether the extinction for the light is wanted of a method that has one
   Settings settings;
+
+  double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
 
   /// p of Eq. (22) in world units: the normalised energy times R^2 has p R / 2 (mu - mu-bar)^2.
   double RegularizationWeight() const

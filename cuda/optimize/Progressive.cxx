@@ -456,8 +456,9 @@ const Scores& Progressive::KeptScores() const
 Scores Progressive::ScoresFrom(const Camera& camera) const
 {
   const Internals& state = *this->State;
-  const Problem problem =
-    state.ShownScene().ProblemFor(camera, state.light, ForScores(state.settings));
+  Settings settings = ForScores(state.settings);
+  settings.otherCameras.clear();
+  const Problem problem = state.ShownScene().ProblemFor(camera, state.light, settings);
   ChosenBackend backend;
   backend.Choose(state.settings, problem.grid);
   const auto score = [&]() -> Scores

@@ -40,6 +40,10 @@ void Settings::Require() const
       << " (at 10 neighbours outweigh all that can be gained). Set it between 0 and 10.");
   RequireNotNegative("temporal coherence", "what was shown before would be left on purpose",
     this->temporalCoherence);
+  LIMPID_REQUIRE(this->otherCameras.empty() || InfoOf(this->method).iterates,
+    "Several cameras were given to " << InfoOf(this->method).name
+                                     << " (it knows of one). Use the method Optimized or one "
+                                        "camera.");
   LIMPID_REQUIRE(
     std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
     "The ray density is " << this->rayDensity
@@ -67,6 +71,12 @@ Settings ForScores(Settings settings)
   return settings;
 }
 
+Settings ForCameras(Settings settings, const std::vector<Camera>& cameras)
+{
+  settings.otherCameras.assign(cameras.begin() + 1, cameras.end());
+  return settings;
+}
+
 bool operator==(const Settings& one, const Settings& other)
 {
   const auto values = [](const Settings& s)
@@ -74,7 +84,7 @@ bool operator==(const Settings& one, const Settings& other)
     return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
       s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
       s.restrictToView, s.protectImportance, s.importanceSmoothing, s.smoothness,
-      s.temporalCoherence, s.backend);
+      s.temporalCoherence, s.otherCameras, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)
   { return one.weights.*info.weight == other.weights.*info.weight; };

@@ -8,10 +8,12 @@
 #include "energy/Derivative.h"
 #include "energy/Score.h"
 #include "methods/Method.h"
+#include "scene/RaySource.h"
 
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace limpid
 {
@@ -69,7 +71,7 @@ struct Settings
   Weights weights;
   Mode mode = Mode::Joint;
   SolverKind solver = SolverKind::Policy;
-  int maximumIterations = 8;                               ///< policy
+  int maximumIterations = 8;                               ///< policy, for every camera
   std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< Adam: quarter, half, full resolution
   double learningRate = 0.05;                              ///< Adam [majorant]
   double tolerance = 1e-3;   ///< stop when the mean change of an iteration is below [majorant];
@@ -95,6 +97,10 @@ struct Settings
   /// was before does not matter, as in the paper.
   double temporalCoherence = 0;
 
+  /// Cameras for which the extinction is to be as good as for the camera itself: the energy's view
+  /// term and scores are means over all of them. Method::Optimized only.
+  std::vector<Camera> otherCameras;
+
   BackendKind backend = BackendKind::Auto;
 
   /// Throws limpid::Error on a value that cannot be worked with.
@@ -102,6 +108,9 @@ struct Settings
 };
 
 bool operator==(const Settings& one, const Settings& other);
+
+/// Settings for the first of several cameras, one at least, and as much for the others.
+Settings ForCameras(Settings settings, const std::vector<Camera>& cameras);
 
 /// Whether iterations see what the scores are of: the camera has a term, and the importance is as
 /// given. Else what a result is worth takes a sweep of its own.
@@ -137,7 +146,7 @@ struct IterationRecord
   int iteration = 0; ///< 0 is the base extinction
   int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
   Energy energy;
-  Score score;           ///< from the camera; 0 where iterations do not tell it, see TellsScores
+  Score score;           ///< from the cameras; 0 where iterations do not tell it, see TellsScores
   double meanChange = 0; ///< mean |change| of the voxels that may change [majorant]
   double seconds = 0;    ///< since the start
   bool isResult = false; ///< the best, whatever its energy: it drew neighbours together, or is what

@@ -46,6 +46,11 @@ public:
   virtual std::unique_ptr<SourceSweeps> SweepsFrom(
     const Problem& problem, const RaySource& source) = 0;
 
+  /// Those of all cameras: the mean of what they see; of what their policy sweeps find the least,
+  /// so that nothing that is cleared for one of them is in its way (the mean shows less than the
+  /// base extinction).
+  std::unique_ptr<SourceSweeps> SweepsFromCameras(const Problem& problem);
+
   /// The extinction that a method without iterations makes, grid.NodeCount() values [1/length];
   /// `extinction`: the base extinction at first.
   virtual void FindByMethod(const Problem& problem, std::vector<float>& extinction) = 0;

@@ -49,7 +49,7 @@ struct Solver::Internals
   Score base;
   mutable std::optional<Score> best; ///< not there: not known yet
 
-  /// The camera's rays through the importance as given; null: nobody has asked.
+  /// The cameras' rays through the importance as given; null: nobody has asked.
   struct Judge
   {
     Problem problem;
@@ -229,7 +229,7 @@ struct Solver::Internals
       auto made = std::make_unique<Judge>();
       made->problem =
         this->prepared->ProblemFor(this->camera, this->light, ForScores(this->settings));
-      made->sweeps = this->backend->SweepsFrom(made->problem, made->problem.camera);
+      made->sweeps = this->backend->SweepsFromCameras(made->problem);
       this->judge = std::move(made);
     }
     return this->judge->sweeps->ScoreOf(field);

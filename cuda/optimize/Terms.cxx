@@ -5,7 +5,9 @@
 
 #include "optimize/Terms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace limpid
@@ -49,14 +51,36 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
   const Settings& settings = problem.settings;
   if (settings.weights.view > 0)
   {
-    this->camera.emplace(
-      this->Device, problem.grid, *problem.occupancy, problem.camera, settings.rayDensity);
+    const auto add = [&](const RaySource& camera)
+    {
+      this->cameras.emplace_back(
+        this->Device, problem.grid, *problem.occupancy, camera, settings.rayDensity);
+    };
+    add(problem.camera);
+    std::for_each(problem.otherCameras.begin(), problem.otherCameras.end(), add);
+    this->FoundByOthers =
+      DeviceArray<AnyDevice, Seen>::Zeros(this->Device, problem.otherCameras.size(), "sums");
   }
   if (settings.weights.light > 0)
   {
     this->light.emplace(
       this->Device, problem.grid, *problem.occupancy, problem.light, settings.rayDensity);
   }
+}
+
+template <class AnyDevice>
+std::vector<VisibilityTerm<AnyDevice>*> Terms<AnyDevice>::All()
+{
+  std::vector<VisibilityTerm<AnyDevice>*> all;
+  for (VisibilityTerm<AnyDevice>& term : this->cameras)
+  {
+    all.push_back(&term);
+  }
+  if (this->light)
+  {
+    all.push_back(&*this->light);
+  }
+  return all;
 }
 
 template <class AnyDevice>
@@ -71,14 +95,29 @@ TermFields Terms<AnyDevice>::FieldsOf(
 template <class AnyDevice>
 void Terms<AnyDevice>::SeeBase()
 {
-  if (TellsScores(this->Given->settings) && !this->Base)
+  if (TellsScores(this->Given->settings) && this->Base.empty())
   {
-    TermFields fields = this->FieldsOf(*this->camera, this->Scene->base.Data());
-    fields.base = nullptr; // all of it is kept
-    this->camera->Forward(fields, nullptr);
-    this->TakeSeen(*this->camera, Kept::Ignored);
-    this->Base = this->Read().camera.all;
+    for (VisibilityTerm<AnyDevice>& camera : this->cameras)
+    {
+      TermFields fields = this->FieldsOf(camera, this->Scene->base.Data());
+      fields.base = nullptr; // all of it is kept
+      camera.Forward(fields, nullptr);
+      this->TakeSeen(camera, Kept::Ignored);
+    }
+    this->Sum();
+    for (const Seen& seen : this->ReadCameras(this->ReadSums()))
+    {
+      this->Base.push_back(seen.all);
+    }
   }
+}
+
+template <class AnyDevice>
+Score Terms<AnyDevice>::BaseScore() const
+{
+  std::vector<Score> scores;
+  std::transform(this->Base.begin(), this->Base.end(), std::back_inserter(scores), ScoreOfBase);
+  return scores.empty() ? Score() : MeanOf(scores);
 }
 
 template <class AnyDevice>
@@ -102,13 +141,9 @@ IterationRecord Terms<AnyDevice>::MeasureBase()
 template <class AnyDevice>
 IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 {
-  if (this->camera)
+  for (VisibilityTerm<AnyDevice>* term : this->All())
   {
-    this->MeasureTerm(*this->camera, extinction);
-  }
-  if (this->light)
-  {
-    this->MeasureTerm(*this->light, extinction);
+    this->MeasureTerm(*term, extinction);
   }
   this->TakeMoved(extinction, nullptr);
   return this->Record();
@@ -117,32 +152,29 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 template <class AnyDevice>
 void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 {
-  for (auto* term : { &this->camera, &this->light })
+  for (VisibilityTerm<AnyDevice>* term : this->All())
   {
-    if (*term)
-    {
-      const auto weight = static_cast<float>(this->WeightOf(**term));
-      this->DifferentiateOne(**term, extinction, { 1.0f, weight }, gradient);
-    }
+    const auto weight = static_cast<float>(this->WeightOf(*term));
+    this->DifferentiateOne(*term, extinction, { 1.0f, weight }, gradient);
   }
 }
 
 template <class AnyDevice>
 void Terms<AnyDevice>::DifferentiateTerm(
-  VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient)
+  VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient)
 {
   const auto weight = static_cast<float>(this->WeightOf(term));
-  this->DifferentiateOne(term, extinction, { 0.0f, weight }, gradient);
+  this->DifferentiateOne(term, extinction, { kept, weight }, gradient);
 }
 
 template <class AnyDevice>
 void Terms<AnyDevice>::DifferentiateSeen(
-  VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient)
+  VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient)
 {
   TermFields fields = this->FieldsOf(term, extinction);
   fields.base = nullptr; // nothing is summed
   term.DifferentiateSeen(fields, this->Given->settings.derivative,
-    { 0.0f, static_cast<float>(this->WeightOf(term)) }, gradient);
+    { kept, static_cast<float>(this->WeightOf(term)) }, gradient);
 }
 
 template <class AnyDevice>
@@ -157,7 +189,7 @@ template <class AnyDevice>
 double Terms<AnyDevice>::WeightOf(const VisibilityTerm<AnyDevice>& term) const
 {
   const Weights& weights = this->Given->settings.weights;
-  return this->IsOfCamera(term) ? weights.view : weights.light;
+  return this->IsOfCamera(term) ? weights.view / this->Given->NumberOfCameras() : weights.light;
 }
 
 template <class AnyDevice>
@@ -173,8 +205,31 @@ void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const f
     return;
   }
   // What its rays carry is not the score: that is summed in between.
-  Seen* sum = this->IsOfCamera(term) ? &this->Sums()->camera : &this->Sums()->light;
-  term.Differentiate(fields, derivative, target, gradient, sum);
+  term.Differentiate(fields, derivative, target, gradient, this->SumOf(term));
+}
+
+template <class AnyDevice>
+Seen* Terms<AnyDevice>::SumOf(const VisibilityTerm<AnyDevice>& term)
+{
+  if (!this->IsOfCamera(term))
+  {
+    return &this->Sums()->light;
+  }
+  std::size_t number = 0;
+  while (&this->cameras[number] != &term)
+  {
+    ++number;
+  }
+  return number == 0 ? &this->Sums()->camera : this->FoundByOthers.Data() + (number - 1);
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept, std::size_t first)
+{
+  auto& seen = this->Unsummed.seen;
+  const auto isOfTerm = [&term](const auto& other) { return other.term == &term; };
+  seen.erase(std::remove_if(seen.begin(), seen.end(), isOfTerm), seen.end());
+  seen.push_back({ &term, kept, first });
 }
 
 template <class AnyDevice>
@@ -199,13 +254,9 @@ void Terms<AnyDevice>::Sum()
   TermSums* sums = this->Sums();
   if constexpr (AnyDevice::readsHostMemory)
   {
-    if (taken.camera.wanted)
+    for (const typename Taken::OfTerm& seen : taken.seen)
     {
-      this->camera->Sum(&sums->camera, taken.camera.kept, taken.camera.first);
-    }
-    if (taken.light.wanted)
-    {
-      this->light->Sum(&sums->light, taken.light.kept, taken.light.first);
+      seen.term->Sum(this->SumOf(*seen.term), seen.kept, seen.first);
     }
     if (taken.extinction)
     {
@@ -216,10 +267,19 @@ void Terms<AnyDevice>::Sum()
   }
   else
   {
-    const auto seen = [](auto& term, const typename Taken::OfTerm& of, Seen* sum)
-    { return of.wanted ? term->SumsInto(sum, of.kept) : SumsOfSeen(); };
-    const SumsOfSeen byCamera = seen(this->camera, taken.camera, &sums->camera);
-    const SumsOfSeen byLight = seen(this->light, taken.light, &sums->light);
+    SumsOfSeen byCamera;
+    SumsOfSeen byLight;
+    for (const typename Taken::OfTerm& seen : taken.seen)
+    {
+      Seen* sum = this->SumOf(*seen.term);
+      const SumsOfSeen by = seen.term->SumsInto(sum, seen.kept);
+      if (sum == &sums->camera || sum == &sums->light)
+      {
+        (sum == &sums->camera ? byCamera : byLight) = by;
+        continue;
+      }
+      this->Add("sums", by.all.visible, by.all.unattenuated, by.kept.visible, by.kept.unattenuated);
+    }
     const Index nodes = this->Given->grid.NodeCount();
     this->Add("sums", byCamera.all.visible, byCamera.all.unattenuated, byCamera.kept.visible,
       byCamera.kept.unattenuated, byLight.all.visible, byLight.all.unattenuated,
@@ -235,31 +295,58 @@ void Terms<AnyDevice>::Sum()
 template <class AnyDevice>
 IterationRecord Terms<AnyDevice>::Record()
 {
-  const TermSums sums = this->Read();
+  this->Sum();
+  const TermSums sums = this->ReadSums();
+  const std::vector<Seen> byCameras = this->ReadCameras(sums);
   const Weights& weights = this->Given->settings.weights;
   IterationRecord record;
   const Problem& problem = *this->Given;
   record.energy.regularization =
     problem.Regularization(problem.RegularizationWeight(), sums.moved.squares); // Eq. (22)
-  record.energy.view = -weights.view * sums.camera.all.visible;                 // Eq. (23)
-  record.energy.light = -weights.light * sums.light.all.visible;                // Eq. (24)
+  double visible = 0;
+  for (const Seen& seen : byCameras)
+  {
+    visible += seen.all.visible;
+  }
+  record.energy.view = -weights.view * (visible / problem.NumberOfCameras()); // Eq. (23)
+  record.energy.light = -weights.light * sums.light.all.visible;              // Eq. (24)
   record.energy.coherence =
     problem.Regularization(problem.CoherenceWeight(), sums.moved.squaresFromPrevious);
-  if (this->Base)
+  if (!this->Base.empty())
   {
-    record.score = ScoreOf(sums.camera, this->Base->unattenuated); // Eq. (32)
+    std::vector<Score> scores;
+    for (std::size_t i = 0; i < byCameras.size(); ++i)
+    {
+      scores.push_back(ScoreOf(byCameras[i], this->Base[i].unattenuated)); // Eq. (32)
+    }
+    record.score = MeanOf(scores);
   }
   record.meanChange = this->Given->MeanChange(sums.moved.changes);
   return record;
 }
 
 template <class AnyDevice>
-TermSums Terms<AnyDevice>::Read()
+TermSums Terms<AnyDevice>::ReadSums()
 {
-  this->Sum();
   TermSums sums;
   this->Found.Download(&sums);
   return sums;
+}
+
+template <class AnyDevice>
+std::vector<Seen> Terms<AnyDevice>::ReadCameras(const TermSums& sums)
+{
+  if (this->cameras.empty())
+  {
+    return {};
+  }
+  std::vector<Seen> seen(this->cameras.size());
+  seen[0] = sums.camera;
+  if (seen.size() > 1)
+  {
+    this->FoundByOthers.Download(seen.data() + 1);
+  }
+  return seen;
 }
 
 #define LIMPID_INSTANTIATE(AnyDevice) template class Terms<AnyDevice>;

@@ -8,28 +8,30 @@
 #include "optimize/Differences.h"
 #include "optimize/ProblemFields.h"
 
+#include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace limpid
 {
 /// What an extinction is worth; zero where there is no such term.
 struct TermSums
 {
-  Seen camera;
+  Seen camera;       ///< the first
   Seen light;        ///< what is kept does not matter
   Differences moved; ///< from the base extinction and from the last iterate
 };
 
-/// The terms of a problem's energy; a visibility term of weight zero is not there and costs
-/// nothing. Fields are addresses on the device, one value per node each.
+/// The terms of a problem's energy, of each camera and the light; a visibility term of weight zero
+/// is not there and costs nothing. Fields are addresses on the device, one value per node each.
 template <class AnyDevice>
 class Terms
 {
 public:
   Terms(std::shared_ptr<AnyDevice> device, const Problem& problem);
 
-  /// Lets the camera see the base extinction, of which scores are shares, once, if iterations tell
+  /// Lets the cameras see the base extinction, of which scores are shares, once, if iterations tell
   /// scores. Waits.
   void SeeBase();
 
@@ -41,7 +43,7 @@ public:
   IterationRecord MeasureBase();
 
   /// Of the base extinction, once it was seen; 0 where iterations do not tell scores.
-  Score BaseScore() const { return this->Base ? ScoreOfBase(*this->Base) : Score(); }
+  Score BaseScore() const;
 
   /// The fields of a term's sweep. What is kept matters to scores alone.
   TermFields FieldsOf(const VisibilityTerm<AnyDevice>& term, const float* extinction) const;
@@ -50,32 +52,32 @@ public:
   /// the extinction for the next record along the way.
   void Differentiate(const float* extinction, float* gradient);
 
-  /// Finds the derivative of one visibility term with its weight, and sees the extinction for the
-  /// next record along the way. Only voxels that it depends on are written, always the same ones.
-  void DifferentiateTerm(VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient);
+  /// Finds the derivative of one visibility term with its weight, added to `kept` times what was
+  /// there, and sees the extinction for the next record along the way. Only voxels that it depends
+  /// on are written, always the same ones.
+  void DifferentiateTerm(
+    VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient);
 
   /// The derivative of DifferentiateTerm by an extinction that the term's rays have seen last.
-  void DifferentiateSeen(VisibilityTerm<AnyDevice>& term, const float* extinction, float* gradient);
+  void DifferentiateSeen(
+    VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient);
 
   /// Sees the extinction for the next record as DifferentiateTerm does, and leaves the optical
   /// depths of the term's rays.
   void MeasureTerm(VisibilityTerm<AnyDevice>& term, const float* extinction);
 
-  /// q of Eq. (23) or r of Eq. (24).
+  /// q of Eq. (23), shared by all cameras, or r of Eq. (24).
   double WeightOf(const VisibilityTerm<AnyDevice>& term) const;
 
-  /// Whether a term is the camera's, to which it matters what is kept of the base extinction.
+  /// Whether a term is a camera's, to which it matters what is kept of the base extinction.
   bool IsOfCamera(const VisibilityTerm<AnyDevice>& term) const
   {
-    return this->camera && &term == &*this->camera;
+    return !this->light || &term != &*this->light;
   }
 
   /// The next record is to tell what a term's rays have seen in their last sweep until then.
   /// `first`: see VisibilityTerm::Sum.
-  void TakeSeen(const VisibilityTerm<AnyDevice>& term, Kept kept, std::size_t first = 0)
-  {
-    (this->IsOfCamera(term) ? this->Unsummed.camera : this->Unsummed.light) = { true, kept, first };
-  }
+  void TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept, std::size_t first = 0);
 
   /// ... how far an extinction is from the base and, if not null, from `last`.
   void TakeMoved(const float* extinction, const float* last);
@@ -88,7 +90,11 @@ public:
   IterationRecord Record();
 
   /// Mean change of the extinction, of the next record [majorant]. Waits.
-  double MeanChange() { return this->Given->MeanChange(this->Read().moved.changes); }
+  double MeanChange()
+  {
+    this->Sum();
+    return this->Given->MeanChange(this->ReadSums().moved.changes);
+  }
 
   /// The sums of the next record, on the device.
   TermSums* Sums() { return this->Found.Data(); }
@@ -99,8 +105,11 @@ public:
   const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }
   const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
 
-  std::optional<VisibilityTerm<AnyDevice>> camera;
+  std::deque<VisibilityTerm<AnyDevice>> cameras; ///< where they stay; none without a weight
   std::optional<VisibilityTerm<AnyDevice>> light;
+
+  /// All of them.
+  std::vector<VisibilityTerm<AnyDevice>*> All();
 
 private:
   /// What was taken for the next record and is not summed yet.
@@ -108,12 +117,11 @@ private:
   {
     struct OfTerm
     {
-      bool wanted = false;
-      Kept kept = Kept::Ignored;
-      std::size_t first = 0;
+      VisibilityTerm<AnyDevice>* term;
+      Kept kept;
+      std::size_t first;
     };
-    OfTerm camera;
-    OfTerm light;
+    std::vector<OfTerm> seen;
     const float* extinction = nullptr; ///< null: nothing was moved
     const float* last = nullptr;
   };
@@ -121,8 +129,12 @@ private:
   /// Sums what was taken; a device does it in one launch.
   void Sum();
 
-  /// The sums. Waits.
-  TermSums Read();
+  /// The sums. Wait.
+  TermSums ReadSums();
+  std::vector<Seen> ReadCameras(const TermSums& sums);
+
+  /// Where what a term's rays have seen is summed, on the device.
+  Seen* SumOf(const VisibilityTerm<AnyDevice>& term);
 
   /// The derivative of a visibility term by an extinction.
   void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
@@ -134,8 +146,9 @@ private:
   BorrowedArray<AnyDevice, float> Before; ///< see Problem::previous; empty: null
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
+  DeviceArray<AnyDevice, Seen> FoundByOthers; ///< by all cameras but the first
   Taken Unsummed;
-  std::optional<Visible> Base; ///< not there: not seen yet, or iterations do not tell scores
+  std::vector<Visible> Base; ///< by camera; empty: not seen yet, or iterations do not tell scores
 };
 }
 

@@ -3,6 +3,8 @@
 
 #include "viewpoint/AllowedViews.h"
 
+#include "math/Angle.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,11 +39,7 @@ bool AllowedViews::Contains(const Vec3& direction) const
   return within &&
     std::all_of(this->avoided.begin(), this->avoided.end(),
       [&](const Vec3& other)
-      {
-        const double angle =
-          std::atan2(glm::length(glm::cross(direction, other)), glm::dot(direction, other));
-        return angle >= this->avoidanceAngle - rounding;
-      });
+      { return AngleBetween(direction, other) >= this->avoidanceAngle - rounding; });
 }
 
 Vec3 AllowedViews::WithElevation(const Vec3& direction) const

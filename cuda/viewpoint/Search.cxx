@@ -4,6 +4,7 @@
 #include "viewpoint/Search.h"
 
 #include "backend/Backend.h"
+#include "math/Angle.h"
 
 #include <algorithm>
 #include <atomic>
@@ -89,11 +90,6 @@ std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
 
 namespace
 {
-double AngleBetween(const Vec3& a, const Vec3& b)
-{
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 /// A direction turned by an angle towards another one at right angles to it.
 Vec3 Turned(const Vec3& direction, const Vec3& towards, double angle)
 {

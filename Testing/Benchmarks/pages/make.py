@@ -17,7 +17,7 @@ import json
 import os
 
 PAGES = ("errors", "resolutions", "scaling", "kernels", "solvers", "rendering", "viewpoints",
-         "peers", "gpu", "counts", "compilers", "steadiness")
+         "peers", "gpu", "counts", "compilers", "steadiness", "orbits")
 PLOTTED = (*PAGES[:4], "peers")
 
 

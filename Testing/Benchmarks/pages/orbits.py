@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""What one extinction for all views of an orbit shows."""
+
+from markdown import fixed, head, percent, significant, table
+
+
+def page(measured):
+    scenes = list(measured["scenes"])
+
+    def of(name, key):
+        return measured["scenes"][name][key]
+
+    def times(name, key, other):
+        return fixed(of(name, key) / of(name, other), 2)
+
+    return head("Orbits", measured, "python3 Testing/Benchmarks/orbits.py") + f"""
+Mean S over {measured['views']} views round the y axis, 20 degrees above the horizon and three radii \
+away, with a light that stays where it is: of the volume as it is (*ordinary*), of an optimum for \
+each view (*each*) and of one extinction for all (*one*, `Views` is *Orbit*). Sweeps: of one camera. \
+Time: of the run for all against those for each together, everything in the filter included.
+""" + table(scenes, [("scene", str),
+                     *[(heading, lambda name, key=key: significant(of(name, key), 4))
+                       for heading, key in (("ordinary", "ordinary"), ("each", "single"),
+                                            ("one", "joint"))],
+                     ("one / each", lambda name: percent(of(name, "joint") / of(name, "single"))),
+                     ("one / ordinary", lambda name: times(name, "joint", "ordinary")),
+                     ("sweeps", lambda name: str(of(name, "iterations"))),
+                     ("time", lambda name: times(name, "joint_seconds", "single_seconds"))])

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "backend/Backend.h"
+#include "optimize/SolverBackend.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+constexpr Index valuesPerTask = 65536;
+
+/// The rays of several cameras.
+class SweepsOfSeveral : public SourceSweeps
+{
+public:
+  SweepsOfSeveral(std::vector<std::unique_ptr<SourceSweeps>> cameras, std::size_t nodes)
+    : Cameras(std::move(cameras))
+    , Nodes(nodes)
+  {
+  }
+
+  Score ScoreOf(const float* extinction) override
+  {
+    std::vector<Score> scores;
+    for (const auto& camera : this->Cameras)
+    {
+      scores.push_back(camera->ScoreOf(extinction));
+    }
+    return MeanOf(scores);
+  }
+
+  void SweepPolicyOnce(double weight, std::vector<float>& next) override
+  {
+    const std::vector<float> untouched = next;
+    std::vector<float> found;
+    for (std::size_t i = 0; i < this->Cameras.size(); ++i)
+    {
+      found = untouched;
+      this->Cameras[i]->SweepPolicyOnce(weight, found);
+      ParallelFor(Index(this->Nodes), valuesPerTask,
+        [&](Index node)
+        {
+          float& least = next[std::size_t(node)];
+          const float one = found[std::size_t(node)];
+          least = i == 0 ? one : std::min(least, one);
+        });
+    }
+  }
+
+private:
+  std::vector<std::unique_ptr<SourceSweeps>> Cameras;
+  std::size_t Nodes;
+};
+}
+
+std::unique_ptr<SourceSweeps> SolverBackend::SweepsFromCameras(const Problem& problem)
+{
+  if (problem.otherCameras.empty())
+  {
+    return this->SweepsFrom(problem, problem.camera);
+  }
+  std::vector<std::unique_ptr<SourceSweeps>> cameras;
+  cameras.push_back(this->SweepsFrom(problem, problem.camera));
+  for (const RaySource& other : problem.otherCameras)
+  {
+    cameras.push_back(this->SweepsFrom(problem, other));
+  }
+  return std::make_unique<SweepsOfSeveral>(
+    std::move(cameras), static_cast<std::size_t>(problem.grid.NodeCount()));
+}
+}
