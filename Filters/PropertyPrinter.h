@@ -6,6 +6,7 @@
 
 #include "vtkIndent.h"
 
+#include <cstddef>
 #include <ostream>
 
 namespace limpid
@@ -22,11 +23,15 @@ struct PropertyPrinter
     this->os << this->indent << name << ": " << value << "\n";
   }
 
-  template <class Value>
-  void operator()(const char* name, const Value (&vector)[3]) const
+  template <class Value, std::size_t Count>
+  void operator()(const char* name, const Value (&vector)[Count]) const
   {
-    this->os << this->indent << name << ": " << vector[0] << " " << vector[1] << " " << vector[2]
-             << "\n";
+    this->os << this->indent << name << ":";
+    for (const Value& value : vector)
+    {
+      this->os << " " << value;
+    }
+    this->os << "\n";
   }
 };
 }

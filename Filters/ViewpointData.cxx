@@ -227,6 +227,7 @@ void AddSearchSummary(const FoundViews& found, vtkFieldData* output)
     AddView("Worst", *std::min_element(valid.begin(), valid.end(), IsWorse), found.orbit, output);
   }
   AddVector("CameraFocalPoint", found.orbit.centre, output);
+  AddVector("CameraUpAxis", found.orbit.up, output);
   AddValue<vtkDoubleArray>("CameraViewAngle", found.orbit.viewAngle, output);
   AddValue<vtkIntArray>("CameraParallelProjection", found.orbit.parallel ? 1 : 0, output);
   AddValue<vtkDoubleArray>("CameraParallelScale", found.orbit.parallelScale, output);

@@ -32,13 +32,13 @@
  * Every output has field data with one tuple each: "BestVisibilityScore", "BestVisibleFraction",
  * "BestCameraPosition", "BestCameraViewUp", "BestAzimuth", "BestPolar" of the first viewpoint; the
  * same with "Worst" of the worst direction (neither if nothing was scored before an abort);
- * "CameraFocalPoint", "CameraViewAngle", "CameraParallelProjection" and "CameraParallelScale" of
- * all views; "Evaluations" (scores and derivatives), "Seconds", "ScalarOpacityUnitDistance",
- * "Backend".
+ * "CameraFocalPoint", "CameraUpAxis", "CameraViewAngle", "CameraParallelProjection" and
+ * "CameraParallelScale" of all views; "Evaluations" (scores and derivatives), "Seconds",
+ * "ScalarOpacityUnitDistance", "Backend".
  *
  * After an error the outputs are empty. With several processes the first one has the result.
  *
- * @sa vtkVisibilityAlgorithm vtkExtinctionOptimizer
+ * @sa vtkVisibilityAlgorithm vtkExtinctionOptimizer vtkCameraPath
  */
 
 #ifndef vtkViewpointSearch_h

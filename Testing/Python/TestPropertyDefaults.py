@@ -77,6 +77,8 @@ class TestPropertyDefaults(unittest.TestCase):
             "ImportanceSmoothing": {"Off": optimizer.AS_GIVEN, "Median": optimizer.MEDIAN},
             "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},
             "Backend": {"Auto": optimizer.AUTO, "CPU": optimizer.CPU, "CUDA": optimizer.CUDA},
+            "Way": {"Round Trip": filters.vtkCameraPath.ROUND_TRIP,
+                    "Through Time": filters.vtkCameraPath.THROUGH_TIME},
             "Scene": {"Head": 0, "Flame": 1, "Shells": 2, "Homogeneous": 3, "Vessels": 4},
             "Field": {"Importance Proxy": search.IMPORTANCE_PROXY,
                       "Base Extinction": search.BASE_EXTINCTION,

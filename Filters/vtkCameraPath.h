@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkCameraPath
+ * @brief   an even way of a camera through views that show much
+ *
+ * Takes the sphere of vtkViewpointSearch, its first output, and makes a polyline of where a camera
+ * stands, frame by frame, on the sphere that the search has scored. It goes along ridges of the
+ * score, turns evenly, and the pictures stay upright.
+ *
+ * Point arrays of the output, one value per frame:
+ *   "CameraPosition", "CameraFocalPoint", "CameraViewUp"  the camera,
+ *   "ViewDirection"    from its focal point, of unit length,
+ *   "VisibilityScore"  of the extinction that was searched, linear between the directions,
+ *   "KeyView"          1 at key views, else 0,
+ *   "Time"             THROUGH_TIME: the time step; else from 0 to below 1.
+ * The field data are those of the sphere: CameraViewAngle, CameraParallelProjection and so on.
+ *
+ * ROUND_TRIP goes through the best views and back to the first one. THROUGH_TIME has one frame per
+ * time step of the input, which is updated for each of them, and follows what can be seen.
+ *
+ * @sa vtkViewpointSearch
+ */
+
+#ifndef vtkCameraPath_h
+#define vtkCameraPath_h
+
+#include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for the hidden core
+
+class VTKLIMPIDFILTERS_EXPORT vtkCameraPath : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkCameraPath* New();
+  vtkTypeMacro(vtkCameraPath, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Ways
+  {
+    ROUND_TRIP = 0,
+    THROUGH_TIME = 1
+  };
+
+  ///@{
+  /**
+   * Which way. Default is ROUND_TRIP.
+   */
+  vtkSetMacro(Way, int);
+  vtkGetMacro(Way, int);
+  ///@}
+
+  ///@{
+  /**
+   * Most views that a round trip goes through, the best ones, at least 1. Default is 4.
+   */
+  vtkSetMacro(NumberOfKeyViews, int);
+  vtkGetMacro(NumberOfKeyViews, int);
+  ///@}
+
+  ///@{
+  /**
+   * Least angle between any two of these [degrees], 0 to 180. Default is 30.
+   */
+  vtkSetMacro(SeparationAngle, double);
+  vtkGetMacro(SeparationAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of a round trip, 2 to 100000. Default is 120.
+   */
+  vtkSetMacro(NumberOfFrames, int);
+  vtkGetMacro(NumberOfFrames, int);
+  ///@}
+
+  ///@{
+  /**
+   * Share of the locally best score that key views have at least, 0 to 1: lower is smoother.
+   * THROUGH_TIME, every time step is one. Default is 0.9.
+   */
+  vtkSetMacro(LeastShare, double);
+  vtkGetMacro(LeastShare, double);
+  ///@}
+
+  ///@{
+  /**
+   * Between which elevations the camera stays [degrees], as in vtkViewpointSearch. Near the poles
+   * an upright picture turns fast. Default is (-75, 75).
+   */
+  vtkSetVector2Macro(ElevationRange, double);
+  vtkGetVector2Macro(ElevationRange, double);
+  ///@}
+
+protected:
+  vtkCameraPath();
+  ~vtkCameraPath() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkCameraPath(const vtkCameraPath&) = delete;
+  void operator=(const vtkCameraPath&) = delete;
+
+  int Way = ROUND_TRIP;
+  int NumberOfKeyViews = 4;
+  double SeparationAngle = 30;
+  int NumberOfFrames = 120;
+  double LeastShare = 0.9;
+  double ElevationRange[2] = { -75, 75 };
+
+  struct Internals;
+  std::unique_ptr<Internals> State;
+};
+
+#endif

@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The way of a camera over the sphere of a search: cameras, evenness, time.
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+from limpid.vtkLimpidFilters import vtkCameraPath, vtkViewpointSearch
+
+from images import FilterTest, caught, filter_on, image_of, phantom, values
+
+
+def search(image, **properties):
+    return filter_on(image, vtkViewpointSearch, NumberOfDirections=162, Refine=0, **properties)
+
+
+def path_of(searched, **properties):
+    path = vtkCameraPath()
+    path.messages = {"ErrorEvent": caught(path, "ErrorEvent")}
+    path.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    for name, value in properties.items():
+        getattr(path, "Set" + name)(value)
+    path.SetInputConnection(searched.GetOutputPort())
+    return path
+
+
+def angles(vectors, closed):
+    """Between consecutive unit vectors [degrees]."""
+    following = np.roll(vectors, -1, axis=0) if closed else vectors[1:]
+    vectors = vectors if closed else vectors[:-1]
+    return np.degrees(np.arccos(np.clip((vectors * following).sum(axis=1), -1, 1)))
+
+
+class Moving(VTKPythonAlgorithmBase):
+    """An important ball that goes round with time within another one."""
+
+    def __init__(self, steps):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
+        self.steps = steps
+        self.asked = []
+
+    def RequestInformation(self, _, __, output):
+        info = output.GetInformationObject(0)
+        pipeline = vtkStreamingDemandDrivenPipeline
+        info.Set(pipeline.TIME_STEPS(), [float(step) for step in range(self.steps)], self.steps)
+        info.Set(pipeline.TIME_RANGE(), [0.0, self.steps - 1.0], 2)
+        info.Set(pipeline.WHOLE_EXTENT(), (0, 15, 0, 15, 0, 15), 6)
+        return 1
+
+    def RequestData(self, _, __, output):
+        info = output.GetInformationObject(0)
+        time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+        self.asked.append(time)
+        angle = 1.5 * time / self.steps
+        z, y, x = np.meshgrid(*3 * [np.linspace(-1, 1, 16)], indexing="ij")
+        important = (x - 0.6 * np.cos(angle)) ** 2 + y ** 2 + (z - 0.6 * np.sin(angle)) ** 2 < 0.09
+        base = np.where(important, 3, np.where(x ** 2 + y ** 2 + z ** 2 < 1, 1.5, 0))
+        info.Get(vtkDataObject.DATA_OBJECT()).ShallowCopy(image_of(
+            (16, 16, 16), spacing=3 * (2 / 15,), origin=3 * (-1,), BaseExtinction=base.ravel(),
+            Importance=important.astype(float).ravel()))
+        return 1
+
+
+class TestCameraPath(FilterTest):
+    def test_a_round_trip_is_even_and_upright_and_shows_much(self):
+        searched = search(phantom(20), CameraViewUp=(0, 0, 1))
+        path = path_of(searched, NumberOfKeyViews=3, NumberOfFrames=90)
+        path.Update()
+        self.assert_no_error(path)
+
+        output = path.GetOutput()
+        self.assertEqual((output.GetNumberOfPoints(), output.GetNumberOfLines()), (90, 1))
+        directions = values(output, "ViewDirection")
+        turns = angles(directions, True)
+        self.assertLess(turns.max(), 1.2 * turns.min() + 1e-6)
+        self.assertTrue((np.abs(directions[:, 2]) <= np.sin(np.radians(75)) + 1e-9).all())
+        ups = values(output, "CameraViewUp")
+        np.testing.assert_allclose((ups * directions).sum(axis=1), 0, atol=1e-9)
+        sideways = np.cross((0, 0, 1), directions)  # no roll: up is above
+        np.testing.assert_allclose((ups * sideways).sum(axis=1), 0, atol=1e-9)
+        positions = values(output, "CameraPosition")
+        searched_positions = values(searched.GetOutput(), "CameraPosition")
+        np.testing.assert_allclose(np.linalg.norm(positions, axis=1),
+                                   np.linalg.norm(searched_positions[0]))
+        scores = values(searched.GetOutput(), "VisibilityScore")
+        found = values(output, "VisibilityScore")
+        keys = values(output, "KeyView") == 1
+        self.assertEqual(keys.sum(), 3)
+        self.assertGreaterEqual(found[keys].max(), 0.89 * scores.max())
+        self.assertGreater(found.mean(), scores.mean())
+        self.assertEqual(output.GetFieldData().GetArray("CameraViewAngle").GetValue(0), 30)
+
+    def test_through_time_it_follows_what_can_be_seen(self):
+        source = Moving(12)
+        searched = vtkViewpointSearch()
+        searched.SetInputConnection(source.GetOutputPort())
+        searched.SetNumberOfDirections(162)
+        searched.RefineOff()
+        searched.SetExtinctionSource(vtkViewpointSearch.ARRAY)
+        searched.SetField(vtkViewpointSearch.BASE_EXTINCTION)
+        searched.SetInputArrayToProcess(1, 0, 0, 0, "Importance")
+        searched.SetInputArrayToProcess(2, 0, 0, 0, "BaseExtinction")
+        path = path_of(searched, Way=vtkCameraPath.THROUGH_TIME)
+        path.Update()
+        self.assert_no_error(path)
+
+        output = path.GetOutput()
+        np.testing.assert_array_equal(values(output, "Time"), np.arange(12.0))
+        self.assertEqual(sorted(set(source.asked)), list(np.arange(12.0)))
+        directions = values(output, "ViewDirection")
+        self.assertLess(angles(directions, False).max(), 20)
+        for time, (direction, score) in enumerate(
+                zip(directions, values(output, "VisibilityScore"))):
+            searched.UpdateTimeStep(time)
+            scores = values(searched.GetOutput(), "VisibilityScore")
+            near = values(searched.GetOutput(), "ViewDirection") @ direction > np.cos(0.35)
+            self.assertGreaterEqual(score, 0.899 * scores[near].max())
+        turned = np.degrees(np.arccos(directions[0] @ directions[-1]))
+        self.assertGreater(turned, 30)
+
+    def test_says_what_cannot_be(self):
+        searched = search(phantom(12))
+        cases = dict(Way=(2, -1), NumberOfKeyViews=(0,), SeparationAngle=(-1, 181),
+                     NumberOfFrames=(1, 100001), LeastShare=(-0.1, 1.1),
+                     ElevationRange=((10, 5), (-91, 0)))
+        for name, wrong in cases.items():
+            for value in wrong:
+                with self.subTest(name=name, value=value):
+                    self.assert_refuses(name, filter_=path_of(searched, **{name: value}))
+        self.assert_refuses("no time steps", filter_=path_of(
+            searched, Way=vtkCameraPath.THROUGH_TIME))
+        self.assert_refuses("nowhere to go", filter_=path_of(
+            search(phantom(12), CameraViewUp=(0.3, 1, 0.2)), ElevationRange=(89.9, 90)))
+        self.assert_refuses("ViewDirection", "viewpoint search", filter_=path_of(vtkSphereSource()))
+
+    def test_recovers_from_an_error(self):
+        path = path_of(search(phantom(12)), NumberOfFrames=1)
+        path.Update()
+        path.SetNumberOfFrames(10)
+        path.Update()
+        self.assertEqual(path.GetOutput().GetNumberOfPoints(), 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
