@@ -21,7 +21,8 @@ namespace limpid
 namespace
 {
 // Shares of a moving frame's time: the rays get what the optimisation and the shadows have left,
-// but never less than this.
+// but never less than this. Some is for what follows: to bring the picture into the window.
+constexpr double ShareOfFrame = 0.9;
 constexpr double LeastRayShare = 0.3;
 
 // Whether a GPU has failed: the processor may do the same.
@@ -161,8 +162,8 @@ double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geo
 {
   const double pixels = double(geometry.covered[1] - geometry.covered[0]) *
     double(geometry.covered[3] - geometry.covered[2]);
-  const double left =
-    std::max(frame.frameTime - this->Clock.Seconds(), LeastRayShare * frame.frameTime);
+  const double left = std::max(
+    ShareOfFrame * frame.frameTime - this->Clock.Seconds(), LeastRayShare * frame.frameTime);
   return this->Budget.PixelSize(pixels, left);
 }
 
