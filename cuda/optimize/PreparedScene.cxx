@@ -170,4 +170,18 @@ Problem PreparedScene::ProblemFor(
   task.settings = settings;
   return task;
 }
+
+CarriedExtinction PreparedScene::StayedNear(
+  const CarriedChange& before, const Camera& camera, const Light& light, Problem& problem) const
+{
+  problem.nearness = before.NearnessTo(camera, light, problem.settings);
+  if (!(problem.settings.temporalCoherence * problem.nearness > 0))
+  {
+    return {};
+  }
+  CarriedExtinction near = AppliedTo(this->Fields, this->LargestExtinction, before);
+  problem.TakeIntoBounds(near.extinction);
+  problem.TakeIntoBounds(near.light);
+  return near;
+}
 }

@@ -40,6 +40,11 @@ public:
   /// The energy as seen from a camera and lit by a light; null-weighted terms stay in it.
   Problem ProblemFor(const Camera& camera, const Light& light, const Settings& settings);
 
+  /// What a problem of this scene is to stay near of a change, moved into its bounds; sets how
+  /// near. Nothing where that does not count.
+  CarriedExtinction StayedNear(
+    const CarriedChange& before, const Camera& camera, const Light& light, Problem& problem) const;
+
   /// The importance that the energy counts, grid.NodeCount() values [0, 1].
   const float* ImportanceFor(ImportanceSmoothing smoothing);
 

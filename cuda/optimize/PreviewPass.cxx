@@ -45,12 +45,7 @@ void PreviewPass::Make(
   this->FromCamera.reset();
   this->ForScores.reset();
   this->Given = this->Scene->ProblemFor(camera, light, settings);
-  this->Given.nearness = previous.NearnessTo(camera, light, settings);
-  this->Previous = settings.temporalCoherence * this->Given.nearness > 0
-    ? AppliedTo(this->Scene->Arrays(), this->Scene->Majorant(), previous)
-    : CarriedExtinction();
-  this->Given.TakeIntoBounds(this->Previous.extinction);
-  this->Given.TakeIntoBounds(this->Previous.light);
+  this->Previous = this->Scene->StayedNear(previous, camera, light, this->Given);
   this->Judged = this->Scene->ProblemFor(camera, light, limpid::ForScores(settings));
   this->Backend.Choose(settings, this->Given.grid);
   this->Before.reset();

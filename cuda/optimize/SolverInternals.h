@@ -69,11 +69,9 @@ struct Solver::Internals
     const Camera& eye, const Light& lamp, const Settings& wanted, const CarriedChange& before)
   {
     this->scene = this->prepared->Arrays();
-    this->nearness = before.NearnessTo(eye, lamp, wanted);
-    if (wanted.temporalCoherence * this->nearness > 0)
-    {
-      this->previous = AppliedTo(this->scene, this->prepared->Majorant(), before);
-    }
+    Problem whole = this->prepared->ProblemFor(eye, lamp, wanted);
+    this->previous = this->prepared->StayedNear(before, eye, lamp, whole);
+    this->nearness = whole.nearness;
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
@@ -102,8 +100,6 @@ struct Solver::Internals
     const auto start = std::chrono::steady_clock::now();
     this->problem = this->MakeProblem();
     RequireReach(this->problem);
-    this->problem.TakeIntoBounds(this->previous.extinction);
-    this->problem.TakeIntoBounds(this->previous.light);
     this->MakeMinimizer(this->FirstIterate());
     this->seconds +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
