@@ -48,8 +48,9 @@ def load_plugins():
 
 
 def live(seconds):
-    """Lets the window handle its events. ParaView offers this to C++ alone."""
-    process_events = ctypes.CDLL(None)[
+    """Lets the window handle its events. ParaView offers this to C++ alone. Observers in Python are
+    called meanwhile, so that Python must not be let go (CDLL would)."""
+    process_events = ctypes.PyDLL(None)[
         "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
     end = time.monotonic() + seconds
     process_events(0)
