@@ -82,6 +82,7 @@ struct vtkExtinctionOptimizer::Internals
   vtkSmartPointer<vtkFloatArray> LastExtinction; // for a warm start: shared with the last output
   limpid::Int3 LastNodes{ 0 };
   limpid::CarriedChange LastChange; // for temporal coherence
+  vtkMTimeType LastTime = 0;        // of the data for which that was found
 };
 
 vtkExtinctionOptimizer::vtkExtinctionOptimizer()
@@ -156,6 +157,8 @@ void vtkExtinctionOptimizer::Optimize(
     state.ReportReplaced(scene, input, output);
     return;
   }
+  state.LastChange.likeness = input->GetMTime() == state.LastTime ? 1 : limpid::likenessInTime;
+  state.LastTime = input->GetMTime();
   const limpid::ConcurrentResult result = state.Optimize(scene.Fields(), camera, light);
   this->SetProgressText(nullptr);
   limpid::AddFields(*result.solver, scene.arrays, scene.unitDistance, output);

@@ -360,8 +360,9 @@ public:
    * How strongly a result is drawn to the last one of the same owner, so that it does not flicker
    * while a camera moves or time goes on: what was clear or opaque stays so where less than this
    * share of the weights of view and light is to be gained. The last result is taken as a change of
-   * its base extinction; one for another box or for other settings does not count, and less and
-   * less does one for a camera or a light in another direction, up to 20 degrees away. Results
+   * its base extinction; one for another box or for other settings does not count, one for other
+   * data 0.4 times, and less and less does one for a camera or a light in another direction, up to
+   * 20 degrees away. Results
    * depend on what was before, then. 0, the default: they do not, as in [HG24]. vtkViewpointSearch
    * has no last result.
    */

@@ -31,7 +31,7 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   CarriedChange shown =
     this->Optimizer && !this->ShowsBase ? this->Optimizer->Change() : CarriedChange();
   // Who edits anything gets what it makes, as if nothing else had been shown.
-  shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? 1 : 0;
+  shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? likenessInTime : 0;
   this->Optimizer.reset();
   this->Base = nullptr;
   auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);

@@ -29,7 +29,7 @@ vtkTransmittanceVolumeMapper::vtkTransmittanceVolumeMapper()
   this->Settings->SetProtectImportance(1);
   this->Settings->SetImportanceSmoothing(MEDIAN);
   this->Settings->SetSmoothness(0.2);
-  this->Settings->SetTemporalCoherence(0.1);
+  this->Settings->SetTemporalCoherence(0.2);
   static_assert(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS == 3,
     "the default of ImportanceArrayAssociation and ExtinctionArrayAssociation in the header");
 }

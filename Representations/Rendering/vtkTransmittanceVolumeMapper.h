@@ -102,7 +102,7 @@ public:
    * Importance, weights, own light and solver, see vtkVisibilitySettings; null changes nothing.
    * By default, ScalarComponent is UNDECIDED here, which is MAGNITUDE with a warning if there are
    * several components, RestrictToView is on, ProtectImportance is 1, ImportanceSmoothing is
-   * MEDIAN, Smoothness is 0.2 and TemporalCoherence 0.1.
+   * MEDIAN, Smoothness is 0.2 and TemporalCoherence 0.2.
    */
   virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
   vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }

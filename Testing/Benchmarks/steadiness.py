@@ -116,8 +116,9 @@ def time_steps(image, count):
 
 
 def pass_time(scene, options):
-    """Time goes on: mean share of filled nodes that change by more than half the majorant from one
-    step to the next, and mean score, by the filter."""
+    """Time goes on: mean share of filled nodes that flip from one step to the next, and mean score,
+    by the filter. A node flips that changes by more than half the majorant, more than its base by a
+    quarter."""
     image, volume_property, importance = scene
     importance = importance or volume_views.opacity_of((0, 0), (0.6, 0), (0.8, 1), (1, 1))
     result = {"flips": [], "score": []}
@@ -139,8 +140,10 @@ def pass_time(scene, options):
             scores.append(output.GetFieldData().GetArray("VisibilityScore").GetValue(0))
             if before is not None:
                 filled = (base > 0) | (found > 0)
-                flips.append((np.abs(found - before)[filled] > 0.5 * base.max()).mean())
-            before = found
+                changed = [np.abs(now - last)[filled] / base.max()
+                           for now, last in zip((base, found), before)]
+                flips.append(((changed[1] > 0.5) & (changed[1] > changed[0] + 0.25)).mean())
+            before = base, found
         result["flips"].append(float(np.mean(flips)))
         result["score"].append(float(np.mean(scores)))
     return result

@@ -793,6 +793,18 @@ class TestRuns(OptimizerTest):
         np.testing.assert_array_equal(values(result.GetOutput(), "Extinction"),
                                       values(fresh.GetOutput(), "Extinction"))
 
+    def test_coherence_counts_less_for_other_data(self):
+        def found(change, coherence):
+            result = optimizer(phantom(24), TemporalCoherence=coherence)
+            result.Update()
+            change(result)
+            result.SetCameraPosition(4, 3.1, 2)
+            result.Update()
+            return values(result.GetOutput(), "Extinction")
+
+        np.testing.assert_array_equal(found(lambda result: result.SetInputData(phantom(24)), 0.5),
+                                      found(lambda result: None, 0.2))
+
     def test_coherence_of_more_points(self):
         _, result = self.moved(1)
         result.SetInputData(phantom(40))

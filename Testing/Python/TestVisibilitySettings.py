@@ -21,7 +21,7 @@ OWN_DEFAULTS = {
     vtkTransmittanceVolumeMapper: {"ScalarComponent": vtkTransmittanceVolumeMapper.UNDECIDED,
                                    "RestrictToView": 1, "ProtectImportance": 1,
                                    "ImportanceSmoothing": vtkTransmittanceVolumeMapper.MEDIAN,
-                                   "Smoothness": 0.2, "TemporalCoherence": 0.1},
+                                   "Smoothness": 0.2, "TemporalCoherence": 0.2},
 }
 
 

@@ -14,6 +14,10 @@ namespace limpid
 {
 struct SceneFields;
 
+/// The likeness of data to those of another time step, whose optimum moves with them: to stay as
+/// near as to another view's costs four times as much of the score (Steadiness.md).
+constexpr double likenessInTime = 0.4;
+
 /**
  * What an optimisation has made of a base extinction, so that it outlives that base: transfer
  * functions are edited, time goes on, and what was clear or opaque stays so.

@@ -44,6 +44,6 @@ The mean score of these pictures, against that without:
 {measured['steps']} steps by the filter, as it is by default but for `TemporalCoherence`: the scalars \
 move on by a voxel every other step, and noise of 2 % of their range is another in every step. Mean \
 share of filled nodes whose extinction changes by more than half the majorant from one step to the \
-next, and mean score against that without:
+next, and by a quarter more than their base does, and mean score against that without:
 """ + table(scenes, [("scene", str), *columns("flips,", lambda name, i: percent(
         time(name)["flips"][i], 2)), *columns("S,", loss(time))[1:]])
