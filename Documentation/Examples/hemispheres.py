@@ -13,18 +13,25 @@ PRESETS = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                        "..", "..", "Plugin", "Presets", "LimpidViewpointScore.json")
 
 
+# What has the first and the last color, the others at equal factors between; the same for all data, so
+# that pictures can be compared.
+VISIBLE = 0.1, 0.6
+
+
 def score_colors():
-    """The color map of NormalizedScore: blue is best, red is worst."""
+    """The color map of VisibleFraction: blue is much, red is little."""
     if not servermanager.vtkSMTransferFunctionPresets.GetInstance().HasPreset(PRESET):
         simple.ImportPresets(PRESETS)
-    colors = simple.GetColorTransferFunction("NormalizedScore")
+    colors = simple.GetColorTransferFunction("VisibleFraction")
     colors.ApplyPreset(PRESET, True)
+    colors.RescaleTransferFunction(*VISIBLE)
+    colors.MapControlPointsToLogSpace()
     return colors
 
 
 class Hemispheres:
     """Both halves of an S-sphere as maps that keep areas: left seen from +y, right from -y, with z
-    upwards in both; lines of equal score."""
+    upwards in both; lines of equal shares, two per cent apart."""
 
     CENTRE = 1.5  # of the right map, whose radius is the square root of 2
 
@@ -57,7 +64,7 @@ class Hemispheres:
         display.Ambient = 1.0
         display.Diffuse = 0.0
         if color is None:
-            simple.ColorBy(display, ("POINTS", "NormalizedScore"))
+            simple.ColorBy(display, ("POINTS", "VisibleFraction"))
             display.LookupTable = score_colors()
             display.SetScalarBarVisibility(self.view, False)
         else:
@@ -80,20 +87,18 @@ class Hemispheres:
         for side in (1, -1):
             half = self.half(side)
             self.draw(self.mapped(half, side, 0))
-            lines = simple.Contour(Input=half, ContourBy=["POINTS", "NormalizedScore"],
-                                   Isosurfaces=[step / 10 for step in range(1, 10)])
+            lines = simple.Contour(Input=half, ContourBy=["POINTS", "VisibleFraction"],
+                                   Isosurfaces=[step / 50 for step in range(1, 50)])
             self.draw(self.mapped(lines, side, 0.01), [0.3, 0.3, 0.3])
         for rank, viewpoint in reversed(list(enumerate(ranked))):
             self.mark(viewpoint, [1.0, 1.0, 1.0], 0.025 if rank else 0.045)
         self.mark(worst, [0.0, 0.0, 0.0], 0.045)
-        for text, place in (("from +y, z up", [0.01, 0.02]), ("from -y, z up", [0.87, 0.02]),
-                            ("blue: much of it is seen, red: little", [0.01, 0.94]),
-                            ("white: best views, black: worst", [0.73, 0.94])):
+        for text, place in (("from +y", [0.01, 0.02]), ("from -y", [0.88, 0.02])):
             display = simple.Show(simple.Text(Text=text), self.view)
             display.WindowLocation = "Any Location"
             display.Position = place
             display.Color = [0, 0, 0]
-            display.FontSize = 16
+            display.FontSize = 28
         self.view.CameraPosition = [0, 0, 10]
         self.view.CameraFocalPoint = [0, 0, 0]
         self.view.CameraViewUp = [0, 1, 0]

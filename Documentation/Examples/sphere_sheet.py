@@ -6,17 +6,25 @@
   python3 sphere_sheet.py SHEET.png FOLDER...
 """
 
+import json
 import os
 import re
 import sys
 
 import picture_grid
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LinearSegmentedColormap, Normalize
 from picture_grid import pyplot
+
+COLORS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin", "Presets",
+                      "LimpidViewpointScore.json")
+VISIBLE = 10, 60  # of hemispheres.py [per cent]
 
 ACROSS = 2  # scenes in a row
 HEAD = re.compile(r"^# (.*): from where to look$", re.MULTILINE)
 SHARE = r"^\| {} \| [^|]* \| ([^|]*) \|"
 SIZE = [5.5, 2.6]  # of a scene [inches]
+LEGEND = 0.7  # [inches]
 DOTS = 130  # per inch
 
 
@@ -28,16 +36,33 @@ def show(figure, place, folder, name, label):
     axis = figure.add_subplot(place)
     axis.set_axis_off()
     axis.imshow(pyplot.imread(os.path.join(folder, name)))
-    axis.set_title(label, fontsize=7, pad=3)
+    axis.set_title(label, fontsize=9, pad=3)
+
+
+def explain(figure, place):
+    """What colors and dots mean."""
+    with open(COLORS, encoding="utf-8") as file:
+        points = json.load(file)[0]["RGBPoints"]
+    least, most = VISIBLE
+    nodes = [((least * (most / least) ** points[at] - least) / (most - least),
+              points[at + 1:at + 4]) for at in range(0, len(points), 4)]
+    colors = ScalarMappable(Normalize(*VISIBLE),
+                            LinearSegmentedColormap.from_list("visible", nodes))
+    bar = figure.colorbar(colors, cax=figure.add_axes(place), orientation="horizontal")
+    bar.set_label("of what is important can be seen [%]; white: best views, black: worst",
+                  fontsize=9)
+    bar.ax.tick_params(labelsize=8)
 
 
 def sheet_of(folders):
     """A figure."""
     across = min(len(folders), ACROSS)
     down = (len(folders) + across - 1) // across
-    figure = pyplot.figure(figsize=(SIZE[0] * across, SIZE[1] * down), facecolor="white")
+    height = SIZE[1] * down + LEGEND
+    figure = pyplot.figure(figsize=(SIZE[0] * across, height), facecolor="white")
     blocks = figure.add_gridspec(down, across, wspace=0.04, hspace=0.12, left=0.01, right=0.99,
-                                 bottom=0.01, top=1 - 0.25 / (SIZE[1] * down))
+                                 bottom=LEGEND / height, top=1 - 0.25 / height)
+    explain(figure, [0.3, 0.7 * LEGEND / height, 0.4, 0.15 / height])
     for number, folder in enumerate(folders):
         with open(os.path.join(folder, "viewpoints.md"), encoding="utf-8") as file:
             report = file.read()
