@@ -37,6 +37,21 @@ void RequireChoice(const char* property, int value, int count)
              << (count - 1) << ".");
 }
 
+void RequireAngle(const char* property, double degrees)
+{
+  LIMPID_REQUIRE(degrees >= 0 && degrees <= 180,
+    property << " is " << degrees
+             << " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
+}
+
+void RequireElevations(const double range[2])
+{
+  LIMPID_REQUIRE(range[0] >= -90 && range[0] <= range[1] && range[1] <= 90,
+    "ElevationRange is " << range[0] << " to " << range[1]
+                         << " degrees (no direction has it). Set two angles from -90 to 90, the "
+                            "smaller one first.");
+}
+
 void RequireComponent(const char* property, vtkDataArray* array, int component)
 {
   LIMPID_REQUIRE(component >= MagnitudeComponent && component < array->GetNumberOfComponents(),

@@ -20,6 +20,12 @@ namespace limpid
 /// Throws unless `value` is one of the numbers 0 to count - 1 of the enumeration `property`.
 VTKLIMPIDFILTERS_EXPORT void RequireChoice(const char* property, int value, int count);
 
+/// Throws unless two directions can have an angle [degrees].
+VTKLIMPIDFILTERS_EXPORT void RequireAngle(const char* property, double degrees);
+
+/// Throws unless ElevationRange is two elevations, the lower one first [degrees].
+VTKLIMPIDFILTERS_EXPORT void RequireElevations(const double range[2]);
+
 /// Throws unless the array has the component; MagnitudeComponent stands for all of them.
 VTKLIMPIDFILTERS_EXPORT void RequireComponent(
   const char* property, vtkDataArray* array, int component);

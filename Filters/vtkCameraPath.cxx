@@ -151,20 +151,14 @@ void vtkCameraPath::Internals::RequireSettings() const
   LIMPID_REQUIRE(this->Self->NumberOfKeyViews >= 1,
     "NumberOfKeyViews is " << this->Self->NumberOfKeyViews
                            << " (a round trip goes somewhere). Set it to 1 or more.");
-  LIMPID_REQUIRE(this->Self->SeparationAngle >= 0 && this->Self->SeparationAngle <= 180,
-    "SeparationAngle is " << this->Self->SeparationAngle
-                          << " degrees (no two directions have it). Set an angle from 0 to 180.");
+  limpid::RequireAngle("SeparationAngle", this->Self->SeparationAngle);
   LIMPID_REQUIRE(this->Self->NumberOfFrames >= 2 && this->Self->NumberOfFrames <= MostFrames,
     "NumberOfFrames is " << this->Self->NumberOfFrames << " (a way has 2 to " << MostFrames
                          << "). Set it between these.");
   LIMPID_REQUIRE(this->Self->LeastShare >= 0 && this->Self->LeastShare <= 1,
     "LeastShare is " << this->Self->LeastShare
                      << " (it is a share of a score). Set it between 0 and 1.");
-  const double* range = this->Self->ElevationRange;
-  LIMPID_REQUIRE(range[0] >= -90 && range[0] <= range[1] && range[1] <= 90,
-    "ElevationRange is " << range[0] << " to " << range[1]
-                         << " degrees (no direction has it). Set two angles from -90 to 90, the "
-                            "smaller one first.");
+  limpid::RequireElevations(this->Self->ElevationRange);
   LIMPID_REQUIRE(!this->GoesThroughTime() || !this->Times.empty(),
     "The input has no time steps (there is nothing to follow). Connect data of several time steps, "
     "or set Way to Round Trip.");

@@ -244,10 +244,7 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
   LIMPID_REQUIRE(self->NumberOfViewpoints >= 1,
     "NumberOfViewpoints is " << self->NumberOfViewpoints
                              << " (a search is for at least one). Set it to 1 or more.");
-  LIMPID_REQUIRE(self->SeparationAngle >= 0 && self->SeparationAngle <= 180,
-    "SeparationAngle is "
-      << self->SeparationAngle
-      << " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
+  limpid::RequireAngle("SeparationAngle", self->SeparationAngle);
   LIMPID_REQUIRE(self->SphereRadius > 0 && std::isfinite(self->SphereRadius),
     "SphereRadius is " << self->SphereRadius
                        << " radii of the sphere round the image (there would be no surface to show "
@@ -317,14 +314,8 @@ void vtkViewpointSearch::Internals::RequireAllowedViews() const
                        << self->CameraViewUp[2]
                        << " (it is no direction, so nothing is upwards). Set it to an axis, for "
                           "instance 0 0 1.");
-  const double* range = self->ElevationRange;
-  LIMPID_REQUIRE(range[0] >= -90 && range[0] <= range[1] && range[1] <= 90,
-    "ElevationRange is " << range[0] << " to " << range[1]
-                         << " degrees (no direction has it). Set two angles from -90 to 90, the "
-                            "smaller one first.");
-  LIMPID_REQUIRE(self->AvoidanceAngle >= 0 && self->AvoidanceAngle <= 180,
-    "AvoidanceAngle is " << self->AvoidanceAngle
-                         << " degrees (no two directions have it). Set an angle from 0 to 180.");
+  limpid::RequireElevations(self->ElevationRange);
+  limpid::RequireAngle("AvoidanceAngle", self->AvoidanceAngle);
   for (const limpid::Vec3& direction : this->Avoided)
   {
     LIMPID_REQUIRE(isDirection(direction),

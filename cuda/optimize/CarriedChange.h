@@ -15,7 +15,7 @@ namespace limpid
 struct SceneFields;
 
 /// The likeness of data to those of another time step, whose optimum moves with them: to stay as
-/// near as to another view's costs four times as much of the score (Steadiness.md).
+/// near as to another view's costs more of the score (Documentation/Benchmarks/Steadiness.md).
 constexpr double likenessInTime = 0.4;
 
 /**
