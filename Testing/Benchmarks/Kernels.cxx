@@ -238,7 +238,7 @@ public:
   void Optimize()
   {
     std::swap(this->Last, this->Next);
-    Differences moved;
+    ExactDifferences moved;
     SweepPolicy(*HostDevice::Shared(), this->Energy.cameras.front(), this->Given,
       this->Energy.Fields(),
       { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, Transmittance::OfLastIterate,

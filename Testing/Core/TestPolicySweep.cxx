@@ -75,7 +75,7 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
   std::vector<float> next = scene.extinction;
   std::vector<FrustumRays<HostDevice>>& frusta = terms.cameras.front().Frusta();
   std::vector<FrustumRays<HostDevice>>& otherFrusta = others.cameras.front().Frusta();
-  Differences moved;
+  ExactDifferences moved;
 
   SweepPolicy(*HostDevice::Shared(), terms.cameras.front(), problem, terms.Fields(),
     { scene.extinction.data(), nullptr, next.data(), problem.settings.weights.view,
@@ -112,8 +112,8 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
     squares += difference * difference;
     changes += std::abs(difference);
   }
-  EXPECT_WITHIN(moved.squares, squares, Roundoff<double>(1e5, squares));
-  EXPECT_WITHIN(moved.changes, changes, Roundoff<double>(1e5, changes));
+  EXPECT_WITHIN(moved.Values().squares, squares, Roundoff<double>(1e5, squares));
+  EXPECT_WITHIN(moved.Values().changes, changes, Roundoff<double>(1e5, changes));
 }
 
 TEST_P(SweepFromTheBack, FindsTheScoreAlongWithTheDerivative)

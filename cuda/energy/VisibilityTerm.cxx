@@ -67,14 +67,14 @@ void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivati
 }
 
 template <class AnyDevice>
-void VisibilityTerm<AnyDevice>::Sum(Seen* sum, Kept kept, [[maybe_unused]] std::size_t first)
+void VisibilityTerm<AnyDevice>::Sum(Seen* sum, Kept kept)
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    SumRays(this->Rays, Kept::Ignored, &sum->all, first);
+    SumRays(this->Rays, Kept::Ignored, &sum->all);
     if (kept == Kept::Counted)
     {
-      SumRays(this->Rays, Kept::Counted, &sum->kept, first);
+      SumRays(this->Rays, Kept::Counted, &sum->kept);
     }
   }
   else

@@ -62,9 +62,8 @@ public:
   void DifferentiateSeen(
     const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient);
 
-  /// What the rays of all frusta have seen in their last sweep. `first`: the frustum that was swept
-  /// first; sums are rounded in that order.
-  void Sum(Seen* sum, Kept kept, std::size_t first = 0);
+  /// What the rays of all frusta have seen in their last sweep.
+  void Sum(Seen* sum, Kept kept);
 
   /// The sums of Sum, for a launch with others.
   SumsOfSeen SumsInto(Seen* sum, Kept kept)

@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Differences_h
 #define limpid_optimize_Differences_h
 
+#include "backend/ExactSum.h"
 #include "math/Vec.h"
 
 namespace limpid
@@ -20,13 +21,33 @@ struct Differences
   double squares = 0;             ///< sum of (iterate - base)^2
   double changes = 0;             ///< sum of |iterate - last|
   double squaresFromPrevious = 0; ///< sum of (iterate - previous)^2
+};
 
-  Differences& operator+=(const Differences& other)
+/// The same, added up exactly.
+struct ExactDifferences
+{
+  ExactSum squares;
+  ExactSum changes;
+  ExactSum squaresFromPrevious;
+
+  void Add(const Differences& some)
+  {
+    this->squares.Add(some.squares);
+    this->changes.Add(some.changes);
+    this->squaresFromPrevious.Add(some.squaresFromPrevious);
+  }
+
+  ExactDifferences& operator+=(const ExactDifferences& other)
   {
     this->squares += other.squares;
     this->changes += other.changes;
     this->squaresFromPrevious += other.squaresFromPrevious;
     return *this;
+  }
+
+  Differences Values() const
+  {
+    return { this->squares.Value(), this->changes.Value(), this->squaresFromPrevious.Value() };
   }
 };
 }

@@ -61,16 +61,16 @@ PolicyKernel<const float*, float*> KernelOf(
     0.5f / gainOf(sweep.weight) };
 }
 
-/// Sweeps one frustum. The processor sums what has `moved` while that is at hand; null: nobody
+/// Sweeps one frustum. The processor adds what has `moved` while that is at hand; null: nobody
 /// asks.
 template <class AnyDevice>
 void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
   [[maybe_unused]] const Occupancy& occupancy, const PolicyKernel<const float*, float*>& kernel,
-  [[maybe_unused]] Differences* moved)
+  [[maybe_unused]] ExactDifferences* moved)
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    std::vector<Differences> rows(std::size_t(rays.Plan().nodesV)); // of all slices
+    std::vector<ExactDifferences> rows(moved ? std::size_t(rays.Plan().nodesV) : 0); // of all slices
     SweepBackwardByPhases(device, rays, occupancy, kernel,
       [&rows, &kernel, moved](const auto& voxels, const auto& windows, int v)
       {
@@ -80,18 +80,14 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
           const float* next = voxels.Row(windows.next) + filled.begin;
           const auto squaresFrom = [&](const auto& field)
           { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
-          rows[std::size_t(v)] += { squaresFrom(windows.base),
+          rows[std::size_t(v)].Add({ squaresFrom(windows.base),
             SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()),
-            kernel.previous ? squaresFrom(windows.previous) : 0.0 };
+            kernel.previous ? squaresFrom(windows.previous) : 0.0 });
         }
       });
-    for (std::size_t v = 1; moved && v < rows.size(); ++v)
+    for (const ExactDifferences& row : rows)
     {
-      rows[0] += rows[v];
-    }
-    if (moved)
-    {
-      *moved += rows[0];
+      *moved += row;
     }
   }
   else
@@ -385,7 +381,7 @@ private:
 
   void SweepOnce(const Turn& turn, const float* last, float* next)
   {
-    Differences moved;
+    ExactDifferences moved;
     const bool scored = this->Energy.IsOfCamera(*turn.swept) && TellsScores(this->Given->settings);
     const Kept kept = scored ? Kept::Counted : Kept::Ignored;
     const bool afterCamera = this->Count > 1 &&
@@ -399,16 +395,13 @@ private:
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
-      this->Energy.Sums()->moved = moved;
+      this->Energy.Sums()->moved = moved.Values();
     }
     else
     {
       this->Energy.TakeMoved(next, last);
     }
-    const std::size_t frusta = turn.swept->Frusta().size();
-    const bool lastFirst =
-      !turn.weighs && MetNextIterate(frusta - 1, frusta, this->Given->settings.derivative);
-    this->Energy.TakeSeen(*turn.swept, kept, lastFirst ? frusta - 1 : 0);
+    this->Energy.TakeSeen(*turn.swept, kept);
   }
 
   /// What costs less to keep, the base or what was before.
@@ -487,7 +480,7 @@ private:
 
 template <class AnyDevice>
 void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, Differences& moved)
+  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved)
 {
   const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
   const std::size_t frusta = term.Frusta().size();
@@ -534,7 +527,7 @@ std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
 
 #define LIMPID_INSTANTIATE_POLICY(AnyDevice)                                                       \
   template void SweepPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,                \
-    const ProblemFields<AnyDevice>&, const PolicySweep&, Differences&);                            \
+    const ProblemFields<AnyDevice>&, const PolicySweep&, ExactDifferences&);                       \
   template void SweepFirstPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,           \
     const ProblemFields<AnyDevice>&, const float*, double, float*);                                \
   template std::unique_ptr<Minimizer> MakePolicy(                                                  \

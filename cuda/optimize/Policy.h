@@ -37,10 +37,11 @@ struct PolicySweep
 };
 
 /// Sweeps all frusta of a term. Leaves what its rays have seen of the next iterate, and its optical
-/// depths, with the rays. `moved`: on the processor, how far the next iterate is from the others.
+/// depths, with the rays. `moved`: on the processor, how far the next iterate is from the others is
+/// added there.
 template <class AnyDevice>
 void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, Differences& moved);
+  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved);
 
 /// The first policy sweep of one term alone: nothing is known of transmittance or other terms.
 /// Leaves nothing with the rays. `previous`: see PolicySweep.

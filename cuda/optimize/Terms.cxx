@@ -224,12 +224,12 @@ Seen* Terms<AnyDevice>::SumOf(const VisibilityTerm<AnyDevice>& term)
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept, std::size_t first)
+void Terms<AnyDevice>::TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept)
 {
   auto& seen = this->Unsummed.seen;
   const auto isOfTerm = [&term](const auto& other) { return other.term == &term; };
   seen.erase(std::remove_if(seen.begin(), seen.end(), isOfTerm), seen.end());
-  seen.push_back({ &term, kept, first });
+  seen.push_back({ &term, kept });
 }
 
 template <class AnyDevice>
@@ -256,7 +256,7 @@ void Terms<AnyDevice>::Sum()
   {
     for (const typename Taken::OfTerm& seen : taken.seen)
     {
-      seen.term->Sum(this->SumOf(*seen.term), seen.kept, seen.first);
+      seen.term->Sum(this->SumOf(*seen.term), seen.kept);
     }
     if (taken.extinction)
     {

@@ -76,8 +76,7 @@ public:
   }
 
   /// The next record is to tell what a term's rays have seen in their last sweep until then.
-  /// `first`: see VisibilityTerm::Sum.
-  void TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept, std::size_t first = 0);
+  void TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept);
 
   /// ... how far an extinction is from the base and, if not null, from `last`.
   void TakeMoved(const float* extinction, const float* last);
@@ -119,7 +118,6 @@ private:
     {
       VisibilityTerm<AnyDevice>* term;
       Kept kept;
-      std::size_t first;
     };
     std::vector<OfTerm> seen;
     const float* extinction = nullptr; ///< null: nothing was moved

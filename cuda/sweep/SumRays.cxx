@@ -3,9 +3,11 @@
 
 #include "sweep/SumRays.h"
 
+#include "backend/Backend.h"
+
 namespace limpid
 {
-double SumOfRays(const FaceFrustum& frustum, const float* values)
+void AddRays(const FaceFrustum& frustum, const float* values, ExactSum& sum)
 {
   constexpr Index rowsPerTask = 16;
   constexpr int guard = 1; // on either side; it stands for no part of the box, see FaceFrustum
@@ -24,6 +26,9 @@ double SumOfRays(const FaceFrustum& frustum, const float* values)
       const bool counts = row >= guard && row < frustum.rows - guard;
       rows[std::size_t(row)] = counts ? part * frustum.Row(frustum.rowShare)[row] : 0.0;
     });
-  return frustum.cellMeasure * std::accumulate(rows.begin(), rows.end(), 0.0);
+  for (const double row : rows)
+  {
+    sum.Add(row);
+  }
 }
 }

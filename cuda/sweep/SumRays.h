@@ -6,11 +6,10 @@
 #ifndef limpid_sweep_SumRays_h
 #define limpid_sweep_SumRays_h
 
-#include "backend/Backend.h"
+#include "backend/ExactSum.h"
 #include "backend/SumOnDevice.h"
 #include "sweep/FrustumRays.h"
 
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -44,9 +43,9 @@ struct Seen
   }
 };
 
-/// Sum of one value per ray, for an integral over the domain of what these are integrals of along
-/// their rays times scale^2; in a fixed order. `values`: per ray.
-double SumOfRays(const FaceFrustum& frustum, const float* values);
+/// Adds one value per ray, for an integral over the domain of what these are integrals of along
+/// their rays times scale^2, which cellMeasure times the sum is. Row by row; rows are added exactly.
+void AddRays(const FaceFrustum& frustum, const float* values, ExactSum& sum);
 
 namespace detail
 {
@@ -133,19 +132,20 @@ struct SumsOfRays
   }
 };
 
-/// What all rays have seen, into `sum`. The processor sums row by row, and the frusta in cyclic
-/// order from `first`.
-inline void SumRays(
-  std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Visible* sum, std::size_t first)
+/// What all rays have seen, into `sum`.
+inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Visible* sum)
 {
-  *sum = {};
-  for (std::size_t i = 0; i < frusta.size(); ++i)
+  ExactSum visible;
+  ExactSum unattenuated;
+  double cellMeasure = 0; // of all frusta
+  for (FrustumRays<HostDevice>& frustum : frusta)
   {
-    FrustumRays<HostDevice>& frustum = frusta[(first + i) % frusta.size()];
     const SeenByRay seen(frustum.States(), kept);
-    *sum +=
-      { SumOfRays(frustum.Plan(), seen.visible), SumOfRays(frustum.Plan(), seen.unattenuated) };
+    AddRays(frustum.Plan(), seen.visible, visible);
+    AddRays(frustum.Plan(), seen.unattenuated, unattenuated);
+    cellMeasure = frustum.Plan().cellMeasure;
   }
+  *sum = { cellMeasure * visible.Value(), cellMeasure * unattenuated.Value() };
 }
 
 /// The same of one value per ray, for the host: waits.
@@ -155,7 +155,9 @@ double SumOfRays(
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    return SumOfRays(frustum, values);
+    ExactSum sum;
+    AddRays(frustum, values, sum);
+    return frustum.cellMeasure * sum.Value();
   }
   else
   {
@@ -178,7 +180,7 @@ Visible SumRays(
   Visible sum;
   if constexpr (AnyDevice::readsHostMemory)
   {
-    SumRays(frusta, kept, &sum, 0);
+    SumRays(frusta, kept, &sum);
   }
   else
   {
