@@ -12,6 +12,22 @@
 
 namespace limpid
 {
+namespace
+{
+thread_local bool smallPages = false;
+}
+
+SmallPages::SmallPages()
+  : Before(smallPages)
+{
+  smallPages = true;
+}
+
+SmallPages::~SmallPages()
+{
+  smallPages = this->Before;
+}
+
 void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
 {
 #if defined(__linux__)
@@ -24,7 +40,7 @@ void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t b
   if (std::align(page, page, memory, bytes))
   {
     // A wish: where it is not granted, the memory is there all the same.
-    madvise(memory, bytes / page * page, MADV_HUGEPAGE);
+    madvise(memory, bytes / page * page, smallPages ? MADV_NOHUGEPAGE : MADV_HUGEPAGE);
   }
 #endif
 }

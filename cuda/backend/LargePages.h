@@ -19,6 +19,22 @@ namespace limpid
  */
 void UseLargePages(void* memory, std::size_t bytes);
 
+/**
+ * While alive, memory that its thread gets is in small pages: of a field that is large but written
+ * in few places only those take memory.
+ */
+class SmallPages
+{
+public:
+  SmallPages();
+  ~SmallPages();
+  SmallPages(const SmallPages&) = delete;
+  SmallPages& operator=(const SmallPages&) = delete;
+
+private:
+  bool Before;
+};
+
 /// An empty array with room for so many values, in large pages.
 std::vector<float> RoomFor(Index count);
 }

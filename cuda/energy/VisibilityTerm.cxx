@@ -13,10 +13,13 @@ namespace limpid
 {
 template <class AnyDevice>
 VisibilityTerm<AnyDevice>::VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid,
-  const Occupancy& occupancy, const RaySource& source, double rayDensity)
+  const Occupancy& occupancy, const RaySource& source, double rayDensity,
+  const Communicator* ranks)
   : Device(std::move(device))
   , Filled(&occupancy)
-  , Rays(PlanRays(this->Device, grid, occupancy, source, { rayDensity }))
+  , Rays(PlanRays(this->Device, grid, occupancy, source,
+      { rayDensity, Placement::ForIntegrals, Readers::RaysAndVoxels, { { true, true, true } },
+        ranks }))
   , Add(this->Device)
 {
 }

@@ -42,8 +42,9 @@ template <class AnyDevice>
 class VisibilityTerm
 {
 public:
+  /// `ranks`: see PlanSettings.
   VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid, const Occupancy& occupancy,
-    const RaySource& source, double rayDensity);
+    const RaySource& source, double rayDensity, const Communicator* ranks = nullptr);
 
   /// What the rays see, into `sum`; null: it is summed later. Leaves the optical depths of all
   /// rays.
@@ -78,6 +79,7 @@ public:
   }
 
   std::vector<FrustumRays<AnyDevice>>& Frusta() { return this->Rays; }
+  const std::vector<FrustumRays<AnyDevice>>& Frusta() const { return this->Rays; }
   const Occupancy& Occupied() const { return *this->Filled; }
 
 private:

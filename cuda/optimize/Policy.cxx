@@ -7,6 +7,7 @@
 
 #include "optimize/Iterate.h"
 #include "optimize/ProximalDescent.h"
+#include "optimize/Ranked.h"
 #include "optimize/Smoothing.h"
 #include "sweep/Sweeps.h"
 
@@ -180,6 +181,15 @@ public:
     return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
   }
 
+  void BestToPiece([[maybe_unused]] const FieldView& piece) const override
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      this->Energy.OnRanks()->ToPieces(
+        this->Iterates[this->BestOf].values, this->Given->shared->pieces, piece);
+    }
+  }
+
   const float* BestValues() const override
   {
     return AnyDevice::readsHostMemory ? this->Iterates[this->BestOf].values : this->Best().data();
@@ -326,12 +336,30 @@ private:
     const std::size_t free = this->FreeIterate();
     const float* last = this->Iterates[this->Now].values;
     limpid::Iterate<AnyDevice>& next = this->Iterates[free];
-    PrepareIterate(this->Device, *this->Given, turn.swept->Frusta().size(), last, next);
+    this->Prepare(*turn.swept, last, next);
     const IterationRecord record = this->Sweep(turn, last, next.own.Data());
     this->Now = free;
     this->Change = record.meanChange;
     this->Weighed = turn.weighs;
     return record;
+  }
+
+  /// See PrepareIterate.
+  void Prepare(const Term& swept, const float* last, limpid::Iterate<AnyDevice>& next)
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (const TermsOnRanks* ranks = this->Energy.OnRanks())
+      {
+        PrepareIterate(this->Device, *this->Given, 1, last, next); // room alone
+        if (swept.Frusta().size() > 1)
+        {
+          ranks->CopyNeeded(swept.Frusta(), last, next.own.Data());
+        }
+        return;
+      }
+    }
+    PrepareIterate(this->Device, *this->Given, swept.Frusta().size(), last, next);
   }
 
   IterationRecord Sweep(const Turn& turn, const float* last, float* next)
@@ -391,10 +419,16 @@ private:
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
       { last, turn.smoothing > 0 ? this->FindPull(last, turn.smoothing) : this->Lagged.Data(), next,
         this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Descent.Proximity(),
-        turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous() },
+        turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous(),
+        this->Energy.OnRanks() },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
+      if (const TermsOnRanks* ranks = this->Energy.OnRanks())
+      {
+        ranks->Ranks().Sum(&moved.squares, 3);
+        ranks->Share(next, turn.swept->Frusta());
+      }
       this->Energy.Sums()->moved = moved.Values();
     }
     else
@@ -433,7 +467,7 @@ private:
     {
       return;
     }
-    if (several && !this->Lagged.Empty())
+    if (several && !this->Lagged.Empty() && !this->Energy.OnRanks())
     {
       this->Lagged.SetZero();
     }
@@ -443,18 +477,35 @@ private:
       this->Lagged = DeviceArray<AnyDevice, float>::Zeros(this->Device,
         static_cast<std::size_t>(this->Given->grid.NodeCount()), "the lagged derivative");
     }
+    const Term* before = nullptr;
     for (Term* other : turn.others)
     {
+      this->Pass(before, *other);
+      before = other;
       const float kept = several ? 1 : 0;
       this->Sees(*other)
         ? this->Energy.DifferentiateSeen(*other, extinction, kept, this->Lagged.Data())
         : this->Energy.DifferentiateTerm(*other, extinction, kept, this->Lagged.Data());
     }
+    this->Pass(before, *turn.swept);
     this->SeeLast.erase(std::remove_if(this->SeeLast.begin(), this->SeeLast.end(),
                           [&turn](const Term* term) { return term != turn.swept; }),
       this->SeeLast.end()); // derivatives leave no optical depths
     this->LagFilledBy = several ? nullptr : turn.others[0];
     this->LagBeside = turn.swept;
+  }
+
+  /// Brings the lagged derivative to those who need it next, from the term that wrote it; null:
+  /// none has.
+  void Pass(const Term* from, const Term& to)
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (from && this->Energy.OnRanks())
+      {
+        this->Energy.OnRanks()->Pass(this->Lagged.Data(), from->Frusta(), to.Frusta());
+      }
+    }
   }
 
   const Problem* Given;
@@ -492,6 +543,14 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
     }
     SweepFrustum(device, rays, term.Occupied(), kernel, &moved);
     rays.KeepCollected();
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (sweep.ranks)
+      {
+        sweep.ranks->ShareFrustum(
+          sweep.next, term.Frusta(), std::size_t(&rays - term.Frusta().data()));
+      }
+    }
   }
   for (std::size_t index = 0; index < frusta; ++index)
   {

@@ -34,6 +34,7 @@ struct PolicySweep
   Reach reach = Reach::Unlimited;     ///< of the rays, where something is weighed
   double smoothing = 0;            ///< sigma of SmoothedChange [length], if `lagged` has its pull
   const float* previous = nullptr; ///< what to stay near [1/length]; null: nothing
+  const TermsOnRanks* ranks = nullptr; ///< that share the sweep; null: there is one
 };
 
 /// Sweeps all frusta of a term. Leaves what its rays have seen of the next iterate, and its optical

@@ -8,6 +8,7 @@
 #include "math/Require.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace limpid
@@ -19,14 +20,96 @@ constexpr float LargestValue = 3e38f; // of an extinction
 void RequireFields(const SceneFields& scene)
 {
   scene.grid.Require();
-  LIMPID_REQUIRE(scene.baseExtinction != nullptr,
+  LIMPID_REQUIRE(scene.baseExtinction != nullptr || scene.ValueCount() == 0,
     "There is no base extinction (the optimisation starts from it). Give an array.");
-  LIMPID_REQUIRE(scene.importance != nullptr,
+  LIMPID_REQUIRE(scene.importance != nullptr || scene.ValueCount() == 0,
     "There is no importance (nothing tells what is to be seen). Give an array.");
   LIMPID_REQUIRE(scene.majorant >= 0 && scene.majorant <= LargestValue,
     "The majorant is " << scene.majorant
                        << " (Eq. (25) needs an upper bound of the extinction). Give the largest "
                           "extinction of the transfer function, or 0 for that of the scene.");
+}
+
+/// Number of a node in the grid, from that in the arrays.
+Index NumberOf(const SceneFields& scene, Index value)
+{
+  if (!scene.piece)
+  {
+    return value;
+  }
+  const NodeBox& box = scene.piece->nodes;
+  const Int3 size = box.Size();
+  const Index i = box.along[0].begin + value % size.x;
+  const Index j = box.along[1].begin + value / size.x % size.y;
+  const Index k = box.along[2].begin + value / size.x / size.y;
+  return (k * scene.grid.nodes.y + j) * scene.grid.nodes.x + i;
+}
+
+/// A box with the nodes beside it, as far as the grid goes.
+NodeBox WithNeighbours(const NodeBox& box, const Int3& nodes)
+{
+  NodeBox wide = box;
+  for (int axis = 0; axis < 3 && !box.Empty(); ++axis)
+  {
+    Range<int>& along = wide.along[std::size_t(axis)];
+    along = { std::max(along.begin - 1, 0), std::min(along.end + 1, nodes[axis]) };
+  }
+  return wide;
+}
+
+/// What there is to be known of a piece, whose nodes at its border have neighbours on other ranks.
+SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const float* importance)
+{
+  const ScenePiece& piece = *scene.piece;
+  std::vector<Region> had;
+  std::vector<Region> needed;
+  for (const NodeBox& box : piece.ofRanks)
+  {
+    had.push_back({ box });
+    needed.push_back({ WithNeighbours(box, scene.grid.nodes) });
+  }
+  Grid wide = scene.grid;
+  const NodeBox& box = needed[std::size_t(piece.ranks->Rank())].front();
+  wide.nodes = box.Size();
+  const auto extended = [&](const float* field)
+  {
+    NodeValues values(box.Count());
+    Spread(*piece.ranks, FieldView::Part(const_cast<float*>(field), piece.nodes), had,
+      FieldView::Part(values.Data(), box), needed);
+    return values;
+  };
+  const NodeValues extinctions = extended(scene.baseExtinction);
+  const NodeValues importances = extended(importance);
+  SceneSurvey found;
+  NodeValues own(piece.nodes.Count());
+  if (!box.Empty())
+  {
+    found = SurveyScene(wide, extinctions.Data(), mostExtinction, importances.Data(), 1);
+    CopyNodes(piece.nodes, FieldView::Part(found.nodeImportance.Data(), box),
+      FieldView::Part(own.Data(), piece.nodes));
+  }
+  found.nodeImportance = std::move(own);
+  found.occupancy = nullptr; // nobody knows it alone
+  return found;
+}
+
+SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* importance)
+{
+  return scene.piece
+    ? SurveyPiece(scene, mostExtinction, importance)
+    : SurveyScene(scene.grid, scene.baseExtinction, mostExtinction, importance, 1);
+}
+
+/// The largest of all ranks' numbers that are not below zero: these are ordered as their bits are.
+float LargestOf(const Communicator& ranks, float here)
+{
+  std::int32_t bits;
+  std::memcpy(&bits, &here, sizeof(bits));
+  bits = -bits;
+  ranks.TakeLeast(&bits, 1);
+  bits = -bits;
+  std::memcpy(&here, &bits, sizeof(bits));
+  return here;
 }
 
 /// A field, what it is called, and what its values may be.
@@ -38,15 +121,16 @@ struct CheckedField
   const char* range;
 };
 
-void RequireRange(const CheckedField& field, const FieldRange& found)
+void RequireRange(const SceneFields& scene, const CheckedField& field, const FieldRange& found)
 {
-  Index voxel = 0;
-  while (!found.valid && field.values[voxel] >= 0 && field.values[voxel] <= field.most)
+  const Index count = scene.ValueCount();
+  Index voxel = found.valid ? count : 0;
+  while (voxel < count && field.values[voxel] >= 0 && field.values[voxel] <= field.most)
   {
     ++voxel;
   }
-  LIMPID_REQUIRE(found.valid,
-    "The " << field.name << " of voxel " << voxel << " is " << field.values[voxel]
+  LIMPID_REQUIRE(voxel == count,
+    "The " << field.name << " of voxel " << NumberOf(scene, voxel) << " is " << field.values[voxel]
            << " (the energy of Eq. (21) is not defined there). Keep it " << field.range << '.');
 }
 
@@ -90,14 +174,23 @@ void RequireView(
 PreparedScene::PreparedScene(const SceneFields& scene)
   : Fields(scene)
 {
-  RequireFields(scene);
+  const Communicator* ranks = scene.piece ? scene.piece->ranks.get() : nullptr;
+  Jointly(ranks, [&] { RequireFields(scene); });
   const CheckedField extinction{ scene.baseExtinction, LargestValue, "base extinction",
     "finite and not negative" };
   const CheckedField importance{ scene.importance, 1, "importance", "between 0 and 1" };
-  SceneSurvey found =
-    SurveyScene(scene.grid, extinction.values, extinction.most, importance.values, importance.most);
-  RequireRange(extinction, found.extinction);
-  RequireRange(importance, found.importance);
+  SceneSurvey found = Survey(scene, extinction.most, importance.values);
+  Jointly(ranks,
+    [&]
+    {
+      RequireRange(scene, extinction, found.extinction);
+      RequireRange(scene, importance, found.importance);
+    });
+  if (ranks)
+  {
+    found.extinction.largest = LargestOf(*ranks, found.extinction.largest);
+    found.importance.largest = LargestOf(*ranks, found.importance.largest);
+  }
   // Where nothing absorbs, there is nothing to be optimised, whatever a function could make.
   const float largest = found.extinction.largest;
   this->LargestExtinction = largest > 0 ? std::max(largest, scene.majorant) : 0.0f;
@@ -148,7 +241,7 @@ Problem PreparedScene::ProblemFor(
 {
   const SceneFields& scene = this->Fields;
   Important& important = this->ImportantFor(settings.importanceSmoothing);
-  if (important.occupancy->Skips() != settings.skipUnneeded)
+  if (!scene.piece && important.occupancy->Skips() != settings.skipUnneeded)
   {
     important.occupancy = std::make_shared<const Occupancy>(
       scene.grid, scene.baseExtinction, important.ofNodes.Data(), settings.skipUnneeded);
@@ -160,6 +253,7 @@ Problem PreparedScene::ProblemFor(
   task.nodeImportance = important.ofNodes.Data();
   task.occupancy = important.occupancy;
   task.resident = important.resident;
+  task.piece = scene.piece;
   task.majorant = this->LargestExtinction;
   task.camera = SourceOfCamera(camera, scene.grid, settings.restrictToView);
   for (const Camera& other : settings.otherCameras)

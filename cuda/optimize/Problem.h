@@ -8,7 +8,9 @@
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
+#include "scene/ScenePiece.h"
 #include "sweep/Occupancy.h"
+#include "sweep/RankRegions.h"
 
 #include <memory>
 #include <mutex>
@@ -17,6 +19,7 @@
 namespace limpid
 {
 struct PermutedFields;
+struct FieldsOfRanks;
 
 /// What engines keep for all problems of a scene.
 struct Resident
@@ -35,6 +38,8 @@ struct Problem
   const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null: nothing can be kept
+  std::shared_ptr<const ScenePiece> piece;    ///< null: the fields have the values of all nodes
+  std::shared_ptr<FieldsOfRanks> shared;       ///< null: they have all values
   float majorant = 0;                         ///< upper bound of the extinction [1/length]
   double nearness = 1;                        ///< see CarriedChange::NearnessTo
   const float* previous =
@@ -117,6 +122,10 @@ public:
 
   /// Its values, which may be there without a copy; until the next iteration.
   virtual const float* BestValues() const { return this->Best().data(); }
+
+  /// Brings the best iterate so far to the pieces of the ranks that share the problem
+  /// (Problem::shared).
+  virtual void BestToPiece(const FieldView&) const {}
 
   /// The best iterate so far on the device that computes, until the next iteration; nulls: it is on
   /// the host.

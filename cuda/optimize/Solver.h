@@ -9,6 +9,7 @@
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
+#include "scene/ScenePiece.h"
 
 #include <array>
 #include <memory>
@@ -32,6 +33,16 @@ struct SceneFields
   /// The importance without its specks, likewise, for ImportanceSmoothing::Median; null: it is made
   /// of the importance when it is asked for.
   const float* despeckled = nullptr;
+
+  /// The part that the arrays have, where ranks share the scene: they have its nodes' values alone,
+  /// first axis fastest. Null: they have all.
+  std::shared_ptr<const ScenePiece> piece = nullptr;
+
+  /// Number of values in the arrays.
+  Index ValueCount() const
+  {
+    return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
+  }
 };
 
 class PreparedScene;

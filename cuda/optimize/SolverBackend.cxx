@@ -10,6 +10,7 @@
 #include "optimize/ClosedForm.h"
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"
+#include "optimize/Ranked.h"
 
 #include <optional>
 
@@ -127,6 +128,11 @@ public:
   {
     if constexpr (AnyDevice::readsHostMemory)
     {
+      if (problem.piece)
+      {
+        return MakeRanked(problem, [this, warm](const Problem& shared)
+          { return MakeMinimizerOn(this->Device, shared, {}, warm); });
+      }
       // The processor sweeps fastest where slices and rows are contiguous.
       return MakePermuted(problem, std::move(start),
         [this, warm](const Problem& permuted, std::vector<float>&& first)

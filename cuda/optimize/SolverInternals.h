@@ -158,7 +158,7 @@ struct Solver::Internals
   void AssignBase(FoundExtinction& field) const
   {
     const float* baseField = this->scene.baseExtinction;
-    field = std::vector<float>(baseField, baseField + this->scene.grid.NodeCount());
+    field = std::vector<float>(baseField, baseField + this->scene.ValueCount());
   }
 
   /// Empty: the base extinction.

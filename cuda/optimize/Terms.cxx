@@ -5,6 +5,8 @@
 
 #include "optimize/Terms.h"
 
+#include "optimize/Ranked.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -49,12 +51,13 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
   , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, 1, "sums"))
 {
   const Settings& settings = problem.settings;
+  const Communicator* ranks = problem.shared ? problem.shared->ranks.get() : nullptr;
   if (settings.weights.view > 0)
   {
     const auto add = [&](const RaySource& camera)
     {
       this->cameras.emplace_back(
-        this->Device, problem.grid, *problem.occupancy, camera, settings.rayDensity);
+        this->Device, problem.grid, *problem.occupancy, camera, settings.rayDensity, ranks);
     };
     add(problem.camera);
     std::for_each(problem.otherCameras.begin(), problem.otherCameras.end(), add);
@@ -64,7 +67,36 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
   if (settings.weights.light > 0)
   {
     this->light.emplace(
-      this->Device, problem.grid, *problem.occupancy, problem.light, settings.rayDensity);
+      this->Device, problem.grid, *problem.occupancy, problem.light, settings.rayDensity, ranks);
+  }
+  if (ranks)
+  {
+    this->ShareFields();
+  }
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::ShareFields()
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    FieldsOfRanks& shared = *this->Given->shared;
+    std::vector<TermsOnRanks::OfTerm> terms;
+    const RaySource* other = this->Given->otherCameras.data();
+    for (const VisibilityTerm<AnyDevice>& camera : this->cameras)
+    {
+      terms.push_back({ &camera.Frusta(), terms.empty() ? &this->Given->camera : other++ });
+    }
+    if (this->light)
+    {
+      terms.push_back({ &this->light->Frusta(), &this->Given->light });
+    }
+    this->Shared =
+      std::make_unique<const TermsOnRanks>(*shared.ranks, this->Given->grid.nodes, terms);
+    for (FieldsOfRanks::Field* field : { &shared.base, &shared.importance, &shared.nodeImportance })
+    {
+      this->Shared->FromPieces(shared.pieces, field->piece, field->values.Data());
+    }
   }
 }
 
@@ -258,7 +290,13 @@ void Terms<AnyDevice>::Sum()
     {
       seen.term->Sum(this->SumOf(*seen.term), seen.kept);
     }
-    if (taken.extinction)
+    // Of a base that ranks share, nobody has all.
+    if (taken.extinction && taken.extinction == this->Given->baseExtinction)
+    {
+      sums->moved.squares = 0;
+      sums->moved.squaresFromPrevious = 0;
+    }
+    else if (taken.extinction)
     {
       sums->moved.squares = this->Given->SquaresFrom(this->Given->baseExtinction, taken.extinction);
       sums->moved.squaresFromPrevious =

@@ -7,6 +7,7 @@
 #include "energy/VisibilityTerm.h"
 #include "optimize/Differences.h"
 #include "optimize/ProblemFields.h"
+#include "optimize/TermsOnRanks.h"
 
 #include <deque>
 #include <memory>
@@ -100,6 +101,9 @@ public:
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
+  /// Where the ranks that share the problem have the fields; null: there is one.
+  const TermsOnRanks* OnRanks() const { return this->Shared.get(); }
+
   /// What the extinction is to stay near; null: nothing.
   const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }
   const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
@@ -134,6 +138,9 @@ private:
   /// Where what a term's rays have seen is summed, on the device.
   Seen* SumOf(const VisibilityTerm<AnyDevice>& term);
 
+  /// Brings the fields of the problem to the ranks that share it.
+  void ShareFields();
+
   /// The derivative of a visibility term by an extinction.
   void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
     const GradientTarget& target, float* gradient);
@@ -142,6 +149,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
   BorrowedArray<AnyDevice, float> Before; ///< see Problem::previous; empty: null
+  std::unique_ptr<const TermsOnRanks> Shared; ///< on processors only
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
   DeviceArray<AnyDevice, Seen> FoundByOthers; ///< by all cameras but the first

@@ -10,6 +10,7 @@
 #include "backend/HostDevice.h"
 #include "sweep/HatOfVoxel.h"
 #include "sweep/PlanSweep.h"
+#include "sweep/RankBands.h"
 #include "sweep/RaySteps.h"
 #include "sweep/SliceWindow.h"
 
@@ -67,7 +68,8 @@ template <class AnyDevice>
 class FrustumTables
 {
 public:
-  FrustumTables(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
+  FrustumTables(
+    const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned, const PlanSettings&)
     : Device(device)
     , Tables(device, planned.memory.get(), planned.bytes, "the plan of a sweep")
     , Addresses(planned)
@@ -104,23 +106,44 @@ private:
   FaceFrustum Addresses;
 };
 
-/// The plan as it was made, and the memory in which the processor transposes slices.
+/// The plan as it was made, the memory in which the processor transposes slices, and what it has of
+/// a frustum that several ranks share.
 template <>
 class FrustumTables<HostDevice>
 {
 public:
-  FrustumTables(const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned)
+  FrustumTables(
+    const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned, const PlanSettings& settings)
     : Planned(std::move(planned))
     , Pool(std::make_unique<SlabPool>())
+    , Shared(settings.ranks ? std::make_unique<RankBands>(this->Planned, *settings.ranks) : nullptr)
   {
   }
 
   const FaceFrustum& Plan() const { return this->Planned; }
   SlabPool& Slabs() const { return *this->Pool; }
 
+  /// Null: there is one rank.
+  const RankBands* Bands() const { return this->Shared.get(); }
+
+  /// The rows of rays that are swept here.
+  Range<int> RowsHere() const
+  {
+    return this->Shared ? this->Shared->RaysOf(this->Shared->Ranks().Rank())
+                        : Range<int>{ 0, this->Planned.rows };
+  }
+
+  /// The rows of voxels of slice `s` that are changed here.
+  Range<int> VoxelsHere(int s) const
+  {
+    return this->Shared ? this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s)
+                        : this->Planned.SliceAt(s).ownedRows;
+  }
+
 private:
   PlannedFrustum Planned;
   std::unique_ptr<SlabPool> Pool;
+  std::unique_ptr<RankBands> Shared;
 };
 
 /// The rays of one frustum on a device.
@@ -128,8 +151,9 @@ template <class AnyDevice>
 class FrustumRays : public FrustumTables<AnyDevice>
 {
 public:
-  FrustumRays(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
-    : FrustumTables<AnyDevice>(device, std::move(planned))
+  FrustumRays(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned,
+    const PlanSettings& settings = {})
+    : FrustumTables<AnyDevice>(device, std::move(planned), settings)
     , Values(device, this->Plan().RayCount())
   {
   }
@@ -153,7 +177,7 @@ std::vector<FrustumRays<AnyDevice>> PlanRays(const std::shared_ptr<AnyDevice>& d
   std::vector<FrustumRays<AnyDevice>> frusta;
   for (PlannedFrustum& planned : PlanSweep(grid, occupancy, source, settings))
   {
-    frusta.emplace_back(device, std::move(planned));
+    frusta.emplace_back(device, std::move(planned), settings);
   }
   return frusta;
 }

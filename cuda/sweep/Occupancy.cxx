@@ -4,9 +4,12 @@
 #include "sweep/Occupancy.h"
 
 #include "backend/Backend.h"
+#include "backend/Communicator.h"
 #include "backend/Simd.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace limpid
@@ -103,6 +106,75 @@ Occupancy::Occupancy(
   *this = builder.Take(skip);
 }
 
+Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox& box,
+  const float* baseExtinction, const float* importance, bool skip)
+  : Occupancy(grid)
+{
+  this->Skip = skip;
+  std::int64_t filled = 0;
+  const Range<int>(&nodes)[3] = { box.along[0], box.along[1], box.along[2] };
+  // Spans as beginnings and ends below zero, of which the least make the hull; none at first.
+  constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+  const std::size_t rows = this->AlongX.size() + this->AlongY.size();
+  std::vector<std::int32_t> ends(4 * rows, none);
+  const auto put = [&ends](std::size_t row, const Spans& spans, int offset)
+  {
+    const Range<int> both[2] = { spans.filled, spans.important };
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      if (!both[i].Empty())
+      {
+        ends[4 * row + 2 * i] = both[i].begin + offset;
+        ends[4 * row + 2 * i + 1] = -(both[i].end + offset);
+      }
+    }
+  };
+  if (!box.Empty())
+  {
+    Grid part = grid;
+    part.nodes = box.Size();
+    const Occupancy here(part, baseExtinction, importance, true);
+    filled = here.Filled;
+    for (int k = nodes[2].begin; k < nodes[2].end; ++k)
+    {
+      for (int j = nodes[1].begin; j < nodes[1].end; ++j)
+      {
+        put(std::size_t(k) * this->Nodes.y + j,
+          here.Row(0, j - nodes[1].begin, k - nodes[2].begin), nodes[0].begin);
+      }
+      for (int i = nodes[0].begin; i < nodes[0].end; ++i)
+      {
+        put(this->AlongX.size() + std::size_t(k) * this->Nodes.x + i,
+          here.Row(1, i - nodes[0].begin, k - nodes[2].begin), nodes[1].begin);
+      }
+    }
+  }
+  ranks.TakeLeast(ends.data(), ends.size());
+  ranks.Sum(&filled, 1);
+  this->Filled = filled;
+  const auto spanOf = [&ends, none](std::size_t at)
+  { return ends[at] == none ? Range<int>{} : Range<int>{ ends[at], -ends[at + 1] }; };
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    Spans& spans =
+      row < this->AlongX.size() ? this->AlongX[row] : this->AlongY[row - this->AlongX.size()];
+    spans = { spanOf(4 * row), spanOf(4 * row + 2) };
+  }
+  if (!skip)
+  {
+    this->CountAll();
+  }
+}
+
+/// Every voxel counts as occupied.
+void Occupancy::CountAll()
+{
+  const Range<int> x{ 0, this->Nodes.x };
+  const Range<int> y{ 0, this->Nodes.y };
+  std::fill(this->AlongX.begin(), this->AlongX.end(), Spans{ x, x });
+  std::fill(this->AlongY.begin(), this->AlongY.end(), Spans{ y, y });
+}
+
 OccupancyBuilder::OccupancyBuilder(const Grid& grid)
   : Made(grid)
   , ColumnEnds(std::size_t(grid.nodes.z))
@@ -153,10 +225,7 @@ Occupancy OccupancyBuilder::Take(bool skip)
   this->Made.Skip = skip;
   if (!skip)
   {
-    const Range<int> x{ 0, this->Made.Nodes.x };
-    const Range<int> y{ 0, this->Made.Nodes.y };
-    std::fill(this->Made.AlongX.begin(), this->Made.AlongX.end(), Occupancy::Spans{ x, x });
-    std::fill(this->Made.AlongY.begin(), this->Made.AlongY.end(), Occupancy::Spans{ y, y });
+    this->Made.CountAll();
   }
   return std::move(this->Made);
 }

@@ -6,11 +6,14 @@
 
 #include "math/Range.h"
 #include "scene/Grid.h"
+#include "scene/NodeBox.h"
 
 #include <vector>
 
 namespace limpid
 {
+class Communicator;
+
 /**
  * For every row of voxels along x and along y: where the scene is not empty and where it is
  * important. What lies outside provably never changes (Documentation/Method.md, section on skips).
@@ -21,6 +24,11 @@ public:
   /// Both fields: grid.NodeCount() values; `importance` is that of nodes, see NodeImportance.h.
   /// With `skip` off every voxel counts as occupied.
   Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
+
+  /// That of a scene shared by ranks, of which each has the values of a box: the same on all of
+  /// them. `box`: whose values the fields have; no other rank has any of these.
+  Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox& box,
+    const float* baseExtinction, const float* importance, bool skip);
 
   struct Spans
   {
@@ -46,6 +54,8 @@ private:
   friend class OccupancyBuilder;
 
   explicit Occupancy(const Grid& grid);
+
+  void CountAll();
 
   Int3 Nodes;
   bool Skip = true;

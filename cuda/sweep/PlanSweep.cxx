@@ -18,10 +18,6 @@ namespace limpid
 {
 namespace
 {
-/// A slice closer to a point source holds no voxel but the source's own, and rays have no width
-/// there [index].
-constexpr double nearestSlice = 1e-6;
-
 /// The depth axis of a frustum: depth of a node k is sign (k - origin).
 struct DepthAxis
 {

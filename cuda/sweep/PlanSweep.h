@@ -15,6 +15,12 @@
 
 namespace limpid
 {
+class Communicator;
+
+/// A slice closer to a point source holds no voxel but the source's own, and rays have no width
+/// there [index].
+constexpr double nearestSlice = 1e-6;
+
 /// A frustum that owns its tables, and what only its making needs.
 struct PlannedFrustum : OwnedTables<FaceFrustum>
 {
@@ -37,6 +43,7 @@ struct PlanSettings
   Placement placement = Placement::ForIntegrals;
   Readers readers = Readers::RaysAndVoxels;
   std::array<bool, 3> depthAxes{ { true, true, true } }; ///< others are left out
+  const Communicator* ranks = nullptr; ///< that share the sweep, on processors; null: there is one
 };
 
 /// The frusta that cover a grid as seen from a source of rays; none if the grid has no volume.

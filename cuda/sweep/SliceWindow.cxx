@@ -4,6 +4,7 @@
 #include "sweep/SliceWindow.h"
 
 #include "backend/Backend.h"
+#include "sweep/RankBands.h"
 #include "sweep/Registers.h"
 
 #include <algorithm>
@@ -84,6 +85,21 @@ Range<int> SliceWindow::NodesOf(int begin, int end) const
   return nodes;
 }
 
+/// Of `rows` those that the rank needs at any of these nodes.
+Range<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const
+{
+  if (!this->Bands)
+  {
+    return rows;
+  }
+  Range<int> needed;
+  for (int node = nodes.begin; node < nodes.end; ++node)
+  {
+    needed = Hull(needed, this->Bands->VoxelsNeeded(this->Bands->Ranks().Rank(), node));
+  }
+  return Intersection(rows, needed);
+}
+
 Range<int> SliceWindow::HullOf(int begin, int end, Range<int> Slice::*part) const
 {
   Range<int> hull;
@@ -119,7 +135,8 @@ void SliceWindow::Load(const Range<int>& slab)
   const int end = std::min(slab.end + this->Use.behind, this->Source->SliceCount());
   const Range<int> nodes = this->NodesOf(slab.begin, end);
   const Range<int> columns = this->HullOf(slab.begin, end, &Slice::touchedColumns);
-  const Range<int> rows = this->HullOf(slab.begin, end, &Slice::touchedRows);
+  const Range<int> rows =
+    this->RowsOfRank(this->HullOf(slab.begin, end, &Slice::touchedRows), nodes);
   const Index slice = Index(this->Rows) * this->Columns;
   const Index pitch = this->StrideV / this->Columns; // nodes along x
   this->First = nodes.begin;
@@ -129,7 +146,7 @@ void SliceWindow::Load(const Range<int>& slab)
     this->Slices = this->Memory->values.Data();
   }
   // Slices along x, columns along y, rows along z.
-  ParallelFor(rows.end - rows.begin,
+  ParallelFor(std::max(rows.Length(), 0),
     [&](Index row)
     {
       const int v = rows.begin + static_cast<int>(row);
@@ -179,10 +196,11 @@ void SliceWindow::Store(const Range<int>& slab)
   }
   const Range<int> nodes = this->NodesOf(slab.begin, slab.end);
   const Range<int> columns = this->HullOf(slab.begin, slab.end, &Slice::ownedColumns);
-  const Range<int> rows = this->HullOf(slab.begin, slab.end, &Slice::ownedRows);
+  const Range<int> rows =
+    this->RowsOfRank(this->HullOf(slab.begin, slab.end, &Slice::ownedRows), nodes);
   const Index slice = Index(this->Rows) * this->Columns;
   const Index pitch = this->StrideV / this->Columns;
-  ParallelFor(rows.end - rows.begin,
+  ParallelFor(std::max(rows.Length(), 0),
     [&](Index row)
     {
       const Index v = rows.begin + row;

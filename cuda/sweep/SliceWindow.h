@@ -13,6 +13,8 @@
 
 namespace limpid
 {
+class RankBands;
+
 /// The slabs of a frustum, front to back: all slices at once where rows of voxels are contiguous
 /// in memory, else so many slices that a transposed read uses whole cache lines.
 std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum);
@@ -73,6 +75,9 @@ public:
   {
   }
 
+  /// From now on moves only what a rank needs: other rows are on other ranks.
+  void MoveNeeded(const RankBands& bands) { this->Bands = &bands; }
+
   /// Makes the slices of a slab readable, and those behind it that the sweep reads, too.
   void Load(const Range<int>& slab);
 
@@ -80,6 +85,9 @@ public:
   void Store(const Range<int>& slab);
 
   bool Empty() const { return this->Field == nullptr; }
+
+  /// Whether the sweep reads what it has written.
+  bool IsReadBehind() const { return !this->Empty() && this->Use.writes && this->Use.behind > 0; }
   int ColumnCount() const { return this->Columns; }
 
   /// Row `v` of the slice at a node: one value per column.
@@ -99,12 +107,14 @@ public:
 
 private:
   Range<int> NodesOf(int begin, int end) const;
+  Range<int> RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const;
   Range<int> HullOf(int begin, int end, Range<int> Slice::*part) const;
   Range<int> FilledIn(const Range<int>& nodes, int v, const Range<int>& columns) const;
   void ClearRow(int v, const Range<int>& kept, int slices);
 
   const FaceFrustum* Source;
   const Occupancy* Occupied;
+  const RankBands* Bands = nullptr;
   float* Field;
   FieldUse Use;
   bool Transposed;

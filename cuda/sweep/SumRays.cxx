@@ -7,26 +7,28 @@
 
 namespace limpid
 {
-void AddRays(const FaceFrustum& frustum, const float* values, ExactSum& sum)
+void AddRays(
+  const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum)
 {
   constexpr Index rowsPerTask = 16;
   constexpr int guard = 1; // on either side; it stands for no part of the box, see FaceFrustum
   const float* columnShare = frustum.Row(frustum.columnShare);
-  std::vector<double> rows(std::size_t(frustum.rows));
-  ParallelFor(frustum.rows, rowsPerTask,
-    [&](Index row)
+  std::vector<double> sums(std::size_t(rows.Length()));
+  ParallelFor(rows.Length(), rowsPerTask,
+    [&](Index index)
     {
+      const int row = rows.begin + static_cast<int>(index);
       const float* length = frustum.Row(frustum.length, row);
-      const float* here = values + row * frustum.columns;
+      const float* here = values + frustum.RayAt(0, row);
       double part = 0;
       for (int column = guard; column < frustum.columns - guard; ++column)
       {
         part += columnShare[column] / double(length[column]) * here[column];
       }
       const bool counts = row >= guard && row < frustum.rows - guard;
-      rows[std::size_t(row)] = counts ? part * frustum.Row(frustum.rowShare)[row] : 0.0;
+      sums[std::size_t(index)] = counts ? part * frustum.Row(frustum.rowShare)[row] : 0.0;
     });
-  for (const double row : rows)
+  for (const double row : sums)
   {
     sum.Add(row);
   }

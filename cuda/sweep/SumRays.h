@@ -45,7 +45,9 @@ struct Seen
 
 /// Adds one value per ray, for an integral over the domain of what these are integrals of along
 /// their rays times scale^2, which cellMeasure times the sum is. Row by row; rows are added exactly.
-void AddRays(const FaceFrustum& frustum, const float* values, ExactSum& sum);
+/// `rows`: of rays.
+void AddRays(
+  const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum);
 
 namespace detail
 {
@@ -132,20 +134,25 @@ struct SumsOfRays
   }
 };
 
-/// What all rays have seen, into `sum`.
+/// What all rays have seen, those of other ranks included, into `sum`.
 inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Visible* sum)
 {
-  ExactSum visible;
-  ExactSum unattenuated;
+  ExactSum sums[2];
   double cellMeasure = 0; // of all frusta
+  const Communicator* ranks = nullptr;
   for (FrustumRays<HostDevice>& frustum : frusta)
   {
     const SeenByRay seen(frustum.States(), kept);
-    AddRays(frustum.Plan(), seen.visible, visible);
-    AddRays(frustum.Plan(), seen.unattenuated, unattenuated);
+    AddRays(frustum.Plan(), frustum.RowsHere(), seen.visible, sums[0]);
+    AddRays(frustum.Plan(), frustum.RowsHere(), seen.unattenuated, sums[1]);
     cellMeasure = frustum.Plan().cellMeasure;
+    ranks = frustum.Bands() ? &frustum.Bands()->Ranks() : nullptr;
   }
-  *sum = { cellMeasure * visible.Value(), cellMeasure * unattenuated.Value() };
+  if (ranks)
+  {
+    ranks->Sum(sums, 2);
+  }
+  *sum = { cellMeasure * sums[0].Value(), cellMeasure * sums[1].Value() };
 }
 
 /// The same of one value per ray, for the host: waits.
@@ -156,7 +163,7 @@ double SumOfRays(
   if constexpr (AnyDevice::readsHostMemory)
   {
     ExactSum sum;
-    AddRays(frustum, values, sum);
+    AddRays(frustum, { 0, frustum.rows }, values, sum);
     return frustum.cellMeasure * sum.Value();
   }
   else

@@ -39,6 +39,10 @@ public:
       return nullptr;
     }
     this->All.emplace_back(this->Rays.Plan(), this->Occupied, this->Rays.Slabs(), field, use);
+    if (this->Rays.Bands())
+    {
+      this->All.back().MoveNeeded(*this->Rays.Bands());
+    }
     return &this->All.back();
   }
 
@@ -58,11 +62,39 @@ public:
     }
   }
 
+  /// Brings what the voxels of a slice have become to other ranks whose rays read it.
+  void Exchange(int s)
+  {
+    std::vector<SliceWindow*> changed;
+    for (SliceWindow& window : this->All)
+    {
+      if (window.IsReadBehind())
+      {
+        changed.push_back(&window);
+      }
+    }
+    if (this->Rays.Bands() && !changed.empty())
+    {
+      this->Rays.Bands()->ExchangeVoxels(s, changed);
+    }
+  }
+
 private:
   const FrustumTables<HostDevice>& Rays;
   const Occupancy* Occupied;
   std::deque<SliceWindow> All;
 };
+
+/// Brings what voxels of slice `s` read of the rays to them from other ranks, see
+/// RankBands::RaysReadBy.
+inline void ExchangeRays(
+  const FrustumRays<HostDevice>& rays, int s, int more, const RayStates& states, float* seenBehind)
+{
+  if (rays.Bands())
+  {
+    rays.Bands()->ExchangeRays(s, more, { states.transmittance, states.density, seenBehind });
+  }
+}
 
 /// Front to back: every row of rays through all layers. `Rays`: how they are sampled; `occupancy`:
 /// see SliceWindow.
@@ -72,16 +104,17 @@ void SweepForward(
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
+  const Range<int> rows = rays.RowsHere();
   ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   for (const Range<int>& slab : SlabsOf(frustum))
   {
     windows.Load(slab);
-    ParallelFor(frustum.rows, rowsPerTask / 2,
+    ParallelFor(rows.Length(), rowsPerTask / 2,
       [&](Index row)
       {
-        Rays sampler(frustum, states, static_cast<int>(row));
+        Rays sampler(frustum, states, rows.begin + static_cast<int>(row));
         for (int s = slab.begin; s < std::min(slab.end, frustum.lastSlice); ++s)
         {
           rowKernel.RayStep(sampler, s);
@@ -106,12 +139,13 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
+  const Range<int> rowsOfRays = rays.RowsHere();
   const auto forRays = [&](const auto& step)
   {
-    ParallelFor(frustum.rows, rowsPerTask,
+    ParallelFor(rowsOfRays.Length(), rowsPerTask,
       [&](Index row)
       {
-        RowSampler sampler(frustum, states, static_cast<int>(row));
+        RowSampler sampler(frustum, states, rowsOfRays.begin + static_cast<int>(row));
         step(sampler);
       });
   };
@@ -123,7 +157,8 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
     for (int s = slab.end; s-- > std::max(slab.begin, frustum.firstNodeSlice);)
     {
       forRays([&](RowSampler& sampler) { rowKernel.RayStep(sampler, s); });
-      const Range<int> rows = frustum.SliceAt(s).ownedRows;
+      ExchangeRays(rays, s, 0, states, states.*Kernel::seenBehind);
+      const Range<int> rows = rays.VoxelsHere(s);
       ParallelFor(rows.Length(), rowsPerTask,
         [&](Index v)
         {
@@ -134,6 +169,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
             done(voxels, rowKernel, rows.begin + static_cast<int>(v));
           }
         });
+      windows.Exchange(s);
     }
     if (index == 0)
     {
@@ -163,22 +199,29 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
   FieldWindows windows(rays, nullptr);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
+  const Range<int> rowsOfRays = rays.RowsHere();
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
   for (const Range<int>& slab : SlabsOf(frustum))
   {
     windows.Load(slab);
     for (int s = slab.begin; s < slab.end; ++s)
     {
-      ParallelFor(frustum.rows, rowsPerTask,
-        [&](Index row)
+      ParallelFor(rowsOfRays.Length(), rowsPerTask,
+        [&](Index index)
         {
+          const int row = rowsOfRays.begin + static_cast<int>(index);
           Range<int>& met = dimmed[std::size_t(row)];
-          RowSampler sampler(frustum, states, static_cast<int>(row));
+          RowSampler sampler(frustum, states, row);
           rowKernel.RayStep(sampler, s, met);
-          met = s < frustum.lastSlice ? Hull(met, frustum.ActiveRays(s, int(row))) : met;
+          met = s < frustum.lastSlice ? Hull(met, frustum.ActiveRays(s, row)) : met;
         });
-      const Slice& slice = frustum.SliceAt(s);
-      const Range<int> rows = slice.node < 0 ? Range<int>{} : slice.ownedRows;
+      if (frustum.SliceAt(s).node < 0)
+      {
+        continue;
+      }
+      constexpr int moreOfCubics = 1;
+      ExchangeRays(rays, s, moreOfCubics, states, states.*Kernel::seenBehind);
+      const Range<int> rows = rays.VoxelsHere(s);
       ParallelFor(rows.Length(), rowsPerTask,
         [&](Index v)
         {

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_backend_Communicator_h
+#define limpid_backend_Communicator_h
+
+#include "backend/ExactSum.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace limpid
+{
+/**
+ * The processes, called ranks, that work on one problem together: each has a part of the fields,
+ * and all do the same steps in the same order. This is all that the core knows of them.
+ *
+ * Every rank has to come to every call. A call throws when it learns that another rank cannot.
+ */
+class Communicator
+{
+public:
+  virtual ~Communicator() = default;
+
+  virtual int Rank() const = 0; ///< of this process, from 0
+  virtual int Size() const = 0; ///< number of ranks
+
+  /// Bytes for another rank, or room for so many from it.
+  struct Message
+  {
+    int rank;
+    void* data;
+    std::size_t bytes;
+  };
+
+  /// Sends and receives, and returns when all has come. What one rank sends to another arrives in
+  /// the order in which it was sent, one message for one room of the same size.
+  virtual void Exchange(
+    const std::vector<Message>& sent, const std::vector<Message>& received) const = 0;
+
+  /// Makes every number the sum of those of all ranks.
+  virtual void Sum(std::int64_t* numbers, std::size_t count) const = 0;
+
+  /// Makes every number the least of those of all ranks.
+  virtual void TakeLeast(std::int32_t* numbers, std::size_t count) const = 0;
+
+  /// Makes every sum that of all ranks.
+  void Sum(ExactSum* sums, std::size_t count) const
+  {
+    static_assert(sizeof(ExactSum) % sizeof(std::int64_t) == 0, "integers and nothing else");
+    this->Sum(reinterpret_cast<std::int64_t*>(sums), count * sizeof(ExactSum) / sizeof(std::int64_t));
+  }
+
+  /// Whether any rank says so.
+  bool AnyOf(bool here) const
+  {
+    std::int32_t least = here ? 0 : 1;
+    this->TakeLeast(&least, 1);
+    return least == 0;
+  }
+};
+
+/// Does what all ranks have to do, or none. Where any of them fails, all throw limpid::Error with
+/// the message of the first that did. Within the work nobody may wait for others. Null: there is
+/// one rank, which throws what it throws.
+void Jointly(const Communicator* ranks, const std::function<void()>& work);
+}
+
+#endif

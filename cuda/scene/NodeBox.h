@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_scene_NodeBox_h
+#define limpid_scene_NodeBox_h
+
+#include "math/Range.h"
+#include "math/Vec.h"
+
+#include <array>
+
+namespace limpid
+{
+/// Nodes of a grid, from begin to end along each axis.
+struct NodeBox
+{
+  std::array<Range<int>, 3> along;
+
+  static NodeBox Of(const Int3& nodes)
+  {
+    return { { { { 0, nodes.x }, { 0, nodes.y }, { 0, nodes.z } } } };
+  }
+
+  bool Empty() const
+  {
+    return this->along[0].Empty() || this->along[1].Empty() || this->along[2].Empty();
+  }
+
+  Int3 Size() const
+  {
+    return { this->along[0].Length(), this->along[1].Length(), this->along[2].Length() };
+  }
+
+  Index Count() const
+  {
+    const Int3 size = this->Size();
+    return this->Empty() ? 0 : Index(size.x) * size.y * size.z;
+  }
+
+  friend NodeBox Intersection(const NodeBox& a, const NodeBox& b)
+  {
+    NodeBox both;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      both.along[axis] = Intersection(a.along[axis], b.along[axis]);
+    }
+    return both;
+  }
+};
+}
+
+#endif

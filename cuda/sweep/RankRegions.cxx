@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/RankRegions.h"
+
+#include "sweep/RankBands.h"
+
+namespace limpid
+{
+namespace
+{
+/// Adds a box, or makes the last one longer along an axis where it goes on there.
+void Add(const NodeBox& box, int axis, Region& region)
+{
+  if (box.Empty())
+  {
+    return;
+  }
+  const auto along = std::size_t(axis);
+  if (!region.empty())
+  {
+    NodeBox joined = region.back();
+    Range<int>& depth = joined.along[along];
+    const Range<int>& next = box.along[along];
+    const bool before = next.end == depth.begin;
+    if (before || next.begin == depth.end)
+    {
+      depth = before ? Range<int>{ next.begin, depth.end } : Range<int>{ depth.begin, next.end };
+      bool goesOn = true;
+      for (std::size_t other = 0; other < 3; ++other)
+      {
+        const Range<int>& one = joined.along[other];
+        const Range<int>& two = box.along[other];
+        goesOn = goesOn && (other == along || (one.begin == two.begin && one.end == two.end));
+      }
+      if (goesOn)
+      {
+        region.back() = joined;
+        return;
+      }
+    }
+  }
+  region.push_back(box);
+}
+
+NodeBox SliceOf(
+  const FaceFrustum& frustum, int node, const Range<int>& columns, const Range<int>& rows)
+{
+  NodeBox box;
+  box.along[std::size_t(frustum.axisU)] = columns;
+  box.along[std::size_t(frustum.axisV)] = rows;
+  box.along[std::size_t(frustum.axisW)] = { node, node + 1 };
+  return box;
+}
+
+/// Calls what(box) for all boxes of nodes that are in both regions, in a fixed order.
+template <class What>
+void ForBoth(const Region& one, const Region& other, const What& what)
+{
+  NodeBox hull;
+  for (const NodeBox& box : other)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      hull.along[axis] = Hull(hull.along[axis], box.along[axis]);
+    }
+  }
+  for (const NodeBox& box : one)
+  {
+    if (Intersection(box, hull).Empty())
+    {
+      continue;
+    }
+    for (const NodeBox& second : other)
+    {
+      const NodeBox both = Intersection(box, second);
+      if (!both.Empty())
+      {
+        what(both);
+      }
+    }
+  }
+}
+
+/// Calls what(address in one field, address in the other) for the nodes of a box.
+template <class What>
+void ForNodesOf(const NodeBox& box, const FieldView& one, const FieldView& other, const What& what)
+{
+  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
+  {
+    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
+    {
+      float* here = one.values + one.At(box.along[0].begin, j, k);
+      float* there = other.values + other.At(box.along[0].begin, j, k);
+      for (int i = 0; i < box.along[0].Length(); ++i)
+      {
+        what(here[i * one.stride[0]], there[i * other.stride[0]]);
+      }
+    }
+  }
+}
+
+Index CountOfBoth(const Region& one, const Region& other)
+{
+  Index count = 0;
+  ForBoth(one, other, [&count](const NodeBox& box) { count += box.Count(); });
+  return count;
+}
+}
+
+Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank)
+{
+  Region region;
+  for (int s = 0; s < frustum.SliceCount(); ++s)
+  {
+    const Slice& slice = frustum.SliceAt(s);
+    if (slice.node >= 0)
+    {
+      Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)),
+        frustum.axisW, region);
+    }
+  }
+  return region;
+}
+
+Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank)
+{
+  Region region;
+  for (int node = 0; node < bands.Depth(); ++node)
+  {
+    Add(SliceOf(frustum, node, { 0, frustum.nodesU }, bands.VoxelsNeeded(rank, node)),
+      frustum.axisW, region);
+  }
+  return region;
+}
+
+void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to)
+{
+  ForNodesOf(box, from, to, [](float value, float& copy) { copy = value; });
+}
+
+void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
+  const FieldView& to, const std::vector<Region>& needed)
+{
+  const int own = ranks.Rank();
+  const auto here = std::size_t(own);
+  std::vector<std::vector<float>> packed(std::size_t(ranks.Size()));
+  std::vector<std::vector<float>> room(std::size_t(ranks.Size()));
+  std::vector<Communicator::Message> sent;
+  std::vector<Communicator::Message> received;
+  for (int rank = 0; rank < ranks.Size(); ++rank)
+  {
+    const auto other = std::size_t(rank);
+    if (rank == own)
+    {
+      continue;
+    }
+    std::vector<float>& out = packed[other];
+    out.reserve(std::size_t(CountOfBoth(had[here], needed[other])));
+    ForBoth(had[here], needed[other],
+      [&](const NodeBox& box)
+      { ForNodesOf(box, from, from, [&out](float value, float) { out.push_back(value); }); });
+    room[other].resize(std::size_t(CountOfBoth(had[other], needed[here])));
+    const auto add = [rank](std::vector<Communicator::Message>& messages, std::vector<float>& values)
+    {
+      if (!values.empty())
+      {
+        messages.push_back({ rank, values.data(), values.size() * sizeof(float) });
+      }
+    };
+    add(sent, out);
+    add(received, room[other]);
+  }
+  ranks.Exchange(sent, received);
+  for (int rank = 0; rank < ranks.Size(); ++rank)
+  {
+    const auto other = std::size_t(rank);
+    if (rank != own)
+    {
+      const float* next = room[other].data();
+      ForBoth(had[other], needed[here],
+        [&](const NodeBox& box)
+        { ForNodesOf(box, to, to, [&next](float& value, float) { value = *next++; }); });
+    }
+    else if (from.values != to.values)
+    {
+      ForBoth(had[here], needed[here],
+        [&](const NodeBox& box) { CopyNodes(box, from, to); });
+    }
+  }
+}
+}

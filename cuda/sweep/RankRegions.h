@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_RankRegions_h
+#define limpid_sweep_RankRegions_h
+
+#include "backend/Communicator.h"
+#include "scene/NodeBox.h"
+#include "sweep/FaceFrustum.h"
+
+#include <array>
+#include <vector>
+
+namespace limpid
+{
+class RankBands;
+
+/// Nodes of a grid: those of its boxes, which may overlap.
+using Region = std::vector<NodeBox>;
+
+/// The nodes that a rank changes in the sweep of a frustum. Nobody else changes them.
+Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank);
+
+/// The nodes that it reads there, or changes.
+Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank);
+
+/// A field in memory: the value of node (i, j, k) is values[i stride.x + j stride.y + k stride.z].
+struct FieldView
+{
+  float* values;
+  std::array<Index, 3> stride;
+
+  /// All nodes of a grid.
+  static FieldView Whole(float* values, const Int3& nodes)
+  {
+    return { values, { { 1, nodes.x, Index(nodes.x) * nodes.y } } };
+  }
+
+  /// The nodes of a box alone.
+  static FieldView Part(float* values, const NodeBox& box)
+  {
+    FieldView view = Whole(values, box.Size());
+    view.values -= view.At(box.along[0].begin, box.along[1].begin, box.along[2].begin);
+    return view;
+  }
+
+  Index At(int i, int j, int k) const
+  {
+    return i * this->stride[0] + j * this->stride[1] + k * this->stride[2];
+  }
+};
+
+/// Copies the values of a box of nodes.
+void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to);
+
+/// Brings a field from the ranks that have it to those that need it, of each rank a region; what a
+/// rank needs of its own it copies, unless the fields are one.
+void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
+  const FieldView& to, const std::vector<Region>& needed);
+}
+
+#endif
