@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Scenes shared by ranks: the same bits as on one, however many ranks there are and whatever pieces
-// they have at first.
+// they have at first; what goes wrong on one goes wrong on all.
 
-#include "BoxScene.h"
-#include "ThreadRanks.h"
+#include "RandomScene.h"
+#include "SceneOnRanks.h"
 
-#include "optimize/Solver.h"
-#include "sweep/RankRegions.h"
+#include "backend/Interruption.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
+#include <functional>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -21,98 +22,12 @@ using namespace limpid;
 
 namespace
 {
-/// What comes of an optimisation.
-struct Found
+BoxScene Onion()
 {
-  std::vector<float> extinction;
-  std::vector<IterationRecord> history;
-  Score base;
-  Score best;
-};
-
-Found Optimized(const SceneFields& fields, const BoxScene& scene)
-{
-  Solver solver(fields, scene.camera, scene.light, scene.settings);
-  solver.Run();
-  return { solver.Extinction(), solver.History(), solver.BaseScore(), solver.BestScore() };
-}
-
-/// Cuts the nodes into slabs along an axis, as many as there are ranks; `first` of them have none.
-NodeBox PieceOf(const Int3& nodes, int axis, int rank, int ranks, int first = 0)
-{
-  NodeBox box = NodeBox::Of(nodes);
-  const int parts = ranks - first;
-  const int part = rank - first;
-  box.along[std::size_t(axis)] = part < 0
-    ? Range<int>{}
-    : Range<int>{ nodes[axis] * part / parts, nodes[axis] * (part + 1) / parts };
-  return box;
-}
-
-std::vector<float> Cut(const std::vector<float>& field, const Int3& nodes, const NodeBox& box)
-{
-  std::vector<float> values(std::size_t(box.Count()));
-  CopyNodes(box, FieldView::Whole(const_cast<float*>(field.data()), nodes),
-    FieldView::Part(values.data(), box));
-  return values;
-}
-
-/// The optimisation by several ranks; `cut`: gives the piece of a rank.
-template <class CutPiece>
-Found OptimizedBy(int ranks, const BoxScene& scene, const CutPiece& cut)
-{
-  const Int3 nodes = scene.grid.nodes;
-  Found found;
-  found.extinction.resize(scene.extinction.size(), -1.0f);
-  std::mutex access;
-  ThreadRanks::Run(ranks,
-    [&](const std::shared_ptr<const Communicator>& all)
-    {
-      const NodeBox box = cut(all->Rank());
-      const auto piece = std::make_shared<const ScenePiece>(all, scene.grid, box);
-      const std::vector<float> extinction = Cut(scene.extinction, nodes, box);
-      const std::vector<float> importance = Cut(scene.importance, nodes, box);
-      SceneFields fields{ scene.grid, extinction.data(), importance.data() };
-      fields.piece = piece;
-      Found here = Optimized(fields, scene);
-      const std::lock_guard<std::mutex> lock(access);
-      CopyNodes(box, FieldView::Part(here.extinction.data(), box),
-        FieldView::Whole(found.extinction.data(), nodes));
-      if (all->Rank() == 0)
-      {
-        found.history = here.history;
-        found.base = here.base;
-        found.best = here.best;
-      }
-      else
-      {
-        EXPECT_EQ(here.best.visibility, here.best.visibility);
-      }
-    });
-  return found;
-}
-
-void ExpectSame(const Score& one, const Score& other)
-{
-  EXPECT_EQ(one.visibility, other.visibility);
-  EXPECT_EQ(one.fraction, other.fraction);
-  EXPECT_EQ(one.sacrificed, other.sacrificed);
-}
-
-void ExpectSame(const Found& one, const Found& other)
-{
-  ASSERT_EQ(one.history.size(), other.history.size());
-  for (std::size_t i = 0; i < one.history.size(); ++i)
-  {
-    EXPECT_EQ(one.history[i].energy.Total(), other.history[i].energy.Total()) << "iteration " << i;
-    EXPECT_EQ(one.history[i].meanChange, other.history[i].meanChange) << "iteration " << i;
-    ExpectSame(one.history[i].score, other.history[i].score);
-  }
-  ExpectSame(one.base, other.base);
-  ExpectSame(one.best, other.best);
-  ASSERT_EQ(one.extinction.size(), other.extinction.size());
-  EXPECT_EQ(0, std::memcmp(one.extinction.data(), other.extinction.data(),
-                 one.extinction.size() * sizeof(float)));
+  BoxScene scene(Int3(22, 18, 26), Vec3(1, 2, 3), Vec3(0.1, 0.12, 0.09));
+  scene.FillOnion();
+  scene.settings.maximumIterations = 12;
+  return scene;
 }
 
 struct Case
@@ -129,64 +44,103 @@ void PrintTo(const Case& some, std::ostream* out)
 class SharedScene : public ::testing::TestWithParam<Case>
 {
 protected:
-  SharedScene()
-    : Scene(Int3(22, 18, 26), Vec3(1, 2, 3), Vec3(0.1, 0.12, 0.09))
+  Whole Make() const
   {
-    this->Scene.FillOnion();
-    GetParam().arrange(this->Scene);
-    this->Scene.settings.maximumIterations = 12;
-    this->Alone = Optimized(this->Scene.Fields(), this->Scene);
+    BoxScene scene = Onion();
+    GetParam().arrange(scene);
+    return Whole(scene);
+  }
+};
+
+void LookFrom(BoxScene& scene, const Vec3& radii)
+{
+  scene.camera.position = scene.grid.Centre() + scene.grid.Radius() * radii;
+}
+
+void LookFromNode(BoxScene& scene, const Vec3& index)
+{
+  scene.camera.position = scene.grid.PointToWorld(index);
+}
+
+/// The message that all ranks get.
+std::string MessageOf(const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+/// Messages of ranks, which all have to fail.
+class Messages
+{
+public:
+  template <class Work>
+  void Of(const Work& work)
+  {
+    const std::string message = MessageOf(work);
+    const std::lock_guard<std::mutex> lock(this->Access);
+    this->All.push_back(message);
   }
 
-  BoxScene Scene;
-  Found Alone;
+  const std::vector<std::string>& Get() const { return this->All; }
+
+private:
+  std::mutex Access;
+  std::vector<std::string> All;
 };
 }
 
 TEST_P(SharedScene, HasTheSameBitsOnAnyNumberOfRanks)
 {
+  const Whole scene = this->Make();
+  const Found alone = OptimizedAlone(scene);
   for (const int ranks : { 1, 2, 3, 4, 8 })
   {
     SCOPED_TRACE(ranks);
-    ExpectSame(this->Alone,
-      OptimizedBy(ranks, this->Scene,
-        [&](int rank) { return PieceOf(this->Scene.grid.nodes, ranks % 3, rank, ranks); }));
+    ExpectSame(alone, OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, ranks % 3, ranks)));
   }
 }
 
 TEST_P(SharedScene, DoesNotDependOnThePieces)
 {
+  const Whole scene = this->Make();
+  const Found alone = OptimizedAlone(scene);
   for (int axis = 0; axis < 3; ++axis)
   {
-    SCOPED_TRACE(axis);
-    ExpectSame(this->Alone,
-      OptimizedBy(3, this->Scene,
-        [&](int rank) { return PieceOf(this->Scene.grid.nodes, axis, rank, 3, 1); }));
+    for (const int empty : { 0, 1 })
+    {
+      for (const int more : { 0, 1, 2 })
+      {
+        SCOPED_TRACE(::testing::Message() << axis << empty << more);
+        ExpectSame(alone, OptimizedBy(3, scene, Slabs(scene.grid.nodes, axis, 3, empty, more)));
+      }
+    }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Ranks, SharedScene,
   ::testing::Values(Case{ "FromOutside", [](BoxScene&) {} },
-    Case{ "FromInside",
-      [](BoxScene& scene) { scene.camera.position = scene.grid.PointToWorld(Vec3(7.3, 11.2, 9.6)); } },
-    Case{ "OnANode",
-      [](BoxScene& scene) { scene.camera.position = scene.grid.PointToWorld(Vec3(7, 11, 9)); } },
-    Case{ "AlongX",
-      [](BoxScene& scene)
-      { scene.camera.position = scene.grid.Centre() + 3 * scene.grid.Radius() * Vec3(1, 0, 0); } },
-    Case{ "AlongY",
-      [](BoxScene& scene)
-      { scene.camera.position = scene.grid.Centre() + 3 * scene.grid.Radius() * Vec3(0, 1, 0); } },
-    Case{ "AlongZ",
-      [](BoxScene& scene)
-      { scene.camera.position = scene.grid.Centre() + 3 * scene.grid.Radius() * Vec3(0, 0, 1); } },
-    Case{ "AlongTheDiagonal",
-      [](BoxScene& scene)
-      { scene.camera.position = scene.grid.Centre() + 2 * scene.grid.Radius() * Vec3(1, 1, 1); } },
+    Case{ "FromInside", [](BoxScene& scene) { LookFromNode(scene, Vec3(7.3, 11.2, 9.6)); } },
+    Case{ "OnANode", [](BoxScene& scene) { LookFromNode(scene, Vec3(7, 11, 9)); } },
+    Case{ "AlongX", [](BoxScene& scene) { LookFrom(scene, Vec3(3, 0, 0)); } },
+    Case{ "AlongY", [](BoxScene& scene) { LookFrom(scene, Vec3(0, 3, 0)); } },
+    Case{ "AlongZ", [](BoxScene& scene) { LookFrom(scene, Vec3(0, 0, 3)); } },
+    Case{ "AlongTheDiagonal", [](BoxScene& scene) { LookFrom(scene, Vec3(2, 2, 2)); } },
     Case{ "Parallel", [](BoxScene& scene) { scene.camera.parallel = true; } },
     Case{ "Separate", [](BoxScene& scene) { scene.settings.mode = Mode::Separate; } },
     Case{ "WithoutLight", [](BoxScene& scene) { scene.settings.weights.light = 0; } },
+    Case{ "WithoutCamera", [](BoxScene& scene) { scene.settings.weights.view = 0; } },
     Case{ "WithoutSkips", [](BoxScene& scene) { scene.settings.skipUnneeded = false; } },
+    Case{ "Protected", [](BoxScene& scene) { scene.settings.protectImportance = 0.5; } },
+    Case{ "SmallWeights", [](BoxScene& scene) { scene.settings.weights.view = 0.1; } },
+    Case{ "AlongRays", [](BoxScene& scene) { scene.settings.derivative = Derivative::Ray; } },
+    Case{ "PointLight", [](BoxScene& scene) { scene.light.type = LightType::Point; } },
     Case{ "SeveralCameras",
       [](BoxScene& scene)
       {
@@ -194,3 +148,188 @@ INSTANTIATE_TEST_SUITE_P(Ranks, SharedScene,
         scene.settings.otherCameras.front().position += Vec3(4, 1, 5);
       } }),
   [](const auto& tested) { return tested.param.name; });
+
+TEST(Ranks, HaveTheSameBitsOnScenesAtRandom)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Whole scene(MakeRandomScene(seed));
+    scene.settings.maximumIterations = 4;
+    scene.settings.importanceSmoothing = ImportanceSmoothing::Off;
+    scene.settings.smoothness = 0;
+    scene.settings.solver = SolverKind::Policy;
+    const Found alone = OptimizedAlone(scene);
+    for (const int ranks : { 2, 5 })
+    {
+      SCOPED_TRACE(ranks);
+      ExpectSame(alone,
+        OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, int(seed % 3), ranks, 0, int(seed % 2))));
+    }
+    if (HasFailure())
+    {
+      return;
+    }
+  }
+}
+
+TEST(Ranks, MayAllHaveTheWholeScene)
+{
+  const Whole scene(Onion());
+  ExpectSame(OptimizedAlone(scene),
+    OptimizedBy(3, scene, [&](int) { return NodeBox::Of(scene.grid.nodes); }));
+}
+
+TEST(Ranks, TakeWhatNobodyHasForEmpty)
+{
+  Whole scene(Onion());
+  const Pieces gap = [&](int rank)
+  {
+    NodeBox box = NodeBox::Of(scene.grid.nodes);
+    box.along[2] = rank == 0 ? Range<int>{ 0, 9 } : Range<int>{ 14, scene.grid.nodes.z };
+    return box;
+  };
+  const Found found = OptimizedBy(2, scene, gap);
+  const Index slice = Index(scene.grid.nodes.x) * scene.grid.nodes.y;
+  std::fill(
+    scene.extinction.begin() + 9 * slice, scene.extinction.begin() + 14 * slice, 0.0f);
+  std::fill(
+    scene.importance.begin() + 9 * slice, scene.importance.begin() + 14 * slice, 0.0f);
+  const Found alone = OptimizedAlone(scene);
+  EXPECT_EQ(alone.best.visibility, found.best.visibility);
+}
+
+TEST(Ranks, AllTellWhatIsWrongOnOne)
+{
+  Whole scene(Onion());
+  scene.importance[scene.importance.size() - 5] = std::numeric_limits<float>::quiet_NaN();
+  Messages messages;
+  OnRanks(3, scene, Slabs(scene.grid.nodes, 2, 3),
+    [&](const SceneFields& fields, const NodeBox&)
+    { messages.Of([&] { Optimized(fields, scene); }); });
+  ASSERT_EQ(messages.Get().size(), 3u);
+  for (const std::string& message : messages.Get())
+  {
+    EXPECT_NE(message.find("Rank 2: The importance of voxel " +
+                std::to_string(scene.importance.size() - 5) + " is"),
+      std::string::npos)
+      << message;
+  }
+}
+
+TEST(Ranks, AreRefusedPiecesThatAreNone)
+{
+  const Whole scene(Onion());
+  const auto outside = [&](int rank)
+  {
+    NodeBox box = Slabs(scene.grid.nodes, 0, 2)(rank);
+    box.along[1].end += rank;
+    return box;
+  };
+  const auto inACorner = [&](int rank)
+  {
+    NodeBox box = NodeBox::Of(scene.grid.nodes);
+    box.along[0] = rank == 0 ? Range<int>{ 0, 12 } : Range<int>{ 3, 9 };
+    box.along[1] = rank == 0 ? Range<int>{ 3, 9 } : Range<int>{ 0, 12 };
+    return box;
+  };
+  const auto messageOf = [&](const Pieces& pieces)
+  {
+    Messages messages;
+    ThreadRanks::Run(2,
+      [&](const std::shared_ptr<const Communicator>& all)
+      { messages.Of([&] { ScenePiece(all, scene.grid, pieces(all->Rank())); }); });
+    EXPECT_EQ(messages.Get()[0], messages.Get()[1]);
+    return messages.Get()[0];
+  };
+  EXPECT_NE(messageOf(outside).find("not within the image"), std::string::npos);
+  EXPECT_NE(messageOf(inACorner).find("overlap in a corner"), std::string::npos);
+}
+
+TEST(Ranks, AreRefusedWhatTheyCannotDoTogether)
+{
+  Whole scene(Onion());
+  scene.settings.solver = SolverKind::Adam;
+  Messages messages;
+  OnRanks(2, scene, Slabs(scene.grid.nodes, 2, 2),
+    [&](const SceneFields& fields, const NodeBox&)
+    { messages.Of([&] { Optimized(fields, scene); }); });
+  for (const std::string& message : messages.Get())
+  {
+    EXPECT_NE(message.find("the solver Adam is wanted"), std::string::npos) << message;
+  }
+}
+
+TEST(Ranks, StopTogether)
+{
+  const Whole scene(Onion());
+  std::mutex access;
+  std::vector<int> iterations;
+  OnRanks(3, scene, Slabs(scene.grid.nodes, 2, 3),
+    [&](const SceneFields& fields, const NodeBox&)
+    {
+      Solver solver(fields, scene.camera, scene.light, scene.settings);
+      const bool stops = fields.piece->ranks->Rank() == 1;
+      solver.Run([&](double, const std::string&) { return !stops || solver.Iterations() < 2; });
+      const std::lock_guard<std::mutex> lock(access);
+      iterations.push_back(solver.Iterations());
+      EXPECT_TRUE(solver.Stopped());
+    });
+  EXPECT_EQ(iterations, std::vector<int>(3, 2));
+}
+
+TEST(Ranks, AreInterruptedTogether)
+{
+  const Whole scene(Onion());
+  for (const int when : { 1, 3, 10, 50, 200 })
+  {
+    SCOPED_TRACE(when);
+    std::mutex access;
+    int interrupted = 0;
+    OnRanks(3, scene, Slabs(scene.grid.nodes, 2, 3),
+      [&](const SceneFields& fields, const NodeBox&)
+      {
+        int asked = 0;
+        const bool stops = fields.piece->ranks->Rank() == 2;
+        try
+        {
+          Solver solver(fields, scene.camera, scene.light, scene.settings);
+          const Interruptible interruptible([&] { return !stops || ++asked < when; }, 0);
+          solver.Run();
+        }
+        catch (const Interrupted&)
+        {
+          const std::lock_guard<std::mutex> lock(access);
+          ++interrupted;
+        }
+      });
+    EXPECT_EQ(interrupted, 3);
+  }
+}
+
+TEST(Ranks, FailTogether)
+{
+  const Whole scene(Onion());
+  Messages messages;
+  OnRanks(3, scene, Slabs(scene.grid.nodes, 2, 3),
+    [&](const SceneFields& fields, const NodeBox&)
+    {
+      const bool fails = fields.piece->ranks->Rank() == 1;
+      messages.Of(
+        [&]
+        {
+          Solver solver(fields, scene.camera, scene.light, scene.settings);
+          solver.Run(
+            [&](double, const std::string&)
+            {
+              if (fails)
+              {
+                throw std::bad_alloc();
+              }
+              return true;
+            });
+        });
+    });
+  ASSERT_EQ(messages.Get().size(), 3u);
+  EXPECT_EQ(std::count(messages.Get().begin(), messages.Get().end(), ""), 0);
+}

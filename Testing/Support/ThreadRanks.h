@@ -7,9 +7,8 @@
 #define limpid_testing_ThreadRanks_h
 
 #include "backend/Communicator.h"
-#include "math/Require.h"
+#include "backend/Interruption.h"
 
-#include <algorithm>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
@@ -98,39 +97,12 @@ private:
       }
     }
 
-    void Sum(std::int64_t* numbers, std::size_t count) const override
+    void GiveUp(const std::string& why, bool interrupted) const noexcept override
     {
-      this->Reduce(numbers, count, [](std::int64_t a, std::int64_t b) { return a + b; });
-    }
-
-    void TakeLeast(std::int32_t* numbers, std::size_t count) const override
-    {
-      this->Reduce(numbers, count, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
+      this->All->End("Rank " + std::to_string(this->Number) + ": " + why, interrupted);
     }
 
   private:
-    /// To the first rank and back.
-    template <class Value, class Combine>
-    void Reduce(Value* numbers, std::size_t count, const Combine& combine) const
-    {
-      const std::size_t bytes = count * sizeof(Value);
-      if (this->Number > 0)
-      {
-        this->Exchange({ { 0, numbers, bytes } }, { { 0, numbers, bytes } });
-        return;
-      }
-      std::vector<Value> other(count);
-      for (int rank = 1; rank < this->Size(); ++rank)
-      {
-        this->Exchange({}, { { rank, other.data(), bytes } });
-        std::transform(numbers, numbers + count, other.begin(), numbers, combine);
-      }
-      for (int rank = 1; rank < this->Size(); ++rank)
-      {
-        this->Exchange({ { rank, numbers, bytes } }, {});
-      }
-    }
-
     std::shared_ptr<ThreadRanks> All;
     int Number;
   };
@@ -148,13 +120,30 @@ private:
   {
     std::unique_lock<std::mutex> lock(this->Access);
     std::deque<std::vector<char>>& box = this->Mail[way];
-    this->Arrived.wait(lock, [&box] { return !box.empty(); });
+    this->Arrived.wait(lock, [&] { return !box.empty() || this->Ended; });
+    if (box.empty() && this->WasInterrupted)
+    {
+      throw Interrupted();
+    }
+    LIMPID_REQUIRE(!box.empty(), this->Why);
     std::vector<char> bytes = std::move(box.front());
     box.pop_front();
     return bytes;
   }
 
+  void End(const std::string& why, bool interrupted)
+  {
+    const std::lock_guard<std::mutex> lock(this->Access);
+    this->Ended = true;
+    this->WasInterrupted = interrupted;
+    this->Why = why;
+    this->Arrived.notify_all();
+  }
+
   int Size;
+  bool Ended = false;
+  bool WasInterrupted = false;
+  std::string Why;
   std::mutex Access;
   std::condition_variable Arrived;
   std::map<Way, std::deque<std::vector<char>>> Mail;

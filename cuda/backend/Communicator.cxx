@@ -3,8 +3,6 @@
 
 #include "backend/Communicator.h"
 
-#include "math/Require.h"
-
 #include <algorithm>
 #include <new>
 #include <string>
@@ -13,6 +11,38 @@ namespace limpid
 {
 namespace
 {
+/// Combines what all ranks have: up a tree of ranks to the first one, and back.
+template <class Value, class Combine>
+void Reduce(const Communicator& ranks, Value* values, std::size_t count, const Combine& combine)
+{
+  const int own = ranks.Rank();
+  const std::size_t bytes = count * sizeof(Value);
+  std::vector<Value> others(count);
+  int step = 1;
+  for (; step < ranks.Size() && own % (2 * step) == 0; step *= 2)
+  {
+    if (own + step < ranks.Size())
+    {
+      ranks.Exchange({}, { { own + step, others.data(), bytes } });
+      std::transform(values, values + count, others.begin(), values, combine);
+    }
+  }
+  if (own > 0)
+  {
+    ranks.Exchange({ { own - step, values, bytes } }, { { own - step, others.data(), bytes } });
+    std::copy(others.begin(), others.end(), values);
+  }
+  std::vector<Communicator::Message> told;
+  for (step /= 2; step > 0; step /= 2)
+  {
+    if (own + step < ranks.Size())
+    {
+      told.push_back({ own + step, values, bytes });
+    }
+  }
+  ranks.Exchange(told, {});
+}
+
 /// A text that one of the ranks has, for all.
 std::string Told(const Communicator& ranks, int teller, const std::string& text)
 {
@@ -32,6 +62,16 @@ std::string Told(const Communicator& ranks, int teller, const std::string& text)
   }
   return told;
 }
+}
+
+void Communicator::Sum(std::int64_t* numbers, std::size_t count) const
+{
+  Reduce(*this, numbers, count, [](std::int64_t a, std::int64_t b) { return a + b; });
+}
+
+void Communicator::TakeLeast(std::int32_t* numbers, std::size_t count) const
+{
+  Reduce(*this, numbers, count, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
 }
 
 void Jointly(const Communicator* ranks, const std::function<void()>& work)
@@ -61,7 +101,7 @@ void Jointly(const Communicator* ranks, const std::function<void()>& work)
   ranks->TakeLeast(&first, 1);
   if (first < ranks->Size())
   {
-    throw Error("Rank " + std::to_string(first) + ": " + Told(*ranks, first, failure));
+    throw JointError("Rank " + std::to_string(first) + ": " + Told(*ranks, first, failure));
   }
 }
 }

@@ -5,10 +5,12 @@
 #define limpid_backend_Communicator_h
 
 #include "backend/ExactSum.h"
+#include "math/Require.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace limpid
@@ -17,7 +19,7 @@ namespace limpid
  * The processes, called ranks, that work on one problem together: each has a part of the fields,
  * and all do the same steps in the same order. This is all that the core knows of them.
  *
- * Every rank has to come to every call. A call throws when it learns that another rank cannot.
+ * Every rank has to come to every call.
  */
 class Communicator
 {
@@ -40,11 +42,15 @@ public:
   virtual void Exchange(
     const std::vector<Message>& sent, const std::vector<Message>& received) const = 0;
 
+  /// Tells all other ranks that this one comes to no further call: what waits for it there throws
+  /// Interrupted or limpid::Error with these words. For a failure that others do not know of.
+  virtual void GiveUp(const std::string& why, bool interrupted) const noexcept = 0;
+
   /// Makes every number the sum of those of all ranks.
-  virtual void Sum(std::int64_t* numbers, std::size_t count) const = 0;
+  void Sum(std::int64_t* numbers, std::size_t count) const;
 
   /// Makes every number the least of those of all ranks.
-  virtual void TakeLeast(std::int32_t* numbers, std::size_t count) const = 0;
+  void TakeLeast(std::int32_t* numbers, std::size_t count) const;
 
   /// Makes every sum that of all ranks.
   void Sum(ExactSum* sums, std::size_t count) const
@@ -62,8 +68,15 @@ public:
   }
 };
 
-/// Does what all ranks have to do, or none. Where any of them fails, all throw limpid::Error with
-/// the message of the first that did. Within the work nobody may wait for others. Null: there is
+/// What all ranks throw alike.
+class JointError : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// Does what all ranks have to do, or none. Where any of them fails, all throw JointError with the
+/// message of the first that did. Within the work nobody may wait for others. Null: there is
 /// one rank, which throws what it throws.
 void Jointly(const Communicator* ranks, const std::function<void()>& work);
 }

@@ -22,10 +22,12 @@ struct ClearNode
 
 template <class AnyDevice>
 TransmittanceSweep<AnyDevice>::TransmittanceSweep(std::shared_ptr<AnyDevice> device,
-  const Grid& grid, const Occupancy& occupancy, const RaySource& source, double rayDensity)
+  const Grid& grid, const Occupancy& occupancy, const RaySource& source, double rayDensity,
+  const Communicator* ranks)
   : Device(std::move(device))
   , Nodes(grid.NodeCount())
-  , Rays(PlanRays(this->Device, grid, occupancy, source, { rayDensity, Placement::ForNodes }))
+  , Rays(PlanRays(this->Device, grid, occupancy, source,
+      { rayDensity, Placement::ForNodes, Readers::RaysAndVoxels, { { true, true, true } }, ranks }))
 {
 }
 
@@ -33,6 +35,12 @@ template <class AnyDevice>
 void TransmittanceSweep<AnyDevice>::Fill(const float* extinction, float* transmittance)
 {
   this->Device->ForIndices("clear transmittance", this->Nodes, ClearNode{ transmittance });
+  this->Sweep(extinction, transmittance);
+}
+
+template <class AnyDevice>
+void TransmittanceSweep<AnyDevice>::Sweep(const float* extinction, float* transmittance)
+{
   for (FrustumRays<AnyDevice>& rays : this->Rays)
   {
     SweepFrontToBack(

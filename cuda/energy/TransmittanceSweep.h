@@ -32,13 +32,19 @@ class TransmittanceSweep
 {
 public:
   /// `occupancy`: Occupancy(grid, extinction, extinction, true) for any extinction that is filled
-  /// wherever others may be.
+  /// wherever others may be. `ranks`: see PlanSettings.
   TransmittanceSweep(std::shared_ptr<AnyDevice> device, const Grid& grid,
-    const Occupancy& occupancy, const RaySource& source, double rayDensity);
+    const Occupancy& occupancy, const RaySource& source, double rayDensity,
+    const Communicator* ranks = nullptr);
 
   /// `extinction` [1/length] and `transmittance` [0, 1]: a value per node, on the device. Does not
   /// wait.
   void Fill(const float* extinction, float* transmittance);
+
+  /// The same at nodes that rays come to, and nowhere else.
+  void Sweep(const float* extinction, float* transmittance);
+
+  const std::vector<FrustumRays<AnyDevice>>& Frusta() const { return this->Rays; }
 
 private:
   std::shared_ptr<AnyDevice> Device;

@@ -186,7 +186,7 @@ public:
     if constexpr (AnyDevice::readsHostMemory)
     {
       this->Energy.OnRanks()->ToPieces(
-        this->Iterates[this->BestOf].values, this->Given->shared->pieces, piece);
+        this->Iterates[this->BestOf].values, this->Given->shared->wanted, piece);
     }
   }
 

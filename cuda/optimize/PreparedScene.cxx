@@ -63,10 +63,10 @@ SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const fl
   const ScenePiece& piece = *scene.piece;
   std::vector<Region> had;
   std::vector<Region> needed;
-  for (const NodeBox& box : piece.ofRanks)
+  for (std::size_t rank = 0; rank < piece.boxes.size(); ++rank)
   {
-    had.push_back({ box });
-    needed.push_back({ WithNeighbours(box, scene.grid.nodes) });
+    had.push_back({ piece.owned[rank] });
+    needed.push_back({ WithNeighbours(piece.boxes[rank], scene.grid.nodes) });
   }
   Grid wide = scene.grid;
   const NodeBox& box = needed[std::size_t(piece.ranks->Rank())].front();

@@ -4,9 +4,14 @@
 #include "optimize/Ranked.h"
 
 #include "backend/LargePages.h"
-#include "math/Require.h"
+#include "energy/TransmittanceSweep.h"
+#include "energy/VisibilityTerm.h"
 #include "optimize/Permuted.h"
+#include "optimize/SolverBackend.h"
+#include "optimize/TermsOnRanks.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace limpid
@@ -33,24 +38,84 @@ FieldView InOrder(const FieldView& view, const AxisPermutation& order)
   return permuted;
 }
 
+std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes, const AxisPermutation& order)
+{
+  std::vector<Region> regions;
+  for (const NodeBox& box : boxes)
+  {
+    regions.push_back({ InOrder(box, order) });
+  }
+  return regions;
+}
+
+/// A field of this rank's piece, in another order.
+FieldView PieceOf(const Problem& problem, const AxisPermutation& order, const float* field)
+{
+  return InOrder(FieldView::Part(const_cast<float*>(field), problem.piece->nodes), order);
+}
+
+std::shared_ptr<const Occupancy> FindOccupancy(const Problem& problem,
+  const AxisPermutation& order, const FieldView& extinction, const FieldView& importance,
+  bool skip)
+{
+  const ScenePiece& piece = *problem.piece;
+  const NodeBox box = InOrder(piece.owned[std::size_t(piece.ranks->Rank())], order);
+  const auto valuesOf = [&box](const FieldView& view)
+  {
+    std::vector<float> values(std::size_t(box.Count()));
+    CopyNodes(box, view, FieldView::Part(values.data(), box));
+    return values;
+  };
+  const std::vector<float> extinctions = valuesOf(extinction);
+  const std::vector<float> importances = valuesOf(importance);
+  return std::make_shared<const Occupancy>(*piece.ranks, order.Of(problem.grid), box,
+    extinctions.data(), importances.data(), skip);
+}
+
+/// The problem in another order, with room for the fields that ranks share.
+Problem Shared(const Problem& problem, const AxisPermutation& order)
+{
+  const ScenePiece& piece = *problem.piece;
+  const auto fields = std::make_shared<FieldsOfRanks>();
+  fields->ranks = piece.ranks;
+  fields->pieces = RegionsOf(piece.owned, order);
+  fields->wanted = RegionsOf(piece.boxes, order);
+  const auto fieldOf = [&](const float* values)
+  {
+    return FieldsOfRanks::Field{ PieceOf(problem, order, values),
+      NodeValues(problem.grid.NodeCount()) };
+  };
+  fields->base = fieldOf(problem.baseExtinction);
+  fields->importance = fieldOf(problem.importance);
+  fields->nodeImportance = fieldOf(problem.nodeImportance);
+
+  Problem shared = problem;
+  shared.grid = order.Of(problem.grid);
+  shared.camera = order.Of(problem.camera);
+  for (RaySource& other : shared.otherCameras)
+  {
+    other = order.Of(other);
+  }
+  shared.light = order.Of(problem.light);
+  shared.baseExtinction = fields->base.values.Data();
+  shared.importance = fields->importance.values.Data();
+  shared.nodeImportance = fields->nodeImportance.values.Data();
+  shared.occupancy = FindOccupancy(problem, order, fields->base.piece, fields->nodeImportance.piece,
+    problem.settings.skipUnneeded);
+  shared.resident = nullptr;
+  shared.piece = nullptr;
+  shared.shared = fields;
+  return shared;
+}
+
 class RankedMinimizer : public Minimizer
 {
 public:
   RankedMinimizer(const Problem& problem, const AxisPermutation& order)
     : Given(&problem)
     , Order(order)
-    , Inside(problem)
+    , Inside(Shared(problem, order))
   {
-    this->Inside.grid = order.Of(problem.grid);
-    this->Inside.camera = order.Of(problem.camera);
-    for (RaySource& other : this->Inside.otherCameras)
-    {
-      other = order.Of(other);
-    }
-    this->Inside.light = order.Of(problem.light);
-    this->Inside.resident = nullptr;
-    this->Inside.shared = this->MakeFields();
-    this->Inside.piece = nullptr;
   }
 
   const Problem& ProblemInside() const { return this->Inside; }
@@ -89,7 +154,7 @@ public:
       // What no sweep comes to stays as it is.
       const float* base = this->Given->baseExtinction;
       this->Restored.assign(base, base + this->Given->piece->nodes.Count());
-      this->Inner->BestToPiece(this->PieceOf(this->Restored.data()));
+      this->Inner->BestToPiece(PieceOf(*this->Given, this->Order, this->Restored.data()));
       this->IsRestored = true;
     }
     return this->Restored;
@@ -102,54 +167,6 @@ public:
   }
 
 private:
-  /// A field of this rank's piece, in the order inside.
-  FieldView PieceOf(const float* field) const
-  {
-    return InOrder(
-      FieldView::Part(const_cast<float*>(field), this->Given->piece->nodes), this->Order);
-  }
-
-  std::shared_ptr<FieldsOfRanks> MakeFields()
-  {
-    const SmallPages small;
-    const ScenePiece& piece = *this->Given->piece;
-    auto fields = std::make_shared<FieldsOfRanks>();
-    fields->ranks = piece.ranks;
-    for (const NodeBox& box : piece.ofRanks)
-    {
-      fields->pieces.push_back({ InOrder(box, this->Order) });
-    }
-    const auto make = [this](FieldsOfRanks::Field& field, const float* values)
-    {
-      field.piece = this->PieceOf(values);
-      field.values = NodeValues(this->Given->grid.NodeCount());
-    };
-    make(fields->base, this->Given->baseExtinction);
-    make(fields->importance, this->Given->importance);
-    make(fields->nodeImportance, this->Given->nodeImportance);
-    this->Inside.baseExtinction = fields->base.values.Data();
-    this->Inside.importance = fields->importance.values.Data();
-    this->Inside.nodeImportance = fields->nodeImportance.values.Data();
-    this->Inside.occupancy = this->FindOccupancy(*fields);
-    return fields;
-  }
-
-  std::shared_ptr<const Occupancy> FindOccupancy(const FieldsOfRanks& fields) const
-  {
-    const ScenePiece& piece = *this->Given->piece;
-    const NodeBox box = InOrder(piece.nodes, this->Order);
-    const auto inOrder = [&box](const FieldView& view)
-    {
-      std::vector<float> values(std::size_t(box.Count()));
-      CopyNodes(box, view, FieldView::Part(values.data(), box));
-      return values;
-    };
-    const std::vector<float> base = inOrder(fields.base.piece);
-    const std::vector<float> importance = inOrder(fields.nodeImportance.piece);
-    return std::make_shared<const Occupancy>(*piece.ranks, this->Inside.grid, box, base.data(),
-      importance.data(), this->Given->settings.skipUnneeded);
-  }
-
   const Problem* Given;
   AxisPermutation Order;
   Problem Inside; ///< the problem in that order
@@ -157,6 +174,92 @@ private:
   mutable std::vector<float> Restored; ///< the best iterate of the piece, if asked
   mutable bool IsRestored = false;
 };
+
+class SweepsOnRanks : public SourceSweeps
+{
+public:
+  SweepsOnRanks(const Problem& problem, const RaySource& source)
+    : Given(&problem)
+    , Inside(Shared(problem, AxisPermutation()))
+    , Term(HostDevice::Shared(), this->Inside.grid, *this->Inside.occupancy, source,
+        problem.settings.rayDensity, problem.piece->ranks.get())
+    , Where(*problem.piece->ranks, this->Inside.grid.nodes, { { &this->Term.Frusta(), &source } })
+    , Extinction(problem.grid.NodeCount())
+  {
+    FieldsOfRanks& fields = *this->Inside.shared;
+    for (FieldsOfRanks::Field* field : { &fields.base, &fields.importance })
+    {
+      this->Where.FromPieces(fields.pieces, field->piece, field->values.Data());
+    }
+  }
+
+  Score ScoreOf(const float* extinction) override
+  {
+    const SmallPages small;
+    if (!this->Base)
+    {
+      this->Base = this->See(this->Inside.baseExtinction, nullptr).all;
+    }
+    // A rank without a piece cannot tell.
+    if (!this->Where.Ranks().AnyOf(extinction != this->Given->baseExtinction))
+    {
+      return ScoreOfBase(*this->Base);
+    }
+    this->Where.FromPieces(this->Inside.shared->pieces,
+      PieceOf(*this->Given, AxisPermutation(), extinction), this->Extinction.Data());
+    return limpid::ScoreOf(
+      this->See(this->Extinction.Data(), this->Inside.baseExtinction), this->Base->unattenuated);
+  }
+
+  void SweepPolicyOnce(double, std::vector<float>&) override
+  {
+    throw JointError("A preview was asked for where ranks share the scene (they cannot make one "
+                     "together yet). Use Solver.");
+  }
+
+private:
+  /// `base`: null: what is kept is not counted.
+  Seen See(const float* extinction, const float* base)
+  {
+    Seen seen;
+    this->Term.Forward({ extinction, this->Inside.importance, nullptr, base }, &seen);
+    return seen;
+  }
+
+  const Problem* Given;
+  Problem Inside;
+  VisibilityTerm<HostDevice> Term;
+  TermsOnRanks Where;
+  NodeValues Extinction;       ///< as far as it is needed [1/length]
+  std::optional<Visible> Base; ///< not seen yet
+};
+}
+
+std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const RaySource& source)
+{
+  const SmallPages small;
+  return std::make_unique<SweepsOnRanks>(problem, source);
+}
+
+void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, double rayDensity,
+  const float* extinction, float* transmittance)
+{
+  const SmallPages small;
+  const ScenePiece& piece = *problem.piece;
+  const AxisPermutation asItIs;
+  const FieldView given = PieceOf(problem, asItIs, extinction);
+  const auto occupancy = FindOccupancy(problem, asItIs, given, given, /*skip=*/true);
+  TransmittanceSweep<HostDevice> sweep(HostDevice::Shared(), problem.grid, *occupancy, source,
+    rayDensity, piece.ranks.get());
+  const TermsOnRanks fields(*piece.ranks, problem.grid.nodes, { { &sweep.Frusta(), &source } });
+  NodeValues there(problem.grid.NodeCount());
+  NodeValues found(problem.grid.NodeCount());
+  fields.FromPieces(RegionsOf(piece.owned, asItIs), given, there.Data());
+  fields.FillNeeded(sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
+  sweep.Sweep(there.Data(), found.Data());
+  std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f);
+  fields.ToPieces(found.Data(), RegionsOf(piece.boxes, asItIs),
+    PieceOf(problem, asItIs, transmittance));
 }
 
 std::unique_ptr<Minimizer> MakeRanked(const Problem& problem,

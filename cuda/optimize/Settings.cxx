@@ -91,4 +91,29 @@ bool operator==(const Settings& one, const Settings& other)
   return values(one) == values(other) &&
     std::all_of(std::begin(allWeights), std::end(allWeights), sameWeight);
 }
+
+std::string NotOnRanks(const Settings& settings)
+{
+  if (settings.method != Method::Optimized)
+  {
+    return std::string("the method ") + InfoOf(settings.method).name;
+  }
+  if (settings.solver != SolverKind::Policy)
+  {
+    return "the solver Adam";
+  }
+  if (settings.importanceSmoothing != ImportanceSmoothing::Off)
+  {
+    return "smoothing of the importance";
+  }
+  if (settings.smoothness > 0)
+  {
+    return "smoothness";
+  }
+  if (settings.temporalCoherence > 0)
+  {
+    return "temporal coherence";
+  }
+  return {};
+}
 }

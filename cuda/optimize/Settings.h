@@ -17,6 +17,11 @@
 
 namespace limpid
 {
+struct Settings;
+
+/// What of some settings ranks cannot do together yet, "Smoothness, say"; empty: they can do all.
+std::string NotOnRanks(const Settings& settings);
+
 enum class SolverKind
 {
   Policy, ///< policy sweeps, Documentation/Method.md

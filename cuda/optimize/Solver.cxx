@@ -38,6 +38,9 @@ void Solver::SetInitialExtinction(const float* extinction)
   LIMPID_REQUIRE(state.Minimizes(),
     "An initial extinction was given to " << InfoOf(state.settings.method).name
                                           << " (it does not iterate). Use the method Optimized.");
+  LIMPID_REQUIRE(!state.scene.piece,
+    "An initial extinction was given where ranks share the scene (they cannot start from one "
+    "together yet). Start from the base extinction.");
   LIMPID_REQUIRE(state.settings.mode == Mode::Joint,
     "An initial extinction was given in separate mode (there are two extinctions to start). Use "
     "the joint mode.");

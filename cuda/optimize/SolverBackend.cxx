@@ -146,6 +146,13 @@ public:
 
   std::unique_ptr<SourceSweeps> SweepsFrom(const Problem& problem, const RaySource& source) override
   {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (problem.piece)
+      {
+        return SweepsFromOnRanks(problem, source);
+      }
+    }
     return std::make_unique<SweepsOn<AnyDevice>>(this->Device, problem, source);
   }
 
@@ -160,6 +167,14 @@ public:
   void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,
     const float* extinction, float* transmittance) override
   {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (problem.piece)
+      {
+        FindTransmittanceOnRanks(problem, source, rayDensity, extinction, transmittance);
+        return;
+      }
+    }
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
     const BorrowedArray<AnyDevice, float> field(this->Device, extinction, count, "the extinction");
     const Occupancy occupancy(problem.grid, extinction, extinction, true);

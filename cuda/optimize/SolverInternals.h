@@ -5,7 +5,9 @@
 #define limpid_optimize_SolverInternals_h
 
 #include "backend/Backend.h"
+#include "backend/Interruption.h"
 #include "energy/TransmittanceSweep.h"
+#include "math/Require.h"
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Smoothing.h"
@@ -75,7 +77,25 @@ struct Solver::Internals
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
-    this->backend.Choose(wanted, this->scene.grid);
+    this->backend.Choose(this->OnRanks(wanted), this->scene.grid);
+  }
+
+  /// Settings for ranks that share the scene, on processors.
+  Settings OnRanks(Settings wanted) const
+  {
+    if (this->scene.piece)
+    {
+      const std::string left = NotOnRanks(wanted);
+      LIMPID_REQUIRE(left.empty(),
+        "Ranks share the scene, and " << left
+                                      << " is wanted (ranks cannot do that together yet). Turn it "
+                                         "off, or give one rank all of the scene.");
+      LIMPID_REQUIRE(wanted.backend != BackendKind::Cuda,
+        "Ranks share the scene, and the backend is CUDA (ranks compute on processors so far). Use "
+        "the backend Auto or CPU.");
+      wanted.backend = BackendKind::Cpu;
+    }
+    return wanted;
   }
 
   /// Starts the first run.
@@ -127,7 +147,45 @@ struct Solver::Internals
       }
       this->stopped = wasStopped;
     };
-    return this->backend.Do(work, restore);
+    return this->TellingRanks([&]() -> decltype(auto) { return this->backend.Do(work, restore); });
+  }
+
+  /// Does what ranks that share the scene do together: if it fails here, the others learn of it.
+  template <class Work>
+  decltype(auto) TellingRanks(const Work& work) const
+  {
+    try
+    {
+      return work();
+    }
+    catch (const JointError&)
+    {
+      throw;
+    }
+    catch (const Interrupted&)
+    {
+      this->GiveUp("It was interrupted.", true);
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      this->GiveUp(error.what(), false);
+      throw;
+    }
+  }
+
+  /// Whether it is so on any rank.
+  bool AnyRank(bool here) const
+  {
+    return this->scene.piece ? this->scene.piece->ranks->AnyOf(here) : here;
+  }
+
+  void GiveUp(const std::string& why, bool interrupted) const
+  {
+    if (this->scene.piece)
+    {
+      this->scene.piece->ranks->GiveUp(why, interrupted);
+    }
   }
 
   /// The next iteration, or the end of a run.
@@ -323,12 +381,9 @@ struct Solver::Internals
       this->bestEnergy = record.energy;
       this->best = this->KnowsScores() ? std::optional<Score>(record.score) : std::nullopt;
     }
-    if (progress && !progress(this->Share(), this->Describe(record)))
-    {
-      this->stopped = true;
-    }
-    const bool late =
-      this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds;
+    this->stopped = this->AnyRank(progress && !progress(this->Share(), this->Describe(record)));
+    const bool late = this->AnyRank(
+      this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds);
     if (this->stopped || late || this->RunIsOver())
     {
       this->FinishRun();

@@ -148,6 +148,18 @@ void TermsOnRanks::Pass(float* field, const Frusta& from, const Frusta& to) cons
     this->Whole(field), this->RegionsOf(this->NumberOf(to), &Regions::changed));
 }
 
+void TermsOnRanks::FillNeeded(const Frusta& term, float value, float* field) const
+{
+  const auto own = std::size_t(this->All->Rank());
+  for (const Regions& frustum : this->Of[this->NumberOf(term)])
+  {
+    for (const NodeBox& box : frustum.needed[own])
+    {
+      FillNodes(box, value, this->Whole(field));
+    }
+  }
+}
+
 void TermsOnRanks::CopyNeeded(const Frusta& term, const float* from, float* to) const
 {
   const auto own = std::size_t(this->All->Rank());

@@ -50,6 +50,9 @@ public:
   /// Brings what the sweeps of a term have changed to those who change it next, for another term.
   void Pass(float* field, const Frusta& from, const Frusta& to) const;
 
+  /// Sets what this rank needs for a term.
+  void FillNeeded(const Frusta& term, float value, float* field) const;
+
   /// Copies what this rank needs for a term.
   void CopyNeeded(const Frusta& term, const float* from, float* to) const;
 

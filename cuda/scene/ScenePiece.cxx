@@ -3,8 +3,7 @@
 
 #include "scene/ScenePiece.h"
 
-#include "math/Require.h"
-
+#include <string>
 #include <utility>
 
 namespace limpid
@@ -37,27 +36,85 @@ std::vector<NodeBox> BoxesOf(const Communicator& ranks, const NodeBox& own)
   }
   return boxes;
 }
+
+/// Along which axis two boxes that overlap begin one behind the other, and by how many layers they
+/// overlap there; the axis of the fewest; -1: none.
+int AxisOfOverlap(const NodeBox& one, const NodeBox& other)
+{
+  int found = -1;
+  int fewest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Range<int>& a = one.along[std::size_t(axis)];
+    const Range<int>& b = other.along[std::size_t(axis)];
+    const bool behind = (a.begin < b.begin && a.end < b.end) || (b.begin < a.begin && b.end < a.end);
+    const int layers = Intersection(a, b).Length();
+    if (behind && (found < 0 || layers < fewest))
+    {
+      found = axis;
+      fewest = layers;
+    }
+  }
+  return found;
+}
+
+bool Contains(const NodeBox& box, const NodeBox& other)
+{
+  return other.Empty() || Intersection(box, other).Count() == other.Count();
+}
+
+/// Parts the nodes that two boxes share between them.
+void Part(NodeBox& one, NodeBox& other)
+{
+  if (Intersection(one, other).Empty())
+  {
+    return;
+  }
+  if (Contains(one, other) || Contains(other, one))
+  {
+    (Contains(one, other) ? other : one) = {};
+    return;
+  }
+  const int axis = AxisOfOverlap(one, other);
+  if (axis >= 0)
+  {
+    Range<int>& a = one.along[std::size_t(axis)];
+    Range<int>& b = other.along[std::size_t(axis)];
+    Range<int>& front = a.begin < b.begin ? a : b;
+    Range<int>& back = a.begin < b.begin ? b : a;
+    const int middle = (back.begin + front.end) / 2;
+    front.end = middle;
+    back.begin = middle;
+  }
+}
 }
 
 ScenePiece::ScenePiece(
   std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own)
   : ranks(std::move(all))
   , nodes(own)
-  , ofRanks(BoxesOf(*this->ranks, own))
+  , boxes(BoxesOf(*this->ranks, own))
+  , owned(this->boxes)
 {
   const NodeBox whole = NodeBox::Of(grid.nodes);
-  for (std::size_t rank = 0; rank < this->ofRanks.size(); ++rank)
+  for (std::size_t rank = 0; rank < this->owned.size(); ++rank)
   {
-    const NodeBox& box = this->ofRanks[rank];
-    LIMPID_REQUIRE(box.Empty() || Intersection(box, whole).Count() == box.Count(),
-      "The piece of rank " << rank << " is not within the image (it has nodes that are none). Give "
-                              "every rank a part of the same image.");
+    if (!Contains(whole, this->boxes[rank]))
+    {
+      throw JointError("The piece of rank " + std::to_string(rank) +
+        " is not within the image (it has nodes that are none). Give every rank a part of the same "
+        "image.");
+    }
     for (std::size_t other = 0; other < rank; ++other)
     {
-      LIMPID_REQUIRE(Intersection(box, this->ofRanks[other]).Empty(),
-        "The pieces of the ranks " << other << " and " << rank
-                                   << " overlap (a node belongs to one of them). Leave out what is "
-                                      "there for neighbours only.");
+      Part(this->owned[other], this->owned[rank]);
+      if (!Intersection(this->owned[other], this->owned[rank]).Empty())
+      {
+        throw JointError("The pieces of the ranks " + std::to_string(other) + " and " +
+          std::to_string(rank) +
+          " overlap in a corner (what each counts for would be no box). Give ranks pieces that "
+          "overlap by layers, or not at all.");
+      }
     }
   }
 }

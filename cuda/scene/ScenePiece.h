@@ -13,15 +13,20 @@
 
 namespace limpid
 {
-/// What a rank has of a scene that several ranks share.
+/// What ranks have of a scene that they share: of each a box of nodes, in arrays of these alone,
+/// first axis fastest. Boxes may be empty and may overlap; what nobody has is empty.
 struct ScenePiece
 {
   std::shared_ptr<const Communicator> ranks;
-  NodeBox nodes;                ///< may be empty
-  std::vector<NodeBox> ofRanks; ///< the nodes of all of them, of which no two have any in common
+  NodeBox nodes;              ///< of this rank
+  std::vector<NodeBox> boxes; ///< of all ranks
 
-  /// Tells all ranks what they have. Throws limpid::Error on all of them where pieces overlap or
-  /// are not within the grid.
+  /// Whose values count where boxes overlap: parts of them of which no two have a node in common.
+  /// Where they overlap by layers, each counts to the middle of these.
+  std::vector<NodeBox> owned;
+
+  /// Tells all ranks what they have. Throws limpid::Error on all of them where a box is not within
+  /// the grid, or boxes overlap so that no parts of them are boxes.
   ScenePiece(std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own);
 };
 }

@@ -134,6 +134,11 @@ Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank
   return region;
 }
 
+void FillNodes(const NodeBox& box, float value, const FieldView& field)
+{
+  ForNodesOf(box, field, field, [value](float& here, float) { here = value; });
+}
+
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to)
 {
   ForNodesOf(box, from, to, [](float value, float& copy) { copy = value; });

@@ -50,6 +50,9 @@ struct FieldView
   }
 };
 
+/// Sets the values of a box of nodes.
+void FillNodes(const NodeBox& box, float value, const FieldView& field);
+
 /// Copies the values of a box of nodes.
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to);
 

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// An optimisation by one rank and by several, and whether the bits are the same.
+
+#ifndef limpid_testing_SceneOnRanks_h
+#define limpid_testing_SceneOnRanks_h
+
+#include "ThreadRanks.h"
+
+#include "optimize/Solver.h"
+#include "sweep/RankRegions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace limpid
+{
+/// A scene, whole.
+struct Whole
+{
+  Grid grid;
+  std::vector<float> extinction;
+  std::vector<float> importance;
+  Camera camera;
+  Light light;
+  Settings settings;
+
+  template <class Scene>
+  explicit Whole(const Scene& scene)
+    : grid(scene.grid)
+    , extinction(scene.extinction)
+    , importance(scene.importance)
+    , camera(scene.camera)
+    , light(scene.light)
+    , settings(scene.settings)
+  {
+  }
+};
+
+/// What comes of an optimisation.
+struct Found
+{
+  std::vector<float> extinction;
+  std::vector<float> lightExtinction; ///< empty: none
+  std::vector<float> transmittance;
+  std::vector<float> lightTransmittance;
+  std::vector<IterationRecord> history;
+  Score base;
+  Score best;
+};
+
+inline Found Optimized(const SceneFields& fields, const Whole& scene)
+{
+  Solver solver(fields, scene.camera, scene.light, scene.settings);
+  solver.Run();
+  Found found{ solver.Extinction(), solver.LightExtinction(), {}, {}, solver.History(),
+    solver.BaseScore(), solver.BestScore() };
+  found.transmittance.resize(found.extinction.size());
+  found.lightTransmittance.resize(found.extinction.size());
+  solver.Transmittance(found.transmittance.data());
+  solver.LightTransmittance(found.lightTransmittance.data());
+  return found;
+}
+
+inline Found OptimizedAlone(const Whole& scene)
+{
+  return Optimized({ scene.grid, scene.extinction.data(), scene.importance.data() }, scene);
+}
+
+/// The nodes of a rank.
+using Pieces = std::function<NodeBox(int rank)>;
+
+/// Slabs along an axis, one for each rank, but for `empty` of them which have none; with `more`
+/// layers of their neighbours.
+inline Pieces Slabs(const Int3& nodes, int axis, int ranks, int empty = 0, int more = 0)
+{
+  return [=](int rank)
+  {
+    NodeBox box = NodeBox::Of(nodes);
+    const int parts = ranks - empty;
+    const int part = rank - empty;
+    const int count = nodes[axis];
+    box.along[std::size_t(axis)] = part < 0
+      ? Range<int>{}
+      : Range<int>{ std::max(count * part / parts - more, 0),
+          std::min(count * (part + 1) / parts + more, count) };
+    return box;
+  };
+}
+
+inline FieldView WholeOf(const std::vector<float>& field, const Int3& nodes)
+{
+  return FieldView::Whole(const_cast<float*>(field.data()), nodes);
+}
+
+inline FieldView PartOf(const std::vector<float>& field, const NodeBox& box)
+{
+  return FieldView::Part(const_cast<float*>(field.data()), box);
+}
+
+inline std::vector<float> Cut(const std::vector<float>& field, const Int3& nodes, const NodeBox& box)
+{
+  std::vector<float> values(std::size_t(box.Count()));
+  CopyNodes(box, WholeOf(field, nodes), PartOf(values, box));
+  return values;
+}
+
+/// Calls what(fields, box) on every rank.
+template <class What>
+void OnRanks(int ranks, const Whole& scene, const Pieces& pieces, const What& what)
+{
+  ThreadRanks::Run(ranks,
+    [&](const std::shared_ptr<const Communicator>& all)
+    {
+      const NodeBox box = pieces(all->Rank());
+      const std::vector<float> extinction = Cut(scene.extinction, scene.grid.nodes, box);
+      const std::vector<float> importance = Cut(scene.importance, scene.grid.nodes, box);
+      SceneFields fields{ scene.grid, extinction.data(), importance.data() };
+      fields.piece = std::make_shared<const ScenePiece>(all, scene.grid, box);
+      what(fields, box);
+    });
+}
+
+inline Found OptimizedBy(int ranks, const Whole& scene, const Pieces& pieces)
+{
+  Found found;
+  for (std::vector<float>* field : { &found.extinction, &found.transmittance,
+         &found.lightTransmittance, &found.lightExtinction })
+  {
+    field->assign(scene.extinction.size(), -1.0f);
+  }
+  std::mutex access;
+  OnRanks(ranks, scene, pieces,
+    [&](const SceneFields& fields, const NodeBox& box)
+    {
+      const Found here = Optimized(fields, scene);
+      const std::lock_guard<std::mutex> lock(access);
+      const auto put = [&](const std::vector<float>& part, std::vector<float>& whole)
+      { CopyNodes(box, PartOf(part, box), WholeOf(whole, scene.grid.nodes)); };
+      put(here.extinction, found.extinction);
+      put(here.transmittance, found.transmittance);
+      put(here.lightTransmittance, found.lightTransmittance);
+      here.lightExtinction.empty() && box.Count() > 0
+        ? found.lightExtinction.clear()
+        : put(here.lightExtinction, found.lightExtinction);
+      found.history = here.history;
+      found.base = here.base;
+      found.best = here.best;
+    });
+  return found;
+}
+
+inline void ExpectSame(const Score& one, const Score& other)
+{
+  EXPECT_EQ(one.visibility, other.visibility);
+  EXPECT_EQ(one.fraction, other.fraction);
+  EXPECT_EQ(one.sacrificed, other.sacrificed);
+}
+
+inline void ExpectSame(const std::vector<float>& one, const std::vector<float>& other, const char* what)
+{
+  ASSERT_EQ(one.size(), other.size()) << what;
+  EXPECT_EQ(0, one.empty() ? 0 : std::memcmp(one.data(), other.data(), one.size() * sizeof(float)))
+    << what;
+}
+
+inline void ExpectSame(const Found& one, const Found& other)
+{
+  ASSERT_EQ(one.history.size(), other.history.size());
+  for (std::size_t i = 0; i < one.history.size(); ++i)
+  {
+    EXPECT_EQ(one.history[i].energy.Total(), other.history[i].energy.Total()) << "iteration " << i;
+    EXPECT_EQ(one.history[i].meanChange, other.history[i].meanChange) << "iteration " << i;
+    ExpectSame(one.history[i].score, other.history[i].score);
+  }
+  ExpectSame(one.base, other.base);
+  ExpectSame(one.best, other.best);
+  ExpectSame(one.extinction, other.extinction, "extinction");
+  ExpectSame(one.lightExtinction, other.lightExtinction, "extinction for the light");
+  ExpectSame(one.transmittance, other.transmittance, "transmittance");
+  ExpectSame(one.lightTransmittance, other.lightTransmittance, "transmittance of the light");
+}
+}
+
+#endif

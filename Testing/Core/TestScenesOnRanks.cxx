@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Real scenes shared by ranks: the same bits as on one.
+
+#include "LoadedScene.h"
+#include "SceneOnRanks.h"
+
+#include <string>
+
+using namespace limpid;
+
+namespace
+{
+class RealSharedScene : public RealScene
+{
+};
+}
+
+TEST_P(RealSharedScene, HasTheSameBitsOnAnyNumberOfRanks)
+{
+  const Whole scene{ LoadedScene(GetParam().name) };
+  const Found alone = OptimizedAlone(scene);
+  for (const int ranks : { 2, 4 })
+  {
+    SCOPED_TRACE(ranks);
+    ExpectSame(alone, OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, 2, ranks, 0, 1)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ranks, RealSharedScene,
+  ::testing::Values(Bars{ "carotid_mra", 0, 0 }, Bars{ "isabel_wind", 0, 0 },
+    Bars{ "vortex_rings", 0, 0 }, Bars{ "skull_phantom", 0, 0 }, Bars{ "engine", 0, 0 },
+    Bars{ "visible_male", 0, 0 }, Bars{ "thorax_ct", 0, 0 }),
+  [](const auto& tested) { return std::string(tested.param.name); });
