@@ -5,6 +5,7 @@
 
 #include "Abort.h"
 #include "Choices.h"
+#include "ControllerRanks.h"
 #include "Memory.h"
 #include "OptimizedImage.h"
 #include "OwnArrays.h"
@@ -18,12 +19,14 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include "backend/Communicator.h"
 #include "backend/Interruption.h"
 #include "math/Require.h"
 #include "optimize/Solver.h"
@@ -32,6 +35,7 @@
 #include "viewpoint/Concurrent.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <string>
 #include <vector>
@@ -40,20 +44,51 @@ vtkStandardNewMacro(vtkExtinctionOptimizer);
 
 namespace
 {
-// The part of an image that this process is to hold, of what every process has computed whole.
-void KeepRequestedPiece(vtkInformation* outInfo, vtkImageData* output)
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// The part of an image that this process is to hold, of what it has; `whole`: extent of the image.
+// What comes in other pieces stays in these.
+void KeepRequestedPiece(
+  vtkInformation* outInfo, const std::array<int, 6>& whole, vtkImageData* output)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   const int pieces = outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
   if (pieces > 1)
   {
     vtkNew<vtkExtentTranslator> translator;
     int extent[6];
+    int all[6];
+    std::copy(whole.begin(), whole.end(), all);
     translator->PieceToExtentThreadSafe(outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()), pieces,
-      outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), output->GetExtent(), extent,
+      outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), all, extent,
       vtkExtentTranslator::BLOCK_MODE, 0);
-    output->Crop(extent);
+    const int* here = output->GetExtent();
+    bool isThere = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isThere =
+        isThere && here[2 * axis] <= extent[2 * axis] && extent[2 * axis + 1] <= here[2 * axis + 1];
+    }
+    if (isThere)
+    {
+      output->Crop(extent);
+    }
   }
+}
+
+std::array<int, 6> WholeExtentOf(vtkInformationVector** inputVector)
+{
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  std::array<int, 6> whole{ { 0, -1, 0, -1, 0, -1 } };
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+  }
+  else if (image)
+  {
+    image->GetExtent(whole.data());
+  }
+  return whole;
 }
 }
 
@@ -67,6 +102,8 @@ struct vtkExtinctionOptimizer::Internals
   }
 
   double BytesPerPoint() const;
+  bool RanksShare(vtkInformation* outInfo) const;
+  limpid::ImageScene Read(vtkInformationVector** inputVector) const;
   void RequireChoices() const;
   limpid::Camera MakeCamera(const limpid::Grid& grid) const;
   limpid::Light MakeLight(const limpid::Camera& camera) const;
@@ -79,6 +116,7 @@ struct vtkExtinctionOptimizer::Internals
 
   vtkExtinctionOptimizer* Self;
   SceneReader Reader;
+  std::shared_ptr<const limpid::Communicator> Ranks; // of the present run; null: there is one
   vtkSmartPointer<vtkFloatArray> LastExtinction; // for a warm start: shared with the last output
   limpid::Int3 LastNodes{ 0 };
   limpid::CarriedChange LastChange; // for temporal coherence
@@ -108,6 +146,55 @@ int vtkExtinctionOptimizer::FillOutputPortInformation(int port, vtkInformation* 
   return this->Superclass::FillOutputPortInformation(port, info);
 }
 
+int vtkExtinctionOptimizer::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  const int result = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  if (this->State->RanksShare(outInfo))
+  {
+    // A layer of neighbours' cells, so that averages of cells at its points are whole.
+    vtkInformation* info = inputVector[0]->GetInformationObject(0);
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+    info->Set(
+      Pipeline::UPDATE_NUMBER_OF_PIECES(), outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      std::max(outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), 1));
+  }
+  return result;
+}
+
+// Whether every process does its part of one computation, of a piece each. It is for all of them
+// alike: each has its own piece, and the same properties.
+bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) const
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int ranks = limpid::NumberOfRanks(controller);
+  if (ranks < 2 || outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) != ranks ||
+    outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) != controller->GetLocalProcessId())
+  {
+    return false;
+  }
+  const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
+  return limpid::NotOnRanks(settings).empty() && settings.backend != limpid::BackendKind::Cuda &&
+    !this->Self->OptimizeViewpoint && !this->Self->WarmStart;
+}
+
+limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector** inputVector) const
+{
+  if (!this->Ranks)
+  {
+    return this->Reader.Read(
+      this->Reader.RequireWholeImage(inputVector), this->Self->ExtinctionSource);
+  }
+  const std::string refusal =
+    limpid::RefusalOf(vtkDataObject::GetData(inputVector[0]), "this filter works on");
+  LIMPID_REQUIRE(refusal.empty(), refusal);
+  const limpid::SharedImage shared(
+    this->Ranks, vtkImageData::GetData(inputVector[0]), WholeExtentOf(inputVector));
+  return this->Reader.Read(shared, this->Self->ExtinctionSource);
+}
+
 int vtkExtinctionOptimizer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -115,8 +202,13 @@ int vtkExtinctionOptimizer::RequestData(
   vtkTable* convergence = vtkTable::GetData(outputVector, 1);
   try
   {
-    this->Optimize(inputVector, output, convergence);
-    KeepRequestedPiece(outputVector->GetInformationObject(0), output);
+    vtkInformation* outInfo = outputVector->GetInformationObject(0);
+    this->State->Ranks = this->State->RanksShare(outInfo)
+      ? limpid::RanksOf(vtkMultiProcessController::GetGlobalController())
+      : nullptr;
+    limpid::TellingRanks(
+      this->State->Ranks.get(), [&] { this->Optimize(inputVector, output, convergence); });
+    KeepRequestedPiece(outInfo, WholeExtentOf(inputVector), output);
     return 1;
   }
   catch (const limpid::Interrupted&)
@@ -124,7 +216,7 @@ int vtkExtinctionOptimizer::RequestData(
     this->SetProgressText(nullptr);
     output->Initialize();
     output->ShallowCopy(vtkImageData::GetData(inputVector[0])); // the input as it came
-    KeepRequestedPiece(outputVector->GetInformationObject(0), output);
+    KeepRequestedPiece(outputVector->GetInformationObject(0), WholeExtentOf(inputVector), output);
     return 1;
   }
   catch (const std::exception& error)
@@ -143,9 +235,9 @@ void vtkExtinctionOptimizer::Optimize(
 {
   Internals& state = *this->State;
   const limpid::Interruptible interruptible(limpid::GoOn(this));
-  vtkImageData* input = state.Reader.RequireWholeImage(inputVector);
   state.RequireChoices();
-  const limpid::ImageScene scene = state.Reader.Read(input, this->ExtinctionSource);
+  const limpid::ImageScene scene = state.Read(inputVector);
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   const limpid::Camera camera = state.MakeCamera(scene.grid);
   const limpid::Light light = state.MakeLight(camera);
 

@@ -4,6 +4,7 @@
 #include "vtkVisibilityAlgorithmScene.h"
 
 #include "Choices.h"
+#include "Memory.h"
 #include "SettingsConversion.h"
 
 #include "vtkCellData.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace
@@ -40,8 +42,10 @@ namespace limpid
 {
 SceneFields ImageScene::Fields() const
 {
-  return { this->grid, this->arrays.baseExtinction->GetPointer(0),
+  SceneFields fields{ this->grid, this->arrays.baseExtinction->GetPointer(0),
     this->arrays.importance->GetPointer(0), this->majorant };
+  fields.piece = this->piece;
+  return fields;
 }
 }
 
@@ -91,20 +95,78 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
 {
   limpid::ImageScene scene;
   scene.grid = limpid::GridOfImage(input);
+  this->ReadUnits(extinctionSource, scene);
+  const bool ramp = extinctionSource != ARRAY && !this->HasOpacityFunction();
+  const ScalarRange range = ramp ? this->RangeOfScalars(input) : ScalarRange{};
+  scene.arrays = this->Convert(input, extinctionSource, range, scene);
+  if (!scene.arrays.Warning().empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
+  }
+  return scene;
+}
+
+limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
+  const limpid::SharedImage& shared, int extinctionSource) const
+{
+  const limpid::Communicator& ranks = *shared.piece->ranks;
+  const bool empty = shared.piece->nodes.Empty(); // without any array
+  limpid::ImageScene scene;
+  scene.grid = shared.grid;
+  scene.piece = shared.piece;
+  this->ReadUnits(extinctionSource, scene);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  ScalarRange range{ none, none };
+  if (extinctionSource != ARRAY && !this->HasOpacityFunction())
+  {
+    limpid::Jointly(&ranks, [&] { range = empty ? range : this->RangeOfScalars(shared.image); });
+    limpid::JoinRange(ranks, range[0], range[1]);
+  }
+  limpid::Jointly(&ranks,
+    [&]
+    {
+      scene.arrays = empty
+        ? limpid::SceneArrays{ limpid::NewArray<vtkFloatArray>("BaseExtinction", 0),
+            limpid::NewArray<vtkFloatArray>("Importance", 0), 0, 0, 0 }
+        : this->Convert(shared.image, extinctionSource, range, scene);
+    });
+  shared.TakeOwners(scene.arrays.baseExtinction);
+  shared.TakeOwners(scene.arrays.importance);
+  if (!scene.arrays.Warning().empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
+  }
+  return scene;
+}
+
+bool vtkVisibilityAlgorithm::SceneReader::HasOpacityFunction() const
+{
+  vtkPiecewiseFunction* function = this->Self->ScalarOpacityFunction;
+  return function && function->GetSize() > 0;
+}
+
+void vtkVisibilityAlgorithm::SceneReader::ReadUnits(
+  int extinctionSource, limpid::ImageScene& scene) const
+{
   scene.unitDistance = this->Self->ScalarOpacityUnitDistance == 0
     ? MeanCellLength(scene.grid)
     : this->Self->ScalarOpacityUnitDistance;
-  const limpid::FieldSource extinction = extinctionSource == ARRAY
-    ? this->ExtinctionArray(input)
-    : this->OpacityOfScalars(input, scene.unitDistance);
   vtkPiecewiseFunction* opacity = this->Self->ScalarOpacityFunction;
   if (extinctionSource == OPACITY_FUNCTION && opacity)
   {
     scene.majorant = static_cast<float>(
       limpid::ExtinctionOfOpacity(limpid::LargestValue(opacity), scene.unitDistance));
   }
+}
+
+limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* input,
+  int extinctionSource, const ScalarRange& range, limpid::ImageScene& scene) const
+{
+  const limpid::FieldSource extinction = extinctionSource == ARRAY
+    ? this->ExtinctionArray(input)
+    : this->OpacityOfScalars(input, scene.unitDistance, range);
   const limpid::FieldSource importance = this->ImportanceSource(input);
-  scene.arrays = limpid::ConvertScene(input, extinction, importance);
+  const limpid::SceneArrays arrays = limpid::ConvertScene(input, extinction, importance);
   if (extinctionSource == ARRAY)
   {
     scene.taken.push_back(extinction.array);
@@ -113,11 +175,7 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
   {
     scene.taken.push_back(importance.array);
   }
-  if (!scene.arrays.Warning().empty())
-  {
-    vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
-  }
-  return scene;
+  return arrays;
 }
 
 vtkDataArray* vtkVisibilityAlgorithm::SceneReader::FindArray(
@@ -169,29 +227,33 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ExtinctionArray(vtkImag
   return source;
 }
 
-limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::OpacityOfScalars(
-  vtkImageData* input, double unitDistance) const
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::Scalars(vtkImageData* input) const
 {
   limpid::FieldSource source;
   source.array = this->FindArray(0, "scalar", nullptr, input, source.onCells);
   source.component = this->Self->Settings->GetScalarComponent();
   limpid::RequireComponent("ScalarComponent", source.array, source.component);
-  const limpid::ScalarMapping opacity = this->OpacityMapping(source);
-  source.mapping = [opacity, unitDistance](double value)
-  { return limpid::ExtinctionOfOpacity(opacity(value), unitDistance); };
   return source;
 }
 
-limpid::ScalarMapping vtkVisibilityAlgorithm::SceneReader::OpacityMapping(
-  const limpid::FieldSource& scalars) const
+vtkVisibilityAlgorithm::SceneReader::ScalarRange
+vtkVisibilityAlgorithm::SceneReader::RangeOfScalars(vtkImageData* input) const
 {
-  vtkPiecewiseFunction* function = this->Self->ScalarOpacityFunction;
-  if (function && function->GetSize() > 0)
-  {
-    return limpid::Evaluate(function);
-  }
-  double low = 0;
-  double high = 0;
-  limpid::FiniteRange(scalars.array, scalars.component, low, high);
-  return limpid::Ramp(low, high);
+  const limpid::FieldSource scalars = this->Scalars(input);
+  ScalarRange range{};
+  limpid::FiniteRange(scalars.array, scalars.component, range[0], range[1]);
+  return range;
+}
+
+/// `range`: of a ramp, where there is no opacity function.
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::OpacityOfScalars(
+  vtkImageData* input, double unitDistance, const ScalarRange& range) const
+{
+  limpid::FieldSource source = this->Scalars(input);
+  const limpid::ScalarMapping opacity = this->HasOpacityFunction()
+    ? limpid::Evaluate(this->Self->ScalarOpacityFunction)
+    : limpid::Ramp(range[0], range[1]);
+  source.mapping = [opacity, unitDistance](double value)
+  { return limpid::ExtinctionOfOpacity(opacity(value), unitDistance); };
+  return source;
 }

@@ -7,10 +7,13 @@
 #define vtkVisibilityAlgorithmScene_h
 
 #include "SceneConversion.h"
+#include "SharedImage.h"
 #include "vtkVisibilityAlgorithm.h"
 
 #include "optimize/Solver.h"
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -22,6 +25,7 @@ struct ImageScene
   double unitDistance = 1; ///< of opacities [length]
   SceneArrays arrays;
   float majorant = 0; ///< of the opacity function; zero: that of the arrays [1/length]
+  std::shared_ptr<const ScenePiece> piece; ///< null: the arrays have all points
 
   /// Arrays of the input that are fields of the scene as they are.
   std::vector<vtkDataArray*> taken;
@@ -48,13 +52,26 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// cannot be used.
   limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
 
+  /// The same of an image that ranks share. Throws on all of them.
+  limpid::ImageScene Read(const limpid::SharedImage& shared, int extinctionSource) const;
+
 private:
+  /// A range of scalars; ends that are not numbers: there are none.
+  using ScalarRange = std::array<double, 2>;
+
+  bool HasOpacityFunction() const;
+  limpid::SceneArrays Convert(vtkImageData* input, int extinctionSource, const ScalarRange& range,
+    limpid::ImageScene& scene) const;
+  void ReadUnits(int extinctionSource, limpid::ImageScene& scene) const;
+  ScalarRange RangeOfScalars(vtkImageData* input) const;
+
   vtkDataArray* FindArray(
     int index, const char* role, const char* fallback, vtkImageData* input, bool& onCells) const;
   limpid::FieldSource ImportanceSource(vtkImageData* input) const;
   limpid::FieldSource ExtinctionArray(vtkImageData* input) const;
-  limpid::FieldSource OpacityOfScalars(vtkImageData* input, double unitDistance) const;
-  limpid::ScalarMapping OpacityMapping(const limpid::FieldSource& scalars) const;
+  limpid::FieldSource Scalars(vtkImageData* input) const;
+  limpid::FieldSource OpacityOfScalars(
+    vtkImageData* input, double unitDistance, const ScalarRange& range) const;
 
   vtkVisibilityAlgorithm* Self;
 };

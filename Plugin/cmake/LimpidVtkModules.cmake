@@ -14,7 +14,7 @@ set(LIMPID_VTK_COMPONENTS
 find_package(VTK 9.2 REQUIRED
   COMPONENTS ${LIMPID_VTK_COMPONENTS}
   OPTIONAL_COMPONENTS
-    WrappingPythonCore)
+    ParallelMPI WrappingPythonCore)
 message(STATUS "Limpid: modules for VTK ${VTK_VERSION}, Python wrapping ${VTK_WRAP_PYTHON}")
 
 vtk_module_scan(

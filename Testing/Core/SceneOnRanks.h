@@ -104,7 +104,8 @@ inline FieldView PartOf(const std::vector<float>& field, const NodeBox& box)
   return FieldView::Part(const_cast<float*>(field.data()), box);
 }
 
-inline std::vector<float> Cut(const std::vector<float>& field, const Int3& nodes, const NodeBox& box)
+inline std::vector<float> Cut(
+  const std::vector<float>& field, const Int3& nodes, const NodeBox& box)
 {
   std::vector<float> values(std::size_t(box.Count()));
   CopyNodes(box, WholeOf(field, nodes), PartOf(values, box));
@@ -130,8 +131,8 @@ void OnRanks(int ranks, const Whole& scene, const Pieces& pieces, const What& wh
 inline Found OptimizedBy(int ranks, const Whole& scene, const Pieces& pieces)
 {
   Found found;
-  for (std::vector<float>* field : { &found.extinction, &found.transmittance,
-         &found.lightTransmittance, &found.lightExtinction })
+  for (std::vector<float>* field :
+    { &found.extinction, &found.transmittance, &found.lightTransmittance, &found.lightExtinction })
   {
     field->assign(scene.extinction.size(), -1.0f);
   }
@@ -163,7 +164,8 @@ inline void ExpectSame(const Score& one, const Score& other)
   EXPECT_EQ(one.sacrificed, other.sacrificed);
 }
 
-inline void ExpectSame(const std::vector<float>& one, const std::vector<float>& other, const char* what)
+inline void ExpectSame(
+  const std::vector<float>& one, const std::vector<float>& other, const char* what)
 {
   ASSERT_EQ(one.size(), other.size()) << what;
   EXPECT_EQ(0, one.empty() ? 0 : std::memcmp(one.data(), other.data(), one.size() * sizeof(float)))

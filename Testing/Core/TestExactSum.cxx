@@ -71,7 +71,7 @@ TEST(ExactSum, RoundsOnceAndToTheNearest)
 {
   const double half = std::ldexp(1.0, -53); // of the last bit of 1
   const double next = 1 + 2 * half;
-  EXPECT_EQ(1.0, SumOf({ 1, half }));         // of two, the even one
+  EXPECT_EQ(1.0, SumOf({ 1, half })); // of two, the even one
   EXPECT_EQ(next + 2 * half, SumOf({ next, half }));
   EXPECT_EQ(next, SumOf({ 1, half, 1e-300 })); // far less than a bit decides
   EXPECT_EQ(1.0, SumOf({ 1, half, -1e-300 }));

@@ -125,7 +125,10 @@ private:
     {
       throw Interrupted();
     }
-    LIMPID_REQUIRE(!box.empty(), this->Why);
+    if (box.empty())
+    {
+      throw JointError(this->Why);
+    }
     std::vector<char> bytes = std::move(box.front());
     box.pop_front();
     return bytes;
@@ -134,9 +137,12 @@ private:
   void End(const std::string& why, bool interrupted)
   {
     const std::lock_guard<std::mutex> lock(this->Access);
+    if (!this->Ended)
+    {
+      this->WasInterrupted = interrupted;
+      this->Why = why;
+    }
     this->Ended = true;
-    this->WasInterrupted = interrupted;
-    this->Why = why;
     this->Arrived.notify_all();
   }
 

@@ -5,6 +5,7 @@
 #define limpid_backend_Communicator_h
 
 #include "backend/ExactSum.h"
+#include "backend/Interruption.h"
 #include "math/Require.h"
 
 #include <cstddef>
@@ -43,7 +44,8 @@ public:
     const std::vector<Message>& sent, const std::vector<Message>& received) const = 0;
 
   /// Tells all other ranks that this one comes to no further call: what waits for it there throws
-  /// Interrupted or limpid::Error with these words. For a failure that others do not know of.
+  /// Interrupted or JointError with these words. For a failure that others do not know of; the
+  /// first call counts.
   virtual void GiveUp(const std::string& why, bool interrupted) const noexcept = 0;
 
   /// Makes every number the sum of those of all ranks.
@@ -56,7 +58,8 @@ public:
   void Sum(ExactSum* sums, std::size_t count) const
   {
     static_assert(sizeof(ExactSum) % sizeof(std::int64_t) == 0, "integers and nothing else");
-    this->Sum(reinterpret_cast<std::int64_t*>(sums), count * sizeof(ExactSum) / sizeof(std::int64_t));
+    this->Sum(
+      reinterpret_cast<std::int64_t*>(sums), count * sizeof(ExactSum) / sizeof(std::int64_t));
   }
 
   /// Whether any rank says so.
@@ -74,6 +77,38 @@ class JointError : public Error
 public:
   using Error::Error;
 };
+
+/// Does what ranks do together, and waits for each other within: if it fails here, the others learn
+/// of it (Communicator::GiveUp). Null: there is one rank.
+template <class Work>
+decltype(auto) TellingRanks(const Communicator* ranks, const Work& work)
+{
+  const auto giveUp = [ranks](const char* why, bool interrupted)
+  {
+    if (ranks)
+    {
+      ranks->GiveUp(why, interrupted);
+    }
+  };
+  try
+  {
+    return work();
+  }
+  catch (const JointError&)
+  {
+    throw;
+  }
+  catch (const Interrupted&)
+  {
+    giveUp("It was interrupted.", true);
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    giveUp(error.what(), false);
+    throw;
+  }
+}
 
 /// Does what all ranks have to do, or none. Where any of them fails, all throw JointError with the
 /// message of the first that did. Within the work nobody may wait for others. Null: there is

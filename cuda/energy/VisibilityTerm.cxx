@@ -13,8 +13,7 @@ namespace limpid
 {
 template <class AnyDevice>
 VisibilityTerm<AnyDevice>::VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid,
-  const Occupancy& occupancy, const RaySource& source, double rayDensity,
-  const Communicator* ranks)
+  const Occupancy& occupancy, const RaySource& source, double rayDensity, const Communicator* ranks)
   : Device(std::move(device))
   , Filled(&occupancy)
   , Rays(PlanRays(this->Device, grid, occupancy, source,

@@ -71,7 +71,8 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    std::vector<ExactDifferences> rows(moved ? std::size_t(rays.Plan().nodesV) : 0); // of all slices
+    std::vector<ExactDifferences> rows(
+      moved ? std::size_t(rays.Plan().nodesV) : 0); // of all slices
     SweepBackwardByPhases(device, rays, occupancy, kernel,
       [&rows, &kernel, moved](const auto& voxels, const auto& windows, int v)
       {

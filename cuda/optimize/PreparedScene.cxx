@@ -95,9 +95,8 @@ SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const fl
 
 SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* importance)
 {
-  return scene.piece
-    ? SurveyPiece(scene, mostExtinction, importance)
-    : SurveyScene(scene.grid, scene.baseExtinction, mostExtinction, importance, 1);
+  return scene.piece ? SurveyPiece(scene, mostExtinction, importance)
+                     : SurveyScene(scene.grid, scene.baseExtinction, mostExtinction, importance, 1);
 }
 
 /// The largest of all ranks' numbers that are not below zero: these are ordered as their bits are.

@@ -39,7 +39,7 @@ struct Problem
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null: nothing can be kept
   std::shared_ptr<const ScenePiece> piece;    ///< null: the fields have the values of all nodes
-  std::shared_ptr<FieldsOfRanks> shared;       ///< null: they have all values
+  std::shared_ptr<FieldsOfRanks> shared;      ///< null: they have all values
   float majorant = 0;                         ///< upper bound of the extinction [1/length]
   double nearness = 1;                        ///< see CarriedChange::NearnessTo
   const float* previous =

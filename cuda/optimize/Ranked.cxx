@@ -54,9 +54,8 @@ FieldView PieceOf(const Problem& problem, const AxisPermutation& order, const fl
   return InOrder(FieldView::Part(const_cast<float*>(field), problem.piece->nodes), order);
 }
 
-std::shared_ptr<const Occupancy> FindOccupancy(const Problem& problem,
-  const AxisPermutation& order, const FieldView& extinction, const FieldView& importance,
-  bool skip)
+std::shared_ptr<const Occupancy> FindOccupancy(const Problem& problem, const AxisPermutation& order,
+  const FieldView& extinction, const FieldView& importance, bool skip)
 {
   const ScenePiece& piece = *problem.piece;
   const NodeBox box = InOrder(piece.owned[std::size_t(piece.ranks->Rank())], order);
@@ -68,8 +67,8 @@ std::shared_ptr<const Occupancy> FindOccupancy(const Problem& problem,
   };
   const std::vector<float> extinctions = valuesOf(extinction);
   const std::vector<float> importances = valuesOf(importance);
-  return std::make_shared<const Occupancy>(*piece.ranks, order.Of(problem.grid), box,
-    extinctions.data(), importances.data(), skip);
+  return std::make_shared<const Occupancy>(
+    *piece.ranks, order.Of(problem.grid), box, extinctions.data(), importances.data(), skip);
 }
 
 /// The problem in another order, with room for the fields that ranks share.
@@ -249,8 +248,8 @@ void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, d
   const AxisPermutation asItIs;
   const FieldView given = PieceOf(problem, asItIs, extinction);
   const auto occupancy = FindOccupancy(problem, asItIs, given, given, /*skip=*/true);
-  TransmittanceSweep<HostDevice> sweep(HostDevice::Shared(), problem.grid, *occupancy, source,
-    rayDensity, piece.ranks.get());
+  TransmittanceSweep<HostDevice> sweep(
+    HostDevice::Shared(), problem.grid, *occupancy, source, rayDensity, piece.ranks.get());
   const TermsOnRanks fields(*piece.ranks, problem.grid.nodes, { { &sweep.Frusta(), &source } });
   NodeValues there(problem.grid.NodeCount());
   NodeValues found(problem.grid.NodeCount());
@@ -258,12 +257,12 @@ void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, d
   fields.FillNeeded(sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
   sweep.Sweep(there.Data(), found.Data());
   std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f);
-  fields.ToPieces(found.Data(), RegionsOf(piece.boxes, asItIs),
-    PieceOf(problem, asItIs, transmittance));
+  fields.ToPieces(
+    found.Data(), RegionsOf(piece.boxes, asItIs), PieceOf(problem, asItIs, transmittance));
 }
 
-std::unique_ptr<Minimizer> MakeRanked(const Problem& problem,
-  const std::function<std::unique_ptr<Minimizer>(const Problem&)>& make)
+std::unique_ptr<Minimizer> MakeRanked(
+  const Problem& problem, const std::function<std::unique_ptr<Minimizer>(const Problem&)>& make)
 {
   auto minimizer = std::make_unique<RankedMinimizer>(problem, OrderFor(problem));
   const SmallPages small;

@@ -44,8 +44,8 @@ std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const Ra
 /// A minimiser of a problem whose scene is shared by ranks (Problem::piece). It works in the order
 /// of OrderFor, and its results are those of this rank's piece, in the problem's order. `make`:
 /// makes one of a problem with FieldsOfRanks, which stays alive.
-std::unique_ptr<Minimizer> MakeRanked(const Problem& problem,
-  const std::function<std::unique_ptr<Minimizer>(const Problem&)>& make);
+std::unique_ptr<Minimizer> MakeRanked(
+  const Problem& problem, const std::function<std::unique_ptr<Minimizer>(const Problem&)>& make);
 }
 
 #endif

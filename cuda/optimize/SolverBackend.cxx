@@ -130,7 +130,8 @@ public:
     {
       if (problem.piece)
       {
-        return MakeRanked(problem, [this, warm](const Problem& shared)
+        return MakeRanked(problem,
+          [this, warm](const Problem& shared)
           { return MakeMinimizerOn(this->Device, shared, {}, warm); });
       }
       // The processor sweeps fastest where slices and rows are contiguous.

@@ -5,7 +5,6 @@
 #define limpid_optimize_SolverInternals_h
 
 #include "backend/Backend.h"
-#include "backend/Interruption.h"
 #include "energy/TransmittanceSweep.h"
 #include "math/Require.h"
 #include "optimize/ExtinctionBounds.h"
@@ -147,46 +146,18 @@ struct Solver::Internals
       }
       this->stopped = wasStopped;
     };
-    return this->TellingRanks([&]() -> decltype(auto) { return this->backend.Do(work, restore); });
+    return TellingRanks(
+      this->Ranks(), [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
   }
 
-  /// Does what ranks that share the scene do together: if it fails here, the others learn of it.
-  template <class Work>
-  decltype(auto) TellingRanks(const Work& work) const
+  /// That share the scene; null: there is one.
+  const Communicator* Ranks() const
   {
-    try
-    {
-      return work();
-    }
-    catch (const JointError&)
-    {
-      throw;
-    }
-    catch (const Interrupted&)
-    {
-      this->GiveUp("It was interrupted.", true);
-      throw;
-    }
-    catch (const std::exception& error)
-    {
-      this->GiveUp(error.what(), false);
-      throw;
-    }
+    return this->scene.piece ? this->scene.piece->ranks.get() : nullptr;
   }
 
   /// Whether it is so on any rank.
-  bool AnyRank(bool here) const
-  {
-    return this->scene.piece ? this->scene.piece->ranks->AnyOf(here) : here;
-  }
-
-  void GiveUp(const std::string& why, bool interrupted) const
-  {
-    if (this->scene.piece)
-    {
-      this->scene.piece->ranks->GiveUp(why, interrupted);
-    }
-  }
+  bool AnyRank(bool here) const { return this->Ranks() ? this->Ranks()->AnyOf(here) : here; }
 
   /// The next iteration, or the end of a run.
   void Advance(const Progress& progress)

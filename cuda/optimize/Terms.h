@@ -148,7 +148,7 @@ private:
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
-  BorrowedArray<AnyDevice, float> Before; ///< see Problem::previous; empty: null
+  BorrowedArray<AnyDevice, float> Before;     ///< see Problem::previous; empty: null
   std::unique_ptr<const TermsOnRanks> Shared; ///< on processors only
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;

@@ -119,8 +119,7 @@ void TermsOnRanks::ShareFrustum(float* field, const Frusta& term, std::size_t fr
   }
   if (frusta.size() > 1)
   {
-    Spread(
-      *this->All, this->Whole(field), frusta[frustum].changed, this->Whole(field), needed);
+    Spread(*this->All, this->Whole(field), frusta[frustum].changed, this->Whole(field), needed);
   }
 }
 

@@ -33,8 +33,7 @@ public:
   const Communicator& Ranks() const { return *this->All; }
 
   /// Brings a field from `pieces`, of each rank one region, to all who need any of it.
-  void FromPieces(
-    const std::vector<Region>& pieces, const FieldView& piece, float* field) const;
+  void FromPieces(const std::vector<Region>& pieces, const FieldView& piece, float* field) const;
 
   /// Brings a field that everybody has back to the pieces.
   void ToPieces(

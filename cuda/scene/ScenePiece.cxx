@@ -3,6 +3,7 @@
 
 #include "scene/ScenePiece.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -47,7 +48,8 @@ int AxisOfOverlap(const NodeBox& one, const NodeBox& other)
   {
     const Range<int>& a = one.along[std::size_t(axis)];
     const Range<int>& b = other.along[std::size_t(axis)];
-    const bool behind = (a.begin < b.begin && a.end < b.end) || (b.begin < a.begin && b.end < a.end);
+    const bool behind =
+      (a.begin < b.begin && a.end < b.end) || (b.begin < a.begin && b.end < a.end);
     const int layers = Intersection(a, b).Length();
     if (behind && (found < 0 || layers < fewest))
     {
@@ -63,29 +65,62 @@ bool Contains(const NodeBox& box, const NodeBox& other)
   return other.Empty() || Intersection(box, other).Count() == other.Count();
 }
 
-/// Parts the nodes that two boxes share between them.
-void Part(NodeBox& one, NodeBox& other)
+/// Cuts off `one` and `other` what counts to the other one of two boxes, `a` and `b`, that they are
+/// parts of.
+void Part(const NodeBox& a, const NodeBox& b, NodeBox& one, NodeBox& other)
 {
-  if (Intersection(one, other).Empty())
+  if (Intersection(a, b).Empty())
   {
     return;
   }
-  if (Contains(one, other) || Contains(other, one))
+  if (Contains(a, b) || Contains(b, a))
   {
-    (Contains(one, other) ? other : one) = {};
+    (Contains(a, b) ? other : one) = {};
     return;
   }
-  const int axis = AxisOfOverlap(one, other);
+  const int axis = AxisOfOverlap(a, b);
   if (axis >= 0)
   {
-    Range<int>& a = one.along[std::size_t(axis)];
-    Range<int>& b = other.along[std::size_t(axis)];
-    Range<int>& front = a.begin < b.begin ? a : b;
-    Range<int>& back = a.begin < b.begin ? b : a;
+    const auto along = std::size_t(axis);
+    const bool inOrder = a.along[along].begin < b.along[along].begin;
+    const Range<int>& front = (inOrder ? a : b).along[along];
+    const Range<int>& back = (inOrder ? b : a).along[along];
     const int middle = (back.begin + front.end) / 2;
-    front.end = middle;
-    back.begin = middle;
+    Range<int>& first = (inOrder ? one : other).along[along];
+    Range<int>& second = (inOrder ? other : one).along[along];
+    first.end = std::min(first.end, middle);
+    second.begin = std::max(second.begin, middle);
   }
+}
+
+/// Parts of boxes that have no node in common and leave none out.
+std::vector<NodeBox> Parted(const std::vector<NodeBox>& boxes)
+{
+  std::vector<NodeBox> parts = boxes;
+  for (std::size_t rank = 0; rank < boxes.size(); ++rank)
+  {
+    for (std::size_t other = 0; other < rank; ++other)
+    {
+      Part(boxes[other], boxes[rank], parts[other], parts[rank]);
+    }
+  }
+  for (std::size_t rank = 0; rank < boxes.size(); ++rank)
+  {
+    Index counted = 0;
+    bool apart = true;
+    for (std::size_t other = 0; other < boxes.size(); ++other)
+    {
+      counted += Intersection(boxes[rank], parts[other]).Count();
+      apart = apart && (other == rank || Intersection(parts[rank], parts[other]).Empty());
+    }
+    if (!apart || counted != boxes[rank].Count())
+    {
+      throw JointError("The piece of rank " + std::to_string(rank) +
+        " overlaps others in a corner (what each counts for would be no box). Give ranks pieces "
+        "that overlap by layers, or not at all.");
+    }
+  }
+  return parts;
 }
 }
 
@@ -94,27 +129,16 @@ ScenePiece::ScenePiece(
   : ranks(std::move(all))
   , nodes(own)
   , boxes(BoxesOf(*this->ranks, own))
-  , owned(this->boxes)
+  , owned(Parted(this->boxes))
 {
   const NodeBox whole = NodeBox::Of(grid.nodes);
-  for (std::size_t rank = 0; rank < this->owned.size(); ++rank)
+  for (std::size_t rank = 0; rank < this->boxes.size(); ++rank)
   {
     if (!Contains(whole, this->boxes[rank]))
     {
       throw JointError("The piece of rank " + std::to_string(rank) +
         " is not within the image (it has nodes that are none). Give every rank a part of the same "
         "image.");
-    }
-    for (std::size_t other = 0; other < rank; ++other)
-    {
-      Part(this->owned[other], this->owned[rank]);
-      if (!Intersection(this->owned[other], this->owned[rank]).Empty())
-      {
-        throw JointError("The pieces of the ranks " + std::to_string(other) + " and " +
-          std::to_string(rank) +
-          " overlap in a corner (what each counts for would be no box). Give ranks pieces that "
-          "overlap by layers, or not at all.");
-      }
     }
   }
 }

@@ -25,8 +25,8 @@ struct ScenePiece
   /// Where they overlap by layers, each counts to the middle of these.
   std::vector<NodeBox> owned;
 
-  /// Tells all ranks what they have. Throws limpid::Error on all of them where a box is not within
-  /// the grid, or boxes overlap so that no parts of them are boxes.
+  /// Tells all ranks what they have. Throws JointError on all of them where a box is not within the
+  /// grid, or boxes overlap so that no parts of them are boxes.
   ScenePiece(std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own);
 };
 }

@@ -139,8 +139,8 @@ Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox&
     {
       for (int j = nodes[1].begin; j < nodes[1].end; ++j)
       {
-        put(std::size_t(k) * this->Nodes.y + j,
-          here.Row(0, j - nodes[1].begin, k - nodes[2].begin), nodes[0].begin);
+        put(std::size_t(k) * this->Nodes.y + j, here.Row(0, j - nodes[1].begin, k - nodes[2].begin),
+          nodes[0].begin);
       }
       for (int i = nodes[0].begin; i < nodes[0].end; ++i)
       {
@@ -152,8 +152,9 @@ Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox&
   ranks.TakeLeast(ends.data(), ends.size());
   ranks.Sum(&filled, 1);
   this->Filled = filled;
-  const auto spanOf = [&ends, none](std::size_t at)
-  { return ends[at] == none ? Range<int>{} : Range<int>{ ends[at], -ends[at + 1] }; };
+  const auto spanOf = [&ends, none](std::size_t at) {
+    return ends[at] == none ? Range<int>{} : Range<int>{ ends[at], -ends[at + 1] };
+  };
   for (std::size_t row = 0; row < rows; ++row)
   {
     Spans& spans =

@@ -126,8 +126,8 @@ void RankBands::ExchangeRays(int s, int more, const std::vector<float*>& images)
   const int own = this->All->Rank();
   std::vector<Communicator::Message> sent;
   std::vector<Communicator::Message> received;
-  const auto add = [&](std::vector<Communicator::Message>& messages, int rank,
-                     const Range<int>& rows)
+  const auto add = [&](
+                     std::vector<Communicator::Message>& messages, int rank, const Range<int>& rows)
   {
     for (float* image : rows.Empty() ? std::vector<float*>() : images)
     {
@@ -156,8 +156,8 @@ void RankBands::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) c
   const std::size_t bytes = std::size_t(columns.Length()) * sizeof(float);
   std::vector<Communicator::Message> sent;
   std::vector<Communicator::Message> received;
-  const auto add = [&](std::vector<Communicator::Message>& messages, int rank,
-                     const Range<int>& rows)
+  const auto add = [&](
+                     std::vector<Communicator::Message>& messages, int rank, const Range<int>& rows)
   {
     for (SliceWindow* field : fields)
     {

@@ -64,7 +64,7 @@ private:
 
   FaceFrustum Frustum;
   const Communicator* All;
-  std::vector<int> Begins;                      ///< of the ranks' rows, and behind the last one
+  std::vector<int> Begins;                     ///< of the ranks' rows, and behind the last one
   std::vector<std::vector<Range<int>>> Needed; ///< [rank][node]
 };
 }

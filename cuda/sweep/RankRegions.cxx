@@ -116,8 +116,8 @@ Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int ran
     const Slice& slice = frustum.SliceAt(s);
     if (slice.node >= 0)
     {
-      Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)),
-        frustum.axisW, region);
+      Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)), frustum.axisW,
+        region);
     }
   }
   return region;
@@ -166,7 +166,8 @@ void Spread(const Communicator& ranks, const FieldView& from, const std::vector<
       [&](const NodeBox& box)
       { ForNodesOf(box, from, from, [&out](float value, float) { out.push_back(value); }); });
     room[other].resize(std::size_t(CountOfBoth(had[other], needed[here])));
-    const auto add = [rank](std::vector<Communicator::Message>& messages, std::vector<float>& values)
+    const auto add = [rank](
+                       std::vector<Communicator::Message>& messages, std::vector<float>& values)
     {
       if (!values.empty())
       {
@@ -189,8 +190,7 @@ void Spread(const Communicator& ranks, const FieldView& from, const std::vector<
     }
     else if (from.values != to.values)
     {
-      ForBoth(had[here], needed[here],
-        [&](const NodeBox& box) { CopyNodes(box, from, to); });
+      ForBoth(had[here], needed[here], [&](const NodeBox& box) { CopyNodes(box, from, to); });
     }
   }
 }

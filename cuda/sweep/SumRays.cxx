@@ -7,8 +7,7 @@
 
 namespace limpid
 {
-void AddRays(
-  const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum)
+void AddRays(const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum)
 {
   constexpr Index rowsPerTask = 16;
   constexpr int guard = 1; // on either side; it stands for no part of the box, see FaceFrustum

@@ -44,8 +44,8 @@ struct Seen
 };
 
 /// Adds one value per ray, for an integral over the domain of what these are integrals of along
-/// their rays times scale^2, which cellMeasure times the sum is. Row by row; rows are added exactly.
-/// `rows`: of rays.
+/// their rays times scale^2, which cellMeasure times the sum is. Row by row; rows are added
+/// exactly. `rows`: of rays.
 void AddRays(
   const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum);
 

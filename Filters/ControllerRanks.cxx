@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ControllerRanks.h"
+
+#include "vtkMultiProcessController.h"
+
+#include "backend/Communicator.h"
+#include "backend/Interruption.h"
+
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+#include "vtkMPICommunicator.h"
+#include "vtkMPIController.h"
+#endif
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <thread>
+
+namespace limpid
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+namespace
+{
+/// Of VTK's non-blocking messages, which count their bytes in int.
+constexpr std::size_t mostBytes = std::size_t(1) << 30;
+
+/// The last words of a rank: whether it was interrupted, and why.
+using LastWords = std::array<char, 1024>;
+
+class ControllerRanks : public Communicator
+{
+public:
+  explicit ControllerRanks(vtkMPICommunicator* communicator)
+    : Mpi(communicator)
+  {
+    // What is left of a computation that has failed must not reach the next one.
+    constexpr int firstTag = 19400;
+    constexpr int computations = 5000;
+    static int made = 0;
+    this->Tag = firstTag + 2 * (made++ % computations);
+  }
+
+  int Rank() const override { return this->Mpi->GetLocalProcessId(); }
+  int Size() const override { return this->Mpi->GetNumberOfProcesses(); }
+
+  void Exchange(
+    const std::vector<Message>& sent, const std::vector<Message>& received) const override
+  {
+    std::vector<vtkMPICommunicator::Request> requests;
+    requests.reserve(sent.size() + received.size());
+    const auto start = [&requests](const std::vector<Message>& messages, const auto& begin)
+    {
+      for (const Message& message : messages)
+      {
+        for (std::size_t first = 0; first < message.bytes; first += mostBytes)
+        {
+          requests.emplace_back();
+          begin(static_cast<char*>(message.data) + first,
+            static_cast<int>(std::min(mostBytes, message.bytes - first)), message.rank,
+            requests.back());
+        }
+      }
+    };
+    start(received,
+      [this](char* data, int bytes, int rank, vtkMPICommunicator::Request& request)
+      { this->Mpi->NoBlockReceive(data, bytes, rank, this->Tag, request); });
+    start(sent,
+      [this](const char* data, int bytes, int rank, vtkMPICommunicator::Request& request)
+      { this->Mpi->NoBlockSend(data, bytes, rank, this->Tag, request); });
+    try
+    {
+      for (vtkMPICommunicator::Request& request : requests)
+      {
+        this->WaitFor(request);
+      }
+    }
+    catch (...)
+    {
+      for (vtkMPICommunicator::Request& request : requests)
+      {
+        if (!request.Test())
+        {
+          request.Cancel();
+        }
+      }
+      throw;
+    }
+  }
+
+  void GiveUp(const std::string& why, bool interrupted) const noexcept override
+  {
+    LastWords words{};
+    words[0] = interrupted ? 1 : 0;
+    std::copy_n(why.begin(), std::min(why.size(), words.size() - 2), words.begin() + 1);
+    for (int rank = 0; rank < this->Size() && !this->HasGivenUp; ++rank)
+    {
+      if (rank != this->Rank())
+      {
+        // So short a message does not wait for its receiver.
+        this->Mpi->Send(words.data(), vtkIdType(words.size()), rank, this->Tag + 1);
+      }
+    }
+    this->HasGivenUp = true;
+  }
+
+private:
+  void WaitFor(vtkMPICommunicator::Request& request) const
+  {
+    constexpr int momentsAwake = 2000;
+    constexpr int momentsPerLook = 64;
+    for (int moment = 1; !request.Test(); ++moment)
+    {
+      if (moment % momentsPerLook == 0)
+      {
+        this->Listen();
+      }
+      if (moment > momentsAwake)
+      {
+        std::this_thread::yield();
+      }
+    }
+  }
+
+  /// Throws if another rank has given up.
+  void Listen() const
+  {
+    int there = 0;
+    int rank = 0;
+    this->Mpi->Iprobe(vtkMultiProcessController::ANY_SOURCE, this->Tag + 1, &there, &rank);
+    if (there)
+    {
+      LastWords words{};
+      this->Mpi->Receive(words.data(), vtkIdType(words.size()), rank, this->Tag + 1);
+      if (words[0])
+      {
+        throw Interrupted();
+      }
+      throw JointError("Rank " + std::to_string(rank) + ": " + (words.data() + 1));
+    }
+    Interruptible::Check();
+  }
+
+  vtkMPICommunicator* Mpi;
+  int Tag;
+  mutable bool HasGivenUp = false;
+};
+
+vtkMPICommunicator* MpiOf(vtkMultiProcessController* controller)
+{
+  auto* mpi = vtkMPIController::SafeDownCast(controller);
+  return mpi ? vtkMPICommunicator::SafeDownCast(mpi->GetCommunicator()) : nullptr;
+}
+}
+
+int NumberOfRanks(vtkMultiProcessController* controller)
+{
+  vtkMPICommunicator* mpi = MpiOf(controller);
+  return mpi ? mpi->GetNumberOfProcesses() : 1;
+}
+
+std::shared_ptr<const Communicator> RanksOf(vtkMultiProcessController* controller)
+{
+  return std::make_shared<const ControllerRanks>(MpiOf(controller));
+}
+#else
+int NumberOfRanks(vtkMultiProcessController*)
+{
+  return 1;
+}
+
+std::shared_ptr<const Communicator> RanksOf(vtkMultiProcessController*)
+{
+  return nullptr;
+}
+#endif
+}

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SharedImage.h"
+
+#include "SceneConversion.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include "sweep/RankRegions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace limpid
+{
+namespace
+{
+/// Numbers of one rank, for all.
+template <std::size_t Count>
+void Tell(const Communicator& ranks, int teller, std::array<double, Count>& numbers)
+{
+  std::array<std::int64_t, Count> bits{};
+  if (ranks.Rank() == teller)
+  {
+    std::memcpy(bits.data(), numbers.data(), sizeof(bits));
+  }
+  ranks.Sum(bits.data(), bits.size());
+  std::memcpy(numbers.data(), bits.data(), sizeof(bits));
+}
+
+/// The whole image as the first rank that has points places it.
+Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<int, 6>& whole)
+{
+  const bool hasPoints = input && input->GetNumberOfPoints() > 0;
+  std::int32_t first = hasPoints ? ranks.Rank() : ranks.Size();
+  ranks.TakeLeast(&first, 1);
+  if (first == ranks.Size())
+  {
+    throw JointError("The input has no points on any rank (there is nothing to be seen). Give it "
+                     "an image with data.");
+  }
+  std::array<double, 15> placement{};
+  if (hasPoints)
+  {
+    input->TransformIndexToPhysicalPoint(whole[0], whole[2], whole[4], placement.data());
+    std::copy_n(input->GetSpacing(), 3, placement.begin() + 3);
+    std::copy_n(input->GetDirectionMatrix()->GetData(), 9, placement.begin() + 6);
+  }
+  Tell(ranks, first, placement);
+  Grid grid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto at = static_cast<std::size_t>(axis);
+    grid.nodes[axis] = whole[2 * at + 1] - whole[2 * at] + 1;
+    grid.origin[axis] = placement[at];
+    grid.spacing[axis] = placement[3 + at];
+    for (int row = 0; row < 3; ++row)
+    {
+      grid.direction[axis][row] = placement[6 + 3 * std::size_t(row) + at];
+    }
+  }
+  grid.Require(); // the same everywhere
+  return grid;
+}
+
+NodeBox BoxOf(vtkImageData* input, const std::array<int, 6>& whole)
+{
+  NodeBox box;
+  for (std::size_t axis = 0; axis < 3 && input && input->GetNumberOfPoints() > 0; ++axis)
+  {
+    const int* extent = input->GetExtent() + 2 * axis;
+    box.along[axis] = { extent[0] - whole[2 * axis], extent[1] + 1 - whole[2 * axis] };
+  }
+  return box;
+}
+
+/// Takes a flag away from the array "vtkGhostType"; the input's array stays as it is.
+void TakeAway(unsigned char flag, vtkDataSetAttributes* data)
+{
+  auto* flags =
+    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (flags)
+  {
+    vtkNew<vtkUnsignedCharArray> others;
+    others->DeepCopy(flags);
+    for (vtkIdType i = 0; i < others->GetNumberOfValues(); ++i)
+    {
+      others->SetValue(i, static_cast<unsigned char>(others->GetValue(i) & ~flag));
+    }
+    data->AddArray(others);
+  }
+}
+}
+
+SharedImage::SharedImage(
+  std::shared_ptr<const Communicator> ranks, vtkImageData* input, const std::array<int, 6>& whole)
+  : grid(GridOfAll(*ranks, input, whole))
+  , image(vtkSmartPointer<vtkImageData>::New())
+{
+  const NodeBox box = BoxOf(input, whole);
+  if (!box.Empty())
+  {
+    this->image->ShallowCopy(input);
+    TakeAway(vtkDataSetAttributes::DUPLICATEPOINT, this->image->GetPointData());
+    TakeAway(vtkDataSetAttributes::DUPLICATECELL, this->image->GetCellData());
+  }
+  this->piece = std::make_shared<const ScenePiece>(std::move(ranks), this->grid, box);
+}
+
+void SharedImage::TakeOwners(vtkFloatArray* field) const
+{
+  std::vector<Region> owned;
+  std::vector<Region> boxes;
+  for (std::size_t rank = 0; rank < this->piece->boxes.size(); ++rank)
+  {
+    owned.push_back({ this->piece->owned[rank] });
+    boxes.push_back({ this->piece->boxes[rank] });
+  }
+  const FieldView view = FieldView::Part(field->GetPointer(0), this->piece->nodes);
+  Spread(*this->piece->ranks, view, owned, view, boxes);
+}
+
+void JoinRange(const Communicator& ranks, double& low, double& high)
+{
+  const auto count = static_cast<std::size_t>(ranks.Size());
+  std::vector<std::int64_t> bits(2 * count, 0);
+  const double own[2] = { low, high };
+  std::memcpy(&bits[2 * std::size_t(ranks.Rank())], own, sizeof(own));
+  ranks.Sum(bits.data(), bits.size());
+  low = high = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t rank = 0; rank < count; ++rank)
+  {
+    double ends[2];
+    std::memcpy(ends, &bits[2 * rank], sizeof(ends));
+    low = std::fmin(low, ends[0]);
+    high = std::fmax(high, ends[1]);
+  }
+}
+}
