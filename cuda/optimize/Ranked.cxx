@@ -182,7 +182,8 @@ public:
     , Inside(Shared(problem, AxisPermutation()))
     , Term(HostDevice::Shared(), this->Inside.grid, *this->Inside.occupancy, source,
         problem.settings.rayDensity, problem.piece->ranks.get())
-    , Where(*problem.piece->ranks, this->Inside.grid.nodes, { { &this->Term.Frusta(), &source } })
+    , Where(*problem.piece->ranks, this->Inside.grid.nodes, { { &this->Term.Frusta(), &source } },
+        this->Inside.occupancy.get())
     , Extinction(problem.grid.NodeCount())
   {
     FieldsOfRanks& fields = *this->Inside.shared;
@@ -250,7 +251,8 @@ void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, d
   const auto occupancy = FindOccupancy(problem, asItIs, given, given, /*skip=*/true);
   TransmittanceSweep<HostDevice> sweep(
     HostDevice::Shared(), problem.grid, *occupancy, source, rayDensity, piece.ranks.get());
-  const TermsOnRanks fields(*piece.ranks, problem.grid.nodes, { { &sweep.Frusta(), &source } });
+  const TermsOnRanks fields(
+    *piece.ranks, problem.grid.nodes, { { &sweep.Frusta(), &source } }, nullptr);
   NodeValues there(problem.grid.NodeCount());
   NodeValues found(problem.grid.NodeCount());
   fields.FromPieces(RegionsOf(piece.owned, asItIs), given, there.Data());

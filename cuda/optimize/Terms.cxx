@@ -91,8 +91,8 @@ void Terms<AnyDevice>::ShareFields()
     {
       terms.push_back({ &this->light->Frusta(), &this->Given->light });
     }
-    this->Shared =
-      std::make_unique<const TermsOnRanks>(*shared.ranks, this->Given->grid.nodes, terms);
+    this->Shared = std::make_unique<const TermsOnRanks>(
+      *shared.ranks, this->Given->grid.nodes, terms, this->Given->occupancy.get());
     for (FieldsOfRanks::Field* field : { &shared.base, &shared.importance, &shared.nodeImportance })
     {
       this->Shared->FromPieces(shared.pieces, field->piece, field->values.Data());

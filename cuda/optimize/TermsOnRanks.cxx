@@ -36,9 +36,10 @@ NodeBox NodeAt(const RaySource& source, const Int3& nodes)
 }
 }
 
-TermsOnRanks::TermsOnRanks(
-  const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms)
+TermsOnRanks::TermsOnRanks(const Communicator& ranks, const Int3& nodes,
+  const std::vector<OfTerm>& terms, const Occupancy* filled)
   : All(&ranks)
+  , Filled(filled)
   , Nodes(nodes)
   , Terms(terms)
   , Of(terms.size())
@@ -97,13 +98,14 @@ void TermsOnRanks::FromPieces(
   {
     Append(needed, this->RegionsOf(term, &Regions::needed));
   }
-  Spread(*this->All, piece, pieces, this->Whole(field), needed);
+  Spread(*this->All, piece, pieces, this->Whole(field), needed, this->Filled);
 }
 
 void TermsOnRanks::ToPieces(
   const float* field, const std::vector<Region>& pieces, const FieldView& piece) const
 {
-  Spread(*this->All, this->Whole(field), this->RegionsOf(0, &Regions::changed), piece, pieces);
+  Spread(*this->All, this->Whole(field), this->RegionsOf(0, &Regions::changed), piece, pieces,
+    this->Filled);
 }
 
 void TermsOnRanks::ShareFrustum(float* field, const Frusta& term, std::size_t frustum) const
@@ -119,7 +121,8 @@ void TermsOnRanks::ShareFrustum(float* field, const Frusta& term, std::size_t fr
   }
   if (frusta.size() > 1)
   {
-    Spread(*this->All, this->Whole(field), frusta[frustum].changed, this->Whole(field), needed);
+    Spread(*this->All, this->Whole(field), frusta[frustum].changed, this->Whole(field), needed,
+      this->Filled);
   }
 }
 
@@ -137,14 +140,14 @@ void TermsOnRanks::Share(float* field, const Frusta& term) const
   if (this->Of.size() > 1)
   {
     Spread(*this->All, this->Whole(field), this->RegionsOf(from, &Regions::changed),
-      this->Whole(field), needed);
+      this->Whole(field), needed, this->Filled);
   }
 }
 
 void TermsOnRanks::Pass(float* field, const Frusta& from, const Frusta& to) const
 {
   Spread(*this->All, this->Whole(field), this->RegionsOf(this->NumberOf(from), &Regions::changed),
-    this->Whole(field), this->RegionsOf(this->NumberOf(to), &Regions::changed));
+    this->Whole(field), this->RegionsOf(this->NumberOf(to), &Regions::changed), this->Filled);
 }
 
 void TermsOnRanks::FillNeeded(const Frusta& term, float value, float* field) const

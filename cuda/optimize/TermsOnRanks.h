@@ -28,7 +28,9 @@ public:
     const RaySource* source;
   };
 
-  TermsOnRanks(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms);
+  /// `filled`: where fields may differ from 0; null: anywhere. It has to stay.
+  TermsOnRanks(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms,
+    const Occupancy* filled);
 
   const Communicator& Ranks() const { return *this->All; }
 
@@ -68,6 +70,7 @@ private:
   FieldView Whole(const float* field) const;
 
   const Communicator* All;
+  const Occupancy* Filled;
   Int3 Nodes;
   std::vector<OfTerm> Terms;
   std::vector<std::vector<Regions>> Of; ///< [term][frustum]

@@ -3,7 +3,11 @@
 
 #include "sweep/RankRegions.h"
 
+#include "sweep/Occupancy.h"
 #include "sweep/RankBands.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace limpid
 {
@@ -100,12 +104,79 @@ void ForNodesOf(const NodeBox& box, const FieldView& one, const FieldView& other
   }
 }
 
-Index CountOfBoth(const Region& one, const Region& other)
+/// Calls what(first node of a row, count) for the rows of a box along x, as far as they are filled.
+template <class What>
+void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
 {
-  Index count = 0;
-  ForBoth(one, other, [&count](const NodeBox& box) { count += box.Count(); });
-  return count;
+  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
+  {
+    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
+    {
+      const Range<int> row =
+        filled ? Intersection(box.along[0], filled->Row(0, j, k).filled) : box.along[0];
+      if (!row.Empty())
+      {
+        what(Int3(row.begin, j, k), row.Length());
+      }
+    }
+  }
 }
+
+/// Values one after the other, and where they are in a field.
+struct RowInField
+{
+  float* first;
+  Index stride;
+
+  RowInField(const FieldView& field, const Int3& node)
+    : first(field.values + field.At(node.x, node.y, node.z))
+    , stride(field.stride[0])
+  {
+  }
+
+  void CopyTo(float* values, int count) const
+  {
+    if (this->stride == 1)
+    {
+      std::copy_n(this->first, count, values);
+      return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      values[i] = this->first[i * this->stride];
+    }
+  }
+
+  void CopyFrom(const float* values, int count) const
+  {
+    if (this->stride == 1)
+    {
+      std::copy_n(values, count, this->first);
+      return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      this->first[i * this->stride] = values[i];
+    }
+  }
+};
+
+/// The boxes of what one region has and another needs, and how many values that is.
+struct Passage
+{
+  Region boxes;
+  Index count = 0;
+
+  Passage(const Region& had, const Region& needed, const Occupancy* filled)
+  {
+    ForBoth(had, needed,
+      [&](const NodeBox& box)
+      {
+        this->boxes.push_back(box);
+        ForRowsOf(box, filled, [this](const Int3&, int length) { this->count += length; });
+      });
+  }
+};
 }
 
 Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank)
@@ -145,14 +216,23 @@ void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to)
 }
 
 void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
-  const FieldView& to, const std::vector<Region>& needed)
+  const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled)
 {
   const int own = ranks.Rank();
   const auto here = std::size_t(own);
   std::vector<std::vector<float>> packed(std::size_t(ranks.Size()));
   std::vector<std::vector<float>> room(std::size_t(ranks.Size()));
+  std::vector<Region> awaited(std::size_t(ranks.Size()));
   std::vector<Communicator::Message> sent;
   std::vector<Communicator::Message> received;
+  const auto add =
+    [](std::vector<Communicator::Message>& messages, int rank, std::vector<float>& values)
+  {
+    if (!values.empty())
+    {
+      messages.push_back({ rank, values.data(), values.size() * sizeof(float) });
+    }
+  };
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
     const auto other = std::size_t(rank);
@@ -160,38 +240,41 @@ void Spread(const Communicator& ranks, const FieldView& from, const std::vector<
     {
       continue;
     }
-    std::vector<float>& out = packed[other];
-    out.reserve(std::size_t(CountOfBoth(had[here], needed[other])));
-    ForBoth(had[here], needed[other],
-      [&](const NodeBox& box)
-      { ForNodesOf(box, from, from, [&out](float value, float) { out.push_back(value); }); });
-    room[other].resize(std::size_t(CountOfBoth(had[other], needed[here])));
-    const auto add = [rank](
-                       std::vector<Communicator::Message>& messages, std::vector<float>& values)
+    const Passage out(had[here], needed[other], filled);
+    packed[other].resize(std::size_t(out.count));
+    float* next = packed[other].data();
+    for (const NodeBox& box : out.boxes)
     {
-      if (!values.empty())
-      {
-        messages.push_back({ rank, values.data(), values.size() * sizeof(float) });
-      }
-    };
-    add(sent, out);
-    add(received, room[other]);
+      ForRowsOf(box, filled,
+        [&](const Int3& node, int count)
+        {
+          RowInField(from, node).CopyTo(next, count);
+          next += count;
+        });
+    }
+    Passage in(had[other], needed[here], filled);
+    room[other].resize(std::size_t(in.count));
+    awaited[other] = std::move(in.boxes);
+    add(sent, rank, packed[other]);
+    add(received, rank, room[other]);
   }
   ranks.Exchange(sent, received);
-  for (int rank = 0; rank < ranks.Size(); ++rank)
+  for (std::size_t other = 0; other < awaited.size(); ++other)
   {
-    const auto other = std::size_t(rank);
-    if (rank != own)
+    const float* next = room[other].data();
+    for (const NodeBox& box : awaited[other])
     {
-      const float* next = room[other].data();
-      ForBoth(had[other], needed[here],
-        [&](const NodeBox& box)
-        { ForNodesOf(box, to, to, [&next](float& value, float) { value = *next++; }); });
+      ForRowsOf(box, filled,
+        [&](const Int3& node, int count)
+        {
+          RowInField(to, node).CopyFrom(next, count);
+          next += count;
+        });
     }
-    else if (from.values != to.values)
-    {
-      ForBoth(had[here], needed[here], [&](const NodeBox& box) { CopyNodes(box, from, to); });
-    }
+  }
+  if (from.values != to.values)
+  {
+    ForBoth(had[here], needed[here], [&](const NodeBox& box) { CopyNodes(box, from, to); });
   }
 }
 }

@@ -13,6 +13,7 @@
 
 namespace limpid
 {
+class Occupancy;
 class RankBands;
 
 /// Nodes of a grid: those of its boxes, which may overlap.
@@ -57,9 +58,10 @@ void FillNodes(const NodeBox& box, float value, const FieldView& field);
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to);
 
 /// Brings a field from the ranks that have it to those that need it, of each rank a region; what a
-/// rank needs of its own it copies, unless the fields are one.
+/// rank needs of its own it copies, unless the fields are one. `filled`: where else fields are 0,
+/// which need not travel; null: nowhere.
 void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
-  const FieldView& to, const std::vector<Region>& needed);
+  const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled = nullptr);
 }
 
 #endif
