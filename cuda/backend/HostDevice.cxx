@@ -45,12 +45,14 @@ void SimulatedDevice::MayFail(const char* what)
 
 void* HostDevice::Allocate(std::size_t bytes, const char*)
 {
-  return this->Take(std::malloc(std::max<std::size_t>(bytes, 1)), bytes);
+  void* memory = this->Take(std::malloc(std::max<std::size_t>(bytes, 1)), bytes);
+  UseLargePages(memory, bytes);
+  return memory;
 }
 
 void* HostDevice::AllocateZeros(std::size_t bytes, const char*)
 {
-  return this->Take(std::calloc(std::max<std::size_t>(bytes, 1), 1), bytes);
+  return this->Take(AllocateZeroPages(std::max<std::size_t>(bytes, 1)), bytes);
 }
 
 void* HostDevice::Take(void* memory, std::size_t bytes)
@@ -59,7 +61,6 @@ void* HostDevice::Take(void* memory, std::size_t bytes)
   {
     throw std::bad_alloc();
   }
-  UseLargePages(memory, bytes);
   this->Memory.Add(bytes);
   return memory;
 }

@@ -3,6 +3,8 @@
 
 #include "backend/LargePages.h"
 
+#include <cstdlib>
+#include <cstring>
 #include <memory>
 
 #if defined(__linux__)
@@ -43,6 +45,38 @@ void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t b
     madvise(memory, bytes / page * page, smallPages ? MADV_NOHUGEPAGE : MADV_HUGEPAGE);
   }
 #endif
+}
+
+void* AllocateZeroPages(std::size_t bytes)
+{
+#if defined(__linux__)
+  constexpr std::size_t leastBytes = std::size_t(1) << 16;
+  if (smallPages && bytes >= leastBytes)
+  {
+    // What malloc() gives a second time it has to write; a page that is given back is 0 again.
+    void* const memory = std::malloc(bytes);
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    void* first = memory;
+    std::size_t room = bytes;
+    if (memory && std::align(page, page, first, room))
+    {
+      const std::size_t whole = room / page * page;
+      const auto before =
+        static_cast<std::size_t>(static_cast<char*>(first) - static_cast<char*>(memory));
+      UseLargePages(first, whole);
+      const bool given = madvise(first, whole, MADV_DONTNEED) == 0;
+      std::memset(memory, 0, given ? before : bytes);
+      std::memset(static_cast<char*>(first) + whole, 0, bytes - before - whole);
+    }
+    return memory;
+  }
+#endif
+  void* const memory = std::calloc(bytes, 1);
+  if (memory)
+  {
+    UseLargePages(memory, bytes);
+  }
+  return memory;
 }
 
 std::vector<float> RoomFor(Index count)

@@ -19,6 +19,9 @@ namespace limpid
  */
 void UseLargePages(void* memory, std::size_t bytes);
 
+/// Memory for free() whose bytes are 0, in large pages; null: there is not enough.
+void* AllocateZeroPages(std::size_t bytes);
+
 /**
  * While alive, memory that its thread gets is in small pages: of a field that is large but written
  * in few places only those take memory.

@@ -13,14 +13,13 @@ namespace limpid
 {
 NodeValues::NodeValues(Index count)
 {
-  // Of large fields calloc() gives pages of zeros that it does not have to write.
+  // Of large fields these are pages of zeros that nobody has to write.
   const auto values = static_cast<std::size_t>(std::max<Index>(count, 1));
-  this->Memory.reset(static_cast<float*>(std::calloc(values, sizeof(float))));
+  this->Memory.reset(static_cast<float*>(AllocateZeroPages(values * sizeof(float))));
   if (!this->Memory)
   {
     throw std::bad_alloc();
   }
-  UseLargePages(this->Memory.get(), values * sizeof(float));
 }
 
 void NodeValues::Free::operator()(float* memory) const noexcept
