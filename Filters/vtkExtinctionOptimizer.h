@@ -34,7 +34,12 @@
  * After an error the outputs are empty; after an abort output 0 is the input as it came.
  * An image without volume (a slice, a row, a point) keeps its base extinction, with a warning.
  *
- * With several processes each one optimises the whole image and keeps its own piece.
+ * Processes of MPI that are each asked for a piece (in ParaView they are) optimise the image
+ * together: each asks its input for that piece and a layer of neighbours' cells, and the result has
+ * the bits of one process. An error or an abort on one of them is one of all. What they cannot do
+ * together yet, each does with the whole image, and keeps its piece: the methods but OPTIMIZED, the
+ * solver ADAM, ImportanceSmoothing, Smoothness, TemporalCoherence, WarmStart, OptimizeViewpoint, and
+ * the backend CUDA.
  *
  * @sa vtkVisibilityAlgorithm vtkViewpointSearch vtkOcclusionPhantom
  */
