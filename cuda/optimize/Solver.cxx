@@ -13,7 +13,8 @@ Solver::Solver(const SceneFields& scene, const Camera& camera, const Light& ligh
   : State(std::make_unique<Internals>())
 {
   RequireSettings(settings);
-  this->State->prepared = std::make_shared<PreparedScene>(scene);
+  TellingRanks(scene.piece ? scene.piece->ranks.get() : nullptr,
+    [&] { this->State->prepared = std::make_shared<PreparedScene>(scene); });
   this->State->Set(camera, light, settings, previous);
   this->State->OnBackend([this] { this->State->Begin(); });
 }

@@ -12,7 +12,8 @@ namespace limpid
 {
 namespace
 {
-/// What a row of rays costs, in samples: those that matter, and a few for the row itself.
+/// What a row of rays costs: its samples that matter, the voxels beside it that may change, and a
+/// little for itself.
 std::vector<Index> CostsOfRows(const FaceFrustum& frustum)
 {
   std::vector<Index> costs(std::size_t(frustum.rows), 1);
@@ -21,6 +22,15 @@ std::vector<Index> CostsOfRows(const FaceFrustum& frustum)
     for (int row = 0; row < frustum.rows; ++row)
     {
       costs[std::size_t(row)] += std::max(frustum.ActiveRays(s, row).Length(), 0);
+    }
+  }
+  for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
+  {
+    const int* rows = frustum.Row(frustum.voxelRows, s).index;
+    const Range<int>& owned = frustum.SliceAt(s).ownedRows;
+    for (int v = owned.begin; v < owned.end; ++v)
+    {
+      costs[std::size_t(rows[v])] += std::max(frustum.FilledVoxels(s, v).Length(), 0);
     }
   }
   return costs;
