@@ -38,8 +38,7 @@
  * together: each asks its input for that piece and a layer of neighbours' cells, and the result has
  * the bits of one process. An error or an abort on one of them is one of all. What they cannot do
  * together yet, each does with the whole image, and keeps its piece: the methods but OPTIMIZED, the
- * solver ADAM, ImportanceSmoothing, Smoothness, TemporalCoherence, WarmStart, OptimizeViewpoint, and
- * the backend CUDA.
+ * solver ADAM, Smoothness, TemporalCoherence, WarmStart, OptimizeViewpoint, and the backend CUDA.
  *
  * @sa vtkVisibilityAlgorithm vtkViewpointSearch vtkOcclusionPhantom
  */

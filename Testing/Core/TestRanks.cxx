@@ -137,6 +137,8 @@ INSTANTIATE_TEST_SUITE_P(Ranks, SharedScene,
     Case{ "WithoutLight", [](BoxScene& scene) { scene.settings.weights.light = 0; } },
     Case{ "WithoutCamera", [](BoxScene& scene) { scene.settings.weights.view = 0; } },
     Case{ "WithoutSkips", [](BoxScene& scene) { scene.settings.skipUnneeded = false; } },
+    Case{ "WithoutSpecks",
+      [](BoxScene& scene) { scene.settings.importanceSmoothing = ImportanceSmoothing::Median; } },
     Case{ "Protected", [](BoxScene& scene) { scene.settings.protectImportance = 0.5; } },
     Case{ "SmallWeights", [](BoxScene& scene) { scene.settings.weights.view = 0.1; } },
     Case{ "AlongRays", [](BoxScene& scene) { scene.settings.derivative = Derivative::Ray; } },
@@ -156,7 +158,6 @@ TEST(Ranks, HaveTheSameBitsOnScenesAtRandom)
     SCOPED_TRACE(seed);
     Whole scene(MakeRandomScene(seed));
     scene.settings.maximumIterations = 4;
-    scene.settings.importanceSmoothing = ImportanceSmoothing::Off;
     scene.settings.smoothness = 0;
     scene.settings.solver = SolverKind::Policy;
     const Found alone = OptimizedAlone(scene);

@@ -57,40 +57,87 @@ NodeBox WithNeighbours(const NodeBox& box, const Int3& nodes)
   return wide;
 }
 
-/// What there is to be known of a piece, whose nodes at its border have neighbours on other ranks.
+/// A piece with the nodes beside it, whose values other ranks have: a grid of its own, on which
+/// what depends on neighbours is found for the nodes of the piece as it is on the whole.
+class Neighbourhood
+{
+public:
+  explicit Neighbourhood(const SceneFields& scene)
+    : Piece(scene.piece.get())
+    , Nodes(scene.grid)
+  {
+    for (std::size_t rank = 0; rank < this->Piece->boxes.size(); ++rank)
+    {
+      this->Had.push_back({ this->Piece->owned[rank] });
+      this->Needed.push_back({ WithNeighbours(this->Piece->boxes[rank], scene.grid.nodes) });
+    }
+    this->Box = this->Needed[std::size_t(this->Piece->ranks->Rank())].front();
+    this->Nodes.nodes = this->Box.Size();
+  }
+
+  const Grid& Around() const { return this->Nodes; }
+  bool Empty() const { return this->Box.Empty(); }
+
+  /// A field of the piece, with what is beside it. All ranks have to ask.
+  NodeValues Extended(const float* field) const
+  {
+    NodeValues values(this->Box.Count());
+    Spread(*this->Piece->ranks, FieldView::Part(const_cast<float*>(field), this->Piece->nodes),
+      this->Had, FieldView::Part(values.Data(), this->Box), this->Needed);
+    return values;
+  }
+
+  /// The piece of a field of that grid.
+  NodeValues Inside(const NodeValues& field) const
+  {
+    NodeValues values(this->Piece->nodes.Count());
+    CopyNodes(this->Piece->nodes, FieldView::Part(const_cast<float*>(field.Data()), this->Box),
+      FieldView::Part(values.Data(), this->Piece->nodes));
+    return values;
+  }
+
+private:
+  const ScenePiece* Piece;
+  Grid Nodes;
+  NodeBox Box;
+  std::vector<Region> Had;
+  std::vector<Region> Needed;
+};
+
+/// What there is to be known of a piece, but for its occupancy: nobody knows that alone.
 SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const float* importance)
 {
-  const ScenePiece& piece = *scene.piece;
-  std::vector<Region> had;
-  std::vector<Region> needed;
-  for (std::size_t rank = 0; rank < piece.boxes.size(); ++rank)
-  {
-    had.push_back({ piece.owned[rank] });
-    needed.push_back({ WithNeighbours(piece.boxes[rank], scene.grid.nodes) });
-  }
-  Grid wide = scene.grid;
-  const NodeBox& box = needed[std::size_t(piece.ranks->Rank())].front();
-  wide.nodes = box.Size();
-  const auto extended = [&](const float* field)
-  {
-    NodeValues values(box.Count());
-    Spread(*piece.ranks, FieldView::Part(const_cast<float*>(field), piece.nodes), had,
-      FieldView::Part(values.Data(), box), needed);
-    return values;
-  };
-  const NodeValues extinctions = extended(scene.baseExtinction);
-  const NodeValues importances = extended(importance);
+  const Neighbourhood around(scene);
+  const NodeValues extinctions = around.Extended(scene.baseExtinction);
+  const NodeValues importances = around.Extended(importance);
   SceneSurvey found;
-  NodeValues own(piece.nodes.Count());
-  if (!box.Empty())
+  if (!around.Empty())
   {
-    found = SurveyScene(wide, extinctions.Data(), mostExtinction, importances.Data(), 1);
-    CopyNodes(piece.nodes, FieldView::Part(found.nodeImportance.Data(), box),
-      FieldView::Part(own.Data(), piece.nodes));
+    found = SurveyScene(around.Around(), extinctions.Data(), mostExtinction, importances.Data(), 1);
+    found.nodeImportance = around.Inside(found.nodeImportance);
+    found.occupancy = nullptr;
   }
-  found.nodeImportance = std::move(own);
-  found.occupancy = nullptr; // nobody knows it alone
   return found;
+}
+
+/// The importance without its specks, see Despeckle.
+NodeValues WithoutSpecks(const SceneFields& scene)
+{
+  if (!scene.piece)
+  {
+    NodeValues values(scene.grid.NodeCount());
+    Despeckle(scene.grid, scene.baseExtinction, scene.importance, values.Data());
+    return values;
+  }
+  const Neighbourhood around(scene);
+  const NodeValues extinctions = around.Extended(scene.baseExtinction);
+  const NodeValues importances = around.Extended(scene.importance);
+  NodeValues values(around.Around().NodeCount());
+  if (!around.Empty())
+  {
+    Despeckle(around.Around(), extinctions.Data(), importances.Data(), values.Data());
+  }
+  return around.Inside(values);
 }
 
 SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* importance)
@@ -217,12 +264,10 @@ PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smooth
     made->values = scene.despeckled;
     if (!scene.despeckled)
     {
-      made->own = NodeValues(scene.grid.NodeCount());
-      Despeckle(scene.grid, scene.baseExtinction, scene.importance, made->own.Data());
+      made->own = WithoutSpecks(scene);
       made->values = made->own.Data();
     }
-    SceneSurvey found =
-      SurveyScene(scene.grid, scene.baseExtinction, LargestValue, made->values, 1);
+    SceneSurvey found = Survey(scene, LargestValue, made->values);
     made->ofNodes = std::move(found.nodeImportance);
     made->occupancy = std::move(found.occupancy);
     this->Despeckled = std::move(made);

@@ -102,10 +102,6 @@ std::string NotOnRanks(const Settings& settings)
   {
     return "the solver Adam";
   }
-  if (settings.importanceSmoothing != ImportanceSmoothing::Off)
-  {
-    return "smoothing of the importance";
-  }
   if (settings.smoothness > 0)
   {
     return "smoothness";
