@@ -3,6 +3,7 @@
 
 #include "vtkViewpointSearch.h"
 
+#include "ControllerRanks.h"
 #include "Memory.h"
 #include "PropertyPrinter.h"
 #include "vtkViewpointSearchInternals.h"
@@ -10,10 +11,12 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include "backend/Communicator.h"
 #include "backend/Interruption.h"
 
 #include <algorithm>
@@ -25,13 +28,21 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Whether another process, or another request, has the first piece of the output, which is all.
-bool IsLaterPiece(vtkInformation* request, vtkInformationVector* outputVector)
+// Of the port that is asked for.
+vtkInformation* RequestedOf(vtkInformation* request, vtkInformationVector* outputVector)
 {
   const int port =
     request->Has(Pipeline::FROM_OUTPUT_PORT()) ? request->Get(Pipeline::FROM_OUTPUT_PORT()) : 0;
-  vtkInformation* info = outputVector->GetInformationObject(std::max(port, 0));
-  return info->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
+  return outputVector->GetInformationObject(std::max(port, 0));
+}
+
+// Whether every process is asked for its piece: then they share the work.
+bool RanksShare(vtkInformation* requested)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int ranks = limpid::NumberOfRanks(controller);
+  return ranks > 1 && requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks &&
+    requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
 }
 }
 
@@ -117,8 +128,13 @@ int vtkViewpointSearch::RequestData(
   };
   try
   {
-    const bool isLaterPiece = IsLaterPiece(request, outputVector);
-    this->State->Search(inputVector, isLaterPiece, outputs);
+    vtkInformation* requested = RequestedOf(request, outputVector);
+    const bool isLaterPiece = requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
+    this->State->Ranks = RanksShare(requested)
+      ? limpid::RanksOf(vtkMultiProcessController::GetGlobalController())
+      : nullptr;
+    limpid::TellingRanks(
+      this->State->Ranks.get(), [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
     return 1;
   }
   catch (const limpid::Interrupted&)

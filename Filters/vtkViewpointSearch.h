@@ -36,7 +36,9 @@
  * "CameraParallelScale" of all views; "Evaluations" (scores and derivatives), "Seconds",
  * "ScalarOpacityUnitDistance", "Backend".
  *
- * After an error the outputs are empty. With several processes the first one has the result.
+ * After an error the outputs are empty. With several processes of MPI each
+ * scores some of the directions, of an image that all of them have whole; the first one climbs, and
+ * has the result.
  *
  * @sa vtkVisibilityAlgorithm vtkExtinctionOptimizer vtkCameraPath
  */

@@ -23,8 +23,11 @@
 #include "viewpoint/Search.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace
 {
@@ -88,7 +91,7 @@ void vtkViewpointSearch::Internals::Search(
 {
   vtkImageData* input = this->Reader.RequireWholeImage(inputVector);
   this->RequirePossibleSettings();
-  if (isLaterPiece)
+  if (isLaterPiece && !this->Ranks)
   {
     return;
   }
@@ -120,6 +123,10 @@ void vtkViewpointSearch::Internals::Search(
   else
   {
     this->SearchOneField(*scene, found);
+  }
+  if (isLaterPiece)
+  {
+    return;
   }
   found.seconds = SecondsSince(start);
   if (found.search.viewpoints.empty() && !limpid::IsAborted(this->Self))
@@ -155,8 +162,9 @@ void vtkViewpointSearch::Internals::SearchOneField(
       return limpid::ViewScore(fields.grid, viewed, settings.rayDensity, settings.backend);
     });
   found.backend = score.BackendName();
-  this->ScoreAndFind([&](const limpid::SearchProgress& progress)
-    { return limpid::ScoreViews(score, found.orbit, found.sphere.directions, progress); },
+  this->ScoreAndFind(
+    [&](const std::vector<limpid::Vec3>& directions, const limpid::SearchProgress& progress)
+    { return limpid::ScoreViews(score, found.orbit, directions, progress); },
     [&](const limpid::SearchSettings& search, const limpid::SearchProgress& progress)
     { return limpid::FindViewpoints(score, found.orbit, found.samples, search, progress); },
     found);
@@ -171,9 +179,9 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
   const std::size_t count = found.sphere.directions.size();
   bool isFirst = true;
   this->ScoreAndFind(
-    [&](const limpid::SearchProgress& progress)
+    [&](const std::vector<limpid::Vec3>& directions, const limpid::SearchProgress& progress)
     {
-      return views.ScoreAll(found.sphere.directions,
+      return views.ScoreAll(directions,
         [&](double share)
         {
           const double expected = share > 0 ? SecondsSince(start) / share : 0;
@@ -194,6 +202,45 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
     found);
 }
 
+// Of several ranks each scores every so-manieth direction, and all get all scores.
+template <class Score>
+std::vector<limpid::ScoredView> vtkViewpointSearch::Internals::ScoreTogether(
+  const std::vector<limpid::Vec3>& directions, const Score& score) const
+{
+  if (!this->Ranks)
+  {
+    return score(directions);
+  }
+  const auto first = static_cast<std::size_t>(this->Ranks->Rank());
+  const auto step = static_cast<std::size_t>(this->Ranks->Size());
+  std::vector<limpid::Vec3> own;
+  for (std::size_t i = first; i < directions.size(); i += step)
+  {
+    own.push_back(directions[i]);
+  }
+  const std::vector<limpid::ScoredView> scored = score(own);
+  using Numbers = std::array<double, 5>;
+  std::vector<Numbers> numbers(directions.size(), Numbers{}); // of others: no bit is set
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const limpid::ScoredView& view = scored[i];
+    numbers[first + i * step] = { { view.score.visibility, view.score.fraction,
+      view.score.sacrificed, view.worth, view.valid ? 1.0 : 0.0 } };
+  }
+  std::vector<std::int64_t> bits(5 * numbers.size());
+  std::memcpy(bits.data(), numbers.data(), bits.size() * sizeof(std::int64_t));
+  this->Ranks->Sum(bits.data(), bits.size());
+  std::memcpy(numbers.data(), bits.data(), bits.size() * sizeof(std::int64_t));
+  std::vector<limpid::ScoredView> views = Unscored(directions);
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    views[i].score = { numbers[i][0], numbers[i][1], numbers[i][2] };
+    views[i].worth = numbers[i][3];
+    views[i].valid = numbers[i][4] != 0;
+  }
+  return views;
+}
+
 template <class Score, class Find>
 void vtkViewpointSearch::Internals::ScoreAndFind(
   const Score& score, const Find& find, limpid::FoundViews& found) const
@@ -210,10 +257,15 @@ void vtkViewpointSearch::Internals::ScoreAndFind(
 
   self->SetProgressText("Scoring views");
   const limpid::SearchProgress progress = report.Part(0, share);
-  found.samples = progress(0) ? score(progress) : Unscored(found.sphere.directions);
-  self->SetProgressText("Climbing to better views");
-  search.refine = search.refine && !report.IsStopped();
-  found.search = find(search, report.Part(share, 1));
+  found.samples = this->ScoreTogether(found.sphere.directions,
+    [&](const std::vector<limpid::Vec3>& directions)
+    { return progress(0) ? score(directions, progress) : Unscored(directions); });
+  if (!this->Ranks || this->Ranks->Rank() == 0)
+  {
+    self->SetProgressText("Climbing to better views");
+    search.refine = search.refine && !report.IsStopped();
+    found.search = find(search, report.Part(share, 1));
+  }
   self->SetProgressText(nullptr);
 }
 

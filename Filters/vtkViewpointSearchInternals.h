@@ -15,9 +15,11 @@
 namespace limpid
 {
 struct AllowedViews;
+class Communicator;
 struct FoundViews;
 struct Orbit;
 class PreparedScene;
+struct ScoredView;
 struct SearchSettings;
 }
 
@@ -29,7 +31,8 @@ struct vtkViewpointSearch::Internals
   {
   }
 
-  /// Fills the S-sphere, the viewpoints and the paths. `isLaterPiece`: they stay empty.
+  /// Fills the S-sphere, the viewpoints and the paths. `isLaterPiece`: they stay empty; where ranks
+  /// share the samples, it scores some of them for the first piece.
   void Search(vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3]);
 
   void RequirePossibleSettings() const;
@@ -46,12 +49,16 @@ struct vtkViewpointSearch::Internals
     const std::shared_ptr<limpid::PreparedScene>& scene, limpid::FoundViews& found) const;
   template <class Function>
   auto Interruptibly(const Function& function) const;
+  template <class Score>
+  std::vector<limpid::ScoredView> ScoreTogether(
+    const std::vector<limpid::Vec3>& directions, const Score& score) const;
   template <class Score, class Find>
   void ScoreAndFind(const Score& score, const Find& find, limpid::FoundViews& found) const;
 
   vtkViewpointSearch* Self;
   SceneReader Reader;
-  std::vector<limpid::Vec3> Avoided; // directions, of any length
+  std::shared_ptr<const limpid::Communicator> Ranks; // share the samples; null: there is one
+  std::vector<limpid::Vec3> Avoided;                 // directions, of any length
 };
 
 #endif

@@ -16,7 +16,8 @@ from vtkmodules.vtkCommonExecutionModel import (vtkAlgorithm, vtkExtentTranslato
                                                 vtkStreamingDemandDrivenPipeline)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkOcclusionPhantom
+from limpid.vtkLimpidFilters import (vtkExtinctionOptimizer, vtkOcclusionPhantom,
+                                     vtkViewpointSearch)
 
 import images
 
@@ -109,6 +110,13 @@ def values_in(image, name, extent):
     return array[part]
 
 
+def output_arrays(output):
+    """Point arrays by name, but for times; nothing of an empty output."""
+    data = output.GetPointData()
+    return {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)).tolist()
+            for i in range(data.GetNumberOfArrays()) if output.GetNumberOfPoints()}
+
+
 class TestRanks(unittest.TestCase):
     def same(self, whole, optimizer):
         output = optimizer.GetOutput()
@@ -198,6 +206,25 @@ class TestRanks(unittest.TestCase):
         self.assertIsNone(optimizer.GetOutput().GetPointData().GetArray("Extinction"))
         optimizer.RemoveAllObservers()
         self.same(alone(image), together(Pieces(image, slabs(image, 2))))
+
+    def test_views_are_scored_by_all(self):
+        image = whole_phantom(16)
+        for field in (vtkViewpointSearch.BASE_EXTINCTION, vtkViewpointSearch.OPTIMIZE_PER_VIEW):
+            results = []
+            for piece in ((0, 1), (RANK, RANKS)):
+                search = vtkViewpointSearch()
+                search.SetInputData(image)
+                search.SetExtinctionSource(vtkViewpointSearch.ARRAY)
+                search.SetField(field)
+                search.SetNumberOfDirections(13)
+                search.SetNumberOfViewpoints(2)
+                search.UpdatePiece(*piece, 0)
+                results.append([output_arrays(search.GetOutput(port)) for port in range(3)])
+            with self.subTest(field=field):
+                if RANK == 0:
+                    self.assertEqual(*results)
+                else:
+                    self.assertEqual(results[1], 3 * [{}])
 
     def test_what_cannot_be_shared_is_done_by_each(self):
         phantom = vtkOcclusionPhantom()
