@@ -4,7 +4,7 @@
 #ifndef limpid_optimize_Differences_h
 #define limpid_optimize_Differences_h
 
-#include "backend/ExactSum.h"
+#include "backend/Communicator.h"
 #include "math/Vec.h"
 
 namespace limpid
@@ -43,6 +43,14 @@ struct ExactDifferences
     this->changes += other.changes;
     this->squaresFromPrevious += other.squaresFromPrevious;
     return *this;
+  }
+
+  /// Makes them those of all ranks.
+  void SumOver(const Communicator& ranks)
+  {
+    ExactSum all[] = { this->squares, this->changes, this->squaresFromPrevious };
+    ranks.Sum(all, 3);
+    *this = { all[0], all[1], all[2] };
   }
 
   Differences Values() const

@@ -427,7 +427,7 @@ private:
     {
       if (const TermsOnRanks* ranks = this->Energy.OnRanks())
       {
-        ranks->Ranks().Sum(&moved.squares, 3);
+        moved.SumOver(ranks->Ranks());
         ranks->Share(next, turn.swept->Frusta());
       }
       this->Energy.Sums()->moved = moved.Values();

@@ -290,15 +290,12 @@ void Terms<AnyDevice>::Sum()
     {
       seen.term->Sum(this->SumOf(*seen.term), seen.kept);
     }
-    // Of a base that ranks share, nobody has all.
-    if (taken.extinction && taken.extinction == this->Given->baseExtinction)
+    if (taken.extinction)
     {
-      sums->moved.squares = 0;
-      sums->moved.squaresFromPrevious = 0;
-    }
-    else if (taken.extinction)
-    {
-      sums->moved.squares = this->Given->SquaresFrom(this->Given->baseExtinction, taken.extinction);
+      // Ranks start from a base of which nobody has all.
+      const float* base = this->Given->baseExtinction;
+      sums->moved.squares =
+        taken.extinction == base ? 0.0 : this->Given->SquaresFrom(base, taken.extinction);
       sums->moved.squaresFromPrevious =
         this->Previous() ? this->Given->SquaresFrom(this->Previous(), taken.extinction) : 0.0;
     }
