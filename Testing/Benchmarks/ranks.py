@@ -8,7 +8,8 @@
   python3 Testing/Benchmarks/ranks.py --all [--output Documentation/Benchmarks/Ranks.json] [SCENE...]
 
 The second calls the first for 1 process with one thread and with all, and for 2, 4 and 8 processes,
-each bound to a processor as far as there are enough. SCENE: a name in LIMPID_TEST_DATA,
+each bound to a processor as far as there are enough, and limpid_count_ranks (--counter PROGRAM) for
+2 to 32. SCENE: a name in LIMPID_TEST_DATA,
 visible_male by default. PYTHONPATH as for Testing/Python. Then, for the page:
   python3 Testing/Benchmarks/pages/make.py Documentation/Benchmarks --pages ranks
 """
@@ -73,11 +74,20 @@ def measure(name, runs):
             "score": optimizer.GetOutput().GetFieldData().GetArray("VisibilityScore").GetValue(0)}
 
 
-def measure_all(scenes, runs):
+def count(name, counter):
+    """What ranks say to each other, by limpid_count_ranks."""
+    scene = os.path.join(os.environ["LIMPID_TEST_DATA"], name + ".scene.json")
+    ranks = [str(ranks) for ranks in (2, 4, 8, 16, 32)]
+    return json.loads(subprocess.run([counter, scene, *ranks], check=True, capture_output=True,
+                                     text=True).stdout)
+
+
+def measure_all(scenes, runs, counter):
     import machine
     cores = os.cpu_count()
-    measured = {"machine": machine.facts(), "scenes": {}}
+    measured = {"machine": machine.facts(), "scenes": {}, "counted": {}}
     for name in scenes:
+        measured["counted"][name] = count(name, counter)
         rows = measured["scenes"].setdefault(name, [])
         for ranks, bound in ((1, "core"), (1, "none"), (2, "core"), (4, "core"), (8, "core")):
             bound = bound if ranks <= cores else "none"
@@ -98,12 +108,13 @@ def main():
     parser.add_argument("scenes", nargs="*")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--all", action="store_true")
+    parser.add_argument("--counter", default="build/bin/limpid_count_ranks")
     parser.add_argument("--output")
     options = parser.parse_args()
     scenes = options.scenes or ["visible_male"]
     if options.all:
         import machine
-        machine.save(measure_all(scenes, options.runs), options.output)
+        machine.save(measure_all(scenes, options.runs, options.counter), options.output)
         return
     for name in scenes:
         result = measure(name, options.runs)

@@ -266,8 +266,8 @@ void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, d
 std::unique_ptr<Minimizer> MakeRanked(
   const Problem& problem, const std::function<std::unique_ptr<Minimizer>(const Problem&)>& make)
 {
-  auto minimizer = std::make_unique<RankedMinimizer>(problem, OrderFor(problem));
   const SmallPages small;
+  auto minimizer = std::make_unique<RankedMinimizer>(problem, OrderFor(problem));
   minimizer->Use(make(minimizer->ProblemInside()));
   return minimizer;
 }

@@ -1,9 +1,55 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""How long processes take that optimise an image together, and what memory."""
+"""How long processes take that optimise an image together, what memory, and what they say."""
 
 from markdown import fixed, head, percent, table
+
+LATENCY = 5e-6  # of a message [s]
+BANDWIDTH = 10e9  # of a rank [bytes/s]
+THREADS = 16  # of a rank
+EFFICIENCY = 0.8  # of these threads
+
+
+def counts(counted):
+    """Of the ranks that have most, an iteration in the middle: messages, bytes, waits."""
+    return counted["steps"][len(counted["steps"]) // 2]
+
+
+def uneven(counted):
+    """Work of the rank that has most on a slice, over the mean: of camera and light together."""
+    return (counted["camera"]["slices"] + counted["light"]["slices"]) / 2
+
+
+def model(nodes, ranks, counted, seconds_per_node):
+    """Seconds of an iteration on nodes^3 by so many ranks: work, waits, bytes. As many rows of rays
+    to a rank as in the counted scene, whose bands and slices are so much larger."""
+    largest = max(counted["nodes"])
+    rows = ranks * largest / nodes
+    alike = min(counted["counts"], key=lambda one: abs(one["ranks"] - rows))
+    scale = nodes / largest
+    most = counts(alike)
+    work = nodes ** 3 * seconds_per_node / (ranks * THREADS * EFFICIENCY) * uneven(alike)
+    # Rows are longer and there are more slices of them; what is exchanged whole is shared by ranks.
+    volume = nodes ** 3 * 8 / ranks
+    halo = max(most["bytes"] - 8 * counted["filled"] / alike["ranks"], 0) * scale ** 2
+    return work, most["waits"] * scale * LATENCY, (volume + halo) / BANDWIDTH
+
+
+def model_table(counted, seconds_per_node):
+    rows = [(nodes, ranks) for nodes in (1024, 2048) for ranks in (8, 32, 128, 512)
+            if nodes / ranks >= 4]
+
+    def cell(row, part):
+        return fixed(1e3 * model(*row, counted, seconds_per_node)[part], 0)
+
+    return table(rows, [
+        ("nodes", lambda row: f"{row[0]}³"), ("ranks", lambda row: str(row[1])),
+        ("work [ms]", lambda row: cell(row, 0)), ("waits [ms]", lambda row: cell(row, 1)),
+        ("bytes [ms]", lambda row: cell(row, 2)),
+        ("efficiency", lambda row: percent(
+            row[0] ** 3 * seconds_per_node / (row[1] * THREADS * EFFICIENCY) /
+            sum(model(*row, counted, seconds_per_node))))])
 
 
 def page(measured):
@@ -42,4 +88,26 @@ many rays.
             ("efficiency, all", lambda row: efficiency(row, total)),
             ("growth [MB]", lambda row: fixed(row["growth"], 0)),
             ("same score", lambda row: "yes" if row["score"] == one["score"] else "no")])
+        counted = measured["counted"][name]
+        text += f"""
+What ranks say to each other, counted by `limpid_count_ranks`: of an iteration in the middle, by the \
+rank that has most. A rank waits where it needs what others have. Uneven: work of the rank that has \
+most over the mean, if all wait for each other on every slice.
+
+""" + table(counted["counts"], [
+            ("ranks", lambda row: str(row["ranks"])),
+            ("messages", lambda row: str(counts(row)["messages"])),
+            ("MB", lambda row: fixed(counts(row)["bytes"] / 1e6, 2)),
+            ("waits", lambda row: str(counts(row)["waits"])),
+            ("uneven, camera", lambda row: fixed(row["camera"]["slices"], 2)),
+            ("uneven, light", lambda row: fixed(row["light"]["slices"], 2))])
+        seconds_per_node = steady(one) / float(counted["filled"])
+        text += f"""
+**A model, not measured**: an iteration where the scene has {fixed(1e9 * seconds_per_node, 0)} ns of \
+work per filled node, as above with one thread, and is filled everywhere; ranks of {THREADS} threads, \
+{percent(EFFICIENCY)} of whose time is work; {fixed(1e6 * LATENCY, 0)} µs per wait, \
+{fixed(BANDWIDTH / 1e9, 0)} GB/s per rank; bands as uneven as those above with as many rows; nothing \
+overlaps.
+
+""" + model_table(counted, seconds_per_node)
     return text

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Counts what ranks that share a scene say to each other, and how even their work is: of numbers of
+// ranks, most of any rank. They are threads here; what travels is what would travel between
+// machines. Prints JSON.
+//   limpid_count_ranks FILE.scene.json RANKS...
+
+#include "SceneForSolver.h"
+#include "ThreadRanks.h"
+
+#include "optimize/PreparedScene.h"
+#include "optimize/Solver.h"
+#include "sweep/PlanSweep.h"
+#include "sweep/RankBands.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <string>
+#include <vector>
+
+using namespace limpid;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+/// What a rank has sent, and how often it has come to wait.
+struct Traffic
+{
+  std::int64_t messages = 0;
+  std::int64_t bytes = 0;
+  std::int64_t waits = 0; ///< calls with anything to receive
+
+  Traffic& operator+=(const Traffic& other)
+  {
+    this->messages += other.messages;
+    this->bytes += other.bytes;
+    this->waits += other.waits;
+    return *this;
+  }
+};
+
+Traffic MostOf(const Traffic& one, const Traffic& other)
+{
+  return { std::max(one.messages, other.messages), std::max(one.bytes, other.bytes),
+    std::max(one.waits, other.waits) };
+}
+
+/// Ranks that count.
+class CountingRanks : public Communicator
+{
+public:
+  explicit CountingRanks(std::shared_ptr<const Communicator> ranks)
+    : Inner(std::move(ranks))
+  {
+  }
+
+  int Rank() const override { return this->Inner->Rank(); }
+  int Size() const override { return this->Inner->Size(); }
+
+  void Exchange(
+    const std::vector<Message>& sent, const std::vector<Message>& received) const override
+  {
+    for (const Message& message : sent)
+    {
+      this->Sent.bytes += std::int64_t(message.bytes);
+    }
+    this->Sent.messages += std::int64_t(sent.size());
+    this->Sent.waits += received.empty() ? 0 : 1;
+    this->Inner->Exchange(sent, received);
+  }
+
+  void GiveUp(const std::string& why, bool interrupted) const noexcept override
+  {
+    this->Inner->GiveUp(why, interrupted);
+  }
+
+  Traffic Take() const { return std::exchange(this->Sent, {}); }
+
+private:
+  std::shared_ptr<const Communicator> Inner;
+  mutable Traffic Sent;
+};
+
+/// Ranks of which nobody says anything: for plans.
+class SilentRanks : public Communicator
+{
+public:
+  explicit SilentRanks(int size)
+    : Count(size)
+  {
+  }
+
+  int Rank() const override { return 0; }
+  int Size() const override { return this->Count; }
+  void Exchange(const std::vector<Message>&, const std::vector<Message>&) const override {}
+  void GiveUp(const std::string&, bool) const noexcept override {}
+
+private:
+  int Count;
+};
+
+/// Of the sweeps of a source: work of the rank that has most, over the mean; of the whole sweep,
+/// and where all wait for each other on every slice.
+struct Evenness
+{
+  double all;
+  double slices;
+};
+
+Evenness EvennessOf(const Problem& problem, const RaySource& source, int ranks)
+{
+  const SilentRanks silent(ranks);
+  double total = 0;
+  double slices = 0;
+  std::vector<double> ofRanks(std::size_t(ranks), 0.0);
+  for (const PlannedFrustum& frustum :
+    PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity }))
+  {
+    const RankBands bands(frustum, silent);
+    for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
+    {
+      double most = 0;
+      for (int rank = 0; rank < ranks; ++rank)
+      {
+        Index work = 0;
+        const Range<int> rays = bands.RaysOf(rank);
+        for (int row = rays.begin; s < frustum.lastSlice && row < rays.end; ++row)
+        {
+          work += std::max(frustum.ActiveRays(s, row).Length(), 0);
+        }
+        const Range<int> voxels = bands.VoxelsOf(rank, s);
+        for (int v = voxels.begin; v < voxels.end; ++v)
+        {
+          work += std::max(frustum.FilledVoxels(s, v).Length(), 0);
+        }
+        ofRanks[std::size_t(rank)] += double(work);
+        total += double(work);
+        most = std::max(most, double(work));
+      }
+      slices += most;
+    }
+  }
+  const double mean = total / ranks;
+  return { *std::max_element(ofRanks.begin(), ofRanks.end()) / mean, slices / mean };
+}
+
+Json CountRanks(const SceneOfFile& scene, const Problem& problem, int ranks)
+{
+  std::mutex access;
+  std::vector<Traffic> most;
+  const Int3 nodes = scene.grid.nodes;
+  ThreadRanks::Run(ranks,
+    [&](const std::shared_ptr<const Communicator>& all)
+    {
+      NodeBox box = NodeBox::Of(nodes);
+      box.along[2] = { nodes.z * all->Rank() / ranks, nodes.z * (all->Rank() + 1) / ranks };
+      const auto counting = std::make_shared<const CountingRanks>(all);
+      const Index first = Index(nodes.x) * nodes.y * box.along[2].begin;
+      SceneFields fields{ scene.grid, scene.extinction.data() + first,
+        scene.importance.data() + first };
+      fields.piece = std::make_shared<const ScenePiece>(counting, scene.grid, box);
+      Solver solver(fields, scene.camera, scene.light, Settings());
+      std::vector<Traffic> traffic{ counting->Take() };
+      while (!solver.Step(1))
+      {
+        traffic.push_back(counting->Take());
+      }
+      traffic.push_back(counting->Take());
+      const std::lock_guard<std::mutex> lock(access);
+      most.resize(traffic.size());
+      std::transform(most.begin(), most.end(), traffic.begin(), most.begin(), MostOf);
+    });
+  Json result{ { "ranks", ranks } };
+  for (const Traffic& traffic : most)
+  {
+    result["steps"].push_back(
+      { { "messages", traffic.messages }, { "bytes", traffic.bytes }, { "waits", traffic.waits } });
+  }
+  for (const auto& [name, source] :
+    { std::pair{ "camera", &problem.camera }, std::pair{ "light", &problem.light } })
+  {
+    const Evenness even = EvennessOf(problem, *source, ranks);
+    result[name] = { { "all", even.all }, { "slices", even.slices } };
+  }
+  return result;
+}
+}
+
+int main(int argc, char** argv)
+{
+  if (argc < 3)
+  {
+    std::fprintf(stderr, "limpid_count_ranks FILE.scene.json RANKS...\n");
+    return 2;
+  }
+  try
+  {
+    const SceneOfFile scene{ std::string(argv[1]) };
+    PreparedScene prepared(scene.Fields());
+    const Problem problem = prepared.ProblemFor(scene.camera, scene.light, Settings());
+    Json counted{ { "nodes", { scene.grid.nodes.x, scene.grid.nodes.y, scene.grid.nodes.z } },
+      { "filled", problem.occupancy->FilledVoxels() } };
+    for (int i = 2; i < argc; ++i)
+    {
+      counted["counts"].push_back(CountRanks(scene, problem, std::stoi(argv[i])));
+    }
+    std::printf("%s\n", counted.dump(1).c_str());
+    return 0;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
