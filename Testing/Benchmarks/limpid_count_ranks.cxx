@@ -123,25 +123,25 @@ Evenness EvennessOf(const Problem& problem, const RaySource& source, int ranks)
     const RankBands bands(frustum, silent);
     for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
     {
-      double most = 0;
-      for (int rank = 0; rank < ranks; ++rank)
+      std::vector<double> here(std::size_t(ranks), 0.0);
+      for (int band = 0; band < bands.BandCount(); ++band)
       {
         Index work = 0;
-        const Range<int> rays = bands.RaysOf(rank);
+        const Range<int> rays = bands.RaysOf(band);
         for (int row = rays.begin; s < frustum.lastSlice && row < rays.end; ++row)
         {
           work += std::max(frustum.ActiveRays(s, row).Length(), 0);
         }
-        const Range<int> voxels = bands.VoxelsOf(rank, s);
+        const Range<int> voxels = bands.VoxelsOf(band, s);
         for (int v = voxels.begin; v < voxels.end; ++v)
         {
           work += std::max(frustum.FilledVoxels(s, v).Length(), 0);
         }
-        ofRanks[std::size_t(rank)] += double(work);
+        here[std::size_t(bands.RankOf(band))] += double(work);
+        ofRanks[std::size_t(bands.RankOf(band))] += double(work);
         total += double(work);
-        most = std::max(most, double(work));
       }
-      slices += most;
+      slices += *std::max_element(here.begin(), here.end());
     }
   }
   const double mean = total / ranks;

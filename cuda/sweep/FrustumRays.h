@@ -127,17 +127,16 @@ public:
   const RankBands* Bands() const { return this->Shared.get(); }
 
   /// The rows of rays that are swept here.
-  Range<int> RowsHere() const
+  RowsHere RaysHere() const
   {
-    return this->Shared ? this->Shared->RaysOf(this->Shared->Ranks().Rank())
-                        : Range<int>{ 0, this->Planned.rows };
+    return this->Shared ? this->Shared->RaysHere() : RowsHere{ { 0, this->Planned.rows } };
   }
 
   /// The rows of voxels of slice `s` that are changed here.
-  Range<int> VoxelsHere(int s) const
+  RowsHere VoxelsHere(int s) const
   {
-    return this->Shared ? this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s)
-                        : this->Planned.SliceAt(s).ownedRows;
+    return this->Shared ? this->Shared->VoxelsHere(s)
+                        : RowsHere{ this->Planned.SliceAt(s).ownedRows };
   }
 
 private:

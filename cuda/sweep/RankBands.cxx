@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace limpid
 {
@@ -55,42 +56,116 @@ std::vector<int> Divide(const std::vector<Index>& costs, int parts)
   begins.resize(std::size_t(parts) + 1, static_cast<int>(costs.size()));
   return begins;
 }
+
+/// Bands of a rank: as many as divide its work evenly on every slice, but none of a few rows.
+int BandsPerRank(int rows, int ranks)
+{
+  constexpr int most = 4;
+  constexpr int leastRows = 8;
+  return ranks == 1 ? 1 : std::clamp(rows / (leastRows * ranks), 1, most);
+}
 }
 
 RankBands::RankBands(const FaceFrustum& frustum, const Communicator& ranks)
   : Frustum(frustum)
   , All(&ranks)
-  , Begins(Divide(CostsOfRows(frustum), ranks.Size()))
+  , Begins(Divide(CostsOfRows(frustum), ranks.Size() * BandsPerRank(frustum.rows, ranks.Size())))
 {
-  int last = 0;
+  this->FindNeeded();
+  this->FindOwn();
+  const auto rays = [this](int band) { return this->RaysOf(band); };
   for (int s = 0; s < frustum.SliceCount(); ++s)
   {
-    const Slice& slice = frustum.SliceAt(s);
+    const bool voxels = frustum.SliceAt(s).node >= 0;
+    for (const int more : { 0, 1 })
+    {
+      const auto read = [&](int band) { return this->RaysReadBy(band, s, more); };
+      this->Rays[more].push_back(voxels ? this->Pass(rays, read) : OnSlice());
+    }
+    const auto changed = [&](int band) { return this->VoxelsOf(band, s); };
+    const auto needed = [&](int band) { return this->VoxelsNeeded(band, frustum.SliceAt(s).node); };
+    this->Voxels.push_back(voxels ? this->Pass(changed, needed) : OnSlice());
+  }
+}
+
+void RankBands::FindNeeded()
+{
+  int last = 0;
+  for (int s = 0; s < this->Frustum.SliceCount(); ++s)
+  {
+    const Slice& slice = this->Frustum.SliceAt(s);
     last = std::max({ last, slice.node, slice.nodes[0], slice.nodes[1] });
   }
-  const auto depth = static_cast<std::size_t>(last) + 1;
-  this->Needed.resize(std::size_t(ranks.Size()));
-  for (int rank = 0; rank < ranks.Size(); ++rank)
+  for (int band = 0; band < this->BandCount(); ++band)
   {
-    std::vector<Range<int>>& rows = this->Needed[std::size_t(rank)];
-    rows.resize(depth);
+    std::vector<Range<int>> rows(static_cast<std::size_t>(last) + 1);
     const auto extend = [&rows](int node, const Range<int>& by)
     { rows[std::size_t(node)] = Hull(rows[std::size_t(node)], by); };
-    for (int s = 0; s < frustum.SliceCount(); ++s)
+    for (int s = 0; s < this->Frustum.SliceCount(); ++s)
     {
-      const Slice& slice = frustum.SliceAt(s);
-      if (s < frustum.lastSlice)
+      const Slice& slice = this->Frustum.SliceAt(s);
+      if (s < this->Frustum.lastSlice)
       {
-        const Range<int> read = this->RowsRead(this->RaysOf(rank), s);
+        const Range<int> read = this->RowsRead(this->RaysOf(band), s);
         extend(slice.nodes[0], read);
         extend(slice.nodes[1], read);
       }
       if (slice.node >= 0)
       {
-        extend(slice.node, this->VoxelsOf(rank, s));
+        extend(slice.node, this->VoxelsOf(band, s));
+      }
+    }
+    this->Needed.push_back(std::move(rows));
+  }
+}
+
+void RankBands::FindOwn()
+{
+  const auto add = [](const Range<int>& range, std::vector<int>& rows)
+  {
+    for (int row = range.begin; row < range.end; ++row)
+    {
+      rows.push_back(row);
+    }
+  };
+  this->OwnVoxels.resize(std::size_t(this->Frustum.SliceCount()));
+  for (int band = this->All->Rank(); band < this->BandCount(); band += this->All->Size())
+  {
+    add(this->RaysOf(band), this->OwnRays);
+    for (int s = this->Frustum.firstNodeSlice; s <= this->Frustum.lastSlice; ++s)
+    {
+      add(this->VoxelsOf(band, s), this->OwnVoxels[std::size_t(s)]);
+    }
+  }
+}
+
+/// What passes between this rank and the others, of what bands have and what bands read.
+template <class Had, class Read>
+RankBands::OnSlice RankBands::Pass(const Had& had, const Read& read) const
+{
+  OnSlice passing;
+  const int own = this->All->Rank();
+  const auto add = [this](const Range<int>& rows, int band, std::vector<Passing>& all)
+  {
+    if (!rows.Empty())
+    {
+      all.push_back({ this->RankOf(band), rows });
+    }
+  };
+  for (int band = 0; band < this->BandCount(); ++band)
+  {
+    for (int reader = 0; reader < this->BandCount(); ++reader)
+    {
+      const bool gives = this->RankOf(band) == own;
+      const bool takes = this->RankOf(reader) == own;
+      if (gives != takes)
+      {
+        const Range<int> rows = Intersection(had(band), read(reader));
+        add(rows, gives ? reader : band, gives ? passing.sent : passing.received);
       }
     }
   }
+  return passing;
 }
 
 /// Rows of voxels that rows of rays read in the layer behind slice `s`.
@@ -105,9 +180,9 @@ Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
   return read;
 }
 
-Range<int> RankBands::VoxelsOf(int rank, int s) const
+Range<int> RankBands::VoxelsOf(int band, int s) const
 {
-  const Range<int> rays = this->RaysOf(rank);
+  const Range<int> rays = this->RaysOf(band);
   const int* rows = this->Frustum.Row(this->Frustum.voxelRows, s).index;
   const int* end = rows + this->Frustum.nodesV;
   const int* first = std::lower_bound(rows, end, rays.begin);
@@ -117,9 +192,10 @@ Range<int> RankBands::VoxelsOf(int rank, int s) const
   return owned.Empty() ? Range<int>{} : owned;
 }
 
-Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
+/// Rows of rays that voxels of a band read on slice `s`, and so many more on either side.
+Range<int> RankBands::RaysReadBy(int band, int s, int more) const
 {
-  const Range<int> voxels = this->VoxelsOf(rank, s);
+  const Range<int> voxels = this->VoxelsOf(band, s);
   if (voxels.Empty())
   {
     return {};
@@ -131,60 +207,122 @@ Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
   return Intersection(Range<int>{ first - more, last + 2 + more }, { 0, this->Frustum.rows });
 }
 
-void RankBands::ExchangeRays(int s, int more, const std::vector<float*>& images) const
+namespace
 {
-  const int own = this->All->Rank();
-  std::vector<Communicator::Message> sent;
-  std::vector<Communicator::Message> received;
-  const auto add = [&](
-                     std::vector<Communicator::Message>& messages, int rank, const Range<int>& rows)
+/// Values that follow each other in memory.
+struct Segment
+{
+  float* first;
+  std::size_t count;
+};
+
+/// What goes to a rank or comes from it, in one message.
+struct Parcel
+{
+  int rank;
+  std::vector<Segment> segments;
+  std::vector<float> values;
+};
+
+Parcel& ParcelOf(int rank, std::vector<Parcel>& parcels)
+{
+  const auto found = std::find_if(
+    parcels.begin(), parcels.end(), [rank](const Parcel& parcel) { return parcel.rank == rank; });
+  if (found != parcels.end())
   {
-    for (float* image : rows.Empty() ? std::vector<float*>() : images)
+    return *found;
+  }
+  parcels.push_back({ rank, {}, {} });
+  return parcels.back();
+}
+
+std::vector<Communicator::Message> MessagesOf(std::vector<Parcel>& parcels)
+{
+  std::vector<Communicator::Message> messages;
+  for (Parcel& parcel : parcels)
+  {
+    std::size_t count = 0;
+    for (const Segment& segment : parcel.segments)
     {
-      const Index first = this->Frustum.RayAt(0, rows.begin);
-      const Index count = Index(rows.Length()) * this->Frustum.columns;
-      messages.push_back({ rank, image + first, std::size_t(count) * sizeof(float) });
+      count += segment.count;
     }
-  };
-  const Range<int> read = this->RaysReadBy(own, s, more);
-  for (int rank = 0; rank < this->All->Size(); ++rank)
-  {
-    if (rank != own)
+    parcel.values.resize(count);
+    if (count > 0)
     {
-      add(sent, rank, Intersection(this->RaysOf(own), this->RaysReadBy(rank, s, more)));
-      add(received, rank, Intersection(this->RaysOf(rank), read));
+      messages.push_back({ parcel.rank, parcel.values.data(), count * sizeof(float) });
     }
   }
-  this->All->Exchange(sent, received);
+  return messages;
+}
+}
+
+/// `add`: adds what passes of a row, to `segments`.
+template <class Add>
+void RankBands::Exchange(const OnSlice& passing, const Add& add) const
+{
+  const auto parcelsOf = [&add](const std::vector<Passing>& all)
+  {
+    std::vector<Parcel> parcels;
+    for (const Passing& some : all)
+    {
+      for (int row = some.rows.begin; row < some.rows.end; ++row)
+      {
+        add(row, ParcelOf(some.rank, parcels).segments);
+      }
+    }
+    return parcels;
+  };
+  std::vector<Parcel> sent = parcelsOf(passing.sent);
+  std::vector<Parcel> received = parcelsOf(passing.received);
+  const std::vector<Communicator::Message> out = MessagesOf(sent);
+  const std::vector<Communicator::Message> in = MessagesOf(received);
+  for (Parcel& parcel : sent)
+  {
+    float* next = parcel.values.data();
+    for (const Segment& segment : parcel.segments)
+    {
+      next = std::copy_n(segment.first, segment.count, next);
+    }
+  }
+  this->All->Exchange(out, in);
+  for (const Parcel& parcel : received)
+  {
+    const float* next = parcel.values.data();
+    for (const Segment& segment : parcel.segments)
+    {
+      std::copy_n(next, segment.count, segment.first);
+      next += segment.count;
+    }
+  }
+}
+
+void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& images) const
+{
+  this->Exchange(this->Rays[cubic ? 1 : 0][std::size_t(s)],
+    [&](int row, std::vector<Segment>& segments)
+    {
+      // Other rays are as they were on the slice before.
+      const Range<int> columns =
+        cubic ? Range<int>{ 0, this->Frustum.columns } : this->Frustum.ActiveRays(s, row);
+      for (float* image : columns.Empty() ? std::vector<float*>() : images)
+      {
+        segments.push_back(
+          { image + this->Frustum.RayAt(columns.begin, row), std::size_t(columns.Length()) });
+      }
+    });
 }
 
 void RankBands::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) const
 {
-  const int own = this->All->Rank();
-  const int node = this->Frustum.SliceAt(s).node;
-  const Range<int>& columns = this->Frustum.SliceAt(s).ownedColumns;
-  const std::size_t bytes = std::size_t(columns.Length()) * sizeof(float);
-  std::vector<Communicator::Message> sent;
-  std::vector<Communicator::Message> received;
-  const auto add = [&](
-                     std::vector<Communicator::Message>& messages, int rank, const Range<int>& rows)
-  {
-    for (SliceWindow* field : fields)
+  this->Exchange(this->Voxels[std::size_t(s)],
+    [&](int v, std::vector<Segment>& segments)
     {
-      for (int v = rows.begin; v < rows.end; ++v)
+      const Range<int>& columns = this->Frustum.FilledVoxels(s, v);
+      for (SliceWindow* field : columns.Empty() ? std::vector<SliceWindow*>() : fields)
       {
-        messages.push_back({ rank, field->Row(node, v) + columns.begin, bytes });
+        segments.push_back({ field->Row(this->Frustum.SliceAt(s).node, v) + columns.begin,
+          std::size_t(columns.Length()) });
       }
-    }
-  };
-  for (int rank = 0; rank < this->All->Size(); ++rank)
-  {
-    if (rank != own)
-    {
-      add(sent, rank, Intersection(this->VoxelsOf(own, s), this->VoxelsNeeded(rank, node)));
-      add(received, rank, Intersection(this->VoxelsOf(rank, s), this->VoxelsNeeded(own, node)));
-    }
-  }
-  this->All->Exchange(sent, received);
+    });
 }
 }

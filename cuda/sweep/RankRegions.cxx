@@ -182,12 +182,12 @@ struct Passage
 Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
   Region region;
-  for (int s = 0; s < frustum.SliceCount(); ++s)
+  for (int band = rank; band < bands.BandCount(); band += bands.Ranks().Size())
   {
-    const Slice& slice = frustum.SliceAt(s);
-    if (slice.node >= 0)
+    for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
     {
-      Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)), frustum.axisW,
+      const Slice& slice = frustum.SliceAt(s);
+      Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(band, s)), frustum.axisW,
         region);
     }
   }
@@ -197,10 +197,13 @@ Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int ran
 Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
   Region region;
-  for (int node = 0; node < bands.Depth(); ++node)
+  for (int band = rank; band < bands.BandCount(); band += bands.Ranks().Size())
   {
-    Add(SliceOf(frustum, node, { 0, frustum.nodesU }, bands.VoxelsNeeded(rank, node)),
-      frustum.axisW, region);
+    for (int node = 0; node < bands.Depth(); ++node)
+    {
+      Add(SliceOf(frustum, node, { 0, frustum.nodesU }, bands.VoxelsNeeded(band, node)),
+        frustum.axisW, region);
+    }
   }
   return region;
 }

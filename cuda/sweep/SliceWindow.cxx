@@ -86,18 +86,28 @@ Range<int> SliceWindow::NodesOf(int begin, int end) const
 }
 
 /// Of `rows` those that the rank needs at any of these nodes.
-Range<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const
+std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const
 {
-  if (!this->Bands)
+  std::vector<char> isNeeded(std::size_t(this->Rows), this->Bands ? 0 : 1);
+  const int step = this->Bands ? this->Bands->Ranks().Size() : 1;
+  const int count = this->Bands ? this->Bands->BandCount() : 0;
+  for (int band = this->Bands ? this->Bands->Ranks().Rank() : 0; band < count; band += step)
   {
-    return rows;
+    for (int node = nodes.begin; node < nodes.end; ++node)
+    {
+      const Range<int> needed = this->Bands->VoxelsNeeded(band, node);
+      std::fill(isNeeded.begin() + needed.begin, isNeeded.begin() + needed.end, char(1));
+    }
   }
-  Range<int> needed;
-  for (int node = nodes.begin; node < nodes.end; ++node)
+  std::vector<int> some;
+  for (int row = rows.begin; row < rows.end; ++row)
   {
-    needed = Hull(needed, this->Bands->VoxelsNeeded(this->Bands->Ranks().Rank(), node));
+    if (isNeeded[std::size_t(row)])
+    {
+      some.push_back(row);
+    }
   }
-  return Intersection(rows, needed);
+  return some;
 }
 
 Range<int> SliceWindow::HullOf(int begin, int end, Range<int> Slice::*part) const
@@ -135,7 +145,7 @@ void SliceWindow::Load(const Range<int>& slab)
   const int end = std::min(slab.end + this->Use.behind, this->Source->SliceCount());
   const Range<int> nodes = this->NodesOf(slab.begin, end);
   const Range<int> columns = this->HullOf(slab.begin, end, &Slice::touchedColumns);
-  const Range<int> rows =
+  const std::vector<int> rows =
     this->RowsOfRank(this->HullOf(slab.begin, end, &Slice::touchedRows), nodes);
   const Index slice = Index(this->Rows) * this->Columns;
   const Index pitch = this->StrideV / this->Columns; // nodes along x
@@ -146,10 +156,10 @@ void SliceWindow::Load(const Range<int>& slab)
     this->Slices = this->Memory->values.Data();
   }
   // Slices along x, columns along y, rows along z.
-  ParallelFor(std::max(rows.Length(), 0),
+  ParallelFor(static_cast<Index>(rows.size()),
     [&](Index row)
     {
-      const int v = rows.begin + static_cast<int>(row);
+      const int v = rows[std::size_t(row)];
       const float* source = this->Field + this->StrideV * v + nodes.begin;
       float* target = this->Slices + Index(v) * this->Columns;
       const Range<int> filled = this->FilledIn(nodes, v, columns);
@@ -196,14 +206,14 @@ void SliceWindow::Store(const Range<int>& slab)
   }
   const Range<int> nodes = this->NodesOf(slab.begin, slab.end);
   const Range<int> columns = this->HullOf(slab.begin, slab.end, &Slice::ownedColumns);
-  const Range<int> rows =
+  const std::vector<int> rows =
     this->RowsOfRank(this->HullOf(slab.begin, slab.end, &Slice::ownedRows), nodes);
   const Index slice = Index(this->Rows) * this->Columns;
   const Index pitch = this->StrideV / this->Columns;
-  ParallelFor(std::max(rows.Length(), 0),
+  ParallelFor(static_cast<Index>(rows.size()),
     [&](Index row)
     {
-      const Index v = rows.begin + row;
+      const Index v = rows[std::size_t(row)];
       float* target = this->Field + this->StrideV * v + nodes.begin;
       const float* source = this->Slices + (nodes.begin - this->First) * slice + v * this->Columns;
       const Range<int> filled = this->FilledIn(nodes, static_cast<int>(v), columns);

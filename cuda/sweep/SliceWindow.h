@@ -107,7 +107,7 @@ public:
 
 private:
   Range<int> NodesOf(int begin, int end) const;
-  Range<int> RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const;
+  std::vector<int> RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const;
   Range<int> HullOf(int begin, int end, Range<int> Slice::*part) const;
   Range<int> FilledIn(const Range<int>& nodes, int v, const Range<int>& columns) const;
   void ClearRow(int v, const Range<int>& kept, int slices);

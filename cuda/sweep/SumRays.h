@@ -46,8 +46,7 @@ struct Seen
 /// Adds one value per ray, for an integral over the domain of what these are integrals of along
 /// their rays times scale^2, which cellMeasure times the sum is. Row by row; rows are added
 /// exactly. `rows`: of rays.
-void AddRays(
-  const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum);
+void AddRays(const FaceFrustum& frustum, const RowsHere& rows, const float* values, ExactSum& sum);
 
 namespace detail
 {
@@ -143,8 +142,8 @@ inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Vis
   for (FrustumRays<HostDevice>& frustum : frusta)
   {
     const SeenByRay seen(frustum.States(), kept);
-    AddRays(frustum.Plan(), frustum.RowsHere(), seen.visible, sums[0]);
-    AddRays(frustum.Plan(), frustum.RowsHere(), seen.unattenuated, sums[1]);
+    AddRays(frustum.Plan(), frustum.RaysHere(), seen.visible, sums[0]);
+    AddRays(frustum.Plan(), frustum.RaysHere(), seen.unattenuated, sums[1]);
     cellMeasure = frustum.Plan().cellMeasure;
     ranks = frustum.Bands() ? &frustum.Bands()->Ranks() : nullptr;
   }
@@ -163,7 +162,7 @@ double SumOfRays(
   if constexpr (AnyDevice::readsHostMemory)
   {
     ExactSum sum;
-    AddRays(frustum, { 0, frustum.rows }, values, sum);
+    AddRays(frustum, { { 0, frustum.rows } }, values, sum);
     return frustum.cellMeasure * sum.Value();
   }
   else

@@ -85,14 +85,13 @@ private:
   std::deque<SliceWindow> All;
 };
 
-/// Brings what voxels of slice `s` read of the rays to them from other ranks, see
-/// RankBands::RaysReadBy.
-inline void ExchangeRays(
-  const FrustumRays<HostDevice>& rays, int s, int more, const RayStates& states, float* seenBehind)
+/// Brings what voxels of slice `s` read of the rays to them from other ranks, see RankBands.
+inline void ExchangeRays(const FrustumRays<HostDevice>& rays, int s, bool cubic,
+  const RayStates& states, float* seenBehind)
 {
   if (rays.Bands())
   {
-    rays.Bands()->ExchangeRays(s, more, { states.transmittance, states.density, seenBehind });
+    rays.Bands()->ExchangeRays(s, cubic, { states.transmittance, states.density, seenBehind });
   }
 }
 
@@ -104,7 +103,7 @@ void SweepForward(
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  const Range<int> rows = rays.RowsHere();
+  const RowsHere rows = rays.RaysHere();
   ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
@@ -114,7 +113,7 @@ void SweepForward(
     ParallelFor(rows.Length(), rowsPerTask / 2,
       [&](Index row)
       {
-        Rays sampler(frustum, states, rows.begin + static_cast<int>(row));
+        Rays sampler(frustum, states, rows[row]);
         for (int s = slab.begin; s < std::min(slab.end, frustum.lastSlice); ++s)
         {
           rowKernel.RayStep(sampler, s);
@@ -139,13 +138,13 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
-  const Range<int> rowsOfRays = rays.RowsHere();
+  const RowsHere rowsOfRays = rays.RaysHere();
   const auto forRays = [&](const auto& step)
   {
     ParallelFor(rowsOfRays.Length(), rowsPerTask,
       [&](Index row)
       {
-        RowSampler sampler(frustum, states, rowsOfRays.begin + static_cast<int>(row));
+        RowSampler sampler(frustum, states, rowsOfRays[row]);
         step(sampler);
       });
   };
@@ -157,16 +156,16 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
     for (int s = slab.end; s-- > std::max(slab.begin, frustum.firstNodeSlice);)
     {
       forRays([&](RowSampler& sampler) { rowKernel.RayStep(sampler, s); });
-      ExchangeRays(rays, s, 0, states, states.*Kernel::seenBehind);
-      const Range<int> rows = rays.VoxelsHere(s);
+      ExchangeRays(rays, s, false, states, states.*Kernel::seenBehind);
+      const RowsHere rows = rays.VoxelsHere(s);
       ParallelFor(rows.Length(), rowsPerTask,
         [&](Index v)
         {
-          VoxelRow voxels(frustum, s, rows.begin + static_cast<int>(v));
+          VoxelRow voxels(frustum, s, rows[v]);
           if (!voxels.Filled().Empty())
           {
             rowKernel.VoxelStep(voxels, beside);
-            done(voxels, rowKernel, rows.begin + static_cast<int>(v));
+            done(voxels, rowKernel, rows[v]);
           }
         });
       windows.Exchange(s);
@@ -199,7 +198,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
   FieldWindows windows(rays, nullptr);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
-  const Range<int> rowsOfRays = rays.RowsHere();
+  const RowsHere rowsOfRays = rays.RaysHere();
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
   for (const Range<int>& slab : SlabsOf(frustum))
   {
@@ -209,7 +208,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
       ParallelFor(rowsOfRays.Length(), rowsPerTask,
         [&](Index index)
         {
-          const int row = rowsOfRays.begin + static_cast<int>(index);
+          const int row = rowsOfRays[index];
           Range<int>& met = dimmed[std::size_t(row)];
           RowSampler sampler(frustum, states, row);
           rowKernel.RayStep(sampler, s, met);
@@ -219,13 +218,12 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
       {
         continue;
       }
-      constexpr int moreOfCubics = 1;
-      ExchangeRays(rays, s, moreOfCubics, states, states.*Kernel::seenBehind);
-      const Range<int> rows = rays.VoxelsHere(s);
+      ExchangeRays(rays, s, true, states, states.*Kernel::seenBehind);
+      const RowsHere rows = rays.VoxelsHere(s);
       ParallelFor(rows.Length(), rowsPerTask,
         [&](Index v)
         {
-          VoxelRow voxels(frustum, s, rows.begin + static_cast<int>(v));
+          VoxelRow voxels(frustum, s, rows[v]);
           rowKernel.VoxelStep(voxels, beside);
         });
     }
