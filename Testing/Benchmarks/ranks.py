@@ -44,7 +44,7 @@ def measure(name, runs):
     controller = vtkMultiProcessController.GetGlobalController()
     rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
     image, *rest = steadiness.load(name)
-    whole = image.GetExtent()
+    whole, center, image_length = image.GetExtent(), image.GetCenter(), image.GetLength()
     if ranks > 1:
         layers = whole[5] + 1
         image.Crop([*whole[:4], layers * rank // ranks,
@@ -55,7 +55,8 @@ def measure(name, runs):
     iterations, all_seconds, growth = [], [], None
     for _ in range(runs):
         optimizer = orbits.optimizer_for((image, *rest))
-        optimizer.AutomaticPlacementOn()
+        optimizer.SetCameraFocalPoint(center)
+        optimizer.SetCameraPosition(center[0] + image_length, center[1], center[2] - image_length)
         optimizer.SetInputConnection(source.GetOutputPort())
         before = status("VmRSS")
         with open("/proc/self/clear_refs", "w") as peak:

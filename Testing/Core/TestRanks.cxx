@@ -259,6 +259,23 @@ TEST(Ranks, AreRefusedWhatTheyCannotDoTogether)
   }
 }
 
+TEST(Ranks, AreRefusedOtherViewsThanTheOthers)
+{
+  const Whole scene(Onion());
+  Messages messages;
+  OnRanks(3, scene, Slabs(scene.grid.nodes, 2, 3),
+    [&](const SceneFields& fields, const NodeBox&)
+    {
+      Whole here = scene;
+      here.camera.position.x += fields.piece->ranks->Rank() == 2 ? 1e-9 : 0.0;
+      messages.Of([&] { Optimized(fields, here); });
+    });
+  for (const std::string& message : messages.Get())
+  {
+    EXPECT_NE(message.find("The ranks differ in the camera"), std::string::npos) << message;
+  }
+}
+
 TEST(Ranks, StopTogether)
 {
   const Whole scene(Onion());

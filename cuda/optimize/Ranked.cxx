@@ -11,6 +11,8 @@
 #include "optimize/TermsOnRanks.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -105,6 +107,40 @@ Problem Shared(const Problem& problem, const AxisPermutation& order)
   shared.piece = nullptr;
   shared.shared = fields;
   return shared;
+}
+
+void Add(const Vec3& vector, std::vector<double>& numbers)
+{
+  numbers.insert(numbers.end(), { vector.x, vector.y, vector.z });
+}
+
+void Add(const Camera& camera, std::vector<double>& numbers)
+{
+  for (const Vec3& vector : { camera.position, camera.focalPoint, camera.viewUp })
+  {
+    Add(vector, numbers);
+  }
+  numbers.insert(numbers.end(),
+    { camera.viewAngle, double(camera.parallel), camera.parallelScale, camera.aspect,
+      double(camera.corners.size()) });
+}
+
+/// Whether all ranks have the same numbers.
+bool AreAlike(const Communicator& ranks, const std::vector<double>& numbers)
+{
+  // The least of all is the largest where all are the same: of each, and of what it lacks of -1.
+  std::vector<std::int32_t> words(2 * numbers.size());
+  std::memcpy(words.data(), numbers.data(), words.size() * sizeof(std::int32_t));
+  std::vector<std::int32_t> both = words;
+  std::transform(words.begin(), words.end(), std::back_inserter(both),
+    [](std::int32_t word) { return -1 - word; });
+  ranks.TakeLeast(both.data(), both.size());
+  bool alike = true;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    alike = alike && both[i] == -1 - both[words.size() + i];
+  }
+  return alike;
 }
 
 class RankedMinimizer : public Minimizer
@@ -233,6 +269,39 @@ private:
   NodeValues Extinction;       ///< as far as it is needed [1/length]
   std::optional<Visible> Base; ///< not seen yet
 };
+}
+
+void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& camera,
+  const Light& light, const Settings& settings)
+{
+  std::vector<double> numbers;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    numbers.insert(
+      numbers.end(), { double(grid.nodes[axis]), grid.origin[axis], grid.spacing[axis] });
+    Add(grid.direction[axis], numbers);
+  }
+  Add(camera, numbers);
+  for (const Camera& other : settings.otherCameras)
+  {
+    Add(other, numbers);
+  }
+  numbers.push_back(double(light.type));
+  Add(light.position, numbers);
+  Add(light.focalPoint, numbers);
+  const Weights& weights = settings.weights;
+  numbers.insert(numbers.end(),
+    { weights.regularization, weights.view, weights.light, double(settings.mode),
+      double(settings.maximumIterations), settings.tolerance, settings.maximumSeconds,
+      double(settings.derivative), settings.rayDensity, double(settings.skipUnneeded),
+      double(settings.restrictToView), settings.protectImportance,
+      double(settings.importanceSmoothing) });
+  if (!AreAlike(ranks, { double(numbers.size()) }) || !AreAlike(ranks, numbers))
+  {
+    throw JointError(
+      "The ranks differ in the camera, the light, the settings or where the image is "
+      "(what they say to each other follows from these). Give all of them the same.");
+  }
 }
 
 std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const RaySource& source)

@@ -33,6 +33,11 @@ struct FieldsOfRanks
   Field nodeImportance; ///< [0, 1]
 };
 
+/// Throws JointError on all ranks unless they have the same view and settings: what they exchange
+/// follows from these.
+void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& camera,
+  const Light& light, const Settings& settings);
+
 /// Transmittance from a source through an extinction of this rank's piece, see TransmittanceSweep,
 /// into another array of it.
 void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, double rayDensity,

@@ -9,6 +9,7 @@
 #include "math/Require.h"
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/PreparedScene.h"
+#include "optimize/Ranked.h"
 #include "optimize/Smoothing.h"
 #include "optimize/Solver.h"
 #include "optimize/SolverBackend.h"
@@ -70,6 +71,10 @@ struct Solver::Internals
     const Camera& eye, const Light& lamp, const Settings& wanted, const CarriedChange& before)
   {
     this->scene = this->prepared->Arrays();
+    if (this->Ranks())
+    {
+      RequireAlike(*this->Ranks(), this->scene.grid, eye, lamp, wanted);
+    }
     Problem whole = this->prepared->ProblemFor(eye, lamp, wanted);
     this->previous = this->prepared->StayedNear(before, eye, lamp, whole);
     this->nearness = whole.nearness;

@@ -57,12 +57,14 @@ std::vector<int> Divide(const std::vector<Index>& costs, int parts)
   return begins;
 }
 
-/// Bands of a rank: as many as divide its work evenly on every slice, but none of a few rows.
+/// Bands of a rank: none of a few rows, and more where there are more ranks. Two ranks gain less by
+/// even work than what passes between more bands costs.
 int BandsPerRank(int rows, int ranks)
 {
   constexpr int most = 4;
   constexpr int leastRows = 8;
-  return ranks == 1 ? 1 : std::clamp(rows / (leastRows * ranks), 1, most);
+  const int wanted = std::clamp(ranks / 2, 1, most);
+  return std::clamp(rows / (leastRows * ranks), 1, wanted);
 }
 }
 
