@@ -276,6 +276,18 @@ TEST(Ranks, AreRefusedOtherViewsThanTheOthers)
   }
 }
 
+TEST(Ranks, TellHowTheWorkIsDivided)
+{
+  const Whole scene(Onion());
+  OnRanks(3, scene, Slabs(scene.grid.nodes, 2, 3),
+    [&](const SceneFields& fields, const NodeBox&)
+    {
+      const Solver solver(fields, scene.camera, scene.light, scene.settings);
+      EXPECT_NE(solver.BackendName().find("CPU, "), std::string::npos);
+      EXPECT_NE(solver.BackendName().find(", on each of 3 ranks"), std::string::npos);
+    });
+}
+
 TEST(Ranks, StopTogether)
 {
   const Whole scene(Onion());

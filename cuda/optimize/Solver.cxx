@@ -187,7 +187,9 @@ double Solver::Seconds() const
 
 std::string Solver::BackendName() const
 {
-  return this->State->backend.Name();
+  const Communicator* ranks = this->State->Ranks();
+  const std::string& name = this->State->backend.Name();
+  return ranks ? name + ", on each of " + std::to_string(ranks->Size()) + " ranks" : name;
 }
 
 const std::vector<IterationRecord>& Solver::History() const

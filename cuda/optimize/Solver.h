@@ -119,8 +119,10 @@ public:
   Energy BestEnergy() const;
   int Iterations() const;
   double Seconds() const;
-  std::string BackendName() const;                     ///< what computes: "CPU, 2 threads"
   const std::vector<IterationRecord>& History() const; ///< all iterations, first the base
+
+  /// What computes: "CPU, 2 threads", or where ranks share the scene "…, on each of 4 ranks".
+  std::string BackendName() const;
 
   /// Transmittance from the camera to every voxel through Extinction(), Eq. (15);
   /// `transmittance` has room for grid.NodeCount() values in [0, 1].
