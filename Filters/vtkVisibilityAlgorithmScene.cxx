@@ -166,7 +166,7 @@ limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* i
     ? this->ExtinctionArray(input)
     : this->OpacityOfScalars(input, scene.unitDistance, range);
   const limpid::FieldSource importance = this->ImportanceSource(input);
-  const limpid::SceneArrays arrays = limpid::ConvertScene(input, extinction, importance);
+  limpid::SceneArrays arrays = limpid::ConvertScene(input, extinction, importance);
   if (extinctionSource == ARRAY)
   {
     scene.taken.push_back(extinction.array);

@@ -39,6 +39,7 @@ public:
     const auto all = std::make_shared<ThreadRanks>(size);
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(size));
     std::vector<std::thread> threads;
+    threads.reserve(failures.size());
     for (int rank = 0; rank < size; ++rank)
     {
       threads.emplace_back(

@@ -43,6 +43,7 @@ FieldView InOrder(const FieldView& view, const AxisPermutation& order)
 std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes, const AxisPermutation& order)
 {
   std::vector<Region> regions;
+  regions.reserve(boxes.size());
   for (const NodeBox& box : boxes)
   {
     regions.push_back({ InOrder(box, order) });
