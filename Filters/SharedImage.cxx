@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -28,19 +27,6 @@ namespace limpid
 {
 namespace
 {
-/// Numbers of one rank, for all.
-template <std::size_t Count>
-void Tell(const Communicator& ranks, int teller, std::array<double, Count>& numbers)
-{
-  std::array<std::int64_t, Count> bits{};
-  if (ranks.Rank() == teller)
-  {
-    std::memcpy(bits.data(), numbers.data(), sizeof(bits));
-  }
-  ranks.Sum(bits.data(), bits.size());
-  std::memcpy(numbers.data(), bits.data(), sizeof(bits));
-}
-
 /// The whole image as the first rank that has points places it.
 Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<int, 6>& whole)
 {
@@ -53,13 +39,13 @@ Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<
                      "an image with data.");
   }
   std::array<double, 15> placement{};
-  if (hasPoints)
+  if (ranks.Rank() == first)
   {
     input->TransformIndexToPhysicalPoint(whole[0], whole[2], whole[4], placement.data());
     std::copy_n(input->GetSpacing(), 3, placement.begin() + 3);
     std::copy_n(input->GetDirectionMatrix()->GetData(), 9, placement.begin() + 6);
   }
-  Tell(ranks, first, placement);
+  ranks.Gather(placement.data(), placement.size());
   Grid grid;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -135,18 +121,16 @@ void SharedImage::TakeOwners(vtkFloatArray* field) const
 
 void JoinRange(const Communicator& ranks, double& low, double& high)
 {
-  const auto count = static_cast<std::size_t>(ranks.Size());
-  std::vector<std::int64_t> bits(2 * count, 0);
-  const double own[2] = { low, high };
-  std::memcpy(&bits[2 * std::size_t(ranks.Rank())], own, sizeof(own));
-  ranks.Sum(bits.data(), bits.size());
+  std::vector<double> ends(2 * std::size_t(ranks.Size()), 0.0);
+  const auto own = 2 * std::size_t(ranks.Rank());
+  ends[own] = low;
+  ends[own + 1] = high;
+  ranks.Gather(ends.data(), ends.size());
   low = high = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t rank = 0; rank < count; ++rank)
+  for (std::size_t end = 0; end < ends.size(); end += 2)
   {
-    double ends[2];
-    std::memcpy(ends, &bits[2 * rank], sizeof(ends));
-    low = std::fmin(low, ends[0]);
-    high = std::fmax(high, ends[1]);
+    low = std::fmin(low, ends[end]);
+    high = std::fmax(high, ends[end + 1]);
   }
 }
 }

@@ -23,11 +23,8 @@
 #include "viewpoint/Search.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 
 namespace
 {
@@ -219,24 +216,23 @@ std::vector<limpid::ScoredView> vtkViewpointSearch::Internals::ScoreTogether(
     own.push_back(directions[i]);
   }
   const std::vector<limpid::ScoredView> scored = score(own);
-  using Numbers = std::array<double, 5>;
-  std::vector<Numbers> numbers(directions.size(), Numbers{}); // of others: no bit is set
+  constexpr std::size_t numbersOfView = 5;
+  std::vector<double> numbers(numbersOfView * directions.size(), 0.0);
   for (std::size_t i = 0; i < own.size(); ++i)
   {
     const limpid::ScoredView& view = scored[i];
-    numbers[first + i * step] = { { view.score.visibility, view.score.fraction,
-      view.score.sacrificed, view.worth, view.valid ? 1.0 : 0.0 } };
+    const double all[numbersOfView] = { view.score.visibility, view.score.fraction,
+      view.score.sacrificed, view.worth, view.valid ? 1.0 : 0.0 };
+    std::copy_n(all, numbersOfView, &numbers[numbersOfView * (first + i * step)]);
   }
-  std::vector<std::int64_t> bits(5 * numbers.size());
-  std::memcpy(bits.data(), numbers.data(), bits.size() * sizeof(std::int64_t));
-  this->Ranks->Sum(bits.data(), bits.size());
-  std::memcpy(numbers.data(), bits.data(), bits.size() * sizeof(std::int64_t));
+  this->Ranks->Gather(numbers.data(), numbers.size());
   std::vector<limpid::ScoredView> views = Unscored(directions);
   for (std::size_t i = 0; i < views.size(); ++i)
   {
-    views[i].score = { numbers[i][0], numbers[i][1], numbers[i][2] };
-    views[i].worth = numbers[i][3];
-    views[i].valid = numbers[i][4] != 0;
+    const double* all = &numbers[numbersOfView * i];
+    views[i].score = { all[0], all[1], all[2] };
+    views[i].worth = all[3];
+    views[i].valid = all[4] != 0;
   }
   return views;
 }

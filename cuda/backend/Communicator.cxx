@@ -4,6 +4,7 @@
 #include "backend/Communicator.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 #include <string>
 
@@ -67,6 +68,14 @@ std::string Told(const Communicator& ranks, int teller, const std::string& text)
 void Communicator::Sum(std::int64_t* numbers, std::size_t count) const
 {
   Reduce(*this, numbers, count, [](std::int64_t a, std::int64_t b) { return a + b; });
+}
+
+void Communicator::Gather(double* numbers, std::size_t count) const
+{
+  std::vector<std::int64_t> bits(count);
+  std::memcpy(bits.data(), numbers, count * sizeof(double));
+  this->Sum(bits.data(), count); // 0 has no bit that is set
+  std::memcpy(numbers, bits.data(), count * sizeof(double));
 }
 
 void Communicator::TakeLeast(std::int32_t* numbers, std::size_t count) const
