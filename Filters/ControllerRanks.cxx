@@ -3,7 +3,9 @@
 
 #include "ControllerRanks.h"
 
+#include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "backend/Communicator.h"
 #include "backend/Interruption.h"
@@ -147,30 +149,34 @@ private:
   mutable bool HasGivenUp = false;
 };
 
-vtkMPICommunicator* MpiOf(vtkMultiProcessController* controller)
+/// Null: there is none.
+vtkMPICommunicator* GlobalMpi()
 {
-  auto* mpi = vtkMPIController::SafeDownCast(controller);
+  auto* mpi = vtkMPIController::SafeDownCast(vtkMultiProcessController::GetGlobalController());
   return mpi ? vtkMPICommunicator::SafeDownCast(mpi->GetCommunicator()) : nullptr;
 }
 }
 
-int NumberOfRanks(vtkMultiProcessController* controller)
+bool AllAreAsked(vtkInformation* outInfo)
 {
-  vtkMPICommunicator* mpi = MpiOf(controller);
-  return mpi ? mpi->GetNumberOfProcesses() : 1;
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkMPICommunicator* mpi = GlobalMpi();
+  return mpi && mpi->GetNumberOfProcesses() > 1 &&
+    outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == mpi->GetNumberOfProcesses() &&
+    outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) == mpi->GetLocalProcessId();
 }
 
-std::shared_ptr<const Communicator> RanksOf(vtkMultiProcessController* controller)
+std::shared_ptr<const Communicator> MakeRanks()
 {
-  return std::make_shared<const ControllerRanks>(MpiOf(controller));
+  return std::make_shared<const ControllerRanks>(GlobalMpi());
 }
 #else
-int NumberOfRanks(vtkMultiProcessController*)
+bool AllAreAsked(vtkInformation*)
 {
-  return 1;
+  return false;
 }
 
-std::shared_ptr<const Communicator> RanksOf(vtkMultiProcessController*)
+std::shared_ptr<const Communicator> MakeRanks()
 {
   return nullptr;
 }

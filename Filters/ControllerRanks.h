@@ -1,24 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The processes of VTK's controller as the ranks of the core.
+// The processes of VTK's global controller as the ranks of the core.
 
 #ifndef limpid_ControllerRanks_h
 #define limpid_ControllerRanks_h
 
 #include <memory>
 
-class vtkMultiProcessController;
+class vtkInformation;
 
 namespace limpid
 {
 class Communicator;
 
-/// How many processes a controller has that ranks can be: with MPI; else 1. Null: 1.
-int NumberOfRanks(vtkMultiProcessController* controller);
+/// Whether there are several processes of MPI, and each is asked for its own piece of an output:
+/// then they can share the work.
+bool AllAreAsked(vtkInformation* outInfo);
 
-/// These, for one computation. All of them have to ask for it, in the same order.
-std::shared_ptr<const Communicator> RanksOf(vtkMultiProcessController* controller);
+/// These processes, for one computation. All of them have to ask for it, in the same order.
+std::shared_ptr<const Communicator> MakeRanks();
 }
 
 #endif

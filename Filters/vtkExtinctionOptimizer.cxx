@@ -19,7 +19,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -168,16 +167,10 @@ int vtkExtinctionOptimizer::RequestUpdateExtent(
 // alike: each has its own piece, and the same properties.
 bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) const
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const int ranks = limpid::NumberOfRanks(controller);
-  if (ranks < 2 || outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) != ranks ||
-    outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) != controller->GetLocalProcessId())
-  {
-    return false;
-  }
   const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
-  return limpid::NotOnRanks(settings).empty() && settings.backend != limpid::BackendKind::Cuda &&
-    !this->Self->OptimizeViewpoint && !this->Self->WarmStart;
+  return limpid::AllAreAsked(outInfo) && limpid::NotOnRanks(settings).empty() &&
+    settings.backend != limpid::BackendKind::Cuda && !this->Self->OptimizeViewpoint &&
+    !this->Self->WarmStart;
 }
 
 limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector** inputVector) const
@@ -203,9 +196,7 @@ int vtkExtinctionOptimizer::RequestData(
   try
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(0);
-    this->State->Ranks = this->State->RanksShare(outInfo)
-      ? limpid::RanksOf(vtkMultiProcessController::GetGlobalController())
-      : nullptr;
+    this->State->Ranks = this->State->RanksShare(outInfo) ? limpid::MakeRanks() : nullptr;
     limpid::TellingRanks(
       this->State->Ranks.get(), [&] { this->Optimize(inputVector, output, convergence); });
     KeepRequestedPiece(outInfo, WholeExtentOf(inputVector), output);

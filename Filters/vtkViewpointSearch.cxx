@@ -11,7 +11,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -34,15 +33,6 @@ vtkInformation* RequestedOf(vtkInformation* request, vtkInformationVector* outpu
   const int port =
     request->Has(Pipeline::FROM_OUTPUT_PORT()) ? request->Get(Pipeline::FROM_OUTPUT_PORT()) : 0;
   return outputVector->GetInformationObject(std::max(port, 0));
-}
-
-// Whether every process is asked for its piece: then they share the work.
-bool RanksShare(vtkInformation* requested)
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const int ranks = limpid::NumberOfRanks(controller);
-  return ranks > 1 && requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks &&
-    requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
 }
 }
 
@@ -130,9 +120,7 @@ int vtkViewpointSearch::RequestData(
   {
     vtkInformation* requested = RequestedOf(request, outputVector);
     const bool isLaterPiece = requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
-    this->State->Ranks = RanksShare(requested)
-      ? limpid::RanksOf(vtkMultiProcessController::GetGlobalController())
-      : nullptr;
+    this->State->Ranks = limpid::AllAreAsked(requested) ? limpid::MakeRanks() : nullptr;
     limpid::TellingRanks(
       this->State->Ranks.get(), [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
     return 1;
