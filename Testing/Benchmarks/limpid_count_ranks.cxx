@@ -7,6 +7,7 @@
 //   limpid_count_ranks FILE.scene.json RANKS...
 
 #include "SceneForSolver.h"
+#include "SilentRanks.h"
 #include "ThreadRanks.h"
 
 #include "optimize/PreparedScene.h"
@@ -33,14 +34,6 @@ struct Traffic
   std::int64_t messages = 0;
   std::int64_t bytes = 0;
   std::int64_t waits = 0; ///< calls with anything to receive
-
-  Traffic& operator+=(const Traffic& other)
-  {
-    this->messages += other.messages;
-    this->bytes += other.bytes;
-    this->waits += other.waits;
-    return *this;
-  }
 };
 
 Traffic MostOf(const Traffic& one, const Traffic& other)
@@ -83,24 +76,6 @@ public:
 private:
   std::shared_ptr<const Communicator> Inner;
   mutable Traffic Sent;
-};
-
-/// Ranks of which nobody says anything: for plans.
-class SilentRanks : public Communicator
-{
-public:
-  explicit SilentRanks(int size)
-    : Count(size)
-  {
-  }
-
-  int Rank() const override { return 0; }
-  int Size() const override { return this->Count; }
-  void Exchange(const std::vector<Message>&, const std::vector<Message>&) const override {}
-  void GiveUp(const std::string&, bool) const noexcept override {}
-
-private:
-  int Count;
 };
 
 /// Of the sweeps of a source: work of the rank that has most, over the mean; of the whole sweep,

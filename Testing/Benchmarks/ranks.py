@@ -9,8 +9,7 @@
 
 The second calls the first for 1 process with one thread and with all, and for 2, 4 and 8 processes,
 each bound to a processor as far as there are enough, and limpid_count_ranks (--counter PROGRAM) for
-2 to 32. SCENE: a name in LIMPID_TEST_DATA,
-visible_male by default. PYTHONPATH as for Testing/Python. Then, for the page:
+2 to 32. SCENE: a name in LIMPID_TEST_DATA, visible_male by default. PYTHONPATH as for Testing/Python. Then, for the page:
   python3 Testing/Benchmarks/pages/make.py Documentation/Benchmarks --pages ranks
 """
 

@@ -5,8 +5,8 @@
 // what a rank needs of the fields is little more than its share.
 
 #include "BoxScene.h"
+#include "SilentRanks.h"
 
-#include "backend/Communicator.h"
 #include "optimize/PreparedScene.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/RankBands.h"
@@ -21,24 +21,6 @@ using namespace limpid;
 
 namespace
 {
-/// Ranks of which nobody says anything.
-class SilentRanks : public Communicator
-{
-public:
-  explicit SilentRanks(int size)
-    : Count(size)
-  {
-  }
-
-  int Rank() const override { return 0; }
-  int Size() const override { return this->Count; }
-  void Exchange(const std::vector<Message>&, const std::vector<Message>&) const override {}
-  void GiveUp(const std::string&, bool) const noexcept override {}
-
-private:
-  int Count;
-};
-
 /// Values of a region that may differ from 0.
 Index FilledIn(const Region& region, const Occupancy& occupancy)
 {

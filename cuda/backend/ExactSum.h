@@ -23,14 +23,6 @@ public:
   static constexpr std::size_t digitCount = 67;
   using Digits = std::array<std::int64_t, digitCount>; ///< least digit first, with carries
 
-  /// Integers that say all: sums of them are those of sums.
-  struct Parts
-  {
-    Digits digits{};
-    std::int64_t infinite[2] = { 0, 0 }; ///< how many numbers were infinite, above and below zero
-    std::int64_t undefined = 0;          ///< how many were none
-  };
-
   /// A number that is not finite makes the result that, or not a number.
   void Add(double number);
 
@@ -39,9 +31,15 @@ public:
   /// The double that is nearest to the sum; of two, the even one.
   double Value() const;
 
-  Parts& All() { return this->Sum; }
-
 private:
+  /// Integers that say all: sums of them are those of sums.
+  struct Parts
+  {
+    Digits digits{};
+    std::int64_t infinite[2] = { 0, 0 }; ///< how many numbers were infinite, above and below zero
+    std::int64_t undefined = 0;          ///< how many were none
+  };
+
   Parts Sum;
 };
 }

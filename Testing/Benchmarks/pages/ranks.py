@@ -16,6 +16,11 @@ def counts(counted):
     return counted["steps"][len(counted["steps"]) // 2]
 
 
+def threads_each(row):
+    """Of a backend's name: "CPU, 2 threads, ..."."""
+    return int(row["backend"].split(", ")[1].split()[0])
+
+
 def uneven(counted):
     """Work of the rank that has most on a slice, over the mean: of camera and light together."""
     return (counted["camera"]["slices"] + counted["light"]["slices"]) / 2
@@ -69,8 +74,7 @@ many rays.
         one = rows[0]
 
         def efficiency(row, seconds_of):
-            threads = row["ranks"] * int(row["backend"].split(", ")[1].split()[0])
-            return percent(seconds_of(one) / seconds_of(row) / threads)
+            return percent(seconds_of(one) / seconds_of(row) / (row["ranks"] * threads_each(row)))
 
         def steady(row):
             return row["iterations"][3]
@@ -80,7 +84,7 @@ many rays.
 
         text += f"\n## {name}\n\n" + table(rows, [
             ("ranks", lambda row: str(row["ranks"])),
-            ("threads each", lambda row: row["backend"].split(", ")[1].split()[0]),
+            ("threads each", lambda row: str(threads_each(row))),
             ("iterations [ms]", lambda row: ", ".join(fixed(1e3 * s, 0) for s in row["iterations"])),
             ("sum [s]", lambda row: fixed(total(row), 3)),
             ("filter [s]", lambda row: fixed(row["seconds"], 2)),
