@@ -108,15 +108,9 @@ SharedImage::SharedImage(
 
 void SharedImage::TakeOwners(vtkFloatArray* field) const
 {
-  std::vector<Region> owned;
-  std::vector<Region> boxes;
-  for (std::size_t rank = 0; rank < this->piece->boxes.size(); ++rank)
-  {
-    owned.push_back({ this->piece->owned[rank] });
-    boxes.push_back({ this->piece->boxes[rank] });
-  }
   const FieldView view = FieldView::Part(field->GetPointer(0), this->piece->nodes);
-  Spread(*this->piece->ranks, view, owned, view, boxes);
+  Spread(
+    *this->piece->ranks, view, RegionsOf(this->piece->owned), view, RegionsOf(this->piece->boxes));
 }
 
 void JoinRange(const Communicator& ranks, double& low, double& high)

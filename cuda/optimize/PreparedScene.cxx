@@ -65,11 +65,11 @@ public:
   explicit Neighbourhood(const SceneFields& scene)
     : Piece(scene.piece.get())
     , Nodes(scene.grid)
+    , Had(RegionsOf(this->Piece->owned))
   {
-    for (std::size_t rank = 0; rank < this->Piece->boxes.size(); ++rank)
+    for (const NodeBox& box : this->Piece->boxes)
     {
-      this->Had.push_back({ this->Piece->owned[rank] });
-      this->Needed.push_back({ WithNeighbours(this->Piece->boxes[rank], scene.grid.nodes) });
+      this->Needed.push_back({ WithNeighbours(box, scene.grid.nodes) });
     }
     this->Box = this->Needed[std::size_t(this->Piece->ranks->Rank())].front();
     this->Nodes.nodes = this->Box.Size();

@@ -40,15 +40,13 @@ FieldView InOrder(const FieldView& view, const AxisPermutation& order)
   return permuted;
 }
 
-std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes, const AxisPermutation& order)
+std::vector<NodeBox> InOrder(std::vector<NodeBox> boxes, const AxisPermutation& order)
 {
-  std::vector<Region> regions;
-  regions.reserve(boxes.size());
-  for (const NodeBox& box : boxes)
+  for (NodeBox& box : boxes)
   {
-    regions.push_back({ InOrder(box, order) });
+    box = InOrder(box, order);
   }
-  return regions;
+  return boxes;
 }
 
 /// A field of this rank's piece, in another order.
@@ -80,8 +78,8 @@ Problem Shared(const Problem& problem, const AxisPermutation& order)
   const ScenePiece& piece = *problem.piece;
   const auto fields = std::make_shared<FieldsOfRanks>();
   fields->ranks = piece.ranks;
-  fields->pieces = RegionsOf(piece.owned, order);
-  fields->wanted = RegionsOf(piece.boxes, order);
+  fields->pieces = RegionsOf(InOrder(piece.owned, order));
+  fields->wanted = RegionsOf(InOrder(piece.boxes, order));
   const auto fieldOf = [&](const float* values)
   {
     return FieldsOfRanks::Field{ PieceOf(problem, order, values),
@@ -325,12 +323,11 @@ void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, d
     *piece.ranks, problem.grid.nodes, { { &sweep.Frusta(), &source } }, nullptr);
   NodeValues there(problem.grid.NodeCount());
   NodeValues found(problem.grid.NodeCount());
-  fields.FromPieces(RegionsOf(piece.owned, asItIs), given, there.Data());
+  fields.FromPieces(RegionsOf(piece.owned), given, there.Data());
   fields.FillNeeded(sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
   sweep.Sweep(there.Data(), found.Data());
   std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f);
-  fields.ToPieces(
-    found.Data(), RegionsOf(piece.boxes, asItIs), PieceOf(problem, asItIs, transmittance));
+  fields.ToPieces(found.Data(), RegionsOf(piece.boxes), PieceOf(problem, asItIs, transmittance));
 }
 
 std::unique_ptr<Minimizer> MakeRanked(

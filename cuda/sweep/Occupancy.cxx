@@ -8,6 +8,7 @@
 #include "backend/Simd.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -112,7 +113,7 @@ Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox&
 {
   this->Skip = skip;
   std::int64_t filled = 0;
-  const Range<int>(&nodes)[3] = { box.along[0], box.along[1], box.along[2] };
+  const std::array<Range<int>, 3>& nodes = box.along;
   // Spans as beginnings and ends below zero, of which the least make the hull; none at first.
   constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
   const std::size_t rows = this->AlongX.size() + this->AlongY.size();

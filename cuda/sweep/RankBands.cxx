@@ -90,6 +90,19 @@ RankBands::RankBands(const FaceFrustum& frustum, const Communicator& ranks)
   }
 }
 
+std::vector<int> RankBands::BandsOf(int rank) const
+{
+  std::vector<int> bands;
+  for (int band = 0; band < this->BandCount(); ++band)
+  {
+    if (this->RankOf(band) == rank)
+    {
+      bands.push_back(band);
+    }
+  }
+  return bands;
+}
+
 void RankBands::FindNeeded()
 {
   int last = 0;
@@ -131,7 +144,7 @@ void RankBands::FindOwn()
     }
   };
   this->OwnVoxels.resize(std::size_t(this->Frustum.SliceCount()));
-  for (int band = this->All->Rank(); band < this->BandCount(); band += this->All->Size())
+  for (const int band : this->BandsOf(this->All->Rank()))
   {
     add(this->RaysOf(band), this->OwnRays);
     for (int s = this->Frustum.firstNodeSlice; s <= this->Frustum.lastSlice; ++s)

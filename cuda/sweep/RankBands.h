@@ -57,6 +57,9 @@ public:
   int BandCount() const { return static_cast<int>(this->Begins.size()) - 1; }
   int RankOf(int band) const { return band % this->All->Size(); }
 
+  /// The bands of a rank.
+  std::vector<int> BandsOf(int rank) const;
+
   /// Rows of rays of a band.
   Range<int> RaysOf(int band) const
   {

@@ -179,10 +179,21 @@ struct Passage
 };
 }
 
+std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes)
+{
+  std::vector<Region> regions;
+  regions.reserve(boxes.size());
+  for (const NodeBox& box : boxes)
+  {
+    regions.push_back({ box });
+  }
+  return regions;
+}
+
 Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
   Region region;
-  for (int band = rank; band < bands.BandCount(); band += bands.Ranks().Size())
+  for (const int band : bands.BandsOf(rank))
   {
     for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
     {
@@ -197,7 +208,7 @@ Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int ran
 Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
   Region region;
-  for (int band = rank; band < bands.BandCount(); band += bands.Ranks().Size())
+  for (const int band : bands.BandsOf(rank))
   {
     for (int node = 0; node < bands.Depth(); ++node)
     {

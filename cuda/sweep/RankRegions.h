@@ -19,6 +19,9 @@ class RankBands;
 /// Nodes of a grid: those of its boxes, which may overlap.
 using Region = std::vector<NodeBox>;
 
+/// Of each rank its box.
+std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes);
+
 /// The nodes that a rank changes in the sweep of a frustum. Nobody else changes them.
 Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank);
 

@@ -89,9 +89,9 @@ Range<int> SliceWindow::NodesOf(int begin, int end) const
 std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const
 {
   std::vector<char> isNeeded(std::size_t(this->Rows), this->Bands ? 0 : 1);
-  const int step = this->Bands ? this->Bands->Ranks().Size() : 1;
-  const int count = this->Bands ? this->Bands->BandCount() : 0;
-  for (int band = this->Bands ? this->Bands->Ranks().Rank() : 0; band < count; band += step)
+  const std::vector<int> bands =
+    this->Bands ? this->Bands->BandsOf(this->Bands->Ranks().Rank()) : std::vector<int>();
+  for (const int band : bands)
   {
     for (int node = nodes.begin; node < nodes.end; ++node)
     {
