@@ -39,7 +39,7 @@ Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<
                      "an image with data.");
   }
   std::array<double, 15> placement{};
-  if (ranks.Rank() == first)
+  if (hasPoints && ranks.Rank() == first)
   {
     input->TransformIndexToPhysicalPoint(whole[0], whole[2], whole[4], placement.data());
     std::copy_n(input->GetSpacing(), 3, placement.begin() + 3);

@@ -8,6 +8,7 @@
 #include "sweep/Registers.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace limpid
 {
@@ -88,10 +89,14 @@ Range<int> SliceWindow::NodesOf(int begin, int end) const
 /// Of `rows` those that the rank needs at any of these nodes.
 std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const
 {
-  std::vector<char> isNeeded(std::size_t(this->Rows), this->Bands ? 0 : 1);
-  const std::vector<int> bands =
-    this->Bands ? this->Bands->BandsOf(this->Bands->Ranks().Rank()) : std::vector<int>();
-  for (const int band : bands)
+  std::vector<int> some(std::size_t(std::max(rows.Length(), 0)));
+  std::iota(some.begin(), some.end(), rows.begin);
+  if (!this->Bands)
+  {
+    return some;
+  }
+  std::vector<char> isNeeded(std::size_t(this->Rows), 0);
+  for (const int band : this->Bands->BandsOf(this->Bands->Ranks().Rank()))
   {
     for (int node = nodes.begin; node < nodes.end; ++node)
     {
@@ -99,14 +104,9 @@ std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int
       std::fill(isNeeded.begin() + needed.begin, isNeeded.begin() + needed.end, char(1));
     }
   }
-  std::vector<int> some;
-  for (int row = rows.begin; row < rows.end; ++row)
-  {
-    if (isNeeded[std::size_t(row)])
-    {
-      some.push_back(row);
-    }
-  }
+  some.erase(std::remove_if(some.begin(), some.end(),
+               [&isNeeded](int row) { return !isNeeded[std::size_t(row)]; }),
+    some.end());
   return some;
 }
 
