@@ -16,9 +16,8 @@ VisibilityTerm<AnyDevice>::VisibilityTerm(std::shared_ptr<AnyDevice> device, con
   const Occupancy& occupancy, const RaySource& source, double rayDensity, const Communicator* ranks)
   : Device(std::move(device))
   , Filled(&occupancy)
-  , Rays(PlanRays(this->Device, grid, occupancy, source,
-      { rayDensity, Placement::ForIntegrals, Readers::RaysAndVoxels, { { true, true, true } },
-        ranks }))
+  , Rays(PlanRays(
+      this->Device, grid, occupancy, source, { rayDensity, Placement::ForIntegrals, ranks }))
   , Add(this->Device)
 {
 }

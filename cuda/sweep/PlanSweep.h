@@ -41,9 +41,9 @@ struct PlanSettings
 {
   double rayDensity = 1; ///< rays per voxel and axis on the farthest slice
   Placement placement = Placement::ForIntegrals;
+  const Communicator* ranks = nullptr; ///< that share the sweep, on processors; null: there is one
   Readers readers = Readers::RaysAndVoxels;
   std::array<bool, 3> depthAxes{ { true, true, true } }; ///< others are left out
-  const Communicator* ranks = nullptr; ///< that share the sweep, on processors; null: there is one
 };
 
 /// The frusta that cover a grid as seen from a source of rays; none if the grid has no volume.

@@ -104,7 +104,7 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
 {
   const RaySource eye = SourceOfCamera(camera, fields.grid, false);
   for (PlannedFrustum& frustum : PlanSweep(fields.grid, *fields.occupancy, eye,
-         { rayDensity, Placement::ForIntegrals, Readers::Rays, depthAxes }))
+         { rayDensity, Placement::ForIntegrals, nullptr, Readers::Rays, depthAxes }))
   {
     parts.push_back({ &fields, std::move(frustum) });
   }
