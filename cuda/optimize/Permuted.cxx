@@ -5,6 +5,7 @@
 
 #include "backend/Backend.h"
 #include "backend/LargePages.h"
+#include "optimize/RestoringMinimizer.h"
 
 #include <algorithm>
 #include <utility>
@@ -101,26 +102,18 @@ std::shared_ptr<const PermutedFields> FieldsFor(
   return kept;
 }
 
-class PermutedMinimizer : public Minimizer
+class PermutedMinimizer : public RestoringMinimizer
 {
 public:
   PermutedMinimizer(const Problem& problem, const AxisPermutation& order)
     : Nodes(problem.grid)
     , Fields(FieldsFor(problem, order))
-    , Inside(problem)
+    , Inside(Reordered(problem, order))
   {
-    this->Inside.grid = order.Of(problem.grid);
-    this->Inside.camera = order.Of(problem.camera);
-    for (RaySource& other : this->Inside.otherCameras)
-    {
-      other = order.Of(other);
-    }
-    this->Inside.light = order.Of(problem.light);
     this->Inside.baseExtinction = this->Fields->base.Data();
     this->Inside.importance = this->Fields->importance.Data();
     this->Inside.nodeImportance = this->Fields->nodeImportance.Data();
     this->Inside.occupancy = this->Fields->occupancy;
-    this->Inside.resident = nullptr; // it keeps what is in the problem's order
     if (problem.previous)
     {
       this->Before = this->Room();
@@ -143,41 +136,6 @@ public:
     return first;
   }
 
-  void Use(std::unique_ptr<Minimizer> minimizer) { this->Inner = std::move(minimizer); }
-
-  IterationRecord Iterate() override
-  {
-    this->RestoredIsBest = false;
-    return this->Inner->Iterate();
-  }
-
-  IterationRecord Smooth() override
-  {
-    this->RestoredIsBest = false;
-    return this->Inner->Smooth();
-  }
-
-  IterationRecord Start() override { return this->Inner->Start(); }
-  Score BaseScore() const override { return this->Inner->BaseScore(); }
-  bool Converged() const override { return this->Inner->Converged(); }
-  bool IsNear() const override { return this->Inner->IsNear(); }
-  int IterationLimit() const override { return this->Inner->IterationLimit(); }
-
-  const std::vector<float>& Best() const override
-  {
-    if (!this->RestoredIsBest)
-    {
-      this->Put(this->Inner->BestValues());
-    }
-    return this->Restored;
-  }
-
-  std::vector<float> TakeBest() override
-  {
-    this->Best();
-    return std::move(this->Restored);
-  }
-
 private:
   std::vector<float> Room() const
   {
@@ -186,24 +144,34 @@ private:
     return values;
   }
 
-  void Put(const float* best) const
+  void Restore(const Minimizer& inner, std::vector<float>& best) const override
   {
-    if (this->Restored.empty())
+    if (best.empty())
     {
-      this->Restored = this->Room();
+      best = this->Room();
     }
-    PermuteBack(this->Nodes, this->Fields->order, best, this->Restored.data());
-    this->RestoredIsBest = true;
+    PermuteBack(this->Nodes, this->Fields->order, inner.BestValues(), best.data());
   }
 
   Grid Nodes; ///< of the problem
   std::shared_ptr<const PermutedFields> Fields;
   Problem Inside;            ///< the problem in that order
   std::vector<float> Before; ///< what it is to stay near; empty: nothing
-  std::unique_ptr<Minimizer> Inner;
-  mutable std::vector<float> Restored; ///< the best iterate in the order of the problem, if asked
-  mutable bool RestoredIsBest = false;
 };
+}
+
+Problem Reordered(const Problem& problem, const AxisPermutation& order)
+{
+  Problem reordered = problem;
+  reordered.grid = order.Of(problem.grid);
+  reordered.camera = order.Of(problem.camera);
+  for (RaySource& other : reordered.otherCameras)
+  {
+    other = order.Of(other);
+  }
+  reordered.light = order.Of(problem.light);
+  reordered.resident = nullptr; // it keeps what is in the problem's order
+  return reordered;
 }
 
 AxisPermutation OrderFor(const Problem& problem)

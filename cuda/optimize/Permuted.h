@@ -29,6 +29,10 @@ struct PermutedFields
  */
 AxisPermutation OrderFor(const Problem& problem);
 
+/// A problem whose nodes and sources of rays are in another order of axes. The fields, which are
+/// the caller's business, are still in the old one; what engines keep of these is left out.
+Problem Reordered(const Problem& problem, const AxisPermutation& order);
+
 /// A minimiser that works in that order, and gives its results in that of the problem. `make`:
 /// makes one that works in the order of its problem, which stays alive.
 std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, std::vector<float>&& start,

@@ -7,6 +7,7 @@
 #include "energy/TransmittanceSweep.h"
 #include "energy/VisibilityTerm.h"
 #include "optimize/Permuted.h"
+#include "optimize/RestoringMinimizer.h"
 #include "optimize/SolverBackend.h"
 #include "optimize/TermsOnRanks.h"
 
@@ -89,20 +90,12 @@ Problem Shared(const Problem& problem, const AxisPermutation& order)
   fields->importance = fieldOf(problem.importance);
   fields->nodeImportance = fieldOf(problem.nodeImportance);
 
-  Problem shared = problem;
-  shared.grid = order.Of(problem.grid);
-  shared.camera = order.Of(problem.camera);
-  for (RaySource& other : shared.otherCameras)
-  {
-    other = order.Of(other);
-  }
-  shared.light = order.Of(problem.light);
+  Problem shared = Reordered(problem, order);
   shared.baseExtinction = fields->base.values.Data();
   shared.importance = fields->importance.values.Data();
   shared.nodeImportance = fields->nodeImportance.values.Data();
   shared.occupancy = FindOccupancy(problem, order, fields->base.piece, fields->nodeImportance.piece,
     problem.settings.skipUnneeded);
-  shared.resident = nullptr;
   shared.piece = nullptr;
   shared.shared = fields;
   return shared;
@@ -142,7 +135,7 @@ bool AreAlike(const Communicator& ranks, const std::vector<double>& numbers)
   return alike;
 }
 
-class RankedMinimizer : public Minimizer
+class RankedMinimizer : public RestoringMinimizer
 {
 public:
   RankedMinimizer(const Problem& problem, const AxisPermutation& order)
@@ -154,59 +147,36 @@ public:
 
   const Problem& ProblemInside() const { return this->Inside; }
 
-  void Use(std::unique_ptr<Minimizer> minimizer) { this->Inner = std::move(minimizer); }
-
   IterationRecord Start() override
   {
     const SmallPages small;
-    return this->Inner->Start();
+    return RestoringMinimizer::Start();
   }
 
   IterationRecord Iterate() override
   {
     const SmallPages small;
-    this->IsRestored = false;
-    return this->Inner->Iterate();
+    return RestoringMinimizer::Iterate();
   }
 
   IterationRecord Smooth() override
   {
     const SmallPages small;
-    this->IsRestored = false;
-    return this->Inner->Smooth();
-  }
-
-  Score BaseScore() const override { return this->Inner->BaseScore(); }
-  bool Converged() const override { return this->Inner->Converged(); }
-  bool IsNear() const override { return this->Inner->IsNear(); }
-  int IterationLimit() const override { return this->Inner->IterationLimit(); }
-
-  const std::vector<float>& Best() const override
-  {
-    if (!this->IsRestored)
-    {
-      // What no sweep comes to stays as it is.
-      const float* base = this->Given->baseExtinction;
-      this->Restored.assign(base, base + this->Given->piece->nodes.Count());
-      this->Inner->BestToPiece(PieceOf(*this->Given, this->Order, this->Restored.data()));
-      this->IsRestored = true;
-    }
-    return this->Restored;
-  }
-
-  std::vector<float> TakeBest() override
-  {
-    this->Best();
-    return std::move(this->Restored);
+    return RestoringMinimizer::Smooth();
   }
 
 private:
+  void Restore(const Minimizer& inner, std::vector<float>& best) const override
+  {
+    // What no sweep comes to stays as it is.
+    const float* base = this->Given->baseExtinction;
+    best.assign(base, base + this->Given->piece->nodes.Count());
+    inner.BestToPiece(PieceOf(*this->Given, this->Order, best.data()));
+  }
+
   const Problem* Given;
   AxisPermutation Order;
   Problem Inside; ///< the problem in that order
-  std::unique_ptr<Minimizer> Inner;
-  mutable std::vector<float> Restored; ///< the best iterate of the piece, if asked
-  mutable bool IsRestored = false;
 };
 
 class SweepsOnRanks : public SourceSweeps

@@ -111,6 +111,10 @@ void TermsOnRanks::ToPieces(
 void TermsOnRanks::ShareFrustum(float* field, const Frusta& term, std::size_t frustum) const
 {
   const std::vector<Regions>& frusta = this->Of[this->NumberOf(term)];
+  if (frusta.size() == 1)
+  {
+    return;
+  }
   std::vector<Region> needed(std::size_t(this->All->Size()));
   for (std::size_t other = 0; other < frusta.size(); ++other)
   {
@@ -119,15 +123,16 @@ void TermsOnRanks::ShareFrustum(float* field, const Frusta& term, std::size_t fr
       Append(needed, frusta[other].needed);
     }
   }
-  if (frusta.size() > 1)
-  {
-    Spread(*this->All, this->Whole(field), frusta[frustum].changed, this->Whole(field), needed,
-      this->Filled);
-  }
+  Spread(*this->All, this->Whole(field), frusta[frustum].changed, this->Whole(field), needed,
+    this->Filled);
 }
 
 void TermsOnRanks::Share(float* field, const Frusta& term) const
 {
+  if (this->Of.size() == 1)
+  {
+    return;
+  }
   const std::size_t from = this->NumberOf(term);
   std::vector<Region> needed(std::size_t(this->All->Size()));
   for (std::size_t other = 0; other < this->Of.size(); ++other)
@@ -137,11 +142,8 @@ void TermsOnRanks::Share(float* field, const Frusta& term) const
       Append(needed, this->RegionsOf(other, &Regions::needed));
     }
   }
-  if (this->Of.size() > 1)
-  {
-    Spread(*this->All, this->Whole(field), this->RegionsOf(from, &Regions::changed),
-      this->Whole(field), needed, this->Filled);
-  }
+  Spread(*this->All, this->Whole(field), this->RegionsOf(from, &Regions::changed),
+    this->Whole(field), needed, this->Filled);
 }
 
 void TermsOnRanks::Pass(float* field, const Frusta& from, const Frusta& to) const
