@@ -153,7 +153,7 @@ Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox&
   ranks.TakeLeast(ends.data(), ends.size());
   ranks.Sum(&filled, 1);
   this->Filled = filled;
-  const auto spanOf = [&ends, none](std::size_t at) {
+  const auto spanOf = [&ends](std::size_t at) {
     return ends[at] == none ? Range<int>{} : Range<int>{ ends[at], -ends[at + 1] };
   };
   for (std::size_t row = 0; row < rows; ++row)
