@@ -90,7 +90,7 @@ protected:
 TEST_P(BandsOfRanks, HaveEveryRowAndEveryVoxelOnce)
 {
   this->ForFrusta(
-    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
+    [](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
     {
       int row = 0;
       for (int band = 0; band < bands.BandCount(); ++band)
