@@ -108,7 +108,8 @@ struct vtkExtinctionOptimizer::Internals
   limpid::Light MakeLight(const limpid::Camera& camera) const;
   limpid::ConcurrentResult Optimize(const limpid::SceneFields& scene, const limpid::Camera& camera,
     const limpid::Light& light) const;
-  void StartFromLastResult(const limpid::Grid& grid, limpid::Solver& solver) const;
+  void StartFromLastResult(const limpid::SceneFields& scene, limpid::Solver& solver) const;
+  bool AnyRank(bool here) const { return this->Ranks ? this->Ranks->AnyOf(here) : here; }
   void WriteUnsolved(const limpid::ImageScene& scene, vtkImageData* output) const;
   void ReportReplaced(
     const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const;
@@ -118,8 +119,9 @@ struct vtkExtinctionOptimizer::Internals
   std::shared_ptr<const limpid::Communicator> Ranks; // of the present run; null: there is one
   vtkSmartPointer<vtkFloatArray> LastExtinction; // for a warm start: shared with the last output
   limpid::Int3 LastNodes{ 0 };
-  limpid::CarriedChange LastChange; // for temporal coherence
-  vtkMTimeType LastTime = 0;        // of the data for which that was found
+  std::shared_ptr<const limpid::ScenePiece> LastPiece; // of ranks; null: there was one
+  limpid::CarriedChange LastChange;                    // for temporal coherence
+  vtkMTimeType LastTime = 0;                           // of the data for which that was found
 };
 
 vtkExtinctionOptimizer::vtkExtinctionOptimizer()
@@ -169,8 +171,7 @@ bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) cons
 {
   const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
   return limpid::AllAreAsked(outInfo) && limpid::NotOnRanks(settings).empty() &&
-    settings.backend != limpid::BackendKind::Cuda && !this->Self->OptimizeViewpoint &&
-    !this->Self->WarmStart;
+    settings.backend != limpid::BackendKind::Cuda && !this->Self->OptimizeViewpoint;
 }
 
 limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector** inputVector) const
@@ -240,7 +241,8 @@ void vtkExtinctionOptimizer::Optimize(
     state.ReportReplaced(scene, input, output);
     return;
   }
-  state.LastChange.likeness = input->GetMTime() == state.LastTime ? 1 : limpid::likenessInTime;
+  const bool isOther = state.AnyRank(input->GetMTime() != state.LastTime);
+  state.LastChange.likeness = isOther ? limpid::likenessInTime : 1;
   state.LastTime = input->GetMTime();
   const limpid::ConcurrentResult result = state.Optimize(scene.Fields(), camera, light);
   this->SetProgressText(nullptr);
@@ -254,6 +256,7 @@ void vtkExtinctionOptimizer::Optimize(
   state.ReportReplaced(scene, input, output);
   limpid::FillConvergence(*result.solver, convergence);
   state.LastNodes = scene.grid.nodes;
+  state.LastPiece = scene.Fields().piece;
   state.LastExtinction = this->WarmStart
     ? vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("Extinction"))
     : nullptr;
@@ -352,19 +355,27 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   {
     result.solver =
       std::make_unique<limpid::Solver>(scene, cameras.front(), light, settings, this->LastChange);
-    this->StartFromLastResult(scene.grid, *result.solver);
+    this->StartFromLastResult(scene, *result.solver);
     result.solver->Run(progress);
   }
   return result;
 }
 
 void vtkExtinctionOptimizer::Internals::StartFromLastResult(
-  const limpid::Grid& grid, limpid::Solver& solver) const
+  const limpid::SceneFields& scene, limpid::Solver& solver) const
 {
-  if (this->Self->WarmStart && this->Self->GetMethod() == OPTIMIZED &&
-    this->Self->GetMode() == JOINT && this->LastExtinction && this->LastNodes == grid.nodes)
+  if (!this->Self->WarmStart || this->Self->GetMethod() != OPTIMIZED ||
+    this->Self->GetMode() != JOINT)
   {
-    solver.SetInitialExtinction(this->LastExtinction->GetPointer(0));
+    return;
+  }
+  const bool fits = this->LastNodes == scene.grid.nodes &&
+    limpid::HaveSameBoxes(this->LastPiece.get(), scene.piece.get());
+  const bool isThere = this->LastExtinction || scene.ValueCount() == 0;
+  if (!this->AnyRank(!fits || !isThere))
+  {
+    solver.SetInitialExtinction(
+      this->LastExtinction ? this->LastExtinction->GetPointer(0) : nullptr);
   }
 }
 

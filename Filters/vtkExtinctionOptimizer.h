@@ -37,8 +37,8 @@
  * Processes of MPI that are each asked for a piece (in ParaView they are) optimise the image
  * together: each asks its input for that piece and a layer of neighbours' cells, and the result has
  * the bits of one process. An error or an abort on one of them is one of all. What they cannot do
- * together yet, each does with the whole image, and keeps its piece: the methods but OPTIMIZED, the
- * solver ADAM, Smoothness, TemporalCoherence, WarmStart, OptimizeViewpoint, and the backend CUDA.
+ * together yet, each does with the whole image, and keeps its piece: the methods but OPTIMIZED,
+ * OptimizeViewpoint, and the backend CUDA.
  *
  * @sa vtkVisibilityAlgorithm vtkViewpointSearch vtkOcclusionPhantom
  */

@@ -55,10 +55,8 @@ struct Found
   Score best;
 };
 
-inline Found Optimized(const SceneFields& fields, const Whole& scene)
+inline Found FoundBy(const Solver& solver)
 {
-  Solver solver(fields, scene.camera, scene.light, scene.settings);
-  solver.Run();
   Found found{ solver.Extinction(), solver.LightExtinction(), {}, {}, solver.History(),
     solver.BaseScore(), solver.BestScore() };
   found.transmittance.resize(found.extinction.size());
@@ -68,9 +66,24 @@ inline Found Optimized(const SceneFields& fields, const Whole& scene)
   return found;
 }
 
+inline Found Optimized(const SceneFields& fields, const Whole& scene)
+{
+  Solver solver(fields, scene.camera, scene.light, scene.settings);
+  solver.Run();
+  return FoundBy(solver);
+}
+
+/// What is found of a scene's fields, or of a rank's part of them.
+using Find = std::function<Found(const SceneFields& fields, const Whole& scene)>;
+
+inline Found ByOne(const Whole& scene, const Find& find)
+{
+  return find({ scene.grid, scene.extinction.data(), scene.importance.data() }, scene);
+}
+
 inline Found OptimizedAlone(const Whole& scene)
 {
-  return Optimized({ scene.grid, scene.extinction.data(), scene.importance.data() }, scene);
+  return ByOne(scene, Optimized);
 }
 
 /// The nodes of a rank.
@@ -112,23 +125,29 @@ inline std::vector<float> Cut(
   return values;
 }
 
+/// Calls what(fields, box) with a rank's piece of a scene.
+template <class What>
+void OnPiece(const std::shared_ptr<const Communicator>& all, const Whole& scene,
+  const Pieces& pieces, const What& what)
+{
+  const NodeBox box = pieces(all->Rank());
+  const std::vector<float> extinction = Cut(scene.extinction, scene.grid.nodes, box);
+  const std::vector<float> importance = Cut(scene.importance, scene.grid.nodes, box);
+  SceneFields fields{ scene.grid, extinction.data(), importance.data() };
+  fields.piece = std::make_shared<const ScenePiece>(all, scene.grid, box);
+  what(fields, box);
+}
+
 /// Calls what(fields, box) on every rank.
 template <class What>
 void OnRanks(int ranks, const Whole& scene, const Pieces& pieces, const What& what)
 {
   ThreadRanks::Run(ranks,
-    [&](const std::shared_ptr<const Communicator>& all)
-    {
-      const NodeBox box = pieces(all->Rank());
-      const std::vector<float> extinction = Cut(scene.extinction, scene.grid.nodes, box);
-      const std::vector<float> importance = Cut(scene.importance, scene.grid.nodes, box);
-      SceneFields fields{ scene.grid, extinction.data(), importance.data() };
-      fields.piece = std::make_shared<const ScenePiece>(all, scene.grid, box);
-      what(fields, box);
-    });
+    [&](const std::shared_ptr<const Communicator>& all) { OnPiece(all, scene, pieces, what); });
 }
 
-inline Found OptimizedBy(int ranks, const Whole& scene, const Pieces& pieces)
+/// What ranks find together.
+inline Found By(int ranks, const Whole& scene, const Pieces& pieces, const Find& find)
 {
   Found found;
   for (std::vector<float>* field :
@@ -140,7 +159,7 @@ inline Found OptimizedBy(int ranks, const Whole& scene, const Pieces& pieces)
   OnRanks(ranks, scene, pieces,
     [&](const SceneFields& fields, const NodeBox& box)
     {
-      const Found here = Optimized(fields, scene);
+      const Found here = find(fields, scene);
       const std::lock_guard<std::mutex> lock(access);
       const auto put = [&](const std::vector<float>& part, std::vector<float>& whole)
       { CopyNodes(box, PartOf(part, box), WholeOf(whole, scene.grid.nodes)); };
@@ -155,6 +174,11 @@ inline Found OptimizedBy(int ranks, const Whole& scene, const Pieces& pieces)
       found.best = here.best;
     });
   return found;
+}
+
+inline Found OptimizedBy(int ranks, const Whole& scene, const Pieces& pieces)
+{
+  return By(ranks, scene, pieces, Optimized);
 }
 
 inline void ExpectSame(const Score& one, const Score& other)

@@ -46,7 +46,7 @@ CarriedChange ChangeFrom(const BoxScene& scene, const std::vector<float>& extinc
   CarriedChange change;
   change.grid = scene.grid;
   change.ofExtinction =
-    ChangeOf(scene.grid, scene.extinction.data(), extinction.data(), MajorantOf(scene));
+    ChangeOf(scene.grid.NodeCount(), scene.extinction.data(), extinction.data(), MajorantOf(scene));
   change.camera = scene.camera;
   change.light = scene.light;
   change.settings = scene.settings;

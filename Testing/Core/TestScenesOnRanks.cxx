@@ -28,6 +28,14 @@ TEST_P(RealSharedScene, HasTheSameBitsOnAnyNumberOfRanks)
   }
 }
 
+TEST_P(RealSharedScene, HasTheSameBitsWithAdam)
+{
+  Whole scene{ LoadedScene(GetParam().name) };
+  scene.settings.solver = SolverKind::Adam;
+  scene.settings.iterationsPerLevel = { { 2, 2, 3 } };
+  ExpectSame(OptimizedAlone(scene), OptimizedBy(3, scene, Slabs(scene.grid.nodes, 1, 3)));
+}
+
 INSTANTIATE_TEST_SUITE_P(Ranks, RealSharedScene,
   ::testing::Values(Bars{ "carotid_mra", 0, 0 }, Bars{ "isabel_wind", 0, 0 },
     Bars{ "vortex_rings", 0, 0 }, Bars{ "skull_phantom", 0, 0 }, Bars{ "engine", 0, 0 },

@@ -110,7 +110,7 @@ template <class AnyDevice>
 void ExpectPull(AnyDevice& device, const Int3& nodes, bool lags)
 {
   Fields fields = AtRandom(nodes);
-  FindPull(device, fields.Body(0.7f, lags));
+  FindPull(device, fields.Body(0.7f, lags), { 0, nodes.z });
   for (int k = 0; k < nodes.z; ++k)
   {
     for (int j = 0; j < nodes.y; ++j)

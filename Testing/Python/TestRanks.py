@@ -162,6 +162,27 @@ class TestRanks(unittest.TestCase):
                     self.same(alone(image, **properties),
                               together(Pieces(image, slabs(image, 2)), **properties))
 
+    def test_adam_and_smoothness(self):
+        image = whole_phantom()
+        adam = {"Solver": vtkExtinctionOptimizer.ADAM, "IterationsPerLevel": (3, 3, 4)}
+        for properties in (adam, {"Smoothness": 0.2}, {**adam, "Smoothness": 0.2}):
+            with self.subTest(**properties):
+                self.same(alone(image, **properties),
+                          together(Pieces(image, slabs(image, 2)), **properties))
+
+    def test_what_is_carried_on(self):
+        image = whole_phantom()
+        for properties in ({"WarmStart": 1}, {"TemporalCoherence": 0.2}):
+            pieces = Pieces(image, slabs(image, 1, 1))
+            whole = optimizer_of(image=image, **properties)
+            optimizer = optimizer_of(connection=pieces.GetOutputPort(), **properties)
+            for weight in (10, 12):
+                for one, piece in ((whole, (0, 1)), (optimizer, (RANK, RANKS))):
+                    one.SetViewWeight(weight)
+                    one.UpdatePiece(*piece, 0)
+                with self.subTest(weight=weight, **properties):
+                    self.same(whole.GetOutput(), optimizer)
+
     def test_importance_of_cells(self):
         image = whole_phantom()
         cells = images.values(image, "Importance").reshape(20, 20, 20)[:-1, :-1, :-1].ravel()
@@ -231,8 +252,8 @@ class TestRanks(unittest.TestCase):
     def test_what_cannot_be_shared_is_done_by_each(self):
         phantom = vtkOcclusionPhantom()
         phantom.SetResolution(16)
-        adam = {"Solver": vtkExtinctionOptimizer.ADAM}
-        self.same(alone(whole_phantom(16), **adam), together(phantom, **adam), divided=False)
+        other = {"Method": vtkExtinctionOptimizer.VIOLA_2004}
+        self.same(alone(whole_phantom(16), **other), together(phantom, **other), divided=False)
 
 
 if __name__ == "__main__":

@@ -213,7 +213,7 @@ private:
 
 void Despeckle(const Grid& grid, const float* baseExtinction, const float* importance, float* zeros)
 {
-  ForSlidingRows(grid.nodes,
+  ForSlidingRows(grid.nodes.y, { 0, grid.nodes.z },
     [&](int slice) { return SliceRows(grid.nodes, baseExtinction, importance, zeros, slice); });
 }
 }

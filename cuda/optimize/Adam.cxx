@@ -7,11 +7,14 @@
 #include "backend/LargePages.h"
 #include "energy/NodeImportance.h"
 #include "optimize/ExtinctionBounds.h"
+#include "optimize/FieldsOfRanks.h"
 #include "optimize/Levels.h"
+#include "optimize/Neighbourhood.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace limpid
 {
@@ -22,10 +25,10 @@ struct Level
 {
   int number = 0; ///< 0 full, 1 half, 2 quarter resolution
   Problem problem;
-  std::vector<float> baseStorage; ///< empty on the full resolution
-  std::vector<float> importanceStorage;
-  std::vector<float> nodeImportanceStorage;
-  std::vector<float> previousStorage;
+  std::vector<float> base; ///< the fields; empty on the full resolution
+  std::vector<float> importance;
+  std::vector<float> nodeImportance;
+  std::vector<float> previous;
   std::unique_ptr<AdamLevel> state;
   int count = 0; ///< of steps
 };
@@ -47,23 +50,23 @@ RaySource Rescaled(const RaySource& source, const Grid& from, const Grid& to)
 class Adam : public Minimizer
 {
 public:
-  Adam(const Problem& problem, std::vector<float> start, bool fromBase, AdamLevelMaker maker,
+  Adam(const Problem& problem, StartingExtinction&& start, AdamLevelMaker maker,
     SuccessorMaker smoother)
     : Given(problem)
-    , FromBase(fromBase)
+    , First(std::move(start))
     , Maker(std::move(maker))
     , SmootherMaker(std::move(smoother))
     , Remaining(problem.settings.iterationsPerLevel)
-    , BestIterate(std::move(start))
   {
   }
 
   IterationRecord Start() override
   {
     // The base is measured where the user sees it, on the full resolution.
-    this->Enter(0, std::vector<float>(this->BestIterate));
+    this->Enter(0, this->First);
     const IterationRecord record =
-      this->FromBase ? this->Here->state->MeasureBase() : this->Here->state->Measure();
+      this->First ? this->Here->state->Measure() : this->Here->state->MeasureBase();
+    this->BestIterate = this->First ? *std::exchange(this->First, {}) : this->OwnBase();
     this->BestEnergy = record.energy.Total();
     this->Base = this->Here->state->BaseScore();
     return record;
@@ -120,6 +123,20 @@ public:
                           : this->BestIterate;
   }
 
+  void BestToPiece(const FieldView& piece) const override
+  {
+    if (this->Smoother)
+    {
+      this->Smoother->BestToPiece(piece);
+      return;
+    }
+    const FieldsOfRanks& fields = *this->Given.shared;
+    const Slab own = this->Given.OwnSlab();
+    Spread(*fields.ranks, FieldView::Part(const_cast<float*>(this->Best().data()), own.Box()),
+      RegionsOf(SlabsOf(*fields.ranks, own.nodes)), piece, fields.wanted,
+      this->Given.occupancy.get());
+  }
+
   std::vector<float> TakeBest() override
   {
     if (this->Smoother)
@@ -132,13 +149,46 @@ public:
 private:
   int NextLevel() const { return this->Remaining[0] > 0 ? 2 : (this->Remaining[1] > 0 ? 1 : 0); }
 
+  Grid GridOf(int level) const
+  {
+    return level == 0 ? this->Given.grid : CoarseGrid(this->Given.grid, level == 1 ? 2 : 4);
+  }
+
+  /// A field on another grid; where ranks share the problem, this rank's slab from its slab.
+  std::vector<float> Moved(const Grid& from, const float* field, const Grid& to) const
+  {
+    if (!this->Given.shared)
+    {
+      return Resampled(from, field, to);
+    }
+    const Communicator& ranks = *this->Given.shared->ranks;
+    return ResampledBox(ranks, from,
+      FieldView::Part(const_cast<float*>(field), OwnSlab(ranks, from.nodes).Box()),
+      SlabsOf(ranks, from.nodes), to, SlabsOf(ranks, to.nodes));
+  }
+
+  /// A field of the problem there, of the full resolution.
+  std::vector<float> Restricted(const float* field, const Grid& to) const
+  {
+    return this->Moved(this->Given.grid, field + this->Given.OwnSlab().Begin(), to);
+  }
+
+  /// The base extinction of this rank's slab.
+  std::vector<float> OwnBase() const
+  {
+    const Slab own = this->Given.OwnSlab();
+    const float* base = this->Given.baseExtinction + own.Begin();
+    std::vector<float> values = RoomFor(own.Count());
+    values.assign(base, base + own.Count());
+    return values;
+  }
+
   std::vector<float> ExtinctionOn(int level) const
   {
-    const Grid target =
-      level == 0 ? this->Given.grid : CoarseGrid(this->Given.grid, level == 1 ? 2 : 4);
+    const Grid target = this->GridOf(level);
     return this->Here->number > level
       ? this->FromCoarser(target)
-      : Restrict(this->Given.grid, this->BestIterate.data(), target);
+      : this->Moved(this->Given.grid, this->BestIterate.data(), target);
   }
 
   /// What the coarser level changed, added to the finer base: detail of the base survives, and
@@ -148,19 +198,19 @@ private:
     const Level& coarse = *this->Here;
     const std::vector<float> found = coarse.state->Extinction();
     std::vector<float> change(found.size());
+    const float* coarser = coarse.problem.baseExtinction + coarse.problem.OwnSlab().Begin();
     ParallelFor(static_cast<Index>(change.size()), 65536,
-      [&](Index voxel) {
-        change[std::size_t(voxel)] =
-          found[std::size_t(voxel)] - coarse.problem.baseExtinction[voxel];
-      });
-    std::vector<float> extinction = Prolong(coarse.problem.grid, change.data(), target);
+      [&](Index voxel)
+      { change[std::size_t(voxel)] = found[std::size_t(voxel)] - coarser[voxel]; });
+    std::vector<float> extinction = this->Moved(coarse.problem.grid, change.data(), target);
     const bool full = target.nodes == this->Given.grid.nodes;
     const std::vector<float> coarseBase =
-      full ? std::vector<float>() : Restrict(this->Given.grid, this->Given.baseExtinction, target);
+      full ? std::vector<float>() : this->Restricted(this->Given.baseExtinction, target);
     const std::vector<float> coarseImportance =
-      full ? std::vector<float>() : Restrict(this->Given.grid, this->Given.importance, target);
-    const float* baseField = full ? this->Given.baseExtinction : coarseBase.data();
-    const float* importanceField = full ? this->Given.importance : coarseImportance.data();
+      full ? std::vector<float>() : this->Restricted(this->Given.importance, target);
+    const Index begin = this->Given.OwnSlab().Begin();
+    const float* baseField = full ? this->Given.baseExtinction + begin : coarseBase.data();
+    const float* importanceField = full ? this->Given.importance + begin : coarseImportance.data();
     const ExtinctionBounds<float> bounds = BoundsOf(this->Given);
     ParallelFor(static_cast<Index>(extinction.size()), 65536,
       [&](Index voxel)
@@ -174,7 +224,7 @@ private:
     return extinction;
   }
 
-  void Enter(int number, const std::vector<float>& extinction)
+  void Enter(int number, const StartingExtinction& extinction)
   {
     this->Here = std::make_unique<Level>();
     Level& here = *this->Here;
@@ -182,36 +232,83 @@ private:
     here.problem = this->Given;
     if (number > 0)
     {
-      here.problem.grid = CoarseGrid(this->Given.grid, number == 1 ? 2 : 4);
-      here.problem.resident = nullptr; // these fields are the level's own
-      here.baseStorage = Restrict(this->Given.grid, this->Given.baseExtinction, here.problem.grid);
-      here.importanceStorage =
-        Restrict(this->Given.grid, this->Given.importance, here.problem.grid);
-      here.problem.baseExtinction = here.baseStorage.data();
-      here.nodeImportanceStorage = NodeImportanceOfFilled(
-        here.problem.grid, here.baseStorage.data(), here.importanceStorage.data());
-      here.problem.importance = here.importanceStorage.data();
-      here.problem.nodeImportance = here.nodeImportanceStorage.data();
-      if (this->Given.previous)
-      {
-        here.previousStorage = Restrict(this->Given.grid, this->Given.previous, here.problem.grid);
-        here.problem.previous = here.previousStorage.data();
-      }
-      here.problem.camera = Rescaled(this->Given.camera, this->Given.grid, here.problem.grid);
-      for (RaySource& other : here.problem.otherCameras)
-      {
-        other = Rescaled(other, this->Given.grid, here.problem.grid);
-      }
-      here.problem.light = Rescaled(this->Given.light, this->Given.grid, here.problem.grid);
-      here.problem.occupancy =
-        std::make_shared<const Occupancy>(here.problem.grid, here.problem.baseExtinction,
-          here.problem.nodeImportance, here.problem.settings.skipUnneeded);
+      this->MakeCoarse(here);
     }
     here.state = this->Maker(here.problem, extinction);
   }
 
+  /// The problem on the grid of a coarse level.
+  void MakeCoarse(Level& level) const
+  {
+    const Problem& given = this->Given;
+    Problem& problem = level.problem;
+    problem.grid = this->GridOf(level.number);
+    problem.resident = nullptr; // these fields are the level's own
+    level.base = this->Restricted(given.baseExtinction, problem.grid);
+    level.importance = this->Restricted(given.importance, problem.grid);
+    if (given.previous)
+    {
+      level.previous = this->Restricted(given.previous, problem.grid);
+    }
+    given.shared ? this->ShareFields(level) : this->UseFields(level);
+    problem.camera = Rescaled(given.camera, given.grid, problem.grid);
+    for (RaySource& other : problem.otherCameras)
+    {
+      other = Rescaled(other, given.grid, problem.grid);
+    }
+    problem.light = Rescaled(given.light, given.grid, problem.grid);
+  }
+
+  static void UseFields(Level& level)
+  {
+    Problem& problem = level.problem;
+    level.nodeImportance =
+      NodeImportanceOfFilled(problem.grid, level.base.data(), level.importance.data());
+    problem.baseExtinction = level.base.data();
+    problem.importance = level.importance.data();
+    problem.nodeImportance = level.nodeImportance.data();
+    problem.previous = level.previous.empty() ? nullptr : level.previous.data();
+    problem.occupancy = std::make_shared<const Occupancy>(
+      problem.grid, problem.baseExtinction, problem.nodeImportance, problem.settings.skipUnneeded);
+  }
+
+  /// The same where each rank has a slab of the fields.
+  static void ShareFields(Level& level)
+  {
+    Problem& problem = level.problem;
+    const std::shared_ptr<const Communicator> ranks = problem.shared->ranks;
+    const bool staysNear = problem.previous != nullptr;
+    const std::vector<NodeBox> slabs = SlabsOf(*ranks, problem.grid.nodes);
+    const NodeBox own = slabs[std::size_t(ranks->Rank())];
+    const Neighbourhood around(*ranks, problem.grid, slabs, slabs);
+    const NodeValues bases = around.Extended(level.base.data());
+    const NodeValues importances = around.Extended(level.importance.data());
+    const NodeValues nodeImportance = around.Inside(
+      NodeImportanceOfFilled(around.Around(), bases.Data(), importances.Data()).data());
+    level.nodeImportance.assign(nodeImportance.Data(), nodeImportance.Data() + own.Count());
+    const auto fieldOf = [&](std::vector<float>& values)
+    {
+      return FieldsOfRanks::Field{ FieldView::Part(values.data(), own),
+        NodeValues(problem.grid.NodeCount()) };
+    };
+    const auto fields = std::make_shared<FieldsOfRanks>();
+    fields->ranks = ranks;
+    fields->pieces = RegionsOf(slabs);
+    fields->inSlabs = true;
+    fields->base = fieldOf(level.base);
+    fields->importance = fieldOf(level.importance);
+    fields->nodeImportance = fieldOf(level.nodeImportance);
+    if (staysNear)
+    {
+      fields->previous = fieldOf(level.previous);
+    }
+    problem.Use(fields);
+    problem.occupancy = std::make_shared<const Occupancy>(*ranks, problem.grid, own,
+      level.base.data(), level.nodeImportance.data(), problem.settings.skipUnneeded);
+  }
+
   const Problem& Given;
-  bool FromBase; ///< whether the iterations start there
+  StartingExtinction First; ///< until it is entered
   AdamLevelMaker Maker;
   SuccessorMaker SmootherMaker;
   std::unique_ptr<Minimizer> Smoother; ///< null: nothing was smoothed yet
@@ -225,15 +322,9 @@ private:
 };
 }
 
-std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, std::vector<float>&& start,
+std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, StartingExtinction&& start,
   const AdamLevelMaker& maker, const SuccessorMaker& smoother)
 {
-  const bool fromBase = start.empty();
-  if (fromBase)
-  {
-    start = RoomFor(problem.grid.NodeCount());
-    start.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
-  }
-  return std::make_unique<Adam>(problem, std::move(start), fromBase, maker, smoother);
+  return std::make_unique<Adam>(problem, std::move(start), maker, smoother);
 }
 }

@@ -10,12 +10,12 @@
 
 namespace limpid
 {
-/// Makes a method for the same problem from a first iterate [1/length].
+/// Makes a method for the same problem from a first iterate, see StartingExtinction [1/length].
 using SuccessorMaker = std::function<std::unique_ptr<Minimizer>(const std::vector<float>&)>;
 
 /// The paper's solver (Section 3.5): projected Adam on a quarter, a half and the full resolution.
-/// `start`: first iterate [1/length]; empty: the base extinction. `smoother`: makes what smooths.
-std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, std::vector<float>&& start,
+/// `smoother`: makes what smooths.
+std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, StartingExtinction&& start,
   const AdamLevelMaker& maker, const SuccessorMaker& smoother);
 }
 

@@ -7,6 +7,7 @@
 
 #include "backend/Backend.h"
 #include "optimize/AdamVoxel.h"
+#include "optimize/Iterate.h"
 #include "optimize/Terms.h"
 
 #include <algorithm>
@@ -80,17 +81,22 @@ double StepBlock(const Voxel& step, Index begin, Index end)
 /// A step at all voxels, and the sum of the changes for the next record; the processor sums them
 /// while they are at hand.
 template <class AnyDevice>
-void StepAll([[maybe_unused]] AnyDevice& device, const AdamVoxel<float>& step,
-  [[maybe_unused]] float* gradient, Index count, Terms<AnyDevice>& terms)
+void StepAll([[maybe_unused]] AnyDevice& device, const Problem& problem,
+  const AdamVoxel<float>& step, [[maybe_unused]] float* gradient, Terms<AnyDevice>& terms)
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    terms.Sums()->moved.changes = ParallelBlockSum(
-      count, [&step](Index begin, Index end) { return StepBlock(step, begin, end); });
+    const Int3& nodes = problem.grid.nodes;
+    terms.Sums()->moved.changes = problem.SumOverRows(
+      [&](int y, int z)
+      {
+        const Index first = (Index(z) * nodes.y + y) * nodes.x;
+        return StepBlock(step, first, first + nodes.x);
+      });
   }
   else
   {
-    device.ForIndices("Adam", count, StepAndChange{ step, gradient });
+    device.ForIndices("Adam", problem.grid.NodeCount(), StepAndChange{ step, gradient });
     terms.SumChanges(gradient);
   }
 }
@@ -102,11 +108,12 @@ public:
   using Field = DeviceArray<AnyDevice, float>;
 
   LevelOn(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
-    const std::vector<float>& start)
+    const StartingExtinction& start)
     : Given(problem)
     , Device(device)
     , Energy(device, problem)
-    , Now(device, start, "the extinction")
+    , Own(problem.OwnSlab())
+    , Now(this->Begin(start))
   {
     this->Energy.SeeBase();
   }
@@ -121,7 +128,7 @@ public:
     [[maybe_unused]] const typename AnyDevice::Team team;
     if (this->Gradient.Empty())
     {
-      this->Gradient = Field(this->Device, this->Now.Size(), "the derivative");
+      this->Gradient = Field::Zeros(this->Device, this->Now.Size(), "the derivative");
       this->First = Field::Zeros(this->Device, this->Now.Size(), "the mean derivative");
       this->Second =
         Field::Zeros(this->Device, this->Now.Size(), "the mean square of the derivative");
@@ -135,18 +142,20 @@ public:
     step.first = this->First.Data();
     step.second = this->Second.Data();
     step.extinction = this->Now.Data();
-    StepAll(*this->Device, step, this->Gradient.Data(), this->Given.grid.NodeCount(), this->Energy);
+    StepAll(*this->Device, this->Given, step, this->Gradient.Data(), this->Energy);
+    this->Energy.ShareSlabs(this->Now.Data());
     this->FindGradient();
     this->Energy.TakeMoved(this->Now.Data(), nullptr);
     return this->Energy.Record();
   }
 
-  std::vector<float> Extinction() override { return OnHost(this->Now); }
+  std::vector<float> Extinction() override { return this->OnHost(this->Now); }
 
   void KeepBest() override
   {
     this->Kept.RoomFor(this->Device, this->Now.Size(), "the best extinction");
-    this->Kept.CopyFrom(this->Now);
+    this->Device->Copy(this->Kept.Data() + this->Own.Begin(), this->Now.Data() + this->Own.Begin(),
+      std::size_t(this->Own.Count()) * sizeof(float));
     this->Readable.clear();
   }
 
@@ -154,7 +163,7 @@ public:
   {
     if (this->Readable.empty())
     {
-      this->Readable = OnHost(this->Kept);
+      this->Readable = this->OnHost(this->Kept);
     }
     return this->Readable;
   }
@@ -166,23 +175,32 @@ public:
   }
 
 private:
-  static std::vector<float> OnHost(const Field& field)
+  Field Begin(const StartingExtinction& start) const
   {
-    std::vector<float> values(field.Size());
-    field.Download(values.data());
-    return values;
+    const float* base = this->Given.baseExtinction + this->Own.Begin();
+    return this->Energy.Everywhere(
+      start ? *start : std::vector<float>(base, base + this->Own.Count()));
+  }
+
+  std::vector<float> OnHost(const Field& field) const
+  {
+    return limpid::OnHost(*this->Device, field.Data() + this->Own.Begin(), this->Own.Count());
   }
 
   /// For the next step; the terms see the present extinction along the way.
   void FindGradient()
   {
-    this->Gradient.SetZero();
+    if (!this->Energy.OnRanks())
+    {
+      this->Gradient.SetZero();
+    }
     this->Energy.Differentiate(this->Now.Data(), this->Gradient.Data());
   }
 
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
+  Slab Own; ///< of this rank
   Field Now;
   Field Kept;
   Field Gradient; ///< empty: there was no step yet
@@ -194,13 +212,13 @@ private:
 
 template <class AnyDevice>
 std::unique_ptr<AdamLevel> MakeAdamLevel(
-  const std::shared_ptr<AnyDevice>& device, const Problem& problem, const std::vector<float>& start)
+  const std::shared_ptr<AnyDevice>& device, const Problem& problem, const StartingExtinction& start)
 {
   return std::make_unique<LevelOn<AnyDevice>>(device, problem, start);
 }
 
 #define LIMPID_INSTANTIATE(AnyDevice)                                                              \
   template std::unique_ptr<AdamLevel> MakeAdamLevel(                                               \
-    const std::shared_ptr<AnyDevice>&, const Problem&, const std::vector<float>&);
+    const std::shared_ptr<AnyDevice>&, const Problem&, const StartingExtinction&);
 LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
 }

@@ -12,7 +12,8 @@
 
 namespace limpid
 {
-/// Adam's state on one resolution, wherever it lives.
+/// Adam's state on one resolution, wherever it lives. Where ranks share the problem, each gives and
+/// gets the extinction of its slab.
 class AdamLevel
 {
 public:
@@ -38,14 +39,14 @@ public:
   virtual std::vector<float> TakeBest() = 0;
 };
 
-/// Makes the level of a problem, which stays with the caller, from a first extinction [1/length].
+/// Makes the level of a problem, which stays with the caller, from a first extinction.
 using AdamLevelMaker =
-  std::function<std::unique_ptr<AdamLevel>(const Problem&, const std::vector<float>&)>;
+  std::function<std::unique_ptr<AdamLevel>(const Problem&, const StartingExtinction&)>;
 
 /// Makes it on a device.
 template <class AnyDevice>
 std::unique_ptr<AdamLevel> MakeAdamLevel(const std::shared_ptr<AnyDevice>& device,
-  const Problem& problem, const std::vector<float>& start);
+  const Problem& problem, const StartingExtinction& start);
 }
 
 #endif

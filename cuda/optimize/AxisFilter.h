@@ -9,8 +9,11 @@
 #include "backend/DeviceArray.h"
 #include "backend/Simd.h"
 #include "scene/Grid.h"
+#include "scene/NodeBox.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace limpid
@@ -24,6 +27,28 @@ struct AxisFilter
 
   /// Hat functions about the `to` nodes of the axis, as wide as the coarser of the two spacings.
   AxisFilter(int from, int to);
+
+  /// The other nodes that some of the nodes are means of.
+  Range<int> SourcesOf(const Range<int>& nodes) const;
+
+  /// That of some of the nodes, from those other nodes alone.
+  AxisFilter PartOf(const Range<int>& nodes) const;
+};
+
+/// How fields at some nodes become fields at others in the same box, axis by axis.
+struct GridFilter
+{
+  Int3 from;
+  Int3 to;
+  std::array<std::optional<AxisFilter>, 3> along; ///< not there: the nodes are the same
+
+  GridFilter(const Int3& from, const Int3& to);
+
+  /// The nodes of the field that some nodes of the result are means of.
+  NodeBox SourcesOf(const NodeBox& nodes) const;
+
+  /// That of some nodes of the result, from those of the field alone.
+  GridFilter PartOf(const NodeBox& nodes) const;
 };
 
 /// One node of a field that is filtered along an axis, see AxisFilter.
@@ -59,26 +84,35 @@ struct FilteredNode
 
 /// Restrict or Prolong (Levels.h) on a device, where both fields are. Does not wait.
 template <class AnyDevice>
-void Resample(const std::shared_ptr<AnyDevice>& device, const Grid& from, const float* field,
-  const Grid& to, float* result)
+void Resample(const std::shared_ptr<AnyDevice>& device, const GridFilter& filter,
+  const float* field, float* result)
 {
   const char* what = "a field on another grid";
-  Int3 nodes = from.nodes;
+  Int3 nodes = filter.from;
   DeviceArray<AnyDevice, float> before; // what `field` is from the second axis on
+  int left = 0;                         // axes that are filtered
+  for (const std::optional<AxisFilter>& along : filter.along)
+  {
+    left += along ? 1 : 0;
+  }
+  if (left == 0)
+  {
+    device->Copy(result, field, std::size_t(Index(nodes.x) * nodes.y * nodes.z) * sizeof(float));
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (nodes[axis] == to.nodes[axis])
+    const std::optional<AxisFilter>& along = filter.along[std::size_t(axis)];
+    if (!along)
     {
       continue;
     }
-    const AxisFilter filter(nodes[axis], to.nodes[axis]);
-    const DeviceArray<AnyDevice, int> first(device, filter.first, what);
-    const DeviceArray<AnyDevice, int> begin(device, filter.begin, what);
-    const DeviceArray<AnyDevice, float> weights(device, filter.weights, what);
+    const DeviceArray<AnyDevice, int> first(device, along->first, what);
+    const DeviceArray<AnyDevice, int> begin(device, along->begin, what);
+    const DeviceArray<AnyDevice, float> weights(device, along->weights, what);
     const Int3 source = nodes;
-    nodes[axis] = to.nodes[axis];
+    nodes[axis] = filter.to[axis];
     DeviceArray<AnyDevice, float> after;
-    float* out = nodes == to.nodes
+    float* out = --left == 0
       ? result
       : after.RoomFor(device, std::size_t(Index(nodes.x) * nodes.y * nodes.z), what);
     device->ForNodes("resample", nodes,
@@ -86,10 +120,14 @@ void Resample(const std::shared_ptr<AnyDevice>& device, const Grid& from, const 
     before = std::move(after);
     field = before.Data();
   }
-  if (from.nodes == to.nodes)
-  {
-    device->Copy(result, field, std::size_t(to.NodeCount()) * sizeof(float));
-  }
+}
+
+/// The same from all nodes of a grid to all of another.
+template <class AnyDevice>
+void Resample(const std::shared_ptr<AnyDevice>& device, const Grid& from, const float* field,
+  const Grid& to, float* result)
+{
+  Resample(device, GridFilter(from.nodes, to.nodes), field, result);
 }
 }
 

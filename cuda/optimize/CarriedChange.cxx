@@ -36,19 +36,39 @@ double DegreesBetween(const Vec3& one, const Vec3& other)
   return std::isfinite(degrees) ? degrees : 0.0;
 }
 
-std::vector<float> Applied(
-  const SceneFields& scene, float majorant, const Grid& grid, const std::vector<float>& change)
+/// c at the nodes of a scene, where it has them.
+std::vector<float> OnScene(
+  const SceneFields& scene, const CarriedChange& change, const std::vector<float>& values)
 {
-  if (change.empty())
+  if (!scene.piece)
+  {
+    return change.grid.nodes == scene.grid.nodes
+      ? values
+      : Resampled(change.grid, values.data(), scene.grid);
+  }
+  const ScenePiece& before = *change.piece;
+  return ResampledBox(*scene.piece->ranks, change.grid,
+    FieldView::Part(const_cast<float*>(values.data()), before.nodes), before.owned, scene.grid,
+    scene.piece->boxes);
+}
+
+std::vector<float> Applied(const SceneFields& scene, float majorant, const CarriedChange& change,
+  const std::vector<float>& ofBase)
+{
+  const Communicator* ranks = scene.piece ? scene.piece->ranks.get() : nullptr;
+  if (ranks ? !ranks->AnyOf(!ofBase.empty()) : ofBase.empty())
   {
     return {};
   }
-  LIMPID_REQUIRE(Index(change.size()) == grid.NodeCount(),
-    "A change that is to be carried on has " << change.size() << " values for " << grid.NodeCount()
-                                             << " nodes (it belongs to another grid). Give one "
-                                                "value per node.");
-  std::vector<float> values =
-    grid.nodes == scene.grid.nodes ? change : Resampled(grid, change.data(), scene.grid);
+  Jointly(ranks,
+    [&]
+    {
+      LIMPID_REQUIRE(Index(ofBase.size()) == change.ValueCount(),
+        "A change that is to be carried on has "
+          << ofBase.size() << " values for " << change.ValueCount()
+          << " nodes (it belongs to another grid). Give one value per node.");
+    });
+  std::vector<float> values = OnScene(scene, change, ofBase);
   ParallelFor(static_cast<Index>(values.size()), valuesPerTask,
     [&](Index node)
     {
@@ -86,11 +106,10 @@ double CarriedChange::NearnessTo(
   return this->likeness * std::max(1 - degrees / farAway, 0.0);
 }
 
-std::vector<float> ChangeOf(
-  const Grid& grid, const float* base, const float* extinction, float majorant)
+std::vector<float> ChangeOf(Index count, const float* base, const float* extinction, float majorant)
 {
-  std::vector<float> change(static_cast<std::size_t>(grid.NodeCount()));
-  ParallelFor(grid.NodeCount(), valuesPerTask,
+  std::vector<float> change(static_cast<std::size_t>(count));
+  ParallelFor(count, valuesPerTask,
     [&](Index node)
     {
       const float difference = extinction[node] - base[node];
@@ -102,11 +121,12 @@ std::vector<float> ChangeOf(
 
 CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change)
 {
-  if (change.Empty() || !scene.grid.HasSameBox(change.grid))
+  const bool sharedAlike = bool(scene.piece) == bool(change.piece);
+  if (change.Empty() || !sharedAlike || !scene.grid.HasSameBox(change.grid))
   {
     return {};
   }
-  return { Applied(scene, majorant, change.grid, change.ofExtinction),
-    Applied(scene, majorant, change.grid, change.ofLight) };
+  return { Applied(scene, majorant, change, change.ofExtinction),
+    Applied(scene, majorant, change, change.ofLight) };
 }
 }

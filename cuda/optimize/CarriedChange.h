@@ -7,7 +7,9 @@
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
+#include "scene/ScenePiece.h"
 
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -28,14 +30,21 @@ constexpr double likenessInTime = 0.4;
 struct CarriedChange
 {
   Grid grid;
-  std::vector<float> ofExtinction; ///< c, grid.NodeCount() values in [-1, 1]; empty: none
+  std::vector<float> ofExtinction; ///< c, ValueCount() values in [-1, 1]; none: there is no change
   std::vector<float> ofLight;      ///< of the extinction for the light; empty: the same
-  Camera camera;                   ///< for which it was found
+  std::shared_ptr<const ScenePiece> piece; ///< what ranks have of it; null: one has all
+  Camera camera;                           ///< for which it was found
   Light light;
   Settings settings;
   double likeness = 1; ///< of what it was found for to what is asked now, beside these [0, 1]
 
-  bool Empty() const { return this->ofExtinction.empty(); }
+  bool Empty() const { return this->ofExtinction.empty() && !this->piece; }
+
+  /// Number of values that are here.
+  Index ValueCount() const
+  {
+    return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
+  }
 
   /// How much there is to stay near for another camera and light: the likeness for the same
   /// directions from the middle of the grid, 0 for directions more than 20 degrees away, and for
@@ -44,9 +53,9 @@ struct CarriedChange
     const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const;
 };
 
-/// c of an extinction at the nodes of a grid [1/length].
+/// c of an extinction at so many nodes [1/length].
 std::vector<float> ChangeOf(
-  const Grid& grid, const float* base, const float* extinction, float majorant);
+  Index count, const float* base, const float* extinction, float majorant);
 
 /// What a change makes of a scene, one value per node each [1/length].
 struct CarriedExtinction
@@ -64,8 +73,8 @@ struct CarriedExtinction
 };
 
 /// That of a scene with that majorant, whose grid may be finer or coarser than the change's;
-/// nothing where it is over another box. Throws limpid::Error for a change of another size than its
-/// grid.
+/// nothing where it is over another box, or ranks share only one of both. Throws limpid::Error for
+/// a change of another size than its grid.
 CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change);
 }
 

@@ -3,9 +3,11 @@
 
 #include "optimize/Differences.h"
 
+#include "backend/Backend.h"
 #include "backend/Simd.h"
 
 #include <cmath>
+#include <vector>
 
 namespace limpid
 {
@@ -61,5 +63,29 @@ double SumOfChanges(const float* a, const float* b, Index count)
     sum += std::abs(double(a[i]) - b[i]);
   }
   return sum;
+}
+
+double SumOverRows(
+  const Slab& slab, const Communicator* ranks, const std::function<double(int y, int z)>& ofRow)
+{
+  std::vector<ExactSum> slices(std::size_t(slab.slices.Length()));
+  ParallelFor(slab.slices.Length(),
+    [&](Index slice)
+    {
+      for (int y = 0; y < slab.nodes.y; ++y)
+      {
+        slices[std::size_t(slice)].Add(ofRow(y, slab.slices.begin + static_cast<int>(slice)));
+      }
+    });
+  ExactSum sum;
+  for (const ExactSum& slice : slices)
+  {
+    sum += slice;
+  }
+  if (ranks)
+  {
+    ranks->Sum(&sum, 1);
+  }
+  return sum.Value();
 }
 }

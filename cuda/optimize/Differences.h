@@ -5,7 +5,9 @@
 #define limpid_optimize_Differences_h
 
 #include "backend/Communicator.h"
-#include "math/Vec.h"
+#include "scene/Slab.h"
+
+#include <functional>
 
 namespace limpid
 {
@@ -14,6 +16,11 @@ double SumOfSquares(const float* a, const float* b, Index count);
 
 /// Sum of |a - b| over `count` values.
 double SumOfChanges(const float* a, const float* b, Index count);
+
+/// The sum of what ofRow(y, z) says of the rows of a slab along x; the same bits for any number of
+/// threads and, if ranks each have a slab, of these. `ranks`: null: there is one.
+double SumOverRows(
+  const Slab& slab, const Communicator* ranks, const std::function<double(int y, int z)>& ofRow);
 
 /// How far an iterate is from the base, from the last one and from what it is to stay near.
 struct Differences

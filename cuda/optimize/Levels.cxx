@@ -37,6 +37,79 @@ AxisFilter::AxisFilter(int from, int to)
   }
 }
 
+Range<int> AxisFilter::SourcesOf(const Range<int>& nodes) const
+{
+  if (nodes.Empty())
+  {
+    return {};
+  }
+  const auto last = std::size_t(nodes.end) - 1;
+  return { this->first[std::size_t(nodes.begin)],
+    this->first[last] + this->begin[last + 1] - this->begin[last] };
+}
+
+AxisFilter AxisFilter::PartOf(const Range<int>& nodes) const
+{
+  AxisFilter part = *this;
+  const auto begins = this->begin.begin() + nodes.begin;
+  const int firstWeight = *begins;
+  const int firstSource = this->SourcesOf(nodes).begin;
+  part.begin.assign(begins, begins + nodes.Length() + 1);
+  part.first.assign(this->first.begin() + nodes.begin, this->first.begin() + nodes.end);
+  part.weights.assign(
+    this->weights.begin() + firstWeight, this->weights.begin() + part.begin.back());
+  for (int& weight : part.begin)
+  {
+    weight -= firstWeight;
+  }
+  for (int& source : part.first)
+  {
+    source -= firstSource;
+  }
+  return part;
+}
+
+GridFilter::GridFilter(const Int3& fromNodes, const Int3& toNodes)
+  : from(fromNodes)
+  , to(toNodes)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (this->from[axis] != this->to[axis])
+    {
+      this->along[std::size_t(axis)] = AxisFilter(this->from[axis], this->to[axis]);
+    }
+  }
+}
+
+NodeBox GridFilter::SourcesOf(const NodeBox& nodes) const
+{
+  NodeBox sources = nodes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (this->along[axis])
+    {
+      sources.along[axis] = this->along[axis]->SourcesOf(nodes.along[axis]);
+    }
+  }
+  return sources;
+}
+
+GridFilter GridFilter::PartOf(const NodeBox& nodes) const
+{
+  GridFilter part = *this;
+  part.from = this->SourcesOf(nodes).Size();
+  part.to = nodes.Size();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (this->along[axis])
+    {
+      part.along[axis] = this->along[axis]->PartOf(nodes.along[axis]);
+    }
+  }
+  return part;
+}
+
 Grid CoarseGrid(const Grid& grid, int factor)
 {
   Grid coarse = grid;
@@ -56,6 +129,27 @@ std::vector<float> Resampled(const Grid& from, const float* field, const Grid& t
   std::vector<float> values(static_cast<std::size_t>(to.NodeCount()));
   Resample(HostDevice::Shared(), from, field, to, values.data());
   return values;
+}
+
+std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, const FieldView& field,
+  const std::vector<NodeBox>& had, const Grid& to, const std::vector<NodeBox>& wanted)
+{
+  const GridFilter filter(from.nodes, to.nodes);
+  std::vector<NodeBox> needed;
+  for (const NodeBox& box : wanted)
+  {
+    needed.push_back(box.Empty() ? NodeBox() : filter.SourcesOf(box));
+  }
+  const auto own = std::size_t(ranks.Rank());
+  std::vector<float> values(std::size_t(needed[own].Count()));
+  Spread(
+    ranks, field, RegionsOf(had), FieldView::Part(values.data(), needed[own]), RegionsOf(needed));
+  std::vector<float> result(std::size_t(wanted[own].Count()));
+  if (!result.empty())
+  {
+    Resample(HostDevice::Shared(), filter.PartOf(wanted[own]), values.data(), result.data());
+  }
+  return result;
 }
 
 std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse)

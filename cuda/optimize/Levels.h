@@ -5,6 +5,7 @@
 #define limpid_optimize_Levels_h
 
 #include "scene/Grid.h"
+#include "sweep/RankRegions.h"
 
 #include <vector>
 
@@ -17,6 +18,12 @@ Grid CoarseGrid(const Grid& grid, int factor);
 /// A field on another grid over the same box: along axes that are coarser there as Restrict has it,
 /// along others as Prolong has it.
 std::vector<float> Resampled(const Grid& from, const float* field, const Grid& to);
+
+/// The same where ranks share both, of each rank a box of nodes. `had`: of the field, no two with a
+/// node in common; `wanted`: of the result, whose part for this rank is returned, first axis
+/// fastest.
+std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, const FieldView& field,
+  const std::vector<NodeBox>& had, const Grid& to, const std::vector<NodeBox>& wanted);
 
 /// A field on a coarse grid over the same box: the mean of the fine field about each coarse node,
 /// weighted by the coarse node's trilinear hat function.

@@ -124,14 +124,14 @@ public:
 
   const Problem& ProblemInside() const { return this->Inside; }
 
-  /// `start`: in the order of the problem; empty: the base extinction.
-  std::vector<float> FirstIterate(const std::vector<float>& start) const
+  /// `start`: in the order of the problem.
+  StartingExtinction InOrder(const StartingExtinction& start) const
   {
-    std::vector<float> first;
-    if (!start.empty())
+    StartingExtinction first;
+    if (start)
     {
       first = this->Room();
-      Permute(this->Nodes, this->Fields->order, start.data(), first.data());
+      Permute(this->Nodes, this->Fields->order, start->data(), first->data());
     }
     return first;
   }
@@ -189,8 +189,8 @@ AxisPermutation OrderFor(const Problem& problem)
   return { { first, 3 - first - last, last } };
 }
 
-std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, std::vector<float>&& start,
-  const std::function<std::unique_ptr<Minimizer>(const Problem&, std::vector<float>&&)>& make)
+std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, StartingExtinction&& start,
+  const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make)
 {
   const AxisPermutation order = OrderFor(problem);
   if (!order.Changes())
@@ -198,8 +198,7 @@ std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, std::vector<floa
     return make(problem, std::move(start));
   }
   auto minimizer = std::make_unique<PermutedMinimizer>(problem, order);
-  minimizer->Use(
-    make(minimizer->ProblemInside(), minimizer->FirstIterate(std::exchange(start, {}))));
+  minimizer->Use(make(minimizer->ProblemInside(), minimizer->InOrder(std::exchange(start, {}))));
   return minimizer;
 }
 }

@@ -35,8 +35,8 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order);
 
 /// A minimiser that works in that order, and gives its results in that of the problem. `make`:
 /// makes one that works in the order of its problem, which stays alive.
-std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, std::vector<float>&& start,
-  const std::function<std::unique_ptr<Minimizer>(const Problem&, std::vector<float>&&)>& make);
+std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, StartingExtinction&& start,
+  const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make);
 }
 
 #endif

@@ -5,9 +5,9 @@
 
 #include "optimize/Policy.h"
 
+#include "optimize/FieldsOfRanks.h"
 #include "optimize/Iterate.h"
 #include "optimize/ProximalDescent.h"
-#include "optimize/Ranked.h"
 #include "optimize/Smoothing.h"
 #include "sweep/Sweeps.h"
 
@@ -103,19 +103,19 @@ class Policy : public Minimizer
 {
 public:
   Policy(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
-    const std::vector<float>& start, bool warm)
+    const StartingExtinction& start, bool warm)
     : Given(&problem)
     , Device(device)
     , Energy(device, problem)
     , Warm(warm)
     , Descent(FirstProximity(problem))
   {
-    if (start.empty())
+    if (!start)
     {
       this->Iterates[0].values = this->Energy.Fields().base.Data();
       return;
     }
-    this->Iterates[0].own = { device, start, "an iterate" };
+    this->Iterates[0].own = this->Energy.Everywhere(*start);
     this->Iterates[0].values = this->Iterates[0].own.Data();
   }
 
@@ -355,7 +355,7 @@ private:
         PrepareIterate(this->Device, *this->Given, 1, last, next); // room alone
         if (swept.Frusta().size() > 1)
         {
-          ranks->CopyNeeded(swept.Frusta(), last, next.own.Data());
+          ranks->CopyNeeded(&swept.Frusta(), last, next.own.Data());
         }
         return;
       }
@@ -418,7 +418,7 @@ private:
         [this](const Term* other) { return this->Energy.IsOfCamera(*other); });
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
-      { last, turn.smoothing > 0 ? this->FindPull(last, turn.smoothing) : this->Lagged.Data(), next,
+      { last, turn.smoothing > 0 ? this->FindPull(turn, last) : this->Lagged.Data(), next,
         this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Descent.Proximity(),
         turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous(),
         this->Energy.OnRanks() },
@@ -428,7 +428,7 @@ private:
       if (const TermsOnRanks* ranks = this->Energy.OnRanks())
       {
         moved.SumOver(ranks->Ranks());
-        ranks->Share(next, turn.swept->Frusta());
+        ranks->Share(next, &turn.swept->Frusta());
       }
       this->Energy.Sums()->moved = moved.Values();
     }
@@ -449,14 +449,26 @@ private:
   }
 
   /// The pull of neighbours beside the derivative of the other terms.
-  const float* FindPull(const float* last, double smoothing)
+  const float* FindPull(const Turn& turn, const float* last)
   {
-    this->Pull.RoomFor(
-      this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), "the pull");
+    if (this->Pull.Empty())
+    {
+      this->Pull = DeviceArray<AnyDevice, float>::Zeros(
+        this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), "the pull");
+    }
+    this->Energy.Pass(this->Lagged.Data(), this->Lagged.Empty() ? nullptr : turn.swept, nullptr);
     limpid::FindPull(*this->Device,
       { this->Given->grid.nodes, this->Energy.Fields().base.Data(),
         this->Energy.Fields().importance.Data(), last, this->Lagged.Data(),
-        static_cast<float>(smoothing), this->Pull.Data() });
+        static_cast<float>(turn.smoothing), this->Pull.Data() },
+      this->Given->OwnSlab().slices);
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (const TermsOnRanks* ranks = this->Energy.OnRanks())
+      {
+        ranks->Pass(this->Pull.Data(), TermsOnRanks::slabs, &turn.swept->Frusta());
+      }
+    }
     return this->Pull.Data();
   }
 
@@ -481,32 +493,19 @@ private:
     const Term* before = nullptr;
     for (Term* other : turn.others)
     {
-      this->Pass(before, *other);
+      this->Energy.Pass(this->Lagged.Data(), before, other);
       before = other;
       const float kept = several ? 1 : 0;
       this->Sees(*other)
         ? this->Energy.DifferentiateSeen(*other, extinction, kept, this->Lagged.Data())
         : this->Energy.DifferentiateTerm(*other, extinction, kept, this->Lagged.Data());
     }
-    this->Pass(before, *turn.swept);
+    this->Energy.Pass(this->Lagged.Data(), before, turn.swept);
     this->SeeLast.erase(std::remove_if(this->SeeLast.begin(), this->SeeLast.end(),
                           [&turn](const Term* term) { return term != turn.swept; }),
       this->SeeLast.end()); // derivatives leave no optical depths
     this->LagFilledBy = several ? nullptr : turn.others[0];
     this->LagBeside = turn.swept;
-  }
-
-  /// Brings the lagged derivative to those who need it next, from the term that wrote it; null:
-  /// none has.
-  void Pass(const Term* from, const Term& to)
-  {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (from && this->Energy.OnRanks())
-      {
-        this->Energy.OnRanks()->Pass(this->Lagged.Data(), from->Frusta(), to.Frusta());
-      }
-    }
   }
 
   const Problem* Given;
@@ -549,7 +548,7 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
       if (sweep.ranks)
       {
         sweep.ranks->ShareFrustum(
-          sweep.next, term.Frusta(), std::size_t(&rays - term.Frusta().data()));
+          sweep.next, &term.Frusta(), std::size_t(&rays - term.Frusta().data()));
       }
     }
   }
@@ -580,7 +579,7 @@ void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const 
 
 template <class AnyDevice>
 std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
-  const Problem& problem, const std::vector<float>& start, bool warm)
+  const Problem& problem, const StartingExtinction& start, bool warm)
 {
   return std::make_unique<Policy<AnyDevice>>(device, problem, start, warm);
 }
@@ -591,6 +590,6 @@ std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
   template void SweepFirstPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,           \
     const ProblemFields<AnyDevice>&, const float*, double, float*);                                \
   template std::unique_ptr<Minimizer> MakePolicy(                                                  \
-    const std::shared_ptr<AnyDevice>&, const Problem&, const std::vector<float>&, bool);
+    const std::shared_ptr<AnyDevice>&, const Problem&, const StartingExtinction&, bool);
 LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE_POLICY)
 }

@@ -59,11 +59,10 @@ inline bool MetNextIterate(std::size_t frustum, std::size_t frusta, Derivative d
 }
 
 /// The policy method (Documentation/Method.md) for a problem, which stays with the caller, from a
-/// first iterate [1/length]; empty: from the base extinction. `warm` tells that its transmittance
-/// can be trusted.
+/// first iterate. `warm` tells that its transmittance can be trusted.
 template <class AnyDevice>
 std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
-  const Problem& problem, const std::vector<float>& start, bool warm);
+  const Problem& problem, const StartingExtinction& start, bool warm);
 }
 
 #endif

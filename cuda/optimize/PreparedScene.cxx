@@ -6,6 +6,7 @@
 #include "energy/Despeckle.h"
 #include "energy/SceneSurvey.h"
 #include "math/Require.h"
+#include "optimize/Neighbourhood.h"
 
 #include <algorithm>
 #include <cstring>
@@ -45,76 +46,22 @@ Index NumberOf(const SceneFields& scene, Index value)
   return (k * scene.grid.nodes.y + j) * scene.grid.nodes.x + i;
 }
 
-/// A box with the nodes beside it, as far as the grid goes.
-NodeBox WithNeighbours(const NodeBox& box, const Int3& nodes)
+Neighbourhood NeighbourhoodOf(const SceneFields& scene)
 {
-  NodeBox wide = box;
-  for (int axis = 0; axis < 3 && !box.Empty(); ++axis)
-  {
-    Range<int>& along = wide.along[std::size_t(axis)];
-    along = { std::max(along.begin - 1, 0), std::min(along.end + 1, nodes[axis]) };
-  }
-  return wide;
+  return { *scene.piece->ranks, scene.grid, scene.piece->boxes, scene.piece->owned };
 }
-
-/// A piece with the nodes beside it, whose values other ranks have: a grid of its own, on which
-/// what depends on neighbours is found for the nodes of the piece as it is on the whole.
-class Neighbourhood
-{
-public:
-  explicit Neighbourhood(const SceneFields& scene)
-    : Piece(scene.piece.get())
-    , Nodes(scene.grid)
-    , Had(RegionsOf(this->Piece->owned))
-  {
-    for (const NodeBox& box : this->Piece->boxes)
-    {
-      this->Needed.push_back({ WithNeighbours(box, scene.grid.nodes) });
-    }
-    this->Box = this->Needed[std::size_t(this->Piece->ranks->Rank())].front();
-    this->Nodes.nodes = this->Box.Size();
-  }
-
-  const Grid& Around() const { return this->Nodes; }
-  bool Empty() const { return this->Box.Empty(); }
-
-  /// A field of the piece, with what is beside it. All ranks have to ask.
-  NodeValues Extended(const float* field) const
-  {
-    NodeValues values(this->Box.Count());
-    Spread(*this->Piece->ranks, FieldView::Part(const_cast<float*>(field), this->Piece->nodes),
-      this->Had, FieldView::Part(values.Data(), this->Box), this->Needed);
-    return values;
-  }
-
-  /// The piece of a field of that grid.
-  NodeValues Inside(const NodeValues& field) const
-  {
-    NodeValues values(this->Piece->nodes.Count());
-    CopyNodes(this->Piece->nodes, FieldView::Part(const_cast<float*>(field.Data()), this->Box),
-      FieldView::Part(values.Data(), this->Piece->nodes));
-    return values;
-  }
-
-private:
-  const ScenePiece* Piece;
-  Grid Nodes;
-  NodeBox Box;
-  std::vector<Region> Had;
-  std::vector<Region> Needed;
-};
 
 /// What there is to be known of a piece, but for its occupancy: nobody knows that alone.
 SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const float* importance)
 {
-  const Neighbourhood around(scene);
+  const Neighbourhood around = NeighbourhoodOf(scene);
   const NodeValues extinctions = around.Extended(scene.baseExtinction);
   const NodeValues importances = around.Extended(importance);
   SceneSurvey found;
   if (!around.Empty())
   {
     found = SurveyScene(around.Around(), extinctions.Data(), mostExtinction, importances.Data(), 1);
-    found.nodeImportance = around.Inside(found.nodeImportance);
+    found.nodeImportance = around.Inside(found.nodeImportance.Data());
     found.occupancy = nullptr;
   }
   return found;
@@ -129,7 +76,7 @@ NodeValues WithoutSpecks(const SceneFields& scene)
     Despeckle(scene.grid, scene.baseExtinction, scene.importance, values.Data());
     return values;
   }
-  const Neighbourhood around(scene);
+  const Neighbourhood around = NeighbourhoodOf(scene);
   const NodeValues extinctions = around.Extended(scene.baseExtinction);
   const NodeValues importances = around.Extended(scene.importance);
   NodeValues values(around.Around().NodeCount());
@@ -137,7 +84,7 @@ NodeValues WithoutSpecks(const SceneFields& scene)
   {
     Despeckle(around.Around(), extinctions.Data(), importances.Data(), values.Data());
   }
-  return around.Inside(values);
+  return around.Inside(values.Data());
 }
 
 SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* importance)

@@ -6,29 +6,44 @@
 #include "backend/Backend.h"
 #include "optimize/Differences.h"
 #include "optimize/ExtinctionBounds.h"
+#include "optimize/FieldsOfRanks.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace limpid
 {
+void Problem::Use(const std::shared_ptr<FieldsOfRanks>& fields)
+{
+  this->baseExtinction = fields->base.values.Data();
+  this->importance = fields->importance.values.Data();
+  this->nodeImportance = fields->nodeImportance.values.Data();
+  this->previous = fields->previous.values.Data();
+  this->shared = fields;
+}
+
+Slab Problem::OwnSlab() const
+{
+  return this->shared ? limpid::OwnSlab(*this->shared->ranks, this->grid.nodes)
+                      : Slab::Of(this->grid.nodes);
+}
+
+double Problem::SumOverRows(const std::function<double(int y, int z)>& ofRow) const
+{
+  const Communicator* ranks = this->shared ? this->shared->ranks.get() : nullptr;
+  return limpid::SumOverRows(this->OwnSlab(), ranks, ofRow);
+}
+
 double Problem::SquaresFrom(const float* other, const float* extinction) const
 {
   // What is empty stays as it is in the base, see Solver's first iterate.
-  const Int3& rows = this->grid.nodes;
-  std::vector<double> slices(std::size_t(rows.z), 0.0);
-  ParallelFor(rows.z,
-    [&](Index z)
+  const Int3& nodes = this->grid.nodes;
+  return this->SumOverRows(
+    [&](int y, int z)
     {
-      for (int y = 0; y < rows.y; ++y)
-      {
-        const Range<int> filled = this->occupancy->Row(0, y, int(z)).filled;
-        const Index first = (z * rows.y + y) * rows.x + filled.begin;
-        slices[std::size_t(z)] +=
-          SumOfSquares(extinction + first, other + first, std::max(filled.Length(), 0));
-      }
+      const Range<int> filled = this->occupancy->Row(0, y, z).filled;
+      const Index first = (Index(z) * nodes.y + y) * nodes.x + filled.begin;
+      return SumOfSquares(extinction + first, other + first, std::max(filled.Length(), 0));
     });
-  return std::accumulate(slices.begin(), slices.end(), 0.0);
 }
 
 double Problem::WeightOfRange(double share) const

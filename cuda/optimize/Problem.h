@@ -9,11 +9,14 @@
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 #include "scene/ScenePiece.h"
+#include "scene/Slab.h"
 #include "sweep/Occupancy.h"
 #include "sweep/RankRegions.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace limpid
@@ -63,6 +66,16 @@ struct Problem
   /// whole range for all visibility. 0 where there is nothing to stay near.
   double CoherenceWeight() const;
 
+  /// Takes fields that ranks share for its own.
+  void Use(const std::shared_ptr<FieldsOfRanks>& fields);
+
+  /// What this rank has of work on voxels that needs no rays; all, where no ranks share the
+  /// problem.
+  Slab OwnSlab() const;
+
+  /// The sum of what ofRow(y, z) says of all rows of voxels, of all ranks, see SumOverRows.
+  double SumOverRows(const std::function<double(int y, int z)>& ofRow) const;
+
   /// Sum over all voxels of (mu - other)^2, where `other` differs from the base extinction in
   /// filled voxels only [1/length^2].
   double SquaresFrom(const float* other, const float* extinction) const;
@@ -89,6 +102,10 @@ private:
   /// that share of the visibility terms is at stake [length].
   double WeightOfRange(double share) const;
 };
+
+/// What iterations start from, one value per node, of this rank's slab where ranks share the
+/// problem [1/length]; not there: the base extinction.
+using StartingExtinction = std::optional<std::vector<float>>;
 
 /// An iterative method for a problem.
 class Minimizer

@@ -252,7 +252,7 @@ CarriedChange Progressive::Change() const
   change.likeness = state.shownLikeness;
   const float majorant = state.ShownScene().Majorant();
   const auto changeOf = [&](const float* extinction)
-  { return ChangeOf(change.grid, this->BaseExtinction(), extinction, majorant); };
+  { return ChangeOf(change.grid.NodeCount(), this->BaseExtinction(), extinction, majorant); };
   change.ofExtinction = changeOf(this->Extinction());
   if (state.KeepsLight())
   {

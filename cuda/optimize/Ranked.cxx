@@ -6,6 +6,7 @@
 #include "backend/LargePages.h"
 #include "energy/TransmittanceSweep.h"
 #include "energy/VisibilityTerm.h"
+#include "optimize/FieldsOfRanks.h"
 #include "optimize/Permuted.h"
 #include "optimize/RestoringMinimizer.h"
 #include "optimize/SolverBackend.h"
@@ -73,14 +74,19 @@ std::shared_ptr<const Occupancy> FindOccupancy(const Problem& problem, const Axi
     *piece.ranks, order.Of(problem.grid), box, extinctions.data(), importances.data(), skip);
 }
 
-/// The problem in another order, with room for the fields that ranks share.
-Problem Shared(const Problem& problem, const AxisPermutation& order)
+/// The problem in another order, with room for the fields that ranks share. `warm`: whether
+/// iterations start from an extinction of their own.
+Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm = false)
 {
   const ScenePiece& piece = *problem.piece;
   const auto fields = std::make_shared<FieldsOfRanks>();
   fields->ranks = piece.ranks;
   fields->pieces = RegionsOf(InOrder(piece.owned, order));
   fields->wanted = RegionsOf(InOrder(piece.boxes, order));
+  const Settings& settings = problem.settings;
+  const bool staysNear = piece.ranks->AnyOf(problem.previous != nullptr); // a piece may be empty
+  fields->inSlabs =
+    warm || staysNear || settings.solver == SolverKind::Adam || settings.smoothness > 0;
   const auto fieldOf = [&](const float* values)
   {
     return FieldsOfRanks::Field{ PieceOf(problem, order, values),
@@ -90,14 +96,16 @@ Problem Shared(const Problem& problem, const AxisPermutation& order)
   fields->importance = fieldOf(problem.importance);
   fields->nodeImportance = fieldOf(problem.nodeImportance);
 
+  if (staysNear)
+  {
+    fields->previous = fieldOf(problem.previous);
+  }
+
   Problem shared = Reordered(problem, order);
-  shared.baseExtinction = fields->base.values.Data();
-  shared.importance = fields->importance.values.Data();
-  shared.nodeImportance = fields->nodeImportance.values.Data();
+  shared.Use(fields);
   shared.occupancy = FindOccupancy(problem, order, fields->base.piece, fields->nodeImportance.piece,
     problem.settings.skipUnneeded);
   shared.piece = nullptr;
-  shared.shared = fields;
   return shared;
 }
 
@@ -138,14 +146,30 @@ bool AreAlike(const Communicator& ranks, const std::vector<double>& numbers)
 class RankedMinimizer : public RestoringMinimizer
 {
 public:
-  RankedMinimizer(const Problem& problem, const AxisPermutation& order)
+  RankedMinimizer(const Problem& problem, const AxisPermutation& order, bool warm)
     : Given(&problem)
     , Order(order)
-    , Inside(Shared(problem, order))
+    , Inside(Shared(problem, order, warm))
   {
   }
 
   const Problem& ProblemInside() const { return this->Inside; }
+
+  /// `start`: of this rank's piece.
+  StartingExtinction InSlab(const StartingExtinction& start) const
+  {
+    if (!start)
+    {
+      return {};
+    }
+    const FieldsOfRanks& fields = *this->Inside.shared;
+    const Slab own = this->Inside.OwnSlab();
+    std::vector<float> values(std::size_t(own.Count()));
+    Spread(*fields.ranks, PieceOf(*this->Given, this->Order, start->data()), fields.pieces,
+      FieldView::Part(values.data(), own.Box()),
+      RegionsOf(SlabsOf(*fields.ranks, this->Inside.grid.nodes)));
+    return values;
+  }
 
   IterationRecord Start() override
   {
@@ -241,7 +265,7 @@ private:
 }
 
 void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& camera,
-  const Light& light, const Settings& settings)
+  const Light& light, const Settings& settings, double nearness)
 {
   std::vector<double> numbers;
   for (int axis = 0; axis < 3; ++axis)
@@ -264,7 +288,10 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
       double(settings.maximumIterations), settings.tolerance, settings.maximumSeconds,
       double(settings.derivative), settings.rayDensity, double(settings.skipUnneeded),
       double(settings.restrictToView), settings.protectImportance,
-      double(settings.importanceSmoothing) });
+      double(settings.importanceSmoothing), double(settings.method), double(settings.solver),
+      settings.learningRate, settings.smoothness, settings.temporalCoherence, nearness });
+  numbers.insert(
+    numbers.end(), settings.iterationsPerLevel.begin(), settings.iterationsPerLevel.end());
   if (!AreAlike(ranks, { double(numbers.size()) }) || !AreAlike(ranks, numbers))
   {
     throw JointError(
@@ -294,18 +321,18 @@ void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, d
   NodeValues there(problem.grid.NodeCount());
   NodeValues found(problem.grid.NodeCount());
   fields.FromPieces(RegionsOf(piece.owned), given, there.Data());
-  fields.FillNeeded(sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
+  fields.FillNeeded(&sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
   sweep.Sweep(there.Data(), found.Data());
   std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f);
   fields.ToPieces(found.Data(), RegionsOf(piece.boxes), PieceOf(problem, asItIs, transmittance));
 }
 
-std::unique_ptr<Minimizer> MakeRanked(
-  const Problem& problem, const std::function<std::unique_ptr<Minimizer>(const Problem&)>& make)
+std::unique_ptr<Minimizer> MakeRanked(const Problem& problem, const StartingExtinction& start,
+  const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make)
 {
   const SmallPages small;
-  auto minimizer = std::make_unique<RankedMinimizer>(problem, OrderFor(problem));
-  minimizer->Use(make(minimizer->ProblemInside()));
+  auto minimizer = std::make_unique<RankedMinimizer>(problem, OrderFor(problem), start.has_value());
+  minimizer->Use(make(minimizer->ProblemInside(), minimizer->InSlab(start)));
   return minimizer;
 }
 }

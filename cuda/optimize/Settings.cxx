@@ -98,18 +98,6 @@ std::string NotOnRanks(const Settings& settings)
   {
     return std::string("the method ") + InfoOf(settings.method).name;
   }
-  if (settings.solver != SolverKind::Policy)
-  {
-    return "the solver Adam";
-  }
-  if (settings.smoothness > 0)
-  {
-    return "smoothness";
-  }
-  if (settings.temporalCoherence > 0)
-  {
-    return "temporal coherence";
-  }
   return {};
 }
 }

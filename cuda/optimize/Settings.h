@@ -19,7 +19,8 @@ namespace limpid
 {
 struct Settings;
 
-/// What of some settings ranks cannot do together yet, "Smoothness, say"; empty: they can do all.
+/// What of some settings ranks cannot do together yet, "the method Viola2004", say; empty: they can
+/// do all.
 std::string NotOnRanks(const Settings& settings);
 
 enum class SolverKind

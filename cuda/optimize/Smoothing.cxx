@@ -151,8 +151,8 @@ private:
 };
 }
 
-void FindPull(HostDevice&, const SmoothedNode& body)
+void FindPull(HostDevice&, const SmoothedNode& body, const Range<int>& slices)
 {
-  ForSlidingRows(body.nodes, [&](int slice) { return SliceColumns(body, slice); });
+  ForSlidingRows(body.nodes.y, slices, [&](int slice) { return SliceColumns(body, slice); });
 }
 }

@@ -5,6 +5,7 @@
 #define limpid_optimize_Smoothing_h
 
 #include "math/Macros.h"
+#include "math/Range.h"
 #include "math/Vec.h"
 
 namespace limpid
@@ -103,13 +104,14 @@ struct SmoothedNode
 
 /// Finds the pull at all nodes.
 template <class AnyDevice>
-void FindPull(AnyDevice& device, const SmoothedNode& body)
+void FindPull(AnyDevice& device, const SmoothedNode& body, const Range<int>&)
 {
   device.ForNodes("smooth", body.nodes, body);
 }
 
-/// The form for the processor sums neighbours row by row, in registers.
-void FindPull(HostDevice& device, const SmoothedNode& body);
+/// The form for the processor sums neighbours row by row, in registers, and is done with the slices
+/// along z that were asked for.
+void FindPull(HostDevice& device, const SmoothedNode& body, const Range<int>& slices);
 }
 
 #endif

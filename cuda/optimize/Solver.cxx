@@ -39,13 +39,10 @@ void Solver::SetInitialExtinction(const float* extinction)
   LIMPID_REQUIRE(state.Minimizes(),
     "An initial extinction was given to " << InfoOf(state.settings.method).name
                                           << " (it does not iterate). Use the method Optimized.");
-  LIMPID_REQUIRE(!state.scene.piece,
-    "An initial extinction was given where ranks share the scene (they cannot start from one "
-    "together yet). Start from the base extinction.");
   LIMPID_REQUIRE(state.settings.mode == Mode::Joint,
     "An initial extinction was given in separate mode (there are two extinctions to start). Use "
     "the joint mode.");
-  state.initial.assign(extinction, extinction + state.scene.grid.NodeCount());
+  state.initial.emplace(extinction, extinction + state.scene.ValueCount());
   state.warm = true;
   state.OnBackend([&state] { state.Begin(); });
 }
@@ -100,10 +97,10 @@ CarriedChange Solver::Change() const
   const auto changeOf = [&](const std::vector<float>& extinction)
   {
     return extinction.empty() ? std::vector<float>()
-                              : ChangeOf(scene.grid, scene.baseExtinction, extinction.data(),
-                                  this->State->prepared->Majorant());
+                              : ChangeOf(scene.ValueCount(), scene.baseExtinction,
+                                  extinction.data(), this->State->prepared->Majorant());
   };
-  return { scene.grid, changeOf(this->Extinction()), changeOf(this->LightExtinction()),
+  return { scene.grid, changeOf(this->Extinction()), changeOf(this->LightExtinction()), scene.piece,
     this->State->camera, this->State->light, this->State->settings };
 }
 

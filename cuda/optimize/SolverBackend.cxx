@@ -96,7 +96,7 @@ private:
 
 template <class AnyDevice>
 std::unique_ptr<Minimizer> MakeMinimizerOn(const std::shared_ptr<AnyDevice>& device,
-  const Problem& problem, std::vector<float>&& start, bool warm)
+  const Problem& problem, StartingExtinction&& start, bool warm)
 {
   if (!InfoOf(problem.settings.method).iterates)
   {
@@ -108,7 +108,7 @@ std::unique_ptr<Minimizer> MakeMinimizerOn(const std::shared_ptr<AnyDevice>& dev
   }
   return MakeAdam(
     problem, std::move(start),
-    [device](const Problem& level, const std::vector<float>& first)
+    [device](const Problem& level, const StartingExtinction& first)
     { return MakeAdamLevel(device, level, first); },
     [device, &problem](const std::vector<float>& first)
     { return MakePolicy(device, problem, first, true); });
@@ -124,19 +124,19 @@ public:
   }
 
   std::unique_ptr<Minimizer> MakeMinimizer(
-    const Problem& problem, std::vector<float>&& start, bool warm) override
+    const Problem& problem, StartingExtinction&& start, bool warm) override
   {
     if constexpr (AnyDevice::readsHostMemory)
     {
       if (problem.piece)
       {
-        return MakeRanked(problem,
-          [this, warm](const Problem& shared)
-          { return MakeMinimizerOn(this->Device, shared, {}, warm); });
+        return MakeRanked(problem, start,
+          [this, warm](const Problem& shared, StartingExtinction&& first)
+          { return MakeMinimizerOn(this->Device, shared, std::move(first), warm); });
       }
       // The processor sweeps fastest where slices and rows are contiguous.
       return MakePermuted(problem, std::move(start),
-        [this, warm](const Problem& permuted, std::vector<float>&& first)
+        [this, warm](const Problem& permuted, StartingExtinction&& first)
         { return MakeMinimizerOn(this->Device, permuted, std::move(first), warm); });
     }
     else

@@ -38,10 +38,10 @@ class SolverBackend
 public:
   virtual ~SolverBackend() = default;
 
-  /// A method for a problem from a first iterate [1/length]; empty: from the base extinction.
+  /// A method for a problem from a first iterate, of this rank's piece where ranks share the scene.
   /// `warm` tells that it is near the optimum.
   virtual std::unique_ptr<Minimizer> MakeMinimizer(
-    const Problem& problem, std::vector<float>&& start, bool warm) = 0;
+    const Problem& problem, StartingExtinction&& start, bool warm) = 0;
 
   virtual std::unique_ptr<SourceSweeps> SweepsFrom(
     const Problem& problem, const RaySource& source) = 0;

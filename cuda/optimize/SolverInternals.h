@@ -30,7 +30,7 @@ struct Solver::Internals
   Camera camera;
   Light light;
   Settings settings;
-  std::vector<float> initial; ///< empty: the base extinction
+  StartingExtinction initial;
   CarriedExtinction previous; ///< what is to be stayed near; nothing without coherence
   double nearness = 0;        ///< of it
 
@@ -73,7 +73,8 @@ struct Solver::Internals
     this->scene = this->prepared->Arrays();
     if (this->Ranks())
     {
-      RequireAlike(*this->Ranks(), this->scene.grid, eye, lamp, wanted);
+      RequireAlike(
+        *this->Ranks(), this->scene.grid, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
     }
     Problem whole = this->prepared->ProblemFor(eye, lamp, wanted);
     this->previous = this->prepared->StayedNear(before, eye, lamp, whole);
@@ -195,15 +196,17 @@ struct Solver::Internals
     field = std::vector<float>(baseField, baseField + this->scene.ValueCount());
   }
 
-  /// Empty: the base extinction.
-  std::vector<float> FirstIterate() const
+  StartingExtinction FirstIterate() const
   {
-    std::vector<float> start = this->initial;
-    this->problem.TakeIntoBounds(start);
+    StartingExtinction start = this->initial;
+    if (start)
+    {
+      this->problem.TakeIntoBounds(*start);
+    }
     return start;
   }
 
-  void MakeMinimizer(std::vector<float> start)
+  void MakeMinimizer(StartingExtinction start)
   {
     const Weights& weights = this->problem.settings.weights;
     this->runIterations = 0;

@@ -5,7 +5,7 @@
 
 #include "optimize/Terms.h"
 
-#include "optimize/Ranked.h"
+#include "optimize/FieldsOfRanks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,10 +92,14 @@ void Terms<AnyDevice>::ShareFields()
       terms.push_back({ &this->light->Frusta(), &this->Given->light });
     }
     this->Shared = std::make_unique<const TermsOnRanks>(
-      *shared.ranks, this->Given->grid.nodes, terms, this->Given->occupancy.get());
-    for (FieldsOfRanks::Field* field : { &shared.base, &shared.importance, &shared.nodeImportance })
+      *shared.ranks, this->Given->grid.nodes, terms, this->Given->occupancy.get(), shared.inSlabs);
+    for (FieldsOfRanks::Field* field :
+      { &shared.base, &shared.importance, &shared.nodeImportance, &shared.previous })
     {
-      this->Shared->FromPieces(shared.pieces, field->piece, field->values.Data());
+      if (!field->values.Empty())
+      {
+        this->Shared->FromPieces(shared.pieces, field->piece, field->values.Data());
+      }
     }
   }
 }
@@ -184,10 +188,61 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 template <class AnyDevice>
 void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 {
-  for (VisibilityTerm<AnyDevice>* term : this->All())
+  const std::vector<VisibilityTerm<AnyDevice>*> all = this->All();
+  if constexpr (AnyDevice::readsHostMemory)
   {
-    const auto weight = static_cast<float>(this->WeightOf(*term));
-    this->DifferentiateOne(*term, extinction, { 1.0f, weight }, gradient);
+    if (this->Shared)
+    {
+      this->Shared->FillNeeded(&all.front()->Frusta(), 0.0f, gradient);
+    }
+  }
+  const VisibilityTerm<AnyDevice>* before = nullptr;
+  for (VisibilityTerm<AnyDevice>* term : all)
+  {
+    this->Pass(gradient, before, term);
+    this->DifferentiateTerm(*term, extinction, 1.0f, gradient);
+    before = term;
+  }
+  this->Pass(gradient, before, nullptr);
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::Pass([[maybe_unused]] float* derivative,
+  const VisibilityTerm<AnyDevice>* from, [[maybe_unused]] const VisibilityTerm<AnyDevice>* to) const
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    if (from && this->Shared)
+    {
+      this->Shared->Pass(derivative, &from->Frusta(), to ? &to->Frusta() : TermsOnRanks::slabs);
+    }
+  }
+}
+
+template <class AnyDevice>
+DeviceArray<AnyDevice, float> Terms<AnyDevice>::Everywhere(
+  const std::vector<float>& extinction) const
+{
+  if (!this->Shared)
+  {
+    return { this->Device, extinction, "an iterate" };
+  }
+  auto field = DeviceArray<AnyDevice, float>::Zeros(
+    this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), "an iterate");
+  std::copy(extinction.begin(), extinction.end(), field.Data() + this->Given->OwnSlab().Begin());
+  this->ShareSlabs(field.Data());
+  return field;
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::ShareSlabs([[maybe_unused]] float* extinction) const
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    if (this->Shared)
+    {
+      this->Shared->Share(extinction, TermsOnRanks::slabs);
+    }
   }
 }
 

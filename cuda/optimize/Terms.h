@@ -49,9 +49,15 @@ public:
   /// The fields of a term's sweep. What is kept matters to scores alone.
   TermFields FieldsOf(const VisibilityTerm<AnyDevice>& term, const float* extinction) const;
 
-  /// Finds the derivative of the visibility terms, Eqs. (27) and (28) with their weights, and sees
-  /// the extinction for the next record along the way.
+  /// Adds the derivative of the visibility terms, Eqs. (27) and (28) with their weights, to zeros,
+  /// and sees the extinction for the next record along the way. Ranks have it in their slabs, and
+  /// need no zeros.
   void Differentiate(const float* extinction, float* gradient);
+
+  /// Where ranks share the problem, brings the derivative that a term was added to last to those
+  /// who add another one, or into slabs. `from`: null: none was added; `to`: null: slabs.
+  void Pass(float* derivative, const VisibilityTerm<AnyDevice>* from,
+    const VisibilityTerm<AnyDevice>* to) const;
 
   /// Finds the derivative of one visibility term with its weight, added to `kept` times what was
   /// there, and sees the extinction for the next record along the way. Only voxels that it depends
@@ -103,6 +109,13 @@ public:
 
   /// Where the ranks that share the problem have the fields; null: there is one.
   const TermsOnRanks* OnRanks() const { return this->Shared.get(); }
+
+  /// An extinction on the device, of this rank's slab where ranks share the problem: these have it
+  /// wherever they need it then.
+  DeviceArray<AnyDevice, float> Everywhere(const std::vector<float>& extinction) const;
+
+  /// Brings what ranks have changed of an extinction in their slabs to all who need it.
+  void ShareSlabs(float* extinction) const;
 
   /// What the extinction is to stay near; null: nothing.
   const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }

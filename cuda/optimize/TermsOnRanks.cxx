@@ -3,6 +3,8 @@
 
 #include "optimize/TermsOnRanks.h"
 
+#include "scene/Slab.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,48 +39,74 @@ NodeBox NodeAt(const RaySource& source, const Int3& nodes)
 }
 
 TermsOnRanks::TermsOnRanks(const Communicator& ranks, const Int3& nodes,
-  const std::vector<OfTerm>& terms, const Occupancy* filled)
+  const std::vector<OfTerm>& terms, const Occupancy* filled, bool inSlabs)
   : All(&ranks)
   , Filled(filled)
   , Nodes(nodes)
-  , Terms(terms)
-  , Of(terms.size())
 {
-  for (std::size_t term = 0; term < terms.size(); ++term)
+  for (const OfTerm& term : terms)
   {
-    for (const FrustumRays<HostDevice>& rays : *terms[term].frusta)
-    {
-      Regions regions;
-      for (int rank = 0; rank < ranks.Size(); ++rank)
-      {
-        regions.changed.push_back(RegionChanged(rays.Plan(), *rays.Bands(), rank));
-        regions.needed.push_back(RegionNeeded(rays.Plan(), *rays.Bands(), rank));
-      }
-      this->Of[term].push_back(std::move(regions));
-    }
-    const NodeBox unswept = NodeAt(*terms[term].source, nodes);
-    if (!unswept.Empty() && !this->Of[term].empty())
-    {
-      Regions& regions = this->Of[term].front(); // the first rank keeps it
-      regions.changed.front().push_back(unswept);
-      regions.needed.front().push_back(unswept);
-    }
+    this->AddTerm(term);
+  }
+  if (inSlabs)
+  {
+    this->AddSlabs();
   }
 }
 
-std::size_t TermsOnRanks::NumberOf(const Frusta& term) const
+void TermsOnRanks::AddTerm(const OfTerm& term)
 {
-  const auto found = std::find_if(this->Terms.begin(), this->Terms.end(),
-    [&term](const OfTerm& other) { return other.frusta == &term; });
-  return static_cast<std::size_t>(found - this->Terms.begin());
+  std::vector<Regions> ofFrusta;
+  for (const FrustumRays<HostDevice>& rays : *term.frusta)
+  {
+    Regions regions;
+    for (int rank = 0; rank < this->All->Size(); ++rank)
+    {
+      regions.changed.push_back(RegionChanged(rays.Plan(), *rays.Bands(), rank));
+      regions.needed.push_back(RegionNeeded(rays.Plan(), *rays.Bands(), rank));
+    }
+    ofFrusta.push_back(std::move(regions));
+  }
+  const NodeBox unswept = NodeAt(*term.source, this->Nodes);
+  if (!unswept.Empty() && !ofFrusta.empty())
+  {
+    Regions& regions = ofFrusta.front(); // the first rank keeps it
+    regions.changed.front().push_back(unswept);
+    regions.needed.front().push_back(unswept);
+  }
+  this->Places.push_back(term.frusta);
+  this->Of.push_back(std::move(ofFrusta));
+}
+
+void TermsOnRanks::AddSlabs()
+{
+  Regions regions;
+  for (NodeBox box : SlabsOf(*this->All, this->Nodes))
+  {
+    regions.changed.push_back({ box });
+    Range<int>& slices = box.along[2];
+    if (!slices.Empty())
+    {
+      slices = { std::max(slices.begin - 1, 0), std::min(slices.end + 1, this->Nodes.z) };
+    }
+    regions.needed.push_back({ box });
+  }
+  this->Places.push_back(slabs);
+  this->Of.push_back({ std::move(regions) });
+}
+
+std::size_t TermsOnRanks::NumberOf(Place place) const
+{
+  return static_cast<std::size_t>(
+    std::find(this->Places.begin(), this->Places.end(), place) - this->Places.begin());
 }
 
 /// Of all frusta of a term.
 std::vector<Region> TermsOnRanks::RegionsOf(
-  std::size_t term, std::vector<Region> Regions::*kind) const
+  std::size_t place, std::vector<Region> Regions::*kind) const
 {
   std::vector<Region> all(std::size_t(this->All->Size()));
-  for (const Regions& frustum : this->Of[term])
+  for (const Regions& frustum : this->Of[place])
   {
     Append(all, frustum.*kind);
   }
@@ -94,9 +122,9 @@ void TermsOnRanks::FromPieces(
   const std::vector<Region>& pieces, const FieldView& piece, float* field) const
 {
   std::vector<Region> needed(std::size_t(this->All->Size()));
-  for (std::size_t term = 0; term < this->Of.size(); ++term)
+  for (std::size_t place = 0; place < this->Of.size(); ++place)
   {
-    Append(needed, this->RegionsOf(term, &Regions::needed));
+    Append(needed, this->RegionsOf(place, &Regions::needed));
   }
   Spread(*this->All, piece, pieces, this->Whole(field), needed, this->Filled);
 }
@@ -108,7 +136,7 @@ void TermsOnRanks::ToPieces(
     this->Filled);
 }
 
-void TermsOnRanks::ShareFrustum(float* field, const Frusta& term, std::size_t frustum) const
+void TermsOnRanks::ShareFrustum(float* field, Place term, std::size_t frustum) const
 {
   const std::vector<Regions>& frusta = this->Of[this->NumberOf(term)];
   if (frusta.size() == 1)
@@ -127,17 +155,17 @@ void TermsOnRanks::ShareFrustum(float* field, const Frusta& term, std::size_t fr
     this->Filled);
 }
 
-void TermsOnRanks::Share(float* field, const Frusta& term) const
+void TermsOnRanks::Share(float* field, Place place) const
 {
   if (this->Of.size() == 1)
   {
     return;
   }
-  const std::size_t from = this->NumberOf(term);
+  const std::size_t from = this->NumberOf(place);
   std::vector<Region> needed(std::size_t(this->All->Size()));
   for (std::size_t other = 0; other < this->Of.size(); ++other)
   {
-    if (other != from)
+    if (other != from || place == slabs) // what rays need of others' sweeps they get in these
     {
       Append(needed, this->RegionsOf(other, &Regions::needed));
     }
@@ -146,16 +174,16 @@ void TermsOnRanks::Share(float* field, const Frusta& term) const
     this->Whole(field), needed, this->Filled);
 }
 
-void TermsOnRanks::Pass(float* field, const Frusta& from, const Frusta& to) const
+void TermsOnRanks::Pass(float* field, Place from, Place to) const
 {
   Spread(*this->All, this->Whole(field), this->RegionsOf(this->NumberOf(from), &Regions::changed),
     this->Whole(field), this->RegionsOf(this->NumberOf(to), &Regions::changed), this->Filled);
 }
 
-void TermsOnRanks::FillNeeded(const Frusta& term, float value, float* field) const
+void TermsOnRanks::FillNeeded(Place place, float value, float* field) const
 {
   const auto own = std::size_t(this->All->Rank());
-  for (const Regions& frustum : this->Of[this->NumberOf(term)])
+  for (const Regions& frustum : this->Of[this->NumberOf(place)])
   {
     for (const NodeBox& box : frustum.needed[own])
     {
@@ -164,10 +192,10 @@ void TermsOnRanks::FillNeeded(const Frusta& term, float value, float* field) con
   }
 }
 
-void TermsOnRanks::CopyNeeded(const Frusta& term, const float* from, float* to) const
+void TermsOnRanks::CopyNeeded(Place place, const float* from, float* to) const
 {
   const auto own = std::size_t(this->All->Rank());
-  for (const Regions& frustum : this->Of[this->NumberOf(term)])
+  for (const Regions& frustum : this->Of[this->NumberOf(place)])
   {
     for (const NodeBox& box : frustum.needed[own])
     {

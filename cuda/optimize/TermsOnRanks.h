@@ -14,23 +14,30 @@ namespace limpid
 /**
  * Where ranks have the fields of a problem that they share. Every rank has arrays of all nodes, in
  * small pages, so that only what it needs takes memory: the nodes beside its bands of every term's
- * rays. Whoever changes a field brings it to those who read it next.
+ * rays and, if work needs no rays, its slab. Whoever changes a field brings it to those who read it
+ * next.
  */
 class TermsOnRanks
 {
 public:
   using Frusta = std::vector<FrustumRays<HostDevice>>;
 
-  /// A term by its frusta, which stay where they are.
+  /// Where fields are changed: beside the rays of a term, by its frusta, which stay where they are,
+  /// or in slabs, which need a slice more on either side.
+  using Place = const Frusta*;
+  static constexpr Place slabs = nullptr;
+
+  /// A term, and its rays' source.
   struct OfTerm
   {
-    const Frusta* frusta;
+    Place frusta;
     const RaySource* source;
   };
 
-  /// `filled`: where fields may differ from 0; null: anywhere. It has to stay.
+  /// `filled`: where fields may differ from 0; null: anywhere. It has to stay. `inSlabs`: whether
+  /// there is work in slabs, too.
   TermsOnRanks(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms,
-    const Occupancy* filled);
+    const Occupancy* filled, bool inSlabs = false);
 
   const Communicator& Ranks() const { return *this->All; }
 
@@ -43,37 +50,39 @@ public:
 
   /// Brings what the sweep of a frustum has changed to those who need it for the other frusta of
   /// the term.
-  void ShareFrustum(float* field, const Frusta& term, std::size_t frustum) const;
+  void ShareFrustum(float* field, Place term, std::size_t frustum) const;
 
-  /// Brings what the sweeps of a term have changed to those who need it for other terms.
-  void Share(float* field, const Frusta& term) const;
+  /// Brings what was changed in a place to those who need it in others, or beside their slabs.
+  void Share(float* field, Place place) const;
 
-  /// Brings what the sweeps of a term have changed to those who change it next, for another term.
-  void Pass(float* field, const Frusta& from, const Frusta& to) const;
+  /// Brings what was changed in a place to those who change it next, in another.
+  void Pass(float* field, Place from, Place to) const;
 
-  /// Sets what this rank needs for a term.
-  void FillNeeded(const Frusta& term, float value, float* field) const;
+  /// Sets what this rank needs in a place.
+  void FillNeeded(Place place, float value, float* field) const;
 
-  /// Copies what this rank needs for a term.
-  void CopyNeeded(const Frusta& term, const float* from, float* to) const;
+  /// Copies what this rank needs in a place.
+  void CopyNeeded(Place place, const float* from, float* to) const;
 
 private:
-  /// Of a frustum, per rank.
+  /// Of a frustum or of the slabs, per rank.
   struct Regions
   {
     std::vector<Region> changed;
     std::vector<Region> needed;
   };
 
-  std::size_t NumberOf(const Frusta& term) const;
-  std::vector<Region> RegionsOf(std::size_t term, std::vector<Region> Regions::*kind) const;
+  void AddTerm(const OfTerm& term);
+  void AddSlabs();
+  std::size_t NumberOf(Place place) const;
+  std::vector<Region> RegionsOf(std::size_t place, std::vector<Region> Regions::*kind) const;
   FieldView Whole(const float* field) const;
 
   const Communicator* All;
   const Occupancy* Filled;
   Int3 Nodes;
-  std::vector<OfTerm> Terms;
-  std::vector<std::vector<Regions>> Of; ///< [term][frustum]
+  std::vector<Place> Places;
+  std::vector<std::vector<Regions>> Of; ///< [place][frustum]
 };
 }
 

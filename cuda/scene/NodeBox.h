@@ -7,6 +7,7 @@
 #include "math/Range.h"
 #include "math/Vec.h"
 
+#include <algorithm>
 #include <array>
 
 namespace limpid
@@ -35,6 +36,13 @@ struct NodeBox
   {
     const Int3 size = this->Size();
     return this->Empty() ? 0 : Index(size.x) * size.y * size.z;
+  }
+
+  friend bool operator==(const NodeBox& a, const NodeBox& b)
+  {
+    return std::equal(a.along.begin(), a.along.end(), b.along.begin(),
+      [](const Range<int>& one, const Range<int>& other)
+      { return one.begin == other.begin && one.end == other.end; });
   }
 
   friend NodeBox Intersection(const NodeBox& a, const NodeBox& b)

@@ -142,4 +142,9 @@ ScenePiece::ScenePiece(
     }
   }
 }
+
+bool HaveSameBoxes(const ScenePiece* one, const ScenePiece* other)
+{
+  return one && other ? one->boxes == other->boxes : one == other;
+}
 }

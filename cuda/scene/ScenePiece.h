@@ -29,6 +29,9 @@ struct ScenePiece
   /// grid, or boxes overlap so that no parts of them are boxes.
   ScenePiece(std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own);
 };
+
+/// Whether every rank has the same box in both; nulls, where one has all, are the same.
+bool HaveSameBoxes(const ScenePiece* one, const ScenePiece* other);
 }
 
 #endif

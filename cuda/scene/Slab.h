@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_scene_Slab_h
+#define limpid_scene_Slab_h
+
+#include "backend/Communicator.h"
+#include "scene/NodeBox.h"
+
+#include <vector>
+
+namespace limpid
+{
+/// Whole slices of a grid along its last axis, which lie one after the other in memory: what a rank
+/// has of work on voxels that need no rays.
+struct Slab
+{
+  Int3 nodes; ///< of the grid
+  Range<int> slices;
+
+  static Slab Of(const Int3& nodes) { return { nodes, { 0, nodes.z } }; }
+
+  Index SliceSize() const { return Index(this->nodes.x) * this->nodes.y; }
+  Index Begin() const { return this->SliceSize() * this->slices.begin; } ///< its first node
+  Index Count() const { return this->SliceSize() * this->slices.Length(); }
+
+  NodeBox Box() const
+  {
+    NodeBox box = NodeBox::Of(this->nodes);
+    box.along[2] = this->slices;
+    return box;
+  }
+};
+
+/// Of each rank its slab: together they are the grid, and no slab has two slices more than another.
+std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes);
+
+/// The slab of this rank.
+Slab OwnSlab(const Communicator& ranks, const Int3& nodes);
+}
+
+#endif
