@@ -112,7 +112,7 @@ check_sanitize()
   cmake --build --preset sanitize
   sanitizer_options
   LIMPID_ONE_OF=25 ctest --preset sanitize --label-regex '^quick$' --parallel "$(nproc)" \
-    --exclude-regex "$not_sanitized|^Quick/|FindViewpoints|ViewScore|ScoreDerivative|ObliqueView|TurnedBox|ScoredBox|AndSearch|OfTheViewpoint|Guide|^Faults|OfDevice|^Gpu"
+    --exclude-regex "$not_sanitized|^Quick/|FindViewpoints|ViewScore|ScoreDerivative|ObliqueView|TurnedBox|ScoredBox|AndSearch|OfTheViewpoint|Guide|^Faults|OfDevice|^Gpu|RealSharedScene|DependOnThePieces"
 }
 
 check_threads()
