@@ -90,6 +90,10 @@ void ForBoth(const Region& one, const Region& other, const What& what)
 template <class What>
 void ForNodesOf(const NodeBox& box, const FieldView& one, const FieldView& other, const What& what)
 {
+  if (box.Empty())
+  {
+    return;
+  }
   for (int k = box.along[2].begin; k < box.along[2].end; ++k)
   {
     for (int j = box.along[1].begin; j < box.along[1].end; ++j)

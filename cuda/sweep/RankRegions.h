@@ -44,7 +44,10 @@ struct FieldView
   static FieldView Part(float* values, const NodeBox& box)
   {
     FieldView view = Whole(values, box.Size());
-    view.values -= view.At(box.along[0].begin, box.along[1].begin, box.along[2].begin);
+    if (!box.Empty()) // else the values may be null
+    {
+      view.values -= view.At(box.along[0].begin, box.along[1].begin, box.along[2].begin);
+    }
     return view;
   }
 
