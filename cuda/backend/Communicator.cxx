@@ -70,6 +70,17 @@ void Communicator::Sum(std::int64_t* numbers, std::size_t count) const
   Reduce(*this, numbers, count, [](std::int64_t a, std::int64_t b) { return a + b; });
 }
 
+float Communicator::LargestOf(float here) const
+{
+  std::int32_t bits; // numbers that are not below zero are ordered as these are
+  std::memcpy(&bits, &here, sizeof(bits));
+  bits = -bits;
+  this->TakeLeast(&bits, 1);
+  bits = -bits;
+  std::memcpy(&here, &bits, sizeof(bits));
+  return here;
+}
+
 void Communicator::Gather(double* numbers, std::size_t count) const
 {
   std::vector<std::int64_t> bits(count);

@@ -54,6 +54,9 @@ public:
   /// Makes every number the least of those of all ranks.
   void TakeLeast(std::int32_t* numbers, std::size_t count) const;
 
+  /// The largest of all ranks' numbers, none of which is below zero.
+  float LargestOf(float here) const;
+
   /// Brings numbers, of which each is one rank's, to all: bit by bit. The others have 0 there.
   void Gather(double* numbers, std::size_t count) const;
 

@@ -9,7 +9,6 @@
 #include "optimize/Neighbourhood.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace limpid
@@ -93,18 +92,6 @@ SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* 
                      : SurveyScene(scene.grid, scene.baseExtinction, mostExtinction, importance, 1);
 }
 
-/// The largest of all ranks' numbers that are not below zero: these are ordered as their bits are.
-float LargestOf(const Communicator& ranks, float here)
-{
-  std::int32_t bits;
-  std::memcpy(&bits, &here, sizeof(bits));
-  bits = -bits;
-  ranks.TakeLeast(&bits, 1);
-  bits = -bits;
-  std::memcpy(&here, &bits, sizeof(bits));
-  return here;
-}
-
 /// A field, what it is called, and what its values may be.
 struct CheckedField
 {
@@ -181,8 +168,8 @@ PreparedScene::PreparedScene(const SceneFields& scene)
     });
   if (ranks)
   {
-    found.extinction.largest = LargestOf(*ranks, found.extinction.largest);
-    found.importance.largest = LargestOf(*ranks, found.importance.largest);
+    found.extinction.largest = ranks->LargestOf(found.extinction.largest);
+    found.importance.largest = ranks->LargestOf(found.importance.largest);
   }
   // Where nothing absorbs, there is nothing to be optimised, whatever a function could make.
   const float largest = found.extinction.largest;

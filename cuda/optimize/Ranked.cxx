@@ -57,10 +57,9 @@ FieldView PieceOf(const Problem& problem, const AxisPermutation& order, const fl
   return InOrder(FieldView::Part(const_cast<float*>(field), problem.piece->nodes), order);
 }
 
-std::shared_ptr<const Occupancy> FindOccupancy(const Problem& problem, const AxisPermutation& order,
-  const FieldView& extinction, const FieldView& importance, bool skip)
+std::shared_ptr<const Occupancy> FindOccupancy(const ScenePiece& piece, const Grid& grid,
+  const AxisPermutation& order, const FieldView& extinction, const FieldView& importance, bool skip)
 {
-  const ScenePiece& piece = *problem.piece;
   const NodeBox box = InOrder(piece.owned[std::size_t(piece.ranks->Rank())], order);
   const auto valuesOf = [&box](const FieldView& view)
   {
@@ -71,7 +70,7 @@ std::shared_ptr<const Occupancy> FindOccupancy(const Problem& problem, const Axi
   const std::vector<float> extinctions = valuesOf(extinction);
   const std::vector<float> importances = valuesOf(importance);
   return std::make_shared<const Occupancy>(
-    *piece.ranks, order.Of(problem.grid), box, extinctions.data(), importances.data(), skip);
+    *piece.ranks, order.Of(grid), box, extinctions.data(), importances.data(), skip);
 }
 
 /// The problem in another order, with room for the fields that ranks share. `warm`: whether
@@ -103,8 +102,8 @@ Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm =
 
   Problem shared = Reordered(problem, order);
   shared.Use(fields);
-  shared.occupancy = FindOccupancy(problem, order, fields->base.piece, fields->nodeImportance.piece,
-    problem.settings.skipUnneeded);
+  shared.occupancy = FindOccupancy(piece, problem.grid, order, fields->base.piece,
+    fields->nodeImportance.piece, problem.settings.skipUnneeded);
   shared.piece = nullptr;
   return shared;
 }
@@ -306,25 +305,23 @@ std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const Ra
   return std::make_unique<SweepsOnRanks>(problem, source);
 }
 
-void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, double rayDensity,
-  const float* extinction, float* transmittance)
+void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
+  double rayDensity, const float* extinction, float* transmittance)
 {
   const SmallPages small;
-  const ScenePiece& piece = *problem.piece;
-  const AxisPermutation asItIs;
-  const FieldView given = PieceOf(problem, asItIs, extinction);
-  const auto occupancy = FindOccupancy(problem, asItIs, given, given, /*skip=*/true);
+  const FieldView given = FieldView::Part(const_cast<float*>(extinction), piece.nodes);
+  const auto occupancy = FindOccupancy(piece, grid, AxisPermutation(), given, given, /*skip=*/true);
   TransmittanceSweep<HostDevice> sweep(
-    HostDevice::Shared(), problem.grid, *occupancy, source, rayDensity, piece.ranks.get());
-  const TermsOnRanks fields(
-    *piece.ranks, problem.grid.nodes, { { &sweep.Frusta(), &source } }, nullptr);
-  NodeValues there(problem.grid.NodeCount());
-  NodeValues found(problem.grid.NodeCount());
+    HostDevice::Shared(), grid, *occupancy, source, rayDensity, piece.ranks.get());
+  const TermsOnRanks fields(*piece.ranks, grid.nodes, { { &sweep.Frusta(), &source } }, nullptr);
+  NodeValues there(grid.NodeCount());
+  NodeValues found(grid.NodeCount());
   fields.FromPieces(RegionsOf(piece.owned), given, there.Data());
   fields.FillNeeded(&sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
   sweep.Sweep(there.Data(), found.Data());
   std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f);
-  fields.ToPieces(found.Data(), RegionsOf(piece.boxes), PieceOf(problem, asItIs, transmittance));
+  fields.ToPieces(
+    found.Data(), RegionsOf(piece.boxes), FieldView::Part(transmittance, piece.nodes));
 }
 
 std::unique_ptr<Minimizer> MakeRanked(const Problem& problem, const StartingExtinction& start,

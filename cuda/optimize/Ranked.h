@@ -18,9 +18,9 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
   const Light& light, const Settings& settings, double nearness);
 
 /// Transmittance from a source through an extinction of this rank's piece, see TransmittanceSweep,
-/// into another array of it.
-void FindTransmittanceOnRanks(const Problem& problem, const RaySource& source, double rayDensity,
-  const float* extinction, float* transmittance);
+/// into another array of it. `grid`: of all pieces.
+void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
+  double rayDensity, const float* extinction, float* transmittance);
 
 /// The rays of a source through the scene of ranks, for scores.
 std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const RaySource& source);

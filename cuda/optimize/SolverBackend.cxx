@@ -172,7 +172,8 @@ public:
     {
       if (problem.piece)
       {
-        FindTransmittanceOnRanks(problem, source, rayDensity, extinction, transmittance);
+        FindTransmittanceOnRanks(
+          problem.grid, *problem.piece, source, rayDensity, extinction, transmittance);
         return;
       }
     }

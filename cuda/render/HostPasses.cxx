@@ -123,7 +123,7 @@ void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace,
       {
         trace(scene, ray, received);
       }
-      rays.Show(column, row, received);
+      rays.Show(column, row, ray, received);
     });
 }
 }

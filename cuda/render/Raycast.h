@@ -5,6 +5,8 @@
 #define limpid_render_Raycast_h
 
 #include "backend/Extent.h"
+#include "render/PartialPicture.h"
+#include "render/RayPart.h"
 #include "render/TraceByImportance.h"
 #include "render/TraceMissed.h"
 
@@ -23,7 +25,9 @@ struct PictureRays
   const float* nearDepth; ///< clip z at which the rays begin; null: -1
   const float* depth;     ///< clip z at which they end; null: 1
   float lightColor[3];
-  Rgba* picture; ///< out
+  Rgba* picture;                 ///< out
+  const RayPart* part = nullptr; ///< that is here, on the host; null: all
+  PartialPixel* parts = nullptr; ///< out, in place of the picture, if only a part is here
 
   /// Draws a pixel. `trace(ray, received)` adds to a Pixel what a ray meets.
   template <class Optical, class Trace>
@@ -35,13 +39,23 @@ struct PictureRays
     {
       trace(ray, received);
     }
-    this->Show(column, row, received);
+    this->Show(column, row, ray, received);
   }
 
   template <class Optical>
-  LIMPID_HD LIMPID_INLINE void Show(int column, int row, const Pixel<Optical>& received) const
+  LIMPID_HD LIMPID_INLINE void Show(
+    int column, int row, const Ray& ray, const Pixel<Optical>& received) const
   {
-    this->picture[this->At(column, row)] = received.Shown(this->lightColor);
+    const Index pixel = this->At(column, row);
+    if (this->parts)
+    {
+      const float* color = this->lightColor;
+      this->parts[pixel] = { { received.light[1] * color[0], received.light[2] * color[1],
+                               received.light[3] * color[2] },
+        received.transmittance, ray.begin };
+      return;
+    }
+    this->picture[pixel] = received.Shown(this->lightColor);
   }
 
   /// Paints over a pixel that was drawn what its ray misses. `trace(ray)` gathers a RayImportance.
@@ -63,7 +77,15 @@ struct PictureRays
     const Index pixel = this->At(column, row);
     const double start = this->nearDepth ? double(this->nearDepth[pixel]) : -1.0;
     const double end = this->depth ? double(this->depth[pixel]) : 1.0;
-    return this->maker.Make(column, row, start, end, ray);
+    if (!this->maker.Make(column, row, start, end, ray))
+    {
+      return false;
+    }
+    if (this->part)
+    {
+      this->part->Cut(ray);
+    }
+    return ray.segments > 0;
   }
 
 private:

@@ -38,6 +38,9 @@ class RenderBackend
 public:
   virtual ~RenderBackend() = default;
 
+  /// See Renderer; before the scalars. Null: all is here.
+  virtual void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece) = 0;
+
   /// See Renderer. The grid may be without volume; then nothing else is called.
   virtual void SetScalars(const Grid& grid, const float* scalars, const float* shares) = 0;
 

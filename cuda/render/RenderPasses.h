@@ -5,6 +5,7 @@
 #define limpid_render_RenderPasses_h
 
 #include "optimize/AxisFilter.h"
+#include "optimize/Ranked.h"
 #include "render/Bricks.h"
 #include "render/ExtinctionOverlay.h"
 #include "render/GradientKernels.h"
@@ -13,7 +14,10 @@
 #include "render/ScalarField.h"
 #include "render/ShadowVolume.h"
 
+#include <cstring>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace limpid
 {
@@ -46,9 +50,16 @@ public:
   {
   }
 
+  void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece) override
+  {
+    this->Whole = whole;
+    this->Piece = std::move(piece);
+  }
+
   void SetScalars(const Grid& grid, const float* scalars, const float* shares) override
   {
     this->Nodes = grid;
+    this->Whole = this->Piece ? this->Whole : grid;
     this->Scalars = {};
     this->Filled = {};
     this->Mended = {};
@@ -139,7 +150,16 @@ public:
   {
     const float* opaque = this->ShadowExtinction(grid);
     Field transmittance(this->Device, std::size_t(grid.NodeCount()), "the shadows");
-    this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      this->Piece ? FindTransmittanceOnRanks(
+                      this->Whole, *this->Piece, light, rayDensity, opaque, transmittance.Data())
+                  : this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
+    }
+    else
+    {
+      this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
+    }
     this->Shown.SetShadow(grid.nodes, transmittance.Data());
     this->GradientHasShadow = false;
   }
@@ -161,6 +181,7 @@ public:
     Field ofSlices(this->Device, std::size_t(nodes.z), what);
     Field largest(this->Device, 1, what);
     this->Device->ForNodes("steepness", nodes, SteepnessNode{ gradient, ofNodes.Data() });
+    this->LeaveToOwners(ofNodes.Data());
     const auto find = [&](const Field& values, int length, Field& ofRuns)
     {
       this->Device->ForIndices(
@@ -169,6 +190,7 @@ public:
     find(ofNodes, nodes.x, ofRows);
     find(ofRows, nodes.y, ofSlices);
     find(ofSlices, nodes.z, largest);
+    this->TakeLargestOfRanks(largest.Data());
     FourPacked* packed = this->Gradient.RoomFor(this->Device, ofNodes.Size(), what);
     this->Device->ForNodes(
       "gradient", nodes, PackedGradientNode{ gradient, largest.Data(), packed });
@@ -216,9 +238,14 @@ public:
     const float* depth = borrow(this->Depth, view.depth);
     Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
     this->ShadowGradient(casting);
-    PictureRays rays{ RayMaker(this->Nodes, casting.stepLength, view), view.width, view.height,
+    PictureRays rays{ RayMaker(this->Whole, casting.stepLength, view), view.width, view.height,
       nearDepth, depth, { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] },
       pixels };
+    if (this->Piece)
+    {
+      this->CastPart(casting, rays, picture);
+      return;
+    }
     CastRays(*this->Device, this->SceneOf(casting), rays, casting.compositing);
     if (casting.missedColor)
     {
@@ -258,6 +285,54 @@ private:
     {
       this->ClearExtinction();
       throw;
+    }
+  }
+
+  /// Draws the part of the rays that is here, and shares the picture.
+  void CastPart(const Casting& casting, PictureRays& rays, Picture& picture)
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      const Communicator& ranks = *this->Piece->ranks;
+      const RayPart part(
+        this->Piece->owned[std::size_t(ranks.Rank())], this->Piece->nodes, this->Whole.nodes);
+      std::vector<PartialPixel> parts(std::size_t(rays.columns) * std::size_t(rays.rows));
+      rays.part = &part;
+      rays.parts = parts.data();
+      CastRays(*this->Device, this->SceneOf(casting), rays, Compositing::FrontToBack);
+      std::vector<Rgba> shown;
+      Compose(ranks, parts, casting.opaqueBelow, shown);
+      std::memcpy(picture.rgba.data(), shown.data(), shown.size() * sizeof(Rgba));
+    }
+  }
+
+  /// Makes values of nodes 0 that other ranks own: at the faces of its box no rank has the nodes
+  /// beside.
+  void LeaveToOwners([[maybe_unused]] float* values) const
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (this->Piece)
+      {
+        const ScenePiece& piece = *this->Piece;
+        const NodeBox& own = piece.owned[std::size_t(piece.ranks->Rank())];
+        std::vector<float> kept(std::size_t(own.Count()));
+        const FieldView all = FieldView::Part(values, piece.nodes);
+        CopyNodes(own, all, FieldView::Part(kept.data(), own));
+        FillNodes(piece.nodes, 0, all);
+        CopyNodes(own, FieldView::Part(kept.data(), own), all);
+      }
+    }
+  }
+
+  void TakeLargestOfRanks([[maybe_unused]] float* largest) const
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (this->Piece)
+      {
+        *largest = this->Piece->ranks->LargestOf(*largest);
+      }
     }
   }
 
@@ -369,8 +444,10 @@ private:
   bool IsChanged() const { return !this->Shown.Empty() && this->Shown.Changed(); }
 
   std::shared_ptr<AnyDevice> Device;
-  Grid Nodes;         ///< of the scalars
-  ScalarField Mended; ///< what the device reads in place, if it does
+  Grid Nodes;                              ///< of the scalars
+  Grid Whole;                              ///< of those of all ranks
+  std::shared_ptr<const ScenePiece> Piece; ///< that is here; null: all
+  ScalarField Mended;                      ///< what the device reads in place, if it does
   BorrowedArray<AnyDevice, float> Scalars;
   BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are
 

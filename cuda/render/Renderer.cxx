@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace limpid
 {
@@ -46,7 +47,9 @@ struct Renderer::Internals
   }
 
   std::unique_ptr<RenderBackend> backend;
-  Grid grid; ///< of the scalars
+  Grid grid;  ///< of the scalars
+  Grid whole; ///< of those of all ranks
+  bool isPiece = false;
   bool hasScalars = false;
   bool hasFunctions = false;
   float majorant = 0; ///< of the transfer functions [1/length]
@@ -152,8 +155,9 @@ struct Renderer::Internals
     if (wanted)
     {
       const Grid nodes = this->ShadowGrid();
+      const Grid& lit = this->isPiece ? this->whole : nodes;
       this->backend->CastShadows(
-        nodes, SourceOfLight(this->lighting.light, nodes), this->shadowRayDensity);
+        nodes, SourceOfLight(this->lighting.light, lit), this->shadowRayDensity);
     }
     else
     {
@@ -173,7 +177,7 @@ struct Renderer::Internals
     if (this->lighting.enabled)
     {
       SourceOfLight(
-        this->lighting.light, this->grid); // says what is wrong with a light, if anything
+        this->lighting.light, this->whole); // says what is wrong with a light, if anything
     }
     this->UpdateShadow();
     if (this->lighting.enabled && !this->gradientIsCurrent)
@@ -203,7 +207,7 @@ struct Renderer::Internals
     casting.lit = this->lighting.enabled;
     if (casting.lit)
     {
-      casting.light = MakeRayLight(this->lighting, this->grid, view);
+      casting.light = MakeRayLight(this->lighting, this->whole, view);
       casting.lightColor = this->lighting.color;
     }
     if (this->hasImportance)
@@ -231,6 +235,17 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+void Renderer::SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece)
+{
+  Internals& state = *this->State;
+  LIMPID_REQUIRE(!piece || !state.backend->IsDevice(),
+    "Ranks share the picture, and a GPU draws (ranks draw with processors so far). Use the backend "
+    "Auto or CPU.");
+  state.whole = whole;
+  state.isPiece = piece != nullptr;
+  state.backend->SetPiece(whole, std::move(piece));
+}
+
 void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* shares)
 {
   grid.Require();
@@ -242,6 +257,7 @@ void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* s
   state.ForgetImportance();
   state.backend->SetScalars(grid, scalars, shares);
   state.grid = grid;
+  state.whole = state.isPiece ? state.whole : grid;
   state.hasScalars = true;
   state.ForgetBricks();
   state.gradientIsCurrent = false;
@@ -348,6 +364,7 @@ void Renderer::SetShadowCoarseness(int factor)
     "The coarseness of shadows is " << factor
                                     << " (times the distance of the nodes). Set 1 or more.");
   Internals& state = *this->State;
+  factor = state.isPiece ? 1 : factor;
   if (factor != state.shadowCoarseness)
   {
     state.ForgetTransferFunction();

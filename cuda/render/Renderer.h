@@ -7,6 +7,7 @@
 #include "methods/Method.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
+#include "scene/ScenePiece.h"
 
 #include <array>
 #include <cstdint>
@@ -117,6 +118,17 @@ public:
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
+
+  /**
+   * What this rank has of a volume that ranks draw together, see ScenePiece; null: all. Fields and
+   * their grid are those of piece->nodes then, in which every rank needs two nodes at least, and
+   * around its own three more than samples are apart. To be called before the scalars.
+   *
+   * All ranks have to make the same calls with the same values, but for fields; pictures have the
+   * pixels in which this rank's part is foremost. Shadows are as fine as the extinction, and there
+   * is no importance and no other compositing than front to back.
+   */
+  void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece);
 
   /// The scalars at the nodes of a grid, NodeCount() values; NaN: an empty node. `shares`: the part
   /// of the transfer function's extinction that is left at each node [0, 1]; null: all of it. They

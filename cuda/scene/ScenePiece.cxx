@@ -143,6 +143,34 @@ ScenePiece::ScenePiece(
   }
 }
 
+std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& grid, int nodes)
+{
+  auto grown = std::make_shared<ScenePiece>(piece);
+  for (std::size_t rank = 0; rank < grown->boxes.size(); ++rank)
+  {
+    const NodeBox& own = piece.owned[rank];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Range<int>& along = own.along[std::size_t(axis)];
+      grown->boxes[rank].along[std::size_t(axis)] = own.Empty()
+        ? Range<int>{ 0, std::min(2, grid.nodes[axis]) }
+        : Range<int>{ std::max(along.begin - nodes, 0),
+            std::min(along.end + nodes, grid.nodes[axis]) };
+    }
+  }
+  grown->nodes = grown->boxes[std::size_t(piece.ranks->Rank())];
+  return grown;
+}
+
+Grid GridOf(const ScenePiece& piece, const Grid& whole)
+{
+  Grid grid = whole;
+  const std::array<Range<int>, 3>& along = piece.nodes.along;
+  grid.nodes = piece.nodes.Size();
+  grid.origin = whole.PointToWorld(Vec3(along[0].begin, along[1].begin, along[2].begin));
+  return grid;
+}
+
 bool HaveSameBoxes(const ScenePiece* one, const ScenePiece* other)
 {
   return one && other ? one->boxes == other->boxes : one == other;

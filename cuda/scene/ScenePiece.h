@@ -30,6 +30,13 @@ struct ScenePiece
   ScenePiece(std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own);
 };
 
+/// Pieces of the nodes that ranks own and so many more on every side, as far as the grid goes; a
+/// rank that owns none has two nodes along each axis for its own use.
+std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& grid, int nodes);
+
+/// The grid of a rank's nodes.
+Grid GridOf(const ScenePiece& piece, const Grid& whole);
+
 /// Whether every rank has the same box in both; nulls, where one has all, are the same.
 bool HaveSameBoxes(const ScenePiece* one, const ScenePiece* other);
 }

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Pictures that ranks draw together, of a piece each: those of one process.
+
+#include "SceneOnRanks.h"
+
+#include "render/Renderer.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <mutex>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+constexpr int layers = 3; ///< of neighbours' nodes, see Renderer::SetPiece
+
+/// What is drawn, of the whole or of a piece.
+struct Drawn
+{
+  Grid grid;
+  std::vector<float> scalars;
+  std::vector<float> base;
+  std::vector<float> extinction;
+};
+
+/// Waves that absorb much or nothing, of which an optimisation has cleared a part.
+Drawn Waves()
+{
+  Drawn drawn;
+  drawn.grid.nodes = Int3(37, 30, 41);
+  drawn.grid.origin = Vec3(1, -2, 3);
+  drawn.grid.spacing = Vec3(0.1, 0.13, 0.09);
+  for (int k = 0; k < drawn.grid.nodes.z; ++k)
+  {
+    for (int j = 0; j < drawn.grid.nodes.y; ++j)
+    {
+      for (int i = 0; i < drawn.grid.nodes.x; ++i)
+      {
+        const double wave = std::sin(0.4 * i + 0.2 * k) * std::cos(0.35 * j) * std::sin(0.3 * k);
+        const auto scalar = static_cast<float>(0.5 + 0.5 * wave);
+        drawn.scalars.push_back(scalar);
+        drawn.base.push_back(std::max(0.0f, 12 * (scalar - 0.4f)));
+        drawn.extinction.push_back(i + j > 30 ? drawn.base.back() : 0.2f * drawn.base.back());
+      }
+    }
+  }
+  return drawn;
+}
+
+TransferFunctions Functions()
+{
+  TransferFunctions functions;
+  for (int i = 0; i <= 64; ++i)
+  {
+    const float scalar = float(i) / 64;
+    functions.extinction.push_back(std::max(0.0f, 12 * (scalar - 0.4f)));
+    functions.color.push_back({ { scalar, 1 - scalar, 0.5f } });
+  }
+  return functions;
+}
+
+struct Look
+{
+  const char* name;
+  Vec3 from; ///< [radii]
+  bool lit;
+  bool point;
+  bool optimized;
+  bool parallel;
+};
+
+void PrintTo(const Look& look, std::ostream* out)
+{
+  *out << look.name;
+}
+
+View ViewOf(const Grid& grid, const Look& look)
+{
+  View view;
+  view.width = 120;
+  view.height = 100;
+  const Vec3 eye = grid.Centre() + grid.Radius() * look.from;
+  const double aspect = double(view.width) / view.height;
+  const double reach = 4 * grid.Radius();
+  const double size = 1.1 * grid.Radius();
+  const glm::dmat4 projection = look.parallel
+    ? glm::ortho(-size * aspect, size * aspect, -size, size, 0.01, reach)
+    : glm::perspective(glm::radians(40.0), aspect, 0.01 * grid.Radius(), reach);
+  view.clipToWorld = glm::inverse(projection * glm::lookAt(eye, grid.Centre(), Vec3(0.1, 1, 0.05)));
+  return view;
+}
+
+Picture PictureOf(Renderer& renderer, const Drawn& drawn, const Grid& whole, const Look& look)
+{
+  renderer.SetScalars(drawn.grid, drawn.scalars.data());
+  renderer.SetTransferFunctions(Functions());
+  if (look.optimized)
+  {
+    renderer.SetExtinction(drawn.grid, drawn.base.data(), drawn.extinction.data());
+  }
+  Lighting lighting;
+  lighting.enabled = look.lit;
+  lighting.light.type = look.point ? LightType::Point : LightType::Directional;
+  lighting.light.position = whole.Centre() + whole.Radius() * Vec3(1.2, 2, 0.8);
+  lighting.light.focalPoint = whole.Centre();
+  renderer.SetLighting(lighting);
+  Picture picture;
+  renderer.Render(ViewOf(whole, look), picture);
+  return picture;
+}
+
+class SharedPicture : public ::testing::TestWithParam<Look>
+{
+};
+}
+
+TEST_P(SharedPicture, IsThatOfOneProcess)
+{
+  const Drawn whole = Waves();
+  Renderer alone;
+  const Picture expected = PictureOf(alone, whole, whole.grid, GetParam());
+  const auto seen = std::count_if(
+    expected.rgba.begin(), expected.rgba.end(), [](std::uint8_t value) { return value > 100; });
+  ASSERT_GT(seen, 2000) << "nothing is in the picture";
+  for (const int ranks : { 1, 2, 3, 4, 8 })
+  {
+    for (const int empty : { 0, 1 })
+    {
+      SCOPED_TRACE(::testing::Message() << ranks << " ranks, " << empty << " of them empty");
+      if (empty == ranks)
+      {
+        continue;
+      }
+      const Pieces pieces = Slabs(whole.grid.nodes, ranks % 3, ranks, empty);
+      std::vector<int> together(expected.rgba.size(), 0);
+      std::vector<int> drawnBy(expected.rgba.size() / 4, 0);
+      std::mutex access;
+      ThreadRanks::Run(ranks,
+        [&](const std::shared_ptr<const Communicator>& all)
+        {
+          const auto piece =
+            Grown(ScenePiece(all, whole.grid, pieces(all->Rank())), whole.grid, layers);
+          const auto cut = [&](const std::vector<float>& field)
+          { return Cut(field, whole.grid.nodes, piece->nodes); };
+          const Drawn here{ GridOf(*piece, whole.grid), cut(whole.scalars), cut(whole.base),
+            cut(whole.extinction) };
+          Renderer renderer;
+          renderer.SetPiece(whole.grid, piece);
+          const Picture picture = PictureOf(renderer, here, whole.grid, GetParam());
+          const std::lock_guard<std::mutex> lock(access);
+          for (std::size_t i = 0; i < together.size(); ++i)
+          {
+            together[i] += picture.rgba[i];
+            drawnBy[i / 4] += i % 4 == 3 && picture.rgba[i] > 0 ? 1 : 0;
+          }
+        });
+      int farthest = 0;
+      for (std::size_t i = 0; i < together.size(); ++i)
+      {
+        farthest = std::max(farthest, std::abs(together[i] - int(expected.rgba[i])));
+      }
+      EXPECT_LE(farthest, 1); // of 255: one rounding, and rays that end where they are opaque
+      EXPECT_LE(*std::max_element(drawnBy.begin(), drawnBy.end()), 1);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ranks, SharedPicture,
+  ::testing::Values(Look{ "Ordinary", Vec3(1, 0.7, 1.6), false, false, false, false },
+    Look{ "Lit", Vec3(1, 0.7, 1.6), true, false, false, false },
+    Look{ "Optimized", Vec3(-1, 0.7, -1.6), false, false, true, false },
+    Look{ "LitAndOptimized", Vec3(1, -0.7, 1.6), true, false, true, false },
+    Look{ "PointLight", Vec3(1, 0.7, -1.6), true, true, true, false },
+    Look{ "Parallel", Vec3(0, 0, 2), true, false, true, true },
+    Look{ "FromInside", Vec3(0.05, 0.1, 0.2), true, false, true, false }),
+  [](const auto& tested) { return tested.param.name; });
