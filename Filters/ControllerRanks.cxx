@@ -157,11 +157,17 @@ vtkMPICommunicator* GlobalMpi()
 }
 }
 
+bool AreSeveral()
+{
+  vtkMPICommunicator* mpi = GlobalMpi();
+  return mpi && mpi->GetNumberOfProcesses() > 1;
+}
+
 bool AllAreAsked(vtkInformation* outInfo)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkMPICommunicator* mpi = GlobalMpi();
-  return mpi && mpi->GetNumberOfProcesses() > 1 &&
+  return AreSeveral() &&
     outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == mpi->GetNumberOfProcesses() &&
     outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) == mpi->GetLocalProcessId();
 }
@@ -171,6 +177,11 @@ std::shared_ptr<const Communicator> MakeRanks()
   return std::make_shared<const ControllerRanks>(GlobalMpi());
 }
 #else
+bool AreSeveral()
+{
+  return false;
+}
+
 bool AllAreAsked(vtkInformation*)
 {
   return false;

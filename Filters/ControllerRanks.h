@@ -6,6 +6,8 @@
 #ifndef limpid_ControllerRanks_h
 #define limpid_ControllerRanks_h
 
+#include "vtkLimpidFiltersModule.h" // for export macro
+
 #include <memory>
 
 class vtkInformation;
@@ -16,10 +18,13 @@ class Communicator;
 
 /// Whether there are several processes of MPI, and each is asked for its own piece of an output:
 /// then they can share the work.
-bool AllAreAsked(vtkInformation* outInfo);
+VTKLIMPIDFILTERS_EXPORT bool AllAreAsked(vtkInformation* outInfo);
+
+/// Whether there are several processes of MPI.
+VTKLIMPIDFILTERS_EXPORT bool AreSeveral();
 
 /// These processes, for one computation. All of them have to ask for it, in the same order.
-std::shared_ptr<const Communicator> MakeRanks();
+VTKLIMPIDFILTERS_EXPORT std::shared_ptr<const Communicator> MakeRanks();
 }
 
 #endif

@@ -6,6 +6,8 @@
 #ifndef limpid_SharedImage_h
 #define limpid_SharedImage_h
 
+#include "vtkLimpidFiltersModule.h" // for export macro
+
 #include "scene/ScenePiece.h"
 
 #include "vtkSmartPointer.h"
@@ -18,7 +20,7 @@ class vtkImageData;
 
 namespace limpid
 {
-struct SharedImage
+struct VTKLIMPIDFILTERS_EXPORT SharedImage
 {
   Grid grid; ///< of the whole
   std::shared_ptr<const ScenePiece> piece;
@@ -37,7 +39,7 @@ struct SharedImage
 
 /// The least and the largest of all ranks' numbers, where `low` and `high` are those of one; NaN:
 /// it has none.
-void JoinRange(const Communicator& ranks, double& low, double& high);
+VTKLIMPIDFILTERS_EXPORT void JoinRange(const Communicator& ranks, double& low, double& high);
 }
 
 #endif

@@ -69,17 +69,9 @@ ScalarChoice ChooseScalars(vtkImageData* image, const char* last)
   return {};
 }
 
-std::array<double, 2> FiniteRangeOf(vtkDataArray* array)
-{
-  std::array<double, 2> range{};
-  array->GetFiniteRange(range.data(), array->GetNumberOfComponents() > 1 ? -1 : 0);
-  return range;
-}
-
 void SpreadOverRange(
-  vtkDataArray* array, vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity)
+  std::array<double, 2> range, vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity)
 {
-  std::array<double, 2> range = FiniteRangeOf(array);
   if (!(range[0] < range[1]))
   {
     range[1] = range[0] + 1;

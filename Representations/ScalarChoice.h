@@ -30,12 +30,9 @@ ScalarChoice FindScalars(vtkImageData* image, const char* name, bool onCells);
  */
 ScalarChoice ChooseScalars(vtkImageData* image, const char* last);
 
-/// Smallest and largest number of an array, of its magnitudes if there are several components.
-std::array<double, 2> FiniteRangeOf(vtkDataArray* array);
-
-/// A straight line from 0 to 1 and ParaView's cool to warm colours over the range of the array.
+/// A straight line from 0 to 1 and ParaView's cool to warm colours over a range.
 void SpreadOverRange(
-  vtkDataArray* array, vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity);
+  std::array<double, 2> range, vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity);
 }
 
 #endif

@@ -4,12 +4,9 @@
 #include "StartingImportance.h"
 
 #include "ImportancePoints.h"
-#include "ScalarChoice.h"
-
-#include "vtkDataArray.h"
+#include "SharedArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -18,36 +15,7 @@ namespace limpid
 namespace
 {
 // So many values tell the quantiles to a thousandth.
-constexpr vtkIdType MostSamples = 1 << 20;
-
-std::vector<double> SamplesOf(vtkDataArray* array, int component)
-{
-  const vtkIdType tuples = array->GetNumberOfTuples();
-  const vtkIdType step = std::max<vtkIdType>(1, tuples / MostSamples) | 1; // odd: meets all columns
-  std::vector<double> samples;
-  samples.reserve(static_cast<std::size_t>(tuples / step + 1));
-  const int components = array->GetNumberOfComponents();
-  for (vtkIdType tuple = 0; tuple < tuples; tuple += step)
-  {
-    double value = 0;
-    if (component >= 0 || components == 1)
-    {
-      value = array->GetComponent(tuple, std::max(component, 0));
-    }
-    else
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        value = std::hypot(value, array->GetComponent(tuple, c));
-      }
-    }
-    if (std::isfinite(value))
-    {
-      samples.push_back(value);
-    }
-  }
-  return samples;
-}
+constexpr long long MostSamples = 1 << 20;
 
 double QuantileOf(const std::vector<double>& sorted, double share)
 {
@@ -55,15 +23,14 @@ double QuantileOf(const std::vector<double>& sorted, double share)
 }
 }
 
-ImportanceRamp StartingImportance(vtkDataArray* array, int component)
+ImportanceRamp StartingImportance(const SharedArray& array)
 {
-  std::vector<double> samples = SamplesOf(array, component);
+  const std::vector<double> samples = array.Samples(MostSamples);
   if (samples.empty())
   {
     return {};
   }
-  std::sort(samples.begin(), samples.end());
-  const std::array<double, 2> range = FiniteRangeOf(array);
+  const std::array<double, 2> range = array.FiniteRange();
   ImportanceRamp ramp{ QuantileOf(samples, ImportanceBegins), QuantileOf(samples, ImportanceIsFull),
     range };
   if (!ramp.IsKnown())

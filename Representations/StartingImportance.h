@@ -8,10 +8,10 @@
 
 #include <array>
 
-class vtkDataArray;
-
 namespace limpid
 {
+class SharedArray;
+
 /// Importance rises from 0 to 1 between two values of an array.
 struct ImportanceRamp
 {
@@ -24,8 +24,8 @@ struct ImportanceRamp
 };
 
 /// The largest few per cent of an array's values, of which there are usually few that matter most:
-/// bones, vessels, cores. `component`: -1 for the magnitude.
-ImportanceRamp StartingImportance(vtkDataArray* array, int component);
+/// bones, vessels, cores; of magnitudes, if there are several components.
+ImportanceRamp StartingImportance(const SharedArray& array);
 }
 
 #endif

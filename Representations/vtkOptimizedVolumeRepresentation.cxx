@@ -13,6 +13,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
@@ -58,12 +59,15 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
   this->VolumeMapper = this->State->Mapper;
   this->Property->SetInterpolationTypeToLinear(); // whatever is asked for: see AddUnavailable
   this->State->Mapper->Prop = this->Actor;
+  this->State->Mapper->SharesImageOn();
   this->State->Annotation->SetTextSource(
     [this]()
     {
       const Internals& state = *this->State;
       const std::string name = state.TellsName ? state.SourceName : std::string();
-      return state.Mapper->HasDrawn ? limpid::ScoreText(state.Mapper, name) : std::string();
+      const bool speaks = !this->Others() || this->Others()->GetLocalProcessId() == 0;
+      return speaks && state.Mapper->HasDrawn ? limpid::ScoreText(state.Mapper, name)
+                                              : std::string();
     });
 }
 
@@ -81,7 +85,9 @@ int vtkOptimizedVolumeRepresentation::RequestData(
   this->State->Refusal = limpid::RefusalOf(input, "Optimized Volume draws");
   if (this->State->Refusal.empty())
   {
-    return this->Superclass::RequestData(request, inputVector, outputVector);
+    const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+    this->State->Mapper->SetWholeExtent(this->WholeExtent);
+    return result;
   }
   // An outline, so that something says where the data are.
   GetBounds(input, this->DataBounds);
@@ -93,6 +99,18 @@ int vtkOptimizedVolumeRepresentation::RequestData(
   // The direct base class would look for an image to draw.
   // NOLINTNEXTLINE(bugprone-parent-virtual-call)
   return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
+}
+
+int vtkOptimizedVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
+{
+  const int result = this->Superclass::ProcessViewRequest(request, input, output);
+  if (result && request == vtkPVView::REQUEST_UPDATE() && this->State->Mapper->DrawsWithOthers())
+  {
+    // Processes wait for each other, wherever their pieces are.
+    output->Set(vtkPVRenderView::RENDER_EMPTY_IMAGES(), 1);
+  }
+  return result;
 }
 
 void vtkOptimizedVolumeRepresentation::UpdateMapperParameters()
@@ -170,11 +188,17 @@ void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned lo
   this->State->Mapper->HasDrawn = false;
   auto* renderer = static_cast<vtkRenderer*>(object);
   this->State->TellsName = HasSeveralOptimizedVolumes(renderer);
-  this->State->PeelsVolumes = this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes() &&
-    !vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer);
+  const bool needed = !this->State->Mapper->DrawsWithOthers() &&
+    vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer);
+  this->State->PeelsVolumes =
+    this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes() && !needed;
   if (this->State->PeelsVolumes)
   {
     renderer->UseDepthPeelingForVolumesOff();
+  }
+  if (this->Others())
+  {
+    this->State->Annotation->ClaimView(renderer);
   }
 }
 
@@ -185,6 +209,7 @@ void vtkOptimizedVolumeRepresentation::EndFrame(vtkObject* object, unsigned long
     static_cast<vtkRenderer*>(object)->UseDepthPeelingForVolumesOn();
     this->State->PeelsVolumes = false;
   }
+  this->State->Annotation->ClaimNothing();
 }
 
 void vtkRepresentedVolumeMapper::Render(vtkRenderer* renderer, vtkVolume*)

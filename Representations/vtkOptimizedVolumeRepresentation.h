@@ -13,8 +13,9 @@
  *
  * The properties without a comment are those of the mapper, which says what they mean.
  *
- * With several processes each one draws its part of the image as the transfer functions make it,
- * without lighting: optimisation and shadows across processes are not available.
+ * Several processes draw the volume together, each its piece of the image, within 1/255 of the
+ * picture of one (see SharesImage of the mapper). What the mapper says they cannot do together is
+ * left out, with a message; so is what of translucent geometry is not wholly behind the volume.
  *
  * @sa vtkTransmittanceVolumeMapper
  */
@@ -32,7 +33,15 @@
 
 class vtkColorTransferFunction;
 class vtkDataArray;
+class vtkImageData;
+class vtkMultiProcessController;
 class vtkPiecewiseFunction;
+
+namespace limpid
+{
+class SharedArray;
+struct ScalarChoice;
+}
 
 class VTKLIMPIDREPRESENTATIONS_EXPORT vtkOptimizedVolumeRepresentation
   : public vtkImageVolumeRepresentation
@@ -191,6 +200,8 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
   void UpdateMapperParameters() override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
@@ -199,9 +210,11 @@ private:
   void BeginFrame(vtkObject* renderer, unsigned long event, void* data);
   void EndFrame(vtkObject* renderer, unsigned long event, void* data);
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
-  void ApplyFunctions(vtkDataArray* array);
-  void AssumeImportance(vtkDataArray* array);
-  void ApplyImportance(vtkImageData* image, vtkDataArray* colorArray, bool colorsOnCells);
+  vtkMultiProcessController* Others() const;
+  limpid::SharedArray Shared(const limpid::ScalarChoice& choice, vtkImageData* image) const;
+  void ApplyFunctions(const limpid::ScalarChoice& scalars, vtkImageData* image);
+  void AssumeImportance(const limpid::ScalarChoice& scalars, vtkImageData* image);
+  void ApplyImportance(vtkImageData* image, const limpid::ScalarChoice& colors);
   void AddUnavailable(int components, std::vector<std::string>& messages) const;
   void Say(const std::vector<std::string>& messages);
 

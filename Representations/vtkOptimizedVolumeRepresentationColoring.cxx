@@ -4,11 +4,13 @@
 // What is shown and in which colours, and what to say when that is not what was asked for.
 
 #include "ScalarChoice.h"
+#include "SharedArray.h"
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -74,34 +76,52 @@ limpid::ScalarChoice WhatToShow(vtkInformation* chosen, const std::string& impor
 }
 }
 
-// Returns what is shown; null: nothing.
+// The processes that draw together; null: there is one.
+vtkMultiProcessController* vtkOptimizedVolumeRepresentation::Others() const
+{
+  return this->State->Mapper->DrawsWithOthers() ? vtkMultiProcessController::GetGlobalController()
+                                                : nullptr;
+}
+
+limpid::SharedArray vtkOptimizedVolumeRepresentation::Shared(
+  const limpid::ScalarChoice& choice, vtkImageData* image) const
+{
+  return { choice.array, image, choice.onCells, this->WholeExtent, this->Others() };
+}
+
+// Returns what is shown; null: nothing, or nothing here.
 vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   vtkImageData* image, std::vector<std::string>& messages)
 {
   const limpid::ScalarChoice scalars =
     WhatToShow(this->GetInputArrayInformation(0), this->State->ImportanceArray, image, messages);
-  if (!scalars.array)
+  const bool isShown = limpid::AnyProcess(this->Others(), scalars.array != nullptr);
+  this->Actor->SetVisibility(isShown ? 1 : 0);
+  if (!isShown)
   {
-    this->Actor->SetVisibility(0);
     return nullptr;
   }
-  this->Actor->SetVisibility(1);
-  this->ApplyFunctions(scalars.array);
-
-  vtkTransmittanceVolumeMapper* mapper = this->State->Mapper;
-  mapper->SelectScalarArray(scalars.array->GetName());
-  mapper->SetScalarMode(
-    scalars.onCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-  this->ApplyImportance(image, scalars.array, scalars.onCells);
+  this->ApplyFunctions(scalars, image);
+  if (scalars.array)
+  {
+    vtkTransmittanceVolumeMapper* mapper = this->State->Mapper;
+    mapper->SelectScalarArray(scalars.array->GetName());
+    mapper->SetScalarMode(
+      scalars.onCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  }
+  this->ApplyImportance(image, scalars);
   return scalars.array;
 }
 
-void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
+void vtkOptimizedVolumeRepresentation::ApplyFunctions(
+  const limpid::ScalarChoice& scalars, vtkImageData* image)
 {
-  if (this->State->DefaultsTime != array->GetMTime()) // times are unique among arrays
+  const vtkMTimeType time = scalars.array ? scalars.array->GetMTime() : 0;
+  if (limpid::AnyProcess(this->Others(), this->State->DefaultsTime != time)) // unique among arrays
   {
-    limpid::SpreadOverRange(array, this->State->DefaultColors, this->State->DefaultOpacity);
-    this->State->DefaultsTime = array->GetMTime();
+    limpid::SpreadOverRange(this->Shared(scalars, image).FiniteRange(), this->State->DefaultColors,
+      this->State->DefaultOpacity);
+    this->State->DefaultsTime = time;
   }
   if (!this->State->ColorsGiven)
   {
@@ -111,11 +131,15 @@ void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
   {
     this->Superclass::SetScalarOpacity(this->State->DefaultOpacity);
   }
+  if (!scalars.array)
+  {
+    return;
+  }
 
   // The base class sets the vector mode of VTK's own mappers only. Two or four components may be
   // meant as colours with an opacity: there the mapper is to say what it shows of them.
   vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction(0);
-  const int components = array->GetNumberOfComponents();
+  const int components = scalars.array->GetNumberOfComponents();
   const int unchosen = components == 2 || components == 4 ? vtkTransmittanceVolumeMapper::UNDECIDED
                                                           : vtkTransmittanceVolumeMapper::MAGNITUDE;
   this->State->Mapper->SetScalarComponent(colors->GetVectorMode() == vtkScalarsToColors::COMPONENT
@@ -123,14 +147,16 @@ void vtkOptimizedVolumeRepresentation::ApplyFunctions(vtkDataArray* array)
       : unchosen);
 }
 
-void vtkOptimizedVolumeRepresentation::AssumeImportance(vtkDataArray* array)
+void vtkOptimizedVolumeRepresentation::AssumeImportance(
+  const limpid::ScalarChoice& scalars, vtkImageData* image)
 {
-  if (this->State->AssumedTime == array->GetMTime())
+  const vtkMTimeType time = scalars.array ? scalars.array->GetMTime() : 0;
+  if (!limpid::AnyProcess(this->Others(), this->State->AssumedTime != time))
   {
     return;
   }
-  this->State->AssumedTime = array->GetMTime();
-  const limpid::ImportanceRamp ramp = limpid::StartingImportance(array, -1);
+  this->State->AssumedTime = time;
+  const limpid::ImportanceRamp ramp = limpid::StartingImportance(this->Shared(scalars, image));
   vtkPiecewiseFunction* function = this->State->AssumedImportance;
   function->RemoveAllPoints();
   if (ramp.IsKnown())
@@ -147,13 +173,16 @@ double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
   auto* image = vtkImageData::SafeDownCast(this->VolumeMapper->GetDataSetInput());
   const std::string& name = this->State->ImportanceArray;
   const bool onCells = this->State->ImportanceAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  vtkDataArray* chosen = image ? limpid::FindScalars(image, name.c_str(), onCells).array : nullptr;
+  const limpid::ScalarChoice chosen =
+    image ? limpid::FindScalars(image, name.c_str(), onCells) : limpid::ScalarChoice();
   limpid::ImportanceRamp ramp;
-  if (chosen)
+  if (chosen.array)
   {
-    const std::array<double, 2> range = limpid::FiniteRangeOf(chosen);
+    // One process is asked: what it has stands for all.
+    const limpid::SharedArray array(chosen.array, image, chosen.onCells, nullptr, nullptr);
+    const std::array<double, 2> range = array.FiniteRange();
     const bool isImportance = range[0] >= 0 && range[1] <= 1;
-    ramp = isImportance ? limpid::ImportanceRamp() : limpid::StartingImportance(chosen, -1);
+    ramp = isImportance ? limpid::ImportanceRamp() : limpid::StartingImportance(array);
   }
   else if (image && (name == COLOR_ARRAY || name == IMPORTANCE))
   {
@@ -164,13 +193,16 @@ double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
 }
 
 void vtkOptimizedVolumeRepresentation::ApplyImportance(
-  vtkImageData* image, vtkDataArray* colorArray, bool colorsOnCells)
+  vtkImageData* image, const limpid::ScalarChoice& colors)
 {
   vtkTransmittanceVolumeMapper* mapper = this->State->Mapper;
   const std::string& name = this->State->ImportanceArray;
   const bool onCells = this->State->ImportanceAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  const auto isThere = [image](const std::string& array, bool cells)
-  { return limpid::FindScalars(image, array.c_str(), cells).array != nullptr; };
+  const auto isThere = [&](const std::string& array, bool cells)
+  {
+    return limpid::AnyProcess(
+      this->Others(), limpid::FindScalars(image, array.c_str(), cells).array != nullptr);
+  };
   const auto association = [](bool cells)
   {
     return cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
@@ -178,13 +210,16 @@ void vtkOptimizedVolumeRepresentation::ApplyImportance(
 
   if (name == COLOR_ARRAY && (isThere(IMPORTANCE, false) || isThere(IMPORTANCE, true)))
   {
-    this->AssumeImportance(colorArray);
-    mapper->SetImportanceArray(colorArray->GetName());
-    mapper->SetImportanceArrayAssociation(association(colorsOnCells));
+    this->AssumeImportance(colors, image);
+    if (colors.array)
+    {
+      mapper->SetImportanceArray(colors.array->GetName());
+      mapper->SetImportanceArrayAssociation(association(colors.onCells));
+    }
   }
   else if (name == COLOR_ARRAY || (name == IMPORTANCE && !isThere(name, onCells)))
   {
-    this->AssumeImportance(colorArray);
+    this->AssumeImportance(colors, image);
     mapper->SetImportanceArray(""); // "Importance", or what the function makes of the scalars
     mapper->SetImportanceArrayAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
   }

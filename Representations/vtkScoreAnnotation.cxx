@@ -3,14 +3,18 @@
 
 #include "vtkScoreAnnotation.h"
 
+#include "vtkCamera.h"
 #include "vtkCoordinate.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkViewport.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkScoreAnnotation);
@@ -48,6 +52,22 @@ void vtkScoreAnnotation::SetTextSource(std::function<std::string()> source)
 {
   this->TextSource = std::move(source);
   this->Modified();
+}
+
+void vtkScoreAnnotation::ClaimView(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double halfHeight = camera->GetParallelProjection()
+    ? camera->GetParallelScale()
+    : camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2));
+  const double radius = halfHeight * std::hypot(1, renderer->GetTiledAspectRatio());
+  const double* middle = camera->GetFocalPoint();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Bounds[2 * axis] = middle[axis] - radius;
+    this->Bounds[2 * axis + 1] = middle[axis] + radius;
+  }
+  this->UseBoundsOn();
 }
 
 std::string vtkScoreAnnotation::CurrentText()

@@ -20,6 +20,7 @@
 #include <functional> // for the source of the text
 #include <string>     // for the text
 
+class vtkRenderer;
 class vtkTextActor;
 
 class VTKLIMPIDREPRESENTATIONS_EXPORT vtkScoreAnnotation : public vtkProp
@@ -31,6 +32,12 @@ public:
 
   /// What says the text of a frame; an empty text is not drawn. None: nothing is drawn.
   void SetTextSource(std::function<std::string()> source);
+
+  /// Claims all of a renderer's view for the present frame, or nothing. Where processes put a frame
+  /// together, only what props claim is taken from each.
+  void ClaimView(vtkRenderer* renderer);
+  void ClaimNothing() { this->UseBoundsOff(); }
+  double* GetBounds() VTK_SIZEHINT(6) override { return this->UseBounds ? this->Bounds : nullptr; }
 
   int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -47,6 +54,7 @@ private:
   double BottomOfOthers(vtkViewport* viewport);
 
   std::function<std::string()> TextSource;
+  double Bounds[6] = {};
   double Bottom = 1; // of the plate in the last frame, share of the viewport's height
   vtkNew<vtkTextActor> Actor;
 };

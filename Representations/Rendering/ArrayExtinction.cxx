@@ -5,14 +5,19 @@
 
 #include "AllCores.h"
 #include "Blanking.h"
+#include "Memory.h"
 #include "SceneConversion.h"
 
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
+
+#include "backend/Communicator.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace limpid
 {
@@ -30,9 +35,12 @@ float PowerOfTwoFor(float value)
 }
 }
 
-ArrayExtinction::ArrayExtinction(vtkImageData* image, const FieldSource& source, float* scalars)
+ArrayExtinction::ArrayExtinction(
+  vtkImageData* image, const FieldSource& source, float* scalars, const Communicator* ranks)
 {
-  const vtkSmartPointer<vtkFloatArray> field = ConvertField(image, source, "Extinction");
+  const vtkSmartPointer<vtkFloatArray> field = source.array
+    ? ConvertField(image, source, "Extinction")
+    : NewArray<vtkFloatArray>("Extinction", 0);
   const Blanking blanking(image);
   const std::vector<float> left = blanking.Shares(source.onCells);
   float* values = field->GetPointer(0);
@@ -61,7 +69,9 @@ ArrayExtinction::ArrayExtinction(vtkImageData* image, const FieldSource& source,
   this->negativePoints = negative;
 
   this->shares.assign(values, values + field->GetNumberOfTuples());
-  this->largest = *std::max_element(this->shares.begin(), this->shares.end());
+  this->largest = std::accumulate(this->shares.begin(), this->shares.end(), 0.0F,
+    [](float one, float other) { return std::max(one, other); });
+  this->largest = ranks ? ranks->LargestOf(this->largest) : this->largest;
   if (!(this->largest > 0))
   {
     return;

@@ -14,6 +14,7 @@ class vtkImageData;
 
 namespace limpid
 {
+class Communicator;
 struct FieldSource;
 
 /**
@@ -33,8 +34,10 @@ struct ArrayExtinction
   vtkIdType negativePoints = 0;
 
   /// `scalars`: at the points of the image. Points with a NaN, an infinite or a negative extinction
-  /// become empty there; those that are so already are not counted.
-  ArrayExtinction(vtkImageData* image, const FieldSource& source, float* scalars);
+  /// become empty there; those that are so already are not counted. `ranks`: that share the image,
+  /// of which some may have no points and no array; null: there is one.
+  ArrayExtinction(vtkImageData* image, const FieldSource& source, float* scalars,
+    const Communicator* ranks = nullptr);
 };
 }
 

@@ -8,6 +8,7 @@
 
 #include "SceneLight.h"
 
+#include "backend/Communicator.h"
 #include "optimize/Solver.h"
 #include "render/Renderer.h"
 #include "scene/ViewSet.h"
@@ -40,6 +41,19 @@ struct FrameSettings
   double frameTime = 0.1; ///< of a moving frame [s]
   double easeTime = 0.3;  ///< time constant of changes while moving [s]
   bool stepwise = false;  ///< still frames take one step of the optimisation only
+
+  /// The processes that draw the frame together; null: there is one.
+  const Communicator* ranks = nullptr;
+
+  /// Whether any of these says so.
+  bool AnyRank(bool here) const { return this->ranks ? this->ranks->AnyOf(here) : here; }
+
+  /// The longest of what they have taken: they decide alike.
+  double Longest(double seconds) const
+  {
+    const float most = this->ranks ? this->ranks->LargestOf(static_cast<float>(seconds)) : 0.0F;
+    return this->ranks ? static_cast<double>(most) : seconds;
+  }
 
   /// How pictures are made of samples; not front to back only where there is importance.
   Compositing Composing() const

@@ -6,10 +6,13 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include "backend/Communicator.h"
 #include "math/Require.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace limpid
 {
@@ -32,6 +35,20 @@ OpaqueDepth::OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry)
     "The depth buffer of " << columns << " x " << rows
                            << " pixels cannot be read (the volume would be drawn over opaque "
                               "geometry). Use a render window with a depth buffer.");
+}
+
+void OpaqueDepth::TakeNearestOf(const Communicator& ranks)
+{
+  if (!ranks.AnyOf(!this->IsEmpty()))
+  {
+    return;
+  }
+  this->Values.resize(std::size_t(this->Covered[0]) * std::size_t(this->Covered[1]), 1.0F);
+  std::vector<std::int32_t> bits(
+    this->Values.size()); // which depths, not below zero, are ordered as
+  std::memcpy(bits.data(), this->Values.data(), bits.size() * sizeof(float));
+  ranks.TakeLeast(bits.data(), bits.size());
+  std::memcpy(this->Values.data(), bits.data(), bits.size() * sizeof(float));
 }
 
 std::vector<float> OpaqueDepth::InMiddles(const PictureFrame& frame) const

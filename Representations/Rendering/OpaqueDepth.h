@@ -15,6 +15,8 @@ class vtkRenderer;
 
 namespace limpid
 {
+class Communicator;
+
 /// Depths as in the depth buffer, from 0 to 1.
 struct DepthRange
 {
@@ -28,6 +30,9 @@ public:
   /// Reads what has been drawn before, where the box covers the view. Throws when it cannot be
   /// read.
   OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry);
+
+  /// Makes the depth of each pixel the least of all processes'.
+  void TakeNearestOf(const Communicator& ranks);
 
   /// Whether nothing has been drawn before.
   bool IsEmpty() const { return this->Values.empty(); }

@@ -118,26 +118,32 @@ PictureQuad::~PictureQuad() = default;
 void PictureQuad::Draw(
   vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth)
 {
-  this->Draw(renderer, picture, frame, depth, noMask);
+  this->Draw(renderer, picture, frame, depth, noMask, true);
+}
+
+void PictureQuad::DrawPart(
+  vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth)
+{
+  this->Draw(renderer, picture, frame, depth, noMask, false);
 }
 
 void PictureQuad::DrawMask(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
   double depth, const float color[3], double threshold)
 {
   this->Draw(renderer, picture, frame, depth,
-    { { color[0], color[1], color[2], static_cast<float>(threshold) } });
+    { { color[0], color[1], color[2], static_cast<float>(threshold) } }, false);
 }
 
 void PictureQuad::Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
-  double depth, const std::array<float, 4>& mask)
+  double depth, const std::array<float, 4>& mask, bool interpolates)
 {
-  const bool masked = mask[3] >= 0;
   std::array<int, 2> size;
   renderer->GetTiledSize(&size[0], &size[1]);
   const bool samePixels = frame.whole == size;
   this->Ready(renderer);
   SetPicture(renderer, picture,
-    masked || samePixels ? vtkTextureObject::Nearest : vtkTextureObject::Linear, this->Texture);
+    !interpolates || samePixels ? vtkTextureObject::Nearest : vtkTextureObject::Linear,
+    this->Texture);
   this->Quad->Program->SetUniformi("between", 0);
   this->Blend(renderer, frame, depth, mask);
 }

@@ -51,6 +51,10 @@ public:
   /// Throws when the window has no OpenGL.
   void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth);
 
+  /// Likewise, but never interpolated: of a picture that has pixels which others draw.
+  void DrawPart(
+    vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth);
+
   /// Likewise, the one of two pictures that each pixel's own depth asks for, or what is between
   /// them: a line or an edge is as fine as the view then, and leaves nothing beside it.
   void DrawBetween(vtkRenderer* renderer, const PicturesBetween& pictures,
@@ -65,7 +69,7 @@ public:
 
 private:
   void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth,
-    const std::array<float, 4>& mask);
+    const std::array<float, 4>& mask, bool interpolates);
   void Ready(vtkRenderer* renderer);
   void Blend(vtkRenderer* renderer, const PictureFrame& frame, double depth,
     const std::array<float, 4>& mask);

@@ -101,14 +101,14 @@ bool ViewOptimization::Work(
   if (!frame.still)
   {
     this->Optimizer->Preview(OptimizationShare * frame.frameTime);
-    return true;
+    return !frame.ranks; // they go on showing what they have
   }
   const double until = clock.Seconds() + frame.frameTime;
   bool goOn = true;
   while (goOn)
   {
     const bool done = this->Refine(isAborted);
-    const bool outOfTime = frame.stepwise && clock.Seconds() > until;
+    const bool outOfTime = frame.stepwise && frame.AnyRank(clock.Seconds() > until);
     goOn = !done && !outOfTime && !isAborted();
   }
   return true;
@@ -199,7 +199,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     return;
   }
   changed = (!frozen && this->Work(frame, clock, isAborted)) || changed;
-  frame.ShowsExtinction() ? this->Show(frame, clock.SecondsSinceLast(), changed)
+  frame.ShowsExtinction() ? this->Show(frame, frame.Longest(clock.SecondsSinceLast()), changed)
                           : this->ShowBase(frame, data);
 
   const Scores scores = this->Measure(frame, camera, changed);

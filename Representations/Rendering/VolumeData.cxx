@@ -6,6 +6,7 @@
 #include "AllCores.h"
 #include "Blanking.h"
 #include "Memory.h"
+#include "SharedImage.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -97,9 +98,19 @@ VolumeData::ArrayKey VolumeData::KeyOf(
 // differ from each other by far less than from zero.
 ValueUnit VolumeData::ChooseUnit(const FieldSource& source)
 {
-  double range[2];
-  const bool single = source.array->GetNumberOfComponents() == 1;
-  source.array->GetFiniteRange(range, single ? 0 : source.component);
+  double range[2] = { std::nan(""), std::nan("") };
+  if (source.array)
+  {
+    const bool single = source.array->GetNumberOfComponents() == 1;
+    source.array->GetFiniteRange(range, single ? 0 : source.component);
+  }
+  if (this->Ranks)
+  {
+    const bool isRange = range[0] <= range[1];
+    range[0] = isRange ? range[0] : std::nan("");
+    range[1] = isRange ? range[1] : std::nan("");
+    JoinRange(*this->Ranks, range[0], range[1]);
+  }
   this->Low = range[0] <= range[1] ? range[0] : 0;
   this->High = range[0] <= range[1] ? range[1] : 0;
 
@@ -146,9 +157,9 @@ void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, 
 {
   this->ArrayUnit.reset();
   this->NegativeExtinctions = 0;
-  if (source.array)
+  if (this->AnyRank(source.array != nullptr))
   {
-    ArrayExtinction extinction(image, source, scalars);
+    ArrayExtinction extinction(image, source, scalars, this->Ranks.get());
     this->ScalarShares = std::move(extinction.shares);
     this->ArrayUnit = extinction.unit;
     this->ArrayMajorant = extinction.largest;
@@ -157,22 +168,47 @@ void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, 
   }
 }
 
+// Without flags that matter to one process alone.
+vtkImageData* VolumeData::Here(vtkImageData* image) const
+{
+  return this->Shared ? this->Shared->Here() : image;
+}
+
+void VolumeData::ShareAmong(
+  std::shared_ptr<const Communicator> ranks, const std::array<int, 6>& wholeExtent)
+{
+  if (ranks != this->Ranks || wholeExtent != this->WholeExtent)
+  {
+    this->Release(); // there are other pieces
+    this->Shared.reset();
+    this->Ranks = std::move(ranks);
+    this->WholeExtent = wholeExtent;
+  }
+}
+
 void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   const FieldSource& extinction, const CropRegion& crop)
 {
-  const Grid grid = GridOfImage(image);
+  const Grid grid = image->GetNumberOfPoints() > 0 ? GridOfImage(image) : Grid();
   const ArrayKey key = KeyOf(image, source, 0);
   const ArrayKey extinctionKey = KeyOf(image, extinction, 0);
-  const bool same = key == this->ScalarsKey && extinctionKey == this->ExtinctionKey &&
-    HaveSameNodes(grid, this->NodeGrid) && crop == this->Crop;
-  if (same && this->ScalarValues)
+  const bool same =
+    !this->AnyRank(!(key == this->ScalarsKey) || !(extinctionKey == this->ExtinctionKey) ||
+      !HaveSameNodes(grid, this->InputGrid) || !(crop == this->Crop));
+  if (same && !this->AnyRank(!this->ScalarValues))
   {
     return;
   }
   this->DataChanges += same ? 0 : 1;
   const std::optional<double> before = std::exchange(this->Time, TimeOf(image));
-  this->TimeChanges += before && this->Time && *before != *this->Time ? 1 : 0;
+  this->TimeChanges += this->AnyRank(before && this->Time && *before != *this->Time) ? 1 : 0;
   this->ScalarValues = nullptr;
+  this->Shared.reset();
+  if (this->Ranks)
+  {
+    this->Shared.emplace(this->Ranks, image, this->WholeExtent);
+  }
+  vtkImageData* here = this->Here(image);
   this->Unit = this->ChooseUnit(source);
   FieldSource scaled = source;
   if (this->Unit.offset != 0 || this->Unit.scale != 1)
@@ -180,11 +216,19 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
     scaled.mapping = [unit = this->Unit](double value)
     { return (value - unit.offset) * unit.scale; };
   }
+  this->InputGrid = grid;
   this->NodeGrid = grid;
-  const vtkSmartPointer<vtkFloatArray> values = ConvertField(image, scaled, "Scalars");
-  this->ScalarShares = Blanking(image).Shares(source.onCells);
+  vtkSmartPointer<vtkFloatArray> values =
+    source.array ? ConvertField(here, scaled, "Scalars") : NewArray<vtkFloatArray>("Scalars", 0);
+  this->ScalarShares = Blanking(here).Shares(source.onCells);
   this->InvalidScalars = this->EmptyScalars(crop, this->Shares(), values->GetPointer(0));
-  this->TakeExtinction(image, extinction, values->GetPointer(0));
+  this->TakeExtinction(here, extinction, values->GetPointer(0));
+  if (this->Shared)
+  {
+    values = this->Shared->Extended(values, Empty);
+    this->ScalarShares = this->Shared->Extended(this->ScalarShares);
+    this->NodeGrid = GridOf(*this->Piece(), this->Whole());
+  }
   this->ScalarValues = values; // wholly or not at all
   this->ScalarsKey = key;
   this->ExtinctionKey = extinctionKey;
@@ -273,7 +317,7 @@ void VolumeData::UpdateBaseExtinction()
 void VolumeData::UpdateImportance(
   vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime)
 {
-  if (!source.array)
+  if (!this->AnyRank(source.array != nullptr))
   {
     const vtkSmartPointer<vtkFloatArray> base = this->Arrays.baseExtinction;
     this->Arrays = SceneArrays();
@@ -287,11 +331,14 @@ void VolumeData::UpdateImportance(
   const ArrayKey key = KeyOf(image, source, functionTime);
   const bool current = this->Arrays.importance && key == this->ImportanceKey &&
     this->ImportanceScalars == this->ScalarChanges;
-  if (!current)
+  if (this->AnyRank(!current))
   {
     this->Arrays.importance = nullptr;
-    this->Arrays.importance = ConvertField(image, source, "Importance");
-    this->CorrectImportance(Blanking(image).Shares(source.onCells));
+    if (this->Shared)
+    {
+      this->Shared.emplace(this->Ranks, image, this->WholeExtent);
+    }
+    this->TakeImportance(this->Here(image), source);
     this->ImportanceKey = key;
     this->ImportanceScalars = this->ScalarChanges;
     ++this->ImportanceChanges;
@@ -299,10 +346,26 @@ void VolumeData::UpdateImportance(
   this->UpdateBaseExtinction();
 }
 
+void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
+{
+  vtkSmartPointer<vtkFloatArray> importance = source.array
+    ? ConvertField(here, source, "Importance")
+    : NewArray<vtkFloatArray>("Importance", 0);
+  std::vector<float> shares = Blanking(here).Shares(source.onCells);
+  if (this->Shared)
+  {
+    importance = this->Shared->Extended(importance, 0.0F);
+    shares = this->Shared->Extended(shares);
+  }
+  this->Arrays.importance = importance;
+  this->CorrectImportance(shares);
+}
+
 SceneFields VolumeData::Scene() const
 {
   SceneFields scene;
-  scene.grid = this->NodeGrid;
+  scene.grid = this->Whole();
+  scene.piece = this->Piece();
   scene.baseExtinction = this->Arrays.baseExtinction->GetPointer(0);
   scene.importance = this->Arrays.importance->GetPointer(0);
   scene.majorant = this->Majorant;

@@ -10,12 +10,15 @@
 #include "ArrayExtinction.h"
 #include "CropRegion.h"
 #include "SceneConversion.h"
+#include "SharedVolume.h"
 #include "TransferTables.h"
 
 #include "optimize/Solver.h"
 #include "render/Renderer.h"
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +31,9 @@ namespace limpid
 class VolumeData
 {
 public:
+  /// The processes that share the image from now on, with its whole extent; null: this one has all.
+  void ShareAmong(std::shared_ptr<const Communicator> ranks, const std::array<int, 6>& wholeExtent);
+
   /// The scalar field, and the base extinction if that comes from an array, too; an array of null:
   /// it comes from the functions. Throws when the image or an array cannot be worked with.
   void UpdateScalars(vtkImageData* image, const FieldSource& source, const FieldSource& extinction,
@@ -43,7 +49,15 @@ public:
   /// Gives the memory back.
   void Release();
 
-  const Grid& Nodes() const { return this->NodeGrid; }
+  const Grid& Nodes() const { return this->NodeGrid; } ///< that are here
+
+  /// Those of all processes, and what of these is here; null: all.
+  const Grid& Whole() const { return this->Shared ? this->Shared->Whole() : this->NodeGrid; }
+  std::shared_ptr<const ScenePiece> Piece() const
+  {
+    return this->Shared ? this->Shared->Drawn() : nullptr;
+  }
+
   const float* Scalars() const { return this->ScalarValues->GetPointer(0); } ///< NaN: empty
   const CropRegion& Cropped() const { return this->Crop; }
 
@@ -99,14 +113,22 @@ private:
     bool operator==(const ArrayKey& other) const;
   };
 
+  bool AnyRank(bool here) const { return this->Ranks ? this->Ranks->AnyOf(here) : here; }
+  vtkImageData* Here(vtkImageData* image) const;
   static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);
   ValueUnit ChooseUnit(const FieldSource& source);
   vtkIdType EmptyScalars(const CropRegion& crop, const float* shares, float* values) const;
   void TakeExtinction(vtkImageData* image, const FieldSource& source, float* scalars);
+  void TakeImportance(vtkImageData* here, const FieldSource& source);
   void CorrectImportance(const std::vector<float>& shares);
   void UpdateBaseExtinction();
 
+  std::shared_ptr<const Communicator> Ranks; ///< null: there is one
+  std::array<int, 6> WholeExtent{ { 0, -1, 0, -1, 0, -1 } };
+  std::optional<SharedVolume> Shared;
+
   Grid NodeGrid;
+  Grid InputGrid;
   ArrayKey ScalarsKey;
   CropRegion Crop;
   ValueUnit Unit;

@@ -3,6 +3,8 @@
 
 #include "VolumeView.h"
 
+#include "SharedView.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkRenderWindow.h"
@@ -110,6 +112,7 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   {
     this->ScalarsVersion = 0;
     this->ImportanceVersion = 0; // new scalars end it
+    this->Caster.SetPiece(data.Whole(), data.Piece());
     this->Caster.SetScalars(data.Nodes(), data.Scalars(), data.Shares());
     this->ScalarsVersion = data.ScalarsVersion();
   }
@@ -164,7 +167,8 @@ double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geo
     double(geometry.covered[3] - geometry.covered[2]);
   const double left = std::max(
     ShareOfFrame * frame.frameTime - this->Clock.Seconds(), LeastRayShare * frame.frameTime);
-  return this->Budget.PixelSize(pixels, left);
+  // Ranks draw the same pixels.
+  return frame.Longest(this->Budget.PixelSize(pixels, left));
 }
 
 void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
@@ -195,9 +199,9 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
   }
   catch (const std::exception& error)
   {
-    if (IsOfGpu(error) && frame.solver.backend == BackendKind::Auto)
+    if (frame.ranks || (IsOfGpu(error) && frame.solver.backend == BackendKind::Auto))
     {
-      throw; // of the one that makes pictures: the optimisation helps itself
+      throw; // of all ranks, or of the GPU that makes pictures: the optimisation helps itself
     }
     const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(
@@ -206,9 +210,11 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, co
   }
 }
 
+// Ranks draw a frame together to its end.
 std::function<bool()> VolumeView::AbortCheck() const
 {
-  return [this]() { return this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
+  return [this]()
+  { return !this->OnRanks && this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
 }
 
 // Leaves the result in LastResult.
@@ -216,6 +222,7 @@ void VolumeView::PrepareNow(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   messages = FrameMessages();
+  this->OnRanks = frame.ranks != nullptr;
   this->Clock.Begin(this->GoesOn);
   if (this->CastSeconds > 0)
   {
@@ -224,7 +231,11 @@ void VolumeView::PrepareNow(
   this->CastSeconds = 0;
   this->Geometry.reset();
   this->Image = Picture();
-  const ViewGeometry geometry = GeometryOf(this->Target, this->Volume, data.Nodes());
+  ViewGeometry geometry = GeometryOf(this->Target, this->Volume, data.Whole());
+  if (frame.ranks)
+  {
+    TakeFirstOf(*frame.ranks, geometry);
+  }
   if (geometry.size[0] < 1 || geometry.size[1] < 1)
   {
     messages.warnings.push_back("The view has " + std::to_string(geometry.size[0]) + " x " +

@@ -95,6 +95,7 @@ private:
   bool MakePicture(const View& view);
   bool DrawWhole(const FrameSettings& frame);
   bool DrawInSlices(const FrameSettings& frame);
+  void DrawShared(const FrameSettings& frame);
   bool DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges);
   void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();
@@ -116,6 +117,7 @@ private:
   vtkNew<vtkCallbackCommand> Observer;
 
   bool IsDrawing = false;
+  bool OnRanks = false;      ///< whether several processes draw the frame together
   bool ResetAfter = false;   ///< of the drawing that goes on
   bool ReleaseAfter = false; ///< likewise
 

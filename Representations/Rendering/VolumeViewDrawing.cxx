@@ -118,7 +118,11 @@ FrameResult VolumeView::Draw(
       // The pictures of two eyes would begin each other anew.
       const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
       const bool inSlices = frame.still && frame.stepwise && !this->GoesOn && !stereo;
-      if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole(frame)))
+      if (frame.ranks)
+      {
+        this->DrawShared(frame);
+      }
+      else if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole(frame)))
       {
         this->LastResult.converged = false;
       }
@@ -154,6 +158,21 @@ bool VolumeView::DrawWhole(const FrameSettings& frame)
     this->Sharpening.Begin(this->Image, this->Frame, geometry);
   }
   return true;
+}
+
+// With the pixels of this process. A process may have opaque geometry that hides the parts of
+// others.
+void VolumeView::DrawShared(const FrameSettings& frame)
+{
+  OpaqueDepth opaque(this->Target, *this->Geometry);
+  opaque.TakeNearestOf(*frame.ranks);
+  const std::vector<float> depth =
+    opaque.IsEmpty() ? std::vector<float>() : opaque.InMiddles(this->Frame);
+  View view = this->Rays;
+  view.depth = depth.empty() ? nullptr : depth.data();
+  this->MakePicture(view);
+  this->Image = std::move(this->Part);
+  this->Quad.DrawPart(this->Target, this->Image, this->Frame, this->Geometry->nearest);
 }
 
 // As long as the picture is not complete, there is one as in motion. Returns whether nothing was

@@ -11,6 +11,7 @@
 #include "vtkCullerCollection.h"
 #include "vtkDataObject.h"
 #include "vtkFrustumCoverageCuller.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
@@ -218,6 +219,18 @@ void vtkTransmittanceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
+bool vtkTransmittanceVolumeMapper::DrawsWithOthers() const
+{
+  return this->State->IsShared();
+}
+
+double* vtkTransmittanceVolumeMapper::GetBounds()
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataObjectInput());
+  return image && this->State->IsShared() ? this->State->FindWholeBounds(image, this->Bounds)
+                                          : this->Superclass::GetBounds();
+}
+
 vtkMTimeType vtkTransmittanceVolumeMapper::GetMTime()
 {
   const vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
@@ -257,6 +270,7 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("AdaptiveQuality", this->AdaptiveQuality);
   print("ProgressiveStill", this->ProgressiveStill);
   print("DeferStill", this->DeferStill);
+  print("SharesImage", this->SharesImage);
   print("VisibilityScore", this->GetVisibilityScore());
   print("VisibleFraction", this->GetVisibleFraction());
   print("SacrificedFraction", this->GetSacrificedFraction());

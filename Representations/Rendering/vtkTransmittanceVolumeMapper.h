@@ -40,9 +40,9 @@
  * most with 6 of a box; cropping regions that are no box end between points. Points outside do not
  * count in the optimization and the score and cast no shadow.
  *
- * With several processes each one has its own piece only, and what crosses from piece to piece is
- * not built yet: there is a warning, and the volume is drawn without optimization and light and has
- * no score.
+ * With several processes of MPI, each has its own piece of the image. With SharesImage on they draw
+ * the volume together, within 1/255 of the picture of one process; else there is a warning, and
+ * each draws its piece without optimization and light, and there is no score.
  *
  * The unit of length is that of the input's spacing, also where the volume is scaled.
  *
@@ -370,6 +370,23 @@ public:
 
   ///@{
   /**
+   * Whether all processes of the global controller draw the volume together, each of which has a
+   * piece of the image as its input, or an image without points, and WholeExtent is that of all
+   * pieces. All of them have to render the same frames, whether or not they see their piece: the
+   * bounds of the mapper are those of the whole image. A process draws the pixels in which its
+   * piece is foremost, of all that lies behind it, too. Moving frames show what was found last.
+   * Default is off.
+   */
+  vtkSetMacro(SharesImage, vtkTypeBool);
+  vtkGetMacro(SharesImage, vtkTypeBool);
+  vtkBooleanMacro(SharesImage, vtkTypeBool);
+  bool DrawsWithOthers() const; ///< whether there are any, too
+  vtkSetVector6Macro(WholeExtent, int);
+  vtkGetVector6Macro(WholeExtent, int);
+  ///@}
+
+  ///@{
+  /**
    * Visibility score of what the last frame showed, S of Eq. (32), and of the base extinction in
    * the same view [length^2]. Zero without importance.
    */
@@ -451,6 +468,9 @@ public:
    */
   void ReleaseMemory();
 
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  using vtkVolumeMapper::GetBounds;
+
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   vtkMTimeType GetMTime() override;
@@ -491,6 +511,8 @@ private:
   vtkTypeBool AdaptiveQuality = 1;
   vtkTypeBool ProgressiveStill = 0;
   vtkTypeBool DeferStill = 0;
+  vtkTypeBool SharesImage = 0;
+  int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
 
   struct Internals; // speaks to the core, so that no core type shows here
   std::unique_ptr<Internals> State;

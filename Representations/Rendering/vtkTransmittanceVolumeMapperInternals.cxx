@@ -3,8 +3,10 @@
 
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
+#include "ControllerRanks.h"
 #include "Memory.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
@@ -14,7 +16,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 
+#include "math/Require.h"
+
 #include <algorithm>
+#include <array>
 #include <exception>
 
 limpid::VolumeView& vtkTransmittanceVolumeMapper::Internals::ViewOf(
@@ -234,51 +239,120 @@ void vtkTransmittanceVolumeMapper::Internals::PrepareFromBack(
   leader.Peeled.emplace_back(volume);
 }
 
-// With the messages of a frame. In parts: only makes what they need.
+// With the messages of a frame. In parts: only makes what they need. Processes that draw together
+// fail together, and begin anew.
 void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
   this->Log.Begin();
   this->Messages.clear();
+  this->UpdateRanks();
   try
   {
-    this->Draw(view, renderer, volume, inParts);
+    limpid::TellingRanks(this->Ranks.get(),
+      [&]()
+      {
+        this->Draw(view, renderer, volume, inParts);
+        this->AnyRank(false); // all have come to the end
+      });
   }
   catch (const std::exception& error)
   {
     this->Error(this->WordsOf(error));
     this->Last = limpid::FrameResult();
+    this->Disband();
   }
   this->Log.End(&view);
+}
+
+bool vtkTransmittanceVolumeMapper::Internals::IsShared() const
+{
+  return this->Self->SharesImage && limpid::AreSeveral();
+}
+
+void vtkTransmittanceVolumeMapper::Internals::UpdateRanks()
+{
+  if (this->IsShared() != bool(this->Ranks))
+  {
+    this->Disband();
+    this->Ranks = this->IsShared() ? limpid::MakeRanks() : nullptr;
+  }
+  std::array<int, 6> whole;
+  std::copy_n(this->Self->WholeExtent, whole.size(), whole.begin());
+  this->Data.ShareAmong(this->Ranks, whole);
+}
+
+// What was made with some processes is of no use with others.
+void vtkTransmittanceVolumeMapper::Internals::Disband()
+{
+  if (this->Ranks)
+  {
+    this->Ranks = nullptr;
+    this->ReleaseMemory();
+  }
+}
+
+double* vtkTransmittanceVolumeMapper::Internals::FindWholeBounds(
+  vtkImageData* image, double bounds[6]) const
+{
+  const int* extent = this->Self->WholeExtent;
+  vtkBoundingBox box;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[3];
+    image->TransformIndexToPhysicalPoint(
+      extent[corner & 1], extent[2 + (corner >> 1 & 1)], extent[4 + (corner >> 2)], point);
+    box.AddPoint(point);
+  }
+  box.GetBounds(bounds);
+  return bounds;
 }
 
 void vtkTransmittanceVolumeMapper::Internals::Draw(
   limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
+  LIMPID_REQUIRE(!inParts || !this->Ranks,
+    "Processes share the image, and the renderer peels volumes (a ray is one for all of them). "
+    "Switch UseDepthPeelingForVolumes off.");
   vtkImageData* image = this->RequireImage();
+  const bool isHere = image->GetNumberOfPoints() > 0;
   this->RequireAvailableChoices();
   limpid::FrameSettings frame = this->MakeFrameSettings(renderer, volume);
-  const limpid::FieldSource scalars = this->ScalarSource(image, volume);
-  this->Data.UpdateScalars(
-    image, scalars, this->ExtinctionSource(image), this->CropRegionOf(volume));
+  const limpid::FieldSource scalars =
+    isHere ? this->ScalarSource(image, volume) : limpid::FieldSource();
+  this->Data.UpdateScalars(image, scalars,
+    isHere ? this->ExtinctionSource(image) : limpid::FieldSource(), this->CropRegionOf(volume));
   this->Data.UpdateFunctions(volume->GetProperty());
+  Importance importance;
+  std::string trouble; // with the importance
   try
   {
-    const Importance importance = this->ImportanceOf(image, scalars);
-    this->Data.UpdateImportance(image, importance.source, importance.functionTime);
+    importance = isHere ? this->ImportanceOf(image, scalars) : Importance();
+    if (!this->Ranks)
+    {
+      this->Data.UpdateImportance(image, importance.source, importance.functionTime);
+    }
   }
   catch (const std::exception& error)
+  {
+    trouble = this->WordsOf(error);
+  }
+  if (this->AnyRank(!trouble.empty()))
   {
     // Without optimisation, importance is for the score only, and for what is missed.
     if (frame.optimize || frame.showMissed)
     {
-      this->Error(this->WordsOf(error) +
+      this->Error((trouble.empty() ? "Another process has no importance." : trouble) +
         (frame.optimize ? " The volume is drawn without optimization."
                         : " What the picture misses is not painted over it."));
     }
     this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
     frame.optimize = false;
     frame.showMissed = false;
+  }
+  else if (this->Ranks)
+  {
+    this->Data.UpdateImportance(image, importance.source, importance.functionTime);
   }
   if (inParts && frame.Composing() != limpid::Compositing::FrontToBack)
   {
@@ -294,9 +368,9 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     this->Warn(this->Data.Warning());
   }
   this->ReportIgnored(volume);
-  if (!this->Data.Nodes().HasVolume())
+  if (!this->Data.Whole().HasVolume())
   {
-    const auto& nodes = this->Data.Nodes().nodes;
+    const auto& nodes = this->Data.Whole().nodes;
     this->Warn("The image has " + std::to_string(nodes.x) + " x " + std::to_string(nodes.y) +
       " x " + std::to_string(nodes.z) +
       " points (without a volume nothing can be seen of it). Give an image with at least two "

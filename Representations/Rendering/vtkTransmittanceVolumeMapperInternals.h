@@ -31,6 +31,13 @@ struct vtkTransmittanceVolumeMapper::Internals
   {
   }
 
+  // Several processes
+  bool IsShared() const;
+  double* FindWholeBounds(vtkImageData* image, double bounds[6]) const;
+  bool AnyRank(bool here) const { return this->Ranks ? this->Ranks->AnyOf(here) : here; }
+  void UpdateRanks();
+  void Disband();
+
   // Drawing
   void Render(vtkRenderer* renderer, vtkVolume* volume);
   template <class Action>
@@ -62,9 +69,11 @@ struct vtkTransmittanceVolumeMapper::Internals
   void RequireAvailableChoices() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
   void LeaveToOneProcess(limpid::FrameSettings& frame);
+  void LeaveWhatIsNotShared(limpid::FrameSettings& frame);
   limpid::Lighting MakeLighting() const;
 
   // Messages about what is drawn otherwise than it was meant
+  bool Speaks() const;
   void Warn(const std::string& text);
   void Error(const std::string& text);
   std::string WordsOf(const std::exception& error) const;
@@ -74,6 +83,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   bool ReportVolume(vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later);
 
   vtkTransmittanceVolumeMapper* Self;
+  std::shared_ptr<const limpid::Communicator> Ranks; ///< that draw together; null: there is one
   limpid::VolumeData Data;
   std::vector<std::unique_ptr<limpid::VolumeView>> Views;
   limpid::FrameResult Last; ///< of the last frame, in whichever view

@@ -61,10 +61,16 @@ bool IsTranslucentInFront(vtkProp* prop, const limpid::Box& box, vtkRenderer* re
 }
 }
 
+// Of processes that draw together, one speaks for all.
+bool vtkTransmittanceVolumeMapper::Internals::Speaks() const
+{
+  return !this->Ranks || this->Ranks->Rank() == 0;
+}
+
 void vtkTransmittanceVolumeMapper::Internals::Warn(const std::string& text)
 {
   this->Messages += text + "\n";
-  if (this->Log.IsNew(text))
+  if (this->Log.IsNew(text) && this->Speaks())
   {
     vtkWarningWithObjectMacro(this->Self, << text);
   }
@@ -75,7 +81,8 @@ void vtkTransmittanceVolumeMapper::Internals::Warn(const std::string& text)
 void vtkTransmittanceVolumeMapper::Internals::Error(const std::string& text)
 {
   this->Messages += text + "\n";
-  if (this->Log.IsNew(limpid::WithoutNumbers(text) + std::to_string(this->Self->GetMTime())))
+  if (this->Log.IsNew(limpid::WithoutNumbers(text) + std::to_string(this->Self->GetMTime())) &&
+    this->Speaks())
   {
     vtkErrorWithObjectMacro(this->Self, << text);
   }

@@ -7,6 +7,7 @@
 
 #include "Choices.h"
 #include "SettingsConversion.h"
+#include "SharedView.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -78,7 +79,7 @@ vtkImageData* vtkTransmittanceVolumeMapper::Internals::RequireImage() const
     "The input is a " << (input ? input->GetClassName() : "null pointer")
                       << " (this mapper works on points at equal distances). Give it a "
                          "vtkImageData, for instance from Resample To Image (vtkResampleToImage).");
-  LIMPID_REQUIRE(image->GetNumberOfPoints() > 0,
+  LIMPID_REQUIRE(image->GetNumberOfPoints() > 0 || this->Ranks,
     "The input has 0 points (there is nothing to be seen). Give it an image with data.");
   return image;
 }
@@ -256,7 +257,7 @@ limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
 void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSettings& frame)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() < 2)
+  if (!controller || controller->GetNumberOfProcesses() < 2 || this->Ranks)
   {
     return;
   }
@@ -265,8 +266,8 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
     const std::string text = "There are " + std::to_string(controller->GetNumberOfProcesses()) +
       " processes (each has its own piece of the volume, and what hides a structure or shades it "
       "may lie in another one): the volume is drawn without optimization and light, and has no "
-      "score; what it misses is not shown. Run one process, or set Method to Ordinary and Shadows, "
-      "Shade and ShowMissed off.";
+      "score; what it misses is not shown. Set SharesImage on if all of them render the same "
+      "frames, or run one process.";
     const bool speaks = controller->GetLocalProcessId() == 0; // for all
     speaks ? this->Warn(text) : void(this->Messages += text + "\n");
   }
@@ -274,6 +275,36 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
   frame.lit = false;
   frame.measure = false;
   frame.showMissed = false;
+}
+
+// What processes that draw together cannot do yet.
+void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::FrameSettings& frame)
+{
+  frame.ranks = this->Ranks.get();
+  if (!frame.ranks)
+  {
+    return;
+  }
+  frame.still = !frame.AnyRank(!frame.still);
+  limpid::TakeFirstOf(*this->Ranks, frame.light);
+  if (frame.optimize && frame.solver.method != limpid::Method::Optimized)
+  {
+    this->Warn(std::string("Method is ") + limpid::InfoOf(frame.solver.method).name +
+      " and several processes share the image (they cannot do that together yet): the volume is "
+      "drawn in the ordinary way. Set Method to Optimized or Ordinary.");
+    frame.optimize = false;
+    frame.solver.method = limpid::Method::Optimized;
+  }
+  if (frame.showMissed)
+  {
+    this->Warn("ShowMissed is on and several processes share the image (they cannot tell together "
+               "yet): what the picture misses is not shown. Run one process for that.");
+    frame.showMissed = false;
+  }
+  if (frame.solver.backend == limpid::BackendKind::Auto)
+  {
+    frame.solver.backend = limpid::BackendKind::Cpu;
+  }
 }
 
 limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings(
@@ -308,5 +339,6 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.stepwise = self->ProgressiveStill != 0;
 
   this->LeaveToOneProcess(frame);
+  this->LeaveWhatIsNotShared(frame);
   return frame;
 }

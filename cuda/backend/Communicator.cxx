@@ -70,6 +70,15 @@ void Communicator::Sum(std::int64_t* numbers, std::size_t count) const
   Reduce(*this, numbers, count, [](std::int64_t a, std::int64_t b) { return a + b; });
 }
 
+void Communicator::TakeFirst(double* numbers, std::size_t count) const
+{
+  if (this->Rank() != 0)
+  {
+    std::fill_n(numbers, count, 0.0);
+  }
+  this->Gather(numbers, count);
+}
+
 float Communicator::LargestOf(float here) const
 {
   std::int32_t bits; // numbers that are not below zero are ordered as these are

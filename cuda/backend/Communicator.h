@@ -60,6 +60,9 @@ public:
   /// Brings numbers, of which each is one rank's, to all: bit by bit. The others have 0 there.
   void Gather(double* numbers, std::size_t count) const;
 
+  /// Makes every number that of the first rank: what ranks compute alike may differ by rounding.
+  void TakeFirst(double* numbers, std::size_t count) const;
+
   /// Makes every sum that of all ranks.
   void Sum(ExactSum* sums, std::size_t count) const
   {

@@ -43,6 +43,18 @@ void SimulatedDevice::MayFail(const char* what)
   }
 }
 
+namespace
+{
+/// Of no bytes, addresses may be null.
+void CopyBytes(void* to, const void* from, std::size_t bytes)
+{
+  if (bytes > 0)
+  {
+    std::memcpy(to, from, bytes);
+  }
+}
+}
+
 void* HostDevice::Allocate(std::size_t bytes, const char*)
 {
   void* memory = this->Take(std::malloc(std::max<std::size_t>(bytes, 1)), bytes);
@@ -74,19 +86,19 @@ void HostDevice::Free(void* memory, std::size_t bytes) noexcept
 void HostDevice::Upload(void* to, const void* from, std::size_t bytes)
 {
   const Timed timed(this->Times, { "upload", double(bytes) });
-  std::memcpy(to, from, bytes);
+  CopyBytes(to, from, bytes);
 }
 
 void HostDevice::Download(void* to, const void* from, std::size_t bytes)
 {
   const Timed timed(this->Times, { "download", double(bytes) });
-  std::memcpy(to, from, bytes);
+  CopyBytes(to, from, bytes);
 }
 
 void HostDevice::Copy(void* to, const void* from, std::size_t bytes)
 {
   const Timed timed(this->Times, { "copy", double(bytes) });
-  std::memcpy(to, from, bytes);
+  CopyBytes(to, from, bytes);
 }
 
 void HostDevice::SetZero(void* memory, std::size_t bytes)

@@ -78,7 +78,8 @@ enum class Shown
 struct Progressive::Internals
 {
   std::shared_ptr<PreparedScene> scene;
-  std::vector<Grid> grids; ///< finest first
+  std::optional<Grid> pieceGrid; ///< of this rank's piece; none: it has all
+  std::vector<Grid> grids;       ///< finest first
   std::vector<Index> nodes;
   std::vector<Level> levels;
   PassTime time;
@@ -206,6 +207,10 @@ Progressive::Progressive(const SceneFields& scene, const Settings& settings)
   RequireSettings(settings);
   this->State->scene = std::make_shared<PreparedScene>(scene);
   this->State->settings = settings;
+  if (scene.piece)
+  {
+    this->State->pieceGrid = GridOf(*scene.piece, scene.grid);
+  }
   this->State->PlaceGrids();
 }
 
@@ -245,14 +250,15 @@ CarriedChange Progressive::Change() const
   {
     return change;
   }
-  change.grid = this->ShownGrid();
+  change.grid = state.ShownScene().Nodes();
+  change.piece = state.ShownScene().Arrays().piece;
   change.camera = state.shownCamera;
   change.light = state.shownLight;
   change.settings = state.shownSettings;
   change.likeness = state.shownLikeness;
   const float majorant = state.ShownScene().Majorant();
   const auto changeOf = [&](const float* extinction)
-  { return ChangeOf(change.grid.NodeCount(), this->BaseExtinction(), extinction, majorant); };
+  { return ChangeOf(change.ValueCount(), this->BaseExtinction(), extinction, majorant); };
   change.ofExtinction = changeOf(this->Extinction());
   if (state.KeepsLight())
   {
@@ -281,9 +287,9 @@ void Progressive::Preview(double seconds)
 {
   Internals& state = *this->State;
   LIMPID_EXPECT(state.hasView);
-  if (state.shown == Shown::Solver)
+  if (state.shown == Shown::Solver || state.scene->Arrays().piece)
   {
-    return; // nothing is better for the present view
+    return; // nothing is better for the present view, or ranks have no grid for it
   }
   const std::size_t level = state.time.Choose(state.nodes, seconds, state.level);
   if (state.levelIsCurrent && level >= state.level)
@@ -347,7 +353,8 @@ bool Progressive::Settled() const
 
 const Grid& Progressive::ShownGrid() const
 {
-  return this->State->ShownScene().Nodes();
+  const Internals& state = *this->State;
+  return state.pieceGrid ? *state.pieceGrid : state.ShownScene().Nodes();
 }
 
 const float* Progressive::BaseExtinction() const

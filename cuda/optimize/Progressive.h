@@ -61,7 +61,7 @@ public:
   void SetView(const Camera& camera, const Light& light, const Settings& settings);
 
   /// One policy pass on the finest grid on which it is expected to take no longer. Does nothing if
-  /// what is shown is at least as good for the present view.
+  /// what is shown is at least as good for the present view, or where ranks share the scene.
   void Preview(double seconds);
 
   /// The next iteration at full resolution; the first call for a view only prepares. Previews stay
@@ -74,7 +74,8 @@ public:
   bool Converged() const; ///< whether Refine has nothing left to do for the present view
   bool Settled() const;   ///< false: it has for a limit, if it has, see Solver::Settled
 
-  /// What is to be shown now; the same box as the scene's grid. Valid after Preview or Refine.
+  /// What is to be shown now; the same box as the scene's grid, or as this rank's piece. Valid
+  /// after Preview or Refine.
   const Grid& ShownGrid() const;
   const float* BaseExtinction() const;  ///< at the nodes of ShownGrid() [1/length]
   const float* Extinction() const;      ///< at the nodes of ShownGrid() [1/length]

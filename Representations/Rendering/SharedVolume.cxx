@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SharedVolume.h"
+
+#include "Memory.h"
+#include "SceneConversion.h"
+#include "SharedImage.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+
+#include "sweep/RankRegions.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+// See Renderer::SetPiece: three more than the longest way from the middle of a segment to its ends
+// where samples are as far apart as nodes or less.
+constexpr int layers = 4;
+}
+
+SharedVolume::SharedVolume(
+  std::shared_ptr<const Communicator> ranks, vtkImageData* input, const std::array<int, 6>& whole)
+{
+  const SharedImage shared(std::move(ranks), input, whole);
+  this->WholeGrid = shared.grid;
+  this->HerePiece = shared.piece;
+  this->DrawnPiece = Grown(*shared.piece, shared.grid, layers);
+  this->Image = shared.image;
+}
+
+vtkImageData* SharedVolume::Here() const
+{
+  return this->Image;
+}
+
+void SharedVolume::Extend(const float* field, float* extended) const
+{
+  const ScenePiece& here = *this->HerePiece;
+  const ScenePiece& drawn = *this->DrawnPiece;
+  Spread(*here.ranks, FieldView::Part(const_cast<float*>(field), here.nodes), RegionsOf(here.owned),
+    FieldView::Part(extended, drawn.nodes), RegionsOf(drawn.boxes));
+}
+
+vtkSmartPointer<vtkFloatArray> SharedVolume::Extended(vtkFloatArray* field, float otherwise) const
+{
+  const Index count = this->DrawnPiece->nodes.Count();
+  auto extended = NewArray<vtkFloatArray>(field->GetName(), count);
+  float* values = extended->GetPointer(0);
+  std::fill(values, values + count, otherwise);
+  this->Extend(field->GetPointer(0), values);
+  return extended;
+}
+
+std::vector<float> SharedVolume::Extended(const std::vector<float>& shares) const
+{
+  if (!this->DrawnPiece->ranks->AnyOf(!shares.empty()))
+  {
+    return {};
+  }
+  const std::vector<float> all(std::size_t(this->HerePiece->nodes.Count()), 1.0F);
+  std::vector<float> extended(std::size_t(this->DrawnPiece->nodes.Count()), 1.0F);
+  this->Extend(shares.empty() ? all.data() : shares.data(), extended.data());
+  return extended;
+}
+}
