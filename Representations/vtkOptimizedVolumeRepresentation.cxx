@@ -66,8 +66,9 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
       const Internals& state = *this->State;
       const std::string name = state.TellsName ? state.SourceName : std::string();
       const bool speaks = !this->Others() || this->Others()->GetLocalProcessId() == 0;
-      return speaks && state.Mapper->HasDrawn ? limpid::ScoreText(state.Mapper, name)
-                                              : std::string();
+      return speaks && state.ShowScore && state.Mapper->HasDrawn
+        ? limpid::ScoreText(state.Mapper, name)
+        : std::string();
     });
 }
 
@@ -101,18 +102,6 @@ int vtkOptimizedVolumeRepresentation::RequestData(
   return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
 }
 
-int vtkOptimizedVolumeRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
-{
-  const int result = this->Superclass::ProcessViewRequest(request, input, output);
-  if (result && request == vtkPVView::REQUEST_UPDATE() && this->State->Mapper->DrawsWithOthers())
-  {
-    // Processes wait for each other, wherever their pieces are.
-    output->Set(vtkPVRenderView::RENDER_EMPTY_IMAGES(), 1);
-  }
-  return result;
-}
-
 void vtkOptimizedVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
@@ -137,7 +126,7 @@ void vtkOptimizedVolumeRepresentation::SetVisibility(bool visible)
     this->State->Mapper->ReleaseMemory();
   }
   this->Superclass::SetVisibility(visible);
-  this->State->Annotation->SetVisibility(visible && this->State->ShowScore);
+  this->State->Annotation->SetVisibility(visible);
 }
 
 bool vtkOptimizedVolumeRepresentation::AddToView(vtkView* view)
@@ -198,6 +187,7 @@ void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned lo
   }
   if (this->Others())
   {
+    // Processes that draw together wait for each other: none may be left out of a frame.
     this->State->Annotation->ClaimView(renderer);
   }
 }

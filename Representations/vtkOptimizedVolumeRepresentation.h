@@ -200,8 +200,6 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
   void UpdateMapperParameters() override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;

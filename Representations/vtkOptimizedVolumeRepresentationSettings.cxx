@@ -85,7 +85,6 @@ void vtkOptimizedVolumeRepresentation::ResetOptimization()
 void vtkOptimizedVolumeRepresentation::SetShowScore(int show)
 {
   this->State->ShowScore = show != 0;
-  this->State->Annotation->SetVisibility(this->GetVisibility() && this->State->ShowScore);
 }
 
 void vtkOptimizedVolumeRepresentation::SetSourceName(const char* name)

@@ -118,11 +118,28 @@ def ordinary_from_the_side(view):
     return ordinary(view, [5, 0.3, 0.2])  # onto the edge where two pieces meet
 
 
+def in_a_corner(view):
+    display = displays.show_head(view)
+    camera = view.GetActiveCamera()
+    camera.Yaw(12)
+    camera.Pitch(9)
+    simple.Render(view)
+    return Shown(view, display)
+
+
+def turned_away(view):
+    display = displays.show_head(view)
+    for _ in range(2):
+        view.GetActiveCamera().Yaw(180)  # and back
+        simple.Render(view)
+    return Shown(view, display)
+
+
 STORIES = (optimized, with_score, with_own_light, after_moving, by_importance_function,
            hidden_and_shown, of_its_own_choice, by_another_method, without_importance, ordinary)
 STORIES_OF_SEVERAL = (optimized, with_own_light, after_moving, by_importance_function,
                       hidden_and_shown, of_its_own_choice, without_importance, ordinary,
-                      ordinary_from_above, ordinary_from_the_side)
+                      ordinary_from_above, ordinary_from_the_side, in_a_corner, turned_away)
 
 
 def tell(stories):
