@@ -115,7 +115,8 @@ std::string SceneArrays::Warning() const
     if (points > 0)
     {
       text << (text.tellp() > 0 ? " " : "") << points << " of "
-           << this->baseExtinction->GetNumberOfTuples() << " points have " << what;
+           << (this->allPoints > 0 ? this->allPoints : this->baseExtinction->GetNumberOfTuples())
+           << " points have " << what;
     }
   };
   report(this->invalidPoints,

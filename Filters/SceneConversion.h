@@ -40,6 +40,7 @@ struct VTKLIMPIDFILTERS_EXPORT SceneArrays
   vtkIdType invalidPoints = 0;                   ///< NaN or infinity: empty
   vtkIdType negativePoints = 0;                  ///< extinction below zero: empty
   vtkIdType clampedPoints = 0;                   ///< importance outside [0, 1]: moved there
+  vtkIdType allPoints = 0;                       ///< that these are of; 0: those of the arrays
 
   /// What a user has to know about values that could not be taken as they are; may be nothing.
   std::string Warning() const;

@@ -168,6 +168,36 @@ void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, 
   }
 }
 
+// The number of points of all processes; one that several have counts for each of them.
+vtkIdType VolumeData::CountOfAll(vtkIdType here) const
+{
+  std::int64_t count = here;
+  if (this->Ranks)
+  {
+    this->Ranks->Sum(&count, 1);
+  }
+  return static_cast<vtkIdType>(count);
+}
+
+// Whether a node of what is here is no other process's.
+bool VolumeData::Owns(const Vec3& index) const
+{
+  if (!this->Shared)
+  {
+    return true;
+  }
+  const ScenePiece& piece = *this->Shared->Drawn();
+  const NodeBox& own = piece.owned[std::size_t(piece.ranks->Rank())];
+  bool owns = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto at = static_cast<std::size_t>(axis);
+    owns =
+      owns && own.along[at].Contains(piece.nodes.along[at].begin + static_cast<int>(index[axis]));
+  }
+  return owns;
+}
+
 // Without flags that matter to one process alone.
 vtkImageData* VolumeData::Here(vtkImageData* image) const
 {
@@ -223,6 +253,8 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   this->ScalarShares = Blanking(here).Shares(source.onCells);
   this->InvalidScalars = this->EmptyScalars(crop, this->Shares(), values->GetPointer(0));
   this->TakeExtinction(here, extinction, values->GetPointer(0));
+  this->InvalidScalars = this->CountOfAll(this->InvalidScalars);
+  this->NegativeExtinctions = this->CountOfAll(this->NegativeExtinctions);
   if (this->Shared)
   {
     values = this->Shared->Extended(values, Empty);
@@ -270,8 +302,9 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
   const float* scalars = this->Scalars();
   float* importance = this->Arrays.importance->GetPointer(0);
   const bool isCut = !this->Crop.planes.empty();
+  this->Arrays.allPoints = this->Whole().NodeCount();
   this->Arrays.invalidPoints = this->InvalidScalars +
-    CountNodes(this->NodeGrid,
+    this->CountOfAll(CountNodes(this->NodeGrid,
       [=, &shares](vtkIdType node, const Vec3& index)
       {
         const bool blanked = !shares.empty() && shares[std::size_t(node)] == 0;
@@ -279,15 +312,15 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
         const bool empty = blanked || outside || std::isnan(scalars[node]);
         const bool invalid = !empty && std::isnan(importance[node]);
         importance[node] = empty || invalid ? 0.0F : importance[node];
-        return invalid;
-      });
-  this->Arrays.clampedPoints = CountNodes(this->NodeGrid,
-    [=](vtkIdType node, const Vec3&)
+        return invalid && this->Owns(index);
+      }));
+  this->Arrays.clampedPoints = this->CountOfAll(CountNodes(this->NodeGrid,
+    [=](vtkIdType node, const Vec3& index)
     {
       const float value = importance[node];
       importance[node] = std::min(std::max(value, 0.0F), 1.0F);
-      return importance[node] != value;
-    });
+      return importance[node] != value && this->Owns(index);
+    }));
   TakeShares(shares, this->Arrays.importance);
 }
 
@@ -383,6 +416,7 @@ std::string VolumeData::Warning() const
   SceneArrays counts = this->Arrays;
   counts.invalidPoints = std::max(counts.invalidPoints, this->InvalidScalars);
   counts.negativePoints = this->NegativeExtinctions;
+  counts.allPoints = this->Whole().NodeCount();
   if (!counts.baseExtinction)
   {
     counts.baseExtinction = this->ScalarValues; // for the number of points

@@ -114,6 +114,8 @@ private:
   };
 
   bool AnyRank(bool here) const { return this->Ranks ? this->Ranks->AnyOf(here) : here; }
+  vtkIdType CountOfAll(vtkIdType here) const;
+  bool Owns(const Vec3& index) const;
   vtkImageData* Here(vtkImageData* image) const;
   static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);
   ValueUnit ChooseUnit(const FieldSource& source);

@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Under pvbatch with several processes: what is wrong with the piece of one of them is told once, all
+# of them go on, and one without any piece draws with the others.
+
+import os
+import sys
+import unittest
+
+import numpy as np
+from paraview import simple
+
+import displays
+import pictures
+
+simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
+
+WHOLE = """
+from paraview import vtk
+keys = vtk.vtkStreamingDemandDrivenPipeline
+self.GetOutputInformation(0).Set(keys.WHOLE_EXTENT(), 0, 15, 0, 15, 0, 15)
+self.GetOutputInformation(0).Set(vtk.vtkAlgorithm.CAN_PRODUCE_SUB_EXTENT(), 1)
+"""
+PIECE = """
+import numpy as np
+from paraview import vtk
+controller = vtk.vtkMultiProcessController.GetGlobalController()
+rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+parts = ranks - 1 if TROUBLE == 'empty' else ranks
+isLast = rank == ranks - 1
+if rank >= parts:
+    output.SetExtent(0, -1, 0, -1, 0, -1)
+else:
+    first, last = 15 * rank // parts, 15 * (rank + 1) // parts
+    output.SetExtent(0, 15, 0, 15, first, last)
+    z, y, x = np.meshgrid(np.arange(first, last + 1), np.arange(16), np.arange(16), indexing='ij')
+    ball = np.exp(-((x - 7.) ** 2 + (y - 7) ** 2 + (z - 7) ** 2) / 20).ravel()
+    importance = (ball > 0.6).astype(float)
+    if TROUBLE == 'nan' and isLast:
+        ball[-1] = np.nan
+    if TROUBLE == 'much' and isLast:
+        importance[-1] = 7
+    output.PointData.append(ball, 'Ball')
+    if not (TROUBLE == 'missing' and isLast):
+        output.PointData.append(importance, 'Importance')
+    output.PointData.SetActiveScalars('Ball')
+"""
+
+
+class TestDisplayOnRanks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.source = simple.ProgrammableSource(OutputDataSetType="vtkImageData",
+                                               ScriptRequestInformation=WHOLE)
+        cls.view = displays.new_view()
+        cls.view.UseFXAA = 0
+        cls.update("")
+        cls.display = simple.Show(cls.source, cls.view)
+        cls.display.SetRepresentationType("Optimized Volume")
+        simple.ColorBy(cls.display, ("POINTS", "Ball"))
+        cls.display.RescaleTransferFunctionToDataRange()
+        cls.display.ImportanceArray = ["POINTS", "Importance"]
+        cls.display.ShowScore = 0
+        simple.ResetCamera(cls.view)
+        cls.good = pictures.take(cls.view)
+        cls.score = cls.display.VisibilityScore
+
+    @classmethod
+    def update(cls, trouble):
+        cls.source.Script = f"TROUBLE = '{trouble}'\n" + PIECE
+        cls.source.UpdatePipeline()
+
+    def drawn(self, trouble):
+        self.update(trouble)
+        return pictures.take(self.view)
+
+    def tearDown(self):
+        """After any trouble, all is well again."""
+        picture = self.drawn("")
+        np.testing.assert_array_equal(picture, self.good)
+        self.assertEqual(self.display.VisibilityScore, self.score)
+        self.assertEqual(self.display.Messages, "")
+
+    def test_is_optimized(self):
+        self.assertGreater(self.display.VisibleFraction, self.display.BaseVisibleFraction)
+
+    def test_what_one_of_them_cannot_use_is_counted(self):
+        self.drawn("nan")
+        self.assertIn("1 of 4096 points have a NaN", self.display.Messages)
+        self.drawn("much")
+        self.assertIn("1 of 4096 points have an importance outside [0, 1]", self.display.Messages)
+
+    def test_without_the_importance_of_one_the_volume_is_ordinary(self):
+        picture = self.drawn("missing")
+
+        self.assertIn("Another process has no importance", self.display.Messages)
+        self.assertEqual(self.display.VisibleFraction, 0)
+        self.assertGreater(np.abs(picture - self.good).max(), 20)
+
+    def test_one_may_have_nothing(self):
+        picture = self.drawn("empty")
+
+        self.assertLessEqual(np.abs(picture - self.good).max(), 1)
+        self.assertEqual(self.display.VisibilityScore, self.score)
+
+
+if __name__ == "__main__":
+    # Only a failure leaves by sys.exit: it keeps ParaView from closing its windows and processes.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)
