@@ -138,21 +138,25 @@ void TermsOnRanks::ToPieces(
 
 void TermsOnRanks::ShareFrustum(float* field, Place term, std::size_t frustum) const
 {
-  const std::vector<Regions>& frusta = this->Of[this->NumberOf(term)];
+  const std::size_t place = this->NumberOf(term);
+  const std::vector<Regions>& frusta = this->Of[place];
   if (frusta.size() == 1)
   {
     return;
   }
-  std::vector<Region> needed(std::size_t(this->All->Size()));
-  for (std::size_t other = 0; other < frusta.size(); ++other)
-  {
-    if (other != frustum)
+  this->Bring(field, { place, frustum, 0 },
+    [&]
     {
-      Append(needed, frusta[other].needed);
-    }
-  }
-  Spread(*this->All, this->Whole(field), frusta[frustum].changed, this->Whole(field), needed,
-    this->Filled);
+      std::vector<Region> needed(std::size_t(this->All->Size()));
+      for (std::size_t other = 0; other < frusta.size(); ++other)
+      {
+        if (other != frustum)
+        {
+          Append(needed, frusta[other].needed);
+        }
+      }
+      return Passages(*this->All, frusta[frustum].changed, needed, this->Filled);
+    });
 }
 
 void TermsOnRanks::Share(float* field, Place place) const
@@ -162,22 +166,43 @@ void TermsOnRanks::Share(float* field, Place place) const
     return;
   }
   const std::size_t from = this->NumberOf(place);
-  std::vector<Region> needed(std::size_t(this->All->Size()));
-  for (std::size_t other = 0; other < this->Of.size(); ++other)
-  {
-    if (other != from || place == slabs) // what rays need of others' sweeps they get in these
+  this->Bring(field, { from, 0, 1 },
+    [&]
     {
-      Append(needed, this->RegionsOf(other, &Regions::needed));
-    }
-  }
-  Spread(*this->All, this->Whole(field), this->RegionsOf(from, &Regions::changed),
-    this->Whole(field), needed, this->Filled);
+      std::vector<Region> needed(std::size_t(this->All->Size()));
+      for (std::size_t other = 0; other < this->Of.size(); ++other)
+      {
+        if (other != from || place == slabs) // what rays need of others' sweeps they get in these
+        {
+          Append(needed, this->RegionsOf(other, &Regions::needed));
+        }
+      }
+      return Passages(*this->All, this->RegionsOf(from, &Regions::changed), needed, this->Filled);
+    });
 }
 
 void TermsOnRanks::Pass(float* field, Place from, Place to) const
 {
-  Spread(*this->All, this->Whole(field), this->RegionsOf(this->NumberOf(from), &Regions::changed),
-    this->Whole(field), this->RegionsOf(this->NumberOf(to), &Regions::changed), this->Filled);
+  const std::size_t before = this->NumberOf(from);
+  const std::size_t after = this->NumberOf(to);
+  this->Bring(field, { before, after, 2 },
+    [&]
+    {
+      return Passages(*this->All, this->RegionsOf(before, &Regions::changed),
+        this->RegionsOf(after, &Regions::changed), this->Filled);
+    });
+}
+
+/// Brings what passes; found by `find` the first time.
+template <class Find>
+void TermsOnRanks::Bring(float* field, const Way& way, const Find& find) const
+{
+  auto known = this->Known.find(way);
+  if (known == this->Known.end())
+  {
+    known = this->Known.emplace(way, find()).first;
+  }
+  known->second.Bring(this->Whole(field), this->Whole(field));
 }
 
 void TermsOnRanks::FillNeeded(Place place, float value, float* field) const

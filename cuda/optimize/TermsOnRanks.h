@@ -7,6 +7,8 @@
 #include "sweep/FrustumRays.h"
 #include "sweep/RankRegions.h"
 
+#include <array>
+#include <map>
 #include <vector>
 
 namespace limpid
@@ -72,6 +74,11 @@ private:
     std::vector<Region> needed;
   };
 
+  /// From where to where, and for what: what passes is the same each time.
+  using Way = std::array<std::size_t, 3>;
+
+  template <class Find>
+  void Bring(float* field, const Way& way, const Find& find) const;
   void AddTerm(const OfTerm& term);
   void AddSlabs();
   std::size_t NumberOf(Place place) const;
@@ -83,6 +90,7 @@ private:
   Int3 Nodes;
   std::vector<Place> Places;
   std::vector<std::vector<Regions>> Of; ///< [place][frustum]
+  mutable std::map<Way, Passages> Known;
 };
 }
 

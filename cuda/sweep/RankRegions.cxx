@@ -164,23 +164,6 @@ struct RowInField
     }
   }
 };
-
-/// The boxes of what one region has and another needs, and how many values that is.
-struct Passage
-{
-  Region boxes;
-  Index count = 0;
-
-  Passage(const Region& had, const Region& needed, const Occupancy* filled)
-  {
-    ForBoth(had, needed,
-      [&](const NodeBox& box)
-      {
-        this->boxes.push_back(box);
-        ForRowsOf(box, filled, [this](const Int3&, int length) { this->count += length; });
-      });
-  }
-};
 }
 
 std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes)
@@ -233,66 +216,80 @@ void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to)
   ForNodesOf(box, from, to, [](float value, float& copy) { copy = value; });
 }
 
-void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
-  const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled)
+Passages::WithRank Passages::Between(
+  const Region& had, const Region& needed, const Occupancy* filled)
 {
-  const int own = ranks.Rank();
-  const auto here = std::size_t(own);
-  std::vector<std::vector<float>> packed(std::size_t(ranks.Size()));
-  std::vector<std::vector<float>> room(std::size_t(ranks.Size()));
-  std::vector<Region> awaited(std::size_t(ranks.Size()));
+  WithRank passing;
+  ForBoth(had, needed,
+    [&](const NodeBox& box)
+    {
+      ForRowsOf(box, filled,
+        [&passing](const Int3& first, int count)
+        {
+          passing.rows.push_back({ first, count });
+          passing.count += std::size_t(count);
+        });
+    });
+  return passing;
+}
+
+Passages::Passages(const Communicator& ranks, const std::vector<Region>& had,
+  const std::vector<Region>& needed, const Occupancy* filled)
+  : All(&ranks)
+{
+  const auto own = std::size_t(ranks.Rank());
+  for (std::size_t rank = 0; rank < had.size(); ++rank)
+  {
+    const bool isOther = rank != own;
+    this->Sent.push_back(isOther ? Between(had[own], needed[rank], filled) : WithRank());
+    this->Received.push_back(isOther ? Between(had[rank], needed[own], filled) : WithRank());
+  }
+  ForBoth(had[own], needed[own], [this](const NodeBox& box) { this->Own.push_back(box); });
+}
+
+void Passages::Bring(const FieldView& from, const FieldView& to) const
+{
+  std::vector<std::vector<float>> packed;
+  std::vector<std::vector<float>> room;
   std::vector<Communicator::Message> sent;
   std::vector<Communicator::Message> received;
   const auto add =
-    [](std::vector<Communicator::Message>& messages, int rank, std::vector<float>& values)
+    [](std::vector<Communicator::Message>& messages, std::size_t rank, std::vector<float>& values)
   {
     if (!values.empty())
     {
-      messages.push_back({ rank, values.data(), values.size() * sizeof(float) });
+      messages.push_back({ static_cast<int>(rank), values.data(), values.size() * sizeof(float) });
     }
   };
-  for (int rank = 0; rank < ranks.Size(); ++rank)
+  for (std::size_t rank = 0; rank < this->Sent.size(); ++rank)
   {
-    const auto other = std::size_t(rank);
-    if (rank == own)
+    packed.emplace_back(this->Sent[rank].count);
+    float* next = packed.back().data();
+    for (const Row& row : this->Sent[rank].rows)
     {
-      continue;
+      RowInField(from, row.first).CopyTo(next, row.count);
+      next += row.count;
     }
-    const Passage out(had[here], needed[other], filled);
-    packed[other].resize(std::size_t(out.count));
-    float* next = packed[other].data();
-    for (const NodeBox& box : out.boxes)
-    {
-      ForRowsOf(box, filled,
-        [&](const Int3& node, int count)
-        {
-          RowInField(from, node).CopyTo(next, count);
-          next += count;
-        });
-    }
-    Passage in(had[other], needed[here], filled);
-    room[other].resize(std::size_t(in.count));
-    awaited[other] = std::move(in.boxes);
-    add(sent, rank, packed[other]);
-    add(received, rank, room[other]);
+    add(sent, rank, packed.back());
+    room.emplace_back(this->Received[rank].count);
+    add(received, rank, room.back());
   }
-  ranks.Exchange(sent, received);
-  for (std::size_t other = 0; other < awaited.size(); ++other)
+  this->All->Exchange(sent, received);
+  for (std::size_t rank = 0; rank < room.size(); ++rank)
   {
-    const float* next = room[other].data();
-    for (const NodeBox& box : awaited[other])
+    const float* next = room[rank].data();
+    for (const Row& row : this->Received[rank].rows)
     {
-      ForRowsOf(box, filled,
-        [&](const Int3& node, int count)
-        {
-          RowInField(to, node).CopyFrom(next, count);
-          next += count;
-        });
+      RowInField(to, row.first).CopyFrom(next, row.count);
+      next += row.count;
     }
   }
   if (from.values != to.values)
   {
-    ForBoth(had[here], needed[here], [&](const NodeBox& box) { CopyNodes(box, from, to); });
+    for (const NodeBox& box : this->Own)
+    {
+      CopyNodes(box, from, to);
+    }
   }
 }
 }

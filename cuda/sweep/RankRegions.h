@@ -63,11 +63,51 @@ void FillNodes(const NodeBox& box, float value, const FieldView& field);
 /// Copies the values of a box of nodes.
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to);
 
-/// Brings a field from the ranks that have it to those that need it, of each rank a region; what a
-/// rank needs of its own it copies, unless the fields are one. `filled`: where else fields are 0,
-/// which need not travel; null: nowhere.
-void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
-  const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled = nullptr);
+/**
+ * What passes where ranks have a field, of each a region, and need it, of each another one. To be
+ * found once for fields that pass often.
+ */
+class Passages
+{
+public:
+  /// `filled`: where else fields are 0, which need not travel; null: nowhere. The ranks have to
+  /// stay.
+  Passages(const Communicator& ranks, const std::vector<Region>& had,
+    const std::vector<Region>& needed, const Occupancy* filled = nullptr);
+
+  /// Brings a field to those that need it; what a rank needs of its own it copies, unless both are
+  /// one.
+  void Bring(const FieldView& from, const FieldView& to) const;
+
+private:
+  /// Values that follow each other along x.
+  struct Row
+  {
+    Int3 first;
+    int count;
+  };
+
+  /// What passes between this rank and another one.
+  struct WithRank
+  {
+    std::vector<Row> rows;
+    std::size_t count = 0; ///< of values
+  };
+
+  static WithRank Between(const Region& had, const Region& needed, const Occupancy* filled);
+
+  const Communicator* All;
+  std::vector<WithRank> Sent;     ///< [rank]
+  std::vector<WithRank> Received; ///< [rank]
+  Region Own;                     ///< what this rank has and needs
+};
+
+/// Brings a field once, see Passages.
+inline void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
+  const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled = nullptr)
+{
+  Passages(ranks, had, needed, filled).Bring(from, to);
+}
 }
 
 #endif
