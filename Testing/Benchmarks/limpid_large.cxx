@@ -3,7 +3,7 @@
 
 // Optimises the head of vtkOcclusionPhantom at resolutions of which the largest would not fit into
 // memory if each of its fields had a value per node there. Nothing is written where nothing is, and
-// small pages that nobody writes take no memory. Prints a table in Markdown.
+// small pages that nobody writes take no memory. Prints a page in Markdown.
 //   limpid_large NODES...
 
 #include "PeakMemory.h"
@@ -28,6 +28,8 @@ using namespace limpid;
 
 namespace
 {
+constexpr double fields = 7; ///< of the optimiser
+
 /// The phantom with its y last: the camera looks along that axis, so that no field has to be copied
 /// into another order.
 struct Head
@@ -79,6 +81,27 @@ private:
   }
 };
 
+const char* const page =
+  R"(# Large volumes
+
+The head of `vtkOcclusionPhantom`, optimised by the core in one process (`Testing/Benchmarks/limpid_large.cxx`):
+
+    build/bin/limpid_large 128 256 512 1024 > Documentation/Benchmarks/LargeVolumes.md
+
+The optimiser has seven fields: base extinction, importance, what of it nodes can show, three iterates and the
+derivative of the light's term. None of them is written where the scene is empty, and in small pages memory that
+nobody writes is not taken: *peak* is the most that was resident, *scene* what of it the scene has, and *dense* what
+seven fields with a value per node would take. So 1024^3 nodes fit into 24 GB. Processes of MPI divide the rest
+([Ranks.md](Ranks.md)); images of VTK, whose arrays are dense, are not part of this.
+
+S and the share of what is important that is visible have to tend to a limit: edges of the phantom are as wide as the
+distance of its nodes. The policy of the default settings, from the base to its end; times are medians of iterations and
+sums, on a machine that was not idle: preliminary.
+)"
+  "\n| nodes | filled | S, base | S, optimised | visible | iterations | iteration [s] | "
+  "all [s] | scene [GB] | peak [GB] | dense [GB] |\n"
+  "| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |";
+
 double SecondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -112,16 +135,14 @@ void Report(int nodes)
   std::printf("| %d^3 | %.1f %% | %.4f | %.4f | %.3f | %zu | %.2f | %.1f | %.2f | %.2f | %.1f |\n",
     nodes, 100 * double(problem.occupancy->FilledVoxels()) / count, base.visibility,
     best.score.visibility, best.score.fraction, seconds.size(), seconds[seconds.size() / 2], all,
-    ofScene / 1e9, memory.Bytes() / 1e9, 4e-9 * count);
+    ofScene / 1e9, memory.Bytes() / 1e9, fields * sizeof(float) * 1e-9 * count);
   std::fflush(stdout);
 }
 }
 
 int main(int argumentCount, char** arguments)
 {
-  std::puts("| nodes | filled | S, base | S, optimised | visible | iterations | iteration [s] | "
-            "all [s] | scene [GB] | peak [GB] | one field, dense [GB] |\n"
-            "| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
+  std::puts(page);
   try
   {
     for (int i = 1; i < argumentCount; ++i)
