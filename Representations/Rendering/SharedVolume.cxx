@@ -18,9 +18,8 @@ namespace limpid
 {
 namespace
 {
-// See Renderer::SetPiece: three more than the longest way from the middle of a segment to its ends
-// where samples are as far apart as nodes or less.
-constexpr int layers = 4;
+// See Renderer::SetPiece.
+constexpr int layers = 2 + static_cast<int>(farthestShared);
 }
 
 SharedVolume::SharedVolume(

@@ -19,6 +19,9 @@ class vtkImageData;
 
 namespace limpid
 {
+/// How far samples may be apart where processes draw together [nodes].
+constexpr double farthestShared = 2;
+
 class SharedVolume
 {
 public:

@@ -301,6 +301,14 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::Frame
                "yet): what the picture misses is not shown. Run one process for that.");
     frame.showMissed = false;
   }
+  if (frame.sampleDistance > limpid::farthestShared)
+  {
+    this->Warn("SampleDistance is " + std::to_string(frame.sampleDistance) +
+      " and several processes share the image (each has a few nodes of its neighbours'): 2 is "
+      "used. "
+      "Set it to 2 or less.");
+    frame.sampleDistance = limpid::farthestShared;
+  }
   if (frame.solver.backend == limpid::BackendKind::Auto)
   {
     frame.solver.backend = limpid::BackendKind::Cpu;

@@ -20,7 +20,7 @@ using namespace limpid;
 
 namespace
 {
-constexpr int layers = 3; ///< of neighbours' nodes, see Renderer::SetPiece
+constexpr int layers = 3; ///< of neighbours' nodes: two more than samples are apart
 
 /// What is drawn, of the whole or of a piece.
 struct Drawn

@@ -121,8 +121,9 @@ public:
 
   /**
    * What this rank has of a volume that ranks draw together, see ScenePiece; null: all. Fields and
-   * their grid are those of piece->nodes then, in which every rank needs two nodes at least, and
-   * around its own three more than samples are apart. To be called before the scalars.
+   * their grid are those of piece->nodes then, in which every rank needs two nodes along each
+   * axis at least, and around its own two more than samples are apart [nodes]: half a segment, the
+   * rest of a cell, and one for gradients. To be called before the scalars.
    *
    * All ranks have to make the same calls with the same values, but for fields; pictures have the
    * pixels in which this rank's part is foremost. Shadows are as fine as the extinction, and there
