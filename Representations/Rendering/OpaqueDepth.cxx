@@ -3,8 +3,10 @@
 
 #include "OpaqueDepth.h"
 
+#include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include "backend/Communicator.h"
 #include "math/Require.h"
@@ -13,11 +15,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace limpid
 {
 OpaqueDepth::OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry)
-  : Geometry(geometry)
+  : Target(renderer)
+  , Geometry(geometry)
   , Covered{ { geometry.covered[1] - geometry.covered[0],
       geometry.covered[3] - geometry.covered[2] } }
 {
@@ -43,12 +47,52 @@ void OpaqueDepth::TakeNearestOf(const Communicator& ranks)
   {
     return;
   }
-  this->Values.resize(std::size_t(this->Covered[0]) * std::size_t(this->Covered[1]), 1.0F);
-  std::vector<std::int32_t> bits(
-    this->Values.size()); // which depths, not below zero, are ordered as
-  std::memcpy(bits.data(), this->Values.data(), bits.size() * sizeof(float));
-  ranks.TakeLeast(bits.data(), bits.size());
-  std::memcpy(this->Values.data(), bits.data(), bits.size() * sizeof(float));
+  const std::size_t count = std::size_t(this->Covered[0]) * std::size_t(this->Covered[1]);
+  this->Values.resize(count, 1.0F);
+  this->Colors.resize(count);
+  const int left = this->Geometry.origin[0] + this->Geometry.covered[0];
+  const int bottom = this->Geometry.origin[1] + this->Geometry.covered[2];
+  vtkNew<vtkUnsignedCharArray> drawn;
+  const int read = this->Target->GetRenderWindow()->GetRGBACharPixelData(
+    left, bottom, left + this->Covered[0] - 1, bottom + this->Covered[1] - 1, 0, drawn);
+  LIMPID_REQUIRE(read != 0 && drawn->GetNumberOfValues() == vtkIdType(4 * count),
+    "The colors of " << this->Covered[0] << " x " << this->Covered[1]
+                     << " pixels cannot be read (what is opaque would shine through the volume). "
+                        "Use a render window with a color buffer.");
+  std::memcpy(this->Colors.data(), drawn->GetPointer(0), 4 * count);
+  // Depths, which are not below zero, are ordered as their bits are.
+  std::vector<std::int32_t> here(count);
+  std::memcpy(here.data(), this->Values.data(), count * sizeof(float));
+  std::vector<std::int32_t> nearest = here;
+  ranks.TakeLeast(nearest.data(), count);
+  std::memcpy(this->Values.data(), nearest.data(), count * sizeof(float));
+  // Of those who are nearest, one colour for all.
+  std::vector<std::int32_t> colors(count, std::numeric_limits<std::int32_t>::max());
+  for (std::size_t pixel = 0; pixel < count; ++pixel)
+  {
+    const std::array<std::uint8_t, 4>& color = this->Colors[pixel];
+    if (here[pixel] == nearest[pixel])
+    {
+      colors[pixel] = color[0] << 16 | color[1] << 8 | color[2];
+    }
+  }
+  ranks.TakeLeast(colors.data(), count);
+  for (std::size_t pixel = 0; pixel < count; ++pixel)
+  {
+    const auto channel = [&](int shift)
+    { return static_cast<std::uint8_t>(colors[pixel] >> shift & 255); };
+    this->Colors[pixel] = { { channel(16), channel(8), channel(0), 255 } };
+  }
+}
+
+const std::uint8_t* OpaqueDepth::ColorAt(const PictureFrame& frame, int column, int row) const
+{
+  const int x = frame.origin[0] + column - this->Geometry.covered[0];
+  const int y = frame.origin[1] + row - this->Geometry.covered[2];
+  const bool isThere = !this->Values.empty() && frame.whole == this->Geometry.size && x >= 0 &&
+    y >= 0 && x < this->Covered[0] && y < this->Covered[1];
+  const auto pixel = std::size_t(y) * std::size_t(this->Covered[0]) + std::size_t(x);
+  return isThere && this->Values[pixel] < 1 ? this->Colors[pixel].data() : nullptr;
 }
 
 std::vector<float> OpaqueDepth::InMiddles(const PictureFrame& frame) const

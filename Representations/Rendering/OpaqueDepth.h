@@ -9,6 +9,7 @@
 #include "ViewGeometry.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 class vtkRenderer;
@@ -31,8 +32,12 @@ public:
   /// read.
   OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry);
 
-  /// Makes the depth of each pixel the least of all processes'.
+  /// Makes the depth of each pixel the least of all processes', and takes its colour there.
   void TakeNearestOf(const Communicator& ranks);
+
+  /// The colour that was drawn of a pixel of a frame, red, green and blue, where the frame's pixels
+  /// are those of the view; null: nothing was drawn. After TakeNearestOf.
+  const std::uint8_t* ColorAt(const PictureFrame& frame, int column, int row) const;
 
   /// Whether nothing has been drawn before.
   bool IsEmpty() const { return this->Values.empty(); }
@@ -60,9 +65,11 @@ private:
   Pixels FedBy(const PictureFrame& frame, std::size_t axis, int pixel) const;
   std::vector<DepthRange> AlongRows(const PictureFrame& frame) const;
 
+  vtkRenderer* Target;
   ViewGeometry Geometry;
   std::array<int, 2> Covered; ///< size [pixels]
   std::vector<float> Values;
+  std::vector<std::array<std::uint8_t, 4>> Colors;
 };
 
 /// In clip coordinates, where a ray ends that is not to be cast.

@@ -10,6 +10,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include "backend/Interruption.h"
 
@@ -160,6 +161,42 @@ bool VolumeView::DrawWhole(const FrameSettings& frame)
   return true;
 }
 
+namespace
+{
+// Of processes that draw together, IceT puts what one has over what another one has, in 8 bits
+// without a limit: where light is brighter than what its alpha hides, white would become black. So
+// what is opaque and behind is blended here.
+void BlendOver(const std::uint8_t* behind, std::uint8_t* pixel)
+{
+  const int passed = 255 - pixel[3];
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const int sum = pixel[channel] + (passed * behind[channel] + 127) / 255;
+    pixel[channel] = static_cast<std::uint8_t>(std::min(sum, 255));
+  }
+  pixel[3] = 255;
+}
+
+// Where that is not known, less of it comes through.
+void HideAsMuchAsIsAdded(std::uint8_t* pixel)
+{
+  pixel[3] = std::max({ pixel[0], pixel[1], pixel[2], pixel[3] });
+}
+
+bool HasSeveralVolumes(vtkRenderer* renderer)
+{
+  int count = 0;
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator position;
+  volumes->InitTraversal(position);
+  while (vtkVolume* volume = volumes->GetNextVolume(position))
+  {
+    count += volume->GetVisibility() ? 1 : 0;
+  }
+  return count > 1;
+}
+}
+
 // With the pixels of this process. A process may have opaque geometry that hides the parts of
 // others.
 void VolumeView::DrawShared(const FrameSettings& frame)
@@ -172,6 +209,27 @@ void VolumeView::DrawShared(const FrameSettings& frame)
   view.depth = depth.empty() ? nullptr : depth.data();
   this->MakePicture(view);
   this->Image = std::move(this->Part);
+  const bool several = HasSeveralVolumes(this->Target);
+  const bool coarse = this->Frame.whole != this->Geometry->size;
+  constexpr float end = 1; // of the clipping range
+  for (int row = 0; row < this->Image.height; ++row)
+  {
+    for (int column = 0; column < this->Image.width; ++column)
+    {
+      const std::size_t at =
+        std::size_t(row) * std::size_t(this->Image.width) + std::size_t(column);
+      std::uint8_t* pixel = &this->Image.rgba[4 * at];
+      const std::uint8_t* behind = opaque.ColorAt(this->Frame, column, row);
+      if (behind && pixel[3] > 0)
+      {
+        BlendOver(behind, pixel);
+      }
+      else if (several || (coarse && view.depth && view.depth[at] < end))
+      {
+        HideAsMuchAsIsAdded(pixel);
+      }
+    }
+  }
   this->Quad.DrawPart(this->Target, this->Image, this->Frame, this->Geometry->nearest);
 }
 
