@@ -271,6 +271,9 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ProgressiveStill", this->ProgressiveStill);
   print("DeferStill", this->DeferStill);
   print("SharesImage", this->SharesImage);
+  const int* whole = this->WholeExtent;
+  os << indent << "WholeExtent: " << whole[0] << " " << whole[1] << " " << whole[2] << " "
+     << whole[3] << " " << whole[4] << " " << whole[5] << "\n";
   print("VisibilityScore", this->GetVisibilityScore());
   print("VisibleFraction", this->GetVisibleFraction());
   print("SacrificedFraction", this->GetSacrificedFraction());

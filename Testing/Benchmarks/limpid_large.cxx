@@ -52,7 +52,8 @@ struct Head
     ParallelFor(Index(nodes) * nodes,
       [&](Index row)
       {
-        const double y = double(row / nodes) * spacing - 1;
+        const Index slice = row / nodes;
+        const double y = double(slice) * spacing - 1;
         const double z = double(row % nodes) * spacing - 1;
         std::vector<float> extinctions;
         std::vector<float> importances;

@@ -136,6 +136,7 @@ std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, con
 {
   const GridFilter filter(from.nodes, to.nodes);
   std::vector<NodeBox> needed;
+  needed.reserve(wanted.size());
   for (const NodeBox& box : wanted)
   {
     needed.push_back(box.Empty() ? NodeBox() : filter.SourcesOf(box));

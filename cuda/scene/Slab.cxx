@@ -18,6 +18,7 @@ Slab SlabOf(const Communicator& ranks, int rank, const Int3& nodes)
 std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes)
 {
   std::vector<NodeBox> boxes;
+  boxes.reserve(std::size_t(ranks.Size()));
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
     boxes.push_back(SlabOf(ranks, rank, nodes).Box());
