@@ -109,7 +109,7 @@ struct vtkExtinctionOptimizer::Internals
   limpid::ConcurrentResult Optimize(const limpid::SceneFields& scene, const limpid::Camera& camera,
     const limpid::Light& light) const;
   void StartFromLastResult(const limpid::SceneFields& scene, limpid::Solver& solver) const;
-  bool AnyRank(bool here) const { return this->Ranks ? this->Ranks->AnyOf(here) : here; }
+  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
   void WriteUnsolved(const limpid::ImageScene& scene, vtkImageData* output) const;
   void ReportReplaced(
     const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const;

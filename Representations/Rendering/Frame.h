@@ -46,13 +46,12 @@ struct FrameSettings
   const Communicator* ranks = nullptr;
 
   /// Whether any of these says so.
-  bool AnyRank(bool here) const { return this->ranks ? this->ranks->AnyOf(here) : here; }
+  bool AnyRank(bool here) const { return limpid::AnyRank(this->ranks, here); }
 
-  /// The longest of what they have taken: they decide alike.
-  double Longest(double seconds) const
+  /// The largest of their numbers, which are not below zero: they decide alike.
+  double Largest(double here) const
   {
-    const float most = this->ranks ? this->ranks->LargestOf(static_cast<float>(seconds)) : 0.0F;
-    return this->ranks ? static_cast<double>(most) : seconds;
+    return this->ranks ? double(this->ranks->LargestOf(static_cast<float>(here))) : here;
   }
 
   /// How pictures are made of samples; not front to back only where there is importance.

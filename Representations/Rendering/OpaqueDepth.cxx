@@ -43,8 +43,10 @@ OpaqueDepth::OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry)
 
 void OpaqueDepth::TakeNearestOf(const Communicator& ranks)
 {
-  if (!ranks.AnyOf(!this->IsEmpty()))
+  const auto isDrawn = [](float depth) { return depth < 1; };
+  if (!ranks.AnyOf(std::any_of(this->Values.begin(), this->Values.end(), isDrawn)))
   {
+    this->Values.clear(); // no ray ends anywhere
     return;
   }
   const std::size_t count = std::size_t(this->Covered[0]) * std::size_t(this->Covered[1]);

@@ -199,7 +199,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     return;
   }
   changed = (!frozen && this->Work(frame, clock, isAborted)) || changed;
-  frame.ShowsExtinction() ? this->Show(frame, frame.Longest(clock.SecondsSinceLast()), changed)
+  frame.ShowsExtinction() ? this->Show(frame, frame.Largest(clock.SecondsSinceLast()), changed)
                           : this->ShowBase(frame, data);
 
   const Scores scores = this->Measure(frame, camera, changed);

@@ -113,7 +113,7 @@ private:
     bool operator==(const ArrayKey& other) const;
   };
 
-  bool AnyRank(bool here) const { return this->Ranks ? this->Ranks->AnyOf(here) : here; }
+  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
   vtkIdType CountOfAll(vtkIdType here) const;
   bool Owns(const Vec3& index) const;
   vtkImageData* Here(vtkImageData* image) const;

@@ -168,7 +168,7 @@ double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geo
   const double left = std::max(
     ShareOfFrame * frame.frameTime - this->Clock.Seconds(), LeastRayShare * frame.frameTime);
   // Ranks draw the same pixels.
-  return frame.Longest(this->Budget.PixelSize(pixels, left));
+  return frame.Largest(this->Budget.PixelSize(pixels, left));
 }
 
 void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,

@@ -34,7 +34,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   // Several processes
   bool IsShared() const;
   double* FindWholeBounds(vtkImageData* image, double bounds[6]) const;
-  bool AnyRank(bool here) const { return this->Ranks ? this->Ranks->AnyOf(here) : here; }
+  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
   void UpdateRanks();
   void Disband();
 

@@ -305,8 +305,7 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::Frame
   {
     this->Warn("SampleDistance is " + std::to_string(frame.sampleDistance) +
       " and several processes share the image (each has a few nodes of its neighbours'): 2 is "
-      "used. "
-      "Set it to 2 or less.");
+      "used. Set it to 2 or less.");
     frame.sampleDistance = limpid::farthestShared;
   }
   if (frame.solver.backend == limpid::BackendKind::Auto)

@@ -80,6 +80,12 @@ public:
   }
 };
 
+/// Whether any rank says so; null: there is one.
+inline bool AnyRank(const Communicator* ranks, bool here)
+{
+  return ranks ? ranks->AnyOf(here) : here;
+}
+
 /// What all ranks throw alike.
 class JointError : public Error
 {

@@ -56,7 +56,7 @@ std::vector<float> Applied(const SceneFields& scene, float majorant, const Carri
   const std::vector<float>& ofBase)
 {
   const Communicator* ranks = scene.piece ? scene.piece->ranks.get() : nullptr;
-  if (ranks ? !ranks->AnyOf(!ofBase.empty()) : ofBase.empty())
+  if (!AnyRank(ranks, !ofBase.empty()))
   {
     return {};
   }

@@ -3,25 +3,8 @@
 
 #include "optimize/Neighbourhood.h"
 
-#include <algorithm>
-
 namespace limpid
 {
-namespace
-{
-/// A box with the nodes beside it, as far as the grid goes.
-NodeBox WithNeighbours(const NodeBox& box, const Int3& nodes)
-{
-  NodeBox wide = box;
-  for (int axis = 0; axis < 3 && !box.Empty(); ++axis)
-  {
-    Range<int>& along = wide.along[std::size_t(axis)];
-    along = { std::max(along.begin - 1, 0), std::min(along.end + 1, nodes[axis]) };
-  }
-  return wide;
-}
-}
-
 Neighbourhood::Neighbourhood(const Communicator& ranks, const Grid& grid,
   const std::vector<NodeBox>& boxes, const std::vector<NodeBox>& owned)
   : All(&ranks)
@@ -31,7 +14,7 @@ Neighbourhood::Neighbourhood(const Communicator& ranks, const Grid& grid,
 {
   for (const NodeBox& box : boxes)
   {
-    this->Needed.push_back({ WithNeighbours(box, grid.nodes) });
+    this->Needed.push_back({ box.Grown(1, grid.nodes) });
   }
   this->Box = this->Needed[std::size_t(ranks.Rank())].front();
   this->Nodes.nodes = this->Box.Size();

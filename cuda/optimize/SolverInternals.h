@@ -163,7 +163,7 @@ struct Solver::Internals
   }
 
   /// Whether it is so on any rank.
-  bool AnyRank(bool here) const { return this->Ranks() ? this->Ranks()->AnyOf(here) : here; }
+  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks(), here); }
 
   /// The next iteration, or the end of a run.
   void Advance(const Progress& progress)

@@ -81,15 +81,10 @@ void TermsOnRanks::AddTerm(const OfTerm& term)
 void TermsOnRanks::AddSlabs()
 {
   Regions regions;
-  for (NodeBox box : SlabsOf(*this->All, this->Nodes))
+  for (const NodeBox& box : SlabsOf(*this->All, this->Nodes))
   {
     regions.changed.push_back({ box });
-    Range<int>& slices = box.along[2];
-    if (!slices.Empty())
-    {
-      slices = { std::max(slices.begin - 1, 0), std::min(slices.end + 1, this->Nodes.z) };
-    }
-    regions.needed.push_back({ box });
+    regions.needed.push_back({ box.Grown(1, this->Nodes) });
   }
   this->Places.push_back(slabs);
   this->Of.push_back({ std::move(regions) });

@@ -45,6 +45,18 @@ struct NodeBox
       { return one.begin == other.begin && one.end == other.end; });
   }
 
+  /// The box with so many nodes more on every side, as far as a grid goes; of an empty one, itself.
+  NodeBox Grown(int nodes, const Int3& grid) const
+  {
+    NodeBox grown = *this;
+    for (int axis = 0; axis < 3 && !this->Empty(); ++axis)
+    {
+      Range<int>& range = grown.along[std::size_t(axis)];
+      range = { std::max(range.begin - nodes, 0), std::min(range.end + nodes, grid[axis]) };
+    }
+    return grown;
+  }
+
   friend NodeBox Intersection(const NodeBox& a, const NodeBox& b)
   {
     NodeBox both;

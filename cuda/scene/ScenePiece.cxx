@@ -146,17 +146,11 @@ ScenePiece::ScenePiece(
 std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& grid, int nodes)
 {
   auto grown = std::make_shared<ScenePiece>(piece);
+  const NodeBox few = Intersection(NodeBox::Of(Int3(2)), NodeBox::Of(grid.nodes));
   for (std::size_t rank = 0; rank < grown->boxes.size(); ++rank)
   {
     const NodeBox& own = piece.owned[rank];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const Range<int>& along = own.along[std::size_t(axis)];
-      grown->boxes[rank].along[std::size_t(axis)] = own.Empty()
-        ? Range<int>{ 0, std::min(2, grid.nodes[axis]) }
-        : Range<int>{ std::max(along.begin - nodes, 0),
-            std::min(along.end + nodes, grid.nodes[axis]) };
-    }
+    grown->boxes[rank] = own.Empty() ? few : own.Grown(nodes, grid.nodes);
   }
   grown->nodes = grown->boxes[std::size_t(piece.ranks->Rank())];
   return grown;
