@@ -219,7 +219,7 @@ void TermsOnRanks::CopyNeeded(Place place, const float* from, float* to) const
   {
     for (const NodeBox& box : frustum.needed[own])
     {
-      CopyNodes(box, this->Whole(from), this->Whole(to));
+      CopyNodes(box, this->Whole(from), this->Whole(to), this->Filled);
     }
   }
 }

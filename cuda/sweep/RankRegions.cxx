@@ -86,28 +86,6 @@ void ForBoth(const Region& one, const Region& other, const What& what)
   }
 }
 
-/// Calls what(address in one field, address in the other) for the nodes of a box.
-template <class What>
-void ForNodesOf(const NodeBox& box, const FieldView& one, const FieldView& other, const What& what)
-{
-  if (box.Empty())
-  {
-    return;
-  }
-  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
-  {
-    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
-    {
-      float* here = one.values + one.At(box.along[0].begin, j, k);
-      float* there = other.values + other.At(box.along[0].begin, j, k);
-      for (int i = 0; i < box.along[0].Length(); ++i)
-      {
-        what(here[i * one.stride[0]], there[i * other.stride[0]]);
-      }
-    }
-  }
-}
-
 /// Calls what(first node of a row, count) for the rows of a box along x, as far as they are filled.
 template <class What>
 void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
@@ -208,12 +186,35 @@ Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank
 
 void FillNodes(const NodeBox& box, float value, const FieldView& field)
 {
-  ForNodesOf(box, field, field, [value](float& here, float) { here = value; });
+  ForRowsOf(box, nullptr,
+    [&](const Int3& first, int count)
+    {
+      const RowInField here(field, first);
+      for (int i = 0; i < count; ++i)
+      {
+        here.first[i * here.stride] = value;
+      }
+    });
 }
 
-void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to)
+void CopyNodes(
+  const NodeBox& box, const FieldView& from, const FieldView& to, const Occupancy* filled)
 {
-  ForNodesOf(box, from, to, [](float value, float& copy) { copy = value; });
+  ForRowsOf(box, filled,
+    [&](const Int3& first, int count)
+    {
+      const RowInField there(to, first);
+      const RowInField here(from, first);
+      if (there.stride == 1)
+      {
+        here.CopyTo(there.first, count);
+        return;
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        there.first[i * there.stride] = here.first[i * here.stride];
+      }
+    });
 }
 
 Passages::WithRank Passages::Between(
@@ -249,36 +250,34 @@ Passages::Passages(const Communicator& ranks, const std::vector<Region>& had,
 
 void Passages::Bring(const FieldView& from, const FieldView& to) const
 {
-  std::vector<std::vector<float>> packed;
-  std::vector<std::vector<float>> room;
   std::vector<Communicator::Message> sent;
   std::vector<Communicator::Message> received;
   const auto add =
-    [](std::vector<Communicator::Message>& messages, std::size_t rank, std::vector<float>& values)
+    [](std::vector<Communicator::Message>& messages, std::size_t rank, const WithRank& passing)
   {
-    if (!values.empty())
+    passing.values.resize(passing.count);
+    if (passing.count > 0)
     {
-      messages.push_back({ static_cast<int>(rank), values.data(), values.size() * sizeof(float) });
+      messages.push_back(
+        { static_cast<int>(rank), passing.values.data(), passing.count * sizeof(float) });
     }
   };
   for (std::size_t rank = 0; rank < this->Sent.size(); ++rank)
   {
-    packed.emplace_back(this->Sent[rank].count);
-    float* next = packed.back().data();
+    add(sent, rank, this->Sent[rank]);
+    add(received, rank, this->Received[rank]);
+    float* next = this->Sent[rank].values.data();
     for (const Row& row : this->Sent[rank].rows)
     {
       RowInField(from, row.first).CopyTo(next, row.count);
       next += row.count;
     }
-    add(sent, rank, packed.back());
-    room.emplace_back(this->Received[rank].count);
-    add(received, rank, room.back());
   }
   this->All->Exchange(sent, received);
-  for (std::size_t rank = 0; rank < room.size(); ++rank)
+  for (const WithRank& passing : this->Received)
   {
-    const float* next = room[rank].data();
-    for (const Row& row : this->Received[rank].rows)
+    const float* next = passing.values.data();
+    for (const Row& row : passing.rows)
     {
       RowInField(to, row.first).CopyFrom(next, row.count);
       next += row.count;

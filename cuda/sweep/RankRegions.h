@@ -60,8 +60,9 @@ struct FieldView
 /// Sets the values of a box of nodes.
 void FillNodes(const NodeBox& box, float value, const FieldView& field);
 
-/// Copies the values of a box of nodes.
-void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to);
+/// Copies the values of a box of nodes. `filled`: where else both fields are 0; null: nowhere.
+void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to,
+  const Occupancy* filled = nullptr);
 
 /**
  * What passes where ranks have a field, of each a region, and need it, of each another one. To be
@@ -91,7 +92,8 @@ private:
   struct WithRank
   {
     std::vector<Row> rows;
-    std::size_t count = 0; ///< of values
+    std::size_t count = 0;             ///< of values
+    mutable std::vector<float> values; ///< on their way
   };
 
   static WithRank Between(const Region& had, const Region& needed, const Occupancy* filled);
