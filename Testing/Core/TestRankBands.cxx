@@ -15,6 +15,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 #include <vector>
 
 using namespace limpid;
@@ -38,21 +40,30 @@ Index FilledIn(const Region& region, const Occupancy& occupancy)
   return count;
 }
 
-/// Samples of a row of rays that matter, and voxels beside it that may change.
-Index WorkOf(const FaceFrustum& frustum, int row)
+/// What FindEvenBands makes least for a border between bands, times their number. `placeOn`: of a
+/// stretch.
+template <class PlaceOn>
+Index CostOfBorder(const FaceFrustum& frustum, int border, int bands, const PlaceOn& placeOn)
 {
-  Index work = 1;
-  for (int s = 0; s <= frustum.lastSlice; ++s)
+  Index cost = 0;
+  int last = 0;
+  for (int first = 0; first < frustum.SliceCount(); first += slicesPerStretch)
   {
-    work += s < frustum.lastSlice ? std::max(frustum.ActiveRays(s, row).Length(), 0) : 0;
-    const Range<int>& owned = frustum.SliceAt(s).ownedRows;
-    for (int v = owned.begin; v < owned.end && frustum.SliceAt(s).node >= 0; ++v)
+    const int place = placeOn(first);
+    Index before = 0;
+    Index all = 0;
+    for (int s = first; s < std::min(first + slicesPerStretch, frustum.SliceCount()); ++s)
     {
-      const bool beside = frustum.Row(frustum.voxelRows, s).index[v] == row;
-      work += beside ? std::max(frustum.FilledVoxels(s, v).Length(), 0) : 0;
+      const std::vector<Index> work = WorkOfRows(frustum, s);
+      before += std::accumulate(work.begin(), work.begin() + place, Index(0));
+      all += std::accumulate(work.begin(), work.end(), Index(0));
     }
+    const int passed = first > 0 ? std::abs(place - last) : 0;
+    cost += std::abs(bands * before - border * all) +
+      bands * timeOfPassing * Index(frustum.columns) * passed;
+    last = place;
   }
-  return work;
+  return cost;
 }
 
 class BandsOfRanks : public ::testing::TestWithParam<int>
@@ -90,55 +101,58 @@ protected:
 TEST_P(BandsOfRanks, HaveEveryRowAndEveryVoxelOnce)
 {
   this->ForFrusta(
-    [](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
+    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
     {
-      int row = 0;
-      for (int band = 0; band < bands.BandCount(); ++band)
+      for (int s = 0; s <= frustum.lastSlice; ++s)
       {
-        EXPECT_EQ(bands.RaysOf(band).begin, row);
-        row = bands.RaysOf(band).end;
-      }
-      EXPECT_EQ(row, frustum.rows);
-      for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
-      {
-        int next = frustum.SliceAt(s).ownedRows.begin;
-        for (int band = 0; band < bands.BandCount(); ++band)
+        std::vector<int> rays(std::size_t(frustum.rows), 0);
+        std::vector<int> voxels(std::size_t(frustum.nodesV), 0);
+        const auto count = [](const Range<int>& rows, std::vector<int>& owners)
         {
-          const Range<int> voxels = bands.VoxelsOf(band, s);
-          if (!voxels.Empty())
+          for (int row = rows.begin; row < rows.end; ++row)
           {
-            EXPECT_EQ(voxels.begin, next);
-            next = voxels.end;
+            ++owners[std::size_t(row)];
           }
+        };
+        for (int rank = 0; rank < this->Ranks.Size(); ++rank)
+        {
+          count(bands.RaysOf(rank, s), rays);
+          count(s < frustum.firstNodeSlice ? Range<int>{} : bands.VoxelsOf(rank, s), voxels);
         }
-        EXPECT_EQ(next, frustum.SliceAt(s).ownedRows.end);
+        EXPECT_EQ(rays, std::vector<int>(rays.size(), 1));
+        for (int v = 0; v < frustum.nodesV; ++v)
+        {
+          EXPECT_EQ(voxels[std::size_t(v)], frustum.SliceAt(s).ownedRows.Contains(v) ? 1 : 0);
+        }
       }
     });
 }
 
-TEST_P(BandsOfRanks, HaveTheSameWork)
+TEST_P(BandsOfRanks, AreEvenAtTheLeastCost)
 {
   this->ForFrusta(
     [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
     {
-      std::vector<Index> work(std::size_t(this->Ranks.Size()), 0);
-      Index all = 0;
-      Index largest = 0; // of a row
-      for (int band = 0; band < bands.BandCount(); ++band)
+      const int ranks = this->Ranks.Size();
+      for (int border = 1; border < ranks; ++border)
       {
-        for (int row = bands.RaysOf(band).begin; row < bands.RaysOf(band).end; ++row)
+        const auto found = [&](int s) { return bands.RaysOf(border, s).begin; };
+        const Index least = CostOfBorder(frustum, border, ranks, found);
+        for (int place = 0; place <= frustum.rows; ++place)
         {
-          const Index ofRow = WorkOf(frustum, row);
-          work[std::size_t(bands.RankOf(band))] += ofRow;
-          all += ofRow;
-          largest = std::max(largest, ofRow);
+          const auto stays = [&](int) { return place; };
+          EXPECT_LE(least, CostOfBorder(frustum, border, ranks, stays));
+          for (const int step : { -1, 1 })
+          {
+            // From somewhere on a row beside what was found.
+            const auto beside = [&](int s)
+            {
+              const bool moved = s >= place * slicesPerStretch;
+              return std::clamp(found(s) + (moved ? step : 0), 0, frustum.rows);
+            };
+            EXPECT_LE(least, CostOfBorder(frustum, border, ranks, beside));
+          }
         }
-      }
-      for (const Index here : work)
-      {
-        // Rows are whole.
-        EXPECT_LE(
-          here, all / this->Ranks.Size() + largest * bands.BandCount() / this->Ranks.Size());
       }
     });
 }
@@ -156,10 +170,9 @@ TEST_P(BandsOfRanks, NeedLittleMoreThanTheirShareOfTheFields)
         changed += FilledIn(RegionChanged(frustum, bands, rank), occupancy);
       }
       // Of every slice, rays and voxels of neighbours read up to two rows on either side of a band,
-      // and what is filled need not lie as the rays that matter do.
-      const Index rows = Index(frustum.nodesU) * frustum.SliceCount() * 4;
-      EXPECT_LE(most,
-        changed * 13 / 10 / this->Ranks.Size() + rows * bands.BandCount() / this->Ranks.Size());
+      // rays the layer behind, too, and what is filled need not lie as the rays that matter do.
+      const Index rows = Index(frustum.nodesU) * frustum.SliceCount() * 6;
+      EXPECT_LE(most, changed * 13 / 10 / this->Ranks.Size() + rows);
     });
 }
 

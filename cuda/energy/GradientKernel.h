@@ -62,6 +62,18 @@ struct GradientKernel
       windows(this->gradient, FieldUse{ 0, true }), this->target, this->areaWeighted };
   }
 
+  /// What its rays carry.
+  std::vector<RayValues> Carried(const RayStates& rays) const
+  {
+    std::vector<RayValues> carried{ rays.opticalDepth, rays.behind, rays.visible, rays.unattenuated,
+      rays.transmittance, rays.density };
+    if (this->base)
+    {
+      carried.insert(carried.end(), { rays.keptBehind, rays.keptVisible, rays.keptUnattenuated });
+    }
+    return carried;
+  }
+
   /// From the slice behind to slice `s`.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const

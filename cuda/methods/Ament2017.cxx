@@ -69,6 +69,9 @@ struct BehindKernel
     return { windows(this->field, FieldUse{ 1 }), windows(this->behind, FieldUse{ 0, true }) };
   }
 
+  /// What its rays carry.
+  std::vector<RayValues> Carried(const RayStates& rays) const { return { rays.behind }; }
+
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {

@@ -116,6 +116,9 @@ struct ClipKernel
     return { windows(this->extinction, FieldUse{ 0, true }), this->objects };
   }
 
+  /// What its rays carry.
+  std::vector<RayValues> Carried(const RayStates& rays) const { return { rays.behind }; }
+
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {

@@ -101,6 +101,22 @@ struct PolicyKernel
       this->policy, this->transmittance, this->areaWeighted, this->kept, this->priceOfSquare };
   }
 
+  /// What its rays carry.
+  std::vector<RayValues> Carried(const RayStates& rays) const
+  {
+    std::vector<RayValues> carried{ rays.opticalDepth, rays.collected, rays.behind, rays.visible,
+      rays.unattenuated, rays.transmittance, rays.density, rays.ahead, rays.rearImportance };
+    if (this->kept == Kept::Counted)
+    {
+      carried.insert(carried.end(), { rays.keptBehind, rays.keptVisible, rays.keptUnattenuated });
+    }
+    if (this->alternative)
+    {
+      carried.insert(carried.end(), { rays.alternativeBehind, rays.cost, rays.reach });
+    }
+    return carried;
+  }
+
   /// To slice `s`, whose voxels are to be found next. The voxels behind are final.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const

@@ -14,8 +14,10 @@
 #include "sweep/RaySteps.h"
 #include "sweep/SliceWindow.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace limpid
 {
@@ -126,17 +128,39 @@ public:
   /// Null: there is one rank.
   const RankBands* Bands() const { return this->Shared.get(); }
 
-  /// The rows of rays that are swept here.
-  RowsHere RaysHere() const
+  /// Some slices, cut where rays pass from rank to rank.
+  std::vector<Range<int>> StretchesOf(const Range<int>& slices) const
   {
-    return this->Shared ? this->Shared->RaysHere() : RowsHere{ { 0, this->Planned.rows } };
+    std::vector<Range<int>> stretches;
+    for (int begin = slices.begin; begin < slices.end; begin = stretches.back().end)
+    {
+      const int next = (begin / slicesPerStretch + 1) * slicesPerStretch;
+      stretches.push_back({ begin, this->Shared ? std::min(next, slices.end) : slices.end });
+    }
+    return stretches;
+  }
+
+  /// The rows of rays that are swept here on slice `s`.
+  Range<int> RaysHere(int s) const
+  {
+    return this->Shared ? this->Shared->RaysOf(this->Shared->Ranks().Rank(), s)
+                        : Range<int>{ 0, this->Planned.rows };
+  }
+
+  /// Those whose values are here between sweeps.
+  Range<int> RaysAtRest() const { return this->RaysHere(this->Planned.lastSlice); }
+
+  /// Those that are swept here on any slice, or read.
+  Range<int> RaysReached() const
+  {
+    return this->Shared ? this->Shared->RaysReached() : Range<int>{ 0, this->Planned.rows };
   }
 
   /// The rows of voxels of slice `s` that are changed here.
-  RowsHere VoxelsHere(int s) const
+  Range<int> VoxelsHere(int s) const
   {
-    return this->Shared ? this->Shared->VoxelsHere(s)
-                        : RowsHere{ this->Planned.SliceAt(s).ownedRows };
+    return this->Shared ? this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s)
+                        : this->Planned.SliceAt(s).ownedRows;
   }
 
 private:

@@ -11,96 +11,31 @@
 
 namespace limpid
 {
-namespace
-{
-/// What a row of rays costs: its samples that matter, the voxels beside it that may change, and a
-/// little for itself.
-std::vector<Index> CostsOfRows(const FaceFrustum& frustum)
-{
-  std::vector<Index> costs(std::size_t(frustum.rows), 1);
-  for (int s = 0; s < frustum.lastSlice; ++s)
-  {
-    for (int row = 0; row < frustum.rows; ++row)
-    {
-      costs[std::size_t(row)] += std::max(frustum.ActiveRays(s, row).Length(), 0);
-    }
-  }
-  for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
-  {
-    const int* rows = frustum.Row(frustum.voxelRows, s).index;
-    const Range<int>& owned = frustum.SliceAt(s).ownedRows;
-    for (int v = owned.begin; v < owned.end; ++v)
-    {
-      costs[std::size_t(rows[v])] += std::max(frustum.FilledVoxels(s, v).Length(), 0);
-    }
-  }
-  return costs;
-}
-
-/// Consecutive parts of about the same cost: where each begins, and the end.
-std::vector<int> Divide(const std::vector<Index>& costs, int parts)
-{
-  const Index all = std::accumulate(costs.begin(), costs.end(), Index(0));
-  std::vector<int> begins{ 0 };
-  Index before = 0;
-  for (std::size_t row = 0; row < costs.size(); ++row)
-  {
-    // A row belongs to the part that its middle lies in.
-    const Index twice = 2 * before + costs[row];
-    while (Index(begins.size()) < parts && twice * parts >= 2 * all * Index(begins.size()))
-    {
-      begins.push_back(static_cast<int>(row));
-    }
-    before += costs[row];
-  }
-  begins.resize(std::size_t(parts) + 1, static_cast<int>(costs.size()));
-  return begins;
-}
-
-/// Bands of a rank: none of a few rows, and more where there are more ranks. Two ranks gain less by
-/// even work than what passes between more bands costs.
-int BandsPerRank(int rows, int ranks)
-{
-  constexpr int most = 4;
-  constexpr int leastRows = 8;
-  const int wanted = std::clamp(ranks / 2, 1, most);
-  return std::clamp(rows / (leastRows * ranks), 1, wanted);
-}
-}
-
 RankBands::RankBands(const FaceFrustum& frustum, const Communicator& ranks)
   : Frustum(frustum)
   , All(&ranks)
-  , Begins(Divide(CostsOfRows(frustum), ranks.Size() * BandsPerRank(frustum.rows, ranks.Size())))
+  , Begins(FindEvenBands(frustum, ranks.Size()))
 {
   this->FindNeeded();
-  this->FindOwn();
-  const auto rays = [this](int band) { return this->RaysOf(band); };
+  this->FindVisited();
   for (int s = 0; s < frustum.SliceCount(); ++s)
   {
     const bool voxels = frustum.SliceAt(s).node >= 0;
+    this->Reached = Hull(this->Reached, this->RaysOf(ranks.Rank(), s));
+    if (voxels)
+    {
+      this->Reached = Hull(this->Reached, this->RaysReadBy(ranks.Rank(), s, 1));
+    }
+    const auto rays = [this, s](int rank) { return this->RaysOf(rank, s); };
     for (const int more : { 0, 1 })
     {
-      const auto read = [&](int band) { return this->RaysReadBy(band, s, more); };
+      const auto read = [&](int rank) { return this->RaysReadBy(rank, s, more); };
       this->Rays[more].push_back(voxels ? this->Pass(rays, read) : OnSlice());
     }
-    const auto changed = [&](int band) { return this->VoxelsOf(band, s); };
-    const auto needed = [&](int band) { return this->VoxelsNeeded(band, frustum.SliceAt(s).node); };
+    const auto changed = [&](int rank) { return this->VoxelsOf(rank, s); };
+    const auto needed = [&](int rank) { return this->VoxelsNeeded(rank, frustum.SliceAt(s).node); };
     this->Voxels.push_back(voxels ? this->Pass(changed, needed) : OnSlice());
   }
-}
-
-std::vector<int> RankBands::BandsOf(int rank) const
-{
-  std::vector<int> bands;
-  for (int band = 0; band < this->BandCount(); ++band)
-  {
-    if (this->RankOf(band) == rank)
-    {
-      bands.push_back(band);
-    }
-  }
-  return bands;
 }
 
 void RankBands::FindNeeded()
@@ -111,73 +46,61 @@ void RankBands::FindNeeded()
     const Slice& slice = this->Frustum.SliceAt(s);
     last = std::max({ last, slice.node, slice.nodes[0], slice.nodes[1] });
   }
-  for (int band = 0; band < this->BandCount(); ++band)
+  for (int rank = 0; rank < this->All->Size(); ++rank)
   {
     std::vector<Range<int>> rows(static_cast<std::size_t>(last) + 1);
     const auto extend = [&rows](int node, const Range<int>& by)
     { rows[std::size_t(node)] = Hull(rows[std::size_t(node)], by); };
     for (int s = 0; s < this->Frustum.SliceCount(); ++s)
     {
-      const Slice& slice = this->Frustum.SliceAt(s);
-      if (s < this->Frustum.lastSlice)
+      // Sweeps from the back carry rays through the layer behind when these have left it.
+      for (int layer = s; layer < std::min(s + 2, this->Frustum.lastSlice); ++layer)
       {
-        const Range<int> read = this->RowsRead(this->RaysOf(band), s);
-        extend(slice.nodes[0], read);
-        extend(slice.nodes[1], read);
+        const Range<int> read = this->RowsRead(this->RaysOf(rank, s), layer);
+        extend(this->Frustum.SliceAt(layer).nodes[0], read);
+        extend(this->Frustum.SliceAt(layer).nodes[1], read);
       }
-      if (slice.node >= 0)
+      if (this->Frustum.SliceAt(s).node >= 0)
       {
-        extend(slice.node, this->VoxelsOf(band, s));
+        extend(this->Frustum.SliceAt(s).node, this->VoxelsOf(rank, s));
       }
     }
     this->Needed.push_back(std::move(rows));
   }
 }
 
-void RankBands::FindOwn()
+void RankBands::FindVisited()
 {
-  const auto add = [](const Range<int>& range, std::vector<int>& rows)
+  this->Visited.resize(std::size_t(this->Frustum.rows));
+  for (int s = 0; s < this->Frustum.lastSlice; ++s)
   {
-    for (int row = range.begin; row < range.end; ++row)
+    for (int row = 0; row < this->Frustum.rows; ++row)
     {
-      rows.push_back(row);
-    }
-  };
-  this->OwnVoxels.resize(std::size_t(this->Frustum.SliceCount()));
-  for (const int band : this->BandsOf(this->All->Rank()))
-  {
-    add(this->RaysOf(band), this->OwnRays);
-    for (int s = this->Frustum.firstNodeSlice; s <= this->Frustum.lastSlice; ++s)
-    {
-      add(this->VoxelsOf(band, s), this->OwnVoxels[std::size_t(s)]);
+      Range<int>& columns = this->Visited[std::size_t(row)];
+      columns = Hull(columns, this->Frustum.ActiveRays(s, row));
     }
   }
 }
 
-/// What passes between this rank and the others, of what bands have and what bands read.
+/// What passes between this rank and the others, of what they have and what they read.
 template <class Had, class Read>
 RankBands::OnSlice RankBands::Pass(const Had& had, const Read& read) const
 {
   OnSlice passing;
   const int own = this->All->Rank();
-  const auto add = [this](const Range<int>& rows, int band, std::vector<Passing>& all)
+  for (int other = 0; other < this->All->Size(); ++other)
   {
-    if (!rows.Empty())
+    const auto add = [other](const Range<int>& rows, std::vector<Passing>& all)
     {
-      all.push_back({ this->RankOf(band), rows });
-    }
-  };
-  for (int band = 0; band < this->BandCount(); ++band)
-  {
-    for (int reader = 0; reader < this->BandCount(); ++reader)
-    {
-      const bool gives = this->RankOf(band) == own;
-      const bool takes = this->RankOf(reader) == own;
-      if (gives != takes)
+      if (!rows.Empty())
       {
-        const Range<int> rows = Intersection(had(band), read(reader));
-        add(rows, gives ? reader : band, gives ? passing.sent : passing.received);
+        all.push_back({ other, rows });
       }
+    };
+    if (other != own)
+    {
+      add(Intersection(had(own), read(other)), passing.sent);
+      add(Intersection(had(other), read(own)), passing.received);
     }
   }
   return passing;
@@ -195,9 +118,9 @@ Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
   return read;
 }
 
-Range<int> RankBands::VoxelsOf(int band, int s) const
+Range<int> RankBands::VoxelsOf(int rank, int s) const
 {
-  const Range<int> rays = this->RaysOf(band);
+  const Range<int> rays = this->RaysOf(rank, s);
   const int* rows = this->Frustum.Row(this->Frustum.voxelRows, s).index;
   const int* end = rows + this->Frustum.nodesV;
   const int* first = std::lower_bound(rows, end, rays.begin);
@@ -207,10 +130,10 @@ Range<int> RankBands::VoxelsOf(int band, int s) const
   return owned.Empty() ? Range<int>{} : owned;
 }
 
-/// Rows of rays that voxels of a band read on slice `s`, and so many more on either side.
-Range<int> RankBands::RaysReadBy(int band, int s, int more) const
+/// Rows of rays that voxels of a rank read on slice `s`, and so many more on either side.
+Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
 {
-  const Range<int> voxels = this->VoxelsOf(band, s);
+  const Range<int> voxels = this->VoxelsOf(rank, s);
   if (voxels.Empty())
   {
     return {};
@@ -227,8 +150,14 @@ namespace
 /// Values that follow each other in memory.
 struct Segment
 {
-  float* first;
-  std::size_t count;
+  std::byte* first;
+  std::size_t bytes;
+
+  Segment(const RayValues& values, Index begin, int count)
+    : first(values.first + std::size_t(begin) * values.bytes)
+    , bytes(std::size_t(count) * values.bytes)
+  {
+  }
 };
 
 /// What goes to a rank or comes from it, in one message.
@@ -236,35 +165,23 @@ struct Parcel
 {
   int rank;
   std::vector<Segment> segments;
-  std::vector<float> values;
+  std::vector<std::byte> values;
 };
-
-Parcel& ParcelOf(int rank, std::vector<Parcel>& parcels)
-{
-  const auto found = std::find_if(
-    parcels.begin(), parcels.end(), [rank](const Parcel& parcel) { return parcel.rank == rank; });
-  if (found != parcels.end())
-  {
-    return *found;
-  }
-  parcels.push_back({ rank, {}, {} });
-  return parcels.back();
-}
 
 std::vector<Communicator::Message> MessagesOf(std::vector<Parcel>& parcels)
 {
   std::vector<Communicator::Message> messages;
   for (Parcel& parcel : parcels)
   {
-    std::size_t count = 0;
+    std::size_t bytes = 0;
     for (const Segment& segment : parcel.segments)
     {
-      count += segment.count;
+      bytes += segment.bytes;
     }
-    parcel.values.resize(count);
-    if (count > 0)
+    parcel.values.resize(bytes);
+    if (bytes > 0)
     {
-      messages.push_back({ parcel.rank, parcel.values.data(), count * sizeof(float) });
+      messages.push_back({ parcel.rank, parcel.values.data(), bytes });
     }
   }
   return messages;
@@ -280,9 +197,10 @@ void RankBands::Exchange(const OnSlice& passing, const Add& add) const
     std::vector<Parcel> parcels;
     for (const Passing& some : all)
     {
+      parcels.push_back({ some.rank, {}, {} });
       for (int row = some.rows.begin; row < some.rows.end; ++row)
       {
-        add(row, ParcelOf(some.rank, parcels).segments);
+        add(row, parcels.back().segments);
       }
     }
     return parcels;
@@ -293,22 +211,42 @@ void RankBands::Exchange(const OnSlice& passing, const Add& add) const
   const std::vector<Communicator::Message> in = MessagesOf(received);
   for (Parcel& parcel : sent)
   {
-    float* next = parcel.values.data();
+    std::byte* next = parcel.values.data();
     for (const Segment& segment : parcel.segments)
     {
-      next = std::copy_n(segment.first, segment.count, next);
+      next = std::copy_n(segment.first, segment.bytes, next);
     }
   }
   this->All->Exchange(out, in);
   for (const Parcel& parcel : received)
   {
-    const float* next = parcel.values.data();
+    const std::byte* next = parcel.values.data();
     for (const Segment& segment : parcel.segments)
     {
-      std::copy_n(next, segment.count, segment.first);
-      next += segment.count;
+      std::copy_n(next, segment.bytes, segment.first);
+      next += segment.bytes;
     }
   }
+}
+
+void RankBands::PassRays(int from, int to, const std::vector<RayValues>& carried) const
+{
+  if (from / slicesPerStretch == to / slicesPerStretch)
+  {
+    return;
+  }
+  const OnSlice passing = this->Pass([this, from](int rank) { return this->RaysOf(rank, from); },
+    [this, to](int rank) { return this->RaysOf(rank, to); });
+  this->Exchange(passing,
+    [&](int row, std::vector<Segment>& segments)
+    {
+      // Others are as they were before any sweep, on all ranks.
+      const Range<int>& columns = this->Visited[std::size_t(row)];
+      for (const RayValues& values : columns.Empty() ? std::vector<RayValues>() : carried)
+      {
+        segments.emplace_back(values, this->Frustum.RayAt(columns.begin, row), columns.Length());
+      }
+    });
 }
 
 void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& images) const
@@ -321,8 +259,7 @@ void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& image
         cubic ? Range<int>{ 0, this->Frustum.columns } : this->Frustum.ActiveRays(s, row);
       for (float* image : columns.Empty() ? std::vector<float*>() : images)
       {
-        segments.push_back(
-          { image + this->Frustum.RayAt(columns.begin, row), std::size_t(columns.Length()) });
+        segments.emplace_back(image, this->Frustum.RayAt(columns.begin, row), columns.Length());
       }
     });
 }
@@ -335,8 +272,8 @@ void RankBands::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) c
       const Range<int>& columns = this->Frustum.FilledVoxels(s, v);
       for (SliceWindow* field : columns.Empty() ? std::vector<SliceWindow*>() : fields)
       {
-        segments.push_back({ field->Row(this->Frustum.SliceAt(s).node, v) + columns.begin,
-          std::size_t(columns.Length()) });
+        segments.emplace_back(
+          field->Row(this->Frustum.SliceAt(s).node, v), columns.begin, columns.Length());
       }
     });
 }

@@ -158,14 +158,11 @@ std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes)
 Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
   Region region;
-  for (const int band : bands.BandsOf(rank))
+  for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
   {
-    for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
-    {
-      const Slice& slice = frustum.SliceAt(s);
-      Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(band, s)), frustum.axisW,
-        region);
-    }
+    const Slice& slice = frustum.SliceAt(s);
+    Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)), frustum.axisW,
+      region);
   }
   return region;
 }
@@ -173,13 +170,10 @@ Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int ran
 Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
   Region region;
-  for (const int band : bands.BandsOf(rank))
+  for (int node = 0; node < bands.Depth(); ++node)
   {
-    for (int node = 0; node < bands.Depth(); ++node)
-    {
-      Add(SliceOf(frustum, node, { 0, frustum.nodesU }, bands.VoxelsNeeded(band, node)),
-        frustum.axisW, region);
-    }
+    Add(SliceOf(frustum, node, { 0, frustum.nodesU }, bands.VoxelsNeeded(rank, node)),
+      frustum.axisW, region);
   }
   return region;
 }

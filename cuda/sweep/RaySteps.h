@@ -9,6 +9,9 @@
 #include "math/Vec.h"
 #include "sweep/RayLayer.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace limpid
 {
 /// One value per ray. A row of rays has its own view of them (From).
@@ -39,6 +42,20 @@ struct RayStates
       this->ahead + ray, this->rearImportance + ray, this->keptBehind + ray,
       this->keptVisible + ray, this->keptUnattenuated + ray, this->alternativeBehind + ray,
       this->cost + ray, this->reach + ray };
+  }
+};
+
+/// One of these kinds of values, to be moved.
+struct RayValues
+{
+  std::byte* first;
+  std::size_t bytes; ///< of a ray's
+
+  template <class Value>
+  RayValues(Value* values)
+    : first(reinterpret_cast<std::byte*>(values))
+    , bytes(sizeof(Value))
+  {
   }
 };
 
@@ -114,6 +131,19 @@ struct StartInFront
     this->rays.density[i] = 0;
     this->rays.keptVisible[i] = 0;
     this->rays.keptUnattenuated[i] = 0;
+  }
+};
+
+/// The same before one that finds transmittance alone.
+struct StartDepth
+{
+  RayStates rays;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
+  {
+    this->rays.opticalDepth[i] = 0;
+    this->rays.transmittance[i] = 1;
+    this->rays.density[i] = 0;
   }
 };
 

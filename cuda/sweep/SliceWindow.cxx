@@ -96,13 +96,10 @@ std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int
     return some;
   }
   std::vector<char> isNeeded(std::size_t(this->Rows), 0);
-  for (const int band : this->Bands->BandsOf(this->Bands->Ranks().Rank()))
+  for (int node = nodes.begin; node < nodes.end; ++node)
   {
-    for (int node = nodes.begin; node < nodes.end; ++node)
-    {
-      const Range<int> needed = this->Bands->VoxelsNeeded(band, node);
-      std::fill(isNeeded.begin() + needed.begin, isNeeded.begin() + needed.end, char(1));
-    }
+    const Range<int> needed = this->Bands->VoxelsNeeded(this->Bands->Ranks().Rank(), node);
+    std::fill(isNeeded.begin() + needed.begin, isNeeded.begin() + needed.end, char(1));
   }
   some.erase(std::remove_if(some.begin(), some.end(),
                [&isNeeded](int row) { return !isNeeded[std::size_t(row)]; }),

@@ -7,7 +7,7 @@
 
 namespace limpid
 {
-void AddRays(const FaceFrustum& frustum, const RowsHere& rows, const float* values, ExactSum& sum)
+void AddRays(const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum)
 {
   constexpr Index rowsPerTask = 16;
   constexpr int guard = 1; // on either side; it stands for no part of the box, see FaceFrustum
@@ -16,7 +16,7 @@ void AddRays(const FaceFrustum& frustum, const RowsHere& rows, const float* valu
   ParallelFor(rows.Length(), rowsPerTask,
     [&](Index index)
     {
-      const int row = rows[index];
+      const int row = rows.begin + static_cast<int>(index);
       const float* length = frustum.Row(frustum.length, row);
       const float* here = values + frustum.RayAt(0, row);
       double part = 0;

@@ -46,7 +46,8 @@ struct Seen
 /// Adds one value per ray, for an integral over the domain of what these are integrals of along
 /// their rays times scale^2, which cellMeasure times the sum is. Row by row; rows are added
 /// exactly. `rows`: of rays.
-void AddRays(const FaceFrustum& frustum, const RowsHere& rows, const float* values, ExactSum& sum);
+void AddRays(
+  const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum);
 
 namespace detail
 {
@@ -142,8 +143,8 @@ inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Vis
   for (FrustumRays<HostDevice>& frustum : frusta)
   {
     const SeenByRay seen(frustum.States(), kept);
-    AddRays(frustum.Plan(), frustum.RaysHere(), seen.visible, sums[0]);
-    AddRays(frustum.Plan(), frustum.RaysHere(), seen.unattenuated, sums[1]);
+    AddRays(frustum.Plan(), frustum.RaysAtRest(), seen.visible, sums[0]);
+    AddRays(frustum.Plan(), frustum.RaysAtRest(), seen.unattenuated, sums[1]);
     cellMeasure = frustum.Plan().cellMeasure;
     ranks = frustum.Bands() ? &frustum.Bands()->Ranks() : nullptr;
   }
@@ -162,7 +163,7 @@ double SumOfRays(
   if constexpr (AnyDevice::readsHostMemory)
   {
     ExactSum sum;
-    AddRays(frustum, { { 0, frustum.rows } }, values, sum);
+    AddRays(frustum, { 0, frustum.rows }, values, sum);
     return frustum.cellMeasure * sum.Value();
   }
   else

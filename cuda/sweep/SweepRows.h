@@ -20,6 +20,24 @@ namespace limpid
 /// Rows of rays or voxels that are worth a task of their own.
 constexpr Index rowsPerTask = 8;
 
+/// Calls what(row) for some rows.
+template <class What>
+void ForRows(const Range<int>& rows, Index perTask, const What& what)
+{
+  ParallelFor(rows.Length(), perTask,
+    [&rows, &what](Index index) { what(rows.begin + static_cast<int>(index)); });
+}
+
+/// Calls step(ray) for all rays that are swept or read here.
+template <class Step>
+void ForRaysReached(FrustumRays<HostDevice>& rays)
+{
+  constexpr Index raysPerTask = 8192;
+  const Range<int> rows = rays.RaysReached();
+  const RayStates first = rays.States().From(rays.Plan().RayAt(0, rows.begin));
+  ParallelFor(Index(rows.Length()) * rays.Plan().columns, raysPerTask, Step{ first });
+}
+
 /// The fields of a kernel as the processor reads them, slab by slab.
 class FieldWindows
 {
@@ -86,12 +104,29 @@ private:
 };
 
 /// Brings what voxels of slice `s` read of the rays to them from other ranks, see RankBands.
-inline void ExchangeRays(const FrustumRays<HostDevice>& rays, int s, bool cubic,
-  const RayStates& states, float* seenBehind)
+inline void ExchangeRays(
+  const FrustumRays<HostDevice>& rays, int s, bool cubic, const std::vector<float*>& images)
 {
   if (rays.Bands())
   {
-    rays.Bands()->ExchangeRays(s, cubic, { states.transmittance, states.density, seenBehind });
+    rays.Bands()->ExchangeRays(s, cubic, images);
+  }
+}
+
+/// What rays carry in a sweep from the front.
+inline std::vector<RayValues> CarriedToBack(const RayStates& rays)
+{
+  return { rays.opticalDepth, rays.visible, rays.unattenuated, rays.transmittance, rays.density,
+    rays.keptVisible, rays.keptUnattenuated };
+}
+
+/// Brings rays to the ranks that have them on slice `to`, see RankBands.
+inline void PassRays(
+  const FrustumRays<HostDevice>& rays, int from, int to, const std::vector<RayValues>& carried)
+{
+  if (rays.Bands())
+  {
+    rays.Bands()->PassRays(from, to, carried);
   }
 }
 
@@ -103,22 +138,26 @@ void SweepForward(
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  const RowsHere rows = rays.RaysHere();
-  ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
+  const std::vector<RayValues> carried = CarriedToBack(states);
+  ForRaysReached<StartInFront>(rays);
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   for (const Range<int>& slab : SlabsOf(frustum))
   {
     windows.Load(slab);
-    ParallelFor(rows.Length(), rowsPerTask / 2,
-      [&](Index row)
-      {
-        Rays sampler(frustum, states, rows[row]);
-        for (int s = slab.begin; s < std::min(slab.end, frustum.lastSlice); ++s)
+    for (const Range<int>& stretch : rays.StretchesOf(slab))
+    {
+      PassRays(rays, stretch.begin - 1, stretch.begin, carried);
+      ForRows(rays.RaysHere(stretch.begin), rowsPerTask / 2,
+        [&](int row)
         {
-          rowKernel.RayStep(sampler, s);
-        }
-      });
+          Rays sampler(frustum, states, row);
+          for (int s = stretch.begin; s < std::min(stretch.end, frustum.lastSlice); ++s)
+          {
+            rowKernel.RayStep(sampler, s);
+          }
+        });
+    }
   }
 }
 
@@ -134,17 +173,17 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  ParallelFor(frustum.RayCount(), 8192, StartBehind{ states });
+  ForRaysReached<StartBehind>(rays);
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
-  const RowsHere rowsOfRays = rays.RaysHere();
-  const auto forRays = [&](const auto& step)
+  const std::vector<RayValues> carried = kernel.Carried(states);
+  const auto forRays = [&](int s, const auto& step)
   {
-    ParallelFor(rowsOfRays.Length(), rowsPerTask,
-      [&](Index row)
+    ForRows(rays.RaysHere(s), rowsPerTask,
+      [&](int row)
       {
-        RowSampler sampler(frustum, states, rowsOfRays[row]);
+        RowSampler sampler(frustum, states, row);
         step(sampler);
       });
   };
@@ -155,28 +194,30 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
     windows.Load(slab);
     for (int s = slab.end; s-- > std::max(slab.begin, frustum.firstNodeSlice);)
     {
-      forRays([&](RowSampler& sampler) { rowKernel.RayStep(sampler, s); });
-      ExchangeRays(rays, s, false, states, states.*Kernel::seenBehind);
-      const RowsHere rows = rays.VoxelsHere(s);
-      ParallelFor(rows.Length(), rowsPerTask,
-        [&](Index v)
+      PassRays(rays, std::min(s + 1, frustum.lastSlice), s, carried);
+      forRays(s, [&](RowSampler& sampler) { rowKernel.RayStep(sampler, s); });
+      ExchangeRays(
+        rays, s, false, { states.transmittance, states.density, states.*Kernel::seenBehind });
+      ForRows(rays.VoxelsHere(s), rowsPerTask,
+        [&](int v)
         {
-          VoxelRow voxels(frustum, s, rows[v]);
+          VoxelRow voxels(frustum, s, v);
           if (!voxels.Filled().Empty())
           {
             rowKernel.VoxelStep(voxels, beside);
-            done(voxels, rowKernel, rows[v]);
+            done(voxels, rowKernel, v);
           }
         });
       windows.Exchange(s);
     }
     if (index == 0)
     {
-      forRays([&](RowSampler& sampler) { rowKernel.LeaveStep(sampler); });
+      forRays(0, [&](RowSampler& sampler) { rowKernel.LeaveStep(sampler); });
     }
     windows.Store(slab);
   }
-  ParallelFor(frustum.RayCount(), 8192, FinishBehind{ states });
+  ForRaysReached<FinishBehind>(rays);
+  PassRays(rays, 0, frustum.lastSlice, carried);
 }
 
 /// The same of a kernel whose rays do not depend on what it does to the voxels.
@@ -194,36 +235,38 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  ParallelFor(frustum.RayCount(), 8192, StartInFront{ states });
+  ForRaysReached<StartDepth>(rays);
   FieldWindows windows(rays, nullptr);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
-  const RowsHere rowsOfRays = rays.RaysHere();
+  const std::vector<RayValues> carried{ states.opticalDepth, states.transmittance, states.density };
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
   for (const Range<int>& slab : SlabsOf(frustum))
   {
     windows.Load(slab);
     for (int s = slab.begin; s < slab.end; ++s)
     {
-      ParallelFor(rowsOfRays.Length(), rowsPerTask,
-        [&](Index index)
+      PassRays(rays, s - 1, s, carried);
+      ForRows(rays.RaysHere(s), rowsPerTask,
+        [&](int row)
         {
-          const int row = rowsOfRays[index];
-          Range<int>& met = dimmed[std::size_t(row)];
           RowSampler sampler(frustum, states, row);
-          rowKernel.RayStep(sampler, s, met);
-          met = s < frustum.lastSlice ? Hull(met, frustum.ActiveRays(s, row)) : met;
+          rowKernel.RayStep(sampler, s, dimmed[std::size_t(row)]);
         });
+      for (int row = 0; s < frustum.lastSlice && row < frustum.rows; ++row)
+      {
+        Range<int>& met = dimmed[std::size_t(row)];
+        met = Hull(met, frustum.ActiveRays(s, row));
+      }
       if (frustum.SliceAt(s).node < 0)
       {
         continue;
       }
-      ExchangeRays(rays, s, true, states, states.*Kernel::seenBehind);
-      const RowsHere rows = rays.VoxelsHere(s);
-      ParallelFor(rows.Length(), rowsPerTask,
-        [&](Index v)
+      ExchangeRays(rays, s, true, { states.transmittance, states.density });
+      ForRows(rays.VoxelsHere(s), rowsPerTask,
+        [&](int v)
         {
-          VoxelRow voxels(frustum, s, rows[v]);
+          VoxelRow voxels(frustum, s, v);
           rowKernel.VoxelStep(voxels, beside);
         });
     }
