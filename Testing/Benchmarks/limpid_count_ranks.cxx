@@ -1,25 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Counts what ranks that share a scene say to each other, and how even their work is: of numbers of
-// ranks, most of any rank. They are threads here; what travels is what would travel between
-// machines. Prints JSON.
+// Counts what ranks that share a scene say to each other, how even their work is, and what they
+// need of the fields: of numbers of ranks, most of any rank. They are threads here; what travels is
+// what would travel between machines. Prints JSON.
 //   limpid_count_ranks FILE.scene.json RANKS...
 
 #include "SceneForSolver.h"
 #include "SilentRanks.h"
 #include "ThreadRanks.h"
 
+#include "optimize/Permuted.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Solver.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/RankBands.h"
+#include "sweep/RankRegions.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <mutex>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -78,52 +81,102 @@ private:
   mutable Traffic Sent;
 };
 
-/// Of the sweeps of a source: work of the rank that has most, over the mean; of the whole sweep,
-/// and where all wait for each other on every slice.
-struct Evenness
+/// A problem in the order of axes in which it is swept.
+struct InOrder
 {
-  double all;
-  double slices;
+  Problem problem;
+  Occupancy occupancy;
+
+  explicit InOrder(const Problem& given)
+    : problem(Reordered(given, OrderFor(given)))
+    , occupancy(OccupancyOf(given))
+  {
+  }
+
+  static Occupancy OccupancyOf(const Problem& given)
+  {
+    const AxisPermutation order = OrderFor(given);
+    std::vector<float> base(std::size_t(given.grid.NodeCount()));
+    std::vector<float> importance(base.size());
+    Permute(given.grid, order, given.baseExtinction, base.data());
+    Permute(given.grid, order, given.nodeImportance, importance.data());
+    return { order.Of(given.grid), base.data(), importance.data(), given.settings.skipUnneeded };
+  }
 };
 
-Evenness EvennessOf(const Problem& problem, const RaySource& source, int ranks)
+/// Of the sweeps of a source: work of the rank that has most on a slice, over the mean, where all
+/// wait for each other on every slice.
+double UnevennessOf(const InOrder& scene, const RaySource& source, int ranks)
 {
   const SilentRanks silent(ranks);
   double total = 0;
   double slices = 0;
-  std::vector<double> ofRanks(std::size_t(ranks), 0.0);
   for (const PlannedFrustum& frustum :
-    PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity }))
+    PlanSweep(scene.problem.grid, scene.occupancy, source, { scene.problem.settings.rayDensity }))
   {
     const RankBands bands(frustum, silent);
     for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
     {
-      std::vector<double> here(std::size_t(ranks), 0.0);
-      for (int band = 0; band < bands.BandCount(); ++band)
+      const std::vector<Index> work = WorkOfRows(frustum, s);
+      Index most = 0;
+      for (int rank = 0; rank < ranks; ++rank)
       {
-        Index work = 0;
-        const Range<int> rays = bands.RaysOf(band);
-        for (int row = rays.begin; s < frustum.lastSlice && row < rays.end; ++row)
-        {
-          work += std::max(frustum.ActiveRays(s, row).Length(), 0);
-        }
-        const Range<int> voxels = bands.VoxelsOf(band, s);
-        for (int v = voxels.begin; v < voxels.end; ++v)
-        {
-          work += std::max(frustum.FilledVoxels(s, v).Length(), 0);
-        }
-        here[std::size_t(bands.RankOf(band))] += double(work);
-        ofRanks[std::size_t(bands.RankOf(band))] += double(work);
-        total += double(work);
+        const Range<int> rays = bands.RaysOf(rank, s);
+        most = std::max(
+          most, std::accumulate(work.begin() + rays.begin, work.begin() + rays.end, Index(0)));
       }
-      slices += *std::max_element(here.begin(), here.end());
+      total += double(std::accumulate(work.begin(), work.end(), Index(0)));
+      slices += double(most);
     }
   }
-  const double mean = total / ranks;
-  return { *std::max_element(ofRanks.begin(), ofRanks.end()) / mean, slices / mean };
+  return slices * ranks / total;
 }
 
-Json CountRanks(const SceneOfFile& scene, const Problem& problem, int ranks)
+/// Filled nodes that a rank needs for all sweeps.
+Index CountNeeded(const InOrder& scene, const std::vector<PlannedFrustum>& frusta,
+  const SilentRanks& silent, int rank)
+{
+  const Int3 nodes = scene.problem.grid.nodes;
+  std::vector<char> needed(std::size_t(scene.problem.grid.NodeCount()), 0);
+  for (const PlannedFrustum& frustum : frusta)
+  {
+    for (const NodeBox& box : RegionNeeded(frustum, RankBands(frustum, silent), rank))
+    {
+      for (int k = box.along[2].begin; k < box.along[2].end; ++k)
+      {
+        for (int j = box.along[1].begin; j < box.along[1].end; ++j)
+        {
+          const Range<int> row = Intersection(box.along[0], scene.occupancy.Row(0, j, k).filled);
+          const auto first = needed.begin() + (Index(k) * nodes.y + j) * nodes.x;
+          std::fill(first + row.begin, first + std::max(row.begin, row.end), char(1));
+        }
+      }
+    }
+  }
+  return std::accumulate(needed.begin(), needed.end(), Index(0));
+}
+
+/// What the rank needs that needs most, over its share of what one process needs.
+double NeedOf(const InOrder& scene, int ranks)
+{
+  std::vector<PlannedFrustum> frusta;
+  for (const RaySource* source : { &scene.problem.camera, &scene.problem.light })
+  {
+    for (PlannedFrustum& frustum : PlanSweep(
+           scene.problem.grid, scene.occupancy, *source, { scene.problem.settings.rayDensity }))
+    {
+      frusta.push_back(std::move(frustum));
+    }
+  }
+  Index most = 0;
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    most = std::max(most, CountNeeded(scene, frusta, SilentRanks(ranks), rank));
+  }
+  return double(most) * ranks / double(CountNeeded(scene, frusta, SilentRanks(1), 0));
+}
+
+Json CountRanks(const SceneOfFile& scene, const InOrder& inOrder, int ranks)
 {
   std::mutex access;
   std::vector<Traffic> most;
@@ -149,17 +202,16 @@ Json CountRanks(const SceneOfFile& scene, const Problem& problem, int ranks)
       most.resize(traffic.size());
       std::transform(most.begin(), most.end(), traffic.begin(), most.begin(), MostOf);
     });
-  Json result{ { "ranks", ranks } };
+  Json result{ { "ranks", ranks }, { "needed", NeedOf(inOrder, ranks) } };
   for (const Traffic& traffic : most)
   {
     result["steps"].push_back(
       { { "messages", traffic.messages }, { "bytes", traffic.bytes }, { "waits", traffic.waits } });
   }
-  for (const auto& [name, source] :
-    { std::pair{ "camera", &problem.camera }, std::pair{ "light", &problem.light } })
+  for (const auto& [name, source] : { std::pair{ "camera", &inOrder.problem.camera },
+         std::pair{ "light", &inOrder.problem.light } })
   {
-    const Evenness even = EvennessOf(problem, *source, ranks);
-    result[name] = { { "all", even.all }, { "slices", even.slices } };
+    result[name] = { { "slices", UnevennessOf(inOrder, *source, ranks) } };
   }
   return result;
 }
@@ -177,11 +229,12 @@ int main(int argc, char** argv)
     const SceneOfFile scene{ std::string(argv[1]) };
     PreparedScene prepared(scene.Fields());
     const Problem problem = prepared.ProblemFor(scene.camera, scene.light, Settings());
+    const InOrder inOrder(problem);
     Json counted{ { "nodes", { scene.grid.nodes.x, scene.grid.nodes.y, scene.grid.nodes.z } },
       { "filled", problem.occupancy->FilledVoxels() } };
     for (int i = 2; i < argc; ++i)
     {
-      counted["counts"].push_back(CountRanks(scene, problem, std::stoi(argv[i])));
+      counted["counts"].push_back(CountRanks(scene, inOrder, std::stoi(argv[i])));
     }
     std::printf("%s\n", counted.dump(1).c_str());
     return 0;

@@ -67,8 +67,8 @@ of all iterations. Growth: resident memory of the first rank at its peak, above 
 the results among it. More processes than processors say nothing about time.
 
 A rank's memory has two parts: fields, of which it has the nodes beside its bands of camera and light, and what is
-two-dimensional and whole on every rank: images of rays, plans and, for the arrays of transmittance, those of nine times as
-many rays.
+two-dimensional: images of the rays that it has or reads, those of nine times as many rays for the arrays of transmittance,
+and plans, which are whole on every rank.
 """
     for name, rows in measured["scenes"].items():
         one = rows[0]
@@ -96,7 +96,8 @@ many rays.
         text += f"""
 What ranks say to each other, counted by `limpid_count_ranks`: of an iteration in the middle, by the \
 rank that has most. A rank waits where it needs what others have. Uneven: work of the rank that has \
-most over the mean, if all wait for each other on every slice.
+most over the mean, if all wait for each other on every slice. Needed: filled nodes that the rank needs \
+that needs most, over its share of what one process needs.
 
 """ + table(counted["counts"], [
             ("ranks", lambda row: str(row["ranks"])),
@@ -104,7 +105,8 @@ most over the mean, if all wait for each other on every slice.
             ("MB", lambda row: fixed(counts(row)["bytes"] / 1e6, 2)),
             ("waits", lambda row: str(counts(row)["waits"])),
             ("uneven, camera", lambda row: fixed(row["camera"]["slices"], 2)),
-            ("uneven, light", lambda row: fixed(row["light"]["slices"], 2))])
+            ("uneven, light", lambda row: fixed(row["light"]["slices"], 2)),
+            ("needed", lambda row: fixed(row["needed"], 2))])
         seconds_per_node = steady(one) / float(counted["filled"])
         text += f"""
 **A model, not measured**: an iteration where the scene has {fixed(1e9 * seconds_per_node, 0)} ns of \
