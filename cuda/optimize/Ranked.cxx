@@ -215,10 +215,9 @@ public:
     , Extinction(problem.grid.NodeCount())
   {
     FieldsOfRanks& fields = *this->Inside.shared;
-    for (FieldsOfRanks::Field* field : { &fields.base, &fields.importance })
-    {
-      this->Where.FromPieces(fields.pieces, field->piece, field->values.Data());
-    }
+    this->Where.FromPieces(fields.pieces,
+      { { fields.base.piece, fields.base.values.Data() },
+        { fields.importance.piece, fields.importance.values.Data() } });
   }
 
   Score ScoreOf(const float* extinction) override
@@ -234,7 +233,7 @@ public:
       return ScoreOfBase(*this->Base);
     }
     this->Where.FromPieces(this->Inside.shared->pieces,
-      PieceOf(*this->Given, AxisPermutation(), extinction), this->Extinction.Data());
+      { { PieceOf(*this->Given, AxisPermutation(), extinction), this->Extinction.Data() } });
     return limpid::ScoreOf(
       this->See(this->Extinction.Data(), this->Inside.baseExtinction), this->Base->unattenuated);
   }
@@ -316,7 +315,7 @@ void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const R
   const TermsOnRanks fields(*piece.ranks, grid.nodes, { { &sweep.Frusta(), &source } }, nullptr);
   NodeValues there(grid.NodeCount());
   NodeValues found(grid.NodeCount());
-  fields.FromPieces(RegionsOf(piece.owned), given, there.Data());
+  fields.FromPieces(RegionsOf(piece.owned), { { given, there.Data() } });
   fields.FillNeeded(&sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
   sweep.Sweep(there.Data(), found.Data());
   std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f);

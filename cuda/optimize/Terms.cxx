@@ -93,14 +93,16 @@ void Terms<AnyDevice>::ShareFields()
     }
     this->Shared = std::make_unique<const TermsOnRanks>(
       *shared.ranks, this->Given->grid.nodes, terms, this->Given->occupancy.get(), shared.inSlabs);
+    std::vector<TermsOnRanks::Input> inputs;
     for (FieldsOfRanks::Field* field :
       { &shared.base, &shared.importance, &shared.nodeImportance, &shared.previous })
     {
       if (!field->values.Empty())
       {
-        this->Shared->FromPieces(shared.pieces, field->piece, field->values.Data());
+        inputs.push_back({ field->piece, field->values.Data() });
       }
     }
+    this->Shared->FromPieces(shared.pieces, inputs);
   }
 }
 

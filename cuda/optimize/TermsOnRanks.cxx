@@ -114,14 +114,18 @@ FieldView TermsOnRanks::Whole(const float* field) const
 }
 
 void TermsOnRanks::FromPieces(
-  const std::vector<Region>& pieces, const FieldView& piece, float* field) const
+  const std::vector<Region>& pieces, const std::vector<Input>& inputs) const
 {
   std::vector<Region> needed(std::size_t(this->All->Size()));
   for (std::size_t place = 0; place < this->Of.size(); ++place)
   {
     Append(needed, this->RegionsOf(place, &Regions::needed));
   }
-  Spread(*this->All, piece, pieces, this->Whole(field), needed, this->Filled);
+  const Passages ways(*this->All, pieces, needed, this->Filled);
+  for (const Input& input : inputs)
+  {
+    ways.Bring(input.piece, this->Whole(input.field));
+  }
 }
 
 void TermsOnRanks::ToPieces(

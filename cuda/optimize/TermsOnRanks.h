@@ -43,8 +43,15 @@ public:
 
   const Communicator& Ranks() const { return *this->All; }
 
-  /// Brings a field from `pieces`, of each rank one region, to all who need any of it.
-  void FromPieces(const std::vector<Region>& pieces, const FieldView& piece, float* field) const;
+  /// A field of this rank's piece, and where what it needs of all comes to.
+  struct Input
+  {
+    FieldView piece;
+    float* field;
+  };
+
+  /// Brings fields from `pieces`, of each rank one region, to all who need any of them.
+  void FromPieces(const std::vector<Region>& pieces, const std::vector<Input>& inputs) const;
 
   /// Brings a field that everybody has back to the pieces.
   void ToPieces(
