@@ -15,6 +15,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numeric>
 #include <vector>
@@ -23,19 +25,31 @@ using namespace limpid;
 
 namespace
 {
+/// Calls what(columns, j, k) for the rows of a box as far as they may differ from 0.
+template <class What>
+void ForFilledRows(const NodeBox& box, const Occupancy& occupancy, const What& what)
+{
+  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
+  {
+    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
+    {
+      const Range<int> columns = Intersection(box.along[0], occupancy.Row(0, j, k).filled);
+      if (!columns.Empty())
+      {
+        what(columns, j, k);
+      }
+    }
+  }
+}
+
 /// Values of a region that may differ from 0.
 Index FilledIn(const Region& region, const Occupancy& occupancy)
 {
   Index count = 0;
   for (const NodeBox& box : region)
   {
-    for (int k = box.along[2].begin; k < box.along[2].end; ++k)
-    {
-      for (int j = box.along[1].begin; j < box.along[1].end; ++j)
-      {
-        count += std::max(Intersection(box.along[0], occupancy.Row(0, j, k).filled).Length(), 0);
-      }
-    }
+    ForFilledRows(
+      box, occupancy, [&count](const Range<int>& columns, int, int) { count += columns.Length(); });
   }
   return count;
 }
@@ -91,6 +105,20 @@ protected:
         what(frustum, RankBands(frustum, this->Ranks), *problem.occupancy);
       }
     }
+  }
+
+  Index Nodes() const { return this->Scene.grid.NodeCount(); }
+
+  /// Marks the nodes of a box that may differ from 0.
+  void Mark(const NodeBox& box, const Occupancy& occupancy, std::vector<char>& nodes) const
+  {
+    const Int3 size = this->Scene.grid.nodes;
+    ForFilledRows(box, occupancy,
+      [&](const Range<int>& columns, int j, int k)
+      {
+        const auto row = nodes.begin() + (Index(k) * size.y + j) * size.x;
+        std::fill(row + columns.begin, row + columns.end, char(1));
+      });
   }
 
   BoxScene Scene;
@@ -174,6 +202,41 @@ TEST_P(BandsOfRanks, NeedLittleMoreThanTheirShareOfTheFields)
       const Index rows = Index(frustum.nodesU) * frustum.SliceCount() * 6;
       EXPECT_LE(most, changed * 13 / 10 / this->Ranks.Size() + rows);
     });
+}
+
+TEST_P(BandsOfRanks, NeedTogetherNoMoreThanIfTheyWereDividedAtRandom)
+{
+  const int ranks = this->Ranks.Size();
+  std::vector<std::vector<char>> needed; // [rank][node]
+  Index filled = 0;
+  Index halos = 0;
+  int frusta = 0;
+  this->ForFrusta(
+    [&](const FaceFrustum& frustum, const RankBands& bands, const Occupancy& occupancy)
+    {
+      needed.resize(std::size_t(ranks), std::vector<char>(std::size_t(this->Nodes()), 0));
+      for (int rank = 0; rank < ranks; ++rank)
+      {
+        for (const NodeBox& box : RegionNeeded(frustum, bands, rank))
+        {
+          this->Mark(box, occupancy, needed[std::size_t(rank)]);
+        }
+      }
+      filled = occupancy.FilledVoxels();
+      halos += Index(frustum.nodesU) * frustum.SliceCount() * 6; // see above
+      ++frusta;
+    });
+  Index most = 0;
+  for (const std::vector<char>& ofRank : needed)
+  {
+    most = std::max(most, std::accumulate(ofRank.begin(), ofRank.end(), Index(0)));
+  }
+  // Of so many frusta a node is in none of a rank's bands with this probability.
+  const double none = std::pow(1 - 1.0 / ranks, frusta);
+  EXPECT_LE(double(most), double(filled) * (1 - none) + double(halos));
+  const auto bytes = [](double nodes) { return nodes * sizeof(float); };
+  std::printf("%d ranks: %.0f bytes of a field, a share has %.0f\n", ranks, bytes(double(most)),
+    bytes(double(filled) / ranks));
 }
 
 INSTANTIATE_TEST_SUITE_P(Ranks, BandsOfRanks, ::testing::Values(1, 2, 4, 8));
