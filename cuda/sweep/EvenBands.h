@@ -13,7 +13,7 @@ namespace limpid
 /// Slices of a frustum, front to back, whose rows of rays are divided alike.
 constexpr int slicesPerStretch = 8;
 
-/// What it takes to pass a ray to another band: some 70 bytes are copied, sent and copied [ns].
+/// What it takes to pass a ray to another band: up to 70 bytes are copied, sent and copied [ns].
 constexpr Index timeOfPassing = 20;
 
 /// What a sweep takes on a slice of each row of rays and of the voxels beside it, about, of one

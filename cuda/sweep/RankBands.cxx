@@ -6,7 +6,6 @@
 #include "sweep/SliceWindow.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace limpid
@@ -53,7 +52,7 @@ void RankBands::FindNeeded()
     { rows[std::size_t(node)] = Hull(rows[std::size_t(node)], by); };
     for (int s = 0; s < this->Frustum.SliceCount(); ++s)
     {
-      // Sweeps from the back carry rays through the layer behind when these have left it.
+      // Sweeps from the back carry rays through the next layer, too, whose voxels are final then.
       for (int layer = s; layer < std::min(s + 2, this->Frustum.lastSlice); ++layer)
       {
         const Range<int> read = this->RowsRead(this->RaysOf(rank, s), layer);
