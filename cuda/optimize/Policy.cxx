@@ -87,9 +87,9 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
             kernel.previous ? squaresFrom(windows.previous) : 0.0 });
         }
       });
-    for (const ExactDifferences& row : rows)
+    for (std::size_t v = 0; moved && v < rows.size(); ++v)
     {
-      *moved += row;
+      *moved += rows[v];
     }
   }
   else
