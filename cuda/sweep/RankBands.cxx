@@ -151,13 +151,18 @@ struct Segment
 {
   std::byte* first;
   std::size_t bytes;
-
-  Segment(const RayValues& values, Index begin, int count)
-    : first(values.first + std::size_t(begin) * values.bytes)
-    , bytes(std::size_t(count) * values.bytes)
-  {
-  }
 };
+
+/// Adds those of some columns of a row, if there are any.
+void AddSegment(const RayValues& values, Index beginOfRow, const Range<int>& columns,
+  std::vector<Segment>& segments)
+{
+  if (!columns.Empty())
+  {
+    segments.push_back({ values.first + std::size_t(beginOfRow + columns.begin) * values.bytes,
+      std::size_t(columns.Length()) * values.bytes });
+  }
+}
 
 /// What goes to a rank or comes from it, in one message.
 struct Parcel
@@ -241,9 +246,9 @@ void RankBands::PassRays(int from, int to, const std::vector<RayValues>& carried
     {
       // Others are as they were before any sweep, on all ranks.
       const Range<int>& columns = this->Visited[std::size_t(row)];
-      for (const RayValues& values : columns.Empty() ? std::vector<RayValues>() : carried)
+      for (const RayValues& values : carried)
       {
-        segments.emplace_back(values, this->Frustum.RayAt(columns.begin, row), columns.Length());
+        AddSegment(values, this->Frustum.RayAt(0, row), columns, segments);
       }
     });
 }
@@ -256,9 +261,9 @@ void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& image
       // Other rays are as they were on the slice before.
       const Range<int> columns =
         cubic ? Range<int>{ 0, this->Frustum.columns } : this->Frustum.ActiveRays(s, row);
-      for (float* image : columns.Empty() ? std::vector<float*>() : images)
+      for (float* image : images)
       {
-        segments.emplace_back(image, this->Frustum.RayAt(columns.begin, row), columns.Length());
+        AddSegment(image, this->Frustum.RayAt(0, row), columns, segments);
       }
     });
 }
@@ -269,10 +274,9 @@ void RankBands::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) c
     [&](int v, std::vector<Segment>& segments)
     {
       const Range<int>& columns = this->Frustum.FilledVoxels(s, v);
-      for (SliceWindow* field : columns.Empty() ? std::vector<SliceWindow*>() : fields)
+      for (SliceWindow* field : fields)
       {
-        segments.emplace_back(
-          field->Row(this->Frustum.SliceAt(s).node, v), columns.begin, columns.Length());
+        AddSegment(field->Row(this->Frustum.SliceAt(s).node, v), 0, columns, segments);
       }
     });
 }

@@ -117,24 +117,7 @@ struct StartBehind
   }
 };
 
-/// What a ray is before a sweep from the front.
-struct StartInFront
-{
-  RayStates rays;
-
-  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
-  {
-    this->rays.opticalDepth[i] = 0;
-    this->rays.visible[i] = 0;
-    this->rays.unattenuated[i] = 0;
-    this->rays.transmittance[i] = 1;
-    this->rays.density[i] = 0;
-    this->rays.keptVisible[i] = 0;
-    this->rays.keptUnattenuated[i] = 0;
-  }
-};
-
-/// The same before one that finds transmittance alone.
+/// What a ray is before a sweep from the front that finds transmittance alone.
 struct StartDepth
 {
   RayStates rays;
@@ -144,6 +127,21 @@ struct StartDepth
     this->rays.opticalDepth[i] = 0;
     this->rays.transmittance[i] = 1;
     this->rays.density[i] = 0;
+  }
+};
+
+/// What it is before any sweep from the front.
+struct StartInFront
+{
+  RayStates rays;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
+  {
+    StartDepth{ this->rays }(i);
+    this->rays.visible[i] = 0;
+    this->rays.unattenuated[i] = 0;
+    this->rays.keptVisible[i] = 0;
+    this->rays.keptUnattenuated[i] = 0;
   }
 };
 
