@@ -198,8 +198,8 @@ TEST_P(BandsOfRanks, NeedLittleMoreThanTheirShareOfTheFields)
         changed += FilledIn(RegionChanged(frustum, bands, rank), occupancy);
       }
       // Of every slice, rays and voxels of neighbours read up to two rows on either side of a band,
-      // rays the layer behind, too, and what is filled need not lie as the rays that matter do.
-      const Index rows = Index(frustum.nodesU) * frustum.SliceCount() * 6;
+      // and what is filled need not lie as the rays that matter do.
+      const Index rows = Index(frustum.nodesU) * frustum.SliceCount() * 4;
       EXPECT_LE(most, changed * 13 / 10 / this->Ranks.Size() + rows);
     });
 }
@@ -223,7 +223,7 @@ TEST_P(BandsOfRanks, NeedTogetherNoMoreThanIfTheyWereDividedAtRandom)
         }
       }
       filled = occupancy.FilledVoxels();
-      halos += Index(frustum.nodesU) * frustum.SliceCount() * 6; // see above
+      halos += Index(frustum.nodesU) * frustum.SliceCount() * 4; // see above
       ++frusta;
     });
   Index most = 0;
