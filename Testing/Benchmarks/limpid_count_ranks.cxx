@@ -132,31 +132,38 @@ double UnevennessOf(const InOrder& scene, const RaySource& source, int ranks)
   return slices * ranks / total;
 }
 
-/// Filled nodes that a rank needs for all sweeps.
-Index CountNeeded(const InOrder& scene, const std::vector<PlannedFrustum>& frusta,
-  const SilentRanks& silent, int rank)
+/// Filled nodes that the rank needs that needs most, for all sweeps.
+Index MostNeeded(const InOrder& scene, const std::vector<PlannedFrustum>& frusta, int ranks)
 {
   const Int3 nodes = scene.problem.grid.nodes;
-  std::vector<char> needed(std::size_t(scene.problem.grid.NodeCount()), 0);
+  const SilentRanks silent(ranks);
+  std::vector<RankBands> bands;
   for (const PlannedFrustum& frustum : frusta)
   {
-    for (const NodeBox& box : RegionNeeded(frustum, RankBands(frustum, silent), rank))
+    bands.emplace_back(frustum, silent);
+  }
+  Index most = 0;
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    std::vector<char> needed(std::size_t(scene.problem.grid.NodeCount()), 0);
+    for (std::size_t i = 0; i < frusta.size(); ++i)
     {
-      for (int k = box.along[2].begin; k < box.along[2].end; ++k)
+      for (const NodeBox& box : RegionNeeded(frusta[i], bands[i], rank))
       {
-        for (int j = box.along[1].begin; j < box.along[1].end; ++j)
-        {
-          const Range<int> row = Intersection(box.along[0], scene.occupancy.Row(0, j, k).filled);
-          const auto first = needed.begin() + (Index(k) * nodes.y + j) * nodes.x;
-          std::fill(first + row.begin, first + std::max(row.begin, row.end), char(1));
-        }
+        ForRowsOf(box, &scene.occupancy,
+          [&](const Int3& first, int count)
+          {
+            const Index at = (Index(first.z) * nodes.y + first.y) * nodes.x + first.x;
+            std::fill_n(needed.begin() + at, count, char(1));
+          });
       }
     }
+    most = std::max(most, std::accumulate(needed.begin(), needed.end(), Index(0)));
   }
-  return std::accumulate(needed.begin(), needed.end(), Index(0));
+  return most;
 }
 
-/// What the rank needs that needs most, over its share of what one process needs.
+/// That over a rank's share of what one process needs.
 double NeedOf(const InOrder& scene, int ranks)
 {
   std::vector<PlannedFrustum> frusta;
@@ -168,12 +175,7 @@ double NeedOf(const InOrder& scene, int ranks)
       frusta.push_back(std::move(frustum));
     }
   }
-  Index most = 0;
-  for (int rank = 0; rank < ranks; ++rank)
-  {
-    most = std::max(most, CountNeeded(scene, frusta, SilentRanks(ranks), rank));
-  }
-  return double(most) * ranks / double(CountNeeded(scene, frusta, SilentRanks(1), 0));
+  return double(MostNeeded(scene, frusta, ranks)) * ranks / double(MostNeeded(scene, frusta, 1));
 }
 
 Json CountRanks(const SceneOfFile& scene, const InOrder& inOrder, int ranks)

@@ -25,31 +25,13 @@ using namespace limpid;
 
 namespace
 {
-/// Calls what(columns, j, k) for the rows of a box as far as they may differ from 0.
-template <class What>
-void ForFilledRows(const NodeBox& box, const Occupancy& occupancy, const What& what)
-{
-  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
-  {
-    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
-    {
-      const Range<int> columns = Intersection(box.along[0], occupancy.Row(0, j, k).filled);
-      if (!columns.Empty())
-      {
-        what(columns, j, k);
-      }
-    }
-  }
-}
-
 /// Values of a region that may differ from 0.
 Index FilledIn(const Region& region, const Occupancy& occupancy)
 {
   Index count = 0;
   for (const NodeBox& box : region)
   {
-    ForFilledRows(
-      box, occupancy, [&count](const Range<int>& columns, int, int) { count += columns.Length(); });
+    ForRowsOf(box, &occupancy, [&count](const Int3&, int length) { count += length; });
   }
   return count;
 }
@@ -113,11 +95,11 @@ protected:
   void Mark(const NodeBox& box, const Occupancy& occupancy, std::vector<char>& nodes) const
   {
     const Int3 size = this->Scene.grid.nodes;
-    ForFilledRows(box, occupancy,
-      [&](const Range<int>& columns, int j, int k)
+    ForRowsOf(box, &occupancy,
+      [&](const Int3& first, int count)
       {
-        const auto row = nodes.begin() + (Index(k) * size.y + j) * size.x;
-        std::fill(row + columns.begin, row + columns.end, char(1));
+        std::fill_n(
+          nodes.begin() + (Index(first.z) * size.y + first.y) * size.x + first.x, count, char(1));
       });
   }
 

@@ -3,7 +3,6 @@
 
 #include "sweep/RankRegions.h"
 
-#include "sweep/Occupancy.h"
 #include "sweep/RankBands.h"
 
 #include <algorithm>
@@ -81,24 +80,6 @@ void ForBoth(const Region& one, const Region& other, const What& what)
       if (!both.Empty())
       {
         what(both);
-      }
-    }
-  }
-}
-
-/// Calls what(first node of a row, count) for the rows of a box along x, as far as they are filled.
-template <class What>
-void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
-{
-  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
-  {
-    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
-    {
-      const Range<int> row =
-        filled ? Intersection(box.along[0], filled->Row(0, j, k).filled) : box.along[0];
-      if (!row.Empty())
-      {
-        what(Int3(row.begin, j, k), row.Length());
       }
     }
   }

@@ -7,13 +7,13 @@
 #include "backend/Communicator.h"
 #include "scene/NodeBox.h"
 #include "sweep/FaceFrustum.h"
+#include "sweep/Occupancy.h"
 
 #include <array>
 #include <vector>
 
 namespace limpid
 {
-class Occupancy;
 class RankBands;
 
 /// Nodes of a grid: those of its boxes, which may overlap.
@@ -56,6 +56,24 @@ struct FieldView
     return i * this->stride[0] + j * this->stride[1] + k * this->stride[2];
   }
 };
+
+/// Calls what(first node of a row, count) for the rows of a box along x, as far as they are filled.
+template <class What>
+void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
+{
+  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
+  {
+    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
+    {
+      const Range<int> row =
+        filled ? Intersection(box.along[0], filled->Row(0, j, k).filled) : box.along[0];
+      if (!row.Empty())
+      {
+        what(Int3(row.begin, j, k), row.Length());
+      }
+    }
+  }
+}
 
 /// Sets the values of a box of nodes.
 void FillNodes(const NodeBox& box, float value, const FieldView& field);
