@@ -138,6 +138,7 @@ Index MostNeeded(const InOrder& scene, const std::vector<PlannedFrustum>& frusta
   const Int3 nodes = scene.problem.grid.nodes;
   const SilentRanks silent(ranks);
   std::vector<RankBands> bands;
+  bands.reserve(frusta.size());
   for (const PlannedFrustum& frustum : frusta)
   {
     bands.emplace_back(frustum, silent);
