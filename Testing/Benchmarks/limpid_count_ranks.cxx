@@ -1,21 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Counts what ranks that share a scene say to each other, how even their work is, and what they
-// need of the fields: of numbers of ranks, most of any rank. They are threads here; what travels is
-// what would travel between machines. Prints JSON.
+// Counts what ranks that share a scene say to each other, how even their work is, and what memory
+// they have for a field, over their share of its nodes: of numbers of ranks, most of any rank. They
+// are threads here; what travels is what would travel between machines. Prints JSON.
 //   limpid_count_ranks FILE.scene.json RANKS...
 
+#include "HeldByRanks.h"
 #include "SceneForSolver.h"
 #include "SilentRanks.h"
-#include "ThreadRanks.h"
 
-#include "optimize/Permuted.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Solver.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/RankBands.h"
-#include "sweep/RankRegions.h"
 
 #include <nlohmann/json.hpp>
 
@@ -81,32 +79,9 @@ private:
   mutable Traffic Sent;
 };
 
-/// A problem in the order of axes in which it is swept.
-struct InOrder
-{
-  Problem problem;
-  Occupancy occupancy;
-
-  explicit InOrder(const Problem& given)
-    : problem(Reordered(given, OrderFor(given)))
-    , occupancy(OccupancyOf(given))
-  {
-  }
-
-  static Occupancy OccupancyOf(const Problem& given)
-  {
-    const AxisPermutation order = OrderFor(given);
-    std::vector<float> base(std::size_t(given.grid.NodeCount()));
-    std::vector<float> importance(base.size());
-    Permute(given.grid, order, given.baseExtinction, base.data());
-    Permute(given.grid, order, given.nodeImportance, importance.data());
-    return { order.Of(given.grid), base.data(), importance.data(), given.settings.skipUnneeded };
-  }
-};
-
 /// Of the sweeps of a source: work of the rank that has most on a slice, over the mean, where all
 /// wait for each other on every slice.
-double UnevennessOf(const InOrder& scene, const RaySource& source, int ranks)
+double UnevennessOf(const ProblemInOrder& scene, const RaySource& source, int ranks)
 {
   const SilentRanks silent(ranks);
   double total = 0;
@@ -132,54 +107,7 @@ double UnevennessOf(const InOrder& scene, const RaySource& source, int ranks)
   return slices * ranks / total;
 }
 
-/// Filled nodes that the rank needs that needs most, for all sweeps.
-Index MostNeeded(const InOrder& scene, const std::vector<PlannedFrustum>& frusta, int ranks)
-{
-  const Int3 nodes = scene.problem.grid.nodes;
-  const SilentRanks silent(ranks);
-  std::vector<RankBands> bands;
-  bands.reserve(frusta.size());
-  for (const PlannedFrustum& frustum : frusta)
-  {
-    bands.emplace_back(frustum, silent);
-  }
-  Index most = 0;
-  for (int rank = 0; rank < ranks; ++rank)
-  {
-    std::vector<char> needed(std::size_t(scene.problem.grid.NodeCount()), 0);
-    for (std::size_t i = 0; i < frusta.size(); ++i)
-    {
-      for (const NodeBox& box : RegionNeeded(frusta[i], bands[i], rank))
-      {
-        ForRowsOf(box, &scene.occupancy,
-          [&](const Int3& first, int count)
-          {
-            const Index at = (Index(first.z) * nodes.y + first.y) * nodes.x + first.x;
-            std::fill_n(needed.begin() + at, count, char(1));
-          });
-      }
-    }
-    most = std::max(most, std::accumulate(needed.begin(), needed.end(), Index(0)));
-  }
-  return most;
-}
-
-/// That over a rank's share of what one process needs.
-double NeedOf(const InOrder& scene, int ranks)
-{
-  std::vector<PlannedFrustum> frusta;
-  for (const RaySource* source : { &scene.problem.camera, &scene.problem.light })
-  {
-    for (PlannedFrustum& frustum : PlanSweep(
-           scene.problem.grid, scene.occupancy, *source, { scene.problem.settings.rayDensity }))
-    {
-      frusta.push_back(std::move(frustum));
-    }
-  }
-  return double(MostNeeded(scene, frusta, ranks)) * ranks / double(MostNeeded(scene, frusta, 1));
-}
-
-Json CountRanks(const SceneOfFile& scene, const InOrder& inOrder, int ranks)
+Json CountRanks(const SceneOfFile& scene, const ProblemInOrder& inOrder, int ranks)
 {
   std::mutex access;
   std::vector<Traffic> most;
@@ -205,17 +133,15 @@ Json CountRanks(const SceneOfFile& scene, const InOrder& inOrder, int ranks)
       most.resize(traffic.size());
       std::transform(most.begin(), most.end(), traffic.begin(), most.begin(), MostOf);
     });
-  Json result{ { "ranks", ranks }, { "needed", NeedOf(inOrder, ranks) } };
+  const double share = double(scene.grid.NodeCount()) / ranks;
+  Json result{ { "ranks", ranks }, { "held", double(MostNodesHeld(inOrder, ranks)) / share } };
   for (const Traffic& traffic : most)
   {
     result["steps"].push_back(
       { { "messages", traffic.messages }, { "bytes", traffic.bytes }, { "waits", traffic.waits } });
   }
-  for (const auto& [name, source] : { std::pair{ "camera", &inOrder.problem.camera },
-         std::pair{ "light", &inOrder.problem.light } })
-  {
-    result[name] = { { "slices", UnevennessOf(inOrder, *source, ranks) } };
-  }
+  result["uneven"] = { { "camera", UnevennessOf(inOrder, inOrder.problem.camera, ranks) },
+    { "light", UnevennessOf(inOrder, inOrder.problem.light, ranks) } };
   return result;
 }
 }
@@ -232,7 +158,7 @@ int main(int argc, char** argv)
     const SceneOfFile scene{ std::string(argv[1]) };
     PreparedScene prepared(scene.Fields());
     const Problem problem = prepared.ProblemFor(scene.camera, scene.light, Settings());
-    const InOrder inOrder(problem);
+    const ProblemInOrder inOrder(problem);
     Json counted{ { "nodes", { scene.grid.nodes.x, scene.grid.nodes.y, scene.grid.nodes.z } },
       { "filled", problem.occupancy->FilledVoxels() } };
     for (int i = 2; i < argc; ++i)

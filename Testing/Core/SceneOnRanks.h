@@ -30,6 +30,7 @@ struct Whole
   Camera camera;
   Light light;
   Settings settings;
+  FieldPlaces places = FieldPlaces::Chosen;
 
   template <class Scene>
   explicit Whole(const Scene& scene)
@@ -86,6 +87,10 @@ inline Found OptimizedAlone(const Whole& scene)
   return ByOne(scene, Optimized);
 }
 
+/// Where ranks may be told to have fields.
+constexpr FieldPlaces placesOfFields[] = { FieldPlaces::BesideAllRays, FieldPlaces::BesideFirstRays,
+  FieldPlaces::InSlabs };
+
 /// The nodes of a rank.
 using Pieces = std::function<NodeBox(int rank)>;
 
@@ -134,7 +139,9 @@ void OnPiece(const std::shared_ptr<const Communicator>& all, const Whole& scene,
   const std::vector<float> extinction = Cut(scene.extinction, scene.grid.nodes, box);
   const std::vector<float> importance = Cut(scene.importance, scene.grid.nodes, box);
   SceneFields fields{ scene.grid, extinction.data(), importance.data() };
-  fields.piece = std::make_shared<const ScenePiece>(all, scene.grid, box);
+  auto piece = std::make_shared<ScenePiece>(all, scene.grid, box);
+  piece->places = scene.places;
+  fields.piece = std::move(piece);
   what(fields, box);
 }
 

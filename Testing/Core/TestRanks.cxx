@@ -105,12 +105,16 @@ private:
 
 TEST_P(SharedScene, HasTheSameBitsOnAnyNumberOfRanks)
 {
-  const Whole scene = this->Make();
+  Whole scene = this->Make();
   const Found alone = OptimizedAlone(scene);
-  for (const int ranks : { 1, 2, 3, 4, 8 })
+  for (const FieldPlaces places : placesOfFields)
   {
-    SCOPED_TRACE(ranks);
-    ExpectSame(alone, OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, ranks % 3, ranks)));
+    scene.places = places;
+    for (const int ranks : { 1, 2, 3, 4, 8 })
+    {
+      SCOPED_TRACE(::testing::Message() << ranks << " ranks, places " << int(places));
+      ExpectSame(alone, OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, ranks % 3, ranks)));
+    }
   }
 }
 
@@ -197,6 +201,7 @@ TEST(Ranks, HaveTheSameBitsOnScenesAtRandom)
     for (const int ranks : { 2, 5 })
     {
       SCOPED_TRACE(ranks);
+      scene.places = placesOfFields[(seed + unsigned(ranks)) % 3];
       ExpectSame(alone,
         OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, int(seed % 3), ranks, 0, int(seed % 2))));
     }
@@ -244,6 +249,7 @@ TEST_P(SharedScene, StartsFromAnythingWithTheSameBits)
   for (const int ranks : { 2, 5 })
   {
     SCOPED_TRACE(ranks);
+    scene.places = placesOfFields[ranks % 3];
     ExpectSame(
       alone, By(ranks, scene, Slabs(scene.grid.nodes, ranks % 3, ranks, 1, 1), StartedFrom));
   }
@@ -259,6 +265,7 @@ TEST_P(SharedScene, StaysNearWhatWasWithTheSameBits)
   for (const int ranks : { 2, 5 })
   {
     SCOPED_TRACE(ranks);
+    scene.places = placesOfFields[(ranks + 2) % 3];
     ExpectSame(alone, By(ranks, scene, Slabs(scene.grid.nodes, ranks % 3, ranks, 1, 1), after));
   }
 }

@@ -19,11 +19,12 @@ class RealSharedScene : public RealScene
 
 TEST_P(RealSharedScene, HasTheSameBitsOnAnyNumberOfRanks)
 {
-  const Whole scene{ LoadedScene(GetParam().name) };
+  Whole scene{ LoadedScene(GetParam().name) };
   const Found alone = OptimizedAlone(scene);
   for (const int ranks : { 2, 4 })
   {
     SCOPED_TRACE(ranks);
+    scene.places = ranks == 2 ? FieldPlaces::BesideFirstRays : FieldPlaces::BesideAllRays;
     ExpectSame(alone, OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, 2, ranks, 0, 1)));
   }
 }

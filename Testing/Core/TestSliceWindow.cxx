@@ -77,7 +77,7 @@ int WrongValues(
   const FaceFrustum& frustum = scene.frusta.front();
   const Occupancy occupancy = scene.MakeOccupancy();
   SliceWindow window(frustum, &occupancy, pool, field.data(), { 1 });
-  const std::vector<Range<int>> slabs = SlabsOf(frustum);
+  const std::vector<Range<int>> slabs = SlabsOf(frustum, frustum.axisW == 0);
   int wrong = 0;
   for (std::size_t index = slabs.size(); index-- > 0;)
   {

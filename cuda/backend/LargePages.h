@@ -15,7 +15,7 @@ namespace limpid
  * Asks the system to back memory that nobody has touched yet with large pages, where it has them.
  *
  * Of small ones it takes several times longer to get the memory of a large field than to write it.
- * Does nothing for what is small.
+ * Does nothing for what is small. Its values are not kept, unless they are 0.
  */
 void UseLargePages(void* memory, std::size_t bytes);
 

@@ -59,7 +59,8 @@ struct GradientKernel
   {
     return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
       windows(this->nodeImportance, FieldUse{ 0 }), windows(this->base, FieldUse{ 1 }),
-      windows(this->gradient, FieldUse{ 0, true }), this->target, this->areaWeighted };
+      windows(this->gradient, FieldUse{ 0, true, this->target.kept != 0 }), this->target,
+      this->areaWeighted };
   }
 
   /// What its rays carry.

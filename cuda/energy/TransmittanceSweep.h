@@ -44,7 +44,7 @@ public:
   /// The same at nodes that rays come to, and nowhere else.
   void Sweep(const float* extinction, float* transmittance);
 
-  const std::vector<FrustumRays<AnyDevice>>& Frusta() const { return this->Rays; }
+  std::vector<FrustumRays<AnyDevice>>& Frusta() { return this->Rays; }
 
 private:
   std::shared_ptr<AnyDevice> Device;

@@ -295,6 +295,7 @@ private:
     fields->ranks = ranks;
     fields->pieces = RegionsOf(slabs);
     fields->inSlabs = true;
+    fields->places = problem.shared->places;
     fields->base = fieldOf(level.base);
     fields->importance = fieldOf(level.importance);
     fields->nodeImportance = fieldOf(level.nodeImportance);

@@ -6,6 +6,7 @@
 
 #include "backend/Communicator.h"
 #include "scene/NodeValues.h"
+#include "scene/ScenePiece.h"
 #include "sweep/RankRegions.h"
 
 #include <memory>
@@ -20,7 +21,8 @@ struct FieldsOfRanks
   std::shared_ptr<const Communicator> ranks;
   std::vector<Region> pieces; ///< the nodes whose values ranks have at first
   std::vector<Region> wanted; ///< those whose results they get
-  bool inSlabs = false;       ///< whether fields are needed in slabs, too, see TermsOnRanks
+  bool inSlabs = false;       ///< whether there is work in slabs, too, see TermsOnRanks
+  FieldPlaces places = FieldPlaces::Chosen;
 
   /// A field's values in this rank's piece, and an array for what this rank needs.
   struct Field

@@ -10,7 +10,6 @@
 #include "optimize/Permuted.h"
 #include "optimize/RestoringMinimizer.h"
 #include "optimize/SolverBackend.h"
-#include "optimize/TermsOnRanks.h"
 
 #include <algorithm>
 #include <cstring>
@@ -75,13 +74,14 @@ std::shared_ptr<const Occupancy> FindOccupancy(const ScenePiece& piece, const Gr
 
 /// The problem in another order, with room for the fields that ranks share. `warm`: whether
 /// iterations start from an extinction of their own.
-Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm = false)
+Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
 {
   const ScenePiece& piece = *problem.piece;
   const auto fields = std::make_shared<FieldsOfRanks>();
   fields->ranks = piece.ranks;
   fields->pieces = RegionsOf(InOrder(piece.owned, order));
   fields->wanted = RegionsOf(InOrder(piece.boxes, order));
+  fields->places = piece.places;
   const Settings& settings = problem.settings;
   const bool staysNear = piece.ranks->AnyOf(problem.previous != nullptr); // a piece may be empty
   fields->inSlabs =
@@ -202,40 +202,54 @@ private:
   Problem Inside; ///< the problem in that order
 };
 
+/// Makes sweeps visit fields of ranks' pieces. `filled`: see SlabDelivery.
+void VisitPieces(
+  std::vector<FrustumRays<HostDevice>>& frusta, const ScenePiece& piece, const Occupancy* filled)
+{
+  const HomeOfFields home{ piece.nodes, RegionsOf(piece.owned), RegionsOf(piece.boxes) };
+  const auto room = std::make_shared<PassageRoom>();
+  for (FrustumRays<HostDevice>& rays : frusta)
+  {
+    rays.SweepFieldsOf(home, filled, room);
+  }
+}
+
+/// A field of a piece, which may be empty: then it is null, but there.
+template <class Value>
+Value* There(Value* field)
+{
+  static float none = 0;
+  return field ? field : &none;
+}
+
 class SweepsOnRanks : public SourceSweeps
 {
 public:
   SweepsOnRanks(const Problem& problem, const RaySource& source)
     : Given(&problem)
-    , Inside(Shared(problem, AxisPermutation()))
-    , Term(HostDevice::Shared(), this->Inside.grid, *this->Inside.occupancy, source,
-        problem.settings.rayDensity, problem.piece->ranks.get())
-    , Where(*problem.piece->ranks, this->Inside.grid.nodes, { { &this->Term.Frusta(), &source } },
-        this->Inside.occupancy.get())
-    , Extinction(problem.grid.NodeCount())
+    , Occupied(FindOccupancy(*problem.piece, problem.grid, AxisPermutation(),
+        PieceOf(problem, AxisPermutation(), problem.baseExtinction),
+        PieceOf(problem, AxisPermutation(), problem.nodeImportance), problem.settings.skipUnneeded))
+    , Term(HostDevice::Shared(), problem.grid, *this->Occupied, source, problem.settings.rayDensity,
+        problem.piece->ranks.get())
   {
-    FieldsOfRanks& fields = *this->Inside.shared;
-    this->Where.FromPieces(fields.pieces,
-      { { fields.base.piece, fields.base.values.Data() },
-        { fields.importance.piece, fields.importance.values.Data() } });
+    VisitPieces(this->Term.Frusta(), *problem.piece, this->Occupied.get());
   }
 
   Score ScoreOf(const float* extinction) override
   {
     const SmallPages small;
+    const float* base = There(this->Given->baseExtinction);
     if (!this->Base)
     {
-      this->Base = this->See(this->Inside.baseExtinction, nullptr).all;
+      this->Base = this->See(base, nullptr).all;
     }
     // A rank without a piece cannot tell.
-    if (!this->Where.Ranks().AnyOf(extinction != this->Given->baseExtinction))
+    if (!this->Given->piece->ranks->AnyOf(extinction != this->Given->baseExtinction))
     {
       return ScoreOfBase(*this->Base);
     }
-    this->Where.FromPieces(this->Inside.shared->pieces,
-      { { PieceOf(*this->Given, AxisPermutation(), extinction), this->Extinction.Data() } });
-    return limpid::ScoreOf(
-      this->See(this->Extinction.Data(), this->Inside.baseExtinction), this->Base->unattenuated);
+    return limpid::ScoreOf(this->See(There(extinction), base), this->Base->unattenuated);
   }
 
   void SweepPolicyOnce(double, std::vector<float>&) override
@@ -249,15 +263,13 @@ private:
   Seen See(const float* extinction, const float* base)
   {
     Seen seen;
-    this->Term.Forward({ extinction, this->Inside.importance, nullptr, base }, &seen);
+    this->Term.Forward({ extinction, There(this->Given->importance), nullptr, base }, &seen);
     return seen;
   }
 
   const Problem* Given;
-  Problem Inside;
+  std::shared_ptr<const Occupancy> Occupied;
   VisibilityTerm<HostDevice> Term;
-  TermsOnRanks Where;
-  NodeValues Extinction;       ///< as far as it is needed [1/length]
   std::optional<Visible> Base; ///< not seen yet
 };
 }
@@ -312,15 +324,9 @@ void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const R
   const auto occupancy = FindOccupancy(piece, grid, AxisPermutation(), given, given, /*skip=*/true);
   TransmittanceSweep<HostDevice> sweep(
     HostDevice::Shared(), grid, *occupancy, source, rayDensity, piece.ranks.get());
-  const TermsOnRanks fields(*piece.ranks, grid.nodes, { { &sweep.Frusta(), &source } }, nullptr);
-  NodeValues there(grid.NodeCount());
-  NodeValues found(grid.NodeCount());
-  fields.FromPieces(RegionsOf(piece.owned), { { given, there.Data() } });
-  fields.FillNeeded(&sweep.Frusta(), 1.0f, found.Data()); // where no ray comes
-  sweep.Sweep(there.Data(), found.Data());
-  std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f);
-  fields.ToPieces(
-    found.Data(), RegionsOf(piece.boxes), FieldView::Part(transmittance, piece.nodes));
+  VisitPieces(sweep.Frusta(), piece, nullptr);
+  std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f); // where no ray comes
+  sweep.Sweep(There(extinction), There(transmittance));
 }
 
 std::unique_ptr<Minimizer> MakeRanked(const Problem& problem, const StartingExtinction& start,

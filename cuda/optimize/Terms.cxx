@@ -83,7 +83,7 @@ void Terms<AnyDevice>::ShareFields()
     FieldsOfRanks& shared = *this->Given->shared;
     std::vector<TermsOnRanks::OfTerm> terms;
     const RaySource* other = this->Given->otherCameras.data();
-    for (const VisibilityTerm<AnyDevice>& camera : this->cameras)
+    for (VisibilityTerm<AnyDevice>& camera : this->cameras)
     {
       terms.push_back({ &camera.Frusta(), terms.empty() ? &this->Given->camera : other++ });
     }
@@ -91,8 +91,8 @@ void Terms<AnyDevice>::ShareFields()
     {
       terms.push_back({ &this->light->Frusta(), &this->Given->light });
     }
-    this->Shared = std::make_unique<const TermsOnRanks>(
-      *shared.ranks, this->Given->grid.nodes, terms, this->Given->occupancy.get(), shared.inSlabs);
+    this->Shared = std::make_unique<const TermsOnRanks>(*shared.ranks, this->Given->grid.nodes,
+      terms, *this->Given->occupancy, shared.inSlabs, shared.places);
     std::vector<TermsOnRanks::Input> inputs;
     for (FieldsOfRanks::Field* field :
       { &shared.base, &shared.importance, &shared.nodeImportance, &shared.previous })

@@ -39,9 +39,9 @@ NodeBox NodeAt(const RaySource& source, const Int3& nodes)
 }
 
 TermsOnRanks::TermsOnRanks(const Communicator& ranks, const Int3& nodes,
-  const std::vector<OfTerm>& terms, const Occupancy* filled, bool inSlabs)
+  const std::vector<OfTerm>& terms, const Occupancy& filled, bool inSlabs, FieldPlaces places)
   : All(&ranks)
-  , Filled(filled)
+  , Filled(&filled)
   , Nodes(nodes)
 {
   for (const OfTerm& term : terms)
@@ -50,7 +50,77 @@ TermsOnRanks::TermsOnRanks(const Communicator& ranks, const Int3& nodes,
   }
   if (inSlabs)
   {
-    this->AddSlabs();
+    this->AddSlabs(1);
+  }
+  const bool isChosen = places == FieldPlaces::Chosen;
+  const auto isSmall = [&] { return isChosen && this->HoldLittleMoreThanAShare(); };
+  if (places == FieldPlaces::BesideAllRays || isSmall())
+  {
+    return;
+  }
+  this->KeepOnly(inSlabs ? slabs : this->Places.front());
+  if (!inSlabs && places != FieldPlaces::BesideFirstRays && !isSmall())
+  {
+    this->AddSlabs(0);
+    this->KeepOnly(slabs);
+  }
+  this->VisitHome(terms);
+}
+
+Index TermsOnRanks::NodesHeld() const
+{
+  constexpr Index nodesPerPage = 1024;
+  const FieldView numbers = this->Whole(nullptr);
+  std::vector<char> held;
+  for (std::size_t place = 0; place < this->Of.size(); ++place)
+  {
+    const Region here = this->RegionsOf(place, &Regions::needed)[std::size_t(this->All->Rank())];
+    for (const NodeBox& box : here)
+    {
+      ForRowsOf(box, this->Filled,
+        [&](const Int3& first, int count)
+        {
+          const Index begin = numbers.At(first.x, first.y, first.z) / nodesPerPage;
+          const Index end = (numbers.At(first.x, first.y, first.z) + count - 1) / nodesPerPage + 1;
+          held.resize(std::max(held.size(), std::size_t(end)), 0);
+          std::fill(held.begin() + begin, held.begin() + end, char(1));
+        });
+    }
+  }
+  return nodesPerPage * std::count(held.begin(), held.end(), char(1));
+}
+
+/// Whether a field takes little more memory than its share of all where it takes most.
+bool TermsOnRanks::HoldLittleMoreThanAShare() const
+{
+  // With the pieces and what passes, ranks then have 1.3 times what one process has, per rank.
+  constexpr double most = 1.35;
+  const double share = double(this->Nodes.x) * this->Nodes.y * this->Nodes.z / this->All->Size();
+  return this->All->LargestOf(static_cast<float>(this->NodesHeld())) <= most * share;
+}
+
+/// Makes all places but one no places.
+void TermsOnRanks::KeepOnly(Place home)
+{
+  const std::size_t number = this->NumberOf(home);
+  this->Of = { std::move(this->Of[number]) };
+  this->Places = { home };
+}
+
+/// Makes the sweeps of terms that have no place visit the one that there is.
+void TermsOnRanks::VisitHome(const std::vector<OfTerm>& terms)
+{
+  const HomeOfFields fields{ NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
+    this->RegionsOf(0, &Regions::needed) };
+  for (const OfTerm& term : terms)
+  {
+    for (FrustumRays<HostDevice>& rays : *term.frusta)
+    {
+      if (!this->Has(term.frusta))
+      {
+        rays.SweepFieldsOf(fields, this->Filled, this->Room);
+      }
+    }
   }
 }
 
@@ -78,22 +148,29 @@ void TermsOnRanks::AddTerm(const OfTerm& term)
   this->Of.push_back(std::move(ofFrusta));
 }
 
-void TermsOnRanks::AddSlabs()
+/// `more`: slices that they need on either side.
+void TermsOnRanks::AddSlabs(int more)
 {
   Regions regions;
   for (const NodeBox& box : SlabsOf(*this->All, this->Nodes))
   {
     regions.changed.push_back({ box });
-    regions.needed.push_back({ box.Grown(1, this->Nodes) });
+    regions.needed.push_back({ box.Grown(more, this->Nodes) });
   }
   this->Places.push_back(slabs);
   this->Of.push_back({ std::move(regions) });
 }
 
+bool TermsOnRanks::Has(Place place) const
+{
+  return std::find(this->Places.begin(), this->Places.end(), place) != this->Places.end();
+}
+
+/// The number of a place, or of the one that is in its stead.
 std::size_t TermsOnRanks::NumberOf(Place place) const
 {
-  return static_cast<std::size_t>(
-    std::find(this->Places.begin(), this->Places.end(), place) - this->Places.begin());
+  const auto found = std::find(this->Places.begin(), this->Places.end(), place);
+  return found == this->Places.end() ? 0 : static_cast<std::size_t>(found - this->Places.begin());
 }
 
 /// Of all frusta of a term.
@@ -121,10 +198,11 @@ void TermsOnRanks::FromPieces(
   {
     Append(needed, this->RegionsOf(place, &Regions::needed));
   }
-  const Passages ways(*this->All, pieces, needed, this->Filled);
+  const Passages ways(*this->All, pieces, needed, this->Filled, std::make_shared<PassageRoom>(),
+    Passages::Keep::Boxes);
   for (const Input& input : inputs)
   {
-    ways.Bring(input.piece, this->Whole(input.field));
+    ways.Bring({ { input.piece, this->Whole(input.field) } });
   }
 }
 
@@ -139,7 +217,7 @@ void TermsOnRanks::ShareFrustum(float* field, Place term, std::size_t frustum) c
 {
   const std::size_t place = this->NumberOf(term);
   const std::vector<Regions>& frusta = this->Of[place];
-  if (frusta.size() == 1)
+  if (!this->Has(term) || frusta.size() == 1)
   {
     return;
   }
@@ -154,29 +232,27 @@ void TermsOnRanks::ShareFrustum(float* field, Place term, std::size_t frustum) c
           Append(needed, frusta[other].needed);
         }
       }
-      return Passages(*this->All, frusta[frustum].changed, needed, this->Filled);
+      return Passages(*this->All, frusta[frustum].changed, needed, this->Filled, this->Room);
     });
 }
 
 void TermsOnRanks::Share(float* field, Place place) const
 {
-  if (this->Of.size() == 1)
-  {
-    return;
-  }
   const std::size_t from = this->NumberOf(place);
+  const bool isSlab = this->Places[from] == slabs;
   this->Bring(field, { from, 0, 1 },
     [&]
     {
       std::vector<Region> needed(std::size_t(this->All->Size()));
       for (std::size_t other = 0; other < this->Of.size(); ++other)
       {
-        if (other != from || place == slabs) // what rays need of others' sweeps they get in these
+        if (other != from || isSlab) // what rays need of others' sweeps they get in these
         {
           Append(needed, this->RegionsOf(other, &Regions::needed));
         }
       }
-      return Passages(*this->All, this->RegionsOf(from, &Regions::changed), needed, this->Filled);
+      return Passages(
+        *this->All, this->RegionsOf(from, &Regions::changed), needed, this->Filled, this->Room);
     });
 }
 
@@ -184,11 +260,15 @@ void TermsOnRanks::Pass(float* field, Place from, Place to) const
 {
   const std::size_t before = this->NumberOf(from);
   const std::size_t after = this->NumberOf(to);
+  if (before == after)
+  {
+    return;
+  }
   this->Bring(field, { before, after, 2 },
     [&]
     {
       return Passages(*this->All, this->RegionsOf(before, &Regions::changed),
-        this->RegionsOf(after, &Regions::changed), this->Filled);
+        this->RegionsOf(after, &Regions::changed), this->Filled, this->Room);
     });
 }
 
@@ -201,7 +281,7 @@ void TermsOnRanks::Bring(float* field, const Way& way, const Find& find) const
   {
     known = this->Known.emplace(way, find()).first;
   }
-  known->second.Bring(this->Whole(field), this->Whole(field));
+  known->second.Bring({ { this->Whole(field), this->Whole(field) } });
 }
 
 void TermsOnRanks::FillNeeded(Place place, float value, float* field) const

@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_TermsOnRanks_h
 #define limpid_optimize_TermsOnRanks_h
 
+#include "scene/ScenePiece.h"
 #include "sweep/FrustumRays.h"
 #include "sweep/RankRegions.h"
 
@@ -17,7 +18,9 @@ namespace limpid
  * Where ranks have the fields of a problem that they share. Every rank has arrays of all nodes, in
  * small pages, so that only what it needs takes memory: the nodes beside its bands of every term's
  * rays and, if work needs no rays, its slab. Whoever changes a field brings it to those who read it
- * next.
+ * next. Where that takes much more than a share of the memory, there is one place alone, and the
+ * sweeps of terms that have none visit it (SlabDelivery): beside the rays of the first term or, if
+ * that takes as much or work needs no rays, in slabs.
  */
 class TermsOnRanks
 {
@@ -32,16 +35,19 @@ public:
   /// A term, and its rays' source.
   struct OfTerm
   {
-    Place frusta;
+    Frusta* frusta;
     const RaySource* source;
   };
 
-  /// `filled`: where fields may differ from 0; null: anywhere. It has to stay. `inSlabs`: whether
-  /// there is work in slabs, too.
+  /// `filled`: where fields may differ from 0. It has to stay. `inSlabs`: whether there is work in
+  /// slabs, too.
   TermsOnRanks(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms,
-    const Occupancy* filled, bool inSlabs = false);
+    const Occupancy& filled, bool inSlabs, FieldPlaces places);
 
   const Communicator& Ranks() const { return *this->All; }
+
+  /// Nodes of a field that this rank has memory for: those on pages with any that it needs.
+  Index NodesHeld() const;
 
   /// A field of this rank's piece, and where what it needs of all comes to.
   struct Input
@@ -87,7 +93,11 @@ private:
   template <class Find>
   void Bring(float* field, const Way& way, const Find& find) const;
   void AddTerm(const OfTerm& term);
-  void AddSlabs();
+  void AddSlabs(int more);
+  bool HoldLittleMoreThanAShare() const;
+  void KeepOnly(Place home);
+  void VisitHome(const std::vector<OfTerm>& terms);
+  bool Has(Place place) const;
   std::size_t NumberOf(Place place) const;
   std::vector<Region> RegionsOf(std::size_t place, std::vector<Region> Regions::*kind) const;
   FieldView Whole(const float* field) const;
@@ -97,6 +107,7 @@ private:
   Int3 Nodes;
   std::vector<Place> Places;
   std::vector<std::vector<Regions>> Of; ///< [place][frustum]
+  std::shared_ptr<PassageRoom> Room = std::make_shared<PassageRoom>();
   mutable std::map<Way, Passages> Known;
 };
 }

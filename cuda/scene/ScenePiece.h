@@ -13,6 +13,15 @@
 
 namespace limpid
 {
+/// Where ranks have fields that the rays of several sources go through.
+enum class FieldPlaces
+{
+  Chosen,          ///< the first of these that takes little more memory than a share
+  BesideAllRays,   ///< a rank has the nodes beside its rays of every source
+  BesideFirstRays, ///< of the first source; sweeps of others visit these, slices at a time
+  InSlabs          ///< it has a slab, and all sweeps visit these: an even share, and the slowest
+};
+
 /// What ranks have of a scene that they share: of each a box of nodes, in arrays of these alone,
 /// first axis fastest. Boxes may be empty and may overlap; what nobody has is empty.
 struct ScenePiece
@@ -24,6 +33,8 @@ struct ScenePiece
   /// Whose values count where boxes overlap: parts of them of which no two have a node in common.
   /// Where they overlap by layers, each counts to the middle of these.
   std::vector<NodeBox> owned;
+
+  FieldPlaces places = FieldPlaces::Chosen; ///< the same on all ranks
 
   /// Tells all ranks what they have. Throws JointError on all of them where a box is not within the
   /// grid, or boxes overlap so that no parts of them are boxes.

@@ -123,10 +123,27 @@ public:
   }
 
   const FaceFrustum& Plan() const { return this->Planned; }
-  SlabPool& Slabs() const { return *this->Pool; }
+  SlabPool& Pooled() const { return *this->Pool; }
 
   /// Null: there is one rank.
   const RankBands* Bands() const { return this->Shared.get(); }
+
+  /// From now on fields of sweeps are those that ranks have at home, see SlabDelivery.
+  void SweepFieldsOf(
+    const HomeOfFields& home, const Occupancy* filled, const std::shared_ptr<PassageRoom>& room)
+  {
+    this->Delivered =
+      std::make_unique<SlabDelivery>(this->Planned, *this->Shared, home, filled, room);
+  }
+
+  /// Null: fields are where they are swept.
+  const SlabDelivery* Delivery() const { return this->Delivered.get(); }
+
+  /// Between which slices are copied; front to back.
+  std::vector<Range<int>> Slabs() const
+  {
+    return SlabsOf(this->Planned, this->Delivered || this->Planned.axisW == 0);
+  }
 
   /// Some slices, cut where rays pass from rank to rank.
   std::vector<Range<int>> StretchesOf(const Range<int>& slices) const
@@ -167,6 +184,7 @@ private:
   PlannedFrustum Planned;
   std::unique_ptr<SlabPool> Pool;
   std::unique_ptr<RankBands> Shared;
+  std::unique_ptr<SlabDelivery> Delivered;
 };
 
 /// The rays of one frustum on a device.

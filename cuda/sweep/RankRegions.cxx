@@ -150,10 +150,27 @@ Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int ran
 
 Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
+  // What any ray reads; a layer is read with the slice in front of it.
+  std::vector<Range<int>> columns(std::size_t(bands.Depth()));
+  std::vector<Range<int>> rows(columns.size());
+  for (int s = 0; s < frustum.SliceCount(); ++s)
+  {
+    const Slice& slice = frustum.SliceAt(s);
+    for (const int node : { slice.node, slice.nodes[0], slice.nodes[1] })
+    {
+      if (node >= 0)
+      {
+        const auto at = std::size_t(node);
+        columns[at] = Hull(columns[at], slice.touchedColumns);
+        rows[at] = Hull(rows[at], slice.touchedRows);
+      }
+    }
+  }
   Region region;
   for (int node = 0; node < bands.Depth(); ++node)
   {
-    Add(SliceOf(frustum, node, { 0, frustum.nodesU }, bands.VoxelsNeeded(rank, node)),
+    const auto at = std::size_t(node);
+    Add(SliceOf(frustum, node, columns[at], Intersection(rows[at], bands.VoxelsNeeded(rank, node))),
       frustum.axisW, region);
   }
   return region;
@@ -172,9 +189,47 @@ void FillNodes(const NodeBox& box, float value, const FieldView& field)
     });
 }
 
+namespace
+{
+/// Copies the values of a box where neighbours along x are neighbours in one of the fields, and
+/// those along y in the other: tile by tile, so that neither leaves the cache meanwhile.
+void CopyTransposed(
+  const NodeBox& box, const FieldView& from, const FieldView& to, const Occupancy* filled)
+{
+  constexpr int rowsPerTile = 16; // floats in a cache line
+  const Range<int>& rows = box.along[1];
+  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
+  {
+    for (int tile = rows.begin; tile < rows.end; tile += rowsPerTile)
+    {
+      const int end = std::min(tile + rowsPerTile, rows.end);
+      Range<int> columns;
+      for (int j = tile; j < end; ++j)
+      {
+        columns = Hull(columns, FilledOf(box, filled, j, k));
+      }
+      for (int i = columns.begin; i < columns.end; ++i)
+      {
+        const float* source = from.values + from.At(i, tile, k);
+        float* target = to.values + to.At(i, tile, k);
+        for (int j = 0; j < end - tile; ++j)
+        {
+          target[j * to.stride[1]] = source[j * from.stride[1]];
+        }
+      }
+    }
+  }
+}
+}
+
 void CopyNodes(
   const NodeBox& box, const FieldView& from, const FieldView& to, const Occupancy* filled)
 {
+  if (from.stride[0] != to.stride[0] && (from.stride[1] == 1 || to.stride[1] == 1))
+  {
+    CopyTransposed(box, from, to, filled);
+    return;
+  }
   ForRowsOf(box, filled,
     [&](const Int3& first, int count)
     {
@@ -192,17 +247,44 @@ void CopyNodes(
     });
 }
 
-Passages::WithRank Passages::Between(
-  const Region& had, const Region& needed, const Occupancy* filled)
+Region Intersection(const Region& region, const NodeBox& box)
+{
+  Region inside;
+  for (const NodeBox& some : region)
+  {
+    const NodeBox both = Intersection(some, box);
+    if (!both.Empty())
+    {
+      inside.push_back(both);
+    }
+  }
+  return inside;
+}
+
+Index CountFilled(const Region& region, const Occupancy& filled)
+{
+  Index count = 0;
+  for (const NodeBox& box : region)
+  {
+    ForRowsOf(box, &filled, [&count](const Int3&, int length) { count += length; });
+  }
+  return count;
+}
+
+Passages::WithRank Passages::Between(const Region& had, const Region& needed) const
 {
   WithRank passing;
   ForBoth(had, needed,
     [&](const NodeBox& box)
     {
-      ForRowsOf(box, filled,
-        [&passing](const Int3& first, int count)
+      passing.boxes.push_back(box);
+      ForRowsOf(box, this->Filled,
+        [&](const Int3& first, int count)
         {
-          passing.rows.push_back({ first, count });
+          if (this->Kept == Keep::Rows)
+          {
+            passing.rows.push_back({ first, count });
+          }
           passing.count += std::size_t(count);
         });
     });
@@ -210,59 +292,100 @@ Passages::WithRank Passages::Between(
 }
 
 Passages::Passages(const Communicator& ranks, const std::vector<Region>& had,
-  const std::vector<Region>& needed, const Occupancy* filled)
+  const std::vector<Region>& needed, const Occupancy* filled,
+  const std::shared_ptr<PassageRoom>& room, Keep keep)
   : All(&ranks)
+  , Filled(filled)
+  , Room(room)
+  , Kept(keep)
 {
   const auto own = std::size_t(ranks.Rank());
   for (std::size_t rank = 0; rank < had.size(); ++rank)
   {
     const bool isOther = rank != own;
-    this->Sent.push_back(isOther ? Between(had[own], needed[rank], filled) : WithRank());
-    this->Received.push_back(isOther ? Between(had[rank], needed[own], filled) : WithRank());
+    this->Sent.push_back(isOther ? this->Between(had[own], needed[rank]) : WithRank());
+    this->Received.push_back(isOther ? this->Between(had[rank], needed[own]) : WithRank());
   }
   ForBoth(had[own], needed[own], [this](const NodeBox& box) { this->Own.push_back(box); });
 }
 
-void Passages::Bring(const FieldView& from, const FieldView& to) const
+/// Calls what(first node, count) for the rows that pass.
+template <class What>
+void Passages::ForRows(const WithRank& passing, const What& what) const
 {
-  std::vector<Communicator::Message> sent;
-  std::vector<Communicator::Message> received;
-  const auto add =
-    [](std::vector<Communicator::Message>& messages, std::size_t rank, const WithRank& passing)
+  if (this->Kept == Keep::Rows)
   {
-    passing.values.resize(passing.count);
-    if (passing.count > 0)
-    {
-      messages.push_back(
-        { static_cast<int>(rank), passing.values.data(), passing.count * sizeof(float) });
-    }
-  };
-  for (std::size_t rank = 0; rank < this->Sent.size(); ++rank)
-  {
-    add(sent, rank, this->Sent[rank]);
-    add(received, rank, this->Received[rank]);
-    float* next = this->Sent[rank].values.data();
-    for (const Row& row : this->Sent[rank].rows)
-    {
-      RowInField(from, row.first).CopyTo(next, row.count);
-      next += row.count;
-    }
-  }
-  this->All->Exchange(sent, received);
-  for (const WithRank& passing : this->Received)
-  {
-    const float* next = passing.values.data();
     for (const Row& row : passing.rows)
     {
-      RowInField(to, row.first).CopyFrom(next, row.count);
-      next += row.count;
+      what(row.first, row.count);
+    }
+    return;
+  }
+  for (const NodeBox& box : passing.boxes)
+  {
+    ForRowsOf(box, this->Filled, what);
+  }
+}
+
+/// One for each rank with which anything passes, with room for it.
+std::vector<Communicator::Message> Passages::MessagesOf(
+  const std::vector<WithRank>& passing, std::size_t fields, std::vector<std::vector<float>>& values)
+{
+  values.resize(std::max(values.size(), passing.size()));
+  std::vector<Communicator::Message> messages;
+  for (std::size_t rank = 0; rank < passing.size(); ++rank)
+  {
+    const std::size_t count = fields * passing[rank].count;
+    if (count > 0)
+    {
+      values[rank].resize(std::max(values[rank].size(), count));
+      messages.push_back({ static_cast<int>(rank), values[rank].data(), count * sizeof(float) });
     }
   }
-  if (from.values != to.values)
+  return messages;
+}
+
+void Passages::Bring(const std::vector<Field>& fields) const
+{
+  PassageRoom& room = *this->Room;
+  const std::vector<Communicator::Message> sent = MessagesOf(this->Sent, fields.size(), room.sent);
+  const std::vector<Communicator::Message> received =
+    MessagesOf(this->Received, fields.size(), room.received);
+  for (std::size_t rank = 0; rank < this->Sent.size(); ++rank)
   {
-    for (const NodeBox& box : this->Own)
+    float* next = room.sent[rank].data();
+    this->ForRows(this->Sent[rank],
+      [&](const Int3& first, int count)
+      {
+        for (const Field& field : fields)
+        {
+          RowInField(field.from, first).CopyTo(next, count);
+          next += count;
+        }
+      });
+  }
+  this->All->Exchange(sent, received);
+  for (std::size_t rank = 0; rank < this->Received.size(); ++rank)
+  {
+    const float* next = room.received[rank].data();
+    this->ForRows(this->Received[rank],
+      [&](const Int3& first, int count)
+      {
+        for (const Field& field : fields)
+        {
+          RowInField(field.to, first).CopyFrom(next, count);
+          next += count;
+        }
+      });
+  }
+  for (const Field& field : fields)
+  {
+    if (field.from.values != field.to.values)
     {
-      CopyNodes(box, from, to);
+      for (const NodeBox& box : this->Own)
+      {
+        CopyNodes(box, field.from, field.to, this->Filled);
+      }
     }
   }
 }

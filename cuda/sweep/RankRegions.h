@@ -10,6 +10,7 @@
 #include "sweep/Occupancy.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -57,6 +58,12 @@ struct FieldView
   }
 };
 
+/// Of a row of a box along x, what is filled.
+inline Range<int> FilledOf(const NodeBox& box, const Occupancy* filled, int j, int k)
+{
+  return filled ? Intersection(box.along[0], filled->Row(0, j, k).filled) : box.along[0];
+}
+
 /// Calls what(first node of a row, count) for the rows of a box along x, as far as they are filled.
 template <class What>
 void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
@@ -65,8 +72,7 @@ void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
   {
     for (int j = box.along[1].begin; j < box.along[1].end; ++j)
     {
-      const Range<int> row =
-        filled ? Intersection(box.along[0], filled->Row(0, j, k).filled) : box.along[0];
+      const Range<int> row = FilledOf(box, filled, j, k);
       if (!row.Empty())
       {
         what(Int3(row.begin, j, k), row.Length());
@@ -82,21 +88,50 @@ void FillNodes(const NodeBox& box, float value, const FieldView& field);
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to,
   const Occupancy* filled = nullptr);
 
+/// Those nodes of a region that are in a box.
+Region Intersection(const Region& region, const NodeBox& box);
+
+/// Number of nodes that are filled; those that are in two boxes count twice.
+Index CountFilled(const Region& region, const Occupancy& filled);
+
+/// What is on its way in an exchange; for one after the other.
+struct PassageRoom
+{
+  std::vector<std::vector<float>> sent;     ///< [rank]
+  std::vector<std::vector<float>> received; ///< [rank]
+};
+
 /**
- * What passes where ranks have a field, of each a region, and need it, of each another one. To be
+ * What passes where ranks have fields, of each a region, and need them, of each another one. To be
  * found once for fields that pass often.
  */
 class Passages
 {
 public:
-  /// `filled`: where else fields are 0, which need not travel; null: nowhere. The ranks have to
-  /// stay.
-  Passages(const Communicator& ranks, const std::vector<Region>& had,
-    const std::vector<Region>& needed, const Occupancy* filled = nullptr);
+  /// Whether what is filled of every row is kept, for it takes time to look it up, or memory.
+  enum class Keep
+  {
+    Rows,
+    Boxes
+  };
 
-  /// Brings a field to those that need it; what a rank needs of its own it copies, unless both are
+  /// `filled`: where else fields are 0, which need not travel; null: nowhere. Ranks and occupancy
+  /// have to stay.
+  Passages(const Communicator& ranks, const std::vector<Region>& had,
+    const std::vector<Region>& needed, const Occupancy* filled = nullptr,
+    const std::shared_ptr<PassageRoom>& room = std::make_shared<PassageRoom>(),
+    Keep keep = Keep::Rows);
+
+  /// Where a field is that passes, and where it comes to.
+  struct Field
+  {
+    FieldView from;
+    FieldView to;
+  };
+
+  /// Brings fields to those that need them; what a rank needs of its own it copies, unless both are
   /// one.
-  void Bring(const FieldView& from, const FieldView& to) const;
+  void Bring(const std::vector<Field>& fields) const;
 
 private:
   /// Values that follow each other along x.
@@ -109,14 +144,21 @@ private:
   /// What passes between this rank and another one.
   struct WithRank
   {
-    std::vector<Row> rows;
-    std::size_t count = 0;             ///< of values
-    mutable std::vector<float> values; ///< on their way
+    Region boxes;
+    std::vector<Row> rows; ///< what is filled of these, if that is kept
+    std::size_t count = 0; ///< of values of a field
   };
 
-  static WithRank Between(const Region& had, const Region& needed, const Occupancy* filled);
+  WithRank Between(const Region& had, const Region& needed) const;
+  template <class What>
+  void ForRows(const WithRank& passing, const What& what) const;
+  static std::vector<Communicator::Message> MessagesOf(const std::vector<WithRank>& passing,
+    std::size_t fields, std::vector<std::vector<float>>& values);
 
   const Communicator* All;
+  const Occupancy* Filled;
+  std::shared_ptr<PassageRoom> Room;
+  Keep Kept;
   std::vector<WithRank> Sent;     ///< [rank]
   std::vector<WithRank> Received; ///< [rank]
   Region Own;                     ///< what this rank has and needs
@@ -126,7 +168,7 @@ private:
 inline void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
   const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled = nullptr)
 {
-  Passages(ranks, had, needed, filled).Bring(from, to);
+  Passages(ranks, had, needed, filled).Bring({ { from, to } });
 }
 }
 

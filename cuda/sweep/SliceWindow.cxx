@@ -14,32 +14,14 @@ namespace limpid
 {
 namespace
 {
-constexpr int slicesPerSlab = 16;  // floats in a cache line of 64 bytes
-constexpr int mostBehind = 2;      // slices that sweeps read behind a slab
 constexpr int columnsPerTile = 16; // cache lines that a tile of columns reads again and again
-}
 
-std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum)
+/// From a copied slice to the next: rows of slices are then not all in the same set of a cache.
+Index PitchOf(const FaceFrustum& frustum)
 {
-  if (frustum.axisW != 0)
-  {
-    return { { 0, frustum.SliceCount() } };
-  }
-  std::vector<Range<int>> slabs;
-  for (int s = 0; s < frustum.SliceCount(); ++s)
-  {
-    const int node = frustum.SliceAt(s).node;
-    const int first = slabs.empty() ? -1 : frustum.SliceAt(slabs.back().begin).node;
-    if (first >= 0 && first / slicesPerSlab == node / slicesPerSlab)
-    {
-      slabs.back().end = s + 1;
-    }
-    else
-    {
-      slabs.push_back({ s, s + 1 });
-    }
-  }
-  return slabs;
+  constexpr Index lineOfCache = 16;
+  return Index(frustum.nodesV) * frustum.nodesU + lineOfCache;
+}
 }
 
 std::shared_ptr<SlabMemory> SlabPool::Take(const FaceFrustum& frustum)
@@ -52,8 +34,7 @@ std::shared_ptr<SlabMemory> SlabPool::Take(const FaceFrustum& frustum)
     }
   }
   this->All.push_back(std::make_shared<SlabMemory>());
-  const Index slice = Index(frustum.nodesV) * frustum.nodesU;
-  this->All.back()->values = NodeValues((slicesPerSlab + mostBehind) * slice);
+  this->All.back()->values = NodeValues((slicesCopied + mostSlicesBehind) * PitchOf(frustum));
   this->All.back()->rows.resize(std::size_t(frustum.nodesV));
   return this->All.back();
 }
@@ -64,26 +45,14 @@ SliceWindow::SliceWindow(const FaceFrustum& frustum, const Occupancy* occupancy,
   , Occupied(occupancy)
   , Field(field)
   , Use(use)
-  , Transposed(frustum.axisW == 0)
+  , IsCopied(frustum.axisW == 0)
   , Columns(frustum.nodesU)
   , Rows(frustum.nodesV)
+  , Pitch(PitchOf(frustum))
   , StrideV(frustum.strideV)
   , StrideW(frustum.strideW)
   , Pool(&pool)
 {
-}
-
-/// Node indices along the depth axis of the slices [begin, end).
-Range<int> SliceWindow::NodesOf(int begin, int end) const
-{
-  Range<int> nodes;
-  for (int s = begin; s < end; ++s)
-  {
-    const Slice& slice = this->Source->SliceAt(s);
-    const int node = slice.node < 0 ? slice.nodes[0] : slice.node;
-    nodes = Hull(nodes, { node, node + 1 });
-  }
-  return nodes;
 }
 
 /// Of `rows` those that the rank needs at any of these nodes.
@@ -107,16 +76,6 @@ std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int
   return some;
 }
 
-Range<int> SliceWindow::HullOf(int begin, int end, Range<int> Slice::*part) const
-{
-  Range<int> hull;
-  for (int s = begin; s < end; ++s)
-  {
-    hull = Hull(hull, this->Source->SliceAt(s).*part);
-  }
-  return hull;
-}
-
 /// Of `columns` of row `v` those that are not known to be 0 on all slices of these nodes.
 Range<int> SliceWindow::FilledIn(const Range<int>& nodes, int v, const Range<int>& columns) const
 {
@@ -135,44 +94,66 @@ Range<int> SliceWindow::FilledIn(const Range<int>& nodes, int v, const Range<int
 
 void SliceWindow::Load(const Range<int>& slab)
 {
-  if (!this->Transposed || this->Empty())
+  if (!this->IsCopied || this->Empty())
   {
     return;
   }
-  const int end = std::min(slab.end + this->Use.behind, this->Source->SliceCount());
-  const Range<int> nodes = this->NodesOf(slab.begin, end);
-  const Range<int> columns = this->HullOf(slab.begin, end, &Slice::touchedColumns);
+  const int behind = this->IsDelivered ? mostSlicesBehind : this->Use.behind;
+  const Range<int> slices{ slab.begin, std::min(slab.end + behind, this->Source->SliceCount()) };
+  const Range<int> nodes = NodesOf(*this->Source, slices);
+  const Range<int> columns = HullOf(*this->Source, slices, &Slice::touchedColumns);
   const std::vector<int> rows =
-    this->RowsOfRank(this->HullOf(slab.begin, end, &Slice::touchedRows), nodes);
-  const Index slice = Index(this->Rows) * this->Columns;
-  const Index pitch = this->StrideV / this->Columns; // nodes along x
+    this->RowsOfRank(HullOf(*this->Source, slices, &Slice::touchedRows), nodes);
   this->First = nodes.begin;
   if (!this->Memory)
   {
     this->Memory = this->Pool->Take(*this->Source);
     this->Slices = this->Memory->values.Data();
   }
-  // Slices along x, columns along y, rows along z.
   ParallelFor(static_cast<Index>(rows.size()),
     [&](Index row)
     {
       const int v = rows[std::size_t(row)];
-      const float* source = this->Field + this->StrideV * v + nodes.begin;
-      float* target = this->Slices + Index(v) * this->Columns;
       const Range<int> filled = this->FilledIn(nodes, v, columns);
-      this->ClearRow(v, filled, nodes.Length());
-      for (int tile = filled.begin; tile < filled.end; tile += columnsPerTile)
+      if (this->IsDelivered)
       {
-        const int last = std::min(tile + columnsPerTile, filled.end);
-        for (int k = 0; k < nodes.Length(); ++k)
-        {
-          for (int u = tile; u < last; ++u)
-          {
-            target[k * slice + u] = source[pitch * u + k];
-          }
-        }
+        this->ClearRow(v, Range<int>{}, 0);
+        this->ClearRow(v, filled, nodes.Length()); // what will have been written
+      }
+      else
+      {
+        this->ClearRow(v, filled, nodes.Length());
+        this->TransposeRow(v, filled, nodes);
       }
     });
+}
+
+/// Slices along x, columns along y, rows along z.
+void SliceWindow::TransposeRow(int v, const Range<int>& columns, const Range<int>& nodes)
+{
+  const Index pitch = this->StrideV / this->Columns; // nodes along x
+  const float* source = this->Field + this->StrideV * v + nodes.begin;
+  float* target = this->Slices + Index(v) * this->Columns;
+  for (int tile = columns.begin; tile < columns.end; tile += columnsPerTile)
+  {
+    const int last = std::min(tile + columnsPerTile, columns.end);
+    for (int k = 0; k < nodes.Length(); ++k)
+    {
+      for (int u = tile; u < last; ++u)
+      {
+        target[k * this->Pitch + u] = source[pitch * u + k];
+      }
+    }
+  }
+}
+
+SlabDelivery::Field SliceWindow::Delivered() const
+{
+  FieldView view{ this->Slices - this->First * this->Pitch, {} };
+  view.stride[std::size_t(this->Source->axisU)] = 1;
+  view.stride[std::size_t(this->Source->axisV)] = this->Columns;
+  view.stride[std::size_t(this->Source->axisW)] = this->Pitch;
+  return { this->Field, view };
 }
 
 /// Makes 0 again what a row has been written in, but for `kept` of the first `slices`, which will
@@ -180,10 +161,9 @@ void SliceWindow::Load(const Range<int>& slab)
 void SliceWindow::ClearRow(int v, const Range<int>& kept, int slices)
 {
   SlabMemory::Written& written = this->Memory->rows[std::size_t(v)];
-  const Index slice = Index(this->Rows) * this->Columns;
   for (int k = 0; k < written.slices; ++k)
   {
-    float* row = this->Slices + k * slice + Index(v) * this->Columns;
+    float* row = this->Slices + k * this->Pitch + Index(v) * this->Columns;
     const Range<int> old = written.columns;
     const Range<int> stays = k < slices && !kept.Empty() ? kept : Range<int>{ old.end, old.end };
     std::fill(row + old.begin, row + std::max(std::min(stays.begin, old.end), old.begin), 0.0f);
@@ -197,28 +177,28 @@ void SliceWindow::ClearRow(int v, const Range<int>& kept, int slices)
 
 void SliceWindow::Store(const Range<int>& slab)
 {
-  if (!this->Transposed || !this->Use.writes)
+  if (!this->IsCopied || this->IsDelivered || !this->Use.writes)
   {
     return;
   }
-  const Range<int> nodes = this->NodesOf(slab.begin, slab.end);
-  const Range<int> columns = this->HullOf(slab.begin, slab.end, &Slice::ownedColumns);
+  const Range<int> nodes = NodesOf(*this->Source, slab);
+  const Range<int> columns = HullOf(*this->Source, slab, &Slice::ownedColumns);
   const std::vector<int> rows =
-    this->RowsOfRank(this->HullOf(slab.begin, slab.end, &Slice::ownedRows), nodes);
-  const Index slice = Index(this->Rows) * this->Columns;
+    this->RowsOfRank(HullOf(*this->Source, slab, &Slice::ownedRows), nodes);
   const Index pitch = this->StrideV / this->Columns;
   ParallelFor(static_cast<Index>(rows.size()),
     [&](Index row)
     {
       const Index v = rows[std::size_t(row)];
       float* target = this->Field + this->StrideV * v + nodes.begin;
-      const float* source = this->Slices + (nodes.begin - this->First) * slice + v * this->Columns;
+      const float* source =
+        this->Slices + (nodes.begin - this->First) * this->Pitch + v * this->Columns;
       const Range<int> filled = this->FilledIn(nodes, static_cast<int>(v), columns);
       for (int u = filled.begin; u < filled.end; ++u)
       {
         for (int k = 0; k < nodes.Length(); ++k)
         {
-          target[pitch * u + k] = source[k * slice + u];
+          target[pitch * u + k] = source[k * this->Pitch + u];
         }
       }
     });

@@ -7,6 +7,7 @@
 #include "backend/Simd.h"
 #include "scene/NodeValues.h"
 #include "sweep/PlanSweep.h"
+#include "sweep/SlabDelivery.h"
 
 #include <memory>
 #include <vector>
@@ -15,13 +16,9 @@ namespace limpid
 {
 class RankBands;
 
-/// The slabs of a frustum, front to back: all slices at once where rows of voxels are contiguous
-/// in memory, else so many slices that a transposed read uses whole cache lines.
-std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum);
-
 /**
- * Transposed slices of a slab. Outside the columns that a row is known to have been written in, it
- * is 0, so that a field that is mostly empty is not filled with zeros again and again.
+ * Copied slices of a slab. Outside the columns that a row is known to have been written in, it is
+ * 0, so that a field that is mostly empty is not filled with zeros again and again.
  */
 struct SlabMemory
 {
@@ -51,15 +48,17 @@ private:
 /// What a sweep does with a field, and how many slices behind the one it has reached.
 struct FieldUse
 {
-  int behind = 0; ///< slices behind that it reads, at most 2
+  int behind = 0; ///< slices behind that it reads, at most mostSlicesBehind
   bool writes = false;
+  bool reads = true; ///< whether it reads what was there before the sweep
 };
 
 /**
  * A field seen slice by slice along the depth axis of a frustum, each row of voxels contiguous.
  *
  * Depth along y or z: rows of the field itself. Depth along x: a transposed copy of the slices of
- * a slab; Load and Store move it.
+ * a slab; Load and Store move it. Where ranks have the field elsewhere, along any axis: a copy that
+ * SlabDelivery fills and returns.
  */
 class SliceWindow
 {
@@ -75,14 +74,27 @@ public:
   {
   }
 
-  /// From now on moves only what a rank needs: other rows are on other ranks.
-  void MoveNeeded(const RankBands& bands) { this->Bands = &bands; }
+  /// From now on moves only what a rank needs: other rows are on other ranks. `delivered`: whether
+  /// a SlabDelivery moves it.
+  void MoveNeeded(const RankBands& bands, bool delivered)
+  {
+    this->Bands = &bands;
+    this->IsDelivered = delivered;
+    this->IsCopied = this->IsCopied || delivered;
+  }
 
-  /// Makes the slices of a slab readable, and those behind it that the sweep reads, too.
+  /// Makes the slices of a slab readable, and those behind it that the sweep reads, too. What is
+  /// delivered is 0.
   void Load(const Range<int>& slab);
 
   /// Writes the slices of the slab back, if the sweep writes.
   void Store(const Range<int>& slab);
+
+  /// What is to be delivered of the slab that was loaded.
+  SlabDelivery::Field Delivered() const;
+
+  bool Reads() const { return this->Use.reads; }
+  bool Writes() const { return this->Use.writes; }
 
   bool Empty() const { return this->Field == nullptr; }
 
@@ -93,9 +105,8 @@ public:
   /// Row `v` of the slice at a node: one value per column.
   float* Row(int node, int v)
   {
-    return this->Transposed
-      ? this->Slices + (std::size_t(node - this->First) * this->Rows + v) * this->Columns
-      : this->Field + this->StrideW * node + this->StrideV * v;
+    return this->IsCopied ? this->Slices + (node - this->First) * this->Pitch + v * this->Columns
+                          : this->Field + this->StrideW * node + this->StrideV * v;
   }
 
   /// Row `v` of the slice at a node will be read soon, or the last one.
@@ -106,25 +117,26 @@ public:
   }
 
 private:
-  Range<int> NodesOf(int begin, int end) const;
   std::vector<int> RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const;
-  Range<int> HullOf(int begin, int end, Range<int> Slice::*part) const;
   Range<int> FilledIn(const Range<int>& nodes, int v, const Range<int>& columns) const;
   void ClearRow(int v, const Range<int>& kept, int slices);
+  void TransposeRow(int v, const Range<int>& columns, const Range<int>& nodes);
 
   const FaceFrustum* Source;
   const Occupancy* Occupied;
   const RankBands* Bands = nullptr;
   float* Field;
   FieldUse Use;
-  bool Transposed;
+  bool IsCopied;
+  bool IsDelivered = false;
   int Columns;
   int Rows;
+  Index Pitch; ///< of copied slices
   Index StrideV = 0;
   Index StrideW = 0;
   int First = 0;
   SlabPool* Pool;
-  std::shared_ptr<SlabMemory> Memory; ///< of transposed slices
+  std::shared_ptr<SlabMemory> Memory; ///< of copied slices
   float* Slices = nullptr;
 };
 }

@@ -56,10 +56,10 @@ public:
     {
       return nullptr;
     }
-    this->All.emplace_back(this->Rays.Plan(), this->Occupied, this->Rays.Slabs(), field, use);
+    this->All.emplace_back(this->Rays.Plan(), this->Occupied, this->Rays.Pooled(), field, use);
     if (this->Rays.Bands())
     {
-      this->All.back().MoveNeeded(*this->Rays.Bands());
+      this->All.back().MoveNeeded(*this->Rays.Bands(), this->Rays.Delivery() != nullptr);
     }
     return &this->All.back();
   }
@@ -70,6 +70,11 @@ public:
     {
       window.Load(slab);
     }
+    if (this->Rays.Delivery())
+    {
+      this->Rays.Delivery()->Bring(
+        slab, this->Delivered([](const SliceWindow& window) { return window.Reads(); }));
+    }
   }
 
   void Store(const Range<int>& slab)
@@ -77,6 +82,11 @@ public:
     for (SliceWindow& window : this->All)
     {
       window.Store(slab);
+    }
+    if (this->Rays.Delivery())
+    {
+      this->Rays.Delivery()->Return(
+        slab, this->Delivered([](const SliceWindow& window) { return window.Writes(); }));
     }
   }
 
@@ -98,6 +108,20 @@ public:
   }
 
 private:
+  template <class Which>
+  std::vector<SlabDelivery::Field> Delivered(const Which& which) const
+  {
+    std::vector<SlabDelivery::Field> fields;
+    for (const SliceWindow& window : this->All)
+    {
+      if (which(window))
+      {
+        fields.push_back(window.Delivered());
+      }
+    }
+    return fields;
+  }
+
   const FrustumTables<HostDevice>& Rays;
   const Occupancy* Occupied;
   std::deque<SliceWindow> All;
@@ -142,7 +166,7 @@ void SweepForward(
   ForRaysReached<StartInFront>(rays);
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
-  for (const Range<int>& slab : SlabsOf(frustum))
+  for (const Range<int>& slab : rays.Slabs())
   {
     windows.Load(slab);
     for (const Range<int>& stretch : rays.StretchesOf(slab))
@@ -187,7 +211,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
         step(sampler);
       });
   };
-  const std::vector<Range<int>> slabs = SlabsOf(frustum);
+  const std::vector<Range<int>> slabs = rays.Slabs();
   for (std::size_t index = slabs.size(); index-- > 0;)
   {
     const Range<int>& slab = slabs[index];
@@ -241,7 +265,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
   const std::vector<RayValues> carried{ states.opticalDepth, states.transmittance, states.density };
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
-  for (const Range<int>& slab : SlabsOf(frustum))
+  for (const Range<int>& slab : rays.Slabs())
   {
     windows.Load(slab);
     for (int s = slab.begin; s < slab.end; ++s)

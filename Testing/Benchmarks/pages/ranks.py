@@ -23,7 +23,7 @@ def threads_each(row):
 
 def uneven(counted):
     """Work of the rank that has most on a slice, over the mean: of camera and light together."""
-    return (counted["camera"]["slices"] + counted["light"]["slices"]) / 2
+    return (counted["uneven"]["camera"] + counted["uneven"]["light"]) / 2
 
 
 def model(nodes, ranks, counted, seconds_per_node):
@@ -66,9 +66,10 @@ that of so many threads' together, of an iteration in which nothing is touched f
 of all iterations. Growth: resident memory of the first rank at its peak, above what it has before, its piece of the image and
 the results among it. More processes than processors say nothing about time.
 
-A rank's memory has two parts: fields, of which it has the nodes beside its bands of camera and light, and what is
-two-dimensional: images of the rays that it has or reads, those of nine times as many rays for the arrays of transmittance,
-and plans, which are whole on every rank.
+A rank's memory has two parts: its pieces of fields, and of the fields of an iteration the nodes beside its bands of camera
+and light, or beside those of the camera alone, or a slab: the first of these that takes no more than 1.35 times a share, for
+it is the fastest. And what is two-dimensional: images of the rays that it has or reads, those of nine times as many rays for
+the arrays of transmittance, slices of fields that are elsewhere, and plans, which are whole on every rank.
 """
     for name, rows in measured["scenes"].items():
         one = rows[0]
@@ -96,17 +97,17 @@ and plans, which are whole on every rank.
         text += f"""
 What ranks say to each other, counted by `limpid_count_ranks`: of an iteration in the middle, by the \
 rank that has most. A rank waits where it needs what others have. Uneven: work of the rank that has \
-most over the mean, if all wait for each other on every slice. Needed: filled nodes that the rank needs \
-that needs most, over its share of what one process needs.
+most over the mean, if all wait for each other on every slice. Held: memory for a field, in whole pages, \
+of the rank that has most, over its share of all nodes.
 
 """ + table(counted["counts"], [
             ("ranks", lambda row: str(row["ranks"])),
             ("messages", lambda row: str(counts(row)["messages"])),
             ("MB", lambda row: fixed(counts(row)["bytes"] / 1e6, 2)),
             ("waits", lambda row: str(counts(row)["waits"])),
-            ("uneven, camera", lambda row: fixed(row["camera"]["slices"], 2)),
-            ("uneven, light", lambda row: fixed(row["light"]["slices"], 2)),
-            ("needed", lambda row: fixed(row["needed"], 2))])
+            ("uneven, camera", lambda row: fixed(row["uneven"]["camera"], 2)),
+            ("uneven, light", lambda row: fixed(row["uneven"]["light"], 2)),
+            ("held", lambda row: fixed(row["held"], 2))])
         seconds_per_node = steady(one) / float(counted["filled"])
         text += f"""
 **A model, not measured**: an iteration where the scene has {fixed(1e9 * seconds_per_node, 0)} ns of \

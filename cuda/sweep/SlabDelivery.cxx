@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep/SlabDelivery.h"
+
+#include "sweep/RankBands.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace
+{
+int NodeOf(const Slice& slice)
+{
+  return slice.node < 0 ? slice.nodes[0] : slice.node;
+}
+}
+
+std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum, bool copied)
+{
+  if (!copied)
+  {
+    return { { 0, frustum.SliceCount() } };
+  }
+  std::vector<Range<int>> slabs;
+  for (int s = 0; s < frustum.SliceCount(); ++s)
+  {
+    const int node = frustum.SliceAt(s).node;
+    const int first = slabs.empty() ? -1 : frustum.SliceAt(slabs.back().begin).node;
+    if (first >= 0 && first / slicesCopied == node / slicesCopied)
+    {
+      slabs.back().end = s + 1;
+    }
+    else
+    {
+      slabs.push_back({ s, s + 1 });
+    }
+  }
+  return slabs;
+}
+
+Range<int> NodesOf(const FaceFrustum& frustum, const Range<int>& slices)
+{
+  Range<int> nodes;
+  for (int s = slices.begin; s < slices.end; ++s)
+  {
+    const int node = NodeOf(frustum.SliceAt(s));
+    nodes = Hull(nodes, { node, node + 1 });
+  }
+  return nodes;
+}
+
+Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<int> Slice::*part)
+{
+  Range<int> hull;
+  for (int s = slices.begin; s < slices.end; ++s)
+  {
+    hull = Hull(hull, frustum.SliceAt(s).*part);
+  }
+  return hull;
+}
+
+SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
+  const HomeOfFields& home, const Occupancy* filled, const std::shared_ptr<PassageRoom>& room)
+  : Box(home.box)
+{
+  std::vector<Region> needed;
+  std::vector<Region> changed;
+  for (int rank = 0; rank < bands.Ranks().Size(); ++rank)
+  {
+    needed.push_back(RegionNeeded(frustum, bands, rank));
+    changed.push_back(RegionChanged(frustum, bands, rank));
+  }
+  // Those of all regions that are in the slices, and in the columns and rows of these.
+  const auto part = [&](std::vector<Region> regions, const Range<int>& slices,
+                      Range<int> Slice::*columns, Range<int> Slice::*rows)
+  {
+    NodeBox box;
+    box.along[std::size_t(frustum.axisU)] = HullOf(frustum, slices, columns);
+    box.along[std::size_t(frustum.axisV)] = HullOf(frustum, slices, rows);
+    box.along[std::size_t(frustum.axisW)] = NodesOf(frustum, slices);
+    for (Region& region : regions)
+    {
+      region = Intersection(region, box);
+    }
+    return regions;
+  };
+  const auto pass = [&](const std::vector<Region>& from, const std::vector<Region>& to)
+  { return Passages(bands.Ranks(), from, to, filled, room, Passages::Keep::Boxes); };
+  for (const Range<int>& slab : SlabsOf(frustum, true))
+  {
+    const Range<int> read{ slab.begin,
+      std::min(slab.end + mostSlicesBehind, frustum.SliceCount()) };
+    this->All.push_back(
+      { slab, pass(home.kept, part(needed, read, &Slice::touchedColumns, &Slice::touchedRows)),
+        pass(part(changed, slab, &Slice::ownedColumns, &Slice::ownedRows), home.wanted) });
+  }
+}
+
+const SlabDelivery::Ways& SlabDelivery::WaysOf(const Range<int>& slab) const
+{
+  return *std::find_if(this->All.begin(), this->All.end(),
+    [&slab](const Ways& ways) { return ways.slab.begin == slab.begin; });
+}
+
+void SlabDelivery::Bring(const Range<int>& slab, const std::vector<Field>& fields) const
+{
+  std::vector<Passages::Field> passing(fields.size());
+  std::transform(fields.begin(), fields.end(), passing.begin(),
+    [this](const Field& field) {
+      return Passages::Field{ FieldView::Part(field.field, this->Box), field.window };
+    });
+  this->WaysOf(slab).there.Bring(passing);
+}
+
+void SlabDelivery::Return(const Range<int>& slab, const std::vector<Field>& fields) const
+{
+  std::vector<Passages::Field> passing(fields.size());
+  std::transform(fields.begin(), fields.end(), passing.begin(),
+    [this](const Field& field) {
+      return Passages::Field{ field.window, FieldView::Part(field.field, this->Box) };
+    });
+  this->WaysOf(slab).back.Bring(passing);
+}
+}
