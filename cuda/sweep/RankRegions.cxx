@@ -85,15 +85,15 @@ void ForBoth(const Region& one, const Region& other, const What& what)
   }
 }
 
-/// Values one after the other, and where they are in a field.
+/// Values one after the other along an axis, and where they are in a field.
 struct RowInField
 {
   float* first;
   Index stride;
 
-  RowInField(const FieldView& field, const Int3& node)
+  RowInField(const FieldView& field, const Int3& node, int axis = 0)
     : first(field.values + field.At(node.x, node.y, node.z))
-    , stride(field.stride[0])
+    , stride(field.stride[std::size_t(axis)])
   {
   }
 
@@ -189,52 +189,15 @@ void FillNodes(const NodeBox& box, float value, const FieldView& field)
     });
 }
 
-namespace
-{
-/// Copies the values of a box where neighbours along x are neighbours in one of the fields, and
-/// those along y in the other: tile by tile, so that neither leaves the cache meanwhile.
-void CopyTransposed(
-  const NodeBox& box, const FieldView& from, const FieldView& to, const Occupancy* filled)
-{
-  constexpr int rowsPerTile = 16; // floats in a cache line
-  const Range<int>& rows = box.along[1];
-  for (int k = box.along[2].begin; k < box.along[2].end; ++k)
-  {
-    for (int tile = rows.begin; tile < rows.end; tile += rowsPerTile)
-    {
-      const int end = std::min(tile + rowsPerTile, rows.end);
-      Range<int> columns;
-      for (int j = tile; j < end; ++j)
-      {
-        columns = Hull(columns, FilledOf(box, filled, j, k));
-      }
-      for (int i = columns.begin; i < columns.end; ++i)
-      {
-        const float* source = from.values + from.At(i, tile, k);
-        float* target = to.values + to.At(i, tile, k);
-        for (int j = 0; j < end - tile; ++j)
-        {
-          target[j * to.stride[1]] = source[j * from.stride[1]];
-        }
-      }
-    }
-  }
-}
-}
-
 void CopyNodes(
-  const NodeBox& box, const FieldView& from, const FieldView& to, const Occupancy* filled)
+  const NodeBox& box, const FieldView& from, const FieldView& to, const Occupancy* filled, int axis)
 {
-  if (from.stride[0] != to.stride[0] && (from.stride[1] == 1 || to.stride[1] == 1))
-  {
-    CopyTransposed(box, from, to, filled);
-    return;
-  }
-  ForRowsOf(box, filled,
+  ForRowsOf(
+    box, filled,
     [&](const Int3& first, int count)
     {
-      const RowInField there(to, first);
-      const RowInField here(from, first);
+      const RowInField there(to, first, axis);
+      const RowInField here(from, first, axis);
       if (there.stride == 1)
       {
         here.CopyTo(there.first, count);
@@ -244,7 +207,8 @@ void CopyNodes(
       {
         there.first[i * there.stride] = here.first[i * here.stride];
       }
-    });
+    },
+    axis);
 }
 
 Region Intersection(const Region& region, const NodeBox& box)
@@ -278,7 +242,8 @@ Passages::WithRank Passages::Between(const Region& had, const Region& needed) co
     [&](const NodeBox& box)
     {
       passing.boxes.push_back(box);
-      ForRowsOf(box, this->Filled,
+      ForRowsOf(
+        box, this->Filled,
         [&](const Int3& first, int count)
         {
           if (this->Kept == Keep::Rows)
@@ -286,18 +251,20 @@ Passages::WithRank Passages::Between(const Region& had, const Region& needed) co
             passing.rows.push_back({ first, count });
           }
           passing.count += std::size_t(count);
-        });
+        },
+        this->Axis);
     });
   return passing;
 }
 
 Passages::Passages(const Communicator& ranks, const std::vector<Region>& had,
   const std::vector<Region>& needed, const Occupancy* filled,
-  const std::shared_ptr<PassageRoom>& room, Keep keep)
+  const std::shared_ptr<PassageRoom>& room, Keep keep, int axis)
   : All(&ranks)
   , Filled(filled)
   , Room(room)
   , Kept(keep)
+  , Axis(axis)
 {
   const auto own = std::size_t(ranks.Rank());
   for (std::size_t rank = 0; rank < had.size(); ++rank)
@@ -323,7 +290,7 @@ void Passages::ForRows(const WithRank& passing, const What& what) const
   }
   for (const NodeBox& box : passing.boxes)
   {
-    ForRowsOf(box, this->Filled, what);
+    ForRowsOf(box, this->Filled, what, this->Axis);
   }
 }
 
@@ -359,7 +326,7 @@ void Passages::Bring(const std::vector<Field>& fields) const
       {
         for (const Field& field : fields)
         {
-          RowInField(field.from, first).CopyTo(next, count);
+          RowInField(field.from, first, this->Axis).CopyTo(next, count);
           next += count;
         }
       });
@@ -373,7 +340,7 @@ void Passages::Bring(const std::vector<Field>& fields) const
       {
         for (const Field& field : fields)
         {
-          RowInField(field.to, first).CopyFrom(next, count);
+          RowInField(field.to, first, this->Axis).CopyFrom(next, count);
           next += count;
         }
       });
@@ -384,7 +351,7 @@ void Passages::Bring(const std::vector<Field>& fields) const
     {
       for (const NodeBox& box : this->Own)
       {
-        CopyNodes(box, field.from, field.to, this->Filled);
+        CopyNodes(box, field.from, field.to, this->Filled, this->Axis);
       }
     }
   }

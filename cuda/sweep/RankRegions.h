@@ -58,24 +58,22 @@ struct FieldView
   }
 };
 
-/// Of a row of a box along x, what is filled.
-inline Range<int> FilledOf(const NodeBox& box, const Occupancy* filled, int j, int k)
-{
-  return filled ? Intersection(box.along[0], filled->Row(0, j, k).filled) : box.along[0];
-}
-
-/// Calls what(first node of a row, count) for the rows of a box along x, as far as they are filled.
+/// Calls what(first node of a row, count) for the rows of a box, as far as they are filled. `axis`:
+/// along which, 0 or 1.
 template <class What>
-void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
+void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what, int axis = 0)
 {
+  const Range<int>& along = box.along[std::size_t(axis)];
+  const Range<int>& beside = box.along[std::size_t(1 - axis)];
   for (int k = box.along[2].begin; k < box.along[2].end; ++k)
   {
-    for (int j = box.along[1].begin; j < box.along[1].end; ++j)
+    for (int number = beside.begin; number < beside.end; ++number)
     {
-      const Range<int> row = FilledOf(box, filled, j, k);
+      const Range<int> row =
+        filled ? Intersection(along, filled->Row(axis, number, k).filled) : along;
       if (!row.Empty())
       {
-        what(Int3(row.begin, j, k), row.Length());
+        what(axis == 0 ? Int3(row.begin, number, k) : Int3(number, row.begin, k), row.Length());
       }
     }
   }
@@ -84,9 +82,10 @@ void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what)
 /// Sets the values of a box of nodes.
 void FillNodes(const NodeBox& box, float value, const FieldView& field);
 
-/// Copies the values of a box of nodes. `filled`: where else both fields are 0; null: nowhere.
+/// Copies the values of a box of nodes, by rows along an axis, 0 or 1. `filled`: where else both
+/// fields are 0; null: nowhere.
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to,
-  const Occupancy* filled = nullptr);
+  const Occupancy* filled = nullptr, int axis = 0);
 
 /// Those nodes of a region that are in a box.
 Region Intersection(const Region& region, const NodeBox& box);
@@ -116,11 +115,11 @@ public:
   };
 
   /// `filled`: where else fields are 0, which need not travel; null: nowhere. Ranks and occupancy
-  /// have to stay.
+  /// have to stay. `axis`: along which rows travel, 0 or 1.
   Passages(const Communicator& ranks, const std::vector<Region>& had,
     const std::vector<Region>& needed, const Occupancy* filled = nullptr,
     const std::shared_ptr<PassageRoom>& room = std::make_shared<PassageRoom>(),
-    Keep keep = Keep::Rows);
+    Keep keep = Keep::Rows, int axis = 0);
 
   /// Where a field is that passes, and where it comes to.
   struct Field
@@ -134,7 +133,7 @@ public:
   void Bring(const std::vector<Field>& fields) const;
 
 private:
-  /// Values that follow each other along x.
+  /// Values that follow each other.
   struct Row
   {
     Int3 first;
@@ -159,6 +158,7 @@ private:
   const Occupancy* Filled;
   std::shared_ptr<PassageRoom> Room;
   Keep Kept;
+  int Axis;
   std::vector<WithRank> Sent;     ///< [rank]
   std::vector<WithRank> Received; ///< [rank]
   Region Own;                     ///< what this rank has and needs

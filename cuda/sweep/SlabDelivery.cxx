@@ -87,7 +87,7 @@ SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
     return regions;
   };
   const auto pass = [&](const std::vector<Region>& from, const std::vector<Region>& to)
-  { return Passages(bands.Ranks(), from, to, filled, room, Passages::Keep::Boxes); };
+  { return Passages(bands.Ranks(), from, to, filled, room, Passages::Keep::Boxes, frustum.axisU); };
   for (const Range<int>& slab : SlabsOf(frustum, true))
   {
     const Range<int> read{ slab.begin,
