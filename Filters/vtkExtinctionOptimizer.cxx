@@ -73,22 +73,6 @@ void KeepRequestedPiece(
     }
   }
 }
-
-std::array<int, 6> WholeExtentOf(vtkInformationVector** inputVector)
-{
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  vtkImageData* image = vtkImageData::GetData(info);
-  std::array<int, 6> whole{ { 0, -1, 0, -1, 0, -1 } };
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-  }
-  else if (image)
-  {
-    image->GetExtent(whole.data());
-  }
-  return whole;
-}
 }
 
 // From the properties to the core and back.
@@ -154,13 +138,7 @@ int vtkExtinctionOptimizer::RequestUpdateExtent(
   const int result = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   if (this->State->RanksShare(outInfo))
   {
-    // A layer of neighbours' cells, so that averages of cells at its points are whole.
-    vtkInformation* info = inputVector[0]->GetInformationObject(0);
-    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()));
-    info->Set(
-      Pipeline::UPDATE_NUMBER_OF_PIECES(), outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
-    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      std::max(outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), 1));
+    SceneReader::RequestPiece(outInfo, inputVector);
   }
   return result;
 }
@@ -181,12 +159,7 @@ limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector*
     return this->Reader.Read(
       this->Reader.RequireWholeImage(inputVector), this->Self->ExtinctionSource);
   }
-  const std::string refusal =
-    limpid::RefusalOf(vtkDataObject::GetData(inputVector[0]), "this filter works on");
-  LIMPID_REQUIRE(refusal.empty(), refusal);
-  const limpid::SharedImage shared(
-    this->Ranks, vtkImageData::GetData(inputVector[0]), WholeExtentOf(inputVector));
-  return this->Reader.Read(shared, this->Self->ExtinctionSource);
+  return this->Reader.ReadShared(this->Ranks, inputVector, this->Self->ExtinctionSource);
 }
 
 int vtkExtinctionOptimizer::RequestData(
@@ -200,7 +173,7 @@ int vtkExtinctionOptimizer::RequestData(
     this->State->Ranks = this->State->RanksShare(outInfo) ? limpid::MakeRanks() : nullptr;
     limpid::TellingRanks(
       this->State->Ranks.get(), [&] { this->Optimize(inputVector, output, convergence); });
-    KeepRequestedPiece(outInfo, WholeExtentOf(inputVector), output);
+    KeepRequestedPiece(outInfo, SceneReader::WholeExtentOf(inputVector), output);
     return 1;
   }
   catch (const limpid::Interrupted&)
@@ -208,7 +181,8 @@ int vtkExtinctionOptimizer::RequestData(
     this->SetProgressText(nullptr);
     output->Initialize();
     output->ShallowCopy(vtkImageData::GetData(inputVector[0])); // the input as it came
-    KeepRequestedPiece(outputVector->GetInformationObject(0), WholeExtentOf(inputVector), output);
+    KeepRequestedPiece(
+      outputVector->GetInformationObject(0), SceneReader::WholeExtentOf(inputVector), output);
     return 1;
   }
   catch (const std::exception& error)

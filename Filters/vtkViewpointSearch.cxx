@@ -101,6 +101,20 @@ int vtkViewpointSearch::RequestInformation(
   return 1;
 }
 
+// The whole image, of which processes score different directions, unless that is too large: then
+// each has a piece.
+int vtkViewpointSearch::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int result = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  vtkInformation* requested = RequestedOf(request, outputVector);
+  if (limpid::AllAreAsked(requested) && this->State->IsLarge(inputVector))
+  {
+    SceneReader::RequestPiece(requested, inputVector);
+  }
+  return result;
+}
+
 int vtkViewpointSearch::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -132,8 +146,9 @@ int vtkViewpointSearch::RequestData(
   }
   catch (const std::exception& error)
   {
-    const limpid::MemoryNeed need{ this->Field == OPTIMIZE_PER_VIEW ? 50.0 : 22.0,
-      limpid::fewerPoints }; // by Testing/Benchmarks/filter_memory.py
+    const limpid::MemoryNeed need{
+      this->Field == OPTIMIZE_PER_VIEW ? 50.0 : Internals::BytesPerPoint, limpid::fewerPoints
+    };
     vtkErrorMacro(<< limpid::WordsOf(error, vtkImageData::GetData(inputVector[0]), need));
     clear();
     return 0;

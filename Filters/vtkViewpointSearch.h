@@ -36,9 +36,11 @@
  * "CameraParallelScale" of all views; "Evaluations" (scores and derivatives), "Seconds",
  * "ScalarOpacityUnitDistance", "Backend".
  *
- * After an error the outputs are empty. With several processes of MPI each
- * scores some of the directions, of an image that all of them have whole; the first one climbs, and
- * has the result.
+ * After an error the outputs are empty. With several processes of MPI each scores some of the
+ * directions, of an image that all of them have whole; the first one climbs, and has the outputs.
+ * Where the image would take a quarter of the memory of a machine, or a source gives each process a
+ * piece whatever it is asked for, they score one direction after the other together, each with its
+ * piece; the outputs are the same. OPTIMIZE_PER_VIEW needs the whole image.
  *
  * @sa vtkVisibilityAlgorithm vtkExtinctionOptimizer vtkCameraPath
  */
@@ -232,6 +234,8 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

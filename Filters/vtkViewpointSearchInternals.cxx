@@ -13,8 +13,11 @@
 #include "ViewpointData.h"
 
 #include "vtkImageData.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
+
+#include <vtksys/SystemInformation.hxx>
 
 #include "backend/Choice.h"
 #include "backend/Interruption.h"
@@ -23,6 +26,7 @@
 #include "viewpoint/Search.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -41,7 +45,7 @@ double SecondsSince(Clock::time_point start)
 // Majorant times importance: what is important is as dense as can be, and nothing else is there.
 std::vector<float> ProxyOf(const limpid::SceneFields& scene, double majorant)
 {
-  std::vector<float> proxy(std::size_t(scene.grid.NodeCount()));
+  std::vector<float> proxy(std::size_t(scene.ValueCount()));
   const auto factor = static_cast<float>(majorant);
   limpid::ForOnAllCores(static_cast<vtkIdType>(proxy.size()),
     [&proxy, &scene, factor](vtkIdType begin, vtkIdType end)
@@ -75,6 +79,51 @@ double ShareOfSamples(std::size_t samples, const limpid::SearchSettings& search)
 }
 }
 
+// Whether this process has all of the image; without points it has to be told what is wrong.
+bool vtkViewpointSearch::Internals::HasWholeImage(vtkInformationVector** inputVector)
+{
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  const std::array<int, 6> whole = SceneReader::WholeExtentOf(inputVector);
+  return input && std::equal(whole.begin(), whole.end(), input->GetExtent());
+}
+
+// Whether it would take much of the memory of this machine that a process has all of the image.
+bool vtkViewpointSearch::Internals::IsLarge(vtkInformationVector** inputVector) const
+{
+  const std::array<int, 6> whole = SceneReader::WholeExtentOf(inputVector);
+  double bytes = BytesPerPoint;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    bytes *= std::max(whole[2 * axis + 1] - whole[2 * axis] + 1, 0);
+  }
+  vtksys::SystemInformation machine;
+  machine.RunMemoryCheck();
+  constexpr double megabyte = 1024.0 * 1024.0;
+  return this->Self->Field != OPTIMIZE_PER_VIEW &&
+    bytes > megabyte * double(machine.GetTotalPhysicalMemory()) / 4;
+}
+
+bool vtkViewpointSearch::Internals::AnyRank(bool here) const
+{
+  return limpid::AnyRank(this->Ranks.get(), here);
+}
+
+limpid::ImageScene vtkViewpointSearch::Internals::Read(vtkInformationVector** inputVector) const
+{
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  const int source =
+    this->Self->Field == EXTINCTION_ARRAY ? int(ARRAY) : this->Self->ExtinctionSource;
+  if (!this->SharesImage)
+  {
+    return this->Reader.Read(input, source);
+  }
+  LIMPID_REQUIRE(this->Self->Field != OPTIMIZE_PER_VIEW,
+    "Field is Optimize Per View, and no process has the whole image (views are optimised by one "
+    "process each). Choose another Field, or read from a source that can give the whole image to "
+    "each process.");
+  return this->Reader.ReadShared(this->Ranks, inputVector, source);
+}
+
 // Calls a function that the user may interrupt.
 template <class Function>
 auto vtkViewpointSearch::Internals::Interruptibly(const Function& function) const
@@ -86,17 +135,18 @@ auto vtkViewpointSearch::Internals::Interruptibly(const Function& function) cons
 void vtkViewpointSearch::Internals::Search(
   vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3])
 {
-  vtkImageData* input = this->Reader.RequireWholeImage(inputVector);
+  this->SharesImage = this->Ranks && this->AnyRank(!this->HasWholeImage(inputVector));
+  if (!this->SharesImage)
+  {
+    this->Reader.RequireWholeImage(inputVector);
+  }
   this->RequirePossibleSettings();
   if (isLaterPiece && !this->Ranks)
   {
     return;
   }
   const Clock::time_point start = Clock::now();
-  const int source =
-    this->Self->Field == EXTINCTION_ARRAY ? int(ARRAY) : this->Self->ExtinctionSource;
-  const limpid::ImageScene image =
-    this->Interruptibly([&] { return this->Reader.Read(input, source); });
+  const limpid::ImageScene image = this->Interruptibly([&] { return this->Read(inputVector); });
   LIMPID_REQUIRE(image.grid.HasVolume(),
     "The image has " << image.grid.nodes.x << " x " << image.grid.nodes.y << " x "
                      << image.grid.nodes.z
@@ -147,16 +197,19 @@ void vtkViewpointSearch::Internals::SearchOneField(
 {
   const limpid::SceneFields& fields = scene.Arrays();
   const limpid::Settings settings = this->MakeSettings();
+  std::vector<float> proxy;
   const auto score = this->Interruptibly(
     [&]
     {
-      const std::vector<float> proxy = this->Self->Field == IMPORTANCE_PROXY
-        ? ProxyOf(fields, scene.Majorant())
-        : std::vector<float>();
-      const limpid::ViewedFields viewed = proxy.empty()
-        ? limpid::ViewedFields{ fields.baseExtinction, fields.importance }
-        : limpid::ViewedFields{ proxy.data(), fields.importance, fields.baseExtinction };
-      return limpid::ViewScore(fields.grid, viewed, settings.rayDensity, settings.backend);
+      limpid::ViewedFields viewed{ fields.baseExtinction, fields.importance };
+      if (this->Self->Field == IMPORTANCE_PROXY)
+      {
+        proxy = ProxyOf(fields, scene.Majorant());
+        viewed = { proxy.data(), fields.importance, fields.baseExtinction };
+      }
+      viewed.piece = fields.piece;
+      return limpid::ViewScore(fields.grid, viewed, settings.rayDensity,
+        this->SharesImage ? limpid::BackendKind::Cpu : settings.backend);
     });
   found.backend = score.BackendName();
   this->ScoreAndFind(
@@ -204,7 +257,7 @@ template <class Score>
 std::vector<limpid::ScoredView> vtkViewpointSearch::Internals::ScoreTogether(
   const std::vector<limpid::Vec3>& directions, const Score& score) const
 {
-  if (!this->Ranks)
+  if (!this->Ranks || this->SharesImage)
   {
     return score(directions);
   }
@@ -255,11 +308,16 @@ void vtkViewpointSearch::Internals::ScoreAndFind(
   const limpid::SearchProgress progress = report.Part(0, share);
   found.samples = this->ScoreTogether(found.sphere.directions,
     [&](const std::vector<limpid::Vec3>& directions)
-    { return progress(0) ? score(directions, progress) : Unscored(directions); });
-  if (!this->Ranks || this->Ranks->Rank() == 0)
+    {
+      const bool goesOn = progress(0);
+      const bool isStopped = this->SharesImage ? this->AnyRank(!goesOn) : !goesOn;
+      return isStopped ? Unscored(directions) : score(directions, progress);
+    });
+  if (!this->Ranks || this->SharesImage || this->Ranks->Rank() == 0)
   {
     self->SetProgressText("Climbing to better views");
-    search.refine = search.refine && !report.IsStopped();
+    const bool isStopped = report.IsStopped();
+    search.refine = search.refine && !(this->SharesImage ? this->AnyRank(isStopped) : isStopped);
     found.search = find(search, report.Part(share, 1));
   }
   self->SetProgressText(nullptr);

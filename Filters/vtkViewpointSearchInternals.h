@@ -32,7 +32,8 @@ struct vtkViewpointSearch::Internals
   }
 
   /// Fills the S-sphere, the viewpoints and the paths. `isLaterPiece`: they stay empty; where ranks
-  /// share the samples, it scores some of them for the first piece.
+  /// share the samples, it scores some of them for the first piece, and where they share the image,
+  /// all together with the others.
   void Search(vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3]);
 
   void RequirePossibleSettings() const;
@@ -54,11 +55,18 @@ struct vtkViewpointSearch::Internals
     const std::vector<limpid::Vec3>& directions, const Score& score) const;
   template <class Score, class Find>
   void ScoreAndFind(const Score& score, const Find& find, limpid::FoundViews& found) const;
+  limpid::ImageScene Read(vtkInformationVector** inputVector) const;
+  bool AnyRank(bool here) const;
+  static bool HasWholeImage(vtkInformationVector** inputVector);
+  bool IsLarge(vtkInformationVector** inputVector) const;
+
+  static constexpr double BytesPerPoint = 22; // by Testing/Benchmarks/filter_memory.py
 
   vtkViewpointSearch* Self;
   SceneReader Reader;
   std::shared_ptr<const limpid::Communicator> Ranks; // share the samples; null: there is one
-  std::vector<limpid::Vec3> Avoided;                 // directions, of any length
+  bool SharesImage = false;          // they also share the image: all do all samples
+  std::vector<limpid::Vec3> Avoided; // directions, of any length
 };
 
 #endif

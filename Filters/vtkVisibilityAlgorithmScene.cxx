@@ -106,9 +106,44 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
   return scene;
 }
 
-limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
-  const limpid::SharedImage& shared, int extinctionSource) const
+std::array<int, 6> vtkVisibilityAlgorithm::SceneReader::WholeExtentOf(
+  vtkInformationVector** inputVector)
 {
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  std::array<int, 6> whole{ { 0, -1, 0, -1, 0, -1 } };
+  if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
+  }
+  else if (image)
+  {
+    image->GetExtent(whole.data());
+  }
+  return whole;
+}
+
+void vtkVisibilityAlgorithm::SceneReader::RequestPiece(
+  vtkInformation* outInfo, vtkInformationVector** inputVector)
+{
+  // A layer of neighbours' cells, so that averages of cells at its points are whole.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+    std::max(outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), 1));
+}
+
+limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
+  const std::shared_ptr<const limpid::Communicator>& all, vtkInformationVector** inputVector,
+  int extinctionSource) const
+{
+  const std::string refusal =
+    limpid::RefusalOf(vtkDataObject::GetData(inputVector[0]), "this filter works on");
+  LIMPID_REQUIRE(refusal.empty(), refusal);
+  const limpid::SharedImage shared(
+    all, vtkImageData::GetData(inputVector[0]), WholeExtentOf(inputVector));
   const limpid::Communicator& ranks = *shared.piece->ranks;
   const bool empty = shared.piece->nodes.Empty(); // without any array
   limpid::ImageScene scene;

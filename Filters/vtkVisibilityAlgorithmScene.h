@@ -53,7 +53,14 @@ struct vtkVisibilityAlgorithm::SceneReader
   limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
 
   /// The same of an image that ranks share. Throws on all of them.
-  limpid::ImageScene Read(const limpid::SharedImage& shared, int extinctionSource) const;
+  limpid::ImageScene ReadShared(const std::shared_ptr<const limpid::Communicator>& ranks,
+    vtkInformationVector** inputVector, int extinctionSource) const;
+
+  /// Of the input, of all ranks.
+  static std::array<int, 6> WholeExtentOf(vtkInformationVector** inputVector);
+
+  /// Asks the input for the piece that is asked for here.
+  static void RequestPiece(vtkInformation* outInfo, vtkInformationVector** inputVector);
 
 private:
   /// A range of scalars; ends that are not numbers: there are none.

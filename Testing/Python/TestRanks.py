@@ -249,6 +249,29 @@ class TestRanks(unittest.TestCase):
                 else:
                     self.assertEqual(results[1], 3 * [{}])
 
+    def test_views_of_an_image_in_pieces(self):
+        image = whole_phantom(16)
+        for field in (vtkViewpointSearch.BASE_EXTINCTION, vtkViewpointSearch.IMPORTANCE_PROXY):
+            for axis, more, empty in ((2, 0, 0), (0, 1, 0), (1, 1, RANKS - 1)):
+                results = []
+                for source in (None, Pieces(image, slabs(image, axis, more, empty))):
+                    search = vtkViewpointSearch()
+                    if source:
+                        search.SetInputConnection(source.GetOutputPort())
+                    else:
+                        search.SetInputData(image)
+                    search.SetExtinctionSource(vtkViewpointSearch.ARRAY)
+                    search.SetField(field)
+                    search.SetNumberOfDirections(13)
+                    search.SetNumberOfViewpoints(2)
+                    search.UpdatePiece(*((RANK, RANKS) if source else (0, 1)), 0)
+                    results.append([output_arrays(search.GetOutput(port)) for port in range(3)])
+                with self.subTest(field=field, axis=axis, more=more, empty=empty):
+                    if RANK == 0:
+                        self.assertEqual(*results)
+                    else:
+                        self.assertEqual(results[1], 3 * [{}])
+
     def test_what_cannot_be_shared_is_done_by_each(self):
         phantom = vtkOcclusionPhantom()
         phantom.SetResolution(16)

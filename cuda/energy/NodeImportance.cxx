@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace limpid
@@ -224,33 +225,42 @@ void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
 
 double ImportantExtinction(const Grid& grid, const float* baseExtinction, const float* importance)
 {
-  const std::vector<float> mean = NodeImportanceOfFilled(grid, baseExtinction, importance);
+  const Range<int> all{ 0, grid.nodes.z };
+  std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z));
+  FillRowsOfImportantExtinction(grid, all, all, baseExtinction, importance, rows.data());
+  return SumOfRows(grid, rows);
+}
+
+void FillRowsOfImportantExtinction(const Grid& grid, const Range<int>& given,
+  const Range<int>& slices, const float* baseExtinction, const float* importance, double* rows)
+{
   const Int3& nodes = grid.nodes;
+  Grid slab = grid;
+  slab.nodes.z = given.Length();
+  const std::vector<float> mean = NodeImportanceOfFilled(slab, baseExtinction, importance);
   // Integral of a node's hat along an axis [spacing].
   const auto hat = [](int k, int count) { return 0.5 * (int(k > 0) + int(k + 1 < count)); };
-  const auto sumOfRow = [&](Index row)
-  {
-    const Index first = row * nodes.x;
-    double sum = 0;
-    for (int i = 0; i < nodes.x; ++i)
+  ParallelFor(Index(slices.Length()) * nodes.y, 16,
+    [&](Index number)
     {
-      sum +=
-        hat(i, nodes.x) * double(baseExtinction[first + i]) * double(mean[std::size_t(first + i)]);
-    }
-    return sum * hat(static_cast<int>(row % nodes.y), nodes.y) *
-      hat(static_cast<int>(row / nodes.y), nodes.z);
-  };
-  const Index rows = Index(nodes.y) * nodes.z;
-  return grid.CellVolume() *
-    ParallelBlockSum(rows,
-      [&](Index begin, Index end)
+      const int y = static_cast<int>(number % nodes.y);
+      const int z = slices.begin + static_cast<int>(number / nodes.y);
+      const Index first = (Index(z - given.begin) * nodes.y + y) * nodes.x;
+      double sum = 0;
+      for (int i = 0; i < nodes.x; ++i)
       {
-        double sum = 0;
-        for (Index row = begin; row < end; ++row)
-        {
-          sum += sumOfRow(row);
-        }
-        return sum;
-      });
+        sum += hat(i, nodes.x) * double(baseExtinction[first + i]) *
+          double(mean[std::size_t(first + i)]);
+      }
+      rows[Index(z) * nodes.y + y] = sum * hat(y, nodes.y) * hat(z, nodes.z);
+    });
+}
+
+double SumOfRows(const Grid& grid, const std::vector<double>& rows)
+{
+  return grid.CellVolume() *
+    ParallelBlockSum(static_cast<Index>(rows.size()),
+      [&](Index begin, Index end)
+      { return std::accumulate(rows.begin() + begin, rows.begin() + end, 0.0); });
 }
 }

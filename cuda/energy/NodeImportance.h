@@ -30,6 +30,15 @@ std::vector<float> NodeImportanceOfFilled(
 /// box: all that there is to be seen [length^2]. The same for any number of threads.
 double ImportantExtinction(const Grid& grid, const float* baseExtinction, const float* importance);
 
+/// The integrals over the nodes of rows along x, without the volume of a cell, of which that is the
+/// sum: of `slices`, from fields of the slices `given`, which have one more on either side where
+/// there is one. `rows`: grid.nodes.y * grid.nodes.z, row by row [1/length].
+void FillRowsOfImportantExtinction(const Grid& grid, const Range<int>& given,
+  const Range<int>& slices, const float* baseExtinction, const float* importance, double* rows);
+
+/// The integral from those of all rows [length^2].
+double SumOfRows(const Grid& grid, const std::vector<double>& rows);
+
 /// Is told that some rows of a slice are complete.
 using MeanRows = std::function<void(int slice, const Range<int>& rows)>;
 

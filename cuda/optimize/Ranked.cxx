@@ -60,16 +60,8 @@ std::shared_ptr<const Occupancy> FindOccupancy(const ScenePiece& piece, const Gr
   const AxisPermutation& order, const FieldView& extinction, const FieldView& importance, bool skip)
 {
   const NodeBox box = InOrder(piece.owned[std::size_t(piece.ranks->Rank())], order);
-  const auto valuesOf = [&box](const FieldView& view)
-  {
-    std::vector<float> values(std::size_t(box.Count()));
-    CopyNodes(box, view, FieldView::Part(values.data(), box));
-    return values;
-  };
-  const std::vector<float> extinctions = valuesOf(extinction);
-  const std::vector<float> importances = valuesOf(importance);
   return std::make_shared<const Occupancy>(
-    *piece.ranks, order.Of(grid), box, extinctions.data(), importances.data(), skip);
+    OccupancyOnRanks(*piece.ranks, order.Of(grid), box, extinction, importance, skip));
 }
 
 /// The problem in another order, with room for the fields that ranks share. `warm`: whether
@@ -206,7 +198,7 @@ private:
 void VisitPieces(
   std::vector<FrustumRays<HostDevice>>& frusta, const ScenePiece& piece, const Occupancy* filled)
 {
-  const HomeOfFields home{ piece.nodes, RegionsOf(piece.owned), RegionsOf(piece.boxes) };
+  const HomeOfFields home(piece.nodes, RegionsOf(piece.owned), RegionsOf(piece.boxes));
   const auto room = std::make_shared<PassageRoom>();
   for (FrustumRays<HostDevice>& rays : frusta)
   {

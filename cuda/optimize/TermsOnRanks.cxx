@@ -110,8 +110,8 @@ void TermsOnRanks::KeepOnly(Place home)
 /// Makes the sweeps of terms that have no place visit the one that there is.
 void TermsOnRanks::VisitHome(const std::vector<OfTerm>& terms)
 {
-  const HomeOfFields fields{ NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
-    this->RegionsOf(0, &Regions::needed) };
+  const HomeOfFields fields(NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
+    this->RegionsOf(0, &Regions::needed));
   for (const OfTerm& term : terms)
   {
     for (FrustumRays<HostDevice>& rays : *term.frusta)

@@ -72,6 +72,16 @@ std::vector<WorkBefore> WorkOfStretches(const FaceFrustum& frustum)
   return stretches;
 }
 
+WorkBefore SumOf(const std::vector<WorkBefore>& stretches)
+{
+  WorkBefore sum(stretches.front().size(), 0);
+  for (const WorkBefore& work : stretches)
+  {
+    std::transform(sum.begin(), sum.end(), work.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
+}
+
 /// The ways of one border between bands.
 class BorderPath
 {
@@ -164,7 +174,7 @@ std::vector<Index> WorkOfRows(const FaceFrustum& frustum, int s)
     work[std::size_t(row)] = active.Empty() ? 0 : WorkOfRays(frustum, s, row, active);
   }
   const Slice& slice = frustum.SliceAt(s);
-  if (slice.node >= 0)
+  if (slice.node >= 0 && frustum.HasVoxels())
   {
     const int* rows = frustum.Row(frustum.voxelRows, s).index;
     for (int v = slice.ownedRows.begin; v < slice.ownedRows.end; ++v)
@@ -178,7 +188,12 @@ std::vector<Index> WorkOfRows(const FaceFrustum& frustum, int s)
 
 std::vector<std::vector<int>> FindEvenBands(const FaceFrustum& frustum, int bands)
 {
-  const std::vector<WorkBefore> stretches = WorkOfStretches(frustum);
+  std::vector<WorkBefore> stretches = WorkOfStretches(frustum);
+  const std::size_t count = stretches.size();
+  if (!frustum.HasVoxels())
+  {
+    stretches = { SumOf(stretches) }; // nobody waits before the end
+  }
   std::vector<std::vector<int>> begins(
     stretches.size(), std::vector<int>(std::size_t(bands) + 1, 0));
   ParallelFor(bands - 1,
@@ -192,6 +207,7 @@ std::vector<std::vector<int>> FindEvenBands(const FaceFrustum& frustum, int band
         begins[stretch][std::size_t(part)] = path[stretch];
       }
     });
+  begins.resize(count, begins.front());
   for (std::vector<int>& stretch : begins)
   {
     stretch.back() = frustum.rows;

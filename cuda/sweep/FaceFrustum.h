@@ -89,6 +89,8 @@ struct FaceFrustum : FlatTables
   Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns whose rays matter
   Table<Range<int>> filledVoxels; ///< [slice][voxel row]: columns that may change
 
+  bool HasVoxels() const { return this->voxelRows.index.rowLength > 0; } ///< see Readers
+
   LIMPID_HD LIMPID_INLINE const Slice& SliceAt(int s) const { return this->Row(this->slices)[s]; }
   int SliceCount() const { return this->lastSlice + 1; }
   Index RayCount() const { return Index(this->columns) * this->rows; }

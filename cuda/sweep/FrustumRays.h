@@ -129,11 +129,11 @@ public:
   const RankBands* Bands() const { return this->Shared.get(); }
 
   /// From now on fields of sweeps are those that ranks have at home, see SlabDelivery.
-  void SweepFieldsOf(
-    const HomeOfFields& home, const Occupancy* filled, const std::shared_ptr<PassageRoom>& room)
+  void SweepFieldsOf(const HomeOfFields& home, const Occupancy* filled,
+    const std::shared_ptr<PassageRoom>& room, int margin = 0)
   {
     this->Delivered =
-      std::make_unique<SlabDelivery>(this->Planned, *this->Shared, home, filled, room);
+      std::make_unique<SlabDelivery>(this->Planned, *this->Shared, home, filled, room, margin);
   }
 
   /// Null: fields are where they are swept.

@@ -19,7 +19,7 @@ RankBands::RankBands(const FaceFrustum& frustum, const Communicator& ranks)
   this->FindVisited();
   for (int s = 0; s < frustum.SliceCount(); ++s)
   {
-    const bool voxels = frustum.SliceAt(s).node >= 0;
+    const bool voxels = frustum.HasVoxels() && frustum.SliceAt(s).node >= 0;
     this->Reached = Hull(this->Reached, this->RaysOf(ranks.Rank(), s));
     if (voxels)
     {
@@ -119,6 +119,10 @@ Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
 
 Range<int> RankBands::VoxelsOf(int rank, int s) const
 {
+  if (!this->Frustum.HasVoxels())
+  {
+    return {};
+  }
   const Range<int> rays = this->RaysOf(rank, s);
   const int* rows = this->Frustum.Row(this->Frustum.voxelRows, s).index;
   const int* end = rows + this->Frustum.nodesV;

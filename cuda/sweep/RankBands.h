@@ -29,7 +29,8 @@ class SliceWindow;
 class RankBands
 {
 public:
-  /// The frustum's tables and the ranks have to stay. Voxels have to be planned, too.
+  /// The frustum's tables and the ranks have to stay. Where no voxels are planned, nobody waits,
+  /// and bands stay where they are.
   RankBands(const FaceFrustum& frustum, const Communicator& ranks);
 
   const Communicator& Ranks() const { return *this->All; }

@@ -211,6 +211,20 @@ void CopyNodes(
     axis);
 }
 
+Occupancy OccupancyOnRanks(const Communicator& ranks, const Grid& grid, const NodeBox& box,
+  const FieldView& extinction, const FieldView& importance, bool skip)
+{
+  const auto valuesOf = [&box](const FieldView& view)
+  {
+    std::vector<float> values(std::size_t(box.Count()));
+    CopyNodes(box, view, FieldView::Part(values.data(), box));
+    return values;
+  };
+  const std::vector<float> extinctions = valuesOf(extinction);
+  const std::vector<float> importances = valuesOf(importance);
+  return { ranks, grid, box, extinctions.data(), importances.data(), skip };
+}
+
 Region Intersection(const Region& region, const NodeBox& box)
 {
   Region inside;

@@ -87,6 +87,10 @@ void FillNodes(const NodeBox& box, float value, const FieldView& field);
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to,
   const Occupancy* filled = nullptr, int axis = 0);
 
+/// Of a scene that ranks share: see Occupancy. `box`: whose values this rank's fields have for it.
+Occupancy OccupancyOnRanks(const Communicator& ranks, const Grid& grid, const NodeBox& box,
+  const FieldView& extinction, const FieldView& importance, bool skip);
+
 /// Those nodes of a region that are in a box.
 Region Intersection(const Region& region, const NodeBox& box);
 

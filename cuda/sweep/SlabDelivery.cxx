@@ -6,6 +6,7 @@
 #include "sweep/RankBands.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limpid
 {
@@ -15,6 +16,31 @@ int NodeOf(const Slice& slice)
 {
   return slice.node < 0 ? slice.nodes[0] : slice.node;
 }
+
+/// Adds so many columns and rows on either side of a box.
+void Grow(const FaceFrustum& frustum, int margin, NodeBox& box)
+{
+  if (margin > 0 && !box.Empty())
+  {
+    Range<int>& columns = box.along[std::size_t(frustum.axisU)];
+    Range<int>& rows = box.along[std::size_t(frustum.axisV)];
+    columns = Grown(columns, margin, frustum.nodesU);
+    rows = Grown(rows, margin, frustum.nodesV);
+  }
+}
+}
+
+HomeOfFields::HomeOfFields(
+  const NodeBox& box, std::vector<Region> had, std::vector<Region> returned)
+  : first(0)
+  , stride(FieldView::Whole(nullptr, box.Size()).stride)
+  , kept(std::move(had))
+  , wanted(std::move(returned))
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->first -= box.Empty() ? 0 : box.along[axis].begin * this->stride[axis];
+  }
 }
 
 std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum, bool copied)
@@ -51,6 +77,13 @@ Range<int> NodesOf(const FaceFrustum& frustum, const Range<int>& slices)
   return nodes;
 }
 
+Range<int> Grown(const Range<int>& range, int more, int end)
+{
+  return range.Empty()
+    ? range
+    : Range<int>{ std::max(range.begin - more, 0), std::min(range.end + more, end) };
+}
+
 Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<int> Slice::*part)
 {
   Range<int> hull;
@@ -62,14 +95,20 @@ Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<in
 }
 
 SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
-  const HomeOfFields& home, const Occupancy* filled, const std::shared_ptr<PassageRoom>& room)
-  : Box(home.box)
+  const HomeOfFields& home, const Occupancy* filled, const std::shared_ptr<PassageRoom>& room,
+  int margin)
+  : Home(home)
+  , ReadBeside(margin)
 {
   std::vector<Region> needed;
   std::vector<Region> changed;
   for (int rank = 0; rank < bands.Ranks().Size(); ++rank)
   {
     needed.push_back(RegionNeeded(frustum, bands, rank));
+    for (NodeBox& box : needed.back())
+    {
+      Grow(frustum, margin, box);
+    }
     changed.push_back(RegionChanged(frustum, bands, rank));
   }
   // Those of all regions that are in the slices, and in the columns and rows of these.
@@ -80,6 +119,7 @@ SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
     box.along[std::size_t(frustum.axisU)] = HullOf(frustum, slices, columns);
     box.along[std::size_t(frustum.axisV)] = HullOf(frustum, slices, rows);
     box.along[std::size_t(frustum.axisW)] = NodesOf(frustum, slices);
+    Grow(frustum, margin, box);
     for (Region& region : regions)
     {
       region = Intersection(region, box);
@@ -109,7 +149,7 @@ void SlabDelivery::Bring(const Range<int>& slab, const std::vector<Field>& field
   std::vector<Passages::Field> passing(fields.size());
   std::transform(fields.begin(), fields.end(), passing.begin(),
     [this](const Field& field) {
-      return Passages::Field{ FieldView::Part(field.field, this->Box), field.window };
+      return Passages::Field{ this->Home.On(field.field), field.window };
     });
   this->WaysOf(slab).there.Bring(passing);
 }
@@ -119,7 +159,7 @@ void SlabDelivery::Return(const Range<int>& slab, const std::vector<Field>& fiel
   std::vector<Passages::Field> passing(fields.size());
   std::transform(fields.begin(), fields.end(), passing.begin(),
     [this](const Field& field) {
-      return Passages::Field{ field.window, FieldView::Part(field.field, this->Box) };
+      return Passages::Field{ field.window, this->Home.On(field.field) };
     });
   this->WaysOf(slab).back.Bring(passing);
 }

@@ -6,6 +6,7 @@
 
 #include "sweep/RankRegions.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -21,15 +22,24 @@ std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum, bool copied);
 /// Node indices along the depth axis of some slices.
 Range<int> NodesOf(const FaceFrustum& frustum, const Range<int>& slices);
 
+/// With so many more on either side, within [0, end); of an empty one, itself.
+Range<int> Grown(const Range<int>& range, int more, int end);
+
 /// All columns or rows that some slices have as `part`.
 Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<int> Slice::*part);
 
-/// Where ranks have fields, in arrays of the nodes of a box each.
+/// Where ranks have fields.
 struct HomeOfFields
 {
-  NodeBox box;                ///< of this rank's arrays
-  std::vector<Region> kept;   ///< of each rank the nodes that it has; no two have the same ones
-  std::vector<Region> wanted; ///< the nodes that it gets when they have changed
+  Index first;                 ///< of node (0, 0, 0) in this rank's arrays; it need not be there
+  std::array<Index, 3> stride; ///< see FieldView
+  std::vector<Region> kept;    ///< of each rank the nodes that it has; no two have the same ones
+  std::vector<Region> wanted;  ///< the nodes that it gets when they have changed
+
+  /// In arrays of the nodes of a box.
+  HomeOfFields(const NodeBox& box, std::vector<Region> had, std::vector<Region> returned);
+
+  FieldView On(float* field) const { return { field + this->first, this->stride }; }
 };
 
 /**
@@ -40,9 +50,12 @@ struct HomeOfFields
 class SlabDelivery
 {
 public:
-  /// `filled`: where else fields are 0; null: nowhere. It and the ranks have to stay.
+  /// `filled`: where else fields are 0; null: nowhere. It and the ranks have to stay. `margin`:
+  /// columns and rows that are read beside those that rays are planned to read.
   SlabDelivery(const FaceFrustum& frustum, const RankBands& bands, const HomeOfFields& home,
-    const Occupancy* filled, const std::shared_ptr<PassageRoom>& room);
+    const Occupancy* filled, const std::shared_ptr<PassageRoom>& room, int margin);
+
+  int Margin() const { return this->ReadBeside; }
 
   /// A field at home, and where slices of it are swept.
   struct Field
@@ -67,7 +80,8 @@ private:
 
   const Ways& WaysOf(const Range<int>& slab) const;
 
-  NodeBox Box;
+  HomeOfFields Home;
+  int ReadBeside;
   std::vector<Ways> All;
 };
 }

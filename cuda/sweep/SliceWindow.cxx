@@ -67,7 +67,8 @@ std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int
   std::vector<char> isNeeded(std::size_t(this->Rows), 0);
   for (int node = nodes.begin; node < nodes.end; ++node)
   {
-    const Range<int> needed = this->Bands->VoxelsNeeded(this->Bands->Ranks().Rank(), node);
+    const Range<int> needed = Grown(this->Bands->VoxelsNeeded(this->Bands->Ranks().Rank(), node),
+      this->Delivery ? this->Delivery->Margin() : 0, this->Rows);
     std::fill(isNeeded.begin() + needed.begin, isNeeded.begin() + needed.end, char(1));
   }
   some.erase(std::remove_if(some.begin(), some.end(),
@@ -98,12 +99,14 @@ void SliceWindow::Load(const Range<int>& slab)
   {
     return;
   }
-  const int behind = this->IsDelivered ? mostSlicesBehind : this->Use.behind;
+  const int behind = this->Delivery ? mostSlicesBehind : this->Use.behind;
   const Range<int> slices{ slab.begin, std::min(slab.end + behind, this->Source->SliceCount()) };
   const Range<int> nodes = NodesOf(*this->Source, slices);
-  const Range<int> columns = HullOf(*this->Source, slices, &Slice::touchedColumns);
-  const std::vector<int> rows =
-    this->RowsOfRank(HullOf(*this->Source, slices, &Slice::touchedRows), nodes);
+  const int margin = this->Delivery ? this->Delivery->Margin() : 0;
+  const Range<int> columns =
+    Grown(HullOf(*this->Source, slices, &Slice::touchedColumns), margin, this->Columns);
+  const std::vector<int> rows = this->RowsOfRank(
+    Grown(HullOf(*this->Source, slices, &Slice::touchedRows), margin, this->Rows), nodes);
   this->First = nodes.begin;
   if (!this->Memory)
   {
@@ -115,7 +118,7 @@ void SliceWindow::Load(const Range<int>& slab)
     {
       const int v = rows[std::size_t(row)];
       const Range<int> filled = this->FilledIn(nodes, v, columns);
-      if (this->IsDelivered)
+      if (this->Delivery)
       {
         this->ClearRow(v, Range<int>{}, 0);
         this->ClearRow(v, filled, nodes.Length()); // what will have been written
@@ -177,7 +180,7 @@ void SliceWindow::ClearRow(int v, const Range<int>& kept, int slices)
 
 void SliceWindow::Store(const Range<int>& slab)
 {
-  if (!this->IsCopied || this->IsDelivered || !this->Use.writes)
+  if (!this->IsCopied || this->Delivery || !this->Use.writes)
   {
     return;
   }

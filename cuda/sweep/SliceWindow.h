@@ -74,13 +74,13 @@ public:
   {
   }
 
-  /// From now on moves only what a rank needs: other rows are on other ranks. `delivered`: whether
-  /// a SlabDelivery moves it.
-  void MoveNeeded(const RankBands& bands, bool delivered)
+  /// From now on moves only what a rank needs: other rows are on other ranks. `delivery`: what
+  /// moves it; null: Load and Store.
+  void MoveNeeded(const RankBands& bands, const SlabDelivery* delivery)
   {
     this->Bands = &bands;
-    this->IsDelivered = delivered;
-    this->IsCopied = this->IsCopied || delivered;
+    this->Delivery = delivery;
+    this->IsCopied = this->IsCopied || delivery;
   }
 
   /// Makes the slices of a slab readable, and those behind it that the sweep reads, too. What is
@@ -125,10 +125,10 @@ private:
   const FaceFrustum* Source;
   const Occupancy* Occupied;
   const RankBands* Bands = nullptr;
+  const SlabDelivery* Delivery = nullptr;
   float* Field;
   FieldUse Use;
   bool IsCopied;
-  bool IsDelivered = false;
   int Columns;
   int Rows;
   Index Pitch; ///< of copied slices

@@ -155,15 +155,20 @@ inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Vis
   *sum = { cellMeasure * sums[0].Value(), cellMeasure * sums[1].Value() };
 }
 
-/// The same of one value per ray, for the host: waits.
+/// The same of one value per ray of a frustum, for the host: waits.
 template <class AnyDevice>
 double SumOfRays(
-  const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, const float* values)
+  const std::shared_ptr<AnyDevice>& device, const FrustumRays<AnyDevice>& all, const float* values)
 {
+  const FaceFrustum& frustum = all.Plan();
   if constexpr (AnyDevice::readsHostMemory)
   {
     ExactSum sum;
-    AddRays(frustum, { 0, frustum.rows }, values, sum);
+    AddRays(frustum, all.RaysAtRest(), values, sum);
+    if (all.Bands())
+    {
+      all.Bands()->Ranks().Sum(&sum, 1);
+    }
     return frustum.cellMeasure * sum.Value();
   }
   else

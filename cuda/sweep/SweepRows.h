@@ -59,7 +59,7 @@ public:
     this->All.emplace_back(this->Rays.Plan(), this->Occupied, this->Rays.Pooled(), field, use);
     if (this->Rays.Bands())
     {
-      this->All.back().MoveNeeded(*this->Rays.Bands(), this->Rays.Delivery() != nullptr);
+      this->All.back().MoveNeeded(*this->Rays.Bands(), this->Rays.Delivery());
     }
     return &this->All.back();
   }

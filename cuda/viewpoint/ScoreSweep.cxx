@@ -31,7 +31,7 @@ public:
     for (ViewFields::Part& part : parts)
     {
       const Fields& fields = this->FieldsOf(part);
-      FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum));
+      FrustumRays<AnyDevice> rays = this->RaysOf(part, 0);
       SweepForward(*this->Device, rays, *part.fields->occupancy,
         ScoreKernel<const float*>{
           fields.extinction.Data(), fields.importance.Data(), fields.base.Data() });
@@ -50,7 +50,8 @@ public:
       this->Device, planned.memory.get(), planned.bytes, "the plan of a derivative");
     ViewDerivativePlan plan = planned;
     plan.tables = tables.Data();
-    FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum));
+    constexpr int edges = 2; // of rays, beside these, and where a part of a layer is
+    FrustumRays<AnyDevice> rays = this->RaysOf(part, edges);
     const FaceFrustum& frustum = rays.Plan();
     auto values = DeviceArray<AnyDevice, float>::Zeros(
       this->Device, std::size_t(EyeMoveStates::images * frustum.RayCount()), "moves of the eye");
@@ -58,7 +59,7 @@ public:
     SweepForward<SlopeSampler<AnyDevice>>(*this->Device, rays, *part.fields->occupancy,
       ViewDerivativeKernel<const float*>{
         fields.extinction.Data(), fields.importance.Data(), plan, states });
-    const auto sum = [&](const float* image) { return SumOfRays(this->Device, frustum, image); };
+    const auto sum = [&](const float* image) { return SumOfRays(this->Device, rays, image); };
     return { sum(rays.States().visible), { -sum(states.Gain(0)), -sum(states.Gain(1)) } };
   }
 
@@ -75,11 +76,28 @@ private:
     const auto sumOf = [&](Kept kept) -> Visible
     {
       const SeenByRay seen(rays.States(), kept);
-      return { SumOfRays(this->Device, rays.Plan(), seen.visible),
-        SumOfRays(this->Device, rays.Plan(), seen.unattenuated) };
+      return { SumOfRays(this->Device, rays, seen.visible),
+        SumOfRays(this->Device, rays, seen.unattenuated) };
     };
     const Visible all = sumOf(Kept::Ignored);
     return { all, fields.base.Data() ? sumOf(Kept::Counted) : all };
+  }
+
+  /// The rays of a part, which is used up. `margin`: see SlabDelivery.
+  FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, [[maybe_unused]] int margin) const
+  {
+    const ScenePiece* piece = part.fields->values.piece.get();
+    const PlanSettings settings{ 1, Placement::ForIntegrals, piece ? piece->ranks.get() : nullptr };
+    FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum), settings);
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (part.fields->home)
+      {
+        rays.SweepFieldsOf(*part.fields->home, part.fields->occupancy.get(),
+          std::make_shared<PassageRoom>(), margin);
+      }
+    }
+    return rays;
   }
 
   const Fields& FieldsOf(const ViewFields::Part& part) const
@@ -89,11 +107,11 @@ private:
 
   Fields Borrow(const SweptFields& fields) const
   {
-    const std::size_t count = fields.extinction.size();
-    return { { this->Device, fields.extinction.data(), count, "the extinction" },
-      { this->Device, fields.importance.data(), count, "the importance" },
-      { this->Device, fields.base.empty() ? nullptr : fields.base.data(), fields.base.size(),
-        "the base extinction" } };
+    const ViewedFields& values = fields.values;
+    const auto count = static_cast<std::size_t>(fields.occupancy ? fields.grid.NodeCount() : 0);
+    return { { this->Device, values.extinction, count, "the extinction" },
+      { this->Device, values.importance, count, "the importance" },
+      { this->Device, values.base, values.base ? count : 0, "the base extinction" } };
   }
 
   std::shared_ptr<AnyDevice> Device;

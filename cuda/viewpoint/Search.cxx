@@ -61,9 +61,41 @@ ScoredView ViewAt(const ViewScore& score, const Orbit& orbit, const Vec3& direct
   return view;
 }
 
+namespace
+{
+/// Progress of which all ranks that share the fields say the same.
+SearchProgress Jointly(const ViewScore& score, const SearchProgress& progress)
+{
+  return [&score, progress](double share)
+  { return !AnyRank(score.Ranks(), progress && !progress(share)); };
+}
+
+/// Where ranks share the fields: one view after the other.
+std::vector<ScoredView> ScoreViewsTogether(const ViewScore& score, const Orbit& orbit,
+  const std::vector<Vec3>& directions, const SearchProgress& progress)
+{
+  std::vector<ScoredView> views(directions.size());
+  bool goesOn = true;
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    views[i].direction = directions[i];
+    if (goesOn)
+    {
+      views[i] = ViewAt(score, orbit, directions[i]);
+      goesOn = progress(double(i + 1) / double(views.size()));
+    }
+  }
+  return views;
+}
+}
+
 std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress)
 {
+  if (score.Ranks())
+  {
+    return ScoreViewsTogether(score, orbit, directions, Jointly(score, progress));
+  }
   std::vector<ScoredView> views(directions.size());
   std::atomic<bool> stopped{ false };
   std::mutex mutex;
@@ -296,6 +328,7 @@ SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
   const std::vector<ScoredView>& samples, const SearchSettings& settings,
   const SearchProgress& progress)
 {
+  const SearchProgress joint = Jointly(score, progress);
   SearchResult result;
   std::vector<ScoredView> candidates = WithAllowed(
     samples, settings, [&](const Vec3& direction) { return ViewAt(score, orbit, direction); });
@@ -305,7 +338,7 @@ SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
   for (std::size_t i = 0; i < starts.size() && settings.refine; ++i)
   {
     const SearchProgress climbed = [&](double share)
-    { return !progress || progress((double(i) + share) / double(starts.size())); };
+    { return joint((double(i) + share) / double(starts.size())); };
     if (!climbed(0))
     {
       break;

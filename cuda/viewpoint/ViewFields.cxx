@@ -53,19 +53,24 @@ enum class Axes
   Exchanged
 };
 
+Grid GridOf(const Grid& whole, const IndexBox& box, Axes axes)
+{
+  Grid grid = whole;
+  grid.nodes = box.end - box.begin;
+  grid.origin = whole.PointToWorld(Vec3(box.begin));
+  if (axes == Axes::Exchanged)
+  {
+    std::swap(grid.nodes.x, grid.nodes.z);
+    std::swap(grid.spacing.x, grid.spacing.z);
+    std::swap(grid.direction[0], grid.direction[2]);
+  }
+  return grid;
+}
+
 SweptFields Copy(const Grid& grid, const ViewedFields& viewed, const IndexBox& box, Axes axes)
 {
   SweptFields fields;
-  const Int3 size = box.end - box.begin;
-  fields.grid = grid;
-  fields.grid.nodes = size;
-  fields.grid.origin = grid.PointToWorld(Vec3(box.begin));
-  if (axes == Axes::Exchanged)
-  {
-    std::swap(fields.grid.nodes.x, fields.grid.nodes.z);
-    std::swap(fields.grid.spacing.x, fields.grid.spacing.z);
-    std::swap(fields.grid.direction[0], fields.grid.direction[2]);
-  }
+  fields.grid = GridOf(grid, box, axes);
   if (!fields.grid.HasVolume())
   {
     return fields;
@@ -94,9 +99,82 @@ SweptFields Copy(const Grid& grid, const ViewedFields& viewed, const IndexBox& b
         }
       }
     });
+  fields.values = { fields.extinction.data(), fields.importance.data(),
+    viewed.base ? fields.base.data() : nullptr, nullptr };
   fields.occupancy = std::make_unique<Occupancy>(
     fields.grid, fields.extinction.data(), fields.importance.data(), true);
   return fields;
+}
+
+/// A box of the whole grid in the one that was cut from it.
+NodeBox InCut(const NodeBox& box, const IndexBox& cut, Axes axes)
+{
+  NodeBox inside;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Range<int> both =
+      Intersection(box.along[std::size_t(axis)], Range<int>{ cut.begin[axis], cut.end[axis] });
+    const int number = axes == Axes::Exchanged ? 2 - axis : axis;
+    inside.along[std::size_t(number)] = both.Empty()
+      ? Range<int>{}
+      : Range<int>{ both.begin - cut.begin[axis], both.end - cut.begin[axis] };
+  }
+  return inside;
+}
+
+/// The pieces of ranks as they are.
+SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& cut, Axes axes)
+{
+  const ScenePiece& piece = *viewed.piece;
+  SweptFields fields;
+  fields.grid = GridOf(grid, cut, axes);
+  fields.values = viewed;
+  static const float none = 0; // of an empty piece, whose arrays may be null
+  const bool hasBase = piece.ranks->AnyOf(viewed.base != nullptr);
+  for (const float** field : { &fields.values.extinction, &fields.values.importance })
+  {
+    *field = *field ? *field : &none;
+  }
+  fields.values.base = hasBase && !viewed.base ? &none : viewed.base;
+  if (!fields.grid.HasVolume())
+  {
+    return fields;
+  }
+  std::vector<Region> owned;
+  for (const NodeBox& box : piece.owned)
+  {
+    owned.push_back({ InCut(box, cut, axes) });
+  }
+  const NodeBox own = owned[std::size_t(piece.ranks->Rank())].front();
+  auto home = std::make_unique<HomeOfFields>(piece.nodes, std::move(owned), std::vector<Region>());
+  home->wanted.resize(piece.owned.size());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    home->first += cut.begin[axis] * home->stride[std::size_t(axis)];
+  }
+  if (axes == Axes::Exchanged)
+  {
+    std::swap(home->stride[0], home->stride[2]);
+  }
+  fields.occupancy = std::make_unique<Occupancy>(OccupancyOnRanks(*piece.ranks, fields.grid, own,
+    home->On(const_cast<float*>(viewed.extinction)),
+    home->On(const_cast<float*>(viewed.importance)), true));
+  fields.home = std::move(home);
+  return fields;
+}
+
+/// Whether anything is where.
+Occupancy OccupancyOf(const Grid& grid, const ViewedFields& viewed)
+{
+  if (!viewed.piece)
+  {
+    return { grid, viewed.extinction, viewed.importance, true };
+  }
+  const ScenePiece& piece = *viewed.piece;
+  const auto view = [&piece](const float* field)
+  { return FieldView::Part(const_cast<float*>(field), piece.nodes); };
+  return OccupancyOnRanks(*piece.ranks, grid, piece.owned[std::size_t(piece.ranks->Rank())],
+    view(viewed.extinction), view(viewed.importance), true);
 }
 
 void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity,
@@ -113,10 +191,10 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
 
 ViewFields::ViewFields(const Grid& grid, const ViewedFields& viewed)
 {
-  const Occupancy occupancy(grid, viewed.extinction, viewed.importance, true);
-  const IndexBox box = FilledBox(grid, occupancy);
-  this->Straight = Copy(grid, viewed, box, Axes::Straight);
-  this->Exchanged = Copy(grid, viewed, box, Axes::Exchanged);
+  const IndexBox box = FilledBox(grid, OccupancyOf(grid, viewed));
+  const auto make = viewed.piece ? Share : Copy;
+  this->Straight = make(grid, viewed, box, Axes::Straight);
+  this->Exchanged = make(grid, viewed, box, Axes::Exchanged);
 }
 
 std::vector<ViewFields::Part> ViewFields::PartsOf(const Camera& camera, double rayDensity) const

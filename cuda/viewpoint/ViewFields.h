@@ -6,7 +6,9 @@
 
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
+#include "scene/ScenePiece.h"
 #include "sweep/PlanSweep.h"
+#include "sweep/SlabDelivery.h"
 
 #include <memory>
 #include <vector>
@@ -19,16 +21,19 @@ struct ViewedFields
   const float* extinction;     ///< >= 0 [1/length]
   const float* importance;     ///< [0, 1]
   const float* base = nullptr; ///< base extinction [1/length]; null: the extinction is that
+  std::shared_ptr<const ScenePiece> piece = nullptr; ///< null: the fields are of all nodes
 };
 
-/// Copies of such fields, and what is not empty of them.
+/// Such fields as they are swept, and what is not empty of them.
 struct SweptFields
 {
   Grid grid;
-  std::vector<float> extinction;
+  ViewedFields values;
+  std::vector<float> extinction; ///< copies, if the values are that
   std::vector<float> importance;
-  std::vector<float> base;                    ///< empty: the extinction is that
+  std::vector<float> base;
   std::unique_ptr<const Occupancy> occupancy; ///< null: there is nothing to be seen
+  std::unique_ptr<const HomeOfFields> home;   ///< where ranks have them; null: all are here
 };
 
 /**
@@ -38,13 +43,13 @@ struct SweptFields
 class ViewFields
 {
 public:
-  /// The fields are copied.
+  /// The fields are copied, but for pieces of ranks.
   ViewFields(const Grid& grid, const ViewedFields& viewed);
 
   /// Nodes of the box of what is not empty, along each axis; 0 if all is.
   const Int3& Nodes() const { return this->Straight.grid.nodes; }
 
-  /// Both copies.
+  /// Both forms.
   const SweptFields& InOrder() const { return this->Straight; }
   const SweptFields& WithAxesExchanged() const { return this->Exchanged; }
 

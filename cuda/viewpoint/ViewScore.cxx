@@ -5,6 +5,8 @@
 
 #include "backend/ComputeBackend.h"
 #include "energy/NodeImportance.h"
+#include "scene/Slab.h"
+#include "sweep/RankRegions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +28,51 @@ double DensityOf(const Int3& nodes, double atLeast)
 }
 }
 
+namespace
+{
+/// Of all ranks: rows of slabs are whole.
+double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
+{
+  const float* base = viewed.base ? viewed.base : viewed.extinction;
+  if (!viewed.piece)
+  {
+    return ImportantExtinction(grid, base, viewed.importance);
+  }
+  const ScenePiece& piece = *viewed.piece;
+  const std::vector<NodeBox> slabs = SlabsOf(*piece.ranks, grid.nodes);
+  const NodeBox own = slabs[std::size_t(piece.ranks->Rank())];
+  const NodeBox around = own.Grown(1, grid.nodes);
+  std::vector<Region> needed = RegionsOf(slabs);
+  for (Region& region : needed)
+  {
+    region.front() = region.front().Grown(1, grid.nodes);
+  }
+  const auto bring = [&](const float* field)
+  {
+    std::vector<float> values(std::size_t(around.Count()));
+    Spread(*piece.ranks, FieldView::Part(const_cast<float*>(field), piece.nodes),
+      RegionsOf(piece.owned), FieldView::Part(values.data(), around), needed);
+    return values;
+  };
+  const std::vector<float> bases = bring(base);
+  const std::vector<float> importances = bring(viewed.importance);
+  std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z), 0.0);
+  if (!own.Empty())
+  {
+    FillRowsOfImportantExtinction(
+      grid, around.along[2], own.along[2], bases.data(), importances.data(), rows.data());
+  }
+  piece.ranks->Gather(rows.data(), rows.size());
+  return SumOfRows(grid, rows);
+}
+}
+
 ViewScore::ViewScore(
   const Grid& grid, const ViewedFields& viewed, double rayDensity, BackendKind backend)
-  : Fields(std::make_unique<ViewFields>(grid, viewed))
+  : All(viewed.piece ? viewed.piece->ranks : nullptr)
+  , Fields(std::make_unique<ViewFields>(grid, viewed))
   , RayDensity(DensityOf(this->Fields->Nodes(), rayDensity))
-  , Important(
-      ImportantExtinction(grid, viewed.base ? viewed.base : viewed.extinction, viewed.importance))
+  , Important(ImportantExtinctionOf(grid, viewed))
 {
   // The fields, twice; the rays of a direction take little.
   const Index nodes = this->Fields->InOrder().grid.NodeCount();

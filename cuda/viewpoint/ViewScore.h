@@ -26,6 +26,9 @@ struct ViewSlope
  * `backend` as in Settings; throws limpid::Error if it cannot be had. The fields, grid.NodeCount()
  * values each, are copied. `rayDensity`: rays per voxel and axis, at least; what is small gets
  * more.
+ *
+ * Ranks that share the fields keep their pieces as long as this is there, and all have to ask for
+ * each score together, which they all get.
  */
 class ViewScore
 {
@@ -36,7 +39,10 @@ public:
   /// What computes, for the user.
   const std::string& BackendName() const { return this->Name; }
 
-  /// May be called by several threads.
+  /// The ranks that share the fields; null: there is one.
+  const Communicator* Ranks() const { return this->All.get(); }
+
+  /// May be called by several threads, unless ranks share the fields.
   Score At(const Camera& camera) const;
 
   /// S, from more samples at a `rayDensity` of two and more, and its derivative by the camera's
@@ -44,6 +50,7 @@ public:
   ViewSlope SlopeAt(const Camera& camera) const;
 
 private:
+  std::shared_ptr<const Communicator> All;
   std::unique_ptr<const ViewFields> Fields; ///< where it is, whoever owns the scores
   double RayDensity;
   double Important; ///< the integral of importance times base extinction [length^2]
