@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <mutex>
+#include <string>
 #include <vector>
 
 using namespace limpid;
@@ -42,6 +43,7 @@ Orbit OrbitOf(const Grid& grid, bool parallel)
 Views Seen(const Grid& grid, const ViewedFields& viewed, bool parallel)
 {
   const ViewScore score(grid, viewed, 1);
+  EXPECT_EQ(score.BackendName().find("on each of") != std::string::npos, viewed.piece != nullptr);
   const Orbit orbit = OrbitOf(grid, parallel);
   Views views;
   views.scored = ScoreViews(score, orbit, someDirections, nullptr);

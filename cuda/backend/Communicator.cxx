@@ -133,4 +133,9 @@ void Jointly(const Communicator* ranks, const std::function<void()>& work)
     throw JointError("Rank " + std::to_string(first) + ": " + Told(*ranks, first, failure));
   }
 }
+
+std::string NameOnRanks(const std::string& backend, const Communicator* ranks)
+{
+  return ranks ? backend + ", on each of " + std::to_string(ranks->Size()) + " ranks" : backend;
+}
 }

@@ -86,6 +86,10 @@ inline bool AnyRank(const Communicator* ranks, bool here)
   return ranks ? ranks->AnyOf(here) : here;
 }
 
+/// What computes on each of the ranks, for the user: "CPU, 2 threads, on each of 4 ranks"; null:
+/// there is one.
+std::string NameOnRanks(const std::string& backend, const Communicator* ranks);
+
 /// What all ranks throw alike.
 class JointError : public Error
 {

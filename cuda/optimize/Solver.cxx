@@ -184,9 +184,7 @@ double Solver::Seconds() const
 
 std::string Solver::BackendName() const
 {
-  const Communicator* ranks = this->State->Ranks();
-  const std::string& name = this->State->backend.Name();
-  return ranks ? name + ", on each of " + std::to_string(ranks->Size()) + " ranks" : name;
+  return NameOnRanks(this->State->backend.Name(), this->State->Ranks());
 }
 
 const std::vector<IterationRecord>& Solver::History() const

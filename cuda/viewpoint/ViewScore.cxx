@@ -79,7 +79,7 @@ ViewScore::ViewScore(
   const std::size_t fields = viewed.base ? 3 : 2;
   const BackendChoice choice =
     ChooseBackend(backend, { nodes, 2 * fields * sizeof(float) * static_cast<std::size_t>(nodes) });
-  this->Name = choice.name;
+  this->Name = NameOnRanks(choice.name, this->All.get());
   this->Sweep = BackendOf(choice.cuda).MakeScoreSweep(*this->Fields);
 }
 
