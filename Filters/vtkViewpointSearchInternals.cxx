@@ -79,7 +79,7 @@ double ShareOfSamples(std::size_t samples, const limpid::SearchSettings& search)
 }
 }
 
-// Whether this process has all of the image; without points it has to be told what is wrong.
+// Whether this process has all of the image.
 bool vtkViewpointSearch::Internals::HasWholeImage(vtkInformationVector** inputVector)
 {
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
@@ -103,9 +103,10 @@ bool vtkViewpointSearch::Internals::IsLarge(vtkInformationVector** inputVector) 
     bytes > megabyte * double(machine.GetTotalPhysicalMemory()) / 4;
 }
 
-bool vtkViewpointSearch::Internals::AnyRank(bool here) const
+// Whether it is said here or, where all do the same steps, on any rank.
+bool vtkViewpointSearch::Internals::IsSaidByAny(bool here) const
 {
-  return limpid::AnyRank(this->Ranks.get(), here);
+  return limpid::AnyRank(this->SharesImage ? this->Ranks.get() : nullptr, here);
 }
 
 limpid::ImageScene vtkViewpointSearch::Internals::Read(vtkInformationVector** inputVector) const
@@ -135,7 +136,7 @@ auto vtkViewpointSearch::Internals::Interruptibly(const Function& function) cons
 void vtkViewpointSearch::Internals::Search(
   vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3])
 {
-  this->SharesImage = this->Ranks && this->AnyRank(!this->HasWholeImage(inputVector));
+  this->SharesImage = this->Ranks && this->Ranks->AnyOf(!HasWholeImage(inputVector));
   if (!this->SharesImage)
   {
     this->Reader.RequireWholeImage(inputVector);
@@ -309,15 +310,13 @@ void vtkViewpointSearch::Internals::ScoreAndFind(
   found.samples = this->ScoreTogether(found.sphere.directions,
     [&](const std::vector<limpid::Vec3>& directions)
     {
-      const bool goesOn = progress(0);
-      const bool isStopped = this->SharesImage ? this->AnyRank(!goesOn) : !goesOn;
+      const bool isStopped = this->IsSaidByAny(!progress(0));
       return isStopped ? Unscored(directions) : score(directions, progress);
     });
   if (!this->Ranks || this->SharesImage || this->Ranks->Rank() == 0)
   {
     self->SetProgressText("Climbing to better views");
-    const bool isStopped = report.IsStopped();
-    search.refine = search.refine && !(this->SharesImage ? this->AnyRank(isStopped) : isStopped);
+    search.refine = !this->IsSaidByAny(report.IsStopped()) && search.refine;
     found.search = find(search, report.Part(share, 1));
   }
   self->SetProgressText(nullptr);

@@ -5,8 +5,7 @@
 
 #include "RandomScene.h"
 #include "SceneOnRanks.h"
-
-#include "viewpoint/Search.h"
+#include "ViewScene.h"
 
 #include <gtest/gtest.h>
 
@@ -29,16 +28,6 @@ struct Views
   std::vector<ViewSlope> slopes;
   SearchResult found;
 };
-
-Orbit OrbitOf(const Grid& grid, bool parallel)
-{
-  Orbit orbit;
-  orbit.centre = grid.Centre();
-  orbit.distance = 3 * grid.Radius();
-  orbit.parallel = parallel;
-  orbit.parallelScale = grid.Radius();
-  return orbit;
-}
 
 Views Seen(const Grid& grid, const ViewedFields& viewed, bool parallel)
 {

@@ -206,14 +206,6 @@ void VisitPieces(
   }
 }
 
-/// A field of a piece, which may be empty: then it is null, but there.
-template <class Value>
-Value* There(Value* field)
-{
-  static float none = 0;
-  return field ? field : &none;
-}
-
 class SweepsOnRanks : public SourceSweeps
 {
 public:

@@ -239,16 +239,6 @@ Region Intersection(const Region& region, const NodeBox& box)
   return inside;
 }
 
-Index CountFilled(const Region& region, const Occupancy& filled)
-{
-  Index count = 0;
-  for (const NodeBox& box : region)
-  {
-    ForRowsOf(box, &filled, [&count](const Int3&, int length) { count += length; });
-  }
-  return count;
-}
-
 Passages::WithRank Passages::Between(const Region& had, const Region& needed) const
 {
   WithRank passing;

@@ -79,6 +79,14 @@ void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what, in
   }
 }
 
+/// A field of a piece, which is null where that is empty: then there is one all the same.
+template <class Value>
+Value* There(Value* field)
+{
+  static float none = 0;
+  return field ? field : &none;
+}
+
 /// Sets the values of a box of nodes.
 void FillNodes(const NodeBox& box, float value, const FieldView& field);
 
@@ -93,9 +101,6 @@ Occupancy OccupancyOnRanks(const Communicator& ranks, const Grid& grid, const No
 
 /// Those nodes of a region that are in a box.
 Region Intersection(const Region& region, const NodeBox& box);
-
-/// Number of nodes that are filled; those that are in two boxes count twice.
-Index CountFilled(const Region& region, const Occupancy& filled);
 
 /// What is on its way in an exchange; for one after the other.
 struct PassageRoom

@@ -64,7 +64,7 @@ ScoredView ViewAt(const ViewScore& score, const Orbit& orbit, const Vec3& direct
 namespace
 {
 /// Progress of which all ranks that share the fields say the same.
-SearchProgress Jointly(const ViewScore& score, const SearchProgress& progress)
+SearchProgress JointProgress(const ViewScore& score, const SearchProgress& progress)
 {
   return [&score, progress](double share)
   { return !AnyRank(score.Ranks(), progress && !progress(share)); };
@@ -94,7 +94,7 @@ std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
 {
   if (score.Ranks())
   {
-    return ScoreViewsTogether(score, orbit, directions, Jointly(score, progress));
+    return ScoreViewsTogether(score, orbit, directions, JointProgress(score, progress));
   }
   std::vector<ScoredView> views(directions.size());
   std::atomic<bool> stopped{ false };
@@ -328,7 +328,7 @@ SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
   const std::vector<ScoredView>& samples, const SearchSettings& settings,
   const SearchProgress& progress)
 {
-  const SearchProgress joint = Jointly(score, progress);
+  const SearchProgress joint = JointProgress(score, progress);
   SearchResult result;
   std::vector<ScoredView> candidates = WithAllowed(
     samples, settings, [&](const Vec3& direction) { return ViewAt(score, orbit, direction); });

@@ -129,13 +129,10 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
   SweptFields fields;
   fields.grid = GridOf(grid, cut, axes);
   fields.values = viewed;
-  static const float none = 0; // of an empty piece, whose arrays may be null
+  fields.values.extinction = There(viewed.extinction);
+  fields.values.importance = There(viewed.importance);
   const bool hasBase = piece.ranks->AnyOf(viewed.base != nullptr);
-  for (const float** field : { &fields.values.extinction, &fields.values.importance })
-  {
-    *field = *field ? *field : &none;
-  }
-  fields.values.base = hasBase && !viewed.base ? &none : viewed.base;
+  fields.values.base = hasBase ? There(viewed.base) : nullptr;
   if (!fields.grid.HasVolume())
   {
     return fields;
@@ -163,7 +160,7 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
   return fields;
 }
 
-/// Whether anything is where.
+/// Where there is anything to be seen, in the whole grid.
 Occupancy OccupancyOf(const Grid& grid, const ViewedFields& viewed)
 {
   if (!viewed.piece)
