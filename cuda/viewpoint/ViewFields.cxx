@@ -154,8 +154,8 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
     std::swap(home->stride[0], home->stride[2]);
   }
   fields.occupancy = std::make_unique<Occupancy>(OccupancyOnRanks(*piece.ranks, fields.grid, own,
-    home->On(const_cast<float*>(viewed.extinction)),
-    home->On(const_cast<float*>(viewed.importance)), true));
+    home->On(const_cast<float*>(fields.values.extinction)),
+    home->On(const_cast<float*>(fields.values.importance)), true));
   fields.home = std::move(home);
   return fields;
 }
