@@ -49,10 +49,7 @@ struct FrameSettings
   bool AnyRank(bool here) const { return limpid::AnyRank(this->ranks, here); }
 
   /// The largest of their numbers, which are not below zero: they decide alike.
-  double Largest(double here) const
-  {
-    return this->ranks ? double(this->ranks->LargestOf(static_cast<float>(here))) : here;
-  }
+  double Largest(double here) const { return LargestOfRanks(this->ranks, here); }
 
   /// How pictures are made of samples; not front to back only where there is importance.
   Compositing Composing() const

@@ -101,7 +101,7 @@ bool ViewOptimization::Work(
   if (!frame.still)
   {
     this->Optimizer->Preview(OptimizationShare * frame.frameTime);
-    return !frame.ranks; // they go on showing what they have
+    return true;
   }
   const double until = clock.Seconds() + frame.frameTime;
   bool goOn = true;
@@ -141,9 +141,10 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
   }
   else
   {
-    this->Pictures.SetExtinction(grid, this->Optimizer->BaseExtinction(),
-      this->Optimizer->Extinction(), share,
-      separate ? this->Optimizer->LightExtinction() : nullptr);
+    const auto set = frame.ranks && !this->Optimizer->ShowsPiece() ? &Renderer::SetExtinctionOfAll
+                                                                   : &Renderer::SetExtinction;
+    (this->Pictures.*set)(grid, this->Optimizer->BaseExtinction(), this->Optimizer->Extinction(),
+      share, separate ? this->Optimizer->LightExtinction() : nullptr);
   }
   this->ShowsBase = false;
 }
@@ -244,6 +245,12 @@ void ViewOptimization::Reset()
 {
   this->Stop();
   this->HasView = false;
+}
+
+bool ViewOptimization::ShowsPiece(const FrameSettings& frame) const
+{
+  return frame.ranks &&
+    (this->ShowsBase ? this->CasterVersion != 0 : this->Optimizer->ShowsPiece());
 }
 
 const Grid* ViewOptimization::ShownGrid() const

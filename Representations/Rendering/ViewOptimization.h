@@ -50,6 +50,9 @@ public:
   /// The grid of what is shown; null: the extinction of the transfer functions is shown.
   const Grid* ShownGrid() const;
 
+  /// Whether ranks show an extinction of their pieces, on which shadows cannot be coarser.
+  bool ShowsPiece(const FrameSettings& frame) const;
+
 private:
   void TakeScene(const FrameSettings& frame, const VolumeData& data);
   bool TakeView(const FrameSettings& frame, const Camera& camera);

@@ -5,6 +5,7 @@
 
 #include "optimize/Levels.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -23,31 +24,40 @@ constexpr double MovingDensity = 1;
 constexpr std::array<int, 7> Coarsenesses{ { 1, 2, 3, 4, 6, 8, 12 } };
 }
 
-void ViewShadows::Make(const FrameSettings& frame, const Grid& grid, bool fine)
+void ViewShadows::MakeFine(bool still)
 {
-  if (fine)
-  {
-    this->Pictures.SetShadowRayDensity(StillDensity);
-    this->Pictures.SetShadowCoarseness(1);
-    this->Pictures.UpdateShadows();
-    return;
-  }
+  this->Pictures.SetShadowRayDensity(still ? StillDensity : MovingDensity);
+  this->Pictures.SetShadowCoarseness(1);
+  this->Pictures.UpdateShadows();
+}
+
+void ViewShadows::MakeInTime(const FrameSettings& frame, const Grid& grid, const Grid& whole)
+{
+  std::vector<int> factors;
   std::vector<Index> nodes;
-  nodes.reserve(Coarsenesses.size());
   for (const int factor : Coarsenesses)
   {
-    nodes.push_back(CoarseGrid(grid, factor).NodeCount());
+    const Grid coarse = CoarseGrid(grid, factor);
+    const bool suits = !frame.ranks || IsForAll(*frame.ranks, coarse, whole);
+    if (suits || factor == Coarsenesses.back())
+    {
+      factors.push_back(factor);
+      nodes.push_back(coarse.NodeCount());
+    }
   }
-  const std::size_t level = this->Time.Choose(nodes, LargestShare * frame.frameTime, this->Level);
+  const std::size_t current = std::min(this->Level, nodes.size() - 1);
+  const std::size_t level =
+    this->Time.Choose(nodes, frame.Largest(LargestShare * frame.frameTime), current);
   this->Level = level;
   this->Pictures.SetShadowRayDensity(MovingDensity);
-  this->Pictures.SetShadowCoarseness(Coarsenesses[level]);
+  this->Pictures.SetShadowCoarseness(factors[level]);
   const auto start = FrameClock::SteadyClock::now();
   const bool made = this->Pictures.UpdateShadows();
+  const double seconds = frame.Largest(FrameClock::SecondsSince(start));
   // The first time on a grid, something has to be prepared that will not be again.
   if (made && this->Nodes == nodes[level])
   {
-    this->Time.Learn(nodes[level], FrameClock::SecondsSince(start));
+    this->Time.Learn(nodes[level], seconds);
   }
   this->Nodes = nodes[level];
 }

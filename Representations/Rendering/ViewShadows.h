@@ -23,9 +23,13 @@ public:
   {
   }
 
-  /// Computes them if the next picture would. `grid`: of the extinction that casts them; `fine`:
-  /// however long it takes.
-  void Make(const FrameSettings& frame, const Grid& grid, bool fine);
+  /// Computes them if the next picture would, as fine as the extinction that casts them, however
+  /// long it takes. `still`: with the rays of pictures at rest.
+  void MakeFine(bool still);
+
+  /// Computes them if the next picture would, as fine as a moving frame has time for. `grid`: of
+  /// the extinction that casts them; `whole`: of the volume, all of it.
+  void MakeInTime(const FrameSettings& frame, const Grid& grid, const Grid& whole);
 
 private:
   Renderer& Pictures;

@@ -271,7 +271,9 @@ void VolumeView::PrepareNow(
     const bool fine = frame.still && !this->GoesOn;
     const Grid* shown = this->Optimization.ShownGrid();
     const Interruptible interruptible([&isAborted]() { return !isAborted(); });
-    this->Shadows.Make(frame, shown ? *shown : data.Nodes(), fine);
+    fine || this->Optimization.ShowsPiece(frame)
+      ? this->Shadows.MakeFine(fine)
+      : this->Shadows.MakeInTime(frame, shown ? *shown : data.Whole(), data.Whole());
     this->Caster.Prepare();
     this->PlacePicture(
       frame, geometry, data.Cropped().planes, fine ? 1 : this->PixelSize(frame, geometry));

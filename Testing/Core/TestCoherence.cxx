@@ -356,6 +356,9 @@ TEST(CarriedChange, IsNearForNearViewsAndTheSameSettings)
   Settings other = scene.settings;
   other.weights.view *= 2;
   EXPECT_EQ(change.NearnessTo(scene.camera, scene.light, other), 0);
+  Settings elsewhere = scene.settings;
+  elsewhere.backend = BackendKind::Cpu;
+  EXPECT_EQ(change.NearnessTo(scene.camera, scene.light, elsewhere), 1);
   Camera inTheMiddle = scene.camera;
   inTheMiddle.position = Vec3(0);
   EXPECT_EQ(change.NearnessTo(inTheMiddle, scene.light, scene.settings), 1);

@@ -5,6 +5,7 @@
 
 #include "SceneOnRanks.h"
 
+#include "optimize/Levels.h"
 #include "render/Renderer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <mutex>
 #include <vector>
 
@@ -98,7 +100,21 @@ View ViewOf(const Grid& grid, const Look& look)
   return view;
 }
 
-Picture PictureOf(Renderer& renderer, const Drawn& drawn, const Grid& whole, const Look& look)
+Lighting LightOf(const Grid& whole, const Look& look)
+{
+  Lighting lighting;
+  lighting.enabled = look.lit;
+  lighting.light.type = look.point ? LightType::Point : LightType::Directional;
+  lighting.light.position = whole.Centre() + whole.Radius() * Vec3(1.2, 2, 0.8);
+  lighting.light.focalPoint = whole.Centre();
+  return lighting;
+}
+
+/// Calls take(picture) with one picture after the other.
+using TakePicture = std::function<void(const Picture&)>;
+
+void MakePicture(Renderer& renderer, const Drawn& drawn, const Grid& whole, const Look& look,
+  const TakePicture& take)
 {
   renderer.SetScalars(drawn.grid, drawn.scalars.data());
   renderer.SetTransferFunctions(Functions());
@@ -106,30 +122,117 @@ Picture PictureOf(Renderer& renderer, const Drawn& drawn, const Grid& whole, con
   {
     renderer.SetExtinction(drawn.grid, drawn.base.data(), drawn.extinction.data());
   }
-  Lighting lighting;
-  lighting.enabled = look.lit;
-  lighting.light.type = look.point ? LightType::Point : LightType::Directional;
-  lighting.light.position = whole.Centre() + whole.Radius() * Vec3(1.2, 2, 0.8);
-  lighting.light.focalPoint = whole.Centre();
-  renderer.SetLighting(lighting);
+  renderer.SetLighting(LightOf(whole, look));
   Picture picture;
   renderer.Render(ViewOf(whole, look), picture);
-  return picture;
+  take(picture);
 }
 
-class SharedPicture : public ::testing::TestWithParam<Look>
+/// From rest to motion and back, and halfway each time: what is shown comes in pieces and, on two
+/// coarse grids, as a whole. `all`: the whole.
+void MakeMovie(Renderer& renderer, const Drawn& drawn, const Drawn& all, const Look& look,
+  const TakePicture& take)
 {
+  renderer.SetScalars(drawn.grid, drawn.scalars.data());
+  renderer.SetTransferFunctions(Functions());
+  renderer.SetLighting(LightOf(all.grid, look));
+  const auto shoot = [&]
+  {
+    Picture picture;
+    renderer.Render(ViewOf(all.grid, look), picture);
+    take(picture);
+  };
+  const auto rest = [&](double share)
+  {
+    renderer.SetExtinction(drawn.grid, drawn.base.data(), drawn.extinction.data(), share);
+    renderer.SetShadowCoarseness(1);
+    shoot();
+  };
+  const auto move = [&](int factor, double share)
+  {
+    const Grid grid = CoarseGrid(all.grid, factor);
+    const std::vector<float> base = Restrict(all.grid, all.base.data(), grid);
+    std::vector<float> extinction = base;
+    for (std::size_t node = 0; node < extinction.size() / 2; ++node)
+    {
+      extinction[node] *= 0.3f;
+    }
+    renderer.SetExtinctionOfAll(grid, base.data(), extinction.data(), share);
+    renderer.SetShadowCoarseness(2);
+    shoot();
+  };
+  shoot();
+  rest(1);
+  move(2, 0.4);
+  move(2, 1);
+  move(3, 0.5);
+  rest(0.5);
+  rest(1);
+  renderer.SetExtinction(drawn.grid, nullptr, nullptr);
+  renderer.SetShadowCoarseness(2);
+  shoot();
+  move(3, 0.5);
+}
+
+/// Adds up the pictures of ranks, which have different pixels.
+class Together
+{
+public:
+  /// Of a rank.
+  void Add(std::size_t number, const Picture& picture)
+  {
+    const std::lock_guard<std::mutex> lock(this->Access);
+    this->Sums.resize(std::max(this->Sums.size(), number + 1));
+    this->DrawnBy.resize(this->Sums.size());
+    std::vector<int>& sum = this->Sums[number];
+    std::vector<int>& by = this->DrawnBy[number];
+    sum.resize(picture.rgba.size());
+    by.resize(sum.size() / 4);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+    {
+      sum[i] += picture.rgba[i];
+      by[i / 4] += i % 4 == 3 && picture.rgba[i] > 0 ? 1 : 0;
+    }
+  }
+
+  void ExpectSame(const std::vector<Picture>& expected) const
+  {
+    ASSERT_EQ(this->Sums.size(), expected.size());
+    for (std::size_t number = 0; number < expected.size(); ++number)
+    {
+      SCOPED_TRACE(::testing::Message() << "picture " << number);
+      int farthest = 0;
+      for (std::size_t i = 0; i < expected[number].rgba.size(); ++i)
+      {
+        farthest =
+          std::max(farthest, std::abs(this->Sums[number][i] - int(expected[number].rgba[i])));
+      }
+      EXPECT_LE(farthest, 1); // of 255: one rounding, and rays that end where they are opaque
+      const std::vector<int>& by = this->DrawnBy[number];
+      EXPECT_LE(*std::max_element(by.begin(), by.end()), 1);
+    }
+  }
+
+private:
+  std::mutex Access;
+  std::vector<std::vector<int>> Sums;    ///< [picture][number]
+  std::vector<std::vector<int>> DrawnBy; ///< [picture][pixel]: number of ranks
 };
-}
 
-TEST_P(SharedPicture, IsThatOfOneProcess)
+/// Makes pictures of what is there of a scene.
+using Make = std::function<void(Renderer&, const Drawn& here, const TakePicture&)>;
+
+void ExpectSameOnRanks(const Drawn& whole, const Make& make)
 {
-  const Drawn whole = Waves();
   Renderer alone;
-  const Picture expected = PictureOf(alone, whole, whole.grid, GetParam());
-  const auto seen = std::count_if(
-    expected.rgba.begin(), expected.rgba.end(), [](std::uint8_t value) { return value > 100; });
-  ASSERT_GT(seen, 2000) << "nothing is in the picture";
+  std::vector<Picture> expected;
+  make(alone, whole, [&](const Picture& picture) { expected.push_back(picture); });
+  for (const Picture& picture : expected)
+  {
+    const auto seen = std::count_if(
+      picture.rgba.begin(), picture.rgba.end(), [](std::uint8_t value) { return value > 100; });
+    ASSERT_GT(seen, 2000) << "nothing is in the picture";
+  }
   for (const int ranks : { 1, 2, 3, 4, 8 })
   {
     for (const int empty : { 0, 1 })
@@ -140,9 +243,7 @@ TEST_P(SharedPicture, IsThatOfOneProcess)
         continue;
       }
       const Pieces pieces = Slabs(whole.grid.nodes, ranks % 3, ranks, empty);
-      std::vector<int> together(expected.rgba.size(), 0);
-      std::vector<int> drawnBy(expected.rgba.size() / 4, 0);
-      std::mutex access;
+      Together together;
       ThreadRanks::Run(ranks,
         [&](const std::shared_ptr<const Communicator>& all)
         {
@@ -154,23 +255,33 @@ TEST_P(SharedPicture, IsThatOfOneProcess)
             cut(whole.extinction) };
           Renderer renderer;
           renderer.SetPiece(whole.grid, piece);
-          const Picture picture = PictureOf(renderer, here, whole.grid, GetParam());
-          const std::lock_guard<std::mutex> lock(access);
-          for (std::size_t i = 0; i < together.size(); ++i)
-          {
-            together[i] += picture.rgba[i];
-            drawnBy[i / 4] += i % 4 == 3 && picture.rgba[i] > 0 ? 1 : 0;
-          }
+          std::size_t number = 0;
+          make(renderer, here, [&](const Picture& picture) { together.Add(number++, picture); });
         });
-      int farthest = 0;
-      for (std::size_t i = 0; i < together.size(); ++i)
-      {
-        farthest = std::max(farthest, std::abs(together[i] - int(expected.rgba[i])));
-      }
-      EXPECT_LE(farthest, 1); // of 255: one rounding, and rays that end where they are opaque
-      EXPECT_LE(*std::max_element(drawnBy.begin(), drawnBy.end()), 1);
+      together.ExpectSame(expected);
     }
   }
+}
+
+class SharedPicture : public ::testing::TestWithParam<Look>
+{
+};
+}
+
+TEST_P(SharedPicture, IsThatOfOneProcess)
+{
+  const Drawn whole = Waves();
+  ExpectSameOnRanks(whole,
+    [&](Renderer& renderer, const Drawn& here, const TakePicture& take)
+    { MakePicture(renderer, here, whole.grid, GetParam(), take); });
+}
+
+TEST_P(SharedPicture, MovesAsThatOfOneProcess)
+{
+  const Drawn whole = Waves();
+  ExpectSameOnRanks(whole,
+    [&](Renderer& renderer, const Drawn& here, const TakePicture& take)
+    { MakeMovie(renderer, here, whole, GetParam(), take); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Ranks, SharedPicture,

@@ -27,12 +27,17 @@ def load_plugin():
     vars(simple).update(OcclusionPhantom=OcclusionPhantom)
 
 
+def information_of(display):
+    display.SMProxy.UpdatePropertyInformation()
+    return {name: getattr(display, name) for name in INFORMATION}
+
+
 class Shown:
     """What the client has of a view: the picture, and what the display says about it."""
 
     def __init__(self, view, display):
         self.picture = pictures.take(view)
-        self.information = {name: getattr(display, name) for name in INFORMATION}
+        self.information = information_of(display)
 
 
 def new_view():
@@ -70,6 +75,21 @@ def after_moving(view):
         view.SMProxy.UpdateVTKObjects()
         view.SMProxy.InteractiveRender()
     return Shown(view, display)
+
+
+def in_motion(view):
+    """What the display says of moving frames, and the picture when they are over."""
+    display = displays.show_head(view, InteractiveFrameTime=10)  # enough for the finest previews
+    simple.Render(view)
+    moving = []
+    for position in displays.POSITIONS[1:]:
+        displays.look(view, position)
+        view.SMProxy.UpdateVTKObjects()
+        view.SMProxy.InteractiveRender()
+        moving.append(information_of(display))
+    shown = Shown(view, display)
+    shown.information = {"at rest": shown.information, "moving": moving}
+    return shown
 
 
 def by_importance_function(view):
@@ -143,10 +163,10 @@ def turned_away(view):
     return Shown(view, display)
 
 
-STORIES = (optimized, with_score, with_own_light, after_moving, by_importance_function,
-           hidden_and_shown, of_its_own_choice, by_another_method, without_importance, ordinary)
-STORIES_OF_SEVERAL = (optimized, with_own_light, after_moving, by_importance_function,
-                      hidden_and_shown, of_its_own_choice, without_importance, ordinary,
+STORIES = (optimized, with_score, with_own_light, after_moving, in_motion,
+           by_importance_function, hidden_and_shown, of_its_own_choice, by_another_method, without_importance, ordinary)
+STORIES_OF_SEVERAL = (optimized, with_own_light, after_moving, in_motion,
+                      by_importance_function, hidden_and_shown, of_its_own_choice, without_importance, ordinary,
                       ordinary_from_above, ordinary_from_the_side, with_a_white_ball, in_a_corner,
                       turned_away)
 
@@ -213,6 +233,9 @@ class TestOneServer(ServerTest):
             with self.subTest(name):
                 inside = np.abs(there.picture - background).max(axis=2) > 5
                 self.assertGreater(inside.mean(), 0.1)
+        for moving in self.there["in_motion"].information["moving"]:
+            self.assertGreater(moving["VisibleFraction"], 1.5 * moving["BaseVisibleFraction"])
+            self.assertEqual(moving["Iterations"], 0)  # a preview
         score = self.there["optimized"].information
         self.assertGreater(score["VisibleFraction"], score["BaseVisibleFraction"])
         self.assertEqual(score["Converged"], 1)

@@ -86,6 +86,13 @@ inline bool AnyRank(const Communicator* ranks, bool here)
   return ranks ? ranks->AnyOf(here) : here;
 }
 
+/// The largest of the ranks' numbers, none of which is below zero, so that they decide alike; null:
+/// there is one.
+inline double LargestOfRanks(const Communicator* ranks, double here)
+{
+  return ranks ? double(ranks->LargestOf(static_cast<float>(here))) : here;
+}
+
 /// What computes on each of the ranks, for the user: "CPU, 2 threads, on each of 4 ranks"; null:
 /// there is one.
 std::string NameOnRanks(const std::string& backend, const Communicator* ranks);

@@ -85,11 +85,12 @@ std::vector<float> Applied(const SceneFields& scene, float majorant, const Carri
 double CarriedChange::NearnessTo(
   const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const
 {
-  Settings sameCameras = otherSettings;
-  sameCameras.otherCameras = this->settings.otherCameras;
+  Settings same = otherSettings;
+  same.otherCameras = this->settings.otherCameras;
+  same.backend = this->settings.backend; // whoever computes it
   const std::vector<Camera>& one = this->settings.otherCameras;
   const std::vector<Camera>& other = otherSettings.otherCameras;
-  if (!(sameCameras == this->settings) || one.size() != other.size())
+  if (!(same == this->settings) || one.size() != other.size())
   {
     return 0;
   }
@@ -104,6 +105,37 @@ double CarriedChange::NearnessTo(
   }
   constexpr double farAway = 20;
   return this->likeness * std::max(1 - degrees / farAway, 0.0);
+}
+
+CarriedChange OnPiece(
+  CarriedChange change, const Grid& grid, const std::shared_ptr<const ScenePiece>& piece)
+{
+  for (std::vector<float>* values : { &change.ofExtinction, &change.ofLight })
+  {
+    if (!values->empty())
+    {
+      *values = ResampledBox(change.grid, values->data(), grid, piece->nodes);
+    }
+  }
+  change.grid = grid;
+  change.piece = piece;
+  return change;
+}
+
+CarriedChange ForAllRanks(CarriedChange change, const Grid& grid)
+{
+  const ScenePiece& piece = *change.piece;
+  for (std::vector<float>* values : { &change.ofExtinction, &change.ofLight })
+  {
+    if (piece.ranks->AnyOf(!values->empty()))
+    {
+      *values = ResampledForAll(
+        *piece.ranks, change.grid, FieldView::Part(values->data(), piece.nodes), piece.owned, grid);
+    }
+  }
+  change.grid = grid;
+  change.piece = nullptr;
+  return change;
 }
 
 std::vector<float> ChangeOf(Index count, const float* base, const float* extinction, float majorant)

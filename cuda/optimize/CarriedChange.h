@@ -53,6 +53,13 @@ struct CarriedChange
     const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const;
 };
 
+/// Of a change that every rank has all of: what it is of a rank's piece of a scene.
+CarriedChange OnPiece(
+  CarriedChange change, const Grid& grid, const std::shared_ptr<const ScenePiece>& piece);
+
+/// Of a change that ranks have pieces of: all of it on a coarser grid, on every rank.
+CarriedChange ForAllRanks(CarriedChange change, const Grid& grid);
+
 /// c of an extinction at so many nodes [1/length].
 std::vector<float> ChangeOf(
   Index count, const float* base, const float* extinction, float majorant);

@@ -5,12 +5,32 @@
 
 #include "backend/HostDevice.h"
 #include "optimize/AxisFilter.h"
+#include "scene/Slab.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace limpid
 {
+namespace
+{
+NodeBox SourcesOf(const GridFilter& filter, const NodeBox& box)
+{
+  return box.Empty() ? NodeBox() : filter.SourcesOf(box);
+}
+
+/// `field`: at the sources of the box alone.
+std::vector<float> Resampled(const GridFilter& filter, const float* field, const NodeBox& box)
+{
+  std::vector<float> result(std::size_t(box.Count()));
+  if (!result.empty())
+  {
+    Resample(HostDevice::Shared(), filter.PartOf(box), field, result.data());
+  }
+  return result;
+}
+}
+
 AxisFilter::AxisFilter(int from, int to)
   : begin{ 0 }
 {
@@ -139,18 +159,42 @@ std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, con
   needed.reserve(wanted.size());
   for (const NodeBox& box : wanted)
   {
-    needed.push_back(box.Empty() ? NodeBox() : filter.SourcesOf(box));
+    needed.push_back(SourcesOf(filter, box));
   }
   const auto own = std::size_t(ranks.Rank());
   std::vector<float> values(std::size_t(needed[own].Count()));
   Spread(
     ranks, field, RegionsOf(had), FieldView::Part(values.data(), needed[own]), RegionsOf(needed));
-  std::vector<float> result(std::size_t(wanted[own].Count()));
-  if (!result.empty())
-  {
-    Resample(HostDevice::Shared(), filter.PartOf(wanted[own]), values.data(), result.data());
-  }
-  return result;
+  return Resampled(filter, values.data(), wanted[own]);
+}
+
+std::vector<float> ResampledForAll(const Communicator& ranks, const Grid& from,
+  const FieldView& field, const std::vector<NodeBox>& had, const Grid& to)
+{
+  const std::vector<NodeBox> slabs = SlabsOf(ranks, to.nodes);
+  std::vector<float> own = ResampledBox(ranks, from, field, had, to, slabs);
+  std::vector<float> all(std::size_t(to.NodeCount()));
+  Spread(ranks, FieldView::Part(own.data(), slabs[std::size_t(ranks.Rank())]), RegionsOf(slabs),
+    FieldView::Whole(all.data(), to.nodes),
+    std::vector<Region>(slabs.size(), { NodeBox::Of(to.nodes) }));
+  return all;
+}
+
+std::vector<float> ResampledBox(
+  const Grid& from, const float* field, const Grid& to, const NodeBox& wanted)
+{
+  const GridFilter filter(from.nodes, to.nodes);
+  const NodeBox sources = SourcesOf(filter, wanted);
+  std::vector<float> values(std::size_t(sources.Count()));
+  CopyNodes(sources, FieldView::Whole(const_cast<float*>(field), from.nodes),
+    FieldView::Part(values.data(), sources));
+  return Resampled(filter, values.data(), wanted);
+}
+
+bool IsForAll(const Communicator& ranks, const Grid& grid, const Grid& full)
+{
+  constexpr Index few = 1 << 18; // nodes whose fields nobody misses
+  return grid.NodeCount() <= std::max(full.NodeCount() / (4 * Index(ranks.Size())), few);
 }
 
 std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse)

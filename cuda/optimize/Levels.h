@@ -25,6 +25,17 @@ std::vector<float> Resampled(const Grid& from, const float* field, const Grid& t
 std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, const FieldView& field,
   const std::vector<NodeBox>& had, const Grid& to, const std::vector<NodeBox>& wanted);
 
+/// The same at all nodes of the other grid, of which every rank gets all.
+std::vector<float> ResampledForAll(const Communicator& ranks, const Grid& from,
+  const FieldView& field, const std::vector<NodeBox>& had, const Grid& to);
+
+/// The same in a box of nodes, of a field that is here.
+std::vector<float> ResampledBox(
+  const Grid& from, const float* field, const Grid& to, const NodeBox& wanted);
+
+/// Whether every rank may have all of a grid: that takes little beside its piece of `full`.
+bool IsForAll(const Communicator& ranks, const Grid& grid, const Grid& full);
+
 /// A field on a coarse grid over the same box: the mean of the fine field about each coarse node,
 /// weighted by the coarse node's trilinear hat function.
 std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse);

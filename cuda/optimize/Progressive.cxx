@@ -11,15 +11,28 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace limpid
 {
 namespace
 {
-std::vector<float> RestrictImportance(
-  const Grid& fineGrid, const float* importance, const Grid& grid)
+/// A field of a scene on a coarser grid: all of it, whatever ranks have of the scene.
+std::vector<float> Restrict(const SceneFields& scene, const float* field, const Grid& grid)
 {
-  std::vector<float> coarse = Restrict(fineGrid, importance, grid);
+  if (!scene.piece)
+  {
+    return Restrict(scene.grid, field, grid);
+  }
+  const ScenePiece& piece = *scene.piece;
+  return ResampledForAll(*piece.ranks, scene.grid,
+    FieldView::Part(const_cast<float*>(field), piece.nodes), piece.owned, grid);
+}
+
+std::vector<float> RestrictImportance(
+  const SceneFields& scene, const float* importance, const Grid& grid)
+{
+  std::vector<float> coarse = Restrict(scene, importance, grid);
   // A mean of numbers up to 1 may round above it.
   ParallelFor(grid.NodeCount(), 65536,
     [&coarse](Index node)
@@ -38,12 +51,12 @@ struct CoarseScene
   std::vector<float> despeckled; ///< what is a speck shows on the fine grid only; empty: not needed
 
   CoarseScene(PreparedScene& fine, ImportanceSmoothing smoothing, const Grid& grid)
-    : base(Restrict(fine.Nodes(), fine.Arrays().baseExtinction, grid))
-    , importance(RestrictImportance(fine.Nodes(), fine.Arrays().importance, grid))
+    : base(Restrict(fine.Arrays(), fine.Arrays().baseExtinction, grid))
+    , importance(RestrictImportance(fine.Arrays(), fine.Arrays().importance, grid))
   {
     if (smoothing == ImportanceSmoothing::Median)
     {
-      this->despeckled = RestrictImportance(fine.Nodes(), fine.ImportanceFor(smoothing), grid);
+      this->despeckled = RestrictImportance(fine.Arrays(), fine.ImportanceFor(smoothing), grid);
     }
   }
 
@@ -79,7 +92,7 @@ struct Progressive::Internals
 {
   std::shared_ptr<PreparedScene> scene;
   std::optional<Grid> pieceGrid; ///< of this rank's piece; none: it has all
-  std::vector<Grid> grids;       ///< finest first
+  std::vector<Grid> grids;       ///< of previews, finest first; of ranks, those that are for all
   std::vector<Index> nodes;
   std::vector<Level> levels;
   PassTime time;
@@ -103,14 +116,30 @@ struct Progressive::Internals
   bool keptForLight = false;        ///< whether there is another one for the light
   std::optional<Scores> keptScores; ///< not there: not known yet
 
+  /// That share the scene; null: there is one.
+  const Communicator* Ranks() const
+  {
+    const ScenePiece* piece = this->scene->Arrays().piece.get();
+    return piece ? piece->ranks.get() : nullptr;
+  }
+
+  /// The present settings, with what computes.
+  Settings Wanted() const { return this->Ranks() ? ForRanks(this->settings) : this->settings; }
+
   void PlaceGrids()
   {
     const Grid& full = this->scene->Nodes();
-    this->grids.push_back(full);
-    for (const int factor : { 2, 3, 4, 6, 8, 12, 16, 24, 32 })
+    constexpr int coarsest = 32;
+    const auto suits = [&](const Grid& grid, bool last)
     {
-      const Grid grid = CoarseGrid(full, factor);
-      if (this->grids.back().NodeCount() > 4096 && grid.nodes != this->grids.back().nodes)
+      return this->grids.empty()
+        ? last || !this->Ranks() || IsForAll(*this->Ranks(), grid, full)
+        : this->grids.back().NodeCount() > 4096 && grid.nodes != this->grids.back().nodes;
+    };
+    for (const int factor : { 1, 2, 3, 4, 6, 8, 12, 16, 24, coarsest })
+    {
+      const Grid grid = factor == 1 ? full : CoarseGrid(full, factor);
+      if (suits(grid, factor == coarsest))
       {
         this->grids.push_back(grid);
       }
@@ -130,7 +159,7 @@ struct Progressive::Internals
     if (!wanted.preview || (wanted.fields && !wanted.fields->Has(smoothing)))
     {
       std::shared_ptr<PreparedScene> prepared = this->scene;
-      if (number > 0)
+      if (number > 0 || this->Ranks())
       {
         const Grid& grid = this->grids[number];
         wanted.fields = std::make_unique<CoarseScene>(*this->scene, smoothing, grid);
@@ -228,9 +257,10 @@ void Progressive::GoOnFrom(const CarriedChange& change)
   Internals& state = *this->State;
   LIMPID_EXPECT(state.shown == Shown::Nothing);
   CarriedExtinction carried = AppliedTo(state.scene->Arrays(), state.scene->Majorant(), change);
-  if (!carried.extinction.empty())
+  // A rank may have no piece of it.
+  if (AnyRank(state.Ranks(), !carried.extinction.empty()))
   {
-    state.keptForLight = !carried.light.empty();
+    state.keptForLight = AnyRank(state.Ranks(), !carried.light.empty());
     state.kept = { { std::move(carried.extinction), std::move(carried.light) } };
     state.keptScores.reset();
     state.Show(Shown::Kept);
@@ -243,6 +273,15 @@ void Progressive::GoOnFrom(const CarriedChange& change)
 }
 
 CarriedChange Progressive::Change() const
+{
+  const Internals& state = *this->State;
+  const bool isForAll = state.Ranks() && state.shown == Shown::Preview;
+  return isForAll ? OnPiece(this->ShownChange(), state.scene->Nodes(), state.scene->Arrays().piece)
+                  : this->ShownChange();
+}
+
+/// On the grid of what is shown.
+CarriedChange Progressive::ShownChange() const
 {
   const Internals& state = *this->State;
   CarriedChange change;
@@ -287,21 +326,26 @@ void Progressive::Preview(double seconds)
 {
   Internals& state = *this->State;
   LIMPID_EXPECT(state.hasView);
-  if (state.shown == Shown::Solver || state.scene->Arrays().piece)
+  if (state.shown == Shown::Solver)
   {
-    return; // nothing is better for the present view, or ranks have no grid for it
+    return; // nothing is better for the present view
   }
-  const std::size_t level = state.time.Choose(state.nodes, seconds, state.level);
+  const std::size_t level =
+    state.time.Choose(state.nodes, LargestOfRanks(state.Ranks(), seconds), state.level);
   if (state.levelIsCurrent && level >= state.level)
   {
     return;
   }
   PreviewPass& preview = state.PreviewOn(level);
-  const CarriedChange previous = this->Previous();
+  CarriedChange previous = this->StaysNear() ? this->ShownChange() : CarriedChange();
+  if (previous.piece)
+  {
+    previous = ForAllRanks(std::move(previous), state.grids[level]);
+  }
   const Index nodes = state.nodes[level];
-  state.time.Learn(nodes,
-    state.stopwatch(
-      nodes, [&] { preview.Make(state.camera, state.light, state.settings, previous); }));
+  const double taken = state.stopwatch(
+    nodes, [&] { preview.Make(state.camera, state.light, state.Wanted(), previous); });
+  state.time.Learn(nodes, LargestOfRanks(state.Ranks(), taken));
   state.level = level;
   state.levelIsCurrent = true;
   state.Show(Shown::Preview);
@@ -313,8 +357,8 @@ bool Progressive::Refine()
   LIMPID_EXPECT(state.hasView);
   if (!state.solver)
   {
-    state.solver = std::make_unique<Solver>(
-      state.scene, state.camera, state.light, state.settings, this->Previous());
+    state.solver = std::make_unique<Solver>(state.scene, state.camera, state.light, state.settings,
+      this->StaysNear() ? this->Change() : CarriedChange());
   }
   else
   {
@@ -327,13 +371,13 @@ bool Progressive::Refine()
   return this->Converged();
 }
 
-/// What is to be stayed near: what was found for another view or at another time. What moves goes
-/// on steadily; where it comes to rest, nothing but the view itself counts.
-CarriedChange Progressive::Previous() const
+/// Whether to stay near what is shown, which was found for another view or at another time. What
+/// moves goes on steadily; where it comes to rest, nothing but the view itself counts.
+bool Progressive::StaysNear() const
 {
   const Internals& state = *this->State;
   const bool moves = state.shownOfOther || !state.IsSeenFrom(state.shownCamera, state.shownLight);
-  return moves && state.settings.temporalCoherence > 0 ? this->Change() : CarriedChange();
+  return moves && state.settings.temporalCoherence > 0;
 }
 
 bool Progressive::HasBegun() const
@@ -354,7 +398,13 @@ bool Progressive::Settled() const
 const Grid& Progressive::ShownGrid() const
 {
   const Internals& state = *this->State;
-  return state.pieceGrid ? *state.pieceGrid : state.ShownScene().Nodes();
+  return this->ShowsPiece() ? *state.pieceGrid : state.ShownScene().Nodes();
+}
+
+bool Progressive::ShowsPiece() const
+{
+  const Internals& state = *this->State;
+  return state.pieceGrid && state.shown != Shown::Preview;
 }
 
 const float* Progressive::BaseExtinction() const
@@ -463,11 +513,11 @@ const Scores& Progressive::KeptScores() const
 Scores Progressive::ScoresFrom(const Camera& camera) const
 {
   const Internals& state = *this->State;
-  Settings settings = ForScores(state.settings);
+  Settings settings = ForScores(state.Wanted());
   settings.otherCameras.clear();
   const Problem problem = state.ShownScene().ProblemFor(camera, state.light, settings);
   ChosenBackend backend;
-  backend.Choose(state.settings, problem.grid);
+  backend.Choose(settings, problem.grid);
   const auto score = [&]() -> Scores
   {
     const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFrom(problem, problem.camera);
@@ -485,6 +535,6 @@ std::string Progressive::BackendName() const
 {
   const Internals& state = *this->State;
   return state.solver ? state.solver->BackendName()
-                      : ChooseBackend(state.settings.backend, {}).name;
+                      : NameOnRanks(ChooseBackend(state.Wanted().backend, {}).name, state.Ranks());
 }
 }

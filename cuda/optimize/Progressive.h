@@ -61,7 +61,8 @@ public:
   void SetView(const Camera& camera, const Light& light, const Settings& settings);
 
   /// One policy pass on the finest grid on which it is expected to take no longer. Does nothing if
-  /// what is shown is at least as good for the present view, or where ranks share the scene.
+  /// what is shown is at least as good for the present view. Where ranks share the scene, each
+  /// makes the same pass, on a grid of which it can have all.
   void Preview(double seconds);
 
   /// The next iteration at full resolution; the first call for a view only prepares. Previews stay
@@ -74,9 +75,10 @@ public:
   bool Converged() const; ///< whether Refine has nothing left to do for the present view
   bool Settled() const;   ///< false: it has for a limit, if it has, see Solver::Settled
 
-  /// What is to be shown now; the same box as the scene's grid, or as this rank's piece. Valid
-  /// after Preview or Refine.
+  /// What is to be shown now: the same box as the scene's grid, or as this rank's piece of it.
+  /// Valid after Preview or Refine.
   const Grid& ShownGrid() const;
+  bool ShowsPiece() const;              ///< whether that is a rank's piece
   const float* BaseExtinction() const;  ///< at the nodes of ShownGrid() [1/length]
   const float* Extinction() const;      ///< at the nodes of ShownGrid() [1/length]
   const float* LightExtinction() const; ///< the same array in joint mode
@@ -96,7 +98,8 @@ public:
   std::string BackendName() const;
 
 private:
-  CarriedChange Previous() const;
+  CarriedChange ShownChange() const;
+  bool StaysNear() const;
   const Scores& KeptScores() const;
 
   struct Internals;

@@ -100,4 +100,18 @@ std::string NotOnRanks(const Settings& settings)
   }
   return {};
 }
+
+Settings ForRanks(Settings settings)
+{
+  const std::string left = NotOnRanks(settings);
+  LIMPID_REQUIRE(left.empty(),
+    "Ranks share the scene, and " << left
+                                  << " is wanted (ranks cannot do that together yet). Turn it off, "
+                                     "or give one rank all of the scene.");
+  LIMPID_REQUIRE(settings.backend != BackendKind::Cuda,
+    "Ranks share the scene, and the backend is CUDA (ranks compute on processors so far). Use the "
+    "backend Auto or CPU.");
+  settings.backend = BackendKind::Cpu;
+  return settings;
+}
 }

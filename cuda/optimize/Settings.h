@@ -23,6 +23,10 @@ struct Settings;
 /// do all.
 std::string NotOnRanks(const Settings& settings);
 
+/// Settings for ranks that share a scene: on processors. Throws limpid::Error when these cannot do
+/// together what is wanted.
+Settings ForRanks(Settings settings);
+
 enum class SolverKind
 {
   Policy, ///< policy sweeps, Documentation/Method.md

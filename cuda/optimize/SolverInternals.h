@@ -82,25 +82,7 @@ struct Solver::Internals
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
-    this->backend.Choose(this->OnRanks(wanted), this->scene.grid);
-  }
-
-  /// Settings for ranks that share the scene, on processors.
-  Settings OnRanks(Settings wanted) const
-  {
-    if (this->scene.piece)
-    {
-      const std::string left = NotOnRanks(wanted);
-      LIMPID_REQUIRE(left.empty(),
-        "Ranks share the scene, and " << left
-                                      << " is wanted (ranks cannot do that together yet). Turn it "
-                                         "off, or give one rank all of the scene.");
-      LIMPID_REQUIRE(wanted.backend != BackendKind::Cuda,
-        "Ranks share the scene, and the backend is CUDA (ranks compute on processors so far). Use "
-        "the backend Auto or CPU.");
-      wanted.backend = BackendKind::Cpu;
-    }
-    return wanted;
+    this->backend.Choose(this->Ranks() ? ForRanks(wanted) : wanted, this->scene.grid);
   }
 
   /// Starts the first run.

@@ -29,18 +29,19 @@ struct BrickNodes
     return { low, glm::min(low + BrickDistances::size, nodes - 1) };
   }
 
-  /// The nodes of another grid over the same box that the same cells may be interpolated from.
-  LIMPID_HD LIMPID_INLINE BrickNodes On(const Int3& nodes, const Int3& otherNodes) const
+  /// The nodes of an overlay that the same cells may be interpolated from.
+  LIMPID_HD LIMPID_INLINE BrickNodes On(const OverlayPlace& overlay) const
   {
     BrickNodes box{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double scale = double(otherNodes[axis] - 1) / (nodes[axis] > 2 ? nodes[axis] - 1 : 1);
-      box.first[axis] = int(std::floor(this->first[axis] * scale - 1e-6));
-      box.last[axis] = int(std::ceil(this->last[axis] * scale + 1e-6));
+      const double scale = overlay.Scale(axis);
+      const int shift = overlay.first[axis];
+      box.first[axis] = int(std::floor((this->first[axis] + shift) * scale - 1e-6));
+      box.last[axis] = int(std::ceil((this->last[axis] + shift) * scale + 1e-6));
     }
-    return { glm::clamp(box.first, Int3(0), otherNodes - 1),
-      glm::clamp(box.last, Int3(0), otherNodes - 1) };
+    return { glm::clamp(box.first, Int3(0), overlay.nodes - 1),
+      glm::clamp(box.last, Int3(0), overlay.nodes - 1) };
   }
 
   /// Whether is(node) for any node of the box in a grid of `nodes`.
@@ -121,7 +122,7 @@ struct EmptyBrick
   const ScalarRange* ranges;
   const std::uint8_t* unfilled; ///< not 0 where no node is filled; null: scalars alone tell
   const TwoPacked* overlay;     ///< see ExtinctionOverlay; null: unchanged
-  Int3 overlayNodes;
+  OverlayPlace overlayPlace;
   Cleared cleared;
   std::uint8_t* distance; ///< out
 
@@ -134,9 +135,8 @@ struct EmptyBrick
     bool filled = classified;
     if (this->overlay)
     {
-      const BrickNodes box =
-        BrickNodes::Of({ i, j, k }, this->nodes).On(this->nodes, this->overlayNodes);
-      filled = box.Any(this->overlayNodes,
+      const BrickNodes box = BrickNodes::Of({ i, j, k }, this->nodes).On(this->overlayPlace);
+      filled = box.Any(this->overlayPlace.nodes,
         [&](Index node)
         {
           const std::int16_t* change = this->overlay[node].values;
@@ -234,19 +234,19 @@ public:
     }
   }
 
-  /// Finds the empty bricks, and how far around each all are empty. `overlay`: at `overlayNodes`;
+  /// Finds the empty bricks, and how far around each all are empty. `overlay`: at `overlayPlace`;
   /// null: nothing is changed.
   void FindEmpty(const OpticalTable& table, Function function, const TwoPacked* overlay,
-    const Int3& overlayNodes)
+    const OverlayPlace& overlayPlace)
   {
-    this->Find(this->Distance, table, function, overlay, overlayNodes, Cleared::IsEmpty);
+    this->Find(this->Distance, table, function, overlay, overlayPlace, Cleared::IsEmpty);
   }
 
   /// Likewise, the bricks that are empty without the change, too.
   void FindBare(const OpticalTable& table, Function function, const TwoPacked* overlay,
-    const Int3& overlayNodes)
+    const OverlayPlace& overlayPlace)
   {
-    this->Find(this->BareDistance, table, function, overlay, overlayNodes, Cleared::IsNot);
+    this->Find(this->BareDistance, table, function, overlay, overlayPlace, Cleared::IsNot);
   }
 
   /// Likewise, the bricks where nothing is important, at the nodes of the scalars.
@@ -284,14 +284,14 @@ private:
   using DistanceArray = DeviceArray<AnyDevice, std::uint8_t>;
 
   void Find(DistanceArray& distances, const OpticalTable& table, Function function,
-    const TwoPacked* overlay, const Int3& overlayNodes, Cleared cleared)
+    const TwoPacked* overlay, const OverlayPlace& overlayPlace, Cleared cleared)
   {
     const std::uint8_t* unfilled =
       function == Function::IsUniform ? this->Unfilled.Data() : nullptr;
     this->Spread(distances,
       [&](std::uint8_t* out)
       {
-        return EmptyBrick{ this->Nodes, table, this->Ranges.Data(), unfilled, overlay, overlayNodes,
+        return EmptyBrick{ this->Nodes, table, this->Ranges.Data(), unfilled, overlay, overlayPlace,
           cleared, out };
       });
   }

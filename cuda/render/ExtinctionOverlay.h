@@ -64,6 +64,33 @@ public:
       this->HasChange);
   }
 
+  /// What is shown at the nodes of another grid: over the same box, or a part of it.
+  DeviceArray<AnyDevice, TwoPacked> On(const Grid& grid) const
+  {
+    const Int3 from = this->Place.nodes;
+    const bool sameBox = this->Place.HasSameBox(grid);
+    const Vec3 first = sameBox ? Vec3(0.0) : this->Place.PointToIndex(grid.origin);
+    const Vec3 last =
+      sameBox ? Vec3(from - 1) : this->Place.PointToIndex(grid.PointToWorld(Vec3(grid.nodes - 1)));
+    DeviceArray<AnyDevice, TwoPacked> numbers(
+      this->Device, std::size_t(grid.NodeCount()), "the overlay");
+    ResampledNode body{ CellGrid(from), this->Packed(), {}, {}, numbers.Data() };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      body.first[axis] = float(first[axis]);
+      body.scale[axis] = float((last[axis] - first[axis]) / std::max(grid.nodes[axis] - 1, 1));
+    }
+    this->Device->ForNodes("resample the overlay", grid.nodes, body);
+    return numbers;
+  }
+
+  /// Goes on with what others show, too, on a grid over the box of all. `changed`: see Changed.
+  void GoOnWith(const Grid& grid, const std::vector<TwoPacked>& numbers, bool changed)
+  {
+    this->Take(grid, { this->Device, numbers, "the overlay" });
+    this->HasChange = changed;
+  }
+
   /// Forgets change and shadow.
   void Clear() { *this = ExtinctionOverlay(this->Device); }
 
@@ -147,22 +174,19 @@ private:
     {
       return;
     }
+    this->Take(grid, this->Empty() ? this->Unchanged(grid) : this->On(grid));
+  }
+
+  DeviceArray<AnyDevice, TwoPacked> Unchanged(const Grid& grid) const
+  {
     const Index count = grid.NodeCount();
     DeviceArray<AnyDevice, TwoPacked> numbers(this->Device, std::size_t(count), "the overlay");
-    if (this->Empty())
-    {
-      this->Device->ForIndices("clear the overlay", count, UnchangedNode{ numbers.Data() });
-    }
-    else
-    {
-      const Int3 from = this->Place.nodes;
-      ResampledNode body{ CellGrid(from), this->Packed(), {}, numbers.Data() };
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        body.scale[axis] = float(from[axis] - 1) / float(std::max(grid.nodes[axis] - 1, 1));
-      }
-      this->Device->ForNodes("resample the overlay", grid.nodes, body);
-    }
+    this->Device->ForIndices("clear the overlay", count, UnchangedNode{ numbers.Data() });
+    return numbers;
+  }
+
+  void Take(const Grid& grid, DeviceArray<AnyDevice, TwoPacked> numbers)
+  {
     this->Numbers = std::move(numbers);
     this->HasShadow = false;
     this->Place = grid;

@@ -118,18 +118,19 @@ private:
   }
 };
 
-/// The trilinear interpolation of an overlay on another grid over the same box.
+/// The trilinear interpolation of an overlay on another grid.
 struct ResampledNode
 {
   CellGrid from;
   const TwoPacked* packed;
+  float first[3]; ///< node of the other grid [nodes of `from`]
   float scale[3]; ///< nodes of `from` per node
   TwoPacked* out;
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    const float at[3] = { float(i) * this->scale[0], float(j) * this->scale[1],
-      float(k) * this->scale[2] };
+    const float at[3] = { this->first[0] + float(i) * this->scale[0],
+      this->first[1] + float(j) * this->scale[1], this->first[2] + float(k) * this->scale[2] };
     float numbers[2];
     SingleSampler::InterpolateAll(this->from, this->packed, CellPlace(this->from, at), numbers);
     for (int number = 0; number < 2; ++number)

@@ -55,13 +55,19 @@ struct RayPlaces
     {
       return this->scalars;
     }
-    const Lanes position[3] = { this->Along(ray, 0) * scene.overlayScale[0],
-      this->Along(ray, 1) * scene.overlayScale[1], this->Along(ray, 2) * scene.overlayScale[2] };
+    const Lanes position[3] = { this->AlongOverlay(scene, ray, 0),
+      this->AlongOverlay(scene, ray, 1), this->AlongOverlay(scene, ray, 2) };
     apart.Set(scene.overlayGrid, position);
     return apart;
   }
 
 private:
+  /// Where the samples are along an axis of the overlay [nodes].
+  LIMPID_HD LIMPID_INLINE Lanes AlongOverlay(const RayScene& scene, const Ray& ray, int axis) const
+  {
+    return (this->Along(ray, axis) + scene.overlayShift[axis]) * scene.overlayScale[axis];
+  }
+
   /// Where the samples are along an axis [index].
   LIMPID_HD LIMPID_INLINE Lanes Along(const Ray& ray, int axis) const
   {

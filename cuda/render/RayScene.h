@@ -8,6 +8,7 @@
 
 #include "render/BrickDistances.h"
 #include "render/Classification.h"
+#include "render/OverlayPlace.h"
 #include "render/RayLight.h"
 #include "render/Trilinear.h"
 
@@ -27,6 +28,7 @@ struct RayScene
   BrickDistances bricks;
   BrickDistances unimportant;          ///< if the importance is asked for
   bool overlaySameNodes = false;       ///< as the scalars
+  float overlayShift[3] = { 0, 0, 0 }; ///< of the scalars in the box of the overlay [nodes]
   float overlayScale[3] = { 1, 1, 1 }; ///< nodes of the overlay per node of the scalars
   float opaqueBelow = 0;
   float stepLength = 1; ///< between samples [length]
@@ -34,15 +36,14 @@ struct RayScene
   float addedUnit = 1;  ///< of what the overlay adds [majorant]
   RayLight light;
 
-  /// For nodes of overlay and scalars over the same box.
-  void PlaceOverlay(const Int3& nodes, const Int3& scalarNodes)
+  void PlaceOverlay(const OverlayPlace& place, const Int3& scalarNodes)
   {
-    this->overlayGrid = CellGrid(nodes);
-    this->overlaySameNodes = nodes == scalarNodes;
+    this->overlayGrid = CellGrid(place.nodes);
+    this->overlaySameNodes = place.nodes == scalarNodes && place.boxNodes == scalarNodes;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int cells = scalarNodes[axis] > 1 ? scalarNodes[axis] - 1 : 1;
-      this->overlayScale[axis] = float(nodes[axis] - 1) / float(cells);
+      this->overlayShift[axis] = float(place.first[axis]);
+      this->overlayScale[axis] = float(place.Scale(axis));
     }
   }
 };

@@ -27,6 +27,13 @@ struct Casting
   Compositing compositing = Compositing::FrontToBack; ///< others need the importance
 };
 
+/// The nodes of an extinction that is shown.
+struct ShownNodes
+{
+  Grid grid;          ///< over the box of the scalars that are here, or of those of all ranks
+  bool ofAll = false; ///< that: every rank has all of them
+};
+
 /**
  * Draws for a Renderer, on the processor or on a GPU. The backend holds the fields in the form in
  * which rays read them; the renderer knows what has changed and calls no pass without need.
@@ -47,7 +54,7 @@ public:
   virtual void SetTransferFunctions(const Classification& classification) = 0;
 
   /// See Renderer; no array but the last one is null. Transfer functions were set before.
-  virtual void SetExtinction(const Grid& grid, const float* base, const float* extinction,
+  virtual void SetExtinction(const ShownNodes& nodes, const float* base, const float* extinction,
     double share, const float* lightExtinction) = 0;
 
   /// Whether that is a device with a memory of its own.
@@ -58,8 +65,8 @@ public:
   virtual void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
     const float* lightExtinction) = 0;
 
-  /// Shows the transfer function's extinction of the scalars, on a grid over the same box.
-  virtual void UseTransferFunction(const Grid& grid) = 0;
+  /// Shows the transfer function's extinction of the scalars.
+  virtual void UseTransferFunction(const ShownNodes& nodes) = 0;
 
   /// Forgets the extinction and its shadows.
   virtual void ClearExtinction() = 0;

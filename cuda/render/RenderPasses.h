@@ -5,10 +5,12 @@
 #define limpid_render_RenderPasses_h
 
 #include "optimize/AxisFilter.h"
+#include "optimize/Levels.h"
 #include "optimize/Ranked.h"
 #include "render/Bricks.h"
 #include "render/ExtinctionOverlay.h"
 #include "render/GradientKernels.h"
+#include "render/OverlayForAll.h"
 #include "render/Raycast.h"
 #include "render/RenderBackend.h"
 #include "render/ScalarField.h"
@@ -93,10 +95,10 @@ public:
     this->Table.maxima = this->Largest.Data();
   }
 
-  void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share,
-    const float* lightExtinction) override
+  void SetExtinction(const ShownNodes& nodes, const float* base, const float* extinction,
+    double share, const float* lightExtinction) override
   {
-    const auto count = static_cast<std::size_t>(grid.NodeCount());
+    const auto count = static_cast<std::size_t>(nodes.grid.NodeCount());
     const char* what = "the extinction";
     const BorrowedArray<AnyDevice, float> baseThere(this->Device, base, count, what);
     BorrowedArray<AnyDevice, float> other;
@@ -104,7 +106,7 @@ public:
     {
       other.Borrow(this->Device, extinction, count, what);
     }
-    this->Move(grid, baseThere.Data(), base == extinction ? baseThere.Data() : other.Data(), share,
+    this->Move(nodes, baseThere.Data(), base == extinction ? baseThere.Data() : other.Data(), share,
       lightExtinction == nullptr);
     if (lightExtinction)
     {
@@ -117,7 +119,7 @@ public:
   void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
     const float* lightExtinction) override
   {
-    this->Move(grid, base, extinction, share, lightExtinction == nullptr);
+    this->Move({ grid }, base, extinction, share, lightExtinction == nullptr);
     if (lightExtinction)
     {
       this->Device->Copy(this->Opaque.Data(), lightExtinction,
@@ -125,16 +127,29 @@ public:
     }
   }
 
-  void UseTransferFunction(const Grid& grid) override
+  void UseTransferFunction(const ShownNodes& nodes) override
   {
+    const char* what = "a coarser extinction";
+    const Grid& grid = nodes.grid;
     Field base = this->Classified(this->Functions.Majorant());
-    if (grid.nodes != this->Nodes.nodes)
+    if (nodes.ofAll)
     {
-      Field coarse(this->Device, std::size_t(grid.NodeCount()), "a coarser extinction");
+      if constexpr (AnyDevice::readsHostMemory)
+      {
+        const ScenePiece& piece = *this->Piece;
+        base = Field(this->Device,
+          ResampledForAll(*piece.ranks, this->Whole, FieldView::Part(base.Data(), piece.nodes),
+            piece.owned, grid),
+          what);
+      }
+    }
+    else if (grid.nodes != this->Nodes.nodes)
+    {
+      Field coarse(this->Device, std::size_t(grid.NodeCount()), what);
       Resample(this->Device, this->Nodes, base.Data(), grid, coarse.Data());
       base = std::move(coarse);
     }
-    this->Move(grid, base.Data(), base.Data(), 1, true);
+    this->Move(nodes, base.Data(), base.Data(), 1, true);
   }
 
   void ClearExtinction() override
@@ -142,6 +157,7 @@ public:
     this->CoarseOpaque = {};
     this->Opaque = {};
     this->Shown.Clear();
+    this->IsOfAll = false;
   }
 
   bool HasNoExtinction() const override { return this->Shown.Empty(); }
@@ -152,9 +168,10 @@ public:
     Field transmittance(this->Device, std::size_t(grid.NodeCount()), "the shadows");
     if constexpr (AnyDevice::readsHostMemory)
     {
-      this->Piece ? FindTransmittanceOnRanks(
-                      this->Whole, *this->Piece, light, rayDensity, opaque, transmittance.Data())
-                  : this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
+      this->Piece && !this->IsOfAll
+        ? FindTransmittanceOnRanks(
+            this->Whole, *this->Piece, light, rayDensity, opaque, transmittance.Data())
+        : this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
     }
     else
     {
@@ -200,7 +217,7 @@ public:
   void FindEmptyBricks() override
   {
     this->Empty.FindEmpty(this->Table, this->KindOfFunction(),
-      this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
+      this->IsChanged() ? this->Shown.Packed() : nullptr, this->PlaceOfShown());
   }
 
   void SetImportance(const float* importance) override
@@ -219,7 +236,7 @@ public:
   void FindBareBricks() override
   {
     this->Empty.FindBare(this->Table, this->KindOfFunction(),
-      this->IsChanged() ? this->Shown.Packed() : nullptr, this->Shown.Nodes().nodes);
+      this->IsChanged() ? this->Shown.Packed() : nullptr, this->PlaceOfShown());
   }
 
   void Cast(const Casting& casting, const View& view, Picture& picture) override
@@ -271,13 +288,20 @@ private:
 
   /// Moves what is shown; if that cannot be done, nothing is. `casts`: whether it casts the
   /// shadows.
-  void Move(const Grid& grid, const float* base, const float* extinction, double share, bool casts)
+  void Move(
+    const ShownNodes& nodes, const float* base, const float* extinction, double share, bool casts)
   {
+    const Grid& grid = nodes.grid;
     try
     {
       const auto count = static_cast<std::size_t>(grid.NodeCount());
       float* opaque = this->Opaque.RoomFor(this->Device, count, "what casts the shadows");
       this->CoarseOpaque = {};
+      if (nodes.ofAll && !this->IsOfAll && !this->Shown.Empty())
+      {
+        this->GatherShown(grid);
+      }
+      this->IsOfAll = nodes.ofAll;
       this->Shown.MoveTo(
         grid, base, extinction, this->Functions.Majorant(), share, casts ? opaque : nullptr);
     }
@@ -286,6 +310,32 @@ private:
       this->ClearExtinction();
       throw;
     }
+  }
+
+  /// Goes on with what all ranks show of their pieces.
+  void GatherShown([[maybe_unused]] const Grid& grid)
+  {
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      const auto resample = [this](const Grid& part)
+      {
+        const auto numbers = this->Shown.On(part);
+        return std::vector<TwoPacked>(numbers.Data(), numbers.Data() + numbers.Size());
+      };
+      const std::vector<TwoPacked> ofAll = OverlayForAll(*this->Piece, this->Whole, grid, resample);
+      this->Shown.GoOnWith(grid, ofAll, this->Piece->ranks->AnyOf(this->Shown.Changed()));
+    }
+  }
+
+  OverlayPlace PlaceOfShown() const
+  {
+    const Int3& nodes = this->Shown.Nodes().nodes;
+    if (!this->IsOfAll)
+    {
+      return OverlayPlace::Over(this->Nodes.nodes, nodes);
+    }
+    const std::array<Range<int>, 3>& along = this->Piece->nodes.along;
+    return { nodes, this->Whole.nodes, { along[0].begin, along[1].begin, along[2].begin } };
   }
 
   /// Draws the part of the rays that is here, and shares the picture.
@@ -367,7 +417,10 @@ private:
   }
 
   /// Whether the shadows are on the nodes of the gradient.
-  bool ShadowsFitGradient() const { return this->Shown.Nodes().nodes == this->Nodes.nodes; }
+  bool ShadowsFitGradient() const
+  {
+    return !this->IsOfAll && this->Shown.Nodes().nodes == this->Nodes.nodes;
+  }
 
   /// Puts such shadows beside the gradient, so that a sample reads one field for both.
   void ShadowGradient(const Casting& casting)
@@ -395,7 +448,7 @@ private:
     scene.gradient = casting.lit ? this->Gradient.Data() : nullptr;
     if (!this->Shown.Empty())
     {
-      scene.PlaceOverlay(this->Shown.Nodes().nodes, this->Nodes.nodes);
+      scene.PlaceOverlay(this->PlaceOfShown(), this->Nodes.nodes);
       scene.addedUnit = this->Shown.Majorant() / scene.majorant;
       scene.overlay = this->Shown.Changed() ? this->Shown.Packed() : nullptr;
       const bool apart = casting.lit && this->Shown.Shadowed() && !this->ShadowsFitGradient();
@@ -461,6 +514,7 @@ private:
   bool GradientHasShadow = false; ///< that of the overlay
   Bricks<AnyDevice> Empty;
   ExtinctionOverlay<AnyDevice> Shown;
+  bool IsOfAll = false; ///< whether that is over the box of all ranks
   ShadowVolume<AnyDevice> Shadows;
   Field Opaque;       ///< casts the shadows, at the nodes of the extinction
   Field CoarseOpaque; ///< the same on a coarser grid; empty: not current, or not wanted

@@ -57,6 +57,7 @@ struct Renderer::Internals
   double shadowRayDensity = transmittanceRayDensity;
   int shadowCoarseness = 1;
   Grid extinctionGrid;
+  bool extinctionOfAll = false;      ///< whether that is over the box of all ranks
   bool usesTransferFunction = false; ///< as the extinction, when none was given
 
   bool hasImportance = false;
@@ -93,9 +94,11 @@ struct Renderer::Internals
   /// Without any extinction given, the transfer function's casts the shadows.
   void UseTransferFunction()
   {
-    this->extinctionGrid = CoarseGrid(this->grid, this->shadowCoarseness);
+    this->extinctionOfAll = this->isPiece && this->shadowCoarseness > 1;
+    this->extinctionGrid =
+      CoarseGrid(this->extinctionOfAll ? this->whole : this->grid, this->shadowCoarseness);
     this->usesTransferFunction = true;
-    this->backend->UseTransferFunction(this->extinctionGrid);
+    this->backend->UseTransferFunction({ this->extinctionGrid, this->extinctionOfAll });
   }
 
   void ForgetTransferFunction()
@@ -111,20 +114,23 @@ struct Renderer::Internals
   /// The grid of the shadows.
   Grid ShadowGrid() const
   {
-    return this->usesTransferFunction ? this->extinctionGrid
-                                      : CoarseGrid(this->extinctionGrid, this->shadowCoarseness);
+    const bool isPieces = this->isPiece && !this->extinctionOfAll;
+    return this->usesTransferFunction || isPieces
+      ? this->extinctionGrid
+      : CoarseGrid(this->extinctionGrid, this->shadowCoarseness);
   }
 
   bool HasScene() const { return this->hasScalars && this->grid.HasVolume() && this->hasFunctions; }
 
   /// Makes way for a given extinction. Returns whether there is one.
-  bool WillShow(const Grid& nodes, const float* base, const float* extinction, double share)
+  bool WillShow(const ShownNodes& nodes, const float* base, const float* extinction, double share)
   {
     ++this->changes;
     this->ForgetBricks();
     this->shadowIsCurrent = false;
     this->ForgetTransferFunction();
-    this->extinctionGrid = nodes;
+    this->extinctionGrid = nodes.grid;
+    this->extinctionOfAll = nodes.ofAll;
     if (!base || !extinction)
     {
       this->backend->ClearExtinction();
@@ -155,7 +161,7 @@ struct Renderer::Internals
     if (wanted)
     {
       const Grid nodes = this->ShadowGrid();
-      const Grid& lit = this->isPiece ? this->whole : nodes;
+      const Grid& lit = this->isPiece && !this->extinctionOfAll ? this->whole : nodes;
       this->backend->CastShadows(
         nodes, SourceOfLight(this->lighting.light, lit), this->shadowRayDensity);
     }
@@ -172,7 +178,7 @@ struct Renderer::Internals
   {
     if (!this->backend->HasNoExtinction())
     {
-      RequireSameBox(this->grid, this->extinctionGrid);
+      RequireSameBox(this->extinctionOfAll ? this->whole : this->grid, this->extinctionGrid);
     }
     if (this->lighting.enabled)
     {
@@ -241,6 +247,12 @@ void Renderer::SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> pie
   LIMPID_REQUIRE(!piece || !state.backend->IsDevice(),
     "Ranks share the picture, and a GPU draws (ranks draw with processors so far). Use the backend "
     "Auto or CPU.");
+  if (!piece && state.extinctionOfAll)
+  {
+    state.backend->ClearExtinction();
+    state.extinctionOfAll = false;
+    state.shadowIsCurrent = false;
+  }
   state.whole = whole;
   state.isPiece = piece != nullptr;
   state.backend->SetPiece(whole, std::move(piece));
@@ -315,9 +327,20 @@ void Renderer::ComposeBy(Compositing compositing)
 void Renderer::SetExtinction(const Grid& grid, const float* base, const float* extinction,
   double share, const float* lightExtinction)
 {
-  if (this->State->WillShow(grid, base, extinction, share))
+  const ShownNodes nodes{ grid };
+  if (this->State->WillShow(nodes, base, extinction, share))
   {
-    this->State->backend->SetExtinction(grid, base, extinction, share, lightExtinction);
+    this->State->backend->SetExtinction(nodes, base, extinction, share, lightExtinction);
+  }
+}
+
+void Renderer::SetExtinctionOfAll(const Grid& grid, const float* base, const float* extinction,
+  double share, const float* lightExtinction)
+{
+  const ShownNodes nodes{ grid, this->State->isPiece };
+  if (this->State->WillShow(nodes, base, extinction, share))
+  {
+    this->State->backend->SetExtinction(nodes, base, extinction, share, lightExtinction);
   }
 }
 
@@ -329,7 +352,7 @@ bool Renderer::DrawsOnDevice() const
 void Renderer::ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
   const float* lightExtinction)
 {
-  if (this->State->WillShow(grid, base, extinction, share))
+  if (this->State->WillShow({ grid }, base, extinction, share))
   {
     this->State->backend->ShowThere(grid, base, extinction, share, lightExtinction);
   }
@@ -364,7 +387,6 @@ void Renderer::SetShadowCoarseness(int factor)
     "The coarseness of shadows is " << factor
                                     << " (times the distance of the nodes). Set 1 or more.");
   Internals& state = *this->State;
-  factor = state.isPiece ? 1 : factor;
   if (factor != state.shadowCoarseness)
   {
     state.ForgetTransferFunction();

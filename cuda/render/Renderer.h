@@ -126,8 +126,8 @@ public:
    * rest of a cell, and one for gradients. To be called before the scalars.
    *
    * All ranks have to make the same calls with the same values, but for fields; pictures have the
-   * pixels in which this rank's part is foremost. Shadows are as fine as the extinction, and there
-   * is no importance and no other compositing than front to back.
+   * pixels in which this rank's part is foremost. Shadows of a piece's extinction are as fine as
+   * that, and there is no importance and no other compositing than front to back.
    */
   void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece);
 
@@ -149,6 +149,11 @@ public:
    */
   void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share = 1,
     const float* lightExtinction = nullptr);
+
+  /// The same where ranks draw together, on a grid over the box of all, of which every rank has
+  /// all: for pictures that move, in which nobody has to wait for others.
+  void SetExtinctionOfAll(const Grid& grid, const float* base, const float* extinction,
+    double share = 1, const float* lightExtinction = nullptr);
 
   /// Whether a device with a memory of its own draws.
   bool DrawsOnDevice() const;
@@ -176,7 +181,8 @@ public:
   void SetShadowRayDensity(double density);
 
   /// Shadows are computed on a grid with nodes so many times farther apart along each axis than
-  /// the extinction's, for pictures that move. Default 1.
+  /// the extinction's, for pictures that move; where ranks show the transfer function's, on one
+  /// over the box of all, of which every rank has all. Default 1.
   void SetShadowCoarseness(int factor);
 
   /// Computes the shadows now if the next picture would, and waits until they are there. Returns
