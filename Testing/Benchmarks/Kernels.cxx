@@ -11,7 +11,7 @@
 
 #include "backend/Backend.h"
 #include "backend/Simd.h"
-#include "optimize/Policy.h"
+#include "optimize/PolicySweep.h"
 #include "optimize/PreparedScene.h"
 
 #include <benchmark/benchmark.h>

@@ -6,7 +6,7 @@
 #include "BoxScene.h"
 #include "Tolerance.h"
 
-#include "optimize/Policy.h"
+#include "optimize/PolicySweep.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Terms.h"
 

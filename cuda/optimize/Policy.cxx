@@ -7,9 +7,9 @@
 
 #include "optimize/FieldsOfRanks.h"
 #include "optimize/Iterate.h"
+#include "optimize/PolicySweep.h"
 #include "optimize/ProximalDescent.h"
 #include "optimize/Smoothing.h"
-#include "sweep/Sweeps.h"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +18,6 @@ namespace limpid
 {
 namespace
 {
-/// Without regularisation the optimum is bang-bang, which a large but finite gain gives, too.
-double RegularizationOf(const Problem& problem)
-{
-  return std::max(problem.RegularizationWeight(), 1e-30);
-}
-
 /// Whether it can cost more to clear a way through the volume than it can show: where the majorant
 /// is cleared all along the diameter, p (R majorant)^2 in normalised coordinates, against a V of 1.
 bool CanCostMoreThanItShows(const Problem& problem, double weight)
@@ -43,59 +37,6 @@ double FirstProximity(const Problem& problem)
   const Weights& weights = problem.settings.weights;
   const double weight = weights.view > 0 ? weights.view : weights.light;
   return std::max(1.0, wholeRange * weight / problem.majorant / RegularizationOf(problem) - 1);
-}
-
-template <class AnyDevice>
-PolicyKernel<const float*, float*> KernelOf(
-  const Problem& problem, const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep)
-{
-  const double own = RegularizationOf(problem);
-  const double coherence = sweep.previous ? problem.CoherenceWeight() : 0.0;
-  const double proximity = own * sweep.proximity;
-  const double p = own + proximity + coherence + sweep.smoothing;
-  const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
-  return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
-    sweep.previous, sweep.lagged, sweep.next, sweep.alternative,
-    { gainOf(sweep.weight), gainOf(1.0), static_cast<float>(proximity / p),
-      static_cast<float>(coherence / p), BoundsOf(problem) },
-    sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept,
-    0.5f / gainOf(sweep.weight) };
-}
-
-/// Sweeps one frustum. The processor adds what has `moved` while that is at hand; null: nobody
-/// asks.
-template <class AnyDevice>
-void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
-  [[maybe_unused]] const Occupancy& occupancy, const PolicyKernel<const float*, float*>& kernel,
-  [[maybe_unused]] ExactDifferences* moved)
-{
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    std::vector<ExactDifferences> rows(
-      moved ? std::size_t(rays.Plan().nodesV) : 0); // of all slices
-    SweepBackwardByPhases(device, rays, occupancy, kernel,
-      [&rows, &kernel, moved](const auto& voxels, const auto& windows, int v)
-      {
-        if (moved)
-        {
-          const Range<int>& filled = voxels.Filled();
-          const float* next = voxels.Row(windows.next) + filled.begin;
-          const auto squaresFrom = [&](const auto& field)
-          { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
-          rows[std::size_t(v)].Add({ squaresFrom(windows.base),
-            SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()),
-            kernel.previous ? squaresFrom(windows.previous) : 0.0 });
-        }
-      });
-    for (std::size_t v = 0; moved && v < rows.size(); ++v)
-    {
-      *moved += rows[v];
-    }
-  }
-  else
-  {
-    SweepBackwardByPhases(device, rays, kernel);
-  }
 }
 
 template <class AnyDevice>
@@ -530,54 +471,6 @@ private:
 }
 
 template <class AnyDevice>
-void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved)
-{
-  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
-  const std::size_t frusta = term.Frusta().size();
-  for (FrustumRays<AnyDevice>& rays : term.Frusta())
-  {
-    if (sweep.alternative && sweep.reach == Reach::Unlimited)
-    {
-      device.ForIndices("start rays", rays.Plan().RayCount(), StartReach{ rays.States() });
-    }
-    SweepFrustum(device, rays, term.Occupied(), kernel, &moved);
-    rays.KeepCollected();
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (sweep.ranks)
-      {
-        sweep.ranks->ShareFrustum(
-          sweep.next, &term.Frusta(), std::size_t(&rays - term.Frusta().data()));
-      }
-    }
-  }
-  for (std::size_t index = 0; index < frusta; ++index)
-  {
-    if (sweep.alternative || !MetNextIterate(index, frusta, problem.settings.derivative))
-    {
-      term.ForwardAt(index,
-        { sweep.next, fields.importance.Data(), fields.nodeImportance.Data(),
-          sweep.kept == Kept::Counted ? fields.base.Data() : nullptr });
-    }
-  }
-}
-
-template <class AnyDevice>
-void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const float* previous, double weight, float* next)
-{
-  PolicySweep sweep{ fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne,
-    Kept::Ignored };
-  sweep.previous = previous;
-  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
-  for (FrustumRays<AnyDevice>& rays : term.Frusta())
-  {
-    SweepFrustum(device, rays, term.Occupied(), kernel, nullptr);
-  }
-}
-
-template <class AnyDevice>
 std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
   const Problem& problem, const StartingExtinction& start, bool warm)
 {
@@ -585,10 +478,6 @@ std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
 }
 
 #define LIMPID_INSTANTIATE_POLICY(AnyDevice)                                                       \
-  template void SweepPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,                \
-    const ProblemFields<AnyDevice>&, const PolicySweep&, ExactDifferences&);                       \
-  template void SweepFirstPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,           \
-    const ProblemFields<AnyDevice>&, const float*, double, float*);                                \
   template std::unique_ptr<Minimizer> MakePolicy(                                                  \
     const std::shared_ptr<AnyDevice>&, const Problem&, const StartingExtinction&, bool);
 LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE_POLICY)

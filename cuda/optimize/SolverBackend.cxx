@@ -10,6 +10,7 @@
 #include "optimize/ClosedForm.h"
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"
+#include "optimize/PolicySweep.h"
 #include "optimize/Ranked.h"
 
 #include <optional>

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Compiled twice, see CompiledDevice.h.
+
+#include "optimize/PolicySweep.h"
+
+#include "sweep/Sweeps.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace limpid
+{
+namespace
+{
+template <class AnyDevice>
+PolicyKernel<const float*, float*> KernelOf(
+  const Problem& problem, const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep)
+{
+  const double own = RegularizationOf(problem);
+  const double coherence = sweep.previous ? problem.CoherenceWeight() : 0.0;
+  const double proximity = own * sweep.proximity;
+  const double p = own + proximity + coherence + sweep.smoothing;
+  const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
+  return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
+    sweep.previous, sweep.lagged, sweep.next, sweep.alternative,
+    { gainOf(sweep.weight), gainOf(1.0), static_cast<float>(proximity / p),
+      static_cast<float>(coherence / p), BoundsOf(problem) },
+    sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept,
+    0.5f / gainOf(sweep.weight) };
+}
+
+/// Sweeps one frustum. The processor adds what has `moved` while that is at hand; null: nobody
+/// asks.
+template <class AnyDevice>
+void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
+  [[maybe_unused]] const Occupancy& occupancy, const PolicyKernel<const float*, float*>& kernel,
+  [[maybe_unused]] ExactDifferences* moved)
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    std::vector<ExactDifferences> rows(
+      moved ? std::size_t(rays.Plan().nodesV) : 0); // of all slices
+    SweepBackwardByPhases(device, rays, occupancy, kernel,
+      [&rows, &kernel, moved](const auto& voxels, const auto& windows, int v)
+      {
+        if (moved)
+        {
+          const Range<int>& filled = voxels.Filled();
+          const float* next = voxels.Row(windows.next) + filled.begin;
+          const auto squaresFrom = [&](const auto& field)
+          { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
+          rows[std::size_t(v)].Add({ squaresFrom(windows.base),
+            SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()),
+            kernel.previous ? squaresFrom(windows.previous) : 0.0 });
+        }
+      });
+    for (std::size_t v = 0; moved && v < rows.size(); ++v)
+    {
+      *moved += rows[v];
+    }
+  }
+  else
+  {
+    SweepBackwardByPhases(device, rays, kernel);
+  }
+}
+}
+
+template <class AnyDevice>
+void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
+  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved)
+{
+  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
+  const std::size_t frusta = term.Frusta().size();
+  for (FrustumRays<AnyDevice>& rays : term.Frusta())
+  {
+    if (sweep.alternative && sweep.reach == Reach::Unlimited)
+    {
+      device.ForIndices("start rays", rays.Plan().RayCount(), StartReach{ rays.States() });
+    }
+    SweepFrustum(device, rays, term.Occupied(), kernel, &moved);
+    rays.KeepCollected();
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (sweep.ranks)
+      {
+        sweep.ranks->ShareFrustum(
+          sweep.next, &term.Frusta(), std::size_t(&rays - term.Frusta().data()));
+      }
+    }
+  }
+  for (std::size_t index = 0; index < frusta; ++index)
+  {
+    if (sweep.alternative || !MetNextIterate(index, frusta, problem.settings.derivative))
+    {
+      term.ForwardAt(index,
+        { sweep.next, fields.importance.Data(), fields.nodeImportance.Data(),
+          sweep.kept == Kept::Counted ? fields.base.Data() : nullptr });
+    }
+  }
+}
+
+template <class AnyDevice>
+void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
+  const ProblemFields<AnyDevice>& fields, const float* previous, double weight, float* next)
+{
+  PolicySweep sweep{ fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne,
+    Kept::Ignored };
+  sweep.previous = previous;
+  const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
+  for (FrustumRays<AnyDevice>& rays : term.Frusta())
+  {
+    SweepFrustum(device, rays, term.Occupied(), kernel, nullptr);
+  }
+}
+
+#define LIMPID_INSTANTIATE_POLICY_SWEEPS(AnyDevice)                                                \
+  template void SweepPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,                \
+    const ProblemFields<AnyDevice>&, const PolicySweep&, ExactDifferences&);                       \
+  template void SweepFirstPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,           \
+    const ProblemFields<AnyDevice>&, const float*, double, float*);
+LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE_POLICY_SWEEPS)
+}
