@@ -121,12 +121,6 @@ void PictureQuad::Draw(
   this->Draw(renderer, picture, frame, depth, noMask, true);
 }
 
-void PictureQuad::DrawPart(
-  vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth)
-{
-  this->Draw(renderer, picture, frame, depth, noMask, false);
-}
-
 void PictureQuad::DrawMask(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
   double depth, const float color[3], double threshold)
 {

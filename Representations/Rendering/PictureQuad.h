@@ -51,10 +51,6 @@ public:
   /// Throws when the window has no OpenGL.
   void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth);
 
-  /// Likewise, but never interpolated: of a picture that has pixels which others draw.
-  void DrawPart(
-    vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth);
-
   /// Likewise, the one of two pictures that each pixel's own depth asks for, or what is between
   /// them: a line or an edge is as fine as the view then, and leaves nothing beside it.
   void DrawBetween(vtkRenderer* renderer, const PicturesBetween& pictures,

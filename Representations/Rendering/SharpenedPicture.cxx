@@ -3,11 +3,12 @@
 
 #include "SharpenedPicture.h"
 
+#include "EnlargedPicture.h"
+
 #include "backend/Backend.h"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace limpid
 {
@@ -17,30 +18,6 @@ namespace
 constexpr double LeastShare = 1.0 / 32;
 constexpr double SmallestStep = 1.0 / 16;
 constexpr double LargestStep = 1.0 / 4;
-
-// Where a pixel of the sharp picture lies between two of the coarse one.
-struct Between
-{
-  int first;
-  int second;
-  float fraction;
-};
-
-std::vector<Between> PlacesOf(
-  std::size_t axis, const PictureFrame& sharp, const PictureFrame& coarse)
-{
-  std::vector<Between> places;
-  const double shrink = double(coarse.whole[axis]) / sharp.whole[axis];
-  const int last = coarse.size[axis] - 1;
-  for (int pixel = 0; pixel < sharp.size[axis]; ++pixel)
-  {
-    const double middle = (sharp.origin[axis] + pixel + 0.5) * shrink;
-    const double place = std::clamp(middle - coarse.origin[axis] - 0.5, 0.0, double(last));
-    const int first = static_cast<int>(place);
-    places.push_back({ first, std::min(first + 1, last), static_cast<float>(place - first) });
-  }
-  return places;
-}
 }
 
 void SharpenedPicture::Begin(
@@ -65,37 +42,26 @@ const Picture& SharpenedPicture::Advance(const Picture& sharp, const PictureFram
     this->Clear();
     return sharp;
   }
-  const std::vector<Between> columns = PlacesOf(0, frame, this->CoarseFrame);
-  const std::vector<Between> rows = PlacesOf(1, frame, this->CoarseFrame);
-  this->Shown.width = sharp.width;
-  this->Shown.height = sharp.height;
-  this->Shown.rgba.resize(sharp.rgba.size());
+  const EnlargedPicture enlarged(this->Coarse, this->CoarseFrame, frame);
+  this->Shown = sharp;
   const auto coarseShare = static_cast<float>(this->Remaining);
   ParallelFor(sharp.height, 16,
     [&](Index row)
     {
-      const Between& y = rows[std::size_t(row)];
-      const std::size_t width = 4 * std::size_t(this->Coarse.width);
-      const std::uint8_t* below = this->Coarse.rgba.data() + width * std::size_t(y.first);
-      const std::uint8_t* above = this->Coarse.rgba.data() + width * std::size_t(y.second);
-      const std::size_t first = 4 * std::size_t(row) * std::size_t(sharp.width);
-      for (std::size_t pixel = 0; pixel < columns.size(); ++pixel)
+      const auto y = static_cast<int>(row);
+      for (int x = 0; x < sharp.width; ++x)
       {
-        const Between& x = columns[pixel];
+        const std::size_t pixel = std::size_t(row) * std::size_t(sharp.width) + std::size_t(x);
         for (std::size_t channel = 0; channel < 4; ++channel)
         {
-          const auto along = [&](const std::uint8_t* values)
-          {
-            const float left = values[4 * std::size_t(x.first) + channel];
-            const float right = values[4 * std::size_t(x.second) + channel];
-            return left + x.fraction * (right - left);
-          };
-          const float low = along(below);
-          const float coarse = low + y.fraction * (along(above) - low);
-          const std::size_t at = first + 4 * pixel + channel;
-          const float fine = sharp.rgba[at];
-          this->Shown.rgba[at] =
-            static_cast<std::uint8_t>(fine + coarseShare * (coarse - fine) + 0.5f);
+          std::uint8_t& shown = this->Shown.rgba[4 * pixel + channel];
+          const float fine = shown;
+          shown = static_cast<std::uint8_t>(
+            fine + coarseShare * (enlarged.At(x, y, channel) - fine) + 0.5f);
+        }
+        if (!sharp.foremost.empty() && sharp.foremost[pixel] < 0)
+        {
+          this->Shown.foremost[pixel] = enlarged.ForemostAt(x, y);
         }
       }
     });

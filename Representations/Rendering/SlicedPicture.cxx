@@ -3,7 +3,6 @@
 
 #include "SlicedPicture.h"
 
-#include "Frame.h"
 #include "OpaqueDepth.h"
 
 #include <algorithm>
@@ -21,34 +20,37 @@ bool AreSame(const View& a, const View& b)
 }
 }
 
-void SlicedPicture::Begin(
-  const View& view, std::vector<float> depth, std::uint64_t changes, int numberOfSlices)
+bool SlicedPicture::Shows(const Wanted& wanted) const
 {
-  if (AreSame(view, this->Rays) && depth == this->Depth && changes == this->Changes)
-  {
-    return;
-  }
-  this->Rays = view;
-  this->Depth = std::move(depth);
-  this->Changes = changes;
+  return AreSame(wanted.view, this->Goal.view) && wanted.depth == this->Goal.depth &&
+    wanted.changes == this->Goal.changes;
+}
+
+void SlicedPicture::Begin(Wanted wanted, int numberOfSlices)
+{
+  this->Goal = std::move(wanted);
+  const View& view = this->Goal.view;
   this->RowsOfSlice = std::max(1, (view.height + numberOfSlices - 1) / numberOfSlices);
   this->Rows = 0;
   this->Made.width = view.width;
   this->Made.height = view.height;
-  this->Made.rgba.assign(4 * this->Depth.size(), 0);
+  this->Made.rgba.assign(4 * this->Goal.depth.size(), 0);
+  this->Made.foremost.clear();
 }
 
-bool SlicedPicture::Advance(double seconds, const Cast& cast)
+bool SlicedPicture::Advance(const std::function<bool()>& isOutOfTime, const Cast& cast)
 {
-  const auto start = FrameClock::SteadyClock::now();
-  while (this->Rows < this->Rays.height)
+  const View& rays = this->Goal.view;
+  bool goOn = true;
+  while (goOn && this->Rows < rays.height)
   {
-    const int end = std::min(this->Rows + this->RowsOfSlice, this->Rays.height);
-    const auto first = std::ptrdiff_t(this->Rows) * this->Rays.width;
-    const auto last = std::ptrdiff_t(end) * this->Rays.width;
-    std::vector<float> depth(this->Depth.size(), noRay);
-    std::copy(this->Depth.begin() + first, this->Depth.begin() + last, depth.begin() + first);
-    View view = this->Rays;
+    const int end = std::min(this->Rows + this->RowsOfSlice, rays.height);
+    const auto first = std::ptrdiff_t(this->Rows) * rays.width;
+    const auto last = std::ptrdiff_t(end) * rays.width;
+    std::vector<float> depth(this->Goal.depth.size(), noRay);
+    std::copy(
+      this->Goal.depth.begin() + first, this->Goal.depth.begin() + last, depth.begin() + first);
+    View view = rays;
     view.depth = depth.data();
     const Picture* slice = cast(view);
     if (!slice)
@@ -57,11 +59,14 @@ bool SlicedPicture::Advance(double seconds, const Cast& cast)
     }
     std::copy(slice->rgba.begin() + 4 * first, slice->rgba.begin() + 4 * last,
       this->Made.rgba.begin() + 4 * first);
-    this->Rows = end;
-    if (FrameClock::SecondsSince(start) > seconds)
+    if (!slice->foremost.empty())
     {
-      break;
+      this->Made.foremost.resize(slice->foremost.size(), -1);
+      std::copy(slice->foremost.begin() + first, slice->foremost.begin() + last,
+        this->Made.foremost.begin() + first);
     }
+    this->Rows = end;
+    goOn = !isOutOfTime();
   }
   return true;
 }

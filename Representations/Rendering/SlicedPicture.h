@@ -22,25 +22,33 @@ public:
   /// Makes a picture with the rays of a view. Returns null where that was aborted.
   using Cast = std::function<const Picture*(const View&)>;
 
-  /**
-   * What the picture is to show: a view, where its rays end in clip coordinates, and the state of
-   * what casts them (Renderer::Changes). If that is not what it has shown until now, it begins
-   * anew, in so many slices.
-   */
-  void Begin(const View& view, std::vector<float> depth, std::uint64_t changes, int numberOfSlices);
+  /// What the picture is to show.
+  struct Wanted
+  {
+    View view;
+    std::vector<float> depth;  ///< where its rays end, in clip coordinates
+    std::uint64_t changes = 0; ///< state of what casts them, see Renderer::Changes
+  };
 
-  /// Makes slices for so many seconds, at least one, if any is left. Returns whether none was
+  /// Whether it has shown that until now.
+  bool Shows(const Wanted& wanted) const;
+
+  /// It begins anew, in so many slices.
+  void Begin(Wanted wanted, int numberOfSlices);
+
+  /// Makes slices as long as there is time, at least one, if any is left. Returns whether none was
   /// aborted.
-  bool Advance(double seconds, const Cast& cast);
+  bool Advance(const std::function<bool()>& isOutOfTime, const Cast& cast);
 
-  bool IsComplete() const { return this->Rays.height > 0 && this->Rows == this->Rays.height; }
+  bool IsComplete() const
+  {
+    return this->Goal.view.height > 0 && this->Rows == this->Goal.view.height;
+  }
   const Picture& Whole() const { return this->Made; }
   void Clear();
 
 private:
-  View Rays;
-  std::vector<float> Depth;
-  std::uint64_t Changes = 0;
+  Wanted Goal;
   int RowsOfSlice = 1;
   int Rows = 0; ///< that are made
   Picture Made;

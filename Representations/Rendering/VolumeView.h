@@ -95,7 +95,9 @@ private:
   bool MakePicture(const View& view);
   bool DrawWhole(const FrameSettings& frame);
   bool DrawInSlices(const FrameSettings& frame);
-  void DrawShared(const FrameSettings& frame);
+  OpaqueDepth OpaqueOf(const FrameSettings& frame) const;
+  void Show(const FrameSettings& frame, const OpaqueDepth& opaque);
+  void ShowShared(const Communicator& ranks, const OpaqueDepth& opaque);
   bool DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges);
   void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();

@@ -5,6 +5,7 @@
 
 #include "VolumeView.h"
 
+#include "EnlargedPicture.h"
 #include "OpaqueDepth.h"
 
 #include "vtkRenderWindow.h"
@@ -12,6 +13,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
+#include "backend/Backend.h"
 #include "backend/Interruption.h"
 
 #include <algorithm>
@@ -119,11 +121,7 @@ FrameResult VolumeView::Draw(
       // The pictures of two eyes would begin each other anew.
       const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
       const bool inSlices = frame.still && frame.stepwise && !this->GoesOn && !stereo;
-      if (frame.ranks)
-      {
-        this->DrawShared(frame);
-      }
-      else if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole(frame)))
+      if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole(frame)))
       {
         this->LastResult.converged = false;
       }
@@ -131,14 +129,26 @@ FrameResult VolumeView::Draw(
   return this->LastResult;
 }
 
+OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame) const
+{
+  OpaqueDepth opaque(this->Target, *this->Geometry);
+  if (frame.ranks)
+  {
+    // A process may have opaque geometry that hides the parts of others.
+    opaque.TakeNearestOf(*frame.ranks);
+  }
+  return opaque;
+}
+
 // Returns whether it was not aborted.
 bool VolumeView::DrawWhole(const FrameSettings& frame)
 {
   const ViewGeometry& geometry = *this->Geometry;
-  const OpaqueDepth opaque(this->Target, geometry);
+  const OpaqueDepth opaque = this->OpaqueOf(frame);
   const bool coarse = this->Frame.whole != geometry.size;
-  const std::vector<DepthRange> ranges =
-    coarse && !opaque.IsEmpty() ? opaque.RangesOf(this->Frame) : std::vector<DepthRange>();
+  const std::vector<DepthRange> ranges = coarse && !opaque.IsEmpty() && !frame.ranks
+    ? opaque.RangesOf(this->Frame)
+    : std::vector<DepthRange>();
   if (!ranges.empty())
   {
     this->Sharpening.Clear(); // these are two pictures
@@ -153,7 +163,7 @@ bool VolumeView::DrawWhole(const FrameSettings& frame)
     return false;
   }
   this->Image = std::move(this->Part);
-  this->Quad.Draw(this->Target, this->Image, this->Frame, geometry.nearest);
+  this->Show(frame, opaque);
   if (frame.stepwise || !frame.still)
   {
     this->Sharpening.Begin(this->Image, this->Frame, geometry);
@@ -197,40 +207,46 @@ bool HasSeveralVolumes(vtkRenderer* renderer)
 }
 }
 
-// With the pixels of this process. A process may have opaque geometry that hides the parts of
-// others.
-void VolumeView::DrawShared(const FrameSettings& frame)
+// Brings the frame's picture into the view.
+void VolumeView::Show(const FrameSettings& frame, const OpaqueDepth& opaque)
 {
-  OpaqueDepth opaque(this->Target, *this->Geometry);
-  opaque.TakeNearestOf(*frame.ranks);
-  const std::vector<float> depth =
-    opaque.IsEmpty() ? std::vector<float>() : opaque.InMiddles(this->Frame);
-  View view = this->Rays;
-  view.depth = depth.empty() ? nullptr : depth.data();
-  this->MakePicture(view);
-  this->Image = std::move(this->Part);
+  frame.ranks ? this->ShowShared(*frame.ranks, opaque)
+              : this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
+}
+
+// Those pixels in which this process's part is foremost.
+void VolumeView::ShowShared(const Communicator& ranks, const OpaqueDepth& opaque)
+{
+  const PictureFrame view = FrameOf(*this->Geometry, 1);
+  Picture own = this->Frame.whole == view.whole
+    ? this->Image
+    : EnlargedPicture(this->Image, this->Frame, view).Whole();
   const bool several = HasSeveralVolumes(this->Target);
-  const bool coarse = this->Frame.whole != this->Geometry->size;
-  constexpr float end = 1; // of the clipping range
-  for (int row = 0; row < this->Image.height; ++row)
-  {
-    for (int column = 0; column < this->Image.width; ++column)
+  const int rank = ranks.Rank();
+  constexpr Index rowsPerTask = 16;
+  ParallelFor(own.height, rowsPerTask,
+    [&](Index row)
     {
-      const std::size_t at =
-        std::size_t(row) * std::size_t(this->Image.width) + std::size_t(column);
-      std::uint8_t* pixel = &this->Image.rgba[4 * at];
-      const std::uint8_t* behind = opaque.ColorAt(this->Frame, column, row);
-      if (behind && pixel[3] > 0)
+      for (int column = 0; column < own.width; ++column)
       {
-        BlendOver(behind, pixel);
+        const std::size_t at = std::size_t(row) * std::size_t(own.width) + std::size_t(column);
+        std::uint8_t* pixel = &own.rgba[4 * at];
+        const std::uint8_t* behind = opaque.ColorAt(view, column, static_cast<int>(row));
+        if (own.foremost[at] != rank)
+        {
+          std::fill_n(pixel, 4, std::uint8_t(0));
+        }
+        else if (behind && pixel[3] > 0)
+        {
+          BlendOver(behind, pixel);
+        }
+        else if (several)
+        {
+          HideAsMuchAsIsAdded(pixel);
+        }
       }
-      else if (several || (coarse && view.depth && view.depth[at] < end))
-      {
-        HideAsMuchAsIsAdded(pixel);
-      }
-    }
-  }
-  this->Quad.DrawPart(this->Target, this->Image, this->Frame, this->Geometry->nearest);
+    });
+  this->Quad.Draw(this->Target, own, view, this->Geometry->nearest);
 }
 
 // As long as the picture is not complete, there is one as in motion. Returns whether nothing was
@@ -238,16 +254,22 @@ void VolumeView::DrawShared(const FrameSettings& frame)
 bool VolumeView::DrawInSlices(const FrameSettings& frame)
 {
   const ViewGeometry geometry = *this->Geometry;
-  const OpaqueDepth opaque(this->Target, geometry);
-  const double seconds = SliceShare * frame.frameTime;
+  const OpaqueDepth opaque = this->OpaqueOf(frame);
   const double rays = double(this->Rays.width) * this->Rays.height;
-  const double slices = std::ceil(this->Budget.SecondsOf(rays) / seconds);
   constexpr float end = 1; // of the clipping range
-  this->Fine.Begin(this->Rays,
+  SlicedPicture::Wanted wanted{ this->Rays,
     opaque.IsEmpty() ? std::vector<float>(std::size_t(rays), end) : opaque.InMiddles(this->Frame),
-    this->Caster.Changes(), static_cast<int>(std::clamp(slices, 1.0, MostSlices)));
-  const bool aborted = !this->Fine.Advance(
-    seconds, [this](const View& view) { return this->MakePicture(view) ? &this->Part : nullptr; });
+    this->Caster.Changes() };
+  const double seconds = SliceShare * frame.frameTime;
+  if (frame.AnyRank(!this->Fine.Shows(wanted)))
+  {
+    const double slices = std::ceil(frame.Largest(this->Budget.SecondsOf(rays)) / seconds);
+    this->Fine.Begin(std::move(wanted), static_cast<int>(std::clamp(slices, 1.0, MostSlices)));
+  }
+  const auto start = FrameClock::SteadyClock::now();
+  const bool aborted =
+    !this->Fine.Advance([&]() { return frame.AnyRank(FrameClock::SecondsSince(start) > seconds); },
+      [this](const View& view) { return this->MakePicture(view) ? &this->Part : nullptr; });
   this->CastSeconds = 0; // not of a whole picture
   if (aborted)
   {
@@ -256,8 +278,8 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame)
   if (this->Fine.IsComplete())
   {
     this->Image = this->Sharpening.Advance(this->Fine.Whole(), this->Frame, geometry,
-      this->Clock.SecondsSinceLast(), SharpeningShare * frame.easeTime);
-    this->Quad.Draw(this->Target, this->Image, this->Frame, geometry.nearest);
+      frame.Largest(this->Clock.SecondsSinceLast()), SharpeningShare * frame.easeTime);
+    this->Show(frame, opaque);
     this->GoesOn = !this->Sharpening.IsOver();
     this->LastResult.converged = this->LastResult.converged && !this->GoesOn;
     return true;

@@ -174,50 +174,24 @@ void MakeMovie(Renderer& renderer, const Drawn& drawn, const Drawn& all, const L
   move(3, 0.5);
 }
 
-/// Adds up the pictures of ranks, which have different pixels.
-class Together
+/// `ranks`: how many have made the picture.
+void ExpectSame(const Picture& expected, const Picture& picture, int ranks)
 {
-public:
-  /// Of a rank.
-  void Add(std::size_t number, const Picture& picture)
+  ASSERT_EQ(picture.rgba.size(), expected.rgba.size());
+  ASSERT_EQ(picture.foremost.size(), expected.rgba.size() / 4);
+  int farthest = 0;
+  for (std::size_t i = 0; i < expected.rgba.size(); ++i)
   {
-    const std::lock_guard<std::mutex> lock(this->Access);
-    this->Sums.resize(std::max(this->Sums.size(), number + 1));
-    this->DrawnBy.resize(this->Sums.size());
-    std::vector<int>& sum = this->Sums[number];
-    std::vector<int>& by = this->DrawnBy[number];
-    sum.resize(picture.rgba.size());
-    by.resize(sum.size() / 4);
-    for (std::size_t i = 0; i < sum.size(); ++i)
-    {
-      sum[i] += picture.rgba[i];
-      by[i / 4] += i % 4 == 3 && picture.rgba[i] > 0 ? 1 : 0;
-    }
+    farthest = std::max(farthest, std::abs(int(picture.rgba[i]) - int(expected.rgba[i])));
   }
-
-  void ExpectSame(const std::vector<Picture>& expected) const
+  EXPECT_LE(farthest, 1); // of 255: one rounding, and rays that end where they are opaque
+  for (std::size_t pixel = 0; pixel < picture.foremost.size(); ++pixel)
   {
-    ASSERT_EQ(this->Sums.size(), expected.size());
-    for (std::size_t number = 0; number < expected.size(); ++number)
-    {
-      SCOPED_TRACE(::testing::Message() << "picture " << number);
-      int farthest = 0;
-      for (std::size_t i = 0; i < expected[number].rgba.size(); ++i)
-      {
-        farthest =
-          std::max(farthest, std::abs(this->Sums[number][i] - int(expected[number].rgba[i])));
-      }
-      EXPECT_LE(farthest, 1); // of 255: one rounding, and rays that end where they are opaque
-      const std::vector<int>& by = this->DrawnBy[number];
-      EXPECT_LE(*std::max_element(by.begin(), by.end()), 1);
-    }
+    const std::int32_t foremost = picture.foremost[pixel];
+    ASSERT_LT(foremost, ranks);
+    ASSERT_GE(foremost, picture.rgba[4 * pixel + 3] > 0 ? 0 : -1);
   }
-
-private:
-  std::mutex Access;
-  std::vector<std::vector<int>> Sums;    ///< [picture][number]
-  std::vector<std::vector<int>> DrawnBy; ///< [picture][pixel]: number of ranks
-};
+}
 
 /// Makes pictures of what is there of a scene.
 using Make = std::function<void(Renderer&, const Drawn& here, const TakePicture&)>;
@@ -243,7 +217,8 @@ void ExpectSameOnRanks(const Drawn& whole, const Make& make)
         continue;
       }
       const Pieces pieces = Slabs(whole.grid.nodes, ranks % 3, ranks, empty);
-      Together together;
+      std::mutex access;
+      std::vector<std::vector<std::int32_t>> foremost(expected.size()); // of all ranks alike
       ThreadRanks::Run(ranks,
         [&](const std::shared_ptr<const Communicator>& all)
         {
@@ -256,9 +231,19 @@ void ExpectSameOnRanks(const Drawn& whole, const Make& make)
           Renderer renderer;
           renderer.SetPiece(whole.grid, piece);
           std::size_t number = 0;
-          make(renderer, here, [&](const Picture& picture) { together.Add(number++, picture); });
+          make(renderer, here,
+            [&](const Picture& picture)
+            {
+              const std::lock_guard<std::mutex> lock(access);
+              SCOPED_TRACE(::testing::Message() << "picture " << number);
+              ASSERT_LT(number, expected.size());
+              ExpectSame(expected[number], picture, ranks);
+              std::vector<std::int32_t>& of = foremost[number++];
+              of = of.empty() ? picture.foremost : of;
+              EXPECT_EQ(of, picture.foremost);
+            });
+          EXPECT_EQ(number, expected.size());
         });
-      together.ExpectSame(expected);
     }
   }
 }

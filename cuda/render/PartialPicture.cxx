@@ -5,8 +5,11 @@
 
 #include "backend/Backend.h"
 #include "math/Range.h"
+#include "render/Segment.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 namespace limpid
 {
@@ -51,9 +54,14 @@ OfRanks<Value> Exchanged(const Communicator& ranks, OfRanks<Value>& sent, OfRank
   return std::move(room);
 }
 
-/// Puts one pixel together. Returns the rank of the foremost part; -1: there is none.
-int ComposeOne(const OfRanks<PartialPixel>& parts, std::size_t pixel, float opaqueBelow,
-  std::vector<std::size_t>& order, Rgba& shown)
+struct ComposedPixel
+{
+  Rgba color;
+  std::int32_t foremost; ///< see Picture
+};
+
+ComposedPixel ComposeOne(const OfRanks<PartialPixel>& parts, std::size_t pixel, float opaqueBelow,
+  std::vector<std::size_t>& order)
 {
   order.clear();
   for (std::size_t rank = 0; rank < parts.size(); ++rank)
@@ -65,7 +73,7 @@ int ComposeOne(const OfRanks<PartialPixel>& parts, std::size_t pixel, float opaq
   }
   if (order.empty())
   {
-    return -1;
+    return { {}, -1 };
   }
   std::sort(order.begin(), order.end(),
     [&](std::size_t one, std::size_t other)
@@ -82,31 +90,29 @@ int ComposeOne(const OfRanks<PartialPixel>& parts, std::size_t pixel, float opaq
     }
   }
   constexpr float uncolored[3] = { 1, 1, 1 };
-  shown = received.Shown(uncolored);
-  return static_cast<int>(order.front());
+  return { received.Shown(uncolored), static_cast<std::int32_t>(order.front()) };
 }
 }
 
 void Compose(const Communicator& ranks, const std::vector<PartialPixel>& parts, double opaqueBelow,
-  std::vector<Rgba>& picture)
+  Picture& picture)
 {
   const auto count = static_cast<Index>(parts.size());
   const auto size = static_cast<std::size_t>(ranks.Size());
   const Range<Index> own = PixelsOf(ranks, ranks.Rank(), count);
   OfRanks<PartialPixel> sent(size);
   OfRanks<PartialPixel> room(size);
-  OfRanks<Rgba> composed(size);
-  OfRanks<Rgba> shown(size);
+  OfRanks<ComposedPixel> shown(size);
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
     const auto other = std::size_t(rank);
     const Range<Index> pixels = PixelsOf(ranks, rank, count);
     sent[other].assign(parts.begin() + pixels.begin, parts.begin() + pixels.end);
     room[other].resize(std::size_t(own.Length()));
-    composed[other].assign(std::size_t(own.Length()), Rgba{});
     shown[other].resize(std::size_t(pixels.Length()));
   }
   const OfRanks<PartialPixel> there = Exchanged(ranks, sent, std::move(room));
+  std::vector<ComposedPixel> composed(std::size_t(own.Length()));
   constexpr Index pixelsPerTask = 4096;
   const Index tasks = (own.Length() + pixelsPerTask - 1) / pixelsPerTask;
   ParallelFor(tasks,
@@ -116,21 +122,23 @@ void Compose(const Communicator& ranks, const std::vector<PartialPixel>& parts, 
       const Index end = std::min((task + 1) * pixelsPerTask, own.Length());
       for (Index pixel = task * pixelsPerTask; pixel < end; ++pixel)
       {
-        Rgba together{};
-        const int foremost =
-          ComposeOne(there, std::size_t(pixel), static_cast<float>(opaqueBelow), order, together);
-        if (foremost >= 0)
-        {
-          composed[std::size_t(foremost)][std::size_t(pixel)] = together;
-        }
+        composed[std::size_t(pixel)] =
+          ComposeOne(there, std::size_t(pixel), static_cast<float>(opaqueBelow), order);
       }
     });
-  shown = Exchanged(ranks, composed, std::move(shown));
-  picture.clear();
-  picture.reserve(parts.size());
-  for (const std::vector<Rgba>& some : shown)
+  OfRanks<ComposedPixel> forAll(size, composed);
+  shown = Exchanged(ranks, forAll, std::move(shown));
+  std::uint8_t* color = picture.rgba.data();
+  picture.foremost.clear();
+  picture.foremost.reserve(parts.size());
+  for (const std::vector<ComposedPixel>& some : shown)
   {
-    picture.insert(picture.end(), some.begin(), some.end());
+    for (const ComposedPixel& pixel : some)
+    {
+      std::memcpy(color, &pixel.color, sizeof(Rgba));
+      color += sizeof(Rgba);
+      picture.foremost.push_back(pixel.foremost);
+    }
   }
 }
 }

@@ -6,7 +6,6 @@
 
 #include "backend/Communicator.h"
 #include "render/Renderer.h"
-#include "render/Segment.h"
 
 #include <vector>
 
@@ -22,14 +21,12 @@ struct PartialPixel
 
 /**
  * Puts the parts of all rays together, which ranks have, front to back, and rounds once: the
- * picture is that of one process. Each pixel is on the rank whose part is foremost, whose box is
- * sure to be seen there, and transparent on others. Pixels that nobody meets are transparent
- * everywhere.
+ * picture, which every rank gets, is that of one process. `picture`: of as many pixels.
  *
- * `opaqueBelow`: see View. All ranks have to call. Per pixel and rank 20 bytes travel, and 4 back.
+ * `opaqueBelow`: see View. All ranks have to call. Per pixel and rank 20 bytes travel, and 8 back.
  */
 void Compose(const Communicator& ranks, const std::vector<PartialPixel>& parts, double opaqueBelow,
-  std::vector<Rgba>& picture);
+  Picture& picture);
 }
 
 #endif

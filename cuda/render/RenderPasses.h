@@ -16,7 +16,6 @@
 #include "render/ScalarField.h"
 #include "render/ShadowVolume.h"
 
-#include <cstring>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -350,9 +349,7 @@ private:
       rays.part = &part;
       rays.parts = parts.data();
       CastRays(*this->Device, this->SceneOf(casting), rays, Compositing::FrontToBack);
-      std::vector<Rgba> shown;
-      Compose(ranks, parts, casting.opaqueBelow, shown);
-      std::memcpy(picture.rgba.data(), shown.data(), shown.size() * sizeof(Rgba));
+      Compose(ranks, parts, casting.opaqueBelow, picture);
     }
   }
 

@@ -423,7 +423,9 @@ void Renderer::Render(const View& view, Picture& picture)
   Internals& state = *this->State;
   picture.width = std::max(view.width, 0);
   picture.height = std::max(view.height, 0);
-  picture.rgba.assign(std::size_t(4) * std::size_t(picture.width) * std::size_t(picture.height), 0);
+  const std::size_t pixels = std::size_t(picture.width) * std::size_t(picture.height);
+  picture.rgba.assign(4 * pixels, 0);
+  picture.foremost.assign(state.isPiece ? pixels : 0, -1);
   LIMPID_REQUIRE(state.hasScalars && state.hasFunctions,
     "There are no scalars or no transfer functions (nothing can "
     "be drawn). Set both.");

@@ -95,6 +95,10 @@ struct Picture
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba; ///< colours multiplied by alpha, 4 per pixel
+
+  /// Where ranks have drawn: of each pixel the one whose part is foremost, whose box is sure to be
+  /// seen there; -1: there is nothing. Else empty.
+  std::vector<std::int32_t> foremost;
 };
 
 /**
@@ -125,8 +129,8 @@ public:
    * axis at least, and around its own two more than samples are apart [nodes]: half a segment, the
    * rest of a cell, and one for gradients. To be called before the scalars.
    *
-   * All ranks have to make the same calls with the same values, but for fields; pictures have the
-   * pixels in which this rank's part is foremost. Shadows of a piece's extinction are as fine as
+   * All ranks have to make the same calls with the same values, but for fields; every rank gets all
+   * of the pictures. Shadows of a piece's extinction are as fine as
    * that, and there is no importance and no other compositing than front to back.
    */
   void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece);
