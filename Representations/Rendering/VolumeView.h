@@ -93,9 +93,9 @@ private:
   void WhileDrawing(const Action& action);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   bool MakePicture(const View& view);
-  bool DrawWhole(const FrameSettings& frame);
-  bool DrawInSlices(const FrameSettings& frame);
   OpaqueDepth OpaqueOf(const FrameSettings& frame) const;
+  bool DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque);
+  bool DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opaque);
   void Show(const FrameSettings& frame, const OpaqueDepth& opaque);
   void ShowShared(const Communicator& ranks, const OpaqueDepth& opaque);
   bool DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges);

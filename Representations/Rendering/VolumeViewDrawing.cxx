@@ -121,7 +121,8 @@ FrameResult VolumeView::Draw(
       // The pictures of two eyes would begin each other anew.
       const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
       const bool inSlices = frame.still && frame.stepwise && !this->GoesOn && !stereo;
-      if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole(frame)))
+      const OpaqueDepth opaque = this->OpaqueOf(frame);
+      if (!(inSlices ? this->DrawInSlices(frame, opaque) : this->DrawWhole(frame, opaque)))
       {
         this->LastResult.converged = false;
       }
@@ -141,10 +142,9 @@ OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame) const
 }
 
 // Returns whether it was not aborted.
-bool VolumeView::DrawWhole(const FrameSettings& frame)
+bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque)
 {
   const ViewGeometry& geometry = *this->Geometry;
-  const OpaqueDepth opaque = this->OpaqueOf(frame);
   const bool coarse = this->Frame.whole != geometry.size;
   const std::vector<DepthRange> ranges = coarse && !opaque.IsEmpty() && !frame.ranks
     ? opaque.RangesOf(this->Frame)
@@ -251,10 +251,9 @@ void VolumeView::ShowShared(const Communicator& ranks, const OpaqueDepth& opaque
 
 // As long as the picture is not complete, there is one as in motion. Returns whether nothing was
 // aborted.
-bool VolumeView::DrawInSlices(const FrameSettings& frame)
+bool VolumeView::DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opaque)
 {
   const ViewGeometry geometry = *this->Geometry;
-  const OpaqueDepth opaque = this->OpaqueOf(frame);
   const double rays = double(this->Rays.width) * this->Rays.height;
   constexpr float end = 1; // of the clipping range
   SlicedPicture::Wanted wanted{ this->Rays,
@@ -288,7 +287,7 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame)
   this->GoesOn = true;
   const std::vector<glm::dvec4> planes = this->Rays.planes;
   this->PlacePicture(frame, geometry, planes, this->PixelSize(frame, geometry));
-  return this->DrawWhole(frame);
+  return this->DrawWhole(frame, opaque);
 }
 
 // Where opaque geometry begins or ends within what a coarse pixel covers, there are two colours for

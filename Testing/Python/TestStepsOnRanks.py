@@ -15,7 +15,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
-from volume_views import BACKGROUND, actor_of, difference, phantom, sphere
+from volume_views import BACKGROUND, actor_of, phantom, sphere
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK = CONTROLLER.GetLocalProcessId()
@@ -42,13 +42,6 @@ def together(view):
 
 
 class TestStepsOnRanks(MapperTest):
-    def frames_to_the_end(self, view, mapper):
-        for frames in range(1, 4000):
-            view.window.Render()
-            if mapper.GetConverged():
-                return frames
-        self.fail("it does not converge")
-
     def test_still_frames_in_steps_end_at_the_same_picture(self):
         at_once, _ = show_piece()
         expected = together(at_once)
@@ -76,18 +69,7 @@ class TestStepsOnRanks(MapperTest):
     def test_a_coarse_picture_becomes_sharp_little_by_little(self):
         view, mapper = show_piece(ProgressiveStill=1, InteractiveFrameTime=1e-6, EaseTime=0.05,
                                   Method=Mapper.ORDINARY)
-        view.interact(True)
-        for _ in range(5):  # until they know how coarse to be
-            view.window.Render()
-        view.interact(False)
-        frames = []
-        while not frames or not mapper.GetConverged():
-            frames.append(together(view))
-        left = [difference(frame, frames[-1]) for frame in frames[1:]]
-        self.assertGreater(left[0], 0.5)
-        self.assertGreaterEqual(sum(0 < share < left[0] for share in left), 4)
-        for before, after in zip(left, left[1:]):
-            self.assertLess(before - after, 0.3 * left[0])
+        self.assert_becomes_sharp(view, mapper, lambda: together(view))
         self.assert_fine(view)
 
 

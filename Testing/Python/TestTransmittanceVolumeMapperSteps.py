@@ -16,13 +16,6 @@ from volume_views import actor_of, colors_of, difference, sphere
 
 
 class TestSteps(MapperTest):
-    def frames_to_the_end(self, view, mapper):
-        for frames in range(1, 4000):  # they may be fast, and changes take time
-            view.window.Render()
-            if mapper.GetConverged():
-                return frames
-        self.fail("it does not converge")
-
     def test_still_frames_in_steps_end_at_the_same_picture(self):
         expected = show()[0].picture()
         view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=0.001)
@@ -78,19 +71,7 @@ class TestSteps(MapperTest):
     def test_a_coarse_picture_becomes_sharp_little_by_little(self):
         view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=1e-6, EaseTime=0.05,
                             Method=Mapper.ORDINARY)
-        view.interact(True)
-        for _ in range(5):  # until it knows how coarse to be
-            view.window.Render()
-        view.interact(False)
-        frames = []
-        while not frames or not mapper.GetConverged():
-            frames.append(view.picture())
-        # The first one may be coarser than the others: it has their time, too.
-        left = [difference(frame, frames[-1]) for frame in frames[1:]]
-        self.assertGreater(left[0], 0.5)
-        self.assertGreaterEqual(sum(0 < share < left[0] for share in left), 4)
-        for before, after in zip(left, left[1:]):
-            self.assertLess(before - after, 0.3 * left[0])
+        self.assert_becomes_sharp(view, mapper, view.picture)
         # Another view has nothing of this one.
         view.camera.Azimuth(40)
         mapper.SetInteractiveFrameTime(10)  # sharp at once

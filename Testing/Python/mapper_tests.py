@@ -11,7 +11,7 @@ import numpy as np
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from images import memory_limited_to
-from volume_views import BACKGROUND, View, caught, phantom, phantom_property
+from volume_views import BACKGROUND, View, caught, difference, phantom, phantom_property
 
 
 def show(image=None, volume_property=None, size=(160, 160), **properties):
@@ -44,6 +44,29 @@ class MapperTest(unittest.TestCase):
         for share in (mapper.GetVisibleFraction(), mapper.GetBaseVisibleFraction(),
                       mapper.GetSacrificedFraction()):
             self.assertTrue(0 <= share <= 1)
+
+    def frames_to_the_end(self, view, mapper):
+        for frames in range(1, 4000):  # they may be fast, and changes take time
+            view.window.Render()
+            if mapper.GetConverged():
+                return frames
+        self.fail("it does not converge")
+
+    def assert_becomes_sharp(self, view, mapper, take):
+        """A coarse picture does, little by little. `take()`: renders and returns a picture."""
+        view.interact(True)
+        for _ in range(5):  # until it knows how coarse to be
+            view.window.Render()
+        view.interact(False)
+        frames = []
+        while not frames or not mapper.GetConverged():
+            frames.append(take())
+        # The first one may be coarser than the others: it has their time, too.
+        left = [difference(frame, frames[-1]) for frame in frames[1:]]
+        self.assertGreater(left[0], 0.5)
+        self.assertGreaterEqual(sum(0 < share < left[0] for share in left), 4)
+        for before, after in zip(left, left[1:]):
+            self.assertLess(before - after, 0.3 * left[0])
 
     def assert_made_again(self, view, mapper):
         """The same picture after all memory was given back, in each way in which it is."""

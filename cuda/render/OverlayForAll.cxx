@@ -43,15 +43,6 @@ NodeBox NearestTo(const NodeBox& owned, const Int3& whole, const Int3& nodes)
   }
   return box;
 }
-
-/// The nodes of a box of a grid.
-Grid PartOf(const Grid& grid, const NodeBox& box)
-{
-  Grid part = grid;
-  part.nodes = box.Size();
-  part.origin = grid.PointToWorld(Vec3(box.along[0].begin, box.along[1].begin, box.along[2].begin));
-  return part;
-}
 }
 
 std::vector<TwoPacked> OverlayForAll(const ScenePiece& piece, const Grid& whole, const Grid& grid,
@@ -65,7 +56,7 @@ std::vector<TwoPacked> OverlayForAll(const ScenePiece& piece, const Grid& whole,
   }
   const NodeBox& own = boxes[std::size_t(ranks.Rank())];
   const std::vector<TwoPacked> here =
-    own.Empty() ? std::vector<TwoPacked>() : resample(PartOf(grid, own));
+    own.Empty() ? std::vector<TwoPacked>() : resample(GridOf(own, grid));
   const auto count = std::size_t(grid.NodeCount());
   std::vector<TwoPacked> all(count, TwoPacked{ { std::int16_t(packedOne), 0 } });
   std::array<std::vector<float>, numbers> sent;

@@ -156,13 +156,18 @@ std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& gri
   return grown;
 }
 
-Grid GridOf(const ScenePiece& piece, const Grid& whole)
+Grid GridOf(const NodeBox& box, const Grid& whole)
 {
   Grid grid = whole;
-  const std::array<Range<int>, 3>& along = piece.nodes.along;
-  grid.nodes = piece.nodes.Size();
-  grid.origin = whole.PointToWorld(Vec3(along[0].begin, along[1].begin, along[2].begin));
+  grid.nodes = box.Size();
+  grid.origin =
+    whole.PointToWorld(Vec3(box.along[0].begin, box.along[1].begin, box.along[2].begin));
   return grid;
+}
+
+Grid GridOf(const ScenePiece& piece, const Grid& whole)
+{
+  return GridOf(piece.nodes, whole);
 }
 
 bool HaveSameBoxes(const ScenePiece* one, const ScenePiece* other)

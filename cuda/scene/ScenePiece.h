@@ -45,7 +45,8 @@ struct ScenePiece
 /// rank that owns none has two nodes along each axis for its own use.
 std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& grid, int nodes);
 
-/// The grid of a rank's nodes.
+/// The grid of a box of nodes, and of a rank's.
+Grid GridOf(const NodeBox& box, const Grid& whole);
 Grid GridOf(const ScenePiece& piece, const Grid& whole);
 
 /// Whether every rank has the same box in both; nulls, where one has all, are the same.
