@@ -41,6 +41,14 @@ struct Range
     return { a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end };
   }
 };
+
+/// With so many more on either side, within [0, end); of an empty one, itself.
+inline Range<int> Grown(const Range<int>& range, int more, int end)
+{
+  return range.Empty()
+    ? range
+    : Intersection(Range<int>{ range.begin - more, range.end + more }, Range<int>{ 0, end });
+}
 }
 
 #endif

@@ -52,7 +52,7 @@ struct NodeBox
     for (int axis = 0; axis < 3 && !this->Empty(); ++axis)
     {
       Range<int>& range = grown.along[std::size_t(axis)];
-      range = { std::max(range.begin - nodes, 0), std::min(range.end + nodes, grid[axis]) };
+      range = limpid::Grown(range, nodes, grid[axis]);
     }
     return grown;
   }

@@ -77,13 +77,6 @@ Range<int> NodesOf(const FaceFrustum& frustum, const Range<int>& slices)
   return nodes;
 }
 
-Range<int> Grown(const Range<int>& range, int more, int end)
-{
-  return range.Empty()
-    ? range
-    : Range<int>{ std::max(range.begin - more, 0), std::min(range.end + more, end) };
-}
-
 Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<int> Slice::*part)
 {
   Range<int> hull;

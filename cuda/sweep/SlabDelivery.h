@@ -22,9 +22,6 @@ std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum, bool copied);
 /// Node indices along the depth axis of some slices.
 Range<int> NodesOf(const FaceFrustum& frustum, const Range<int>& slices);
 
-/// With so many more on either side, within [0, end); of an empty one, itself.
-Range<int> Grown(const Range<int>& range, int more, int end);
-
 /// All columns or rows that some slices have as `part`.
 Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<int> Slice::*part);
 
