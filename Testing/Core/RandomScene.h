@@ -185,6 +185,8 @@ inline BoxScene MakeRandomScene(std::uint64_t seed)
   scene.settings.protectImportance = random.Chance(0.5) ? 0 : random.Between(0, 1);
   scene.settings.importanceSmoothing =
     random.Chance(0.7) ? ImportanceSmoothing::Off : ImportanceSmoothing::Median;
+  scene.settings.emphasis =
+    random.Chance(0.5) ? 1 : (random.Chance(0.5) ? 0 : random.Between(0, 1));
   return scene;
 }
 }

@@ -135,9 +135,9 @@ inline std::string DescriptionOf(const BoxScene& scene)
   text << "  weights " << settings.weights.regularization << ", " << settings.weights.view << ", "
        << settings.weights.light << ", solver " << int(settings.solver) << ", mode "
        << int(settings.mode) << ", ray density " << settings.rayDensity << ", protection "
-       << settings.protectImportance << ", smoothing of importance "
-       << int(settings.importanceSmoothing) << ", smoothness " << settings.smoothness
-       << ", coherence " << settings.temporalCoherence << "\n";
+       << settings.protectImportance << ", emphasis " << settings.emphasis
+       << ", smoothing of importance " << int(settings.importanceSmoothing) << ", smoothness "
+       << settings.smoothness << ", coherence " << settings.temporalCoherence << "\n";
   scene.ForEachNode(
     [&](std::size_t node, int i, int j, int k)
     {

@@ -371,7 +371,7 @@ TEST(PolicyVoxel, MinimisesItsEnergyAndWhatKeepsItNear)
   const double t = 0.4;
   const double weight = 2;
   const double all = p + s + t;
-  const PolicyVoxel<double> policy{ weight / all, 1 / all, s / all, t / all, { 0, 10 } };
+  const PolicyVoxel<double> policy{ weight / all, 1 / all, s / all, t / all, { 0, 1, 10 } };
 
   const double found = policy(1.5, 4, 3, 0, 0.2, -0.7);
 

@@ -215,6 +215,8 @@ std::vector<Stress> Cases()
     OnionWith("no light term", [](BoxScene& scene) { scene.settings.weights.light = 0; }));
   cases.push_back(
     OnionWith("separate fields", [](BoxScene& scene) { scene.settings.mode = Mode::Separate; }));
+  cases.push_back(OnionWith(
+    "nothing thicker than the data", [](BoxScene& scene) { scene.settings.emphasis = 0; }));
   cases.push_back(OnionWith("all that is important protected",
     [](BoxScene& scene) { scene.settings.protectImportance = 1; }));
   cases.push_back(OnionWith("few rays", [](BoxScene& scene) { scene.settings.rayDensity = 0.1; }));

@@ -11,16 +11,18 @@ namespace limpid
 /**
  * What the extinction of a voxel may be:
  *
- *   pi g mu-bar <= mu <= majorant.
+ *   pi g mu-bar <= mu <= mu-bar + epsilon (majorant - mu-bar).
  *
- * The majorant is the constraint of Eq. (25). The lower bound keeps important matter from being
- * removed to show what lies behind it (Documentation/Deviations.md, D16); with pi = 0 it is
- * that of Eq. (25), too. It never exceeds the base extinction mu-bar, which is always allowed.
+ * With pi = 0 and epsilon = 1 this is the constraint of Eq. (25). A larger pi keeps important
+ * matter from being removed to show what lies behind it, a smaller epsilon keeps matter from
+ * becoming thicker than in the data (Documentation/Deviations.md, D16 and D22). The base extinction
+ * mu-bar is always allowed.
  */
 template <class Real>
 struct ExtinctionBounds
 {
   Real protect;  ///< pi [0, 1]
+  Real emphasis; ///< epsilon [0, 1]
   Real majorant; ///< [1/length]
 
   /// `importance` g [0, 1] and `base` mu-bar [1/length] of the voxel.
@@ -28,13 +30,25 @@ struct ExtinctionBounds
   {
     const Real least = this->protect * importance * base;
     const Real atLeast = wanted > least ? wanted : least;
-    return atLeast < this->majorant ? atLeast : this->majorant;
+    const Real most = this->Most(base);
+    return atLeast < most ? atLeast : most;
+  }
+
+  /// The upper bound. It is exact at both ends, the base with epsilon = 0 and the majorant with 1,
+  /// and in between rounding takes it neither below the base nor above the majorant.
+  LIMPID_HD LIMPID_INLINE Real Most(Real base) const
+  {
+    const Real between = (Real(1) - this->emphasis) * base + this->emphasis * this->majorant;
+    const Real most = between > base ? between : base;
+    return most < this->majorant ? most : this->majorant;
   }
 };
 
 inline ExtinctionBounds<float> BoundsOf(const Problem& problem)
 {
-  return { static_cast<float>(problem.settings.protectImportance), problem.majorant };
+  const Settings& settings = problem.settings;
+  return { static_cast<float>(settings.protectImportance), static_cast<float>(settings.emphasis),
+    problem.majorant };
 }
 }
 

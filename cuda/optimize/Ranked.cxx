@@ -281,7 +281,7 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
     { weights.regularization, weights.view, weights.light, double(settings.mode),
       double(settings.maximumIterations), settings.tolerance, settings.maximumSeconds,
       double(settings.derivative), settings.rayDensity, double(settings.skipUnneeded),
-      double(settings.restrictToView), settings.protectImportance,
+      double(settings.restrictToView), settings.protectImportance, settings.emphasis,
       double(settings.importanceSmoothing), double(settings.method), double(settings.solver),
       settings.learningRate, settings.smoothness, settings.temporalCoherence, nearness });
   numbers.insert(

@@ -34,6 +34,11 @@ void Settings::Require() const
     "The protection of important matter is "
       << this->protectImportance
       << " (it is the share of its extinction that is kept). Set it between 0 and 1.");
+  LIMPID_REQUIRE(this->emphasis >= 0 && this->emphasis <= 1,
+    "The emphasis is "
+      << this->emphasis
+      << " (it is the share of the way from the data's extinction to the largest extinction that "
+         "matter may rise). Set it between 0 and 1.");
   LIMPID_REQUIRE(this->smoothness >= 0 && this->smoothness <= 10,
     "The smoothness is "
       << this->smoothness
@@ -83,7 +88,7 @@ bool operator==(const Settings& one, const Settings& other)
   {
     return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
       s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
-      s.restrictToView, s.protectImportance, s.importanceSmoothing, s.smoothness,
+      s.restrictToView, s.protectImportance, s.emphasis, s.importanceSmoothing, s.smoothness,
       s.temporalCoherence, s.otherCameras, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)

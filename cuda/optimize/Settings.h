@@ -96,6 +96,11 @@ struct Settings
   /// may be removed, as in the paper.
   double protectImportance = 0;
 
+  /// How far above its base extinction matter may become, as a share of the way to the majorant
+  /// [0, 1]; 0: matter never becomes thicker than in the data; 1: it may rise to the majorant, as
+  /// in the paper.
+  double emphasis = 1;
+
   ImportanceSmoothing importanceSmoothing = ImportanceSmoothing::Off;
 
   /// How strongly the changes of neighbours are drawn together when the optimum is near, as a share

@@ -51,8 +51,9 @@ class PreparedScene;
  * Finds the extinction that minimises Eq. (21) for one camera and one light.
  *
  * Iterations can be spread over frames: each Step continues where the last one ended. Whatever
- * happens in between, Extinction() is the best iterate so far, and every value lies in
- * [0, majorant]. Voxels that no important structure needs keep their base extinction bit by bit.
+ * happens in between, Extinction() is the best iterate so far, and every value lies within
+ * its bounds (ExtinctionBounds). Voxels that no important structure needs keep their base
+ * extinction bit by bit.
  */
 class Solver
 {
@@ -70,8 +71,8 @@ public:
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
-  /// Starts from this extinction instead of the base extinction: grid.NodeCount() values, clamped
-  /// to [0, majorant] [1/length]. Joint mode only.
+  /// Starts from this extinction instead of the base extinction: grid.NodeCount() values, moved
+  /// into their bounds [1/length]. Joint mode only.
   void SetInitialExtinction(const float* extinction);
 
   /// Runs up to `iterations` further iterations. Returns whether there is nothing left to do:
