@@ -65,6 +65,7 @@ Settings SettingsOf(vtkVisibilitySettings* settings)
   result.skipUnneeded = settings->GetSkipUnneeded() != 0;
   result.restrictToView = settings->GetRestrictToView() != 0;
   result.protectImportance = settings->GetProtectImportance();
+  result.emphasis = settings->GetEmphasis();
   result.importanceSmoothing = static_cast<ImportanceSmoothing>(settings->GetImportanceSmoothing());
   result.smoothness = settings->GetSmoothness();
   result.temporalCoherence = settings->GetTemporalCoherence();

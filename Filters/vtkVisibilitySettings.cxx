@@ -61,6 +61,7 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("NumberOfViews", this->NumberOfViews);
   print("EyeAngle", this->EyeAngle);
   print("ProtectImportance", this->ProtectImportance);
+  print("Emphasis", this->Emphasis);
   print("ImportanceSmoothing", this->ImportanceSmoothing);
   print("Smoothness", this->Smoothness);
   print("TemporalCoherence", this->TemporalCoherence);

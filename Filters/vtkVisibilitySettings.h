@@ -336,6 +336,17 @@ public:
 
   ///@{
   /**
+   * How far above its base extinction matter may become, as a share of the way to the majorant of
+   * Eq. (25), 0 to 1. 0: matter never becomes thicker than in the data, so that what is seen is the
+   * data's own, and VisibleFraction does not fall where only the view counts (LightWeight 0); 1: it
+   * may become as thick as the thickest, as in [HG24]. Default is 0.
+   */
+  vtkSetMacro(Emphasis, double);
+  vtkGetMacro(Emphasis, double);
+  ///@}
+
+  ///@{
+  /**
    * MEDIAN: before the optimisation, importance loses what one to three points have alone: a
    * centre-weighted median of 3 x 3 x 3 points, see cuda/energy/Despeckle.h. Noise in the
    * importance makes specks in the picture. Scores, fractions and MissedImportance are always those
@@ -424,6 +435,7 @@ private:
   int NumberOfViews = 8;
   double EyeAngle = 2;
   double ProtectImportance = 0;
+  double Emphasis = 0;
   int ImportanceSmoothing = AS_GIVEN;
   double Smoothness = 0;
   double TemporalCoherence = 0;

@@ -137,6 +137,7 @@
   LIMPID_FORWARD_SETTING(NumberOfViews, int)                                                       \
   LIMPID_FORWARD_SETTING(EyeAngle, double)                                                         \
   LIMPID_FORWARD_SETTING(ProtectImportance, double)                                                \
+  LIMPID_FORWARD_SETTING(Emphasis, double)                                                         \
   LIMPID_FORWARD_SETTING(ImportanceSmoothing, int)                                                 \
   LIMPID_FORWARD_SETTING(Smoothness, double)                                                       \
   LIMPID_FORWARD_SETTING(TemporalCoherence, double)                                                \

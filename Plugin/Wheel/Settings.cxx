@@ -71,6 +71,7 @@ void BindSettings(nb::module_& module)
     .def_rw("skip_unneeded", &Settings::skipUnneeded)
     .def_rw("restrict_to_view", &Settings::restrictToView)
     .def_rw("protect_importance", &Settings::protectImportance)
+    .def_rw("emphasis", &Settings::emphasis)
     .def_rw("importance_smoothing", &Settings::importanceSmoothing)
     .def_rw("smoothness", &Settings::smoothness)
     .def_rw("backend", &Settings::backend);

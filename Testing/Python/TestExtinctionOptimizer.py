@@ -560,7 +560,7 @@ class TestDegenerateInput(OptimizerTest):
                      ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
                      LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=2,
                      LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
-                     ProtectImportance=1.5, ImportanceSmoothing=2, Smoothness=-1)
+                     ProtectImportance=1.5, Emphasis=1.1, ImportanceSmoothing=2, Smoothness=-1)
         for name, value in cases.items():
             with self.subTest(name=name):
                 result = optimizer(phantom(8), **{name: value})

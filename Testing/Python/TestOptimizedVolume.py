@@ -76,7 +76,8 @@ class TestOptimizedVolume(displays.DisplayTest):
              "ExtinctionSource", "ExtinctionArray",
              "RegularizationWeight", "ViewWeight", "LightWeight", "LightType", "LightPosition",
              "Mode", "Solver", "MaximumIterations", "Tolerance", "MaximumSeconds", "Derivative",
-             "RayDensity", "SkipUnneeded", "RestrictToView", "ProtectImportance", "Backend",
+             "RayDensity", "SkipUnneeded", "RestrictToView", "ProtectImportance", "Emphasis",
+             "Backend",
              "ImportanceSmoothing", "Smoothness",
              "Optimization", "Preset", "Shadows", "ShadowStrength", "Ambient", "Anisotropy",
              "SpecularPower", "LightIntensity", "Method", "ShowScore", "ShowMissed",
@@ -231,7 +232,7 @@ class TestOptimizedVolume(displays.DisplayTest):
         variants = [{}, {"RestrictToView": 0}, {"LightType": "Directional"}, {"Mode": "Separate"},
                     {"ViewWeight": 2, "LightWeight": 3, "RegularizationWeight": 0.1},
                     {"Solver": "Adam", "IterationsPerLevel": [4, 4, 4], "Derivative": "Ray"},
-                    {"MaximumIterations": 1, "RayDensity": 1.5}, {"ProtectImportance": 0.7},
+                    {"MaximumIterations": 1, "RayDensity": 1.5}, {"ProtectImportance": 0.7}, {"Emphasis": 0.4},
                     {"ImportanceSmoothing": "Median"}, {"Smoothness": 0.2}]
         for number, variant in enumerate(variants):
             position = displays.POSITIONS[number % len(displays.POSITIONS)]

@@ -30,7 +30,7 @@ class TestPlugin(unittest.TestCase):
              "LightType", "LightPosition", "RegularizationWeight", "ViewWeight", "LightWeight",
              "Mode", "Solver", "MaximumIterations", "IterationsPerLevel", "LearningRate",
              "Tolerance", "MaximumSeconds", "Derivative", "RayDensity", "SkipUnneeded",
-             "RestrictToView", "ProtectImportance", "OptimizeViewpoint", "ViewpointGuide",
+             "RestrictToView", "ProtectImportance", "Emphasis", "OptimizeViewpoint", "ViewpointGuide",
              "Backend"}, names)
         self.assertLessEqual({"Resolution", "Scene"}, set(OcclusionPhantom().ListProperties()))
 

@@ -25,7 +25,7 @@ class TestPluginViewpointSearch(unittest.TestCase):
             {"Input", "ScalarArray", "ImportanceArray", "UseImportanceFunction",
              "ImportanceFunction", "ExtinctionSource", "ScalarOpacityFunction",
              "ScalarOpacityUnitDistance", "ExtinctionArray", "RegularizationWeight", "ViewWeight",
-             "LightWeight", "ProtectImportance", "Backend", "Field", "Sampling", "NumberOfDirections", "CameraDistance",
+             "LightWeight", "ProtectImportance", "Emphasis", "Backend", "Field", "Sampling", "NumberOfDirections", "CameraDistance",
              "CameraViewAngle", "NumberOfViewpoints", "Refine"}, set(search.ListProperties()))
         self.assertEqual(search.SMProxy.GetXMLLabel(), "Viewpoint Search")
         self.assertEqual(search.SMProxy.GetVTKClassName(), "vtkViewpointSearch")

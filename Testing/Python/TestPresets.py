@@ -19,7 +19,7 @@ PRESETS = {preset.get("name"): {value.get("property"): float(value.get("value"))
                                 for value in preset.iter("Value")}
            for preset in VOLUME.iter("Preset")}
 NAMES = sorted({name for values in PRESETS.values() for name in values})
-PAPER = {"ViewWeight": 10, "LightWeight": 1, "RegularizationWeight": 1e-3, "ProtectImportance": 0,
+PAPER = {"ViewWeight": 10, "LightWeight": 1, "RegularizationWeight": 1e-3, "ProtectImportance": 0, "Emphasis": 1,
          "ImportanceSmoothing": 0, "Smoothness": 0}
 
 

@@ -28,7 +28,7 @@ class TestProperties(MapperTest):
                 PauseOptimization=1, RegularizationWeight=0.5, ViewWeight=2.0, LightWeight=3.0,
                 Mode=1, Solver=1, MaximumIterations=3, IterationsPerLevel=(1, 2, 3),
                 LearningRate=0.1, Tolerance=0.01, MaximumSeconds=1.5, Derivative=1, RayDensity=2.0,
-                SkipUnneeded=0, RestrictToView=0, ProtectImportance=0.5,
+                SkipUnneeded=0, RestrictToView=0, ProtectImportance=0.5, Emphasis=0.25,
                 ImportanceSmoothing=0, Smoothness=0.5, AmentExponent=2.0,
                 AmentRegularization=2.0, AmentOccluders=3.0, AmentBackground=4.0,
                 AmentLightOccluders=5.0, AmentLightBackground=6.0, AmentSmoothing=2, Backend=1, LightSource=1, LightType=1,

@@ -277,7 +277,7 @@ class TestBadInput(MapperTest):
                      Optimization=3, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
                      ShadowStrength=1.5, Ambient=-0.5, Anisotropy=1, Specular=-1, SpecularPower=-2,
                      LightIntensity=-4, SampleDistance=0, InteractiveFrameTime=0, EaseTime=-1,
-                     ProtectImportance=-0.5, AmentRegularization=0, AmentExponent=-1)
+                     ProtectImportance=-0.5, Emphasis=2, AmentRegularization=0, AmentExponent=-1)
         for name, value in cases.items():
             with self.subTest(name=name):
                 view, mapper = show(phantom(8), **{name: value})

@@ -46,6 +46,7 @@ def random_state(choose):
         "MaximumIterations": choose.choice((0, 2, 8)), "IterationsPerLevel": (3, 2, 2),
         "SkipUnneeded": choose.choice((0, 1)), "RestrictToView": choose.choice((0, 0, 1)),
         "ProtectImportance": choose.choice((0.0, 0.0, 0.6, 1.0)),
+        "Emphasis": choose.choice((0.0, 0.0, 0.5, 1.0)),
         "ViewWeight": choose.choice((10.0, 1000.0)), "LightWeight": choose.choice((0.0, 1.0)),
         "LightSource": choose.choice((0, 1)), "LightType": choose.choice((0, 1)),
         "LightPosition": (choose.choice((1.0, 5.0)), 2.0, 3.0), "Shadows": choose.choice((0, 1, 1)),

@@ -40,7 +40,7 @@ def other(value):
 
 class TestVisibilitySettings(unittest.TestCase):
     def test_owners_pass_every_setting_on(self):
-        self.assertEqual(len(names()), 36)
+        self.assertEqual(len(names()), 37)
         for owner in OWNERS:
             instance = owner()
             settings = instance.GetVisibilitySettings()

@@ -52,6 +52,7 @@ class Settings:
     skip_unneeded: bool = True  #: leave out what provably cannot change the result
     restrict_to_view: bool = False  #: count only what the picture shows
     protect_importance: float = 0.0  #: share of it that may not be removed [0, 1]
+    emphasis: float = 0.0  #: how much thicker than the data it may become [0, 1]; 1: the paper
     importance_smoothing: str = "off"  #: or "median": without specks
     smoothness: float = 0.0  #: how strongly changes are drawn to their neighbours [0, 10]
     backend: str = "auto"  #: or "cpu", "cuda": this or an error
