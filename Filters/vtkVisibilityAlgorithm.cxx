@@ -19,6 +19,7 @@ vtkCxxSetObjectMacro(vtkVisibilityAlgorithm, ScalarOpacityFunction, vtkPiecewise
 vtkVisibilityAlgorithm::vtkVisibilityAlgorithm()
   : Settings(vtkSmartPointer<vtkVisibilitySettings>::New())
 {
+  this->Settings->SetTemporalCoherence(0); // what ran before does not matter
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   this->SetInputArrayToProcess(
@@ -30,6 +31,14 @@ vtkVisibilityAlgorithm::vtkVisibilityAlgorithm()
 vtkVisibilityAlgorithm::~vtkVisibilityAlgorithm()
 {
   this->SetScalarOpacityFunction(nullptr);
+}
+
+void vtkVisibilityAlgorithm::SetPreset(const char* name)
+{
+  if (this->Settings->SetPreset(name))
+  {
+    this->Settings->SetTemporalCoherence(0);
+  }
 }
 
 void vtkVisibilityAlgorithm::SetVisibilitySettings(vtkVisibilitySettings* settings)

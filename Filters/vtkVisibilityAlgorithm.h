@@ -63,6 +63,11 @@ public:
   /// The methods of vtkVisibilitySettings, documented there.
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
+  /**
+   * Settings for a purpose, see vtkVisibilitySettings::SetPreset; TemporalCoherence becomes 0.
+   */
+  virtual void SetPreset(const char* name);
+
   ///@{
   /**
    * Where the base extinction comes from: OPACITY_FUNCTION of the scalar field, or ARRAY 2.

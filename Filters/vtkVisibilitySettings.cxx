@@ -8,14 +8,56 @@
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 
+#include "optimize/Presets.h"
+
 #include <algorithm>
+#include <exception>
+#include <iterator>
 
 vtkStandardNewMacro(vtkVisibilitySettings);
 vtkCxxSetObjectMacro(vtkVisibilitySettings, ImportanceFunction, vtkPiecewiseFunction);
 
+vtkVisibilitySettings::vtkVisibilitySettings()
+{
+  this->SetPreset(limpid::defaultPreset.name);
+}
+
 vtkVisibilitySettings::~vtkVisibilitySettings()
 {
   this->SetImportanceFunction(nullptr);
+}
+
+bool vtkVisibilitySettings::SetPreset(const char* name)
+{
+  try
+  {
+    const limpid::SettingsPreset& preset = limpid::PresetNamed(name ? name : "");
+    this->SetRegularizationWeight(preset.weights.regularization);
+    this->SetViewWeight(preset.weights.view);
+    this->SetLightWeight(preset.weights.light);
+    this->SetProtectImportance(preset.protectImportance);
+    this->SetEmphasis(preset.emphasis);
+    this->SetImportanceSmoothing(static_cast<int>(preset.importanceSmoothing));
+    this->SetSmoothness(preset.smoothness);
+    this->SetTemporalCoherence(preset.temporalCoherence);
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+}
+
+int vtkVisibilitySettings::GetNumberOfPresets()
+{
+  return static_cast<int>(std::size(limpid::settingsPresets));
+}
+
+const char* vtkVisibilitySettings::GetPresetName(int index)
+{
+  const bool isThere = index >= 0 && index < vtkVisibilitySettings::GetNumberOfPresets();
+  return isThere ? limpid::settingsPresets[index].name : nullptr;
 }
 
 vtkMTimeType vtkVisibilitySettings::GetMTime()

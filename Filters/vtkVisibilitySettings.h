@@ -11,8 +11,10 @@
  * on to it. Two owners can share one:
  * mapper->SetVisibilitySettings(filter->GetVisibilitySettings()).
  *
- * Three defaults depend on the owner: vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED,
- * see there, and RestrictToView on; vtkViewpointSearch has MaximumIterations 1. vtkViewpointSearch
+ * Defaults are those of the preset "Default", see SetPreset. Some depend on the owner:
+ * vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED, see there, and RestrictToView on;
+ * filters have TemporalCoherence 0, so that a result does not depend on what ran before;
+ * vtkViewpointSearch has MaximumIterations 1. vtkViewpointSearch
  * uses the weights and the solver only where it optimises for every view, with a light of its own
  * for each and with RestrictToView off.
  *
@@ -36,6 +38,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   LIMPID_VISIBILITY_CHOICES();
+
+  ///@{
+  /**
+   * Settings for a purpose, under one name, in capital letters or not: weights, ProtectImportance,
+   * Emphasis, ImportanceSmoothing, Smoothness and TemporalCoherence, which filters keep at 0.
+   * "Default": what hides something important is cleared, and what is important stays whole. "Keep
+   * Context": only what hides much is cleared. "Strong Reveal": what is important becomes a veil
+   * where it hides something as important. "Paper": the values of [HG24]. Another name is an error
+   * and changes nothing. Returns whether there is such a preset.
+   */
+  bool SetPreset(const char* name);
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int index);
+  ///@}
 
   ///@{
   /**
@@ -328,7 +344,7 @@ public:
    * How much of what is important stays where it is: a voxel of importance g keeps at least this
    * share of g times its base extinction, 0 to 1. 0: what is important may be removed to show what
    * is behind it, as in [HG24], which tears holes into it; 1: what has importance 1 stays whole.
-   * Default is 0.
+   * Default is 1.
    */
   vtkSetMacro(ProtectImportance, double);
   vtkGetMacro(ProtectImportance, double);
@@ -350,7 +366,7 @@ public:
    * MEDIAN: before the optimisation, importance loses what one to three points have alone: a
    * centre-weighted median of 3 x 3 x 3 points, see cuda/energy/Despeckle.h. Noise in the
    * importance makes specks in the picture. Scores, fractions and MissedImportance are always those
-   * of the importance as given. AS_GIVEN: nothing is smoothed. Default is AS_GIVEN.
+   * of the importance as given. AS_GIVEN: nothing is smoothed, as in [HG24]. Default is MEDIAN.
    */
   vtkSetMacro(ImportanceSmoothing, int);
   vtkGetMacro(ImportanceSmoothing, int);
@@ -360,7 +376,7 @@ public:
   /**
    * How strongly what the optimisation changes is drawn to what it changes beside that: a share of
    * the weights of view and light, 0 to 10, see cuda/optimize/Smoothing.h. Near the optimum, six
-   * further sweeps do it. 0: not at all, as in [HG24]. Default is 0.
+   * further sweeps do it. 0: not at all, as in [HG24]. Default is 0.2.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -373,9 +389,8 @@ public:
    * share of the weights of view and light is to be gained. The last result is taken as a change of
    * its base extinction; one for another box or for other settings does not count, one for other
    * data 0.4 times, and less and less does one for a camera or a light in another direction, up to
-   * 20 degrees away. Results
-   * depend on what was before, then. 0, the default: they do not, as in [HG24]. vtkViewpointSearch
-   * has no last result.
+   * 20 degrees away. Results depend on what was before, then. 0: they do not, as in [HG24]. Default
+   * is 0.2, and 0 for filters. vtkViewpointSearch has no last result.
    */
   vtkSetMacro(TemporalCoherence, double);
   vtkGetMacro(TemporalCoherence, double);
@@ -396,7 +411,7 @@ public:
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkVisibilitySettings() = default;
+  vtkVisibilitySettings();
   ~vtkVisibilitySettings() override;
 
 private:
@@ -415,9 +430,6 @@ private:
   double AmentLightOccluders = 100;
   double AmentLightBackground = 0;
   int AmentSmoothing = 1;
-  double RegularizationWeight = 1e-3;
-  double ViewWeight = 10;
-  double LightWeight = 1;
   int LightType = POINT;
   double LightPosition[3] = { 0, 0, 1 };
   int Mode = JOINT;
@@ -434,12 +446,17 @@ private:
   int Views = SINGLE_VIEW;
   int NumberOfViews = 8;
   double EyeAngle = 2;
+  int Backend = AUTO;
+
+  // Of the preset "Default".
+  double RegularizationWeight = 0;
+  double ViewWeight = 0;
+  double LightWeight = 0;
   double ProtectImportance = 0;
   double Emphasis = 0;
   int ImportanceSmoothing = AS_GIVEN;
   double Smoothness = 0;
   double TemporalCoherence = 0;
-  int Backend = AUTO;
 };
 
 #endif

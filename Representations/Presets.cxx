@@ -3,11 +3,13 @@
 
 #include "Presets.h"
 
-#include "vtkPVXMLElement.h"
-#include "vtkSMProperty.h"
+#include "vtkNew.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkVisibilitySettings.h"
+
+#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 
@@ -15,61 +17,42 @@ namespace limpid
 {
 namespace
 {
-std::vector<vtkPVXMLElement*> Children(vtkPVXMLElement* parent, const std::string& name)
-{
-  std::vector<vtkPVXMLElement*> children;
-  for (unsigned int i = 0; i < parent->GetNumberOfNestedElements(); ++i)
-  {
-    if (parent->GetNestedElement(i)->GetName() == name)
-    {
-      children.push_back(parent->GetNestedElement(i));
-    }
-  }
-  return children;
-}
+const char* const COHERENCE = "TemporalCoherence";
 
 double Value(vtkSMProxy* proxy, const std::string& property)
 {
   return vtkSMPropertyHelper(proxy, property.c_str()).GetAsDouble();
 }
 
-// Defaults of all properties of a volume that presets name.
-std::map<std::string, double> Defaults(
-  vtkSMProxy* volume, const std::vector<vtkPVXMLElement*>& presets)
+std::map<std::string, double> ValuesOf(vtkVisibilitySettings* settings)
 {
-  vtkSMProxy* prototype = volume->GetSessionProxyManager()->GetPrototypeProxy(
-    volume->GetXMLGroup(), volume->GetXMLName());
-  std::map<std::string, double> defaults;
-  for (vtkPVXMLElement* preset : presets)
-  {
-    for (vtkPVXMLElement* entry : Children(preset, "Value"))
-    {
-      const std::string property = entry->GetAttributeOrEmpty("property");
-      if (prototype->GetProperty(property.c_str()))
-      {
-        defaults[property] = Value(prototype, property);
-      }
-    }
-  }
-  return defaults;
+  return { { "RegularizationWeight", settings->GetRegularizationWeight() },
+    { "ViewWeight", settings->GetViewWeight() }, { "LightWeight", settings->GetLightWeight() },
+    { "ProtectImportance", settings->GetProtectImportance() },
+    { "Emphasis", settings->GetEmphasis() },
+    { "ImportanceSmoothing", double(settings->GetImportanceSmoothing()) },
+    { "Smoothness", settings->GetSmoothness() }, { COHERENCE, settings->GetTemporalCoherence() } };
 }
 }
 
-std::vector<Preset> ReadPresets(vtkSMProxy* volume)
+std::vector<Preset> PresetsFor(vtkSMProxy* proxy)
 {
-  const std::vector<vtkPVXMLElement*> elements =
-    Children(volume->GetProperty("Preset")->GetHints(), "Preset");
-  const std::map<std::string, double> defaults = Defaults(volume, elements);
+  // Filters have no coherence by default, and keep it so.
+  vtkSMProxy* prototype =
+    proxy->GetSessionProxyManager()->GetPrototypeProxy(proxy->GetXMLGroup(), proxy->GetXMLName());
+  const double coherence = prototype->GetProperty(COHERENCE) ? Value(prototype, COHERENCE) : 0;
   std::vector<Preset> presets;
-  for (vtkPVXMLElement* element : elements)
+  for (int i = 0; i < vtkVisibilitySettings::GetNumberOfPresets(); ++i)
   {
-    Preset preset{ element->GetAttributeOrEmpty("name"), defaults };
-    for (vtkPVXMLElement* entry : Children(element, "Value"))
+    const vtkNew<vtkVisibilitySettings> settings;
+    settings->SetPreset(vtkVisibilitySettings::GetPresetName(i));
+    settings->SetTemporalCoherence(std::min(coherence, settings->GetTemporalCoherence()));
+    Preset preset{ vtkVisibilitySettings::GetPresetName(i), {} };
+    for (const auto& entry : ValuesOf(settings))
     {
-      const auto value = preset.values.find(entry->GetAttributeOrEmpty("property"));
-      if (value != preset.values.end())
+      if (proxy->GetProperty(entry.first.c_str()))
       {
-        entry->GetScalarAttribute("value", &value->second);
+        preset.values.insert(entry);
       }
     }
     presets.push_back(preset);
@@ -77,12 +60,12 @@ std::vector<Preset> ReadPresets(vtkSMProxy* volume)
   return presets;
 }
 
-const Preset* FindPreset(const std::vector<Preset>& presets, vtkSMProxy* volume)
+const Preset* FindPreset(const std::vector<Preset>& presets, vtkSMProxy* proxy)
 {
-  const auto isThere = [volume](const Preset& preset)
+  const auto isThere = [proxy](const Preset& preset)
   {
     return std::all_of(preset.values.begin(), preset.values.end(),
-      [volume](const auto& entry) { return Value(volume, entry.first) == entry.second; });
+      [proxy](const auto& entry) { return Value(proxy, entry.first) == entry.second; });
   };
   const auto found = std::find_if(presets.begin(), presets.end(), isThere);
   return found == presets.end() ? nullptr : &*found;
@@ -90,8 +73,9 @@ const Preset* FindPreset(const std::vector<Preset>& presets, vtkSMProxy* volume)
 
 const Preset* FindPreset(const std::vector<Preset>& presets, const std::string& name)
 {
-  const auto found = std::find_if(
-    presets.begin(), presets.end(), [&name](const Preset& preset) { return preset.name == name; });
+  const auto found = std::find_if(presets.begin(), presets.end(),
+    [&name](const Preset& preset)
+    { return vtksys::SystemTools::Strucmp(preset.name.c_str(), name.c_str()) == 0; });
   return found == presets.end() ? nullptr : &*found;
 }
 
@@ -105,12 +89,12 @@ std::string NamesOf(const std::vector<Preset>& presets)
   return names;
 }
 
-void Apply(const Preset& preset, vtkSMProxy* volume)
+void Apply(const Preset& preset, vtkSMProxy* proxy)
 {
   for (const auto& [property, value] : preset.values)
   {
-    vtkSMPropertyHelper(volume, property.c_str()).Set(value);
+    vtkSMPropertyHelper(proxy, property.c_str()).Set(value);
   }
-  volume->UpdateVTKObjects();
+  proxy->UpdateVTKObjects();
 }
 }

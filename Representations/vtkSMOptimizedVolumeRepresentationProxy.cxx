@@ -6,7 +6,6 @@
 #include "DisplayColoring.h"
 #include "FoundExtinction.h"
 #include "ImportancePoints.h"
-#include "Presets.h"
 
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
@@ -51,8 +50,6 @@ void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
   if (!this->WatchesOwn)
   {
     this->WatchesOwn = true;
-    this->GetProperty("Preset")->AddObserver(
-      vtkCommand::ModifiedEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnPresetChosen);
     for (const char* name : { "ImportanceArray", "UseImportanceFunction" })
     {
       this->GetProperty(name)->AddObserver(vtkCommand::ModifiedEvent, this,
@@ -150,27 +147,6 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnImportanceChosen()
   }
   this->FunctionIsOn = this->FunctionIsOn && suggested;
   this->IsTaking = false;
-}
-
-void vtkSMOptimizedVolumeRepresentationProxy::OnPresetChosen()
-{
-  const std::string name = vtkSMPropertyHelper(this, "Preset").GetAsString();
-  if (name.empty())
-  {
-    return;
-  }
-  vtkSMPropertyHelper(this, "Preset").Set("");
-  const std::vector<limpid::Preset> presets = limpid::ReadPresets(this);
-  if (const limpid::Preset* preset = limpid::FindPreset(presets, name))
-  {
-    limpid::Apply(*preset, this);
-  }
-  else
-  {
-    vtkErrorMacro("There is no preset \""
-      << name << "\" (nothing is changed). Choose one of these: " << limpid::NamesOf(presets)
-      << ".");
-  }
 }
 
 void vtkSMOptimizedVolumeRepresentationProxy::UpdatePropertyInformationInternal(

@@ -21,9 +21,6 @@
  *
  * Before every render the process that draws is told what the source is called in the pipeline
  * browser (SetSourceName).
- *
- * To set the property "Preset" to a name is to set the properties to the values of that preset
- * (Presets.h). Itself it has no value, so it is in no state.
  */
 
 #ifndef vtkSMOptimizedVolumeRepresentationProxy_h
@@ -65,7 +62,6 @@ private:
   bool TakeSuggestion();
   void Start();
   void UseFunction(bool use);
-  void OnPresetChosen();
   void TellSourceName(vtkObject* view, unsigned long event, void* interactive);
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 

@@ -68,7 +68,7 @@ LimpidReveal::LimpidReveal(
   vtkSMProxy* display, vtkSMProperty* regularization, QWidget* parentWidget)
   : pqPropertyWidget(display, parentWidget)
   , Volume(regularization->GetParent())
-  , Presets(limpid::ReadPresets(this->Volume))
+  , Presets(limpid::PresetsFor(this->Volume))
   , PresetBox(new QComboBox(this))
   , Slider(new QSlider(Qt::Horizontal, this))
   , RowLabel(new QLabel(regularization->GetXMLLabel(), this))

@@ -3,10 +3,14 @@
 
 #include "Bindings.h"
 
+#include "optimize/Presets.h"
 #include "optimize/Settings.h"
 #include "viewpoint/Concurrent.h"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/string.h>
+
+#include <string>
 
 namespace nb = nanobind;
 
@@ -85,5 +89,12 @@ void BindSettings(nb::module_& module)
   BindPart(settings, "ament_light_occluders", &Settings::ament, &AmentWeights::lightOccluders);
   BindPart(settings, "ament_light_background", &Settings::ament, &AmentWeights::lightBackground);
   BindPart(settings, "ament_smoothing", &Settings::ament, &AmentWeights::smoothingPasses);
+  module.def("settings_of_preset",
+    [](const std::string& name)
+    {
+      Settings settings;
+      Take(PresetNamed(name), settings);
+      return settings;
+    });
 }
 }

@@ -27,10 +27,6 @@ vtkTransmittanceVolumeMapper::vtkTransmittanceVolumeMapper()
 {
   this->Settings->SetScalarComponent(UNDECIDED);
   this->Settings->SetRestrictToView(1);
-  this->Settings->SetProtectImportance(1);
-  this->Settings->SetImportanceSmoothing(MEDIAN);
-  this->Settings->SetSmoothness(0.2);
-  this->Settings->SetTemporalCoherence(0.2);
   static_assert(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS == 3,
     "the default of ImportanceArrayAssociation and ExtinctionArrayAssociation in the header");
 }

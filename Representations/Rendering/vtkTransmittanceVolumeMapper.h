@@ -101,8 +101,7 @@ public:
   /**
    * Importance, weights, own light and solver, see vtkVisibilitySettings; null changes nothing.
    * By default, ScalarComponent is UNDECIDED here, which is MAGNITUDE with a warning if there are
-   * several components, RestrictToView is on, ProtectImportance is 1, ImportanceSmoothing is
-   * MEDIAN, Smoothness is 0.2 and TemporalCoherence 0.2.
+   * several components, and RestrictToView is on.
    */
   virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
   vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }
@@ -115,6 +114,11 @@ public:
    * volume, or in several processes, the volume is drawn as with ORDINARY, with a message.
    */
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
+
+  /**
+   * Settings for a purpose, see vtkVisibilitySettings::SetPreset.
+   */
+  virtual void SetPreset(const char* name) { this->Settings->SetPreset(name); }
 
   ///@{
   /**

@@ -93,7 +93,8 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     viewpoint_guide: what tells the way: "proxy", or "coupled": the extinction found last.
     progress: called after every iteration with the share of the work that is done and a text;
         stops with the best so far if it returns False.
-    settings: members of limpid.Settings by name, such as view_weight=20.
+    settings: members of limpid.Settings by name, such as view_weight=20, and preset="Paper" for
+        several at once.
 
     Returns an Optimization. Raises ValueError for data and settings that cannot be worked with,
     TypeError for names that there are not. Ctrl-C ends it.

@@ -11,6 +11,10 @@ import reprlib
 from . import _core
 from .arguments import choice
 
+#: Settings that a preset has values for.
+OF_PRESETS = ("view_weight", "light_weight", "regularization_weight", "protect_importance",
+              "emphasis", "importance_smoothing", "smoothness")
+
 #: Settings that are one of several words, and the enumeration of the core that has them.
 CHOICES = {"method": _core.Method, "mode": _core.Mode, "solver": _core.Solver,
            "derivative": _core.Derivative, "importance_smoothing": _core.ImportanceSmoothing,
@@ -34,7 +38,8 @@ class Settings:
     """What optimize takes beside the scene: names, defaults and ranges are those of the filter
     vtkExtinctionOptimizer, whose documentation says more.
 
-    Weights are dimensionless, not below zero, and belong to normalised coordinates.
+    Weights are dimensionless, not below zero, and belong to normalised coordinates. Defaults are
+    those of the preset "Default".
     """
 
     view_weight: float = 10.0  #: q of Eq. (23); 0 leaves the view as it is
@@ -51,10 +56,10 @@ class Settings:
     ray_density: float = 1.0  #: rays per voxel and axis on the farthest slice [0.1, 16]
     skip_unneeded: bool = True  #: leave out what provably cannot change the result
     restrict_to_view: bool = False  #: count only what the picture shows
-    protect_importance: float = 0.0  #: share of it that may not be removed [0, 1]
+    protect_importance: float = 1.0  #: share of it that may not be removed [0, 1]
     emphasis: float = 0.0  #: how much thicker than the data it may become [0, 1]; 1: the paper
-    importance_smoothing: str = "off"  #: or "median": without specks
-    smoothness: float = 0.0  #: how strongly changes are drawn to their neighbours [0, 10]
+    importance_smoothing: str = "median"  #: without specks, or "off": as it is
+    smoothness: float = 0.2  #: how strongly changes are drawn to their neighbours [0, 10]
     backend: str = "auto"  #: or "cpu", "cuda": this or an error
     method: str = "optimized"  #: or "ordinary", "viola_2004", "marchesin_2010", "ament_2017"
     ament_exponent: float = 1.0  #: lambda of "ament_2017", and so on
@@ -66,17 +71,29 @@ class Settings:
     ament_smoothing: int = 1
 
     @classmethod
+    def preset(cls, name):
+        """Settings for a purpose: "Default", "Keep Context", "Strong Reveal", or "Paper", which has
+        the values of the paper. Raises ValueError for a name that there is not."""
+        core = _core.settings_of_preset(str(name))
+        values = {setting: getattr(core, setting) for setting in OF_PRESETS}
+        values["importance_smoothing"] = values["importance_smoothing"].name
+        return cls(**values)
+
+    @classmethod
     def of(cls, given):
-        """Settings from keyword arguments. Raises TypeError for a name that there is not."""
+        """Settings from keyword arguments; preset="Paper" stands for the values of that preset,
+        which others replace. Raises TypeError for a name that there is not."""
         names = [field.name for field in dataclasses.fields(cls)]
+        start = cls.preset(given["preset"]) if "preset" in given else cls()
+        given = {name: value for name, value in given.items() if name != "preset"}
         for name in given:
             if name not in names:
-                near = difflib.get_close_matches(name, names, 1)
+                near = difflib.get_close_matches(name, names + ["preset"], 1)
                 raise TypeError(f"There is no setting {name!r}" +
                                 (f". Did you mean {near[0]!r}?" if near else
                                  f" (help(limpid.Settings) lists all). Use one of these: "
                                  f"{', '.join(names)}."))
-        return cls(**given)
+        return dataclasses.replace(start, **given)
 
     def in_core(self):
         """The settings as the core has them, whose ranges the core checks. Raises ValueError for a
