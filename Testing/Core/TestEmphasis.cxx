@@ -155,28 +155,33 @@ TEST(Emphasis, OfAShareOutOfRangeIsRefused)
   }
 }
 
-// What was removed lets more of the rest be seen, or it was not worth it: with nothing thicker than
-// in the data, the score is the numerator of the visible fraction.
+namespace
+{
+/// What is wrong if a scene shows less than `least` of what its base shows, nothing else.
+std::string ShowsLess(BoxScene scene, double lightWeight, double least)
+{
+  scene.settings.emphasis = 0;
+  scene.settings.weights.light = lightWeight;
+  Solver solver = scene.MakeSolver();
+  solver.Run();
+  const double before = solver.BaseScore().fraction;
+  const double after = solver.BestScore().fraction;
+  return after < least * before ? std::to_string(after) + " is less than " + std::to_string(before)
+                                : std::string();
+}
+}
+
+// With nothing thicker than in the data, the score is the numerator of the visible fraction: what
+// is removed lets more of the rest be seen, or it was not worth it.
 TEST(Emphasis, OfZeroNeverLetsLessBeSeen)
 {
   CheckAtRandom(
-    1, 1000,
-    [](std::uint64_t seed)
-    {
-      BoxScene scene = MakeEmphasisedScene(seed);
-      scene.settings.emphasis = 0;
-      scene.settings.weights.light = 0;
-      return scene;
-    },
-    [](const BoxScene& scene)
-    {
-      Solver solver = scene.MakeSolver();
-      solver.Run();
-      const double before = solver.BaseScore().fraction;
-      const double after = solver.BestScore().fraction;
-      // Both are sums in single precision along rays.
-      const bool less = after < before * (1 - 1e-5);
-      return less ? std::to_string(after) + " is less than " + std::to_string(before)
-                  : std::string();
-    });
+    1, 1000, MakeEmphasisedScene, [](const BoxScene& scene) { return ShowsLess(scene, 0, 1); });
+}
+
+// Something visible may go where that lights more of the rest.
+TEST(Emphasis, OfZeroLetsHardlyLessBeSeenForTheLight)
+{
+  CheckAtRandom(
+    1, 500, MakeEmphasisedScene, [](const BoxScene& scene) { return ShowsLess(scene, 1, 0.98); });
 }

@@ -99,6 +99,33 @@ TEST(RendererExtinction, IsThePartThatIsLeftAtTheNodes)
   ExpectSameButRounding(scene, halved, scene.Render(), 1);
 }
 
+// With emphasis 0, nothing is thicker than the transfer functions make it, between the nodes, too:
+// a share of theirs is left everywhere, which interpolates shares of at most 1.
+TEST(RendererExtinction, WhereItIsOnlyRemovedNoPixelIsMoreOpaque)
+{
+  for (const unsigned seed : { 21u, 22u, 23u })
+  {
+    RenderScene scene =
+      RenderScene::Random(4, MakeGrid({ 12, 10, 9 }, { 3, -1, 2 }, { 0.3, 0.4, 0.5 }), 8);
+    scene.Change({ 12, 10, 9 }, seed);
+    for (std::size_t node = 0; node < scene.base.size(); ++node)
+    {
+      scene.extinction[node] = std::min(scene.extinction[node], scene.base[node]);
+    }
+    const Picture removed = scene.Render();
+    scene.extinction = scene.base;
+    const Picture whole = scene.Render();
+
+    int thinner = 0;
+    for (std::size_t byte = 3; byte < whole.rgba.size(); byte += 4)
+    {
+      EXPECT_LE(removed.rgba[byte], whole.rgba[byte]) << byte;
+      thinner += removed.rgba[byte] < whole.rgba[byte] ? 1 : 0;
+    }
+    EXPECT_GT(thinner, 0);
+  }
+}
+
 TEST(RendererExtinction, IsForgottenWhenNullIsGiven)
 {
   RenderScene scene = Ordinary();

@@ -222,7 +222,9 @@ struct Solver::Internals
     {
       this->base = this->SeesAlong() ? this->minimizer->BaseScore()
                                      : this->ScoreOf(this->scene.baseExtinction);
-      this->best = this->SeesAlong() ? record.score : this->base;
+      this->best = this->SeesAlong()
+        ? record.score
+        : (this->initial ? std::nullopt : std::optional<Score>(this->base));
       this->bestEnergy = record.energy;
       record.score = this->Minimizes() ? record.score : this->base;
     }
@@ -374,6 +376,25 @@ struct Solver::Internals
     return text.str();
   }
 
+  /// Whether a result that only removes matter lets less be seen than the base. The minimum never
+  /// does, but for what a light gains by it; smoothing and importance without its specks minimise
+  /// something else, and can in scenes of a few voxels.
+  bool ShowsLessThanBase()
+  {
+    const Settings& of = this->problem.settings;
+    if (!this->Minimizes() || of.emphasis > 0 || !(of.weights.view > 0))
+    {
+      return false;
+    }
+    if (!this->best)
+    {
+      this->best = this->ScoreOf(this->extinction.OnHost().data());
+    }
+    constexpr double leastForLight = 0.98;
+    const double least = of.weights.light > 0 ? leastForLight : 1.0;
+    return this->best->fraction < least * this->base.fraction;
+  }
+
   void FinishRun()
   {
     FoundExtinction& result = this->lightRun ? this->lightExtinction : this->extinction;
@@ -382,6 +403,12 @@ struct Solver::Internals
       this->settled = this->settled && this->runFound;
       result = this->minimizer->TakeResult();
       this->minimizer.reset();
+      if (!this->lightRun && this->ShowsLessThanBase())
+      {
+        this->AssignBase(result);
+        this->best = this->base;
+        this->bestEnergy = this->backend->MakeMinimizer(this->problem, {}, false)->Start().energy;
+      }
     }
     const bool lightFollows = HasLightExtinction(this->settings) && !this->lightRun;
     if (!lightFollows || this->stopped)
