@@ -194,10 +194,7 @@ void FillConvergence(const Solver& solver, vtkTable* table)
     "ViewEnergy", solver, [](const Record& record) { return record.energy.view; }, table);
   AddColumn<vtkDoubleArray>(
     "LightEnergy", solver, [](const Record& record) { return record.energy.light; }, table);
-  if (solver.TellsScores())
-  {
-    AddScores(solver, table);
-  }
+  AddScores(solver, table);
   AddColumn<vtkDoubleArray>(
     "Seconds", solver, [](const Record& record) { return record.seconds; }, table);
 }

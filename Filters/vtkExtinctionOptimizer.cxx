@@ -308,8 +308,8 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   };
   const std::vector<limpid::Camera> cameras = limpid::CamerasOf(
     limpid::ViewSetOf(this->Self->Settings), camera, limpid::OrbitStart::AtCamera);
-  const limpid::Settings settings =
-    limpid::ForCameras(limpid::SettingsOf(this->Self->Settings), cameras);
+  limpid::Settings settings = limpid::ForCameras(limpid::SettingsOf(this->Self->Settings), cameras);
+  settings.scoreIterations = true; // for the table
   limpid::ConcurrentResult result;
   result.camera = camera;
   if (this->Self->OptimizeViewpoint)

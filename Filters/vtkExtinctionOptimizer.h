@@ -67,8 +67,9 @@ public:
   };
 
   /**
-   * The table on the Convergence output: iteration, level, energies, seconds, and, with a view
-   * weight above zero and without ImportanceSmoothing, score and fractions of every iteration.
+   * The table on the Convergence output: iteration, level, energies, seconds, and score and
+   * fractions of every iteration. These are always of the importance as given: with
+   * ImportanceSmoothing, or without a view weight, they are those of the best so far.
    */
   vtkTable* GetConvergence();
 

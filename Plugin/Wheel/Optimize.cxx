@@ -111,6 +111,7 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   run.camera = camera;
   run.light = light;
   run.settings = settings;
+  run.settings.scoreIterations = true;
   run.guide = guide;
   run.progress = ToProgress(progress);
   ConcurrentResult found;

@@ -89,7 +89,7 @@ bool operator==(const Settings& one, const Settings& other)
     return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
       s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
       s.restrictToView, s.protectImportance, s.emphasis, s.importanceSmoothing, s.smoothness,
-      s.temporalCoherence, s.otherCameras, s.backend);
+      s.temporalCoherence, s.scoreIterations, s.otherCameras, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)
   { return one.weights.*info.weight == other.weights.*info.weight; };

@@ -112,6 +112,10 @@ struct Settings
   /// was before does not matter, as in the paper.
   double temporalCoherence = 0;
 
+  /// Whether every iteration has a score, also where that takes a sweep of its own, see
+  /// TellsScores.
+  bool scoreIterations = false;
+
   /// Cameras for which the extinction is to be as good as for the camera itself: the energy's view
   /// term and scores are means over all of them. Method::Optimized only.
   std::vector<Camera> otherCameras;
@@ -128,7 +132,7 @@ bool operator==(const Settings& one, const Settings& other);
 Settings ForCameras(Settings settings, const std::vector<Camera>& cameras);
 
 /// Whether iterations see what the scores are of: the camera has a term, and the importance is as
-/// given. Else what a result is worth takes a sweep of its own.
+/// given. Else a score takes a sweep of its own.
 inline bool TellsScores(const Settings& settings)
 {
   return InfoOf(settings.method).iterates && settings.weights.view > 0 &&
@@ -161,7 +165,8 @@ struct IterationRecord
   int iteration = 0; ///< 0 is the base extinction
   int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
   Energy energy;
-  Score score;           ///< from the cameras; 0 where iterations do not tell it, see TellsScores
+  Score score;           ///< from the cameras; 0 where it takes a sweep of its own and nobody
+                         ///< has asked, see Settings::scoreIterations; then of the best so far
   double meanChange = 0; ///< mean |change| of the voxels that may change [majorant]
   double seconds = 0;    ///< since the start
   bool isResult = false; ///< the best, whatever its energy: it drew neighbours together, or is what

@@ -226,7 +226,7 @@ struct Solver::Internals
         ? record.score
         : (this->initial ? std::nullopt : std::optional<Score>(this->base));
       this->bestEnergy = record.energy;
-      record.score = this->Minimizes() ? record.score : this->base;
+      record.score = this->best.value_or(Score());
     }
     this->history.push_back(record);
   }
@@ -234,7 +234,10 @@ struct Solver::Internals
   bool SeesAlong() const { return limpid::TellsScores(this->problem.settings); }
 
   /// Whether records have scores.
-  bool KnowsScores() const { return !this->Minimizes() || this->SeesAlong(); }
+  bool KnowsScores() const
+  {
+    return !this->Minimizes() || this->SeesAlong() || this->settings.scoreIterations;
+  }
 
   /// Whether iterations minimise Eq. (21); else there is one, by a method of another kind.
   bool Minimizes() const { return InfoOf(this->settings.method).iterates; }
@@ -325,6 +328,10 @@ struct Solver::Internals
     if (!this->Minimizes() && !this->lightRun)
     {
       this->Judged(record);
+    }
+    else if (this->KnowsScores() && !this->SeesAlong() && !this->lightRun)
+    {
+      record.score = this->ScoreOf(this->minimizer->Best().data());
     }
     ++this->iterations;
     this->seconds +=
