@@ -41,9 +41,20 @@ vtkViewpointSearch::vtkViewpointSearch()
 {
   this->SetNumberOfOutputPorts(3);
   this->SetMaximumIterations(1);
+  this->SetSmoothness(0); // six sweeps a direction, of which hardly any score tells
 }
 
 vtkViewpointSearch::~vtkViewpointSearch() = default;
+
+bool vtkViewpointSearch::SetPreset(const char* name)
+{
+  const bool isThere = this->Superclass::SetPreset(name);
+  if (isThere)
+  {
+    this->SetSmoothness(0);
+  }
+  return isThere;
+}
 
 void vtkViewpointSearch::AddAvoidedDirection(double x, double y, double z)
 {

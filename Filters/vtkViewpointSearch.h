@@ -62,6 +62,12 @@ public:
   vtkTypeMacro(vtkViewpointSearch, vtkVisibilityAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Settings for a purpose, see vtkVisibilitySettings::SetPreset; TemporalCoherence and Smoothness
+   * become 0.
+   */
+  bool SetPreset(const char* name) override;
+
   enum Fields
   {
     IMPORTANCE_PROXY = 0,

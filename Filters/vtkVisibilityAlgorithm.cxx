@@ -33,12 +33,14 @@ vtkVisibilityAlgorithm::~vtkVisibilityAlgorithm()
   this->SetScalarOpacityFunction(nullptr);
 }
 
-void vtkVisibilityAlgorithm::SetPreset(const char* name)
+bool vtkVisibilityAlgorithm::SetPreset(const char* name)
 {
-  if (this->Settings->SetPreset(name))
+  const bool isThere = this->Settings->SetPreset(name);
+  if (isThere)
   {
     this->Settings->SetTemporalCoherence(0);
   }
+  return isThere;
 }
 
 void vtkVisibilityAlgorithm::SetVisibilitySettings(vtkVisibilitySettings* settings)

@@ -66,7 +66,7 @@ public:
   /**
    * Settings for a purpose, see vtkVisibilitySettings::SetPreset; TemporalCoherence becomes 0.
    */
-  virtual void SetPreset(const char* name);
+  virtual bool SetPreset(const char* name);
 
   ///@{
   /**

@@ -118,7 +118,7 @@ public:
   /**
    * Settings for a purpose, see vtkVisibilitySettings::SetPreset.
    */
-  virtual void SetPreset(const char* name) { this->Settings->SetPreset(name); }
+  virtual bool SetPreset(const char* name) { return this->Settings->SetPreset(name); }
 
   ///@{
   /**
