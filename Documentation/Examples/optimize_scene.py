@@ -30,7 +30,7 @@ def piecewise(nodes):
 
 
 def optimizer_of(scene):
-    """The filter, set up for the scene, as the paper has it; not executed."""
+    """The filter, set up for the scene; not executed."""
     optimizer = simple.ExtinctionOptimizer(Input=scene.source)
     optimizer.ImportanceArray = ["POINTS", scene.importance_array]
     if scene.importance:
@@ -47,11 +47,8 @@ def optimizer_of(scene):
 
 
 def optimize(scene):
-    """The filter as the display has it by default, executed."""
+    """The filter with its defaults, which are the display's, executed."""
     optimizer = optimizer_of(scene)
-    optimizer.ProtectImportance = 1
-    optimizer.ImportanceSmoothing = "Median"
-    optimizer.Smoothness = 0.2
     optimizer.UpdatePipeline()
     if optimizer.PointData["Extinction"] is None:
         raise SystemExit("The optimisation failed; its message is above.")

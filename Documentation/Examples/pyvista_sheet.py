@@ -26,10 +26,6 @@ SIZE = 270  # of a picture [pixels]
 BACKGROUND = (0.08, 0.08, 0.1)
 ROWS = ("before\nPyVista", "after\nPyVista", "after, lit and shadowed\nlimpid.render")
 
-#: As the display Optimized Volume has it by default: what is important is not removed, and specks
-#: and edges of what is removed do not show.
-SETTINGS = {"protect_importance": 1, "importance_smoothing": "median", "smoothness": 0.2}
-
 WAVELET = {
     "title": "Wavelet",
     "data": {"array": "RTData"},
@@ -97,7 +93,7 @@ def column(scene, image):
     array = scene["data"]["array"]
     found = limpid.optimize(image, scalars=array, extinction_function=scene["extinction_tf"],
                             importance_function=scene["importance_tf"], camera=scene["camera"],
-                            light=scene["light"]["position"], **SETTINGS)
+                            light=scene["light"]["position"])
     print(f"{scene['title']}: {found}", flush=True)
     nodes = np.transpose(scene["extinction_tf"])
     base = np.interp(np.asarray(image[array], dtype=float), *nodes)

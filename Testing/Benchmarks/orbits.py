@@ -32,6 +32,7 @@ DISTANCE = 3  # radii of the box
 def optimizer_for(scene):
     image, volume_property, importance = scene
     optimizer = vtkExtinctionOptimizer()
+    optimizer.SetPreset("Paper")
     optimizer.SetInputData(image)
     optimizer.SetInputArrayToProcess(0, 0, 0, 0, image.GetPointData().GetScalars().GetName())
     optimizer.SetInputArrayToProcess(

@@ -124,6 +124,7 @@ def pass_time(scene, options):
     result = {"flips": [], "score": []}
     for coherence in options.coherence:
         optimizer = vtkExtinctionOptimizer()
+        optimizer.SetPreset("Paper")
         optimizer.SetInputArrayToProcess(0, 0, 0, 0, "Scalars")
         optimizer.SetInputArrayToProcess(1, 0, 0, 0, "Scalars")
         optimizer.SetScalarOpacityFunction(volume_property.GetScalarOpacity())

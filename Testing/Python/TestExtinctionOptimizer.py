@@ -26,9 +26,9 @@ SUMMARY = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVis
 
 
 def optimizer(image, **properties):
-    """A filter with camera and light in a place of their own."""
+    """A filter with camera and light in a place of their own, which does what the paper says."""
     return filter_on(image, vtkExtinctionOptimizer, **{
-        "CameraPosition": (4, 3, 2), "LightPosition": (-3, 4, 5), **properties})
+        "Preset": "Paper", "CameraPosition": (4, 3, 2), "LightPosition": (-3, 4, 5), **properties})
 
 
 def number(image, name):
@@ -142,15 +142,18 @@ class TestOutput(OptimizerTest):
         np.testing.assert_array_equal(iterations, np.arange(len(iterations)))
         self.assertEqual(len(iterations), number(result.GetOutput(), "Iterations") + 1)
 
-    def test_has_no_scores_in_the_table_that_are_not_those_of_the_importance_as_given(self):
+    def test_has_scores_of_the_importance_as_given_in_the_table(self):
         for properties in ({"ImportanceSmoothing": vtkExtinctionOptimizer.MEDIAN},
-                           {"ViewWeight": 0}):
+                           {"Preset": "Default"}, {"ViewWeight": 0}):
             result = optimizer(phantom(), **properties)
             result.Update()
 
             for name in ("VisibilityScore", "VisibleFraction", "SacrificedFraction"):
-                self.assertIsNone(result.GetConvergence().GetColumnByName(name), properties)
-                self.assertGreater(number(result.GetOutput(), name), 0, properties)
+                scores = vtk_to_numpy(result.GetConvergence().GetColumnByName(name))
+                self.assertIn(number(result.GetOutput(), name), scores, properties)
+            scores = vtk_to_numpy(result.GetConvergence().GetColumnByName("VisibilityScore"))
+            self.assertEqual(scores[0], number(result.GetOutput(), "BaseVisibilityScore"))
+            self.assertGreater(scores.min(), 0)
 
     def test_scores_the_importance_as_given_when_that_is_smoothed(self):
         smoothed = self.run_filter(phantom(), ImportanceSmoothing=vtkExtinctionOptimizer.MEDIAN,
@@ -557,6 +560,7 @@ class TestDegenerateInput(OptimizerTest):
 
     def test_settings_that_make_no_sense_are_named(self):
         cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0,
+                     ClearingThreshold=-4,
                      ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
                      LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=2,
                      LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,

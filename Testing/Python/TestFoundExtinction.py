@@ -18,8 +18,7 @@ simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 vars(simple).update(OcclusionPhantom=OcclusionPhantom)
 
 # Defaults of the display that are not those of the filter.
-AS_THE_DISPLAY = dict(ProtectImportance=1, ImportanceSmoothing="Median", Smoothness=0.2,
-                      RestrictToView=1)
+AS_THE_DISPLAY = dict(RestrictToView=1)
 
 
 def data(kind="Unsigned Short", name="Values", resolution=32):

@@ -17,7 +17,7 @@ from mapper_tests import MapperTest, show
 
 def optimizer(**properties):
     return filter_on(phantom(24), vtkExtinctionOptimizer, **{
-        "CameraPosition": (4, 3, 2), "LightPosition": (-3, 4, 5), **properties})
+        "Preset": "Paper", "CameraPosition": (4, 3, 2), "LightPosition": (-3, 4, 5), **properties})
 
 
 def score(result, name="VisibilityScore"):
@@ -98,7 +98,7 @@ class TestMapper(MapperTest):
         self.assert_fine(view)
 
     def test_the_score_is_that_of_the_camera(self):
-        view, mapper = show(Views=Mapper.ORBIT, NumberOfViews=4)
+        view, mapper = show(Views=Mapper.ORBIT, NumberOfViews=4, Emphasis=1)
         scores = set()
         for _ in range(3):
             view.window.Render()

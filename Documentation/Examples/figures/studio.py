@@ -207,6 +207,7 @@ def names_of(titles):
 def filter_of(scene, **properties):
     """The filter for the scene, as the paper has it unless told otherwise; not executed."""
     optimizer = optimize_scene.optimizer_of(scene)
+    optimizer.Preset = "Paper"
     for name, value in properties.items():
         setattr(optimizer, name, value)
     return optimizer
@@ -218,7 +219,7 @@ def visibility_of(scene, extinction, viewpoint=None):
     image = copied(image_of(scene.source), Given=extinction, Importance=importance_of(scene))
     source = source_of(image)
     optimizer = simple.ExtinctionOptimizer(Input=source, ExtinctionSource="Array",
-                                           MaximumIterations=0)
+                                           MaximumIterations=0, Preset="Paper")
     optimizer.ImportanceArray = ["POINTS", "Importance"]
     optimizer.ExtinctionArray = ["POINTS", "Given"]
     look_through(optimizer, scene, viewpoint or viewpoint_of(scene))

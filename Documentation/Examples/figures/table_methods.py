@@ -6,7 +6,7 @@
   pvpython table_methods.py --plugin Limpid.so --output FOLDER [FILE.scene.json ...]
 
 By the filter, all of the volume counts. Optimized is as the display has it, Optimized (Paper) as the
-paper does: without protection of what is important and without smoothing. Ament 2017 depends on its
+paper does: by the presets Default and Paper. Ament 2017 depends on its
 weights, so several are tried from the scenes' own cameras.
 """
 
@@ -18,10 +18,8 @@ from markdown import table
 
 OCCLUDERS = (30, 300, 3000, 30000)  # q of Ament 2017
 EXPONENTS = (1, 3)  # its lambda
-DISPLAY = {"ProtectImportance": 1, "ImportanceSmoothing": "Median", "Smoothness": 0.2}
-PAPER = {"ProtectImportance": 0, "ImportanceSmoothing": "Off", "Smoothness": 0}
-COLUMNS = [(method, {"Method": method, **DISPLAY}) for method in METHODS] + \
-    [("Optimized (Paper)", {"Method": "Optimized", **PAPER})]
+COLUMNS = [(method, {"Method": method, "Preset": "Default"}) for method in METHODS] + \
+    [("Optimized (Paper)", {"Method": "Optimized", "Preset": "Paper"})]
 FOUND = ("VisibilityScore", "VisibleFraction")
 
 
