@@ -50,6 +50,7 @@ Settings SettingsOf(vtkVisibilitySettings* settings)
   Settings result;
   result.method = static_cast<Method>(settings->GetMethod());
   result.ament = AmentWeightsOf(settings);
+  result.clearingThreshold = settings->GetClearingThreshold();
   result.weights.regularization = settings->GetRegularizationWeight();
   result.weights.view = settings->GetViewWeight();
   result.weights.light = settings->GetLightWeight();

@@ -27,12 +27,23 @@ vtkVisibilitySettings::~vtkVisibilitySettings()
   this->SetImportanceFunction(nullptr);
 }
 
+void vtkVisibilitySettings::SetRegularizationWeight(double weight)
+{
+  if (weight != this->RegularizationWeight)
+  {
+    this->RegularizationWeight = weight;
+    this->ClearingThreshold = 0;
+    this->Modified();
+  }
+}
+
 bool vtkVisibilitySettings::SetPreset(const char* name)
 {
   try
   {
     const limpid::SettingsPreset& preset = limpid::PresetNamed(name ? name : "");
     this->SetRegularizationWeight(preset.weights.regularization);
+    this->SetClearingThreshold(preset.clearingThreshold);
     this->SetViewWeight(preset.weights.view);
     this->SetLightWeight(preset.weights.light);
     this->SetProtectImportance(preset.protectImportance);
@@ -83,6 +94,7 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   print("AmentLightOccluders", this->AmentLightOccluders);
   print("AmentLightBackground", this->AmentLightBackground);
   print("AmentSmoothing", this->AmentSmoothing);
+  print("ClearingThreshold", this->ClearingThreshold);
   print("RegularizationWeight", this->RegularizationWeight);
   print("ViewWeight", this->ViewWeight);
   print("LightWeight", this->LightWeight);

@@ -14,7 +14,8 @@
  * Defaults are those of the preset "Default", see SetPreset. Some depend on the owner:
  * vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED, see there, and RestrictToView on;
  * filters have TemporalCoherence 0, so that a result does not depend on what ran before;
- * vtkViewpointSearch has MaximumIterations 1. vtkViewpointSearch
+ * vtkViewpointSearch has MaximumIterations 1 and Smoothness 0, as six sweeps more for every direction
+ * hardly change its score. vtkViewpointSearch
  * uses the weights and the solver only where it optimises for every view, with a light of its own
  * for each and with RestrictToView off.
  *
@@ -41,7 +42,8 @@ public:
 
   ///@{
   /**
-   * Settings for a purpose, under one name, in capital letters or not: weights, ProtectImportance,
+   * Settings for a purpose, under one name, in capital letters or not: weights, ClearingThreshold,
+   * ProtectImportance,
    * Emphasis, ImportanceSmoothing, Smoothness and TemporalCoherence, which filters keep at 0.
    * "Default": what hides something important is cleared, and what is important stays whole. "Keep
    * Context": only what hides much is cleared. "Strong Reveal": what is important becomes a veil
@@ -165,10 +167,22 @@ public:
 
   ///@{
   /**
-   * Weight p of the regularisation term, Eq. (22), in normalised coordinates: dimensionless, not
-   * below zero. Default is 1e-3.
+   * Share of the visibility that must be at stake before a voxel of the densest matter is cleared:
+   * the larger it is, the more context is kept, however dense and large the data are. From it
+   * follows p of Eq. (22), delta q / (R mu-max), not below zero. 0: p is RegularizationWeight, as
+   * in [HG24]. Default is 3e-3.
    */
-  vtkSetMacro(RegularizationWeight, double);
+  vtkSetMacro(ClearingThreshold, double);
+  vtkGetMacro(ClearingThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight p of the regularisation term, Eq. (22), in normalised coordinates: dimensionless, not
+   * below zero. It counts where ClearingThreshold is 0, which becomes so when the weight changes.
+   * Default is 1e-3.
+   */
+  virtual void SetRegularizationWeight(double weight);
   vtkGetMacro(RegularizationWeight, double);
   ///@}
 
@@ -449,6 +463,7 @@ private:
   int Backend = AUTO;
 
   // Of the preset "Default".
+  double ClearingThreshold = 0;
   double RegularizationWeight = 0;
   double ViewWeight = 0;
   double LightWeight = 0;

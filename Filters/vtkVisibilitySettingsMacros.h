@@ -117,6 +117,7 @@
   LIMPID_FORWARD_SETTING(AmentLightOccluders, double)                                              \
   LIMPID_FORWARD_SETTING(AmentLightBackground, double)                                             \
   LIMPID_FORWARD_SETTING(AmentSmoothing, int)                                                      \
+  LIMPID_FORWARD_SETTING(ClearingThreshold, double)                                                \
   LIMPID_FORWARD_SETTING(RegularizationWeight, double)                                             \
   LIMPID_FORWARD_SETTING(ViewWeight, double)                                                       \
   LIMPID_FORWARD_SETTING(LightWeight, double)                                                      \

@@ -17,42 +17,42 @@ namespace limpid
 {
 namespace
 {
-const char* const COHERENCE = "TemporalCoherence";
-
 double Value(vtkSMProxy* proxy, const std::string& property)
 {
   return vtkSMPropertyHelper(proxy, property.c_str()).GetAsDouble();
 }
 
-std::map<std::string, double> ValuesOf(vtkVisibilitySettings* settings)
+std::vector<std::pair<std::string, double>> ValuesOf(vtkVisibilitySettings* settings)
 {
   return { { "RegularizationWeight", settings->GetRegularizationWeight() },
+    { "ClearingThreshold", settings->GetClearingThreshold() },
     { "ViewWeight", settings->GetViewWeight() }, { "LightWeight", settings->GetLightWeight() },
     { "ProtectImportance", settings->GetProtectImportance() },
     { "Emphasis", settings->GetEmphasis() },
     { "ImportanceSmoothing", double(settings->GetImportanceSmoothing()) },
-    { "Smoothness", settings->GetSmoothness() }, { COHERENCE, settings->GetTemporalCoherence() } };
+    { "Smoothness", settings->GetSmoothness() },
+    { "TemporalCoherence", settings->GetTemporalCoherence() } };
 }
 }
 
 std::vector<Preset> PresetsFor(vtkSMProxy* proxy)
 {
-  // Filters have no coherence by default, and keep it so.
   vtkSMProxy* prototype =
     proxy->GetSessionProxyManager()->GetPrototypeProxy(proxy->GetXMLGroup(), proxy->GetXMLName());
-  const double coherence = prototype->GetProperty(COHERENCE) ? Value(prototype, COHERENCE) : 0;
   std::vector<Preset> presets;
   for (int i = 0; i < vtkVisibilitySettings::GetNumberOfPresets(); ++i)
   {
     const vtkNew<vtkVisibilitySettings> settings;
     settings->SetPreset(vtkVisibilitySettings::GetPresetName(i));
-    settings->SetTemporalCoherence(std::min(coherence, settings->GetTemporalCoherence()));
     Preset preset{ vtkVisibilitySettings::GetPresetName(i), {} };
-    for (const auto& entry : ValuesOf(settings))
+    for (const auto& [name, value] : ValuesOf(settings))
     {
-      if (proxy->GetProperty(entry.first.c_str()))
+      if (proxy->GetProperty(name.c_str()))
       {
-        preset.values.insert(entry);
+        // What a filter does without by default, it does without in every preset.
+        const bool isOptional = name == "TemporalCoherence" || name == "Smoothness";
+        const bool isLeftOut = isOptional && Value(prototype, name) == 0;
+        preset.values.emplace_back(name, isLeftOut ? 0.0 : value);
       }
     }
     presets.push_back(preset);

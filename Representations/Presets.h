@@ -6,8 +6,8 @@
 #ifndef limpid_Presets_h
 #define limpid_Presets_h
 
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkSMProxy;
@@ -17,7 +17,10 @@ namespace limpid
 struct Preset
 {
   std::string name;
-  std::map<std::string, double> values; ///< of properties with one number, by their names
+
+  /// Values of properties with one number, by their names, in the order in which they are to be
+  /// set.
+  std::vector<std::pair<std::string, double>> values;
 };
 
 /// The presets for a display or filter, without the properties that it lacks.

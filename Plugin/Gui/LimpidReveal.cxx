@@ -30,10 +30,9 @@
 
 namespace
 {
-const char* const WEIGHT = "RegularizationWeight";
-// Powers of ten of the ratio of weights at the ends of the slider: next to nothing is cleared, and
-// all that is worth it.
-const double LEAST = 1;
+const char* const THRESHOLD = "ClearingThreshold";
+// The threshold at the ends of the slider is 1, at which next to nothing is cleared, and this power
+// of a tenth, at which all is that is worth it.
 const double MOST = 4;
 const int STEPS = 100; // per power of ten
 
@@ -58,25 +57,24 @@ void TakeOver(vtkSMProxy* volume, const char* name)
 }
 
 // With three digits, as a person would type it.
-double Rounded(double weight)
+double Rounded(double threshold)
 {
-  return QString::number(weight, 'g', 3).toDouble();
+  return QString::number(threshold, 'g', 3).toDouble();
 }
 }
 
-LimpidReveal::LimpidReveal(
-  vtkSMProxy* display, vtkSMProperty* regularization, QWidget* parentWidget)
+LimpidReveal::LimpidReveal(vtkSMProxy* display, vtkSMProperty* threshold, QWidget* parentWidget)
   : pqPropertyWidget(display, parentWidget)
-  , Volume(regularization->GetParent())
+  , Volume(threshold->GetParent())
   , Presets(limpid::PresetsFor(this->Volume))
   , PresetBox(new QComboBox(this))
   , Slider(new QSlider(Qt::Horizontal, this))
-  , RowLabel(new QLabel(regularization->GetXMLLabel(), this))
-  , Row(new pqDoubleVectorPropertyWidget(regularization, display, this))
+  , RowLabel(new QLabel(threshold->GetXMLLabel(), this))
+  , Row(new pqDoubleVectorPropertyWidget(threshold, display, this))
   , Grid(new QGridLayout(this))
 {
   this->setShowLabel(false);
-  this->Row->setProperty(regularization);
+  this->Row->setProperty(threshold);
   this->Row->setObjectName("Row");
   this->RowLabel->setWordWrap(true);
   this->createPresets();
@@ -134,8 +132,8 @@ void LimpidReveal::createSlider()
   this->Slider->setObjectName("Reveal");
   this->Slider->setToolTip(
     tr("How much of what hides important structures is cleared. To the left all stays as the "
-       "transfer functions make it. Sets the Regularization Weight."));
-  this->Slider->setRange(0, static_cast<int>((MOST - LEAST) * STEPS));
+       "transfer functions make it. Sets the Clearing Threshold."));
+  this->Slider->setRange(0, static_cast<int>(MOST * STEPS));
   this->Slider->setSingleStep(STEPS / 10);
   this->Slider->setPageStep(STEPS / 2);
   this->connect(this->Slider, &QSlider::valueChanged, this, &LimpidReveal::moveSlider);
@@ -201,7 +199,7 @@ void LimpidReveal::resizeEvent(QResizeEvent* event)
 void LimpidReveal::follow()
 {
   this->followPreset();
-  this->followWeights();
+  this->followThreshold();
 }
 
 void LimpidReveal::followPreset()
@@ -212,15 +210,17 @@ void LimpidReveal::followPreset()
     static_cast<int>(preset ? preset - this->Presets.data() : this->Presets.size()));
 }
 
-void LimpidReveal::followWeights()
+void LimpidReveal::followThreshold()
 {
-  const double largest = this->largestWeight();
-  const double weight = Value(this->Volume, WEIGHT);
-  const double power = weight > 0 && largest > 0 ? std::log10(largest / weight) : MOST;
-  const double steps = (std::clamp(power, LEAST, MOST) - LEAST) * STEPS;
+  // Where it is 0, the regularisation weight counts, of which the slider does not know.
+  const double threshold = Value(this->Volume, THRESHOLD);
+  const double power = threshold > 0 ? -std::log10(threshold) : MOST;
+  const double steps = std::clamp(power, 0.0, MOST) * STEPS;
   const QSignalBlocker blocker(this->Slider);
   this->Slider->setValue(static_cast<int>(std::lround(steps)));
-  this->Slider->setEnabled(largest > 0); // else nothing is optimised
+  const bool optimises =
+    Value(this->Volume, "ViewWeight") > 0 || Value(this->Volume, "LightWeight") > 0;
+  this->Slider->setEnabled(optimises);
 }
 
 void LimpidReveal::choosePreset()
@@ -237,27 +237,21 @@ void LimpidReveal::choosePreset()
   }
 }
 
-double LimpidReveal::largestWeight() const
+double LimpidReveal::chosenThreshold() const
 {
-  return std::max(Value(this->Volume, "ViewWeight"), Value(this->Volume, "LightWeight"));
-}
-
-double LimpidReveal::chosenWeight() const
-{
-  const double power = LEAST + double(this->Slider->value()) / STEPS;
-  return Rounded(this->largestWeight() / std::pow(10., power));
+  return Rounded(std::pow(10.0, -double(this->Slider->value()) / STEPS));
 }
 
 void LimpidReveal::moveSlider()
 {
   if (!this->Slider->isSliderDown())
   {
-    FillIn(this->Volume, WEIGHT, this->chosenWeight());
+    FillIn(this->Volume, THRESHOLD, this->chosenThreshold());
     Q_EMIT this->changeAvailable();
     Q_EMIT this->changeFinished();
     return;
   }
-  this->setAtOnce(this->chosenWeight());
+  this->setAtOnce(this->chosenThreshold());
   if (this->view())
   {
     this->view()->getViewProxy()->InteractiveRender(); // as quick as while the volume is turned
@@ -266,16 +260,16 @@ void LimpidReveal::moveSlider()
 
 void LimpidReveal::beginDrag()
 {
-  this->WeightBeforeDrag = Value(this->Volume, WEIGHT);
+  this->ThresholdBeforeDrag = Value(this->Volume, THRESHOLD);
 }
 
 // The whole drag becomes one change, for undo and trace.
 void LimpidReveal::endDrag()
 {
   const int end = this->Slider->value();
-  if (Value(this->Volume, WEIGHT) != this->WeightBeforeDrag)
+  if (Value(this->Volume, THRESHOLD) != this->ThresholdBeforeDrag)
   {
-    this->setAtOnce(this->WeightBeforeDrag);
+    this->setAtOnce(this->ThresholdBeforeDrag);
     this->Slider->setValue(end);
   }
   if (this->view())
@@ -284,9 +278,9 @@ void LimpidReveal::endDrag()
   }
 }
 
-void LimpidReveal::setAtOnce(double weight)
+void LimpidReveal::setAtOnce(double threshold)
 {
   SCOPED_UNDO_EXCLUDE();
-  vtkSMPropertyHelper(this->Volume, WEIGHT).Set(weight);
+  vtkSMPropertyHelper(this->Volume, THRESHOLD).Set(threshold);
   this->proxy()->UpdateVTKObjects();
 }

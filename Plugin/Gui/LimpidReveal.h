@@ -6,11 +6,11 @@
  * @brief   presets of an Optimized Volume, a slider from keeping context to revealing, and a button
  *          that looks from the best view
  *
- * For the property RegularizationWeight of a display, with panel_widget="LimpidReveal". The slider
- * is logarithmic: it sets that weight to a tenth, or down to a ten-thousandth, of the larger one of
- * ViewWeight and LightWeight. Presets (Presets.h) and slider are but a way to set properties, and
- * follow them: undo, trace and state have these. The volume follows the slider while it is dragged,
- * which is one step of undo. The plain row of the property is among the advanced ones.
+ * For the property ClearingThreshold of a display, with panel_widget="LimpidReveal". The slider is
+ * logarithmic: it sets the threshold from 1 down to a ten-thousandth. Presets (Presets.h) and
+ * slider are but a way to set properties, and follow them: undo, trace and state have these. The
+ * volume follows the slider while it is dragged, which is one step of undo. The plain row of the
+ * property is among the advanced ones.
  */
 
 #ifndef LimpidReveal_h
@@ -30,7 +30,7 @@ class LimpidReveal : public pqPropertyWidget
   Q_OBJECT
 
 public:
-  LimpidReveal(vtkSMProxy* proxy, vtkSMProperty* regularization, QWidget* parent = nullptr);
+  LimpidReveal(vtkSMProxy* proxy, vtkSMProperty* threshold, QWidget* parent = nullptr);
 
   void apply() override;
   void reset() override;
@@ -52,10 +52,9 @@ private:
   void createSlider();
   QPushButton* newBestView();
   void followPreset();
-  void followWeights();
-  double largestWeight() const; // of view and light
-  double chosenWeight() const;  // RegularizationWeight for the slider's position
-  void setAtOnce(double weight);
+  void followThreshold();
+  double chosenThreshold() const; // for the slider's position
+  void setAtOnce(double threshold);
 
   vtkSMProxy* Volume; // has the properties, which the display exposes
   const std::vector<limpid::Preset> Presets;
@@ -64,7 +63,7 @@ private:
   QLabel* RowLabel;
   pqPropertyWidget* Row; // the plain row of the property
   QGridLayout* Grid;
-  double WeightBeforeDrag = 0;
+  double ThresholdBeforeDrag = 0;
 };
 
 #endif

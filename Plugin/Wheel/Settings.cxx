@@ -63,6 +63,7 @@ void BindSettings(nb::module_& module)
   nb::class_<Settings> settings(module, "Settings");
   settings.def(nb::init<>())
     .def_rw("method", &Settings::method)
+    .def_rw("clearing_threshold", &Settings::clearingThreshold)
     .def_rw("mode", &Settings::mode)
     .def_rw("solver", &Settings::solver)
     .def_rw("maximum_iterations", &Settings::maximumIterations)

@@ -136,8 +136,9 @@ inline std::string DescriptionOf(const BoxScene& scene)
        << settings.weights.light << ", solver " << int(settings.solver) << ", mode "
        << int(settings.mode) << ", ray density " << settings.rayDensity << ", protection "
        << settings.protectImportance << ", emphasis " << settings.emphasis
-       << ", smoothing of importance " << int(settings.importanceSmoothing) << ", smoothness "
-       << settings.smoothness << ", coherence " << settings.temporalCoherence << "\n";
+       << ", clearing threshold " << settings.clearingThreshold << ", smoothing of importance "
+       << int(settings.importanceSmoothing) << ", smoothness " << settings.smoothness
+       << ", coherence " << settings.temporalCoherence << "\n";
   scene.ForEachNode(
     [&](std::size_t node, int i, int j, int k)
     {

@@ -41,6 +41,7 @@ void Vary(BoxScene& scene, RandomNumbers& random)
     settings.weights.view = random.Chance(0.2) ? 0.0 : random.PowerOfTen(-1, 3);
     settings.weights.light = random.Chance(0.4) ? 0.0 : random.PowerOfTen(-1, 2);
     settings.protectImportance = random.Chance(0.6) ? 0.0 : random.Between(0, 1);
+    settings.clearingThreshold = random.Chance(0.6) ? 0.0 : random.PowerOfTen(-4, 0);
     settings.emphasis = random.Chance(0.6) ? 1.0 : random.Between(0, 1);
     settings.importanceSmoothing =
       random.Chance(0.6) ? ImportanceSmoothing::Off : ImportanceSmoothing::Median;

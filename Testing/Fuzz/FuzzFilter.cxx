@@ -92,6 +92,7 @@ void SetProperties(Invented& make, vtkExtinctionOptimizer* filter)
   settings->SetSkipUnneeded(make.Chance());
   settings->SetRestrictToView(make.Chance());
   settings->SetProtectImportance(make.Number(-0.1, 1.1));
+  settings->SetClearingThreshold(make.Chance() ? make.Number(-0.1, 2) : 0);
   settings->SetEmphasis(make.Number(-0.1, 1.1));
   settings->SetImportanceSmoothing(make.Chance() ? 1 : 0);
   settings->SetSmoothness(make.Number(-0.1, 1));

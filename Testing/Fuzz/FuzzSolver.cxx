@@ -40,6 +40,7 @@ Settings MakeSettings(Invented& make)
   settings.skipUnneeded = make.Chance();
   settings.restrictToView = make.Chance();
   settings.protectImportance = make.Number(0, 1);
+  settings.clearingThreshold = make.Chance() ? make.Number(0, 2) : 0;
   settings.emphasis = make.Number(0, 1);
   settings.importanceSmoothing =
     make.Chance() ? ImportanceSmoothing::Median : ImportanceSmoothing::Off;

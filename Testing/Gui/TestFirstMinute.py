@@ -14,7 +14,7 @@ from story import expect
 PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
 
 # What filters take from the display, and from the view.
-SETTINGS = ["UseImportanceFunction", "RegularizationWeight", "ProtectImportance", "ViewWeight",
+SETTINGS = ["UseImportanceFunction", "ClearingThreshold", "ProtectImportance", "ViewWeight",
             "LightWeight", "ImportanceSmoothing", "Smoothness", "Method", "Mode",
             "RestrictToView", "ScalarOpacityUnitDistance"]
 CAMERA = ["CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle",

@@ -11,10 +11,10 @@ import story
 from paraview import simple, smtrace
 from story import expect
 
-WEIGHTS = ["ViewWeight", "LightWeight", "RegularizationWeight", "ProtectImportance"]
-DEFAULT = [10, 1, 1e-3, 1]
-STRONG_REVEAL = [10, 1, 1e-4, 0.1]
-KEEP_CONTEXT = [10, 1, 0.1, 1]
+WEIGHTS = ["ViewWeight", "LightWeight", "ClearingThreshold", "ProtectImportance"]
+DEFAULT = [10, 1, 3e-3, 1]
+STRONG_REVEAL = [10, 1, 3e-4, 0.1]
+KEEP_CONTEXT = [10, 1, 0.3, 1]
 
 
 def values(display):
@@ -27,8 +27,8 @@ def expect_values(display, expected, what):
 
 def is_between(display):
     """Whether the slider is between its ends, and has changed nothing else."""
-    view, light, regularization, protect = values(display)
-    return [view, light, protect] == [10, 1, 0.1] and 1e-3 < regularization < 1
+    view, light, threshold, protect = values(display)
+    return [view, light, protect] == [10, 1, 0.1] and 1e-4 < threshold < 1
 
 
 def tell():
@@ -59,28 +59,28 @@ def tell():
     frames.settle(60)
     frames.clear()
     yield
-    first = display.RegularizationWeight
+    first = display.ClearingThreshold
     story.live(0.5)
     expect(is_between(display) and frames.all() > 0,
            f"the volume follows the drag: {values(display)}, {frames.all()} renders")
     yield
-    last = display.RegularizationWeight
+    last = display.ClearingThreshold
     expect(is_between(display) and last < first, f"and goes on to follow it: {values(display)}")
     yield
-    expect(display.RegularizationWeight == last, f"it stays where it is let go: {values(display)}")
+    expect(display.ClearingThreshold == last, f"it stays where it is let go: {values(display)}")
     yield
     expect_values(display, [10, 1, 1, 0.1], "a drag is undone in one step")
     yield
-    expect(is_between(display) and display.RegularizationWeight == last,
+    expect(is_between(display) and display.ClearingThreshold == last,
            f"drag redone in one step: {values(display)}")
     with open("trace.py", "w", encoding="utf-8") as file:
         file.write(smtrace.stop_trace())
     with open("traced.json", "w", encoding="utf-8") as file:
         json.dump(dict(zip(WEIGHTS, values(display))), file)
-    display.RegularizationWeight = 0.0317  # nearest to the position that 0.0316 has
+    display.ClearingThreshold = 0.0317  # nearest to the position that 0.0316 has
     yield
 
-    expect(display.RegularizationWeight == 0.0317, "the slider follows Python")
+    expect(display.ClearingThreshold == 0.0317, "the slider follows Python")
     yield
 
     expect_values(display, DEFAULT, "a preset is chosen from other values")

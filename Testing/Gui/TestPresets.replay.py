@@ -12,7 +12,7 @@ import sys
 
 from paraview import simple
 
-WEIGHTS = [0.0001, 0.0316, 1.0]  # of the preset, and of the slider before it was dragged
+THRESHOLDS = [0.0003, 0.0316, 1.0]  # of the preset, and of the slider before it was dragged
 
 simple.LoadPlugin(os.path.abspath("../Limpid.so"), remote=False, ns=globals())
 view = simple.CreateView("RenderView")
@@ -30,8 +30,9 @@ print(f"The trace replayed: {found}.")
 if found != expected:
     sys.exit(f"The story ended with {expected}. Read trace.py.")
 lines = [f"{name} = {value}" for name, value in
-         re.findall(r"\b(\w*Weight|ProtectImportance|Preset) ?= ?([^\s,)]+)", trace)]
-wanted = ["ProtectImportance = 0.1"] + [f"RegularizationWeight = {weight}" for weight in
-                                        WEIGHTS + [expected["RegularizationWeight"]]]
+         re.findall(r"\b(\w*Weight|ClearingThreshold|ProtectImportance|Preset) ?= ?([^\s,)]+)",
+                    trace)]
+wanted = ["ProtectImportance = 0.1"] + [f"ClearingThreshold = {threshold}" for threshold in
+                                        THRESHOLDS + [expected["ClearingThreshold"]]]
 if sorted(lines) != sorted(wanted):
     sys.exit(f"The trace says {lines} (one line for each change). It should say {wanted}.")

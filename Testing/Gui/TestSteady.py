@@ -73,7 +73,7 @@ def tell():
         story.let_go(view)
 
     def edit():
-        display.RegularizationWeight = 0.1
+        display.ClearingThreshold = 0.1
         simple.Render(view)
 
     def enlarge():

@@ -49,7 +49,7 @@ def tell():
     revealed = share(display)
     yield
 
-    expect(display.RegularizationWeight > 0.01, "the slider moves towards Keep Context")
+    expect(display.ClearingThreshold > 0.01, "the slider moves towards Keep Context")
     finished("context")
     expect(share(display) < revealed, "less of what is important shows with more context")
     yield

@@ -74,7 +74,8 @@ class TestOptimizedVolume(displays.DisplayTest):
         self.assertLessEqual(
             {"ImportanceArray", "UseImportanceFunction", "ImportanceFunction",
              "ExtinctionSource", "ExtinctionArray",
-             "RegularizationWeight", "ViewWeight", "LightWeight", "LightType", "LightPosition",
+             "RegularizationWeight", "ClearingThreshold", "ViewWeight", "LightWeight", "LightType",
+             "LightPosition",
              "Mode", "Solver", "MaximumIterations", "Tolerance", "MaximumSeconds", "Derivative",
              "RayDensity", "SkipUnneeded", "RestrictToView", "ProtectImportance", "Emphasis",
              "Backend",
@@ -229,18 +230,18 @@ class TestOptimizedVolume(displays.DisplayTest):
         optimizer.CameraFocalPoint = [0, 0, 0]
         optimizer.CameraViewUp = [0, 0, 1]
         optimizer.CameraParallelScale = self.view.CameraParallelScale = 0.9
-        variants = [{}, {"RestrictToView": 0}, {"LightType": "Directional"}, {"Mode": "Separate"},
+        variants = [{}, {"Preset": "Default"}, {"RestrictToView": 0}, {"LightType": "Directional"}, {"Mode": "Separate"},
                     {"ViewWeight": 2, "LightWeight": 3, "RegularizationWeight": 0.1},
                     {"Solver": "Adam", "IterationsPerLevel": [4, 4, 4], "Derivative": "Ray"},
-                    {"MaximumIterations": 1, "RayDensity": 1.5}, {"ProtectImportance": 0.7}, {"Emphasis": 0.4},
+                    {"MaximumIterations": 1, "RayDensity": 1.5}, {"ProtectImportance": 0.7},
+                    {"Emphasis": 0.4}, {"ClearingThreshold": 0.1},
                     {"ImportanceSmoothing": "Median"}, {"Smoothness": 0.2}]
         for number, variant in enumerate(variants):
             position = displays.POSITIONS[number % len(displays.POSITIONS)]
             parallel = number % 2
             with self.subTest(variant=variant, position=position, parallel=parallel):
-                defaults = {"RestrictToView": 1, "MaximumIterations": 8, "RayDensity": 1,
-                            "ProtectImportance": 0, "ImportanceSmoothing": "Off",
-                            "Smoothness": 0}
+                defaults = {"Preset": "Paper", "RestrictToView": 1, "MaximumIterations": 8,
+                            "RayDensity": 1}
                 for name, value in {**defaults, **variant}.items():
                     setattr(display, name, value)
                     setattr(optimizer, name, value)

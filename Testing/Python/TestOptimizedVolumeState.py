@@ -46,7 +46,10 @@ SETTINGS = {"Mode": "Separate", "ViewWeight": 6.0, "LightWeight": 2.0, "Regulari
             "ShowScore": 0, "RayDensity": 1.2, "Tolerance": 2e-3, "EaseTime": 0.1,
             "AdaptiveQuality": 0, "InteractiveFrameTime": 0.2}
 # What earlier versions did not have: their pictures are those of the defaults.
-LATER_SETTINGS = {"ShowMissed": 1, "MissedColor": [0.0, 1.0, 0.5]}
+LATER_SETTINGS = {"ShowMissed": 1, "MissedColor": [0.0, 1.0, 0.5], "Emphasis": 0.3,
+                  "ClearingThreshold": 0.05}
+# What .pvsm files of earlier versions stand for, which did not have these.
+EARLIER_SETTINGS = {"Emphasis": 1, "ClearingThreshold": 0}
 
 
 def new_view():
@@ -85,8 +88,8 @@ def traced(proxy):
     change.finalize()
 
 
-def show_much():
-    """Two views; in one of them two volumes."""
+def show_much(**of_all):
+    """Two views; in one of them two volumes. `of_all`: properties of all displays."""
     view = new_view()
     source = OcclusionPhantom(Resolution=32, Scene="Head")
     display = displays.show(source, view)
@@ -98,7 +101,11 @@ def show_much():
     other.Shadows = 0
     second = new_view()
     displays.look(second, displays.POSITIONS[1])
-    displays.show(source, second).Method = "Ordinary"
+    third = displays.show(source, second)
+    third.Method = "Ordinary"
+    for each in (display, other, third):
+        for name, value in of_all.items():
+            setattr(each, name, value)
     return display
 
 
@@ -201,7 +208,8 @@ class TestOptimizedVolumeState(unittest.TestCase):
     def test_what_earlier_versions_saved_makes_the_same_pictures(self):
         versions = sorted(os.listdir(SAVED))
         self.assertTrue(versions)
-        for make, names in ((show_much, ("state.pvsm", "state.py")), (trace_much, ("trace.py",))):
+        for make, names in ((lambda: show_much(**EARLIER_SETTINGS), ("state.pvsm",)),
+                            (show_much, ("state.py",)), (trace_much, ("trace.py",))):
             displays.clear()
             make()
             expected = take_all()

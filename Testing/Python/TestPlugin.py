@@ -27,11 +27,12 @@ class TestPlugin(unittest.TestCase):
              "ImportanceFunction", "ExtinctionSource", "ScalarOpacityFunction",
              "ScalarOpacityUnitDistance", "ExtinctionArray", "CameraPosition", "CameraFocalPoint",
              "CameraViewUp", "CameraViewAngle", "CameraParallelProjection", "CameraParallelScale",
-             "LightType", "LightPosition", "RegularizationWeight", "ViewWeight", "LightWeight",
+             "LightType", "LightPosition", "RegularizationWeight", "ClearingThreshold", "ViewWeight",
+             "LightWeight",
              "Mode", "Solver", "MaximumIterations", "IterationsPerLevel", "LearningRate",
              "Tolerance", "MaximumSeconds", "Derivative", "RayDensity", "SkipUnneeded",
-             "RestrictToView", "ProtectImportance", "Emphasis", "OptimizeViewpoint", "ViewpointGuide",
-             "Backend"}, names)
+             "RestrictToView", "ProtectImportance", "Emphasis", "OptimizeViewpoint",
+             "ViewpointGuide", "Preset", "Backend"}, names)
         self.assertLessEqual({"Resolution", "Scene"}, set(OcclusionPhantom().ListProperties()))
 
     def test_works_as_it_is_on_the_phantom(self):

@@ -24,7 +24,7 @@ class TestPluginViewpointSearch(unittest.TestCase):
         self.assertLessEqual(
             {"Input", "ScalarArray", "ImportanceArray", "UseImportanceFunction",
              "ImportanceFunction", "ExtinctionSource", "ScalarOpacityFunction",
-             "ScalarOpacityUnitDistance", "ExtinctionArray", "RegularizationWeight", "ViewWeight",
+             "ScalarOpacityUnitDistance", "ExtinctionArray", "RegularizationWeight", "ClearingThreshold", "ViewWeight",
              "LightWeight", "ProtectImportance", "Emphasis", "Backend", "Field", "Sampling", "NumberOfDirections", "CameraDistance",
              "CameraViewAngle", "NumberOfViewpoints", "Refine"}, set(search.ListProperties()))
         self.assertEqual(search.SMProxy.GetXMLLabel(), "Viewpoint Search")

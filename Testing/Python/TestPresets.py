@@ -4,7 +4,6 @@
 # The presets of the representation type "Optimized Volume" as scripts see them.
 
 import os
-import xml.etree.ElementTree as ElementTree
 
 from paraview import simple, smstate
 from paraview.vtk.vtkCommonCore import vtkOutputWindow
@@ -13,22 +12,35 @@ import displays
 import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
-XML = ElementTree.parse(os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml"))
-VOLUME = XML.getroot().find(".//OptimizedVolumeRepresentationProxy")
-PRESETS = {preset.get("name"): {value.get("property"): float(value.get("value"))
-                                for value in preset.iter("Value")}
-           for preset in VOLUME.iter("Preset")}
-NAMES = sorted({name for values in PRESETS.values() for name in values})
-PAPER = {"ViewWeight": 10, "LightWeight": 1, "RegularizationWeight": 1e-3, "ProtectImportance": 0, "Emphasis": 1,
-         "ImportanceSmoothing": 0, "Smoothness": 0}
+# Of the display. Those that do not differ between presets are left out but for Default.
+DEFAULT = {"ViewWeight": 10, "LightWeight": 1, "RegularizationWeight": 1e-3,
+           "ClearingThreshold": 3e-3, "ProtectImportance": 1, "Emphasis": 0,
+           "ImportanceSmoothing": 1, "Smoothness": 0.2, "TemporalCoherence": 0.2}
+PRESETS = {"Default": DEFAULT,
+           "Keep Context": {**DEFAULT, "ClearingThreshold": 0.3},
+           "Strong Reveal": {**DEFAULT, "ClearingThreshold": 3e-4, "ProtectImportance": 0.1},
+           "Paper": {**DEFAULT, "ClearingThreshold": 0, "ProtectImportance": 0, "Emphasis": 1,
+                     "ImportanceSmoothing": 0, "Smoothness": 0, "TemporalCoherence": 0}}
+NAMES = sorted(DEFAULT)
+
+
+def values(proxy):
+    return {name: float(proxy.GetProperty(name).SMProperty.GetElement(0)) for name in NAMES
+            if proxy.GetProperty(name)}
+
+
+def change_all(proxy):
+    for name in values(proxy):
+        value = 0 if name == "ImportanceSmoothing" else 0.5
+        proxy.GetProperty(name).SMProperty.SetElement(0, value)
 
 
 class TestPresets(displays.DisplayTest):
     def setUp(self):
         super().setUp()
-        self.display = simple.Show(OcclusionPhantom(Resolution=12), self.view)
+        phantom = OcclusionPhantom(registrationName="phantom", Resolution=12)
+        self.display = simple.Show(phantom, self.view)
         self.display.SetRepresentationType("Optimized Volume")
-        self.defaults = self.values()
         self.errors = []
 
         def observe(_, __, text):
@@ -38,55 +50,66 @@ class TestPresets(displays.DisplayTest):
         tag = window.AddObserver("ErrorEvent", observe)
         self.addCleanup(window.RemoveObserver, tag)
 
-    def values(self):
-        return {name: float(self.display.GetProperty(name).SMProperty.GetElement(0))
-                for name in NAMES}
-
-    def test_are_values_of_properties_with_one_number(self):
-        self.assertEqual(list(PRESETS), ["Default", "Keep Context", "Strong Reveal", "Paper"])
-        for name in NAMES:
-            element = VOLUME.find("./*[@name='{}']".format(name))
-            self.assertIsNotNone(element, name)
-            self.assertEqual(element.get("number_of_elements"), "1", name)
-
-    def test_differ_from_each_other(self):
-        seen = []
-        for name in PRESETS:
-            self.display.Preset = name
-            self.assertNotIn(self.values(), seen, name)
-            seen.append(self.values())
-
-    def test_set_what_they_name_and_defaults_of_the_rest(self):
-        for name, values in PRESETS.items():
+    def test_set_their_values(self):
+        for name, expected in PRESETS.items():
             with self.subTest(preset=name):
-                for other in NAMES:
-                    self.display.GetProperty(other).SMProperty.SetElement(
-                        0, 0 if self.defaults[other] else 1)
+                change_all(self.display)
 
                 self.display.Preset = name
 
-                self.assertEqual(self.values(), {**self.defaults, **values})
+                self.assertEqual(values(self.display), expected)
                 self.assertEqual(self.errors, [])
 
-    def test_the_first_is_the_default(self):
-        self.display.Preset = "Paper"
-        self.display.Preset = next(iter(PRESETS))
+    def test_displays_start_with_the_first(self):
+        self.assertEqual(values(self.display), DEFAULT)
 
-        self.assertEqual(self.values(), self.defaults)
+    def test_are_found_without_capital_letters(self):
+        self.display.Preset = "strong reveal"
 
-    def test_paper_is_the_paper(self):
-        self.display.Preset = "Paper"
+        self.assertEqual(values(self.display), PRESETS["Strong Reveal"])
 
-        found = self.values()
-        self.assertEqual({name: found[name] for name in PAPER}, PAPER)
+    def test_set_what_filters_have_of_it(self):
+        for make, without in ((ExtinctionOptimizer, ("TemporalCoherence",)),
+                              (ViewpointSearch, ("TemporalCoherence", "Smoothness"))):
+            proxy = make(Input=simple.FindSource("phantom"))
+            start = values(proxy)
+            for name, values_of_display in PRESETS.items():
+                expected = {setting: 0 if setting in without else value
+                            for setting, value in values_of_display.items() if setting in start}
+                with self.subTest(filter=make.__name__, preset=name):
+                    self.assertTrue(name != "Default" or start == expected)
+                    change_all(proxy)
+
+                    proxy.Preset = name
+
+                    self.assertEqual(values(proxy), expected)
+
+    def test_come_to_the_filter(self):
+        optimizer = ExtinctionOptimizer(Input=simple.FindSource("phantom"), Preset="Paper")
+        optimizer.UpdatePipeline()
+        printed = str(optimizer.GetClientSideObject())
+
+        for name, value in (("Emphasis", 1), ("ProtectImportance", 0), ("ClearingThreshold", 0)):
+            self.assertRegex(printed, rf"{name}: {value}\n")
+
+    def test_the_regularization_weight_counts_when_it_is_set(self):
+        for proxy in (self.display, ExtinctionOptimizer(Input=simple.FindSource("phantom"))):
+            proxy.RegularizationWeight = 0.02
+            self.assertEqual(proxy.ClearingThreshold, 0)
+            proxy.ClearingThreshold = 0.1
+            self.assertEqual(proxy.RegularizationWeight, 0.02)
+            proxy.Preset = "Default"
+            self.assertEqual(proxy.ClearingThreshold, 3e-3)
+            self.assertEqual(proxy.RegularizationWeight, 1e-3)
+            proxy.UpdateVTKObjects()
 
     def test_an_unknown_name_changes_nothing_and_says_which_there_are(self):
         self.display.ViewWeight = 3
-        before = self.values()
+        before = values(self.display)
 
         self.display.Preset = "Nonsense"
 
-        self.assertEqual(self.values(), before)
+        self.assertEqual(values(self.display), before)
         self.assertEqual(len(self.errors), 1)
         self.assertIn('"Nonsense"', self.errors[0])
         self.assertIn("Default, Keep Context, Strong Reveal, Paper.", self.errors[0])
@@ -97,7 +120,7 @@ class TestPresets(displays.DisplayTest):
         self.assertEqual(self.display.Preset, "")
         state = smstate.get_state()
         self.assertNotIn("Preset", state)
-        self.assertRegex(state, displays.sets("RegularizationWeight", 0.0001))
+        self.assertRegex(state, displays.sets("ClearingThreshold", 0.0003))
         self.assertRegex(state, displays.sets("ProtectImportance", 0.1))
 
 

@@ -10,7 +10,8 @@ import xml.etree.ElementTree as ElementTree
 import limpid.vtkLimpidFilters as filters
 
 XML = os.path.join(os.environ["LIMPID_XML"], "LimpidFilters.xml")
-PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "ProxyProperty")
+PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "ProxyProperty",
+              "RegularizationProperty")
 
 
 def proxies():

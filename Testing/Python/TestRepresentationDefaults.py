@@ -63,7 +63,7 @@ class TestRepresentationDefaults(unittest.TestCase):
 
     def test_numbers_have_sliders(self):
         # This one has a slider of its own, over powers of ten.
-        own = "RegularizationWeight"
+        own = "ClearingThreshold"
         for row in group("Optimized Volume") + group("Light of the Volume"):
             if row.tag == "DoubleVectorProperty" and row.get("number_of_elements") == "1":
                 with self.subTest(property=row.get("name")):

@@ -272,6 +272,7 @@ class TestBadInput(MapperTest):
 
     def test_settings_that_make_no_sense_are_named(self):
         cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0, Mode=7,
+                     ClearingThreshold=-4,
                      Solver=-1, Derivative=2, Backend=9, LightType=3, LightSource=2, Method=5,
                      ExtinctionSource=2,
                      Optimization=3, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,

@@ -16,12 +16,10 @@ from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
 OWNERS = (vtkExtinctionOptimizer, vtkViewpointSearch, vtkTransmittanceVolumeMapper)
 # Defaults that are the owner's own.
 OWN_DEFAULTS = {
-    vtkExtinctionOptimizer: {},
-    vtkViewpointSearch: {"MaximumIterations": 1},
+    vtkExtinctionOptimizer: {"TemporalCoherence": 0},
+    vtkViewpointSearch: {"MaximumIterations": 1, "TemporalCoherence": 0, "Smoothness": 0},
     vtkTransmittanceVolumeMapper: {"ScalarComponent": vtkTransmittanceVolumeMapper.UNDECIDED,
-                                   "RestrictToView": 1, "ProtectImportance": 1,
-                                   "ImportanceSmoothing": vtkTransmittanceVolumeMapper.MEDIAN,
-                                   "Smoothness": 0.2, "TemporalCoherence": 0.2},
+                                   "RestrictToView": 1},
 }
 
 
@@ -40,7 +38,7 @@ def other(value):
 
 class TestVisibilitySettings(unittest.TestCase):
     def test_owners_pass_every_setting_on(self):
-        self.assertEqual(len(names()), 37)
+        self.assertEqual(len(names()), 38)
         for owner in OWNERS:
             instance = owner()
             settings = instance.GetVisibilitySettings()
@@ -67,6 +65,48 @@ class TestVisibilitySettings(unittest.TestCase):
                 with self.subTest(owner=owner.__name__, setting=name):
                     expected = OWN_DEFAULTS[owner].get(name, getattr(plain, "Get" + name)())
                     self.assertEqual(getattr(owner(), "Get" + name)(), expected)
+
+    def test_presets_are_those_of_the_table(self):
+        names = [vtkVisibilitySettings.GetPresetName(index)
+                 for index in range(vtkVisibilitySettings.GetNumberOfPresets())]
+        self.assertEqual(names, ["Default", "Keep Context", "Strong Reveal", "Paper"])
+        self.assertIsNone(vtkVisibilitySettings.GetPresetName(len(names)))
+
+    def test_owners_have_presets(self):
+        paper = {"RegularizationWeight": 1e-3, "ClearingThreshold": 0, "ViewWeight": 10,
+                 "LightWeight": 1, "ProtectImportance": 0, "Emphasis": 1, "Smoothness": 0,
+                 "ImportanceSmoothing": vtkVisibilitySettings.AS_GIVEN, "TemporalCoherence": 0}
+        for owner in OWNERS:
+            instance = owner()
+            defaults = {name: getattr(instance, "Get" + name)() for name in paper}
+            for preset, expected in (("PAPER", paper), ("Default", defaults)):
+                with self.subTest(owner=owner.__name__, preset=preset):
+                    self.assertTrue(instance.SetPreset(preset))
+                    self.assertEqual(
+                        {name: getattr(instance, "Get" + name)() for name in paper}, expected)
+
+    def test_an_unknown_preset_changes_nothing_and_says_which_there_are(self):
+        settings = vtkVisibilitySettings()
+        errors = []
+
+        def observe(_, __, text):
+            errors.append(text)
+        observe.CallDataType = "string0"
+        settings.AddObserver("ErrorEvent", observe)
+        before = settings.GetMTime()
+
+        self.assertFalse(settings.SetPreset("Nonsense"))
+
+        self.assertEqual(settings.GetMTime(), before)
+        self.assertEqual(len(errors), 1)
+        self.assertIn("Default, Keep Context, Strong Reveal, Paper.", errors[0])
+
+    def test_the_regularization_weight_counts_when_it_is_changed(self):
+        for owner in OWNERS:
+            instance = owner()
+            self.assertGreater(instance.GetClearingThreshold(), 0)
+            instance.SetRegularizationWeight(2 * instance.GetRegularizationWeight())
+            self.assertEqual(instance.GetClearingThreshold(), 0)
 
     def test_a_change_makes_every_owner_newer(self):
         shared = vtkVisibilitySettings()

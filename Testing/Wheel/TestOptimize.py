@@ -71,9 +71,29 @@ class TestResult(unittest.TestCase):
     def test_settings_count(self):
         self.assertEqual(optimize(view_weight=0, light_weight=0).visibility_score,
                          optimize(method="ordinary").visibility_score)
-        self.assertLess(optimize(protect_importance=1).sacrificed_fraction,
-                        optimize().sacrificed_fraction)
+        self.assertLess(optimize().sacrificed_fraction,
+                        optimize(protect_importance=0).sacrificed_fraction)
         self.assertEqual(optimize(solver="adam", iterations_per_level=(1, 2, 3)).iterations, 6)
+
+    def test_presets_set_several_settings(self):
+        paper = limpid.Settings.preset("Paper")
+        self.assertEqual((paper.protect_importance, paper.emphasis, paper.clearing_threshold,
+                          paper.importance_smoothing, paper.smoothness), (0, 1, 0, "off", 0))
+        self.assertEqual(limpid.Settings.preset("default"), limpid.Settings())
+        self.assertEqual(optimize(preset="Paper").visibility_score, optimize(
+            protect_importance=0, emphasis=1, clearing_threshold=0, importance_smoothing="off",
+            smoothness=0).visibility_score)
+        self.assertLess(optimize(preset="keep context").visible_fraction,
+                        optimize(preset="strong reveal").visible_fraction)
+        with self.assertRaisesRegex(ValueError, "Default, Keep Context, Strong Reveal, Paper"):
+            optimize(preset="Nonsense")
+
+    def test_a_regularization_weight_counts(self):
+        self.assertLess(optimize(regularization_weight=10.0).visible_fraction,
+                        optimize(regularization_weight=1e-3).visible_fraction)
+        self.assertEqual(
+            optimize(regularization_weight=10.0, clearing_threshold=0.1).visible_fraction,
+            optimize(clearing_threshold=0.1).visible_fraction)
 
     def test_moves_the_camera_to_where_more_is_seen(self):
         moved = optimize(optimize_viewpoint=True)

@@ -24,8 +24,7 @@ bool CanCostMoreThanItShows(const Problem& problem, double weight)
 {
   const double radius = problem.grid.Radius();
   const double diameter = radius * problem.majorant;
-  const double change =
-    problem.settings.weights.regularization + problem.CoherenceWeight() / radius;
+  const double change = problem.NormalisedRegularization() + problem.CoherenceWeight() / radius;
   return weight < change * diameter * diameter;
 }
 

@@ -44,6 +44,7 @@ const SettingsPreset& PresetNamed(const std::string& name)
 void Take(const SettingsPreset& preset, Settings& settings)
 {
   settings.weights = preset.weights;
+  settings.clearingThreshold = preset.clearingThreshold;
   settings.protectImportance = preset.protectImportance;
   settings.emphasis = preset.emphasis;
   settings.importanceSmoothing = preset.importanceSmoothing;

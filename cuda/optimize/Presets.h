@@ -15,6 +15,7 @@ struct SettingsPreset
 {
   const char* name;
   Weights weights;
+  double clearingThreshold;
   double protectImportance;
   double emphasis;
   ImportanceSmoothing importanceSmoothing;
@@ -24,10 +25,10 @@ struct SettingsPreset
 
 /// All presets. The first is what filters, mapper, display and Python package start with.
 inline constexpr SettingsPreset settingsPresets[] = {
-  { "Default", { 1e-3, 10, 1 }, 1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
-  { "Keep Context", { 0.1, 10, 1 }, 1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
-  { "Strong Reveal", { 1e-4, 10, 1 }, 0.1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
-  { "Paper", { 1e-3, 10, 1 }, 0, 1, ImportanceSmoothing::Off, 0, 0 },
+  { "Default", { 1e-3, 10, 1 }, 3e-3, 1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
+  { "Keep Context", { 1e-3, 10, 1 }, 0.3, 1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
+  { "Strong Reveal", { 1e-3, 10, 1 }, 3e-4, 0.1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
+  { "Paper", { 1e-3, 10, 1 }, 0, 0, 1, ImportanceSmoothing::Off, 0, 0 },
 };
 
 inline constexpr const SettingsPreset& defaultPreset = settingsPresets[0];

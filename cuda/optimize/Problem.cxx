@@ -46,6 +46,19 @@ double Problem::SquaresFrom(const float* other, const float* extinction) const
     });
 }
 
+double Problem::NormalisedRegularization() const
+{
+  const Weights& weights = this->settings.weights;
+  const double depth = this->grid.Radius() * double(this->majorant);
+  if (!(this->settings.clearingThreshold > 0 && depth > 0))
+  {
+    return weights.regularization;
+  }
+  // A voxel is cleared where q T (V - g) > p R mu-bar.
+  const double atStake = weights.view > 0 ? weights.view : weights.light;
+  return this->settings.clearingThreshold * atStake / depth;
+}
+
 double Problem::WeightOfRange(double share) const
 {
   const Weights& weights = this->settings.weights;

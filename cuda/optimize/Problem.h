@@ -56,10 +56,13 @@ struct Problem
 
   double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
 
+  /// p of Eq. (22): the regularisation weight, or what Settings::clearingThreshold makes it.
+  double NormalisedRegularization() const;
+
   /// p of Eq. (22) in world units: the normalised energy times R^2 has p R / 2 (mu - mu-bar)^2.
   double RegularizationWeight() const
   {
-    return this->settings.weights.regularization * this->grid.Radius();
+    return this->NormalisedRegularization() * this->grid.Radius();
   }
 
   /// t of Settings::temporalCoherence in world units [length]: with 1, a voxel moves through its

@@ -282,9 +282,9 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
       double(settings.maximumIterations), settings.tolerance, settings.maximumSeconds,
       double(settings.derivative), settings.rayDensity, double(settings.skipUnneeded),
       double(settings.restrictToView), settings.protectImportance, settings.emphasis,
-      double(settings.importanceSmoothing), double(settings.method), double(settings.solver),
-      settings.learningRate, settings.smoothness, settings.temporalCoherence,
-      double(settings.scoreIterations), nearness });
+      settings.clearingThreshold, double(settings.importanceSmoothing), double(settings.method),
+      double(settings.solver), settings.learningRate, settings.smoothness,
+      settings.temporalCoherence, double(settings.scoreIterations), nearness });
   numbers.insert(
     numbers.end(), settings.iterationsPerLevel.begin(), settings.iterationsPerLevel.end());
   if (!AreAlike(ranks, { double(numbers.size()) }) || !AreAlike(ranks, numbers))

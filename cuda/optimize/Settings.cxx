@@ -28,6 +28,8 @@ void Settings::Require() const
   {
     RequireNotNegative(info.name, info.whyNotNegative, this->weights.*info.weight);
   }
+  RequireNotNegative(
+    "clearing threshold", "less than nothing cannot be at stake", this->clearingThreshold);
   RequireNotNegative("tolerance", "no change can be smaller", this->tolerance);
   RequireNotNegative("time limit", "it has passed already", this->maximumSeconds);
   LIMPID_REQUIRE(this->protectImportance >= 0 && this->protectImportance <= 1,
@@ -88,8 +90,8 @@ bool operator==(const Settings& one, const Settings& other)
   {
     return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
       s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
-      s.restrictToView, s.protectImportance, s.emphasis, s.importanceSmoothing, s.smoothness,
-      s.temporalCoherence, s.scoreIterations, s.otherCameras, s.backend);
+      s.restrictToView, s.protectImportance, s.emphasis, s.clearingThreshold, s.importanceSmoothing,
+      s.smoothness, s.temporalCoherence, s.scoreIterations, s.otherCameras, s.backend);
   };
   const auto sameWeight = [&](const WeightInfo& info)
   { return one.weights.*info.weight == other.weights.*info.weight; };

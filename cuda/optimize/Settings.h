@@ -79,6 +79,12 @@ struct Settings
   AmentWeights ament; ///< of Method::Ament2017
 
   Weights weights;
+
+  /// Share of the visibility that must be at stake before a voxel of the densest matter is cleared,
+  /// whatever the density and the size of the data (Documentation/Deviations.md, D23), >= 0. It
+  /// takes the place of weights.regularization; 0: that counts, as in the paper.
+  double clearingThreshold = 0;
+
   Mode mode = Mode::Joint;
   SolverKind solver = SolverKind::Policy;
   int maximumIterations = 8;                               ///< policy, for every camera

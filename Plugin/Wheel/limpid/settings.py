@@ -12,8 +12,8 @@ from . import _core
 from .arguments import choice
 
 #: Settings that a preset has values for.
-OF_PRESETS = ("view_weight", "light_weight", "regularization_weight", "protect_importance",
-              "emphasis", "importance_smoothing", "smoothness")
+OF_PRESETS = ("view_weight", "light_weight", "clearing_threshold", "regularization_weight",
+              "protect_importance", "emphasis", "importance_smoothing", "smoothness")
 
 #: Settings that are one of several words, and the enumeration of the core that has them.
 CHOICES = {"method": _core.Method, "mode": _core.Mode, "solver": _core.Solver,
@@ -44,7 +44,8 @@ class Settings:
 
     view_weight: float = 10.0  #: q of Eq. (23); 0 leaves the view as it is
     light_weight: float = 1.0  #: r of Eq. (24); 0 leaves the light as it is
-    regularization_weight: float = 1e-3  #: p of Eq. (22)
+    clearing_threshold: float = 3e-3  #: share of visibility at stake before something is cleared
+    regularization_weight: float = 1e-3  #: p of Eq. (22), if clearing_threshold is 0
     mode: str = "joint"  #: one extinction for camera and light, or "separate": one for each
     solver: str = "policy"  #: policy sweeps, or "adam": the paper's, coarse to fine
     maximum_iterations: int = 8  #: of the policy solver
@@ -82,7 +83,7 @@ class Settings:
     @classmethod
     def of(cls, given):
         """Settings from keyword arguments; preset="Paper" stands for the values of that preset,
-        which others replace. Raises TypeError for a name that there is not."""
+        which others replace; a regularization_weight counts. Raises TypeError for a name that there is not."""
         names = [field.name for field in dataclasses.fields(cls)]
         start = cls.preset(given["preset"]) if "preset" in given else cls()
         given = {name: value for name, value in given.items() if name != "preset"}
@@ -93,6 +94,8 @@ class Settings:
                                 (f". Did you mean {near[0]!r}?" if near else
                                  f" (help(limpid.Settings) lists all). Use one of these: "
                                  f"{', '.join(names)}."))
+        if "regularization_weight" in given:
+            given.setdefault("clearing_threshold", 0.0)
         return dataclasses.replace(start, **given)
 
     def in_core(self):

@@ -17,7 +17,7 @@ import json
 import os
 
 PAGES = ("errors", "resolutions", "scaling", "kernels", "solvers", "rendering", "viewpoints",
-         "peers", "gpu", "counts", "compilers", "steadiness", "orbits", "ranks")
+         "peers", "gpu", "counts", "compilers", "steadiness", "orbits", "presets", "ranks")
 PLOTTED = (*PAGES[:4], "peers")
 
 
