@@ -14,10 +14,9 @@
  * Defaults are those of the preset "Default", see SetPreset. Some depend on the owner:
  * vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED, see there, and RestrictToView on;
  * filters have TemporalCoherence 0, so that a result does not depend on what ran before;
- * vtkViewpointSearch has MaximumIterations 1 and Smoothness 0, as six sweeps more for every direction
- * hardly change its score. vtkViewpointSearch
- * uses the weights and the solver only where it optimises for every view, with a light of its own
- * for each and with RestrictToView off.
+ * vtkViewpointSearch has MaximumIterations 1 and Smoothness 0, as six sweeps more for every
+ * direction hardly change its score. vtkViewpointSearch uses the weights and the solver only where
+ * it optimises for every view, with a light of its own for each and with RestrictToView off.
  *
  * @sa vtkVisibilityAlgorithm vtkTransmittanceVolumeMapper
  */
