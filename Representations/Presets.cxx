@@ -3,11 +3,11 @@
 
 #include "Presets.h"
 
-#include "vtkNew.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSessionProxyManager.h"
-#include "vtkVisibilitySettings.h"
+
+#include "optimize/Presets.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -22,16 +22,14 @@ double Value(vtkSMProxy* proxy, const std::string& property)
   return vtkSMPropertyHelper(proxy, property.c_str()).GetAsDouble();
 }
 
-std::vector<std::pair<std::string, double>> ValuesOf(vtkVisibilitySettings* settings)
+std::vector<std::pair<std::string, double>> ValuesOf(const SettingsPreset& preset)
 {
-  return { { "RegularizationWeight", settings->GetRegularizationWeight() },
-    { "ClearingThreshold", settings->GetClearingThreshold() },
-    { "ViewWeight", settings->GetViewWeight() }, { "LightWeight", settings->GetLightWeight() },
-    { "ProtectImportance", settings->GetProtectImportance() },
-    { "Emphasis", settings->GetEmphasis() },
-    { "ImportanceSmoothing", double(settings->GetImportanceSmoothing()) },
-    { "Smoothness", settings->GetSmoothness() },
-    { "TemporalCoherence", settings->GetTemporalCoherence() } };
+  return { { "RegularizationWeight", preset.weights.regularization },
+    { "ClearingThreshold", preset.clearingThreshold }, { "ViewWeight", preset.weights.view },
+    { "LightWeight", preset.weights.light }, { "ProtectImportance", preset.protectImportance },
+    { "Emphasis", preset.emphasis },
+    { "ImportanceSmoothing", static_cast<double>(preset.importanceSmoothing) },
+    { "Smoothness", preset.smoothness }, { "TemporalCoherence", preset.temporalCoherence } };
 }
 }
 
@@ -40,11 +38,9 @@ std::vector<Preset> PresetsFor(vtkSMProxy* proxy)
   vtkSMProxy* prototype =
     proxy->GetSessionProxyManager()->GetPrototypeProxy(proxy->GetXMLGroup(), proxy->GetXMLName());
   std::vector<Preset> presets;
-  for (int i = 0; i < vtkVisibilitySettings::GetNumberOfPresets(); ++i)
+  for (const SettingsPreset& settings : settingsPresets)
   {
-    const vtkNew<vtkVisibilitySettings> settings;
-    settings->SetPreset(vtkVisibilitySettings::GetPresetName(i));
-    Preset preset{ vtkVisibilitySettings::GetPresetName(i), {} };
+    Preset preset{ settings.name, {} };
     for (const auto& [name, value] : ValuesOf(settings))
     {
       if (proxy->GetProperty(name.c_str()))

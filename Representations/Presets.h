@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The presets of vtkVisibilitySettings as values of a proxy's properties.
+// The presets of the core as values of a proxy's properties.
 
 #ifndef limpid_Presets_h
 #define limpid_Presets_h
