@@ -61,7 +61,7 @@ class TestProperties(MapperTest):
 
 class TestOptimization(MapperTest):
     def test_makes_more_of_the_importance_visible(self):
-        view, mapper = show()
+        view, mapper = show(Emphasis=1)
         picture = view.picture()
         save(picture, "optimized")
 
@@ -71,6 +71,9 @@ class TestOptimization(MapperTest):
         self.assertTrue(mapper.GetConverged())
         self.assertGreater(mapper.GetIterations(), 0)
         self.assertIn("CPU", mapper.GetBackendName())
+        mapper.SetEmphasis(0)
+        view.picture()
+        self.assertGreater(mapper.GetVisibleFraction(), mapper.GetBaseVisibleFraction())
         mapper.SetMethod(Mapper.ORDINARY)
         ordinary = view.picture()
         save(ordinary, "ordinary")
