@@ -93,9 +93,9 @@ void BindSettings(nb::module_& module)
   module.def("settings_of_preset",
     [](const std::string& name)
     {
-      Settings settings;
-      Take(PresetNamed(name), settings);
-      return settings;
+      Settings ofPreset;
+      Take(PresetNamed(name), ofPreset);
+      return ofPreset;
     });
 }
 }
