@@ -40,12 +40,15 @@ class TestResult(unittest.TestCase):
         self.assertLessEqual(result.extinction.max(), np.float32(phantom.EXTINCTION[-1][1]))
 
     def test_tells_every_iteration(self):
-        result = optimize()
+        for settings in ({}, {"preset": "Paper"}):
+            result = optimize(**settings)
 
-        rows = result.convergence
-        self.assertEqual(list(rows["iteration"]), list(range(result.iterations + 1)))
-        self.assertEqual(rows["visibility_score"][0], result.base_visibility_score)
-        self.assertEqual(rows["energy"].min(), result.energy)
+            rows = result.convergence
+            self.assertEqual(list(rows["iteration"]), list(range(result.iterations + 1)))
+            self.assertEqual(rows["visibility_score"][0], result.base_visibility_score)
+            self.assertIn(result.visibility_score, rows["visibility_score"])
+            self.assertIn(result.energy, rows["energy"])
+        self.assertEqual(rows["energy"].min(), result.energy)  # without smoothing
 
     def test_has_opacities_of_a_distance(self):
         result = optimize()
@@ -73,7 +76,8 @@ class TestResult(unittest.TestCase):
                          optimize(method="ordinary").visibility_score)
         self.assertLess(optimize().sacrificed_fraction,
                         optimize(protect_importance=0).sacrificed_fraction)
-        self.assertEqual(optimize(solver="adam", iterations_per_level=(1, 2, 3)).iterations, 6)
+        self.assertEqual(
+            optimize(solver="adam", iterations_per_level=(1, 2, 3), smoothness=0).iterations, 6)
 
     def test_presets_set_several_settings(self):
         paper = limpid.Settings.preset("Paper")
