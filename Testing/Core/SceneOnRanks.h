@@ -54,12 +54,13 @@ struct Found
   std::vector<IterationRecord> history;
   Score base;
   Score best;
+  Ceiling ceiling;
 };
 
 inline Found FoundBy(const Solver& solver)
 {
   Found found{ solver.Extinction(), solver.LightExtinction(), {}, {}, solver.History(),
-    solver.BaseScore(), solver.BestScore() };
+    solver.BaseScore(), solver.BestScore(), solver.FindCeiling() };
   found.transmittance.resize(found.extinction.size());
   found.lightTransmittance.resize(found.extinction.size());
   solver.Transmittance(found.transmittance.data());
@@ -179,6 +180,7 @@ inline Found By(int ranks, const Whole& scene, const Pieces& pieces, const Find&
       found.history = here.history;
       found.base = here.base;
       found.best = here.best;
+      found.ceiling = here.ceiling;
     });
   return found;
 }
@@ -214,6 +216,9 @@ inline void ExpectSame(const Found& one, const Found& other)
   }
   ExpectSame(one.base, other.base);
   ExpectSame(one.best, other.best);
+  EXPECT_EQ(one.ceiling.visibility, other.ceiling.visibility);
+  EXPECT_EQ(one.ceiling.fraction, other.ceiling.fraction);
+  EXPECT_EQ(one.ceiling.lightVisibility, other.ceiling.lightVisibility);
   ExpectSame(one.extinction, other.extinction, "extinction");
   ExpectSame(one.lightExtinction, other.lightExtinction, "extinction for the light");
   ExpectSame(one.transmittance, other.transmittance, "transmittance");

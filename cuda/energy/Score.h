@@ -26,6 +26,39 @@ struct Score
   double sacrificed = 0; ///< that was removed: 1 less the integral of g min(mu, mu-bar) [0, 1]
 };
 
+/**
+ * What no extinction within its bounds can exceed (Documentation/Method.md, section on the
+ * ceiling): as if every ray of the camera, and every ray of the light, had an extinction of its
+ * own.
+ */
+struct Ceiling
+{
+  double visibility = 0;      ///< of Score::visibility [length^2]
+  double fraction = 0;        ///< of Score::fraction [0, 1]
+  double lightVisibility = 0; ///< of Score::visibility as seen from the light [length^2]
+};
+
+/// `most`: what a source sees at most; `kept`: whether Seen::kept was counted. Without the light.
+inline Ceiling CeilingOf(const Seen& most, Kept kept)
+{
+  const Visible& fraction = kept == Kept::Counted ? most.kept : most.all;
+  const double important = most.all.unattenuated;
+  return { most.all.visible, important > 0 ? std::min(fraction.visible / important, 1.0) : 0.0, 0 };
+}
+
+/// The mean of what several cameras see at most; there is one at least.
+inline Ceiling MeanOf(const std::vector<Ceiling>& ceilings)
+{
+  Ceiling mean;
+  for (const Ceiling& ceiling : ceilings)
+  {
+    mean.visibility += ceiling.visibility;
+    mean.fraction += ceiling.fraction;
+  }
+  const auto count = static_cast<double>(ceilings.size());
+  return { mean.visibility / count, mean.fraction / count, 0 };
+}
+
 /// `important`: the integral of g mu-bar [length^2]; 0: there is nothing to be seen.
 inline Score ScoreOf(const Seen& seen, double important)
 {

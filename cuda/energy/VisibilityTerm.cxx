@@ -43,6 +43,18 @@ void VisibilityTerm<AnyDevice>::ForwardAt(std::size_t frustum, const TermFields&
 }
 
 template <class AnyDevice>
+void VisibilityTerm<AnyDevice>::FindCeiling(const CeilingFields& fields, Seen* sum)
+{
+  for (FrustumRays<AnyDevice>& rays : this->Rays)
+  {
+    SweepRaysBackward(*this->Device, rays, *this->Filled,
+      CeilingKernel<const float*>{
+        fields.base, fields.importance, fields.least, fields.most, fields.CountsKept() });
+  }
+  this->Sum(sum, fields.CountsKept());
+}
+
+template <class AnyDevice>
 void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivative derivative,
   const GradientTarget& target, float* gradient, Seen* sum)
 {

@@ -4,6 +4,7 @@
 #ifndef limpid_energy_VisibilityTerm_h
 #define limpid_energy_VisibilityTerm_h
 
+#include "energy/CeilingKernel.h"
 #include "energy/Derivative.h"
 #include "energy/GradientKernel.h"
 #include "sweep/SumRays.h"
@@ -22,6 +23,18 @@ struct TermFields
   const float* base = nullptr; ///< base extinction [1/length]; null: what is kept is not counted
 
   Kept CountsKept() const { return this->base ? Kept::Counted : Kept::Ignored; }
+};
+
+/// What the ceiling of a source follows from; addresses on the device, one value per node each.
+struct CeilingFields
+{
+  const float* base;       ///< base extinction [1/length]
+  const float* importance; ///< [0, 1]
+  const float* least;      ///< lower bound of the extinction [1/length]; null: 0
+  MostExtinction most;
+
+  /// Without emphasis, what is kept is all.
+  Kept CountsKept() const { return this->most.emphasis > 0 ? Kept::Counted : Kept::Ignored; }
 };
 
 /// The sums of what all rays of a source have seen.
@@ -62,6 +75,10 @@ public:
   /// sums nothing.
   void DifferentiateSeen(
     const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient);
+
+  /// The most that the rays could see, into `sum`, see CeilingKernel; Seen::kept counts with an
+  /// emphasis only.
+  void FindCeiling(const CeilingFields& fields, Seen* sum);
 
   /// What the rays of all frusta have seen in their last sweep.
   void Sum(Seen* sum, Kept kept);

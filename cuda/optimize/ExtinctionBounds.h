@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_ExtinctionBounds_h
 #define limpid_optimize_ExtinctionBounds_h
 
+#include "energy/CeilingKernel.h"
 #include "optimize/Problem.h"
 
 namespace limpid
@@ -43,6 +44,12 @@ struct ExtinctionBounds
     return most < this->majorant ? most : this->majorant;
   }
 };
+
+/// The upper bound at the samples of a field, for the ceiling.
+inline MostExtinction MostOf(const Problem& problem)
+{
+  return { 1, problem.majorant };
+}
 
 inline ExtinctionBounds<float> BoundsOf(const Problem& problem)
 {

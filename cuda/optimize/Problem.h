@@ -7,6 +7,7 @@
 #include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
+#include "scene/NodeValues.h"
 #include "scene/RaySource.h"
 #include "scene/ScenePiece.h"
 #include "scene/Slab.h"
@@ -93,6 +94,10 @@ struct Problem
 
   /// Moves an extinction into its bounds, see ExtinctionBounds, and to 0 where the scene is empty.
   void TakeIntoBounds(std::vector<float>& extinction) const;
+
+  /// The lower bound of the extinction, of this rank's piece where ranks share the scene, see
+  /// ExtinctionBounds [1/length]; empty: 0.
+  NodeValues LeastExtinction() const;
 
   /// Copies an extinction where the scene is filled.
   void CopyFilled(const float* from, float* to) const;

@@ -8,6 +8,7 @@
 #include "optimize/Levels.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/PreviewPass.h"
+#include "optimize/SceneCeiling.h"
 
 #include <algorithm>
 #include <optional>
@@ -524,6 +525,21 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
     return { sweeps->ScoreOf(this->BaseExtinction()), sweeps->ScoreOf(this->Extinction()) };
   };
   return backend.Do(score, [] {});
+}
+
+Ceiling Progressive::CeilingFrom(const Camera& camera) const
+{
+  const Internals& state = *this->State;
+  Settings settings = state.Wanted();
+  if (!InfoOf(settings.method).iterates)
+  {
+    return {};
+  }
+  settings.otherCameras.clear();
+  ChosenBackend backend;
+  backend.Choose(settings, state.scene->Nodes());
+  return backend.Do(
+    [&] { return CeilingOfScores(*state.scene, backend, camera, state.light, settings); }, [] {});
 }
 
 int Progressive::Iterations() const

@@ -94,6 +94,11 @@ public:
   /// after Preview or Refine.
   Scores ScoresFrom(const Camera& camera) const;
 
+  /// What a camera could see at most within the bounds of the present settings, see Ceiling: a
+  /// sweep, and another one of the light. Valid after SetView. Zeros for a method that does not
+  /// iterate.
+  Ceiling CeilingFrom(const Camera& camera) const;
+
   int Iterations() const; ///< at full resolution, for the present view
   std::string BackendName() const;
 

@@ -236,6 +236,16 @@ public:
     return limpid::ScoreOf(this->See(There(extinction), base), this->Base->unattenuated);
   }
 
+  Ceiling CeilingOf(const float* least, const MostExtinction& most) override
+  {
+    const SmallPages small;
+    const CeilingFields fields{ There(this->Given->baseExtinction), There(this->Given->importance),
+      least ? There(least) : nullptr, most };
+    Seen seen;
+    this->Term.FindCeiling(fields, &seen);
+    return limpid::CeilingOf(seen, fields.CountsKept());
+  }
+
   void SweepPolicyOnce(double, std::vector<float>&) override
   {
     throw JointError("A preview was asked for where ranks share the scene (they cannot make one "

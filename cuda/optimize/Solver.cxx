@@ -4,6 +4,7 @@
 #include "optimize/Solver.h"
 
 #include "math/Require.h"
+#include "optimize/SceneCeiling.h"
 #include "optimize/SolverInternals.h"
 
 namespace limpid
@@ -165,6 +166,42 @@ Score Solver::BestScore() const
     }
   }
   return *state.best;
+}
+
+Ceiling Solver::FindCeiling() const
+{
+  Internals& state = *this->State;
+  if (!state.Minimizes())
+  {
+    return {};
+  }
+  if (!state.ceiling)
+  {
+    state.OnBackend(
+      [&]
+      {
+        state.ceiling = CeilingOfScores(
+          *state.prepared, state.backend, state.camera, state.light, state.settings);
+      });
+  }
+  Ceiling ceiling = *state.ceiling;
+  for (const Score& found : { state.base, this->BestScore() })
+  {
+    ceiling.visibility = std::max(ceiling.visibility, found.visibility);
+    ceiling.fraction = std::max(ceiling.fraction, found.fraction);
+  }
+  return ceiling;
+}
+
+double Solver::LeastEnergy() const
+{
+  Internals& state = *this->State;
+  return state.OnBackend(
+    [&]
+    {
+      return LeastEnergyOf(
+        *state.prepared, state.backend, state.camera, state.light, state.settings);
+    });
 }
 
 Energy Solver::BestEnergy() const

@@ -117,6 +117,14 @@ public:
 
   Score BaseScore() const; ///< of the base extinction
   Score BestScore() const; ///< of Extinction()
+  /// What no extinction within the bounds exceeds, nor what was found: found by the first call. Of
+  /// the importance as given, like scores. Zeros for a method that does not iterate.
+  Ceiling FindCeiling() const;
+
+  /// What no energy is below, of any extinction within the bounds [length^2]. A sweep of each view
+  /// and the light.
+  double LeastEnergy() const;
+
   Energy BestEnergy() const;
   int Iterations() const;
   double Seconds() const;

@@ -55,6 +55,19 @@ public:
     return limpid::ScoreOf(this->See(field.Data(), base), this->Base->unattenuated);
   }
 
+  Ceiling CeilingOf(const float* least, const MostExtinction& most) override
+  {
+    const auto count = static_cast<std::size_t>(this->Given.grid.NodeCount());
+    const BorrowedArray<AnyDevice, float> bound(
+      this->Device, least, least ? count : 0, "the lower bound of the extinction");
+    const CeilingFields fields{ this->Fields->base.Data(), this->Fields->importance.Data(),
+      bound.Data(), most };
+    this->Term.FindCeiling(fields, this->Sum.Data());
+    Seen seen;
+    this->Sum.Download(&seen);
+    return limpid::CeilingOf(seen, fields.CountsKept());
+  }
+
   void SweepPolicyOnce(double weight, std::vector<float>& next) override
   {
     if constexpr (AnyDevice::readsHostMemory)

@@ -5,6 +5,7 @@
 #define limpid_optimize_SolverBackend_h
 
 #include "backend/CompiledDevice.h"
+#include "energy/CeilingKernel.h"
 #include "math/Require.h"
 #include "optimize/Problem.h"
 #include "sweep/SumRays.h"
@@ -25,6 +26,10 @@ public:
   /// the problem's method. The first call costs a sweep more, of the base extinction, unless it is
   /// that.
   virtual Score ScoreOf(const float* extinction) = 0;
+
+  /// What the source could see at most of any extinction from a lower bound on, grid.NodeCount()
+  /// values [1/length]; null: 0.
+  virtual Ceiling CeilingOf(const float* least, const MostExtinction& most) = 0;
 
   /// The first policy sweep, which knows of no transmittance and of this source alone, with the
   /// weight of its term. Writes `next`, grid.NodeCount() values [1/length], where anything may

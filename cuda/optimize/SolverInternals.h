@@ -58,6 +58,7 @@ struct Solver::Internals
     std::unique_ptr<SourceSweeps> sweeps;
   };
   mutable std::unique_ptr<Judge> judge;
+  mutable std::optional<Ceiling> ceiling; ///< not there: nobody has asked
 
   Energy bestEnergy;
   int iterations = 0;
@@ -98,6 +99,7 @@ struct Solver::Internals
     this->base = Score();
     this->best = Score();
     this->judge.reset();
+    this->ceiling.reset();
     this->bestEnergy = Energy();
     this->lightExtinction = {};
     if (HasLightExtinction(this->settings))

@@ -32,6 +32,16 @@ public:
     return MeanOf(scores);
   }
 
+  Ceiling CeilingOf(const float* least, const MostExtinction& most) override
+  {
+    std::vector<Ceiling> ceilings;
+    for (const auto& camera : this->Cameras)
+    {
+      ceilings.push_back(camera->CeilingOf(least, most));
+    }
+    return MeanOf(ceilings);
+  }
+
   void SweepPolicyOnce(double weight, std::vector<float>& next) override
   {
     const std::vector<float> untouched = next;

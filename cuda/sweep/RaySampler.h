@@ -112,6 +112,12 @@ public:
     this->Ray.kept[1] = this->SamplePlane(extinction, 1);
   }
 
+  LIMPID_HD LIMPID_INLINE void SampleLeast(Field extinction)
+  {
+    this->Ray.kept[0] = extinction ? this->SamplePlane(extinction, 0) : 0.0f;
+    this->Ray.kept[1] = extinction ? this->SamplePlane(extinction, 1) : 0.0f;
+  }
+
   /// A device keeps an image of all rays for every slice: it selects each of them.
   LIMPID_HD LIMPID_INLINE bool SelectReadBySlice(int, bool entered, const Range<int>&)
   {

@@ -275,6 +275,21 @@ void RowSampler::SampleAlternative(Field extinction)
   this->Rays.kept[1] = this->Samples.kept[1];
 }
 
+void RowSampler::SampleLeast(Field extinction)
+{
+  if (extinction)
+  {
+    this->SampleAlternative(extinction);
+    return;
+  }
+  for (int half = 0; half < 2; ++half)
+  {
+    std::fill(this->Samples.kept[half] + this->Rays.columns.begin,
+      this->Samples.kept[half] + this->Rays.columns.end, 0.0f);
+    this->Rays.kept[half] = this->Samples.kept[half];
+  }
+}
+
 bool RowSampler::SelectReadBySlice(int s, bool entered, const Range<int>& dimmed)
 {
   const Slice& slice = this->Frustum.SliceAt(s);

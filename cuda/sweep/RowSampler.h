@@ -154,6 +154,9 @@ public:
   /// Samples another extinction in the place of what is kept.
   void SampleAlternative(Field extinction);
 
+  /// Samples a lower bound of the extinction in the place of what is kept; null: 0.
+  void SampleLeast(Field extinction);
+
   /// Selects instead the rays that voxels of slice `s` read with cubics, as far as they have met
   /// anything: the `dimmed` ones before, others in the layer if they entered it (`entered`). Where
   /// they did not, samples are 0. Returns whether there are any.

@@ -95,6 +95,30 @@ struct ForwardRay
   }
 };
 
+/// A ray through all layers, back to front.
+template <class Kernel>
+struct BackwardRay
+{
+  FaceFrustum frustum;
+  RayStates states;
+  Kernel kernel;
+
+  LIMPID_HD void operator()(int i, int j) const
+  {
+    RayHere here;
+    StartBehind{ here.States() }(0);
+    RaySampler ray(this->frustum, here.States(), i, j);
+    for (int s = this->frustum.lastSlice; s-- > 0;)
+    {
+      this->kernel.RayStep(ray, s);
+    }
+    FinishBehind{ here.States() }(0);
+    const RayStates kept = this->states.From(this->frustum.RayAt(i, j));
+    here.opticalDepth = *kept.opticalDepth;
+    here.Store(kept);
+  }
+};
+
 /// Slices from the back on, as far as there are voxels.
 struct BackToFront
 {
@@ -300,6 +324,16 @@ void SweepForward(
   const FaceFrustum& frustum = rays.Plan();
   device.ForEach(Kernel::label, detail::ExtentOfRays(frustum),
     detail::ForwardRay<Ray, Kernel>{ frustum, rays.States(), kernel });
+}
+
+/// Back to front without voxels: every ray through all layers, in one launch. Leaves the optical
+/// depths.
+template <class AnyDevice, class Kernel>
+void SweepRaysBackward(
+  AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
+{
+  device.ForEach(Kernel::label, detail::ExtentOfRays(rays.Plan()),
+    detail::BackwardRay<Kernel>{ rays.Plan(), rays.States(), kernel });
 }
 
 /// Back to front over all slices of voxels, for a kernel whose rays do not depend on what it does

@@ -185,6 +185,41 @@ void SweepForward(
   }
 }
 
+/// Back to front without voxels: every row of rays through all layers. Leaves the optical depths.
+template <class Kernel>
+void SweepRaysBackward(
+  HostDevice&, FrustumRays<HostDevice>& rays, const Occupancy& occupancy, const Kernel& kernel)
+{
+  const FaceFrustum& frustum = rays.Plan();
+  const RayStates states = rays.States();
+  const std::vector<RayValues> carried = kernel.Carried(states);
+  ForRaysReached<StartBehind>(rays);
+  FieldWindows windows(rays, &occupancy);
+  const auto rowKernel = kernel.With(windows);
+  const std::vector<Range<int>> slabs = rays.Slabs();
+  for (std::size_t slab = slabs.size(); slab-- > 0;)
+  {
+    windows.Load(slabs[slab]);
+    const std::vector<Range<int>> stretches = rays.StretchesOf(slabs[slab]);
+    for (std::size_t index = stretches.size(); index-- > 0;)
+    {
+      const Range<int>& stretch = stretches[index];
+      PassRays(rays, std::min(stretch.end, frustum.lastSlice), stretch.end - 1, carried);
+      ForRows(rays.RaysHere(stretch.begin), rowsPerTask / 2,
+        [&](int row)
+        {
+          RowSampler sampler(frustum, states, row);
+          for (int s = std::min(stretch.end, frustum.lastSlice); s-- > stretch.begin;)
+          {
+            rowKernel.RayStep(sampler, s);
+          }
+        });
+    }
+  }
+  ForRaysReached<FinishBehind>(rays);
+  PassRays(rays, 0, frustum.lastSlice, carried);
+}
+
 /**
  * Back to front over all slices of voxels. On each slice the kernel first moves all rays to it
  * (RayStep) and then does its work on the voxels of the slice (VoxelStep), which may depend on the

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_CeilingKernel_h
+#define limpid_energy_CeilingKernel_h
+
+#include "sweep/RaySteps.h"
+#include "sweep/SliceWindow.h"
+
+#include <vector>
+
+namespace limpid
+{
+/// The upper bound of the extinction: mu-bar + epsilon (majorant - mu-bar) with the base extinction
+/// mu-bar. Linear, so that samples of it follow from samples of the base extinction.
+struct MostExtinction
+{
+  float emphasis; ///< epsilon [0, 1]
+  float majorant; ///< [1/length]
+
+  LIMPID_HD LIMPID_INLINE float operator()(float base) const
+  {
+    return base + this->emphasis * (this->majorant - base);
+  }
+};
+
+/**
+ * Back to front: the most that a ray can still show if it chooses its own extinction
+ * (Documentation/Method.md, section on the ceiling).
+ *
+ * In half a layer of importance g, with the ceiling W behind it and the optical depth x, the ray
+ * shows g A(x) (1 - e^-x) + W e^-x, where A is the mean of scale^2 where light is stopped. As
+ *
+ *   g A (1 - e^-x) + W e^-x  =  W + (1 - e^-x) (g A(x) - W)
+ *
+ * and A falls with x, this is largest for the least x if g A(least) <= W, and for the largest x
+ * where rays do not widen. Where they do, the maximum may lie between, if g A(0) exceeds W by
+ * little; then the step also tries the x of TurningPoint.
+ *
+ * `behind` becomes the ceiling of S: extinction up to `most`. `keptBehind` becomes that of what is
+ * kept of the base extinction (Kept): up to the base extinction, since more of it only takes light.
+ * `unattenuated` becomes the integral of g mu-bar.
+ */
+template <Kept kept>
+struct CeilingStep
+{
+  RayStates rays;
+  MostExtinction most;
+
+  /// RayInLayer::extinction is the base extinction, RayInLayer::kept the lower bound.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
+  {
+    this->Through(here, 1, i);
+    this->Through(here, 0, i);
+  }
+
+private:
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE void Through(const RayInLayer<passage>& here, int half, Index i) const
+  {
+    const float base = here.extinction[half];
+    const float least = here.kept[half] < base ? here.kept[half] : base;
+    const HalfLayer<float> baseHalf = HalfOf(here, half, base);
+    this->rays.unattenuated[i] += baseHalf.unattenuated;
+    if (kept == Kept::Ignored)
+    {
+      this->rays.behind[i] = Best(here, half, { least, base }, baseHalf, this->rays.behind[i]);
+      return;
+    }
+    const float dense = this->most(base);
+    this->rays.behind[i] =
+      Best(here, half, { least, dense }, HalfOf(here, half, dense), this->rays.behind[i]);
+    this->rays.keptBehind[i] =
+      Best(here, half, { least, base }, baseHalf, this->rays.keptBehind[i]);
+  }
+
+  /// What is inside the box of a half, if its extinction were another one [1/length].
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE static HalfLayer<float> HalfOf(
+    const RayInLayer<passage>& here, int half, float extinction)
+  {
+    return passage == Passage::Through
+      ? WholeHalf<float>(
+          here.layer, RangeOfHalf(half), here.length, extinction, here.importance[half])
+      : CutHalf<Cut::Both>(
+          here.layer, half, here.length, extinction, here.importance[half], here.column, here.row);
+  }
+
+  /// The ceiling in front of a half, whose extinction is in `bounds` [1/length]; `most`: the half
+  /// at the upper one.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE static float Best(const RayInLayer<passage>& here, int half,
+    const Range<float>& bounds, const HalfLayer<float>& most, float behind)
+  {
+    const float turning = TurningPoint(here, half, behind);
+    const float atLeast = turning > bounds.begin ? turning : bounds.begin;
+    const float other =
+      Carried(HalfOf(here, half, atLeast < bounds.end ? atLeast : bounds.end), behind);
+    const float atMost = Carried(most, behind);
+    return atMost > other ? atMost : other;
+  }
+
+  /// The extinction at which (1 - e^-x) (g A(x) - W) is largest, or 0 [1/length]. To first order in
+  /// the widening, x depends only on r = (g A(0) - W) / (g (back^2 - front^2)): as 6 r for small r,
+  /// and on the whole within 3 % as
+  ///
+  ///   x = 6 r (1 + 0.54 r) / (1 + 2.04 r + 0.432 r^2),
+  ///
+  /// which changes the maximum by the square of that. Large x, where the maximum is flat, are left
+  /// to the upper bound.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE static float TurningPoint(
+    const RayInLayer<passage>& here, int half, float behind)
+  {
+    const Layer& layer = here.layer;
+    const Range<float> part = RangeOfHalf(half);
+    const float widening = layer.backScale - layer.frontScale;
+    const float front = layer.frontScale + part.begin * widening;
+    const float wider = 0.5f * widening;
+    const float importance = here.importance[half];
+    const float gain = importance * (front * front + wider * (front + (1.0f / 3) * wider)) - behind;
+    const float spread = importance * wider * (2.0f * front + wider);
+    const float wanted = 6.0f * gain * (spread + 0.54f * gain);
+    const float least = spread * spread + gain * (2.04f * spread + 0.432f * gain);
+    return gain > 0.0f ? Quotient(wanted, least * (0.5f * layer.thickness * here.length)) : 0.0f;
+  }
+};
+
+/**
+ * The most that a source could see, whatever the extinction of the nodes is within its bounds: the
+ * sum of what all rays could show if each chose for itself. For SweepRaysBackward;
+ * RayStates::visible and keptVisible tell it in the end.
+ */
+template <class Field>
+struct CeilingKernel
+{
+  static constexpr const char* label = "ceiling";
+
+  Field base;       ///< base extinction [1/length]
+  Field importance; ///< [0, 1]
+  Field least;      ///< lower bound of the extinction [1/length]; null: 0
+  MostExtinction most;
+  Kept kept; ///< whether the ceiling of what is kept is wanted, too
+
+  template <class Windows>
+  CeilingKernel<SliceWindow*> With(Windows& windows) const
+  {
+    return { windows(this->base, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
+      windows(this->least, FieldUse{ 1 }), this->most, this->kept };
+  }
+
+  /// What its rays carry.
+  std::vector<RayValues> Carried(const RayStates& rays) const
+  {
+    return { rays.behind, rays.visible, rays.unattenuated, rays.keptBehind, rays.keptVisible };
+  }
+
+  /// From the slice behind to slice `s`.
+  template <class Rays>
+  LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
+  {
+    if (!rays.EnterLayer(s, true))
+    {
+      return;
+    }
+    rays.SampleExtinction(this->base);
+    rays.SampleImportance(this->importance);
+    rays.SampleLeast(this->least);
+    if (this->kept == Kept::Counted)
+    {
+      rays.ForEachInLayer(CeilingStep<Kept::Counted>{ rays.States(), this->most });
+    }
+    else
+    {
+      rays.ForEachInLayer(CeilingStep<Kept::Ignored>{ rays.States(), this->most });
+    }
+  }
+};
+}
+
+#endif
