@@ -108,6 +108,12 @@ void AddScores(const Solver& solver, vtkTable* table)
   AddColumn<vtkDoubleArray>(
     "SacrificedFraction", solver, [](const Record& record) { return record.score.sacrificed; },
     table);
+  // The same in all rows, to be drawn beside the others.
+  const Ceiling ceiling = solver.FindCeiling();
+  AddColumn<vtkDoubleArray>(
+    "AttainableScore", solver, [&](const Record&) { return ceiling.visibility; }, table);
+  AddColumn<vtkDoubleArray>(
+    "AttainableFraction", solver, [&](const Record&) { return ceiling.fraction; }, table);
 }
 }
 
@@ -155,6 +161,10 @@ void AddSummary(const Solver& solver, vtkFieldData* output)
   AddValue<vtkDoubleArray>("VisibleFraction", solver.BestScore().fraction, output);
   AddValue<vtkDoubleArray>("BaseVisibleFraction", solver.BaseScore().fraction, output);
   AddValue<vtkDoubleArray>("SacrificedFraction", solver.BestScore().sacrificed, output);
+  const Ceiling ceiling = solver.FindCeiling();
+  AddValue<vtkDoubleArray>("AttainableFraction", ceiling.fraction, output);
+  AddValue<vtkDoubleArray>("AttainableScore", ceiling.visibility, output);
+  AddValue<vtkDoubleArray>("AttainableLightScore", ceiling.lightVisibility, output);
   AddValue<vtkDoubleArray>("Energy", solver.BestEnergy().Total(), output);
   AddValue<vtkIntArray>("Iterations", solver.Iterations(), output);
   AddValue<vtkIntArray>("Settled", solver.Settled() ? 1 : 0, output);

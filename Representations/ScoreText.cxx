@@ -62,9 +62,11 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& n
   {
     return {};
   }
+  const double most = mapper->GetAttainableFraction();
   std::string text =
-    name.empty() ? "Visible: " + Percent(now) : name + ": " + Percent(now) + " visible";
-  text += " of what is important" + Where(mapper);
+    name.empty() ? "Visible " + Percent(now) : name + ": " + Percent(now) + " visible";
+  text += most > 0 ? " of at most " + Percent(most) + " from here" : " of what is important";
+  text += Where(mapper);
   if (IsOptimizing(mapper))
   {
     text += " (was " + Percent(before) + ")\n";

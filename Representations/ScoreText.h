@@ -12,9 +12,9 @@ class vtkTransmittanceVolumeMapper;
 
 namespace limpid
 {
-/// How much of what is important can be seen, before the optimisation too, and how far the
-/// optimisation is; empty when the last picture knew no importance. `name`: of the volume; empty:
-/// the text has none.
+/// How much of what is important can be seen, how much of it could be at most, how much was before
+/// the optimisation, and how far the optimisation is; empty when the last picture knew no
+/// importance. `name`: of the volume; empty: the text has none.
 std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& name);
 }
 

@@ -182,6 +182,9 @@ public:
   double GetVisibleFraction();
   double GetBaseVisibleFraction();
   double GetSacrificedFraction();
+  double GetAttainableFraction();
+  double GetAttainableScore();
+  double GetAttainableLightScore();
   int GetConverged();
   int GetIterations();
   const char* GetLightDescription();

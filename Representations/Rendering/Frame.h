@@ -71,6 +71,7 @@ struct FrameResult
 {
   Score score;
   Score baseScore;
+  Ceiling ceiling; ///< 0 where it is not known: while the view moves, and before it converged
   bool converged = true;
   bool settled = true; ///< whether the optimisation did not end at a limit
   int iterations = 0;

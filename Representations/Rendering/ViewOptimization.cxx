@@ -33,6 +33,7 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   // Who edits anything gets what it makes, as if nothing else had been shown.
   shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? likenessInTime : 0;
   this->Optimizer.reset();
+  this->Most.reset();
   this->Base = nullptr;
   auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
   optimizer->GoOnFrom(shown);
@@ -168,6 +169,26 @@ Scores ViewOptimization::Measure(const FrameSettings& frame, const Camera& camer
   return *this->Elsewhere;
 }
 
+// What the frame's camera could see at most, whatever the extinction was optimised for. It is found
+// once for a camera, a light and settings of a scene.
+Ceiling ViewOptimization::FindCeiling(
+  const FrameSettings& frame, const Camera& camera, const Score& found)
+{
+  const bool known = this->Most && AreSame(camera, this->Most->camera) &&
+    AreSame(this->ViewLight, this->Most->light) && frame.solver == this->Most->settings;
+  if (!known)
+  {
+    this->Most = { camera, this->ViewLight, frame.solver, this->Optimizer->CeilingFrom(camera) };
+  }
+  Ceiling ceiling = this->Most->value;
+  if (ceiling.visibility > 0)
+  {
+    ceiling.visibility = std::max(ceiling.visibility, found.visibility);
+    ceiling.fraction = std::max(ceiling.fraction, found.fraction);
+  }
+  return ceiling;
+}
+
 void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& data,
   const Camera& camera, const FrameClock& clock, const std::function<bool()>& isAborted,
   FrameResult& result)
@@ -211,6 +232,10 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   result.backend = this->Optimizer->BackendName();
   result.converged =
     frame.still && (frozen || this->Optimizer->Converged()) && this->Remaining == 0;
+  if (frame.optimize && result.converged)
+  {
+    result.ceiling = this->FindCeiling(frame, camera, result.score);
+  }
 }
 
 void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& data)
@@ -229,6 +254,7 @@ void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& da
 void ViewOptimization::Release()
 {
   this->Optimizer.reset();
+  this->Most.reset();
   this->Base = nullptr;
   this->ShowsBase = true;
   this->CasterVersion = 0;

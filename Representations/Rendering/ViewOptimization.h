@@ -61,6 +61,7 @@ private:
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
   void Show(const FrameSettings& frame, double seconds, bool changed);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
+  Ceiling FindCeiling(const FrameSettings& frame, const Camera& camera, const Score& found);
   void ShowBase(const FrameSettings& frame, const VolumeData& data);
 
   Renderer& Pictures;
@@ -77,6 +78,16 @@ private:
   Light ViewLight;
   std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for those above
   Camera ElsewhereCamera;
+
+  /// What the last camera that rested could see at most.
+  struct KnownCeiling
+  {
+    Camera camera;
+    Light light;
+    Settings settings;
+    Ceiling value;
+  };
+  std::optional<KnownCeiling> Most;
   bool ShowsBase = true;
   std::uint64_t CasterVersion = 0; ///< of what casts shadows with the base; 0: the base does
   double Remaining = 0;            ///< share of the last change that has not eased in yet

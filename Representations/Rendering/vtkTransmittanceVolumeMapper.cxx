@@ -121,6 +121,21 @@ double vtkTransmittanceVolumeMapper::GetSacrificedFraction() const
   return this->State->Last.score.sacrificed;
 }
 
+double vtkTransmittanceVolumeMapper::GetAttainableFraction() const
+{
+  return this->State->Last.ceiling.fraction;
+}
+
+double vtkTransmittanceVolumeMapper::GetAttainableScore() const
+{
+  return this->State->Last.ceiling.visibility;
+}
+
+double vtkTransmittanceVolumeMapper::GetAttainableLightScore() const
+{
+  return this->State->Last.ceiling.lightVisibility;
+}
+
 bool vtkTransmittanceVolumeMapper::GetConverged() const
 {
   return this->State->Last.converged;
@@ -273,6 +288,9 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("VisibilityScore", this->GetVisibilityScore());
   print("VisibleFraction", this->GetVisibleFraction());
   print("SacrificedFraction", this->GetSacrificedFraction());
+  print("AttainableFraction", this->GetAttainableFraction());
+  print("AttainableScore", this->GetAttainableScore());
+  print("AttainableLightScore", this->GetAttainableLightScore());
   print("Converged", this->GetConverged());
   print("LightDescription", this->GetLightDescription());
 }

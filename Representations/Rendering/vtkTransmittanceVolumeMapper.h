@@ -413,6 +413,17 @@ public:
    */
   double GetSacrificedFraction() const;
 
+  ///@{
+  /**
+   * What no extinction within the bounds could exceed in the view of the last frame:
+   * GetVisibleFraction, GetVisibilityScore, and the score of the light. Zero without importance,
+   * for methods other than OPTIMIZED, and as long as the frame has not converged.
+   */
+  double GetAttainableFraction() const;
+  double GetAttainableScore() const;
+  double GetAttainableLightScore() const;
+  ///@}
+
   /**
    * Whether the last frame showed all that there is to show: at full resolution, the optimization
    * at its end.

@@ -19,7 +19,7 @@ from server import Server
 
 PLUGIN = os.environ["LIMPID_PLUGIN"]
 INFORMATION = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
-               "SacrificedFraction", "Converged", "Iterations", "LightDescription", "Messages")
+               "SacrificedFraction", "AttainableFraction", "AttainableScore", "Converged", "Iterations", "LightDescription", "Messages")
 
 
 def load_plugin():

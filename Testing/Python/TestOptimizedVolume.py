@@ -82,7 +82,8 @@ class TestOptimizedVolume(displays.DisplayTest):
              "ImportanceSmoothing", "Smoothness",
              "Optimization", "Preset", "Shadows", "ShadowStrength", "Ambient", "Anisotropy",
              "SpecularPower", "LightIntensity", "Method", "ShowScore", "ShowMissed",
-             "VisibilityScore", "VisibleFraction", "Converged"},
+             "VisibilityScore", "VisibleFraction", "AttainableFraction", "AttainableScore",
+             "AttainableLightScore", "Converged"},
             set(display.ListProperties()))
 
     def test_is_for_image_data_only(self):
@@ -255,7 +256,8 @@ class TestOptimizedVolume(displays.DisplayTest):
                 # Both run the same solver. The display looks extinctions up in a table of 4096
                 # entries, so at a kink of the opacity function they are off by up to a step of it.
                 for name in ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction",
-                             "BaseVisibleFraction", "Iterations"):
+                             "BaseVisibleFraction", "AttainableFraction", "AttainableScore",
+                             "Iterations"):
                     expected = optimizer.FieldData[name].GetRange()[0]
                     self.assertAlmostEqual(getattr(display, name) / expected, 1, delta=1 / 4096)
                 self.assertAlmostEqual(display.SacrificedFraction,
@@ -274,6 +276,24 @@ class TestOptimizedVolume(displays.DisplayTest):
         self.assertGreater(display.Iterations, 0)
         self.assertIn("light", display.LightDescription)
         self.assertIn("CPU", display.BackendName)
+
+    def test_knows_what_could_be_seen_at_most_only_when_it_rests(self):
+        display = self.shown(OcclusionPhantom(Resolution=32))
+        simple.Render(self.view)
+        first = display.AttainableFraction
+        self.assertGreater(first, display.VisibleFraction)
+        self.assertGreater(display.AttainableScore, display.VisibilityScore)
+        displays.look(self.view, displays.POSITIONS[2])
+        self.view.SMProxy.InteractiveRender()
+        display.UpdatePropertyInformation()
+        self.assertEqual(display.AttainableFraction, 0)
+        simple.Render(self.view)
+        self.assertNotEqual(display.AttainableFraction, first)
+        self.assertGreater(display.AttainableFraction, display.VisibleFraction)
+
+        display.Optimization = "Off"
+        simple.Render(self.view)
+        self.assertEqual(display.AttainableFraction, 0)
 
     def test_pause_keeps_the_extinction(self):
         display = self.shown(OcclusionPhantom(Resolution=32))

@@ -307,11 +307,11 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
             if name == "one":
                 texts = self.score_texts()
                 self.assertEqual(len(texts), 1)
-                self.assertRegex(texts[0], "^Visible: [0-9.]+ % of what is important")
+                self.assertRegex(texts[0], "^Visible [0-9.]+ % of at most [0-9.]+ % from here \\(was ")
         texts = self.score_texts()
         self.assertEqual(len(texts), 2)
-        self.assertRegex(texts[0], "^one: [0-9.]+ % visible of what is important")
-        self.assertRegex(texts[1], "^another: [0-9.]+ % visible of what is important")
+        self.assertRegex(texts[0], "^one: [0-9.]+ % visible of at most [0-9.]+ % from here")
+        self.assertRegex(texts[1], "^another: [0-9.]+ % visible of at most [0-9.]+ % ")
 
         simple.RenameSource("a new name", source)
         simple.Render(self.view)
@@ -319,7 +319,7 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
 
         simple.Hide(source, self.view)
         simple.Render(self.view)
-        self.assertTrue(self.score_texts()[0].startswith("Visible: "))
+        self.assertTrue(self.score_texts()[0].startswith("Visible "))
 
     def test_the_score_can_be_read_on_any_background(self):
         display = displays.show_head(self.view)
