@@ -19,6 +19,7 @@
 #include "vtkTable.h"
 
 #include "optimize/Solver.h"
+#include "viewpoint/Concurrent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,10 +173,18 @@ void AddSummary(const Solver& solver, vtkFieldData* output)
   AddValue<vtkStringArray>("Backend", solver.BackendName(), output);
 }
 
-void AddStart(const Score& start, vtkFieldData* output)
+void AddViewpoint(const ConcurrentResult& result, vtkFieldData* output)
 {
-  AddValue<vtkDoubleArray>("StartVisibilityScore", start.visibility, output);
-  AddValue<vtkDoubleArray>("StartVisibleFraction", start.fraction, output);
+  if (result.startScore)
+  {
+    AddValue<vtkDoubleArray>("StartVisibilityScore", result.startScore->visibility, output);
+    AddValue<vtkDoubleArray>("StartVisibleFraction", result.startScore->fraction, output);
+  }
+  if (result.highestCeiling > 0)
+  {
+    AddValue<vtkDoubleArray>("HighestAttainableFraction", result.highestCeiling, output);
+    AddValue<vtkStringArray>("Proof", result.Proof(), output);
+  }
 }
 
 void AddPlacement(

@@ -13,9 +13,9 @@ class vtkTable;
 namespace limpid
 {
 struct Camera;
+struct ConcurrentResult;
 struct Light;
 struct SceneArrays;
-struct Score;
 class Solver;
 
 /// Adds the point arrays of a solved scene.
@@ -29,8 +29,9 @@ void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, vtkImageD
 /// Adds scores, energy and effort.
 void AddSummary(const Solver& solver, vtkFieldData* output);
 
-/// Adds what the extinction alone achieved before the camera was moved.
-void AddStart(const Score& start, vtkFieldData* output);
+/// Adds what the extinction alone achieved before the camera was moved, and what was proved of the
+/// new view, as far as that is known.
+void AddViewpoint(const ConcurrentResult& result, vtkFieldData* output);
 
 /// Adds what the result was made for: camera, light, unit distance of opacities.
 void AddPlacement(

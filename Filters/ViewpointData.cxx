@@ -63,12 +63,18 @@ void AddVectors(
   output->GetPointData()->AddArray(array);
 }
 
-void AddScores(const std::vector<ScoredView>& views, vtkPolyData* output)
+void AddScores(const FoundViews& found, const std::vector<ScoredView>& views, vtkPolyData* output)
 {
   AddNumbers(
     "VisibilityScore", views, [](const ScoredView& view) { return view.score.visibility; }, output);
   AddNumbers(
     "VisibleFraction", views, [](const ScoredView& view) { return view.score.fraction; }, output);
+  if (found.isAttainable)
+  {
+    AddNumbers(
+      "AttainableFraction", views, [](const ScoredView& view) { return view.score.fraction; },
+      output);
+  }
   output->GetPointData()->SetActiveScalars("VisibilityScore");
 }
 
@@ -167,7 +173,7 @@ void FillSphere(const FoundViews& found, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetPolys(found.sphere.triangles);
-  AddScores(found.samples, output);
+  AddScores(found, found.samples, output);
   AddNormalizedScores(found.samples, output);
   AddCameras(found.orbit, found.samples, output);
   AddRanks(found.samples, output);
@@ -187,7 +193,7 @@ void FillViewpoints(const FoundViews& found, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
-  AddScores(found.search.viewpoints, output);
+  AddScores(found, found.search.viewpoints, output);
   AddCameras(found.orbit, found.search.viewpoints, output);
   AddRanks(found.search.viewpoints, output);
 }
@@ -214,7 +220,7 @@ void FillPaths(const FoundViews& found, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  AddScores(views, output);
+  AddScores(found, views, output);
   AddCameras(found.orbit, views, output);
 }
 

@@ -26,6 +26,7 @@ struct FoundViews
   Orbit orbit;
   std::vector<ScoredView> samples; ///< one per direction of the sphere
   SearchResult search;
+  bool isAttainable = false; ///< whether scores are ceilings
   double seconds = 0;
   double unitDistance = 1; ///< of opacities [length]
   std::string backend;

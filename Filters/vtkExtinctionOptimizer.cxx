@@ -225,7 +225,7 @@ void vtkExtinctionOptimizer::Optimize(
   limpid::AddPlacement(result.camera, light, scene.unitDistance, output->GetFieldData());
   if (this->OptimizeViewpoint)
   {
-    limpid::AddStart(result.startScore, output->GetFieldData());
+    limpid::AddViewpoint(result, output->GetFieldData());
   }
   state.ReportReplaced(scene, input, output);
   limpid::FillConvergence(*result.solver, convergence);
@@ -258,7 +258,7 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 void vtkExtinctionOptimizer::Internals::RequireChoices() const
 {
   this->Reader.RequireChoices();
-  limpid::RequireChoice("ViewpointGuide", this->Self->ViewpointGuide, 2);
+  limpid::RequireChoice("ViewpointGuide", this->Self->ViewpointGuide, 3);
 }
 
 limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid& grid) const

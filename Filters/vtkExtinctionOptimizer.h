@@ -28,7 +28,12 @@
  * "Iterations", "Settled" (1: another iteration would change next to nothing; 0: they ended at a
  * limit), "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
  * "LightPosition", "ScalarOpacityUnitDistance" (all as used), and with OptimizeViewpoint
- * "StartVisibilityScore" and "StartVisibleFraction" (of the extinction alone).
+ * "StartVisibilityScore" and "StartVisibleFraction" (of the extinction alone, if that had to be
+ * found), "HighestAttainableFraction" (of all views that were looked from) and "Proof" (what was
+ * proved of the view, in a sentence; both with the guide ATTAINABLE). "AttainableFraction",
+ * "AttainableScore" and "AttainableLightScore" are what no extinction within the bounds could
+ * exceed; 0 for other methods than OPTIMIZED, the last also for a light without weight.
+ *
  * Output port 1: vtkTable, one row per iteration.
  *
  * After an error the outputs are empty; after an abort output 0 is the input as it came.
@@ -63,7 +68,8 @@ public:
   enum ViewpointGuides
   {
     PROXY = 0,
-    COUPLED = 1
+    COUPLED = 1,
+    ATTAINABLE = 2
   };
 
   /**
@@ -139,7 +145,8 @@ public:
    * Whether the camera is optimised, too (Section 3.4): it moves on the sphere round
    * CameraFocalPoint, and a move is kept if more can be seen with the extinction that is then
    * optimised for it. The field data "CameraPosition", "CameraViewUp" tell where it came to, and
-   * "StartVisibilityScore" what the extinction alone achieved. Several times slower.
+   * "StartVisibilityScore" what the extinction alone achieved, if that had to be found. Several
+   * times slower.
    * Default is off.
    */
   vtkSetMacro(OptimizeViewpoint, vtkTypeBool);
@@ -149,8 +156,11 @@ public:
 
   ///@{
   /**
-   * What tells which way the camera is to go. PROXY: the majorant times importance, whatever
-   * hides it. COUPLED: the extinction that was optimised last. Default is PROXY.
+   * What tells which way the camera is to go. ATTAINABLE: what an extinction of its own could show
+   * from each view at most, looked for on all sides; the extinction is optimised once, where that
+   * is highest, and the field data "Proof" say what was proved. PROXY: the majorant times
+   * importance, whatever hides it. COUPLED: the extinction that was optimised last. Default is
+   * ATTAINABLE.
    */
   vtkSetMacro(ViewpointGuide, int);
   vtkGetMacro(ViewpointGuide, int);
@@ -190,7 +200,7 @@ private:
   double CameraParallelScale = 1;
   double CameraAspectRatio = 1;
   vtkTypeBool OptimizeViewpoint = 0;
-  int ViewpointGuide = PROXY;
+  int ViewpointGuide = ATTAINABLE;
   vtkTypeBool WarmStart = 0;
 
   void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence);

@@ -17,6 +17,8 @@
  * per direction, with the point arrays
  *   "VisibilityScore" S [length^2], "VisibleFraction" (of the important matter in the data, the
  *                     share whose light reaches the camera) [0, 1],
+ *   "AttainableFraction" with Field ATTAINABLE: the most that an optimisation for the view could
+ *                     show of it, which "VisibleFraction" is then, too [0, 1],
  *   "NormalizedScore" 0 worst, 1 best of the directions (all the same: 1, or 0 if S is 0),
  *   "Azimuth", "Polar" the angles of Eq. (10) [degrees],
  *   "ViewDirection"   unit vector from the focal point to the camera, R (0, 0, 1) of Eq. (10),
@@ -73,7 +75,8 @@ public:
     IMPORTANCE_PROXY = 0,
     BASE_EXTINCTION = 1,
     EXTINCTION_ARRAY = 2,
-    OPTIMIZE_PER_VIEW = 3
+    OPTIMIZE_PER_VIEW = 3,
+    ATTAINABLE = 4
   };
 
   enum Samplings
@@ -95,12 +98,14 @@ public:
 
   ///@{
   /**
-   * The extinction that is looked at. IMPORTANCE_PROXY: the majorant of Eq. (25) times
+   * The extinction that is looked at. ATTAINABLE: one of its own for every ray, the best that the
+   * bounds allow: what no optimisation for the view could exceed, and nearly what it reaches, for
+   * the price of a score. IMPORTANCE_PROXY: the majorant of Eq. (25) times
    * importance, as if nothing else were there (Section 3.4 of [HG24]). BASE_EXTINCTION: what
    * ExtinctionSource gives. EXTINCTION_ARRAY: array 2, for instance the result of
    * vtkExtinctionOptimizer. OPTIMIZE_PER_VIEW: an extinction of its own for every view, optimised
    * with the weights and a light above and behind the camera; takes long.
-   * Default is IMPORTANCE_PROXY.
+   * Default is ATTAINABLE.
    */
   vtkSetMacro(Field, int);
   vtkGetMacro(Field, int);
@@ -249,7 +254,7 @@ private:
   vtkViewpointSearch(const vtkViewpointSearch&) = delete;
   void operator=(const vtkViewpointSearch&) = delete;
 
-  int Field = IMPORTANCE_PROXY;
+  int Field = ATTAINABLE;
   int Sampling = ICOSPHERE;
   int NumberOfDirections = 642;
   vtkTypeBool UseFocalPoint = 0;

@@ -194,11 +194,13 @@ void vtkViewpointSearch::Internals::Search(
 }
 
 void vtkViewpointSearch::Internals::SearchOneField(
-  const limpid::PreparedScene& scene, limpid::FoundViews& found) const
+  limpid::PreparedScene& scene, limpid::FoundViews& found) const
 {
   const limpid::SceneFields& fields = scene.Arrays();
   const limpid::Settings settings = this->MakeSettings();
+  found.isAttainable = this->Self->Field == ATTAINABLE;
   std::vector<float> proxy;
+  limpid::NodeValues least; // stay while the score does, which may share them with other ranks
   const auto score = this->Interruptibly(
     [&]
     {
@@ -207,6 +209,13 @@ void vtkViewpointSearch::Internals::SearchOneField(
       {
         proxy = ProxyOf(fields, scene.Majorant());
         viewed = { proxy.data(), fields.importance, fields.baseExtinction };
+      }
+      if (found.isAttainable)
+      {
+        const limpid::Camera any = found.orbit.At({ 0.0, 0.0, 1.0 });
+        least = scene.ProblemFor(any, limpid::Light(), settings).LeastExtinction();
+        viewed.attainable = true;
+        viewed.least = least.Data();
       }
       viewed.piece = fields.piece;
       return limpid::ViewScore(fields.grid, viewed, settings.rayDensity,
@@ -326,7 +335,7 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
 {
   const vtkViewpointSearch* self = this->Self;
   this->Reader.RequireChoices();
-  limpid::RequireChoice("Field", self->Field, 4);
+  limpid::RequireChoice("Field", self->Field, 5);
   limpid::RequireChoice("Sampling", self->Sampling, 3);
   limpid::RequireSettings(this->MakeSettings());
   LIMPID_REQUIRE(

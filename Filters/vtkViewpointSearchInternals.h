@@ -45,7 +45,7 @@ struct vtkViewpointSearch::Internals
   limpid::Orbit MakeOrbit(const limpid::Grid& grid) const;
   limpid::Settings MakeSettings() const;
   limpid::SearchSettings MakeSearchSettings(double spacing) const;
-  void SearchOneField(const limpid::PreparedScene& scene, limpid::FoundViews& found) const;
+  void SearchOneField(limpid::PreparedScene& scene, limpid::FoundViews& found) const;
   void SearchOptimizedFields(
     const std::shared_ptr<limpid::PreparedScene>& scene, limpid::FoundViews& found) const;
   template <class Function>

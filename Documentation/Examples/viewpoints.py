@@ -175,7 +175,7 @@ def whole_angle(distance):
 
 
 def search_scene(scene, directions):
-    search = simple.ViewpointSearch(Input=scene.source)
+    search = simple.ViewpointSearch(Input=scene.source, Field="Importance Proxy")
     search.ImportanceArray = ["POINTS", scene.importance_array]
     if scene.importance:
         search.UseImportanceFunction = 1

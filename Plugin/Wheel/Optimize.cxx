@@ -87,11 +87,15 @@ nb::dict ResultsOf(const Solver& solver, const Camera& camera)
   nb::dict results;
   const Score base = solver.BaseScore();
   const Score best = solver.BestScore();
+  const Ceiling ceiling = solver.FindCeiling();
   results["visibility_score"] = best.visibility;
   results["base_visibility_score"] = base.visibility;
   results["visible_fraction"] = best.fraction;
   results["base_visible_fraction"] = base.fraction;
   results["sacrificed_fraction"] = best.sacrificed;
+  results["attainable_fraction"] = ceiling.fraction;
+  results["attainable_score"] = ceiling.visibility;
+  results["attainable_light_score"] = ceiling.lightVisibility;
   results["energy"] = solver.BestEnergy().Total();
   results["iterations"] = solver.Iterations();
   results["settled"] = solver.Settled();
@@ -120,6 +124,7 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
     {
       found = run.Solve();
       found.solver->BestScore(); // which may take a sweep
+      found.solver->FindCeiling();
     });
 
   nb::dict results = ResultsOf(*found.solver, found.camera);

@@ -43,7 +43,8 @@ void BindChoices(nb::module_& module)
     .value("cuda", BackendKind::Cuda);
   nb::enum_<Guide>(module, "ViewpointGuide")
     .value("proxy", Guide::Proxy)
-    .value("coupled", Guide::Extinction);
+    .value("coupled", Guide::Extinction)
+    .value("attainable", Guide::Attainable);
 }
 
 // A member of a member of the settings as a property.

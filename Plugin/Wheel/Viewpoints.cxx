@@ -61,9 +61,10 @@ nb::list RowsOf(const std::vector<ScoredView>& views, const Orbit& orbit)
 }
 
 // `viewed`: the extinction that is looked at; with `base` it is not the base extinction.
+// `attainable`: every ray has its own, from `least` on.
 nb::dict SearchViewpoints(const Grid& grid, const Field& viewed, const Field& importance,
-  const OptionalField& base, const Orbit& orbit, const Table<double, 3>& directions,
-  const SearchSettings& search, const Settings& settings)
+  const OptionalField& base, bool attainable, const OptionalField& least, const Orbit& orbit,
+  const Table<double, 3>& directions, const SearchSettings& search, const Settings& settings)
 {
   RequireOrbit(orbit, settings, grid);
   std::vector<ScoredView> samples;
@@ -72,7 +73,8 @@ nb::dict SearchViewpoints(const Grid& grid, const Field& viewed, const Field& im
   ComputeBesidePython(
     [&]
     {
-      const ViewedFields fields{ viewed.data(), importance.data(), DataOf(base) };
+      const ViewedFields fields{ viewed.data(), importance.data(), DataOf(base), nullptr,
+        attainable, DataOf(least) };
       const ViewScore score(grid, fields, settings.rayDensity, settings.backend);
       backend = score.BackendName();
       samples = ScoreViews(score, orbit, DirectionsOf(directions), {});
@@ -105,7 +107,7 @@ void BindViewpoints(nb::module_& module)
     .def_rw("refine", &SearchSettings::refine)
     .def_rw("first_step", &SearchSettings::firstStep);
   module.def("search_viewpoints", SearchViewpoints, "grid"_a, "viewed"_a.noconvert(),
-    "importance"_a.noconvert(), "base"_a.noconvert().none(), "orbit"_a, "directions"_a, "search"_a,
-    "settings"_a);
+    "importance"_a.noconvert(), "base"_a.noconvert().none(), "attainable"_a,
+    "least"_a.noconvert().none(), "orbit"_a, "directions"_a, "search"_a, "settings"_a);
 }
 }

@@ -75,19 +75,31 @@ void ExpectSame(const Views& one, const Views& other)
   }
 }
 
-/// `withBase`: whether what is seen is not the base extinction.
-void ExpectSameOnRanks(const Whole& scene, bool parallel, bool withBase)
+/// What is seen.
+enum class Field
+{
+  Base,
+  Other,
+  Attainable ///< every ray's own
+};
+
+void ExpectSameOnRanks(const Whole& scene, bool parallel, Field field)
 {
   std::vector<float> dense(scene.importance);
-  for (float& value : dense)
+  for (std::size_t node = 0; node < dense.size(); ++node)
   {
-    value *= 3;
+    dense[node] *= field == Field::Attainable ? 0.5f * scene.extinction[node] : 3.0f;
   }
-  const auto viewed = [withBase](
-                        const float* extinction, const float* proxy, const float* importance)
+  const auto viewed = [field](const float* extinction, const float* other, const float* importance)
   {
-    return withBase ? ViewedFields{ proxy, importance, extinction }
-                    : ViewedFields{ extinction, importance };
+    if (field == Field::Other)
+    {
+      return ViewedFields{ other, importance, extinction };
+    }
+    ViewedFields fields{ extinction, importance };
+    fields.attainable = field == Field::Attainable;
+    fields.least = fields.attainable ? other : nullptr;
+    return fields;
   };
   const Views alone = Seen(
     scene.grid, viewed(scene.extinction.data(), dense.data(), scene.importance.data()), parallel);
@@ -117,7 +129,7 @@ protected:
 
 TEST_P(ViewsOnRanks, HaveTheSameBits)
 {
-  ExpectSameOnRanks(this->Make(), GetParam() % 2 == 1, GetParam() % 3 == 0);
+  ExpectSameOnRanks(this->Make(), GetParam() % 2 == 1, static_cast<Field>(GetParam() % 3));
 }
 
 INSTANTIATE_TEST_SUITE_P(Ranks, ViewsOnRanks, ::testing::Range(0U, 12U));
@@ -126,6 +138,7 @@ TEST(Ranks, HaveTheSameViewsOfALargerScene)
 {
   BoxScene scene(Int3(48, 40, 56), Vec3(1, 2, 3), Vec3(0.1, 0.12, 0.09));
   scene.FillOnion();
-  ExpectSameOnRanks(Whole(scene), false, false);
-  ExpectSameOnRanks(Whole(scene), true, true);
+  ExpectSameOnRanks(Whole(scene), false, Field::Base);
+  ExpectSameOnRanks(Whole(scene), true, Field::Other);
+  ExpectSameOnRanks(Whole(scene), false, Field::Attainable);
 }

@@ -22,7 +22,8 @@ SINGLE = float(np.finfo(np.float32).eps)
 RESULTS = ("Extinction", "Opacity", "BaseExtinction", "Importance", "Transmittance",
            "LightTransmittance", "MissedImportance")
 SUMMARY = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
-           "SacrificedFraction", "Energy", "Iterations", "Settled", "Seconds", "Backend")
+           "SacrificedFraction", "AttainableFraction", "AttainableScore", "AttainableLightScore",
+           "Energy", "Iterations", "Settled", "Seconds", "Backend")
 
 
 def optimizer(image, **properties):
@@ -88,6 +89,20 @@ class TestOutput(OptimizerTest):
                              number(output, "SacrificedFraction"), 1)
         self.assertNotEqual(output.GetFieldData().GetAbstractArray("Backend").GetValue(0), "")
 
+    def test_knows_what_could_be_seen_at_most(self):
+        before = self.run_filter(phantom(32), MaximumIterations=0)
+        after = self.run_filter(phantom(32))
+        guarded = self.run_filter(phantom(32), ProtectImportance=1)
+        unlit = self.run_filter(phantom(32), LightWeight=0)
+
+        for name, found in (("AttainableFraction", "VisibleFraction"),
+                            ("AttainableScore", "VisibilityScore")):
+            self.assertLess(number(after, found), number(after, name))
+            self.assertEqual(number(before, name), number(after, name))  # whatever was found
+            self.assertLess(number(guarded, name), number(after, name))
+        self.assertGreater(number(after, "AttainableLightScore"), 0)
+        self.assertEqual(number(unlit, "AttainableLightScore"), 0)
+
     def test_says_whether_it_ended_at_a_limit(self):
         for tolerance, settled in ((0, 0), (1, 1)):
             output = self.run_filter(phantom(), Tolerance=tolerance)
@@ -137,7 +152,10 @@ class TestOutput(OptimizerTest):
         names = [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
         self.assertEqual(names, ["Iteration", "Level", "Energy", "RegularizationEnergy",
                                  "ViewEnergy", "LightEnergy", "VisibilityScore",
-                                 "VisibleFraction", "SacrificedFraction", "Seconds"])
+                                 "VisibleFraction", "SacrificedFraction", "AttainableScore",
+                                 "AttainableFraction", "Seconds"])
+        most = vtk_to_numpy(table.GetColumnByName("AttainableFraction"))
+        np.testing.assert_array_equal(most, number(result.GetOutput(), "AttainableFraction"))
         iterations = vtk_to_numpy(table.GetColumnByName("Iteration"))
         np.testing.assert_array_equal(iterations, np.arange(len(iterations)))
         self.assertEqual(len(iterations), number(result.GetOutput(), "Iterations") + 1)
@@ -562,7 +580,7 @@ class TestDegenerateInput(OptimizerTest):
         cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0,
                      ClearingThreshold=-4,
                      ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
-                     LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=2,
+                     LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=3,
                      LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
                      ProtectImportance=1.5, Emphasis=1.1, ImportanceSmoothing=2, Smoothness=-1)
         for name, value in cases.items():
@@ -611,6 +629,24 @@ class TestViewpoint(OptimizerTest):
                                   CameraViewUp=field(both, "CameraViewUp"))
                 there.Update()
                 self.assertEqual(field(there, "VisibilityScore"), (reached,))
+
+    def test_goes_to_the_highest_ceiling_and_says_what_that_proves(self):
+        alone = optimizer(phantom(32))
+        alone.Update()
+        both = optimizer(phantom(32), OptimizeViewpoint=1)
+        both.Update()
+
+        self.assertEqual(both.GetViewpointGuide(), vtkExtinctionOptimizer.ATTAINABLE)
+        self.assertEqual(both.messages["ErrorEvent"], [])
+        found = both.GetOutput()
+        self.assertGreaterEqual(number(found, "VisibleFraction"),
+                                number(alone.GetOutput(), "VisibleFraction"))
+        self.assertLessEqual(number(found, "VisibleFraction"),
+                             number(found, "HighestAttainableFraction"))
+        proof = found.GetFieldData().GetAbstractArray("Proof").GetValue(0)
+        self.assertRegex(proof, "^What is visible is [0-9.]+ % of the ceiling of its view, and that "
+                                "is [0-9.]+ % of the highest ceiling of [0-9]+ views.$")
+        self.assertIsNone(alone.GetOutput().GetFieldData().GetAbstractArray("Proof"))
 
     def test_is_aborted_like_any_other(self):
         both = optimizer(phantom(16), OptimizeViewpoint=1)

@@ -40,7 +40,7 @@ class TestPluginViewpointSearch(unittest.TestCase):
                            search.FieldData["WorstVisibilityScore"].GetRange()[0])
 
     def test_takes_enumerations_by_their_texts(self):
-        for field in ("Importance Proxy", "Base Extinction", "Extinction Array",
+        for field in ("Attainable", "Importance Proxy", "Base Extinction", "Extinction Array",
                       "Optimize Per View"):
             for sampling in ("Icosphere", "Fibonacci", "Latitude-Longitude"):
                 search = ViewpointSearch(Input=OcclusionPhantom(Resolution=12),

@@ -28,7 +28,7 @@ RANKS = CONTROLLER.GetNumberOfProcesses()
 FIELDS = ("Extinction", "BaseExtinction", "Importance", "Opacity", "Transmittance",
           "LightTransmittance", "MissedImportance")
 SCORES = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "SacrificedFraction",
-          "Energy", "Iterations")
+          "AttainableFraction", "AttainableScore", "AttainableLightScore", "Energy", "Iterations")
 
 
 def whole_phantom(resolution=20):
@@ -251,7 +251,8 @@ class TestRanks(unittest.TestCase):
 
     def test_views_of_an_image_in_pieces(self):
         image = whole_phantom(16)
-        for field in (vtkViewpointSearch.BASE_EXTINCTION, vtkViewpointSearch.IMPORTANCE_PROXY):
+        for field in (vtkViewpointSearch.BASE_EXTINCTION, vtkViewpointSearch.IMPORTANCE_PROXY,
+                      vtkViewpointSearch.ATTAINABLE):
             for axis, more, empty in ((2, 0, 0), (0, 1, 0), (1, 1, RANKS - 1)):
                 results = []
                 for source in (None, Pieces(image, slabs(image, axis, more, empty))):

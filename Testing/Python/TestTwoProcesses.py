@@ -94,7 +94,7 @@ class TestTwoProcesses(unittest.TestCase):
         optimizer.ExtinctionSource = "Array"
         optimizer.UpdatePipeline()
         self.assertEqual(optimizer.GetDataInformation().GetExtent(), (0, 7, 0, 7, 0, 7))
-        for field, points in (("Base Extinction", 12), ("Optimize Per View", 0)):
+        for field, points in (("Base Extinction", 12), ("Attainable", 12), ("Optimize Per View", 0)):
             search = ViewpointSearch(Input=part, Field=field, NumberOfDirections=12)
             search.ExtinctionSource = "Array"
             search.UpdatePipeline()

@@ -18,9 +18,10 @@ from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, func
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
     vtkViewpointSearch.LATITUDE_LONGITUDE)
-PROXY, BASE, ARRAY, PER_VIEW = FIELDS = (
+PROXY, BASE, ARRAY, PER_VIEW, ATTAINABLE = FIELDS = (
     vtkViewpointSearch.IMPORTANCE_PROXY, vtkViewpointSearch.BASE_EXTINCTION,
-    vtkViewpointSearch.EXTINCTION_ARRAY, vtkViewpointSearch.OPTIMIZE_PER_VIEW)
+    vtkViewpointSearch.EXTINCTION_ARRAY, vtkViewpointSearch.OPTIMIZE_PER_VIEW,
+    vtkViewpointSearch.ATTAINABLE)
 SPHERE, VIEWPOINTS, PATHS = range(3)
 DOUBLE = float(np.finfo(float).eps)
 
@@ -300,8 +301,31 @@ class TestScores(SearchTest):
         values(proxy, "BaseExtinction")[:] = largest * values(image, "Importance")
 
         np.testing.assert_array_equal(
-            values(self.run_filter(image).GetOutput(), "VisibilityScore"),
+            values(self.run_filter(image, Field=PROXY).GetOutput(), "VisibilityScore"),
             values(self.run_filter(proxy, Field=BASE).GetOutput(), "VisibilityScore"))
+
+    def test_that_are_attainable_are_the_ceilings_of_the_optimizer(self):
+        image = phantom(32)
+        for protect in (0, 1):
+            output = self.run_filter(image, Field=ATTAINABLE, ProtectImportance=protect,
+                                     Sampling=FIBONACCI, NumberOfDirections=8).GetOutput()
+            np.testing.assert_array_equal(values(output, "AttainableFraction"),
+                                          values(output, "VisibleFraction"))
+            for i in range(8):
+                expected = self.optimizer_at(image, output, i, ProtectImportance=protect,
+                                             RayDensity=3)
+                # Both are quadratures of the same integral, with rays at different places.
+                self.assertLess(abs(values(output, "AttainableFraction")[i] -
+                                    field(expected, "AttainableFraction")), 5e-3)
+                self.assertGreater(values(output, "AttainableFraction")[i],
+                                   field(expected, "VisibleFraction"))
+
+    def test_that_are_attainable_are_the_default_and_have_an_array_of_their_own(self):
+        self.assertEqual(vtkViewpointSearch().GetField(), ATTAINABLE)
+        for field_ in (ATTAINABLE, BASE):
+            output = self.run_filter(phantom(), Field=field_).GetOutput()
+            self.assertEqual("AttainableFraction" in names_of(output.GetPointData()),
+                             field_ == ATTAINABLE)
 
     def test_of_an_array_are_those_of_the_same_base_extinction(self):
         image = phantom(20)
@@ -333,7 +357,7 @@ class TestScores(SearchTest):
     def test_of_a_ball_are_the_same_from_everywhere(self):
         image = ball()
         for parallel in (0, 1):
-            for field_ in (PROXY, BASE):
+            for field_ in (PROXY, BASE, ATTAINABLE):
                 output = self.run_filter(image, Field=field_, NumberOfDirections=162,
                                          CameraParallelProjection=parallel).GetOutput()
                 scores = values(output, "VisibilityScore")
@@ -466,7 +490,7 @@ class TestAllowedViews(SearchTest):
 
 class TestPaths(SearchTest):
     def test_climb_from_directions_of_the_sphere(self):
-        for field_ in (PROXY, BASE, PER_VIEW):
+        for field_ in (PROXY, BASE, PER_VIEW, ATTAINABLE):
             result = self.run_filter(hidden_blob((0.6, 0.0, 0.8), 20), Field=field_)
             output = result.GetPaths()
             if field_ == BASE:
@@ -627,7 +651,7 @@ class TestDegenerateInput(SearchTest):
                      CameraViewAngle=(0, 180, np.nan), NumberOfViewpoints=(0, -1),
                      SeparationAngle=(-1, 181), AvoidanceAngle=(-1, 181), SphereRadius=(0, -2),
                      RayDensity=(0, 100),
-                     ScalarOpacityUnitDistance=(-1,), Field=(4, -1), Sampling=(3, -1),
+                     ScalarOpacityUnitDistance=(-1,), Field=(5, -1), Sampling=(3, -1),
                      Backend=(9,), ExtinctionSource=(2,), ViewWeight=(-1,), MaximumIterations=(-1,))
         for name, wrong in cases.items():
             for value in wrong:

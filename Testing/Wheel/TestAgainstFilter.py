@@ -78,7 +78,8 @@ class TestAgainstFilter(unittest.TestCase):
     def compare(self, package, filters):
         self.assertEqual(package["iterations"], filters["iterations"])
         for score in ("visibility_score", "base_visibility_score", "visible_fraction",
-                      "base_visible_fraction", "sacrificed_fraction", "energy"):
+                      "base_visible_fraction", "sacrificed_fraction", "attainable_fraction",
+                      "attainable_score", "energy"):
             # Both evaluate the same functions in double precision; where a value falls between two
             # in single precision they may round apart, which is one step of the field's.
             self.assertLessEqual(abs(package[score] - filters[score]),

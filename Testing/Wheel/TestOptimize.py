@@ -29,6 +29,9 @@ class TestResult(unittest.TestCase):
         self.assertGreater(result.visibility_score, result.base_visibility_score)
         self.assertGreater(result.visible_fraction, result.base_visible_fraction)
         self.assertLessEqual(result.visible_fraction + result.sacrificed_fraction, 1)
+        self.assertLess(result.visible_fraction, result.attainable_fraction)
+        self.assertLess(result.visibility_score, result.attainable_score)
+        self.assertGreater(result.attainable_light_score, 0)
         self.assertTrue(result.settled)
         self.assertIn("CPU", result.backend)
 

@@ -64,6 +64,17 @@ class TestSearch(unittest.TestCase):
         np.testing.assert_allclose(c.visibility_scores, fortran.visibility_scores,
                                    rtol=phantom.rounding_of_sweeps())
 
+    def test_by_default_knows_what_could_be_seen_at_most(self):
+        found = search(refine=False)
+        guarded = search(refine=False, protect_importance=1)
+        proxy = search(refine=False, field="importance_proxy")
+        result = limpid.optimize(phantom.scalars(), camera=found[0], ray_density=3, **SCENE)
+
+        # Both are quadratures of the same integral, with rays at different places.
+        self.assertAlmostEqual(found[0].visible_fraction, result.attainable_fraction, delta=0.005)
+        self.assertTrue((guarded.visible_fractions < found.visible_fractions).all())
+        self.assertFalse(np.array_equal(proxy.visible_fractions, found.visible_fractions))
+
     def test_a_view_can_be_optimised_for(self):
         best = search(refine=False)[0]
         result = limpid.optimize(phantom.scalars(), camera=best, **SCENE)

@@ -59,7 +59,8 @@ def run_package(scene, given):
                              camera=scene.description["camera"], light=scene.description["light"],
                              **base)
     names = ("visibility_score", "base_visibility_score", "visible_fraction",
-             "base_visible_fraction", "sacrificed_fraction", "energy", "iterations", "seconds")
+             "base_visible_fraction", "sacrificed_fraction", "attainable_fraction",
+             "attainable_score", "energy", "iterations", "seconds")
     return before, {name: getattr(result, name) for name in names}
 
 
@@ -106,7 +107,9 @@ def run_filter(scene, given):
     fields = optimizer.GetOutput().GetFieldData()
     names = {"visibility_score": "VisibilityScore", "base_visibility_score": "BaseVisibilityScore",
              "visible_fraction": "VisibleFraction", "base_visible_fraction": "BaseVisibleFraction",
-             "sacrificed_fraction": "SacrificedFraction", "energy": "Energy",
+             "sacrificed_fraction": "SacrificedFraction",
+             "attainable_fraction": "AttainableFraction", "attainable_score": "AttainableScore",
+             "energy": "Energy",
              "iterations": "Iterations", "seconds": "Seconds"}
     return before, {name: fields.GetArray(key).GetTuple1(0) for name, key in names.items()}
 

@@ -6,8 +6,12 @@
 #include "backend/Backend.h"
 #include "optimize/PreparedScene.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
 namespace limpid
@@ -17,9 +21,34 @@ namespace
 /// The most cameras that an extinction is optimised for after the first.
 constexpr int mostMoves = 6;
 
+/// Directions whose ceilings are compared before a climb: 0.5 radians from each other.
+constexpr int startDirections = 48;
+
 /// A move along the slope of the score [radians]: the first, and the smallest that is tried.
 constexpr double firstMove = 0.25;
 constexpr double smallestMove = 0.02;
+
+/// Directions that are spread evenly over the sphere, on a spiral from pole to pole.
+std::vector<Vec3> SpiralOfDirections(int count)
+{
+  const double goldenAngle = glm::pi<double>() * (3 - std::sqrt(5.0));
+  std::vector<Vec3> directions;
+  for (int i = 0; i < count; ++i)
+  {
+    const double height = 1 - (2 * i + 1) / double(count);
+    const double radius = std::sqrt(1 - height * height);
+    const double turn = goldenAngle * i;
+    directions.emplace_back(radius * std::cos(turn), height, radius * std::sin(turn));
+  }
+  return directions;
+}
+
+std::string Percent(double share)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << 100 * share << " %";
+  return text.str();
+}
 
 class ConcurrentOptimizer
 {
@@ -42,6 +71,11 @@ public:
 
   ConcurrentResult Run(Guide guide)
   {
+    if (guide == Guide::Attainable && this->Sphere.distance > 0)
+    {
+      this->GoToCeiling();
+      return std::move(this->Best);
+    }
     std::unique_ptr<Solver> solver = this->SolveFor(this->First, 0);
     this->Best.startScore = solver->BestScore();
     this->Best.path = { this->First.position };
@@ -80,9 +114,16 @@ private:
       [&](double share, const std::string& text)
       {
         const double done = (move + share) / (mostMoves + 1);
-        return !this->Report || this->Report(done, text);
+        return this->GoesOn(done, text);
       });
     return solver;
+  }
+
+  /// Asks until the answer is no.
+  bool GoesOn(double share, const std::string& text)
+  {
+    this->IsStopped = this->IsStopped || (this->Report && !this->Report(share, text));
+    return !this->IsStopped;
   }
 
   enum class Outcome
@@ -110,6 +151,73 @@ private:
     return Outcome::Taken;
   }
 
+  /// Goes where most could be seen, and optimises there. Where that does not exceed the ceiling of
+  /// the first camera, it also optimises for that one.
+  void GoToCeiling()
+  {
+    const NodeValues least =
+      this->Scene->ProblemFor(this->First, this->Lamp, this->Options).LeastExtinction();
+    ViewedFields viewed{ this->Fields.baseExtinction, this->Fields.importance };
+    viewed.attainable = true;
+    viewed.least = least.Data();
+    const ViewScore score(
+      this->Fields.grid, viewed, this->Options.rayDensity, this->Options.backend);
+    const ScoredView start = ViewAt(score, this->Sphere, this->Direction());
+    const ScoredView goal = this->HighestCeiling(score, start);
+    const bool moves = IsBetter(goal, start);
+    const Camera camera = moves ? this->CameraAt(goal.direction) : this->First;
+    this->Best.path = { this->First.position };
+    this->Take(camera, this->SolveFor(camera, mostMoves - 1));
+    const double found = this->Best.solver->BestScore().fraction;
+    if (!moves)
+    {
+      this->Best.startScore = this->Best.solver->BestScore();
+    }
+    else if (found < start.score.fraction && !this->Best.solver->Stopped())
+    {
+      std::unique_ptr<Solver> first = this->SolveFor(this->First, mostMoves);
+      this->Best.startScore = first->BestScore();
+      if (first->BestScore().fraction > found)
+      {
+        this->Take(this->First, std::move(first));
+      }
+    }
+  }
+
+  void Take(const Camera& camera, std::unique_ptr<Solver> solver)
+  {
+    this->Best.solver = std::move(solver);
+    this->Best.camera = camera;
+    if (this->Best.path.back() != camera.position)
+    {
+      this->Best.path.push_back(camera.position);
+    }
+  }
+
+  /// The view with the highest ceiling that views from all sides and climbs from the best of them
+  /// come to; `start` is one of them.
+  ScoredView HighestCeiling(const ViewScore& score, const ScoredView& start)
+  {
+    SearchSettings search;
+    search.viewpoints = 2;
+    search.firstStep = firstMove;
+    const auto report = [&](double from, double to)
+    {
+      return SearchProgress(
+        [this, from, to](double share) { return this->GoesOn(from + share * (to - from), ""); });
+    };
+    const double half = 0.5 * (mostMoves - 1) / (mostMoves + 1);
+    std::vector<ScoredView> samples =
+      ScoreViews(score, this->Sphere, SpiralOfDirections(startDirections), report(0, half));
+    samples.push_back(start);
+    SearchResult climbs =
+      FindViewpoints(score, this->Sphere, samples, search, report(half, 2 * half));
+    this->Best.views = climbs.evaluations;
+    const ScoredView highest = climbs.viewpoints.empty() ? start : climbs.viewpoints.front();
+    this->Best.highestCeiling = std::max(highest.score.fraction, start.score.fraction);
+    return highest;
+  }
+
   /// Climbs to where most of what is important would be seen if nothing else were there; if the
   /// extinction that is optimised there is worse, not quite so far.
   void FollowProxy()
@@ -128,7 +236,7 @@ private:
     search.firstStep = firstMove;
     search.viewpoints = 1;
     const SearchResult climb = FindViewpoints(score, this->Sphere, { start }, search,
-      [&](double share) { return !this->Report || this->Report(share / (mostMoves + 1), ""); });
+      [&](double share) { return this->GoesOn(share / (mostMoves + 1), ""); });
     const std::vector<ScoredView>& path =
       climb.paths.empty() ? std::vector<ScoredView>{} : climb.paths.front();
     int move = 1;
@@ -180,9 +288,24 @@ private:
   const Light& Lamp;
   const Settings& Options;
   const Progress& Report;
+  bool IsStopped = false;
   Orbit Sphere;
   ConcurrentResult Best;
 };
+}
+
+std::string ConcurrentResult::Proof() const
+{
+  const double ceiling = this->solver->FindCeiling().fraction;
+  if (!(this->highestCeiling > 0 && ceiling > 0))
+  {
+    return {};
+  }
+  const double found = this->solver->BestScore().fraction;
+  return "What is visible is " + Percent(found / ceiling) +
+    " of the ceiling of its view, and that is " +
+    Percent(std::min(ceiling / this->highestCeiling, 1.0)) + " of the highest ceiling of " +
+    std::to_string(this->views) + " views.";
 }
 
 ConcurrentResult OptimizeConcurrently(const SceneFields& scene, const Camera& camera,

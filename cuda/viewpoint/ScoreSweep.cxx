@@ -5,6 +5,7 @@
 
 #include "viewpoint/ScoreSweep.h"
 
+#include "energy/CeilingKernel.h"
 #include "energy/ScoreKernel.h"
 #include "sweep/Sweeps.h"
 #include "viewpoint/SlopeSampler.h"
@@ -32,9 +33,7 @@ public:
     {
       const Fields& fields = this->FieldsOf(part);
       FrustumRays<AnyDevice> rays = this->RaysOf(part, 0);
-      SweepForward(*this->Device, rays, *part.fields->occupancy,
-        ScoreKernel<const float*>{
-          fields.extinction.Data(), fields.importance.Data(), fields.base.Data() });
+      this->Sweep(rays, *part.fields, fields);
       sum += this->SumOf(rays, fields);
     }
     return sum;
@@ -68,8 +67,23 @@ private:
   {
     BorrowedArray<AnyDevice, float> extinction;
     BorrowedArray<AnyDevice, float> importance;
-    BorrowedArray<AnyDevice, float> base; ///< null: all is kept
+    BorrowedArray<AnyDevice, float> base;  ///< null: all is kept
+    BorrowedArray<AnyDevice, float> least; ///< null: 0
   };
+
+  void Sweep(FrustumRays<AnyDevice>& rays, const SweptFields& swept, const Fields& fields) const
+  {
+    if (swept.values.attainable)
+    {
+      SweepRaysBackward(*this->Device, rays, *swept.occupancy,
+        CeilingKernel<const float*>{ fields.extinction.Data(), fields.importance.Data(),
+          fields.least.Data(), { 0, 0 }, Kept::Ignored });
+      return;
+    }
+    SweepForward(*this->Device, rays, *swept.occupancy,
+      ScoreKernel<const float*>{
+        fields.extinction.Data(), fields.importance.Data(), fields.base.Data() });
+  }
 
   Seen SumOf(FrustumRays<AnyDevice>& rays, const Fields& fields) const
   {
@@ -111,7 +125,9 @@ private:
     const auto count = static_cast<std::size_t>(fields.occupancy ? fields.grid.NodeCount() : 0);
     return { { this->Device, values.extinction, count, "the extinction" },
       { this->Device, values.importance, count, "the importance" },
-      { this->Device, values.base, values.base ? count : 0, "the base extinction" } };
+      { this->Device, values.base, values.base ? count : 0, "the base extinction" },
+      { this->Device, values.least, values.least ? count : 0,
+        "the lower bound of the extinction" } };
   }
 
   std::shared_ptr<AnyDevice> Device;

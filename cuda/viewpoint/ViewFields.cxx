@@ -79,6 +79,7 @@ SweptFields Copy(const Grid& grid, const ViewedFields& viewed, const IndexBox& b
   fields.extinction.resize(count);
   fields.importance.resize(count);
   fields.base.resize(viewed.base ? count : 0);
+  fields.least.resize(viewed.least ? count : 0);
   const Int3& nodes = fields.grid.nodes;
   ParallelFor(Index(nodes.y) * nodes.z, 16,
     [&](Index row)
@@ -97,10 +98,15 @@ SweptFields Copy(const Grid& grid, const ViewedFields& viewed, const IndexBox& b
         {
           fields.base[std::size_t(node)] = viewed.base[source];
         }
+        if (viewed.least)
+        {
+          fields.least[std::size_t(node)] = viewed.least[source];
+        }
       }
     });
   fields.values = { fields.extinction.data(), fields.importance.data(),
-    viewed.base ? fields.base.data() : nullptr, nullptr };
+    viewed.base ? fields.base.data() : nullptr, nullptr, viewed.attainable,
+    viewed.least ? fields.least.data() : nullptr };
   fields.occupancy = std::make_unique<Occupancy>(
     fields.grid, fields.extinction.data(), fields.importance.data(), true);
   return fields;
@@ -133,6 +139,8 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
   fields.values.importance = There(viewed.importance);
   const bool hasBase = piece.ranks->AnyOf(viewed.base != nullptr);
   fields.values.base = hasBase ? There(viewed.base) : nullptr;
+  const bool hasLeast = piece.ranks->AnyOf(viewed.least != nullptr);
+  fields.values.least = hasLeast ? There(viewed.least) : nullptr;
   if (!fields.grid.HasVolume())
   {
     return fields;

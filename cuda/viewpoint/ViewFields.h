@@ -22,6 +22,10 @@ struct ViewedFields
   const float* importance;     ///< [0, 1]
   const float* base = nullptr; ///< base extinction [1/length]; null: the extinction is that
   std::shared_ptr<const ScenePiece> piece = nullptr; ///< null: the fields are of all nodes
+
+  /// Whether every ray chooses its own extinction, from `least` to `extinction`, see CeilingKernel.
+  bool attainable = false;
+  const float* least = nullptr; ///< [1/length]; null: 0
 };
 
 /// Such fields as they are swept, and what is not empty of them.
@@ -32,6 +36,7 @@ struct SweptFields
   std::vector<float> extinction; ///< copies, if the values are that
   std::vector<float> importance;
   std::vector<float> base;
+  std::vector<float> least;
   std::unique_ptr<const Occupancy> occupancy; ///< null: there is nothing to be seen
   std::unique_ptr<const HomeOfFields> home;   ///< where ranks have them; null: all are here
 };

@@ -76,7 +76,7 @@ ViewScore::ViewScore(
 {
   // The fields, twice; the rays of a direction take little.
   const Index nodes = this->Fields->InOrder().grid.NodeCount();
-  const std::size_t fields = viewed.base ? 3 : 2;
+  const std::size_t fields = (viewed.base ? 3 : 2) + (viewed.least ? 1 : 0);
   const BackendChoice choice =
     ChooseBackend(backend, { nodes, 2 * fields * sizeof(float) * static_cast<std::size_t>(nodes) });
   this->Name = NameOnRanks(choice.name, this->All.get());
@@ -89,8 +89,36 @@ Score ViewScore::At(const Camera& camera) const
     this->Sweep->See(this->Fields->PartsOf(camera, this->RayDensity)), this->Important);
 }
 
+/// The slope between cameras on either side, on the sphere round the focal point: far enough from
+/// each other that it does not matter where the rays of each meet the nodes.
+ViewSlope ViewScore::DifferenceAt(const Camera& camera) const
+{
+  constexpr double angle = 0.03;
+  const Vec3 out = camera.position - camera.focalPoint;
+  const double distance = glm::length(out);
+  const Vec3 right = glm::normalize(
+    glm::cross(out, std::abs(out.x) < 0.7 * distance ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  ViewSlope result;
+  result.score = this->At(camera).visibility;
+  for (const Vec3& move : { right, glm::cross(right, out / distance) })
+  {
+    const auto scoreAt = [&](double turn)
+    {
+      Camera there = camera;
+      there.position = camera.focalPoint + std::cos(turn) * out + std::sin(turn) * distance * move;
+      return this->At(there).visibility;
+    };
+    result.slope += (scoreAt(angle) - scoreAt(-angle)) / (2 * std::sin(angle) * distance) * move;
+  }
+  return result;
+}
+
 ViewSlope ViewScore::SlopeAt(const Camera& camera) const
 {
+  if (this->Fields->InOrder().values.attainable)
+  {
+    return this->DifferenceAt(camera);
+  }
   const Vec3 way = camera.focalPoint - camera.position;
   const double distance = glm::length(way);
   const Vec3 forward = way / distance;

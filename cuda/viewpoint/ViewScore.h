@@ -27,6 +27,10 @@ struct ViewSlope
  * values each, are copied. `rayDensity`: rays per voxel and axis, at least; what is small gets
  * more.
  *
+ * Of attainable fields (ViewedFields), S is the ceiling of what is kept of the extinction: what an
+ * optimisation of its own could show there at most, for the price of a score. Its slope is found
+ * from four more of them.
+ *
  * Ranks that share the fields keep their pieces as long as this is there, and all have to ask for
  * each score together, which they all get.
  */
@@ -50,6 +54,8 @@ public:
   ViewSlope SlopeAt(const Camera& camera) const;
 
 private:
+  ViewSlope DifferenceAt(const Camera& camera) const;
+
   std::shared_ptr<const Communicator> All;
   std::unique_ptr<const ViewFields> Fields; ///< where it is, whoever owns the scores
   double RayDensity;

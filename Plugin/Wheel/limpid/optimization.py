@@ -33,6 +33,9 @@ class Optimization:
     visible_fraction: float  #: share of the important matter whose light reaches the camera [0, 1]
     base_visible_fraction: float  #: of the base extinction [0, 1]
     sacrificed_fraction: float  #: share of the important matter that was removed [0, 1]
+    attainable_fraction: float  #: the most that visible_fraction could be [0, 1]
+    attainable_score: float  #: the most that visibility_score could be [length^2]
+    attainable_light_score: float  #: the most that S from the light could be [length^2]
     energy: float  #: Eq. (21), in world units [length^2]
     iterations: int
     settled: bool  #: another iteration would change next to nothing; else there was a limit
@@ -55,6 +58,7 @@ class Optimization:
         return (f"<limpid.Optimization of {' x '.join(map(str, self.extinction.shape))} points: "
                 f"{100 * self.base_visible_fraction:.1f} % of what is important visible before, "
                 f"{100 * self.visible_fraction:.1f} % after, "
+                f"{100 * self.attainable_fraction:.1f} % at most, "
                 f"{100 * self.sacrificed_fraction:.1f} % removed; "
                 f"S {self.base_visibility_score:.6g} before, {self.visibility_score:.6g} after; "
                 f"{self.iterations} iterations in {self.seconds:.2f} s on {self.backend}>")
@@ -63,7 +67,7 @@ class Optimization:
 def optimize(volume=None, *, scalars=None, importance=None, importance_function=None,
              extinction=None, extinction_function=None, opacity_function=None, unit_distance=None,
              spacing=None, origin=None, direction=None, camera=None, light=None,
-             optimize_viewpoint=False, viewpoint_guide="proxy", progress=None, **settings):
+             optimize_viewpoint=False, viewpoint_guide="attainable", progress=None, **settings):
     """Finds the extinction that minimises Eq. (21) for one camera and one light.
 
     Arrays have one number per point, shape (X, Y, Z), indexed [x, y, z]; those of images may be
@@ -90,7 +94,9 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
         with these names; None: on the z axis, where Reset Camera puts a new one.
     light: a limpid.Light, a light of PyVista, or its position; None: above the camera.
     optimize_viewpoint: move the camera on the sphere round its focal point, too (Section 3.4).
-    viewpoint_guide: what tells the way: "proxy", or "coupled": the extinction found last.
+    viewpoint_guide: what tells the way. "attainable": what could be seen from each view at most;
+        the extinction is optimised once, where that is highest. "proxy": the majorant times
+        importance. "coupled": the extinction found last.
     progress: called after every iteration with the share of the work that is done and a text;
         stops with the best so far if it returns False.
     settings: members of limpid.Settings by name, such as view_weight=20, and preset="Paper" for

@@ -104,7 +104,7 @@ def search_settings(number_of_viewpoints, separation_angle, refine, directions):
 
 def viewed_fields(scene, field):
     """The extinction that is looked at, and the base extinction, flat; see viewpoints."""
-    require_choice("field", field, ("base_extinction", "importance_proxy"))
+    require_choice("field", field, ("attainable", "base_extinction", "importance_proxy"))
     _, base, importance = scene.in_core()
     largest = scene.largest_extinction()
     if not (largest > 0 and importance.max() > 0):
@@ -113,26 +113,35 @@ def viewed_fields(scene, field):
                        "without extinction nothing is seen") +
                       " (every view has the score 0, and none is better than another). Check the "
                       "importance and the extinction.", stacklevel=3)
-    if field == "base_extinction":
+    if field != "importance_proxy":
         return base, None
     return np.float32(largest) * importance, base
+
+
+def least_extinction(base, importance, protect_importance, field):
+    """The lower bound of the extinction, flat; None: there is none."""
+    share = number_between("protect_importance", protect_importance, 0, 1,
+                           "it is a share of the extinction", "Give a number from 0 to 1.")
+    return np.float32(share) * importance * base if field == "attainable" and share > 0 else None
 
 
 def viewpoints(volume=None, *, scalars=None, importance=None, importance_function=None,
                extinction=None, extinction_function=None, opacity_function=None,
                unit_distance=None, spacing=None, origin=None, direction=None,
-               field="importance_proxy", number_of_directions=642, camera_focal_point=None,
+               field="attainable", number_of_directions=642, camera_focal_point=None,
                camera_distance=3.0, camera_view_angle=30.0, camera_parallel_projection=False,
-               number_of_viewpoints=4, separation_angle=30.0, refine=True, ray_density=1.0,
-               backend="auto"):
+               number_of_viewpoints=4, separation_angle=30.0, refine=True,
+               protect_importance=0.0, ray_density=1.0, backend="auto"):
     """Scores views from all around a volume by S of Eq. (32), climbs from the best of them along
     its derivative (Eqs. (29)-(31)), and ranks what is reached.
 
     The cameras stand on a sphere round the volume's centre and look at it, upright by Eq. (10).
 
     volume ... direction: as for optimize.
-    field: the extinction that is looked at. "importance_proxy": the majorant of Eq. (25) times
-        importance, as if nothing else were there. "base_extinction": that of the volume, which with
+    field: the extinction that is looked at. "attainable": one of its own for every ray, the best
+        that there is: no optimisation for the view could show more, and it nearly reaches that.
+        "importance_proxy": the majorant of Eq. (25) times importance, as if nothing else were
+        there. "base_extinction": that of the volume, which with
         `extinction` may be what optimize has found.
     number_of_directions: 1 to 100000, the nearest that an icosphere has: 12, 42, 162, 642, 2562.
     camera_focal_point: what the cameras look at [length]; None: the centre.
@@ -142,6 +151,8 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
     number_of_viewpoints: most that are ranked, and ascents that are made.
     separation_angle: least angle between two of them [degrees].
     refine: climb from the best directions to better ones between them.
+    protect_importance: the share that important structures keep, as in limpid.Settings; of
+        "attainable".
     ray_density, backend: as in limpid.Settings.
 
     Returns Viewpoints. Raises ValueError for arguments that cannot be worked with. Ctrl-C ends it.
@@ -158,10 +169,11 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
                      direction)
     orbit = orbit_of(scene.grid, camera_focal_point, camera_distance, camera_view_angle,
                      camera_parallel_projection)
-    grid, _, seen = scene.in_core()
+    grid, given, seen = scene.in_core()
     viewed, base = viewed_fields(scene, field)
-    found = _core.search_viewpoints(grid, viewed, seen, base, _core.Orbit(**orbit), directions,
-                                    search, settings)
+    least = least_extinction(given, seen, protect_importance, field)
+    found = _core.search_viewpoints(grid, viewed, seen, base, field == "attainable", least,
+                                    _core.Orbit(**orbit), directions, search, settings)
 
     camera = {"focal_point": orbit["centre"], **{name: orbit[name] for name in (
         "view_angle", "parallel_projection", "parallel_scale")}}
