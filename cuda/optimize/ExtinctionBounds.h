@@ -48,7 +48,7 @@ struct ExtinctionBounds
 /// The upper bound at the samples of a field, for the ceiling.
 inline MostExtinction MostOf(const Problem& problem)
 {
-  return { 1, problem.majorant };
+  return { static_cast<float>(problem.settings.emphasis), problem.majorant };
 }
 
 inline ExtinctionBounds<float> BoundsOf(const Problem& problem)
