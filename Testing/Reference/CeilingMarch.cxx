@@ -5,7 +5,6 @@
 
 #include "Bundles.h"
 #include "CellMarch.h"
-#include "Parallel.h"
 #include "Rays.h"
 
 #include <algorithm>
@@ -89,35 +88,8 @@ double CeilingOfRay(
 
 double CeilingOf(const BoundedVolume& volume, const Source& source, const Sampling& sampling)
 {
-  const Lattice& lattice = volume.lattice;
-  const Vector eye = source.parallel ? Vector{ { 0, 0, 0 } } : lattice.Index(source.position);
-  double ceiling = 0;
-  for (const Bundle& bundle : Bundles(lattice, source, sampling))
-  {
-    std::vector<double> rowSums(bundle.rows.size(), 0.0);
-    ForEachRow(bundle.rows.size(), sampling.threads,
-      [&](std::size_t row)
-      {
-        for (const Stripe& column : bundle.columns)
-        {
-          Ray ray{ eye, bundle.n };
-          Vector& moved = source.parallel ? ray.origin : ray.direction;
-          moved[bundle.a] += column.middle;
-          moved[bundle.b] += bundle.rows[row].middle;
-          const Interval inside = Clip(ray, lattice.nodes, source.parallel ? -infinity : 0.0);
-          if (!inside.Empty())
-          {
-            rowSums[row] +=
-              CeilingOfRay(volume, ray, inside, !source.parallel, sampling.samplesPerVoxel) *
-              column.width * bundle.rows[row].width;
-          }
-        }
-      });
-    for (const double rowSum : rowSums)
-    {
-      ceiling += rowSum;
-    }
-  }
-  return ceiling * lattice.CellVolume();
+  return IntegralOverRays(volume.lattice, source, sampling,
+    [&](const Ray& ray, const Interval& inside)
+    { return CeilingOfRay(volume, ray, inside, !source.parallel, sampling.samplesPerVoxel); });
 }
 }

@@ -5,7 +5,6 @@
 
 #include "Bundles.h"
 #include "CellMarch.h"
-#include "Parallel.h"
 #include "Rays.h"
 
 #include <algorithm>
@@ -92,36 +91,14 @@ double VisibilityScore(const Volume<Value>& volume, const Source& source, const 
   const Lattice& lattice = volume.lattice;
   const GaussRule rule(sampling.samplesPerVoxel);
   const March<Value> march{ volume, rule, !source.parallel };
-  const Vector eye = source.parallel ? Vector{ { 0, 0, 0 } } : lattice.Index(source.position);
 
-  double score = 0;
-  for (const Bundle& bundle : Bundles(lattice, source, sampling))
-  {
-    std::vector<double> rowSums(bundle.rows.size(), 0.0);
-    ForEachRow(bundle.rows.size(), sampling.threads,
-      [&](std::size_t row)
-      {
-        for (const Stripe& column : bundle.columns)
-        {
-          Ray ray{ eye, bundle.n };
-          Vector& moved = source.parallel ? ray.origin : ray.direction;
-          moved[bundle.a] += column.middle;
-          moved[bundle.b] += bundle.rows[row].middle;
-          const Interval inside = Clip(ray, lattice.nodes, source.parallel ? -infinity : 0.0);
-          if (!inside.Empty())
-          {
-            Gathered gathered;
-            march(ray, inside, lattice.LengthOf(ray.direction), true, gathered);
-            rowSums[row] += gathered.visible * column.width * bundle.rows[row].width;
-          }
-        }
-      });
-    for (double rowSum : rowSums)
+  return IntegralOverRays(lattice, source, sampling,
+    [&](const Ray& ray, const Interval& inside)
     {
-      score += rowSum;
-    }
-  }
-  return score * lattice.CellVolume();
+      Gathered gathered;
+      march(ray, inside, lattice.LengthOf(ray.direction), true, gathered);
+      return gathered.visible;
+    });
 }
 
 template <class Value>
