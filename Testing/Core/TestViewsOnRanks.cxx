@@ -134,11 +134,16 @@ TEST_P(ViewsOnRanks, HaveTheSameBits)
 
 INSTANTIATE_TEST_SUITE_P(Ranks, ViewsOnRanks, ::testing::Range(0U, 12U));
 
-TEST(Ranks, HaveTheSameViewsOfALargerScene)
+class ViewsOfALargerSceneOnRanks : public ::testing::TestWithParam<Field>
+{
+};
+
+TEST_P(ViewsOfALargerSceneOnRanks, HaveTheSameBits)
 {
   BoxScene scene(Int3(48, 40, 56), Vec3(1, 2, 3), Vec3(0.1, 0.12, 0.09));
   scene.FillOnion();
-  ExpectSameOnRanks(Whole(scene), false, Field::Base);
-  ExpectSameOnRanks(Whole(scene), true, Field::Other);
-  ExpectSameOnRanks(Whole(scene), false, Field::Attainable);
+  ExpectSameOnRanks(Whole(scene), GetParam() == Field::Other, GetParam());
 }
+
+INSTANTIATE_TEST_SUITE_P(Ranks, ViewsOfALargerSceneOnRanks,
+  ::testing::Values(Field::Base, Field::Other, Field::Attainable));
