@@ -12,9 +12,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace limpid;
@@ -249,6 +251,24 @@ TEST(FindViewpoints, KeepsWhatWasDoneWhenItIsStopped)
   EXPECT_LT(valid, 50);
   EXPECT_FALSE(result.viewpoints.empty());
   EXPECT_TRUE(result.paths.empty());
+}
+
+// Whoever watches the progress may run code that is for one thread alone, as Python's is.
+TEST(FindViewpoints, AsksOnTheThreadOfTheCallerAlone)
+{
+  const BoxScene scene = Filled(Content::Onion);
+  const ViewScore score(scene.grid, { scene.extinction.data(), scene.importance.data() }, 1);
+  const std::thread::id here = std::this_thread::get_id();
+  std::atomic<int> elsewhere{ 0 };
+
+  ScoreViews(score, OrbitOf(scene.grid, false), SpreadDirections(50),
+    [&](double)
+    {
+      elsewhere += std::this_thread::get_id() == here ? 0 : 1;
+      return true;
+    });
+
+  EXPECT_EQ(elsewhere, 0);
 }
 
 TEST(FindViewpoints, StaysWhereItIsAllowed)

@@ -4,12 +4,12 @@
 #include "viewpoint/Search.h"
 
 #include "backend/Backend.h"
+#include "backend/CallingThread.h"
 #include "math/Angle.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <mutex>
 
 namespace limpid
 {
@@ -98,8 +98,8 @@ std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   }
   std::vector<ScoredView> views(directions.size());
   std::atomic<bool> stopped{ false };
-  std::mutex mutex;
-  std::size_t done = 0;
+  std::atomic<std::size_t> done{ 0 };
+  const CallingThread caller;
   ParallelFor(static_cast<Index>(directions.size()),
     [&](Index index)
     {
@@ -110,9 +110,9 @@ std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
         return;
       }
       view = ViewAt(score, orbit, view.direction);
-      const std::lock_guard<std::mutex> lock(mutex);
-      ++done;
-      if (progress && !progress(double(done) / double(directions.size())))
+      const std::size_t count = ++done;
+      const bool tells = progress && caller.IsThis();
+      if (tells && !progress(double(count) / double(directions.size())))
       {
         stopped = true;
       }

@@ -88,7 +88,7 @@ using SearchProgress = std::function<bool(double share)>;
 ScoredView ViewAt(const ViewScore& score, const Orbit& orbit, const Vec3& direction);
 
 /// Scores of an orbit from several directions, in parallel. What is not done when `progress` says
-/// stop stays invalid.
+/// stop stays invalid; it is asked on the thread of the caller alone.
 std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress);
 

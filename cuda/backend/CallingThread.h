@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_backend_CallingThread_h
+#define limpid_backend_CallingThread_h
+
+#include <thread>
+
+namespace limpid
+{
+/// The thread that makes this object: the one that may talk to whoever called.
+class CallingThread
+{
+public:
+  bool IsThis() const { return std::this_thread::get_id() == this->Id; }
+
+private:
+  std::thread::id Id = std::this_thread::get_id();
+};
+}
+
+#endif
