@@ -167,12 +167,12 @@ TEST_P(FaultsOneIn, OfTheSolvers)
           Solver solver = scene.MakeSolver();
           return Solve(solver);
         },
-        kind == SolverKind::Adam ? GetParam() : 1);
+        2 * GetParam());
     }
   }
 }
 
-TEST(Faults, OfSolversThatShareAScene)
+TEST_P(FaultsOneIn, OfSolversThatShareAScene)
 {
   const BoxScene scene = Onion(8);
   const auto prepared = std::make_shared<PreparedScene>(scene.Fields());
@@ -181,7 +181,8 @@ TEST(Faults, OfSolversThatShareAScene)
     {
       Solver solver(prepared, scene.camera, scene.light, scene.settings);
       return Solve(solver);
-    });
+    },
+    4 * GetParam());
 }
 
 TEST_P(FaultsOneIn, OfTheSearchForViewpoints)
@@ -217,10 +218,7 @@ TEST_P(FaultsOneIn, OfExtinctionAndCameraInTurns)
     200 * GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Quick, FaultsOneIn, ::testing::Values(11));
-INSTANTIATE_TEST_SUITE_P(Long, FaultsOneIn, ::testing::Values(1));
-
-TEST(Faults, OfTheProgressiveOptimiser)
+TEST_P(FaultsOneIn, OfTheProgressiveOptimiser)
 {
   const BoxScene scene = Onion(17);
   ExpectToSurvive(
@@ -245,8 +243,11 @@ TEST(Faults, OfTheProgressiveOptimiser)
       outcome.insert(outcome.end(), extinction, extinction + scene.grid.NodeCount());
       return outcome;
     },
-    5);
+    10 * GetParam());
 }
+
+INSTANTIATE_TEST_SUITE_P(Quick, FaultsOneIn, ::testing::Values(11));
+INSTANTIATE_TEST_SUITE_P(Long, FaultsOneIn, ::testing::Values(1));
 
 TEST(Faults, OfTheRenderer)
 {
