@@ -43,7 +43,7 @@ class PolicyOfDevice : public ::testing::TestWithParam<View>
 
 TEST_P(PolicyOfDevice, IsThatOfTheProcessor)
 {
-  BoxScene scene({ 37, 30, 41 }, { 3, -2, 5 }, { 1.0, 1.3, 0.8 });
+  BoxScene scene({ 45, 42, 47 }, { 3, -2, 5 }, { 1.0, 1.3, 0.8 });
   scene.FillOnion();
   GetParam().change(scene);
   PreparedScene prepared(scene.Fields());

@@ -39,6 +39,7 @@ TEST(AdamOfDevice, IsThatOfTheProcessor)
   BoxScene scene = Onion();
   scene.settings.solver = SolverKind::Adam;
   scene.settings.iterationsPerLevel = { { 2, 3, 4 } };
+  scene.settings.rayDensity = 4; // as scores of small volumes have
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
   const std::shared_ptr<SolverBackend> backend = MakeSolverBackend(MakeTestedDevice());

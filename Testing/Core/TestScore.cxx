@@ -116,6 +116,7 @@ TEST_P(SeenBox, HasTheFractionsOfTheMarch)
 TEST_P(SeenBox, TellsTheSameWhoeverIsAsked)
 {
   BoxScene scene = Filled(GetParam().content);
+  scene.settings.rayDensity = 4; // as scores of small volumes have
   GetParam().put(scene);
   for (const SolverKind solver : { SolverKind::Policy, SolverKind::Adam })
   {
@@ -202,6 +203,7 @@ TEST(Score, IsZeroWithoutAnythingImportant)
 TEST(Score, IsThatOfTheResultWithoutWeightOfTheView)
 {
   BoxScene scene = Filled(Content::Onion);
+  scene.settings.rayDensity = 4; // as scores of small volumes have
   scene.settings.weights.view = 0;
   Solver solver = scene.MakeSolver();
   solver.Run();

@@ -230,6 +230,7 @@ TEST(SolverModes, BestIsTheBestOfTheHistory)
 TEST(SolverModes, EnergyIsMadeOfScoresAndTheDistanceFromTheBase)
 {
   BoxScene scene = BoxScene::Onion(21);
+  scene.settings.rayDensity = 4; // as scores of small volumes have
   Solver solver = scene.MakeSolver();
   solver.Run();
 

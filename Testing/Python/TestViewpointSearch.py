@@ -300,9 +300,10 @@ class TestScores(SearchTest):
         largest = values(image, "BaseExtinction").max()
         values(proxy, "BaseExtinction")[:] = largest * values(image, "Importance")
 
-        np.testing.assert_array_equal(
+        # Which part of it is the base's is counted in a loop of its own, with other rounding.
+        np.testing.assert_allclose(
             values(self.run_filter(image, Field=PROXY).GetOutput(), "VisibilityScore"),
-            values(self.run_filter(proxy, Field=BASE).GetOutput(), "VisibilityScore"))
+            values(self.run_filter(proxy, Field=BASE).GetOutput(), "VisibilityScore"), rtol=1e-8)
 
     def test_that_are_attainable_are_the_ceilings_of_the_optimizer(self):
         image = phantom(32)

@@ -4,6 +4,7 @@
 #ifndef limpid_energy_CeilingKernel_h
 #define limpid_energy_CeilingKernel_h
 
+#include "energy/MostExtinction.h"
 #include "sweep/RaySteps.h"
 #include "sweep/SliceWindow.h"
 
@@ -11,16 +12,79 @@
 
 namespace limpid
 {
-/// The upper bound of the extinction: mu-bar + epsilon (majorant - mu-bar) with the base extinction
-/// mu-bar. Linear, so that samples of it follow from samples of the base extinction.
-struct MostExtinction
+/// Resolves the layers that would be thick at the upper bound of the extinction.
+struct ResolveImportant
 {
-  float emphasis; ///< epsilon [0, 1]
-  float majorant; ///< [1/length]
+  MostExtinction<float> most;
 
-  LIMPID_HD LIMPID_INLINE float operator()(float base) const
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE bool operator()(const RayInLayer<passage>& ray, Index) const
   {
-    return base + this->emphasis * (this->majorant - base);
+    return this->Densest(ray) * ray.layer.thickness * ray.length > thickLayer;
+  }
+
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE float Densest(const RayInLayer<passage>& ray) const
+  {
+    return this->most(DensestOf(ray));
+  }
+
+  LIMPID_HD LIMPID_INLINE float LeastOnWay(float way) const
+  {
+    return this->most.majorant * way > thickLayer ? -1.0f : 1e30f;
+  }
+};
+
+/// A piece of a ray whose extinction may be chosen.
+struct ChosenPiece
+{
+  /// An extinction that it may have, see RayPiece.
+  struct Matter
+  {
+    float opticalDepth;
+    float tilt;
+
+    LIMPID_HD LIMPID_INLINE Matter Part(float share) const
+    {
+      return { share * this->opticalDepth, share * share * this->tilt };
+    }
+  };
+
+  RayPiece piece;
+
+  /// The most that it can show with the ceiling W behind: with the densest matter where g > W, and
+  /// with the thinnest elsewhere.
+  LIMPID_HD LIMPID_INLINE float Best(const Matter& least, const Matter& most, float behind) const
+  {
+    const float front = this->piece.front;
+    const float back = this->piece.back;
+    const float dense = this->Shown(most, front, back, behind);
+    const float thin = this->Shown(least, front, back, behind);
+    const float best = dense > thin ? dense : thin;
+    if (!((front - behind) * (back - behind) < 0.0f))
+    {
+      return best;
+    }
+    const float at = Quotient(behind - front, back - front); // where g = W
+    const bool first = front > behind;
+    const Matter& inFront = first ? most : least;
+    const Matter& inRear = first ? least : most;
+    const float rear = this->Shown(inRear.Part(1.0f - at), behind, back, behind);
+    const float both = this->Shown(inFront.Part(at), front, behind, rear);
+    return both > best ? both : best;
+  }
+
+private:
+  /// What shows in front of matter whose importance goes from `front` to `back`.
+  LIMPID_HD LIMPID_INLINE float Shown(
+    const Matter& matter, float front, float back, float behind) const
+  {
+    RayPiece part = this->piece;
+    part.opticalDepth = matter.opticalDepth;
+    part.tilt = matter.tilt;
+    part.front = front;
+    part.back = back;
+    return part.Visible() + part.Passed() * behind;
   }
 };
 
@@ -45,7 +109,7 @@ template <Kept kept>
 struct CeilingStep
 {
   RayStates rays;
-  MostExtinction most;
+  MostExtinction<float> most;
 
   /// RayInLayer::extinction is the base extinction, RayInLayer::kept the lower bound.
   template <Passage passage>
@@ -55,7 +119,52 @@ struct CeilingStep
     this->Through(here, 0, i);
   }
 
+  /// What is kept is cut as a score of the base extinction cuts it, so that no rounding of pieces
+  /// puts the one below the other.
+  template <class Sampler>
+  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler>& here, Index i) const
+  {
+    ResolvedRay<Sampler> ofBase = here;
+    ofBase.densest = DensestOf(here.plain);
+    float* behind = kept == Kept::Counted ? this->rays.keptBehind : this->rays.behind;
+    float unattenuated = 0;
+    ofBase.ForPiecesBackward(
+      [&](const RayPiece& piece)
+      {
+        const ChosenPiece::Matter base{ piece.opticalDepth, piece.tilt };
+        behind[i] = ChosenPiece{ piece }.Best(this->LeastOf(here, piece), base, behind[i]);
+        unattenuated += piece.Unattenuated();
+        return true;
+      });
+    this->rays.unattenuated[i] += ofBase.Unattenuated(unattenuated);
+    if (kept == Kept::Counted)
+    {
+      here.ForPiecesBackward(
+        [&](const RayPiece& piece)
+        {
+          const float length = here.LengthOf(piece);
+          const ChosenPiece::Matter dense{ length *
+              this->most(Quotient(piece.opticalDepth, length)),
+            (1.0f - this->most.emphasis) * piece.tilt };
+          this->rays.behind[i] =
+            ChosenPiece{ piece }.Best(this->LeastOf(here, piece), dense, this->rays.behind[i]);
+          return true;
+        });
+    }
+  }
+
 private:
+  template <class Sampler>
+  LIMPID_HD LIMPID_INLINE static ChosenPiece::Matter LeastOf(
+    const ResolvedRay<Sampler>& here, const RayPiece& piece)
+  {
+    if (!here.fields.base)
+    {
+      return { 0.0f, 0.0f };
+    }
+    return { piece.keptShare * piece.opticalDepth, piece.keptTilt };
+  }
+
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE void Through(const RayInLayer<passage>& here, int half, Index i) const
   {
@@ -140,7 +249,7 @@ struct CeilingKernel
   Field base;       ///< base extinction [1/length]
   Field importance; ///< [0, 1]
   Field least;      ///< lower bound of the extinction [1/length]; null: 0
-  MostExtinction most;
+  MostExtinction<float> most;
   Kept kept; ///< whether the ceiling of what is kept is wanted, too
 
   template <class Windows>
@@ -167,13 +276,17 @@ struct CeilingKernel
     rays.SampleExtinction(this->base);
     rays.SampleImportance(this->importance);
     rays.SampleLeast(this->least);
+    const RayFields<Field> fields{ this->base, this->importance, this->least };
+    const ResolveImportant resolve{ this->most };
     if (this->kept == Kept::Counted)
     {
-      rays.ForEachInLayer(CeilingStep<Kept::Counted>{ rays.States(), this->most });
+      rays.ForEachResolved(
+        fields, resolve, CeilingStep<Kept::Counted>{ rays.States(), this->most });
     }
     else
     {
-      rays.ForEachInLayer(CeilingStep<Kept::Ignored>{ rays.States(), this->most });
+      rays.ForEachResolved(
+        fields, resolve, CeilingStep<Kept::Ignored>{ rays.States(), this->most });
     }
   }
 };

@@ -4,7 +4,6 @@
 #ifndef limpid_energy_GradientKernel_h
 #define limpid_energy_GradientKernel_h
 
-#include "energy/GradientVoxel.h"
 #include "sweep/RaySteps.h"
 #include "sweep/SliceWindow.h"
 
@@ -17,34 +16,41 @@ struct GradientTarget
   float weight;
 };
 
-/// The derivative at a voxel that reads rays.
+/// The derivative at a voxel that reads rays. Where nothing of importance is about it, more
+/// extinction shows nothing; an empty voxel, which has no importance of a node, stays empty
+/// (deviation D8).
 struct GradientStep
 {
-  const float* transmittance; ///< mean of the rays [0, 1]
-  const float* behind;        ///< mean of what it leaves of the importance behind [scale^2]
-  const float* importance;    ///< of the node, as far as it is in view [0, 1]
-  GradientVoxel<float> derivative;
+  const float* effect;         ///< see VoxelRow::FindEffect
+  const float* nodeImportance; ///< [0, 1]
+  float area;                  ///< what brings the effect to one area on all slices
   GradientTarget target;
   float* gradient; ///< in and out
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->gradient[u] = this->target.kept * this->gradient[u] +
-      this->target.weight *
-        this->derivative(this->transmittance[u], this->behind[u], this->importance[u]);
+    const float found = this->effect[u];
+    const float derivative = this->nodeImportance[u] > 0.0f ? found : AtLeast(found, 0.0f);
+    this->gradient[u] =
+      this->target.kept * this->gradient[u] + this->target.weight * (this->area * derivative);
   }
 };
 
 /**
- * The derivative of a visibility term by a fixed extinction, Eqs. (26)-(28): back to front, the
- * optical depths unwind and visible importance is carried along; on every slice, the voxels read
- * both. Rays start with the optical depths of the extinction.
+ * The derivative of a visibility term by a fixed extinction, Eqs. (26)-(28), that of the score as
+ * it is summed: back to front, the optical depths unwind, visible importance is carried along, and
+ * rays find what extinction at the ends of each layer does to it (EffectStep). The voxels of a
+ * slice gather that of the rays which read them, with the weights of that interpolation. Rays start
+ * with the optical depths of the extinction.
+ *
+ * Deviation D1: rays carry the weight t'^2 / t^2 of the widening rays, so that this is the
+ * derivative of the volume integral, unless the sweep is made with Derivative::Ray.
  */
 template <class Input, class Output>
 struct GradientKernel
 {
   static constexpr const char* label = "derivative";
-  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
+  static constexpr auto seenBehind = &RayStates::effect; ///< what voxels read
 
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]
@@ -57,8 +63,9 @@ struct GradientKernel
   template <class Windows>
   GradientKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
   {
-    return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
-      windows(this->nodeImportance, FieldUse{ 0 }), windows(this->base, FieldUse{ 1 }),
+    const FieldUse read{ 0, false, true, 1 };
+    return { windows(this->extinction, read), windows(this->importance, read),
+      windows(this->nodeImportance, FieldUse{ 0 }), windows(this->base, read),
       windows(this->gradient, FieldUse{ 0, true, this->target.kept != 0 }), this->target,
       this->areaWeighted };
   }
@@ -67,7 +74,7 @@ struct GradientKernel
   std::vector<RayValues> Carried(const RayStates& rays) const
   {
     std::vector<RayValues> carried{ rays.opticalDepth, rays.behind, rays.visible, rays.unattenuated,
-      rays.transmittance, rays.density };
+      rays.effect, rays.effectBehind };
     if (this->base)
     {
       carried.insert(carried.end(), { rays.keptBehind, rays.keptVisible, rays.keptUnattenuated });
@@ -75,38 +82,25 @@ struct GradientKernel
     return carried;
   }
 
-  /// From the slice behind to slice `s`.
+  /// From slice `s` to the next one in front, so that the effect of slice `s` is known.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {
-    if (!rays.EnterLayer(s, this->areaWeighted))
+    // Rays that had an effect on the slice behind, or have one through the layer behind this one.
+    if (rays.SelectBeside(s))
     {
-      return;
+      rays.ForEach(BeginEffectStep{ rays.States() });
     }
-    if (s < rays.Plan().lastSlice)
+    if (s > 0 && rays.EnterLayer(s - 1, this->areaWeighted))
     {
       this->Carry(rays);
     }
-    else
-    {
-      rays.SampleNothing();
-    }
-    constexpr float unlimited = 1e30f;
-    rays.ForEach(TransmitStep{ rays.States() });
-    rays.ForEachNearSides(DensityStep{ rays.States(), rays.Plan().frontDepth, true, unlimited });
   }
 
-  /// From the first slice of voxels to the source.
+  /// Rays have come out of the volume with the effect of the first slice.
   template <class Rays>
-  LIMPID_HD LIMPID_INLINE void LeaveStep(Rays& rays) const
+  LIMPID_HD LIMPID_INLINE void LeaveStep(Rays&) const
   {
-    for (int s = rays.Plan().firstNodeSlice; s-- > 0;)
-    {
-      if (rays.EnterLayer(s, this->areaWeighted))
-      {
-        this->Carry(rays);
-      }
-    }
   }
 
   template <class Voxels>
@@ -114,13 +108,11 @@ struct GradientKernel
   {
     voxels.Prefetch(this->nodeImportance);
     voxels.Prefetch(this->gradient);
-    if (voxels.FindSeen(rays))
+    if (voxels.FindEffect(rays))
     {
-      const auto seen = voxels.SeenHere();
-      voxels.ForActive(GradientStep{ seen.transmittance, seen.behind,
-        voxels.ImportanceInView(this->nodeImportance),
-        GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted), this->target,
-        voxels.Row(this->gradient) });
+      const float scale = voxels.SliceHere().scale;
+      voxels.ForActive(GradientStep{ voxels.EffectHere(), voxels.Row(this->nodeImportance),
+        this->areaWeighted ? 1.0f : scale * scale, this->target, voxels.Row(this->gradient) });
     }
   }
 
@@ -130,13 +122,17 @@ private:
   {
     rays.SampleExtinction(this->extinction);
     rays.SampleImportance(this->importance);
+    rays.ForEachInLayer(UnwindStep{ rays.States() });
+    const RayFields<typename Rays::Field> fields{ this->extinction, this->importance, this->base };
     if (!this->base)
     {
-      rays.ForEachInLayer(CarryAndUnwindStep<Kept::Ignored>{ rays.States() });
+      rays.ForEachResolved(fields, ResolveLit{ rays.States().opticalDepth },
+        EffectStep<Kept::Ignored>{ rays.States() });
       return;
     }
     rays.SampleKept(this->extinction, this->base);
-    rays.ForEachInLayer(CarryAndUnwindStep<Kept::Counted>{ rays.States() });
+    rays.ForEachResolved(
+      fields, ResolveLit{ rays.States().opticalDepth }, EffectStep<Kept::Counted>{ rays.States() });
   }
 };
 }

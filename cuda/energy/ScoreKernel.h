@@ -40,12 +40,16 @@ struct ScoreKernel
     }
     rays.SampleExtinction(this->extinction);
     rays.SampleImportance(this->importance);
+    const RayFields<Field> fields{ this->extinction, this->importance, this->base };
     if (this->base)
     {
       rays.SampleKept(this->extinction, this->base);
-      rays.ForEachInLayer(ScoreKeptStep{ rays.States() });
+      rays.ForEachResolved(fields, ResolveLit{ rays.States().opticalDepth },
+        ScoreStep<Kept::Counted>{ rays.States() });
+      return;
     }
-    rays.ForEachInLayer(ScoreStep{ rays.States() });
+    rays.ForEachResolved(
+      fields, ResolveLit{ rays.States().opticalDepth }, ScoreStep<Kept::Ignored>{ rays.States() });
   }
 };
 

@@ -31,7 +31,7 @@ struct CeilingFields
   const float* base;       ///< base extinction [1/length]
   const float* importance; ///< [0, 1]
   const float* least;      ///< lower bound of the extinction [1/length]; null: 0
-  MostExtinction most;
+  MostExtinction<float> most;
 
   /// Without emphasis, what is kept is all.
   Kept CountsKept() const { return this->most.emphasis > 0 ? Kept::Counted : Kept::Ignored; }

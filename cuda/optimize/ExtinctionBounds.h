@@ -4,7 +4,7 @@
 #ifndef limpid_optimize_ExtinctionBounds_h
 #define limpid_optimize_ExtinctionBounds_h
 
-#include "energy/CeilingKernel.h"
+#include "energy/MostExtinction.h"
 #include "optimize/Problem.h"
 
 namespace limpid
@@ -35,18 +35,14 @@ struct ExtinctionBounds
     return atLeast < most ? atLeast : most;
   }
 
-  /// The upper bound. It is exact at both ends, the base with epsilon = 0 and the majorant with 1,
-  /// and in between rounding takes it neither below the base nor above the majorant.
   LIMPID_HD LIMPID_INLINE Real Most(Real base) const
   {
-    const Real between = (Real(1) - this->emphasis) * base + this->emphasis * this->majorant;
-    const Real most = between > base ? between : base;
-    return most < this->majorant ? most : this->majorant;
+    return MostExtinction<Real>{ this->emphasis, this->majorant }(base);
   }
 };
 
 /// The upper bound at the samples of a field, for the ceiling.
-inline MostExtinction MostOf(const Problem& problem)
+inline MostExtinction<float> MostOf(const Problem& problem)
 {
   return { static_cast<float>(problem.settings.emphasis), problem.majorant };
 }

@@ -351,7 +351,7 @@ private:
   void SweepOnce(const Turn& turn, const float* last, float* next)
   {
     ExactDifferences moved;
-    const bool scored = this->Energy.IsOfCamera(*turn.swept) && TellsScores(this->Given->settings);
+    const bool scored = this->Energy.IsOfCamera(*turn.swept) && this->Given->tellsScores;
     const Kept kept = scored ? Kept::Counted : Kept::Ignored;
     const bool afterCamera = this->Count > 1 &&
       std::any_of(turn.others.begin(), turn.others.end(),

@@ -206,13 +206,17 @@ private:
       rays.ForEachInLayer(WeighStep{ rays.States(), this->priceOfSquare, static_cast<float>(s) });
       return;
     }
+    RayFields<typename Rays::Field> fields{ this->next, this->importance, nullptr };
     if (this->kept == Kept::Ignored)
     {
-      rays.ForEachInLayer(CarryAndCollectStep<Kept::Ignored>{ rays.States() });
+      rays.ForEachResolved(
+        fields, ResolveSides{}, CarryAndCollectStep<Kept::Ignored>{ rays.States() });
       return;
     }
+    fields.base = this->base;
     rays.SampleKept(this->next, this->base);
-    rays.ForEachInLayer(CarryAndCollectStep<Kept::Counted>{ rays.States() });
+    rays.ForEachResolved(
+      fields, ResolveSides{}, CarryAndCollectStep<Kept::Counted>{ rays.States() });
   }
 
   /// To the middle of the layer. Its rear half is taken to be as opaque as the slice behind it, as

@@ -93,7 +93,9 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
   }
   for (std::size_t index = 0; index < frusta; ++index)
   {
-    if (sweep.alternative || !MetNextIterate(index, frusta, problem.settings.derivative))
+    // Policy sweeps do not resolve thick layers.
+    if (sweep.alternative || problem.MayHaveThickLayers() ||
+      !MetNextIterate(index, frusta, problem.settings.derivative))
     {
       term.ForwardAt(index,
         { sweep.next, fields.importance.Data(), fields.nodeImportance.Data(),

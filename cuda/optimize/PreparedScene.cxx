@@ -240,6 +240,7 @@ Problem PreparedScene::ProblemFor(
   }
   task.light = SourceOfLight(light, scene.grid);
   task.settings = settings;
+  task.tellsScores = TellsScores(settings, scene.grid.NodeCount());
   return task;
 }
 

@@ -46,7 +46,9 @@ void PreviewPass::Make(
   this->ForScores.reset();
   this->Given = this->Scene->ProblemFor(camera, light, settings);
   this->Previous = this->Scene->StayedNear(previous, camera, light, this->Given);
-  this->Judged = this->Scene->ProblemFor(camera, light, limpid::ForScores(settings));
+  Settings judging = settings; // with the same rays: there is no time for more
+  judging.importanceSmoothing = ImportanceSmoothing::Off;
+  this->Judged = this->Scene->ProblemFor(camera, light, judging);
   this->Backend.Choose(settings, this->Given.grid);
   this->Before.reset();
   this->After.reset();

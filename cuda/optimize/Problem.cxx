@@ -7,8 +7,10 @@
 #include "optimize/Differences.h"
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/FieldsOfRanks.h"
+#include "sweep/ResolvedLayer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limpid
 {
@@ -63,6 +65,22 @@ double Problem::WeightOfRange(double share) const
 {
   const Weights& weights = this->settings.weights;
   return this->majorant > 0 ? share * (weights.view + weights.light) / double(this->majorant) : 0.0;
+}
+
+bool Problem::IsSmall() const
+{
+  return limpid::IsSmall(this->grid.NodeCount());
+}
+
+bool Problem::MayHaveThickLayers() const
+{
+  return this->majorant * glm::length(this->grid.spacing) > thickLayer;
+}
+
+bool Problem::IsThick() const
+{
+  constexpr double thin = 0.6; // optical depth from node to node
+  return this->majorant * std::cbrt(this->grid.CellVolume()) > thin;
 }
 
 double Problem::SmoothingStrength() const

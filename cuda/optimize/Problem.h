@@ -54,6 +54,7 @@ struct Problem
   bool forLight =
     false; ///< whether the extinction for the light is wanted of a method that has one
   Settings settings;
+  bool tellsScores = true; ///< whether iterations see what the scores are of, see TellsScores
 
   double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
 
@@ -83,6 +84,17 @@ struct Problem
   /// Sum over all voxels of (mu - other)^2, where `other` differs from the base extinction in
   /// filled voxels only [1/length^2].
   double SquaresFrom(const float* other, const float* extinction) const;
+
+  /// See limpid::IsSmall.
+  bool IsSmall() const;
+
+  /// Whether a sweep may meet layers that it resolves for their depth, see thickLayer.
+  bool MayHaveThickLayers() const;
+
+  /// Whether an extinction within its bounds can stop so much light from one node to the next that
+  /// the sign of a derivative at a node does not tell what is best there: policy sweeps are
+  /// followed by resilient steps then (Documentation/Method.md, section on thick media).
+  bool IsThick() const;
 
   /// sigma of SmoothedChange in world units [length]: with smoothness 1, neighbours move a voxel
   /// through its whole range as all visibility does.

@@ -514,7 +514,7 @@ const Scores& Progressive::KeptScores() const
 Scores Progressive::ScoresFrom(const Camera& camera) const
 {
   const Internals& state = *this->State;
-  Settings settings = ForScores(state.Wanted());
+  Settings settings = ForScores(state.Wanted(), state.ShownScene().Arrays().grid.NodeCount());
   settings.otherCameras.clear();
   const Problem problem = state.ShownScene().ProblemFor(camera, state.light, settings);
   ChosenBackend backend;

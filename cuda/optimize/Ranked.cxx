@@ -76,8 +76,8 @@ Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
   fields->places = piece.places;
   const Settings& settings = problem.settings;
   const bool staysNear = piece.ranks->AnyOf(problem.previous != nullptr); // a piece may be empty
-  fields->inSlabs =
-    warm || staysNear || settings.solver == SolverKind::Adam || settings.smoothness > 0;
+  fields->inSlabs = warm || staysNear || problem.IsThick() || settings.solver == SolverKind::Adam ||
+    settings.smoothness > 0;
   const auto fieldOf = [&](const float* values)
   {
     return FieldsOfRanks::Field{ PieceOf(problem, order, values),
@@ -236,7 +236,7 @@ public:
     return limpid::ScoreOf(this->See(There(extinction), base), this->Base->unattenuated);
   }
 
-  Ceiling CeilingOf(const float* least, const MostExtinction& most) override
+  Ceiling CeilingOf(const float* least, const MostExtinction<float>& most) override
   {
     const SmallPages small;
     const CeilingFields fields{ There(this->Given->baseExtinction), There(this->Given->importance),

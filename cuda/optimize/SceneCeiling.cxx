@@ -13,7 +13,7 @@ namespace
 Ceiling CeilingOf(const Problem& seen, const Problem& bounded, const ChosenBackend& backend)
 {
   const NodeValues least = bounded.LeastExtinction();
-  const MostExtinction most = MostOf(bounded);
+  const MostExtinction<float> most = MostOf(bounded);
   Ceiling ceiling = backend->SweepsFromCameras(seen)->CeilingOf(least.Data(), most);
   if (seen.settings.weights.light > 0)
   {
@@ -28,7 +28,8 @@ Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, cons
   const Light& light, const Settings& settings)
 {
   const Problem bounded = scene.ProblemFor(camera, light, settings);
-  return CeilingOf(scene.ProblemFor(camera, light, ForScores(settings)), bounded, backend);
+  const Settings ofScores = ForScores(settings, bounded.grid.NodeCount());
+  return CeilingOf(scene.ProblemFor(camera, light, ofScores), bounded, backend);
 }
 
 double LeastEnergyOf(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,

@@ -137,13 +137,17 @@ bool operator==(const Settings& one, const Settings& other);
 /// Settings for the first of several cameras, one at least, and as much for the others.
 Settings ForCameras(Settings settings, const std::vector<Camera>& cameras);
 
-/// Whether iterations see what the scores are of: the camera has a term, and the importance is as
-/// given. Else a score takes a sweep of its own.
-inline bool TellsScores(const Settings& settings)
-{
-  return InfoOf(settings.method).iterates && settings.weights.view > 0 &&
-    settings.importanceSmoothing == ImportanceSmoothing::Off;
-}
+/// Whether a volume is so small that it may take as long as one of 44^3 voxels.
+bool IsSmall(Index nodes);
+
+/// Rays per voxel and axis that scores take: Settings::rayDensity, but in a small volume as many as
+/// make a sweep as long as one of 44^3 voxels, 4 at most, so that several rays meet a structure a
+/// voxel wide.
+double RayDensityOfScores(const Settings& settings, Index nodes);
+
+/// Whether iterations see what the scores of a volume are of: the camera has a term, the importance
+/// is as given, and so are the rays. Else a score takes a sweep of its own.
+bool TellsScores(const Settings& settings, Index nodes);
 
 /// Whether there is another extinction for the light than for the camera.
 inline bool HasLightExtinction(const Settings& settings)
@@ -152,8 +156,8 @@ inline bool HasLightExtinction(const Settings& settings)
   return info.iterates ? settings.mode == Mode::Separate : info.hasLightExtinction;
 }
 
-/// The settings of scores: the importance as given.
-Settings ForScores(Settings settings);
+/// The settings of scores of a volume: the importance as given, and RayDensityOfScores.
+Settings ForScores(Settings settings, Index nodes);
 
 /// The three terms of Eq. (21), in world units: the normalised energy times R^2.
 struct Energy

@@ -55,7 +55,7 @@ public:
     return limpid::ScoreOf(this->See(field.Data(), base), this->Base->unattenuated);
   }
 
-  Ceiling CeilingOf(const float* least, const MostExtinction& most) override
+  Ceiling CeilingOf(const float* least, const MostExtinction<float>& most) override
   {
     const auto count = static_cast<std::size_t>(this->Given.grid.NodeCount());
     const BorrowedArray<AnyDevice, float> bound(

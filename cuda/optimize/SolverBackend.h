@@ -29,7 +29,7 @@ public:
 
   /// What the source could see at most of any extinction from a lower bound on, grid.NodeCount()
   /// values [1/length]; null: 0.
-  virtual Ceiling CeilingOf(const float* least, const MostExtinction& most) = 0;
+  virtual Ceiling CeilingOf(const float* least, const MostExtinction<float>& most) = 0;
 
   /// The first policy sweep, which knows of no transmittance and of this source alone, with the
   /// weight of its term. Writes `next`, grid.NodeCount() values [1/length], where anything may

@@ -233,12 +233,15 @@ struct Solver::Internals
     this->history.push_back(record);
   }
 
-  bool SeesAlong() const { return limpid::TellsScores(this->problem.settings); }
+  bool SeesAlong() const { return this->problem.tellsScores; }
 
   /// Whether records have scores.
   bool KnowsScores() const
   {
-    return !this->Minimizes() || this->SeesAlong() || this->settings.scoreIterations;
+    const Settings& wanted = this->settings;
+    const bool asGiven =
+      wanted.weights.view > 0 && wanted.importanceSmoothing == ImportanceSmoothing::Off;
+    return !this->Minimizes() || asGiven || wanted.scoreIterations;
   }
 
   /// Whether iterations minimise Eq. (21); else there is one, by a method of another kind.
@@ -249,8 +252,8 @@ struct Solver::Internals
     if (!this->judge)
     {
       auto made = std::make_unique<Judge>();
-      made->problem =
-        this->prepared->ProblemFor(this->camera, this->light, ForScores(this->settings));
+      made->problem = this->prepared->ProblemFor(
+        this->camera, this->light, ForScores(this->settings, this->scene.grid.NodeCount()));
       made->sweeps = this->backend->SweepsFromCameras(made->problem);
       this->judge = std::move(made);
     }

@@ -32,7 +32,7 @@ public:
     return MeanOf(scores);
   }
 
-  Ceiling CeilingOf(const float* least, const MostExtinction& most) override
+  Ceiling CeilingOf(const float* least, const MostExtinction<float>& most) override
   {
     std::vector<Ceiling> ceilings;
     for (const auto& camera : this->Cameras)

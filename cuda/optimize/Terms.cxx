@@ -125,7 +125,7 @@ template <class AnyDevice>
 TermFields Terms<AnyDevice>::FieldsOf(
   const VisibilityTerm<AnyDevice>& term, const float* extinction) const
 {
-  const bool scored = this->IsOfCamera(term) && TellsScores(this->Given->settings);
+  const bool scored = this->IsOfCamera(term) && this->Given->tellsScores;
   return { extinction, this->Scene->importance.Data(), this->Scene->nodeImportance.Data(),
     scored ? this->Scene->base.Data() : nullptr };
 }
@@ -133,7 +133,7 @@ TermFields Terms<AnyDevice>::FieldsOf(
 template <class AnyDevice>
 void Terms<AnyDevice>::SeeBase()
 {
-  if (TellsScores(this->Given->settings) && this->Base.empty())
+  if (this->Given->tellsScores && this->Base.empty())
   {
     for (VisibilityTerm<AnyDevice>& camera : this->cameras)
     {
@@ -161,7 +161,7 @@ Score Terms<AnyDevice>::BaseScore() const
 template <class AnyDevice>
 IterationRecord Terms<AnyDevice>::MeasureBase()
 {
-  if (!TellsScores(this->Given->settings))
+  if (!this->Given->tellsScores)
   {
     return this->Measure(this->Scene->base.Data());
   }

@@ -404,18 +404,22 @@ private:
         const int* rowIndex = this->Target.Row(this->Target.planeRows, plane).index;
         for (Slice* slice : { &slices[s], &slices[s + 1] })
         {
-          slice->touchedColumns = Hull(slice->touchedColumns, SourcesOf(columnIndex, columns));
-          slice->touchedRows = Hull(slice->touchedRows, SourcesOf(rowIndex, rows));
+          slice->touchedColumns =
+            Hull(slice->touchedColumns, SourcesOf(columnIndex, columns, this->Target.nodesU));
+          slice->touchedRows =
+            Hull(slice->touchedRows, SourcesOf(rowIndex, rows, this->Target.nodesV));
         }
       }
     }
   }
 
-  /// Sources that the targets in a range of a map with ascending indices read.
-  static Range<int> SourcesOf(const int* index, const Range<int>& targets)
+  /// Voxels that rays in a range read in a layer: those of a map from the rays to a plane between
+  /// its slices, and one more on either side, as layers are also sampled elsewhere (ResolvedRay).
+  static Range<int> SourcesOf(const int* index, const Range<int>& rays, int voxels)
   {
-    return targets.Empty() ? Range<int>{}
-                           : Range<int>{ index[targets.begin], index[targets.end - 1] + 2 };
+    return rays.Empty()
+      ? Range<int>{}
+      : Grown(Range<int>{ index[rays.begin], index[rays.end - 1] + 2 }, 1, voxels);
   }
 
   PlannedFrustum& Target;

@@ -29,10 +29,77 @@ struct Slice
   int nodes[2] = { 0, 0 };       ///< node indices of the slices that the layer is sampled from
   float fractions[2] = { 0, 0 }; ///< weight of the second one at the two Gauss points [0, 1]
   Range<int> insideColumns;      ///< columns of rays that stay inside the box in u
+  float hatGain = 1;             ///< see FaceFrustum::columnHatGain, along the depth
 
   /// Depth less the depth of the first slice [index].
   LIMPID_HD LIMPID_INLINE float RelativeDepth() const { return this->layer.front; }
+
+  /// Weight of the second slice that the layer is sampled from, at a share of its thickness.
+  LIMPID_HD LIMPID_INLINE float FractionAt(float share) const
+  {
+    constexpr float first = float(gaussPoints[0]);
+    constexpr float inverse = float(1.0 / (gaussPoints[1] - gaussPoints[0]));
+    return this->fractions[0] +
+      (share - first) * inverse * (this->fractions[1] - this->fractions[0]);
+  }
 };
+
+/// Where a ray is along one lateral axis: at `start + slope d` at the relative depth d [index].
+struct RayLine
+{
+  double start;
+  double slope;
+
+  LIMPID_HD LIMPID_INLINE double At(double relativeDepth) const
+  {
+    return this->start + this->slope * relativeDepth;
+  }
+};
+
+/// The rays along an axis that are less than a node away from a voxel, and up to two others; beside
+/// the box they count as on its border. `index`: of the map from voxels to rays.
+LIMPID_HD LIMPID_INLINE Range<int> RaysAbout(
+  const RayLine* lines, int rays, const int* index, int nodes, int voxel, float relativeDepth)
+{
+  const bool first = voxel == 0;
+  const bool last = voxel + 1 == nodes;
+  Range<int> about{ index[first ? 0 : voxel - 1], index[last ? voxel : voxel + 1] + 2 };
+  about.end = about.end < rays ? about.end : rays;
+  while (first && about.begin > 0 && lines[about.begin - 1].At(relativeDepth) > -1)
+  {
+    --about.begin;
+  }
+  while (last && about.end < rays && lines[about.end].At(relativeDepth) < nodes)
+  {
+    ++about.end;
+  }
+  return about;
+}
+
+/// The hat function of a voxel at a position, which counts as on the border of the box beside it.
+LIMPID_HD LIMPID_INLINE float HatAt(double position, int voxel, int nodes)
+{
+  const double last = nodes - 1;
+  const double inside = position > 0 ? (position < last ? position : last) : 0;
+  return AtLeast(1.0f - Magnitude(static_cast<float>(inside - voxel)), 0.0f);
+}
+
+/// The nodes along an axis beside a point.
+struct NodePair
+{
+  int first;
+  float weight; ///< of the second one [0, 1]
+};
+
+/// The nodes beside a position in a box of so many nodes, or on its border [index].
+LIMPID_HD LIMPID_INLINE NodePair NodesAt(double position, int nodes)
+{
+  const double last = nodes - 1;
+  const double inside = position > 0 ? (position < last ? position : last) : 0;
+  const int floor = static_cast<int>(inside);
+  const int first = floor < nodes - 2 ? floor : nodes - 2;
+  return { first, static_cast<float>(inside - first) };
+}
 
 /**
  * One family of rays and the slices it crosses.
@@ -68,21 +135,27 @@ struct FaceFrustum : FlatTables
   bool seesAll = true; ///< whether the picture shows all rays
 
   Table<Slice> slices;
-  MapTable planeColumns;         ///< [2 slice + half][column]: voxel column at a Gauss point
-  MapTable planeRows;            ///< [2 slice + half][row]
-  Table<Range<int>> activeRays;  ///< [slice][row]: columns to be visited in the layer behind
-  Table<float> columnEntry;      ///< [column]: relative depth where rays enter the box in u
-  Table<float> columnExit;       ///< [column]: ... and leave it
-  Table<float> rowEntry;         ///< [row]: ... in v
-  Table<float> rowExit;          ///< [row]
-  Table<float> columnShare;      ///< [column]: width at the far depth [index]; 0: a guard
-  Table<float> rowShare;         ///< [row]
-  Table<float> length;           ///< [row][column]: world length per unit of depth [length]
-  Table<float> inView;           ///< [row][column]: 1 or 0; without rows if all are in view
-  MapTable voxelColumns;         ///< [slice][voxel column]: ray column
-  MapTable voxelRows;            ///< [slice][voxel row]: ray row
-  Table<float> columnSides;      ///< [slice][voxel column]: SideWeight, for means across the rays
-  Table<float> rowSides;         ///< [slice][voxel row]
+  MapTable planeColumns;        ///< [2 slice + half][column]: voxel column at a Gauss point
+  MapTable planeRows;           ///< [2 slice + half][row]
+  Table<Range<int>> activeRays; ///< [slice][row]: columns to be visited in the layer behind
+  Table<RayLine> columnLines;   ///< [column]: where rays are in u
+  Table<RayLine> rowLines;      ///< [row]: ... in v
+  Table<float> columnEntry;     ///< [column]: relative depth where rays enter the box in u
+  Table<float> columnExit;      ///< [column]: ... and leave it
+  Table<float> rowEntry;        ///< [row]: ... in v
+  Table<float> rowExit;         ///< [row]
+  Table<float> columnShare;     ///< [column]: width at the far depth [index]; 0: a guard
+  Table<float> rowShare;        ///< [row]
+  Table<float> length;          ///< [row][column]: world length per unit of depth [length]
+  Table<float> inView;          ///< [row][column]: 1 or 0; without rows if all are in view
+  MapTable voxelColumns;        ///< [slice][voxel column]: ray column
+  MapTable voxelRows;           ///< [slice][voxel row]: ray row
+  Table<float> columnSides;     ///< [slice][voxel column]: SideWeight, for means across the rays
+  Table<float> rowSides;        ///< [slice][voxel row]
+  /// [slice][voxel column]: 1 over the share of the voxel's hat function that lies inside the box
+  /// and among the rays, for what rays have to say of voxels (VoxelRow::FindEffect).
+  Table<float> columnHatGain;
+  Table<float> rowHatGain;       ///< [slice][voxel row]
   Table<float> voxelColumnEntry; ///< [slice][voxel column]: relative depth where its rays enter
   Table<float> voxelRowEntry;    ///< [slice][voxel row]
   Table<int> firstVoxels; ///< [slice][column]: first voxel that reads the ray first, or later
@@ -118,6 +191,19 @@ struct FaceFrustum : FlatTables
   LIMPID_HD LIMPID_INLINE const Range<int>& FilledVoxels(int s, int v) const
   {
     return this->Row(this->filledVoxels, s)[v];
+  }
+
+  /// The columns of rays on slice `s` about the voxels beside column `u`, see RaysAbout.
+  LIMPID_HD LIMPID_INLINE Range<int> ColumnsAbout(int s, int u) const
+  {
+    return RaysAbout(this->Row(this->columnLines), this->columns,
+      this->Row(this->voxelColumns, s).index, this->nodesU, u, this->SliceAt(s).RelativeDepth());
+  }
+
+  LIMPID_HD LIMPID_INLINE Range<int> RowsAbout(int s, int v) const
+  {
+    return RaysAbout(this->Row(this->rowLines), this->rows, this->Row(this->voxelRows, s).index,
+      this->nodesV, v, this->SliceAt(s).RelativeDepth());
   }
 
   /// Where a row of rays is inside the box in v, in relative depths.

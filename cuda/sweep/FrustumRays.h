@@ -49,14 +49,15 @@ public:
       image[i] = this->Others.Data() + i * this->Rays;
     }
     return { this->Depths.Data(), this->Collected.Data(), image[0], image[1], image[2], image[3],
-      image[4], image[5], image[6], image[7], image[8], image[9], image[10], image[11], image[12] };
+      image[4], image[5], image[6], image[7], image[8], image[9], image[10], image[11], image[12],
+      image[13], image[14] };
   }
 
   /// Makes what a sweep has collected the optical depths.
   void KeepCollected() { std::swap(this->Depths, this->Collected); }
 
 private:
-  static constexpr int images = 13;
+  static constexpr int images = 15;
 
   std::shared_ptr<AnyDevice> Device;
   Index Rays;

@@ -43,6 +43,7 @@ struct HalfLayer
   Real stopped;      ///< 1 - e^-x [0, 1]
   Real visible;      ///< visible importance times scale^2 [1]
   Real unattenuated; ///< the same without attenuation: g x times the mean of scale^2 [1]
+  Real visibleSlope; ///< derivative of `visible` by the optical depth [1]
 
   /// The whole half. `length`: world length of the ray in it [length]; `extinction` [1/length];
   /// `importance` [0, 1]; the scales are those at its front and back.
@@ -60,6 +61,10 @@ struct HalfLayer
     this->stopped = Stop(x);
     this->visible = importance * (this->stopped * area);
     this->unattenuated = importance * (x * meanArea);
+    const Real areaSlope = -widening * (Real(2) * frontScale + (Real(8) / 3) * widening * centre) *
+      centre * centre * (Real(1) / 3 + x * (Real(1) / 9));
+    this->visibleSlope =
+      importance * ((Real(1) - this->stopped) * area + this->stopped * areaSlope);
   }
 
   LIMPID_HD LIMPID_INLINE Real Passed() const { return Real(1) - this->stopped; }
@@ -97,23 +102,32 @@ LIMPID_HD LIMPID_INLINE HalfLayer<Real> WholeHalf(
     layer.frontScale + half.begin * widening, layer.frontScale + half.end * widening);
 }
 
-/// The part of a half between the clips of the ray's column and row. Extinction and importance are
-/// sampled at the Gauss point even where that lies outside the box: there on its border.
+/// The part of a half between the clips of the ray's column and row, as shares of the layer's
+/// thickness.
+LIMPID_HD LIMPID_INLINE Range<float> ClippedRange(
+  const Layer& layer, const Range<float>& half, const Range<float>& column, const Range<float>& row)
+{
+  const float inverse = 1.0f / layer.thickness;
+  const float entry =
+    ((column.begin > row.begin ? column.begin : row.begin) - layer.front) * inverse;
+  const float exit = ((column.end < row.end ? column.end : row.end) - layer.front) * inverse;
+  const float begin = entry > half.begin ? (entry < half.end ? entry : half.end) : half.begin;
+  const float last = exit < half.end ? exit : half.end;
+  return { begin, last > begin ? last : begin };
+}
+
+/// That part of a half. Extinction and importance are sampled at the Gauss point even where that
+/// lies outside the box: there on its border.
 template <class Real>
 LIMPID_HD LIMPID_INLINE HalfLayer<Real> ClippedHalf(const Layer& layer, const Range<float>& half,
   Real length, Real extinction, Real importance, const Range<float>& column,
   const Range<float>& row)
 {
-  const Real inverse = Real(1) / layer.thickness;
-  const Real entry =
-    ((column.begin > row.begin ? column.begin : row.begin) - layer.front) * inverse;
-  const Real exit = ((column.end < row.end ? column.end : row.end) - layer.front) * inverse;
-  const Real begin = entry > half.begin ? (entry < half.end ? entry : half.end) : half.begin;
-  const Real last = exit < half.end ? exit : half.end;
-  const Real end = last > begin ? last : begin;
+  const Range<float> inside = ClippedRange(layer, half, column, row);
   const Real widening = layer.backScale - layer.frontScale;
-  return HalfLayer<Real>((end - begin) * layer.thickness * length, extinction, importance,
-    layer.frontScale + begin * widening, layer.frontScale + end * widening);
+  return HalfLayer<Real>((inside.end - inside.begin) * layer.thickness * length, extinction,
+    importance, layer.frontScale + inside.begin * widening,
+    layer.frontScale + inside.end * widening);
 }
 }
 

@@ -91,6 +91,13 @@ std::vector<Slice> PlaceSlices(const DepthAxis& depth)
       front.fractions[half] = static_cast<float>(1.0 - (back.depth - at));
     }
   }
+  for (std::size_t s = 0; s < slices.size(); ++s)
+  {
+    const float inFront = s > 0 ? slices[s - 1].layer.thickness : 0.0f;
+    const float behind = slices[s].layer.thickness; // a hat's share of what is less than a node
+    const auto share = [](float way) { return way - 0.5f * way * way; };
+    slices[s].hatGain = 1.0f / (share(inFront) + share(behind));
+  }
   return slices;
 }
 
@@ -102,6 +109,8 @@ void MakeTables(PlannedFrustum& frustum, Readers readers)
   room.Add(frustum.planeColumns, 2 * count, frustum.columns);
   room.Add(frustum.planeRows, 2 * count, frustum.rows);
   room.Add(frustum.activeRays, count, frustum.rows);
+  room.Add(frustum.columnLines, 1, frustum.columns);
+  room.Add(frustum.rowLines, 1, frustum.rows);
   for (Table<float>* table : { &frustum.columnEntry, &frustum.columnExit, &frustum.columnShare })
   {
     room.Add(*table, 1, frustum.columns);
@@ -118,6 +127,8 @@ void MakeTables(PlannedFrustum& frustum, Readers readers)
     room.Add(frustum.voxelRows, count, frustum.nodesV);
     room.Add(frustum.columnSides, count, frustum.nodesU);
     room.Add(frustum.rowSides, count, frustum.nodesV);
+    room.Add(frustum.columnHatGain, count, frustum.nodesU);
+    room.Add(frustum.rowHatGain, count, frustum.nodesV);
     room.Add(frustum.voxelColumnEntry, count, frustum.nodesU);
     room.Add(frustum.voxelRowEntry, count, frustum.nodesV);
     room.Add(frustum.firstVoxels, count, frustum.columns + 1);
@@ -130,11 +141,12 @@ void MakeTables(PlannedFrustum& frustum, Readers readers)
 /// Fills the tables of the rays along one axis. A guard that is beside the slab of the box all the
 /// way to `back` reads its border for as long as the ray beside it is inside. `scale`: width of a
 /// unit of the rays' coordinate at the far depth [index].
-void DescribeRays(const Lateral& lateral, double base, float back, double scale, float* entry,
-  float* exit, float* share)
+void DescribeRays(const Lateral& lateral, double base, float back, double scale, RayLine* lines,
+  float* entry, float* exit, float* share)
 {
   for (int ray = 0; ray < lateral.count; ++ray)
   {
+    lines[ray] = { lateral.Position(lateral.Coordinate(ray), base), lateral.Slope(ray) };
     share[ray] = static_cast<float>(lateral.Width(ray) * scale);
     const Range<float> stay = lateral.StayOf(ray, base);
     entry[ray] = stay.begin;
@@ -163,6 +175,40 @@ void FindSideWeights(const Lateral& lateral, const LinearMap& voxels, double dep
     sides[k] = SideWeight(voxels.weight[k], static_cast<float>(gap));
   }
   sides[0] = sides[count - 1] = count > 1 ? sideWeightOnBorder : 0.0f;
+}
+
+/// Share of the hat function of a node that is inside the box.
+double HatInside(int node, int nodes)
+{
+  return node == 0 || node == nodes - 1 ? 0.5 : 1.0;
+}
+
+/// The gains of all voxels along an axis on slice `s`, see FaceFrustum::columnHatGain. `shares`:
+/// widths of the rays.
+template <class About>
+void FindHatGains(const Lateral& lateral, const RayLine* lines, const float* shares,
+  const Slice& slice, const About& about, float* gains)
+{
+  const double among[2] = { lateral.Position(lateral.Edge(1), slice.depth),
+    lateral.Position(lateral.Edge(lateral.count - 1), slice.depth) };
+  const double last = lateral.nodes - 1;
+  for (int k = 0; k < lateral.nodes; ++k)
+  {
+    const bool covered =
+      std::max(k - 1.0, 0.0) > among[0] - 1e-3 && std::min(k + 1.0, last) < among[1] + 1e-3;
+    double share = HatInside(k, lateral.nodes);
+    if (!covered)
+    {
+      const Range<int> rays = about(k);
+      double sum = 0;
+      for (int ray = rays.begin; ray < rays.end; ++ray)
+      {
+        sum += double(shares[ray]) * HatAt(lines[ray].At(slice.RelativeDepth()), k, lateral.nodes);
+      }
+      share = sum * slice.scale;
+    }
+    gains[k] = share > 1e-3 ? static_cast<float>(1 / share) : 0.0f;
+  }
 }
 
 /// How rays read the voxels of the layer behind a slice.
@@ -197,6 +243,13 @@ void PlaceVoxels(PlannedFrustum& frustum, int s, double base)
   FindSideWeights(
     u, frustum.Row(frustum.voxelColumns, s), depth, frustum.Room(frustum.columnSides, s));
   FindSideWeights(v, frustum.Row(frustum.voxelRows, s), depth, frustum.Room(frustum.rowSides, s));
+  FindHatGains(
+    u, frustum.Row(frustum.columnLines), frustum.Row(frustum.columnShare), frustum.SliceAt(s),
+    [&frustum, s](int k) { return frustum.ColumnsAbout(s, k); },
+    frustum.Room(frustum.columnHatGain, s));
+  FindHatGains(
+    v, frustum.Row(frustum.rowLines), frustum.Row(frustum.rowShare), frustum.SliceAt(s),
+    [&frustum, s](int k) { return frustum.RowsAbout(s, k); }, frustum.Room(frustum.rowHatGain, s));
   u.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelColumnEntry, s));
   v.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelRowEntry, s));
 }
@@ -231,16 +284,16 @@ void FillTables(PlannedFrustum& frustum, const std::vector<Slice>& slices, Reade
     });
 }
 
-/// Voxel columns of row `v` on a slice whose transmittance and importance behind can matter: those
-/// that read an active ray, be it through a neighbour (AverageSeen).
+/// Voxel columns of row `v` on a slice that rays can matter to: those about a ray that is active in
+/// a layer beside the slice (VoxelRow::FindSeen, FindEffect).
 Range<int> ActiveColumnsOf(const FaceFrustum& frustum, int s, int v)
 {
-  const int* voxelRows = frustum.Row(frustum.voxelRows, s).index;
+  const Range<int> about = frustum.RowsAbout(s, v);
   Range<int> rays;
-  for (const int neighbour : { std::max(v - 1, 0), v, std::min(v + 1, frustum.nodesV - 1) })
+  for (int row = about.begin; row < about.end; ++row)
   {
-    const int row = voxelRows[neighbour];
-    rays = Hull(rays, Hull(frustum.ActiveRays(s, row), frustum.ActiveRays(s, row + 1)));
+    rays =
+      Hull(rays, Hull(frustum.ActiveRays(std::max(s - 1, 0), row), frustum.ActiveRays(s, row)));
   }
   if (rays.Empty())
   {
@@ -326,10 +379,11 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
   const double scale = source.parallel ? 1.0 : depth.Far();
   const double base = slices[std::size_t(frustum.firstNodeSlice)].depth;
   const float back = slices.back().RelativeDepth();
-  DescribeRays(frustum.lateralU, base, back, scale, frustum.Room(frustum.columnEntry),
-    frustum.Room(frustum.columnExit), frustum.Room(frustum.columnShare));
-  DescribeRays(frustum.lateralV, base, back, scale, frustum.Room(frustum.rowEntry),
-    frustum.Room(frustum.rowExit), frustum.Room(frustum.rowShare));
+  DescribeRays(frustum.lateralU, base, back, scale, frustum.Room(frustum.columnLines),
+    frustum.Room(frustum.columnEntry), frustum.Room(frustum.columnExit),
+    frustum.Room(frustum.columnShare));
+  DescribeRays(frustum.lateralV, base, back, scale, frustum.Room(frustum.rowLines),
+    frustum.Room(frustum.rowEntry), frustum.Room(frustum.rowExit), frustum.Room(frustum.rowShare));
   frustum.frontColumns =
     RaysEnteredBy(frustum.Row(frustum.columnEntry), frustum.columns, frustum.frontDepth);
   frustum.frontRows =

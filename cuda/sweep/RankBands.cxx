@@ -52,8 +52,10 @@ void RankBands::FindNeeded()
     { rows[std::size_t(node)] = Hull(rows[std::size_t(node)], by); };
     for (int s = 0; s < this->Frustum.SliceCount(); ++s)
     {
-      // Sweeps from the back carry rays through the next layer, too, whose voxels are final then.
-      for (int layer = s; layer < std::min(s + 2, this->Frustum.lastSlice); ++layer)
+      // Sweeps from the back carry rays through the layer behind the next slice, too, whose voxels
+      // are final then, or through the layer in front.
+      for (int layer = std::max(s - 1, 0); layer < std::min(s + 2, this->Frustum.lastSlice);
+           ++layer)
       {
         const Range<int> read = this->RowsRead(this->RaysOf(rank, s), layer);
         extend(this->Frustum.SliceAt(layer).nodes[0], read);
@@ -105,7 +107,8 @@ RankBands::OnSlice RankBands::Pass(const Had& had, const Read& read) const
   return passing;
 }
 
-/// Rows of voxels that rows of rays read in the layer behind slice `s`.
+/// Rows of voxels that rows of rays read in the layer behind slice `s`, also where it is resolved
+/// (ResolvedRay).
 Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
 {
   Range<int> read;
@@ -114,7 +117,7 @@ Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
     const int* rows = this->Frustum.Row(this->Frustum.planeRows, 2 * s + half).index;
     read = Hull(read, { rows[rays.begin], rows[rays.end - 1] + 2 });
   }
-  return read;
+  return read.Empty() ? read : Grown(read, 1, this->Frustum.nodesV);
 }
 
 Range<int> RankBands::VoxelsOf(int rank, int s) const
@@ -142,10 +145,10 @@ Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
     return {};
   }
   // A voxel also reads what its neighbours do (VoxelRow::FindSeen).
-  const int* rows = this->Frustum.Row(this->Frustum.voxelRows, s).index;
-  const int first = rows[std::max(voxels.begin - 1, 0)];
-  const int last = rows[std::min(voxels.end, this->Frustum.nodesV - 1)];
-  return Intersection(Range<int>{ first - more, last + 2 + more }, { 0, this->Frustum.rows });
+  const Range<int> about{ this->Frustum.RowsAbout(s, voxels.begin).begin,
+    this->Frustum.RowsAbout(s, voxels.end - 1).end };
+  return Intersection(
+    Range<int>{ about.begin - more, about.end + more }, { 0, this->Frustum.rows });
 }
 
 namespace
@@ -262,9 +265,15 @@ void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& image
   this->Exchange(this->Rays[cubic ? 1 : 0][std::size_t(s)],
     [&](int row, std::vector<Segment>& segments)
     {
-      // Other rays are as they were on the slice before.
-      const Range<int> columns =
-        cubic ? Range<int>{ 0, this->Frustum.columns } : this->Frustum.ActiveRays(s, row);
+      // Other rays are as they were on the slice before: an effect is that of both layers beside
+      // the slice, and ends with the next one.
+      Range<int> columns{ 0, this->Frustum.columns };
+      if (!cubic)
+      {
+        columns = Hull(this->Frustum.ActiveRays(std::max(s - 1, 0), row),
+          Hull(this->Frustum.ActiveRays(s, row),
+            this->Frustum.ActiveRays(std::min(s + 1, this->Frustum.lastSlice), row)));
+      }
       for (float* image : images)
       {
         AddSegment(image, this->Frustum.RayAt(0, row), columns, segments);

@@ -45,6 +45,16 @@ enum class Passage
   Clipped
 };
 
+/// What a layer does to the light of a ray inside the box.
+struct LayerLight
+{
+  float passed;           ///< share of the light that passes [0, 1]
+  float visible;          ///< visible importance times scale^2, where T = 1 at the front [1]
+  float unattenuated;     ///< the same without attenuation
+  float keptVisible;      ///< visible importance of what is kept of the base extinction, see Kept
+  float keptUnattenuated; ///< the same without attenuation
+};
+
 /// A ray in a layer, and what is sampled on it at both Gauss points.
 template <Passage passage>
 struct RayInLayer
@@ -79,6 +89,30 @@ struct RayInLayer
       this->layer, RangeOfHalf(half), this->length, this->extinction[half], this->importance[half]);
   }
 
+  /// How far the ray is inside the box in a half, as a share of the layer's thickness.
+  LIMPID_HD LIMPID_INLINE float WayInHalf(int half) const
+  {
+    if (passage == Passage::Through)
+    {
+      return 0.5f;
+    }
+    return ClippedRange(this->layer, RangeOfHalf(half), this->column, this->row).Length();
+  }
+
+  /// Whether the ray is inside the box from the front of the layer to its back.
+  LIMPID_HD LIMPID_INLINE bool StaysInside() const
+  {
+    const float back = this->layer.front + this->layer.thickness;
+    const float exit = this->column.end < this->row.end ? this->column.end : this->row.end;
+    return this->Entry() <= this->layer.front && exit >= back;
+  }
+
+  /// Whether anything important is met.
+  LIMPID_HD LIMPID_INLINE bool MeetsImportance() const
+  {
+    return this->importance[0] > 0.0f || this->importance[1] > 0.0f;
+  }
+
   /// Optical depth of the layer from the entry into the box on; it goes on behind the exit.
   LIMPID_HD LIMPID_INLINE float DepthFromEntry() const
   {
@@ -97,6 +131,19 @@ struct RayInLayer
   LIMPID_HD LIMPID_INLINE float WholeDepth() const
   {
     return this->Whole(0).LimitedDepth() + this->Whole(1).LimitedDepth();
+  }
+
+  /// What the layer does to light, by two halves.
+  LIMPID_HD LIMPID_INLINE LayerLight Light() const
+  {
+    const HalfLayer<float> front = this->template Half<Cut::Both>(0);
+    const HalfLayer<float> rear = this->template Half<Cut::Both>(1);
+    const float keptFront = this->KeptShare(0);
+    const float keptRear = this->KeptShare(1);
+    return { front.Passed() * rear.Passed(), front.visible + front.Passed() * rear.visible,
+      front.unattenuated + rear.unattenuated,
+      front.visible * keptFront + front.Passed() * (rear.visible * keptRear),
+      front.unattenuated * keptFront + rear.unattenuated * keptRear };
   }
 };
 

@@ -128,6 +128,9 @@ public:
     return true;
   }
 
+  /// A device takes every ray.
+  LIMPID_HD LIMPID_INLINE bool SelectBeside(int) { return true; }
+
   LIMPID_HD LIMPID_INLINE const FaceFrustum& Plan() const { return this->Frustum; }
 
   /// This one.
@@ -136,13 +139,43 @@ public:
 
   LIMPID_HD LIMPID_INLINE RayStates States() const { return this->Here; }
 
+  template <class Resolve, class Step>
+  LIMPID_HD LIMPID_INLINE void ForEachResolved(
+    const RayFields<Field>& fields, const Resolve& resolve, const Step& step) const
+  {
+    if (IsResolved(this->Ray, resolve, 0))
+    {
+      step(ResolvedRay<RaySampler>{ *this, fields, this->Ray, this->I, resolve.Densest(this->Ray) },
+        0);
+    }
+    else
+    {
+      this->ForEachInLayer(step);
+    }
+  }
+
+  LIMPID_HD LIMPID_INLINE PointSample SampleAt(
+    const RayFields<Field>& fields, float share, int) const
+  {
+    const double depth = this->Ray.layer.front + double(share) * this->Ray.layer.thickness;
+    const NodePair u = NodesAt(
+      this->Frustum.Row(this->Frustum.columnLines)[this->I].At(depth), this->Frustum.nodesU);
+    const NodePair v =
+      NodesAt(this->Frustum.Row(this->Frustum.rowLines)[this->J].At(depth), this->Frustum.nodesV);
+    const Corner corner = this->CornerAt({ u.first, u.weight }, { v.first, v.weight },
+      this->Frustum.SliceAt(this->S).FractionAt(share));
+    PointSample found;
+    found.extinction = this->SampleLayer(fields.extinction, corner);
+    found.importance = this->InView() * this->SampleLayer(fields.importance, corner);
+    found.kept = fields.base ? this->BlendLayer(LesserOf{ fields.extinction, fields.base }, corner)
+                             : found.extinction;
+    return found;
+  }
+
   template <class Step>
   LIMPID_HD LIMPID_INLINE void ForEachInLayer(const Step& step) const
   {
-    const float back = this->Ray.layer.front + this->Ray.layer.thickness;
-    const float exit =
-      this->Ray.column.end < this->Ray.row.end ? this->Ray.column.end : this->Ray.row.end;
-    if (this->Ray.Entry() <= this->Ray.layer.front && exit >= back)
+    if (this->Ray.StaysInside())
     {
       this->ForEachRegardless(step);
     }

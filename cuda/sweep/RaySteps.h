@@ -7,7 +7,7 @@
 #define limpid_sweep_RaySteps_h
 
 #include "math/Vec.h"
-#include "sweep/RayLayer.h"
+#include "sweep/ResolvedLayer.h"
 
 #include <cstddef>
 #include <vector>
@@ -35,13 +35,16 @@ struct RayStates
   float* cost;              ///< of not taking that one behind
   float* reach;             ///< last slice that is worth being seen; goes on to the next sweep
 
+  float* effect;       ///< of the extinction on the slice upon what the ray sees, see EffectStep
+  float* effectBehind; ///< what the layer behind the next slice adds to its effect
+
   LIMPID_HD LIMPID_INLINE RayStates From(Index ray) const
   {
     return { this->opticalDepth + ray, this->collected + ray, this->behind + ray,
       this->visible + ray, this->unattenuated + ray, this->transmittance + ray, this->density + ray,
       this->ahead + ray, this->rearImportance + ray, this->keptBehind + ray,
       this->keptVisible + ray, this->keptUnattenuated + ray, this->alternativeBehind + ray,
-      this->cost + ray, this->reach + ray };
+      this->cost + ray, this->reach + ray, this->effect + ray, this->effectBehind + ray };
   }
 };
 
@@ -114,6 +117,8 @@ struct StartBehind
     this->rays.keptUnattenuated[i] = 0;
     this->rays.alternativeBehind[i] = 0;
     this->rays.cost[i] = 0;
+    this->rays.effect[i] = 0;
+    this->rays.effectBehind[i] = 0;
   }
 };
 
@@ -173,47 +178,24 @@ struct DeepenStep
 
 /// Front to back, Eq. (32): `visible` gains the visible importance of the layer, and `unattenuated`
 /// what it would be without attenuation, inside the box only; the optical depth grows.
+template <Kept kept>
 struct ScoreStep
 {
   RayStates rays;
 
-  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<Passage::Through>& here, Index i) const
+  template <class RayHere>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
-    const HalfLayer<float> front = here.Whole(0);
-    const HalfLayer<float> rear = here.Whole(1);
-    this->Gain(i, front, rear);
-    this->rays.opticalDepth[i] += front.LimitedDepth() + rear.LimitedDepth();
-  }
-
-  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<Passage::Clipped>& here, Index i) const
-  {
-    this->Gain(i, here.Half<Cut::Both>(0), here.Half<Cut::Both>(1));
+    const LayerLight light = here.Light();
+    const float transmittance = Attenuate(static_cast<float>(this->rays.opticalDepth[i]));
+    this->rays.visible[i] += transmittance * light.visible;
+    this->rays.unattenuated[i] += light.unattenuated;
+    if (kept == Kept::Counted)
+    {
+      this->rays.keptVisible[i] += transmittance * light.keptVisible;
+      this->rays.keptUnattenuated[i] += light.keptUnattenuated;
+    }
     this->rays.opticalDepth[i] += here.DepthFromEntry();
-  }
-
-private:
-  LIMPID_HD LIMPID_INLINE void Gain(
-    Index i, const HalfLayer<float>& front, const HalfLayer<float>& rear) const
-  {
-    const float transmittance = Attenuate(static_cast<float>(this->rays.opticalDepth[i]));
-    this->rays.visible[i] += transmittance * (front.visible + front.Passed() * rear.visible);
-    this->rays.unattenuated[i] += front.unattenuated + rear.unattenuated;
-  }
-};
-
-/// The same of what is kept, before ScoreStep goes on: apart from it, so that scores have the same
-/// bits whether that is counted or not.
-struct ScoreKeptStep
-{
-  RayStates rays;
-
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
-  {
-    const TwoHalves kept = TwoHalves::Inside(here).CountingShares(here);
-    const float transmittance = Attenuate(static_cast<float>(this->rays.opticalDepth[i]));
-    this->rays.keptVisible[i] += transmittance * Carried(kept.front, kept.rear, 0);
-    this->rays.keptUnattenuated[i] += kept.front.unattenuated + kept.rear.unattenuated;
   }
 };
 
@@ -252,6 +234,30 @@ struct CarryStep
     }
   }
 
+  template <class Sampler>
+  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler>& here, Index i) const
+  {
+    const RayInLayer<Passage::Clipped>& plain = here.plain;
+    const LayerLight light = here.Light();
+    const bool ahead = plain.Entry() > plain.layer.front;
+    const bool enters = !HasEntered(this->rays.visible[i]) && plain.Entry() >= plain.layer.front;
+    const TwoHalves toExit = TwoHalves::ToExit(plain);
+    const auto carry = [&](float gained, const TwoHalves& halves, float& behind, float& visible)
+    {
+      const float front = gained + light.passed * behind;
+      visible = enters ? front : visible;
+      behind = ahead ? limpid::Carried(halves.front, halves.rear, behind) : front;
+    };
+    carry(light.visible, toExit, this->rays.behind[i], this->rays.visible[i]);
+    this->rays.unattenuated[i] += light.unattenuated;
+    if (kept == Kept::Counted)
+    {
+      carry(light.keptVisible, toExit.CountingShares(plain), this->rays.keptBehind[i],
+        this->rays.keptVisible[i]);
+      this->rays.keptUnattenuated[i] += light.keptUnattenuated;
+    }
+  }
+
 private:
   /// `enters`: whether the ray enters the box in the layer.
   template <Passage passage>
@@ -267,28 +273,14 @@ private:
   }
 };
 
-/// Carries visible importance through a layer of a fixed extinction and unwinds the optical depth.
-template <Kept kept>
-struct CarryAndUnwindStep
-{
-  RayStates rays;
-
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
-  {
-    CarryStep<kept>{ this->rays }(here, i);
-    this->rays.opticalDepth[i] += -here.WholeDepth();
-  }
-};
-
 /// Carries visible importance through a layer of a new extinction and collects its optical depth.
 template <Kept kept>
 struct CarryAndCollectStep
 {
   RayStates rays;
 
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
+  template <class RayHere>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
     CarryStep<kept>{ this->rays }(here, i);
     this->rays.collected[i] += here.DepthFromEntry();
@@ -354,6 +346,82 @@ private:
     }
     const TwoHalves halves = TwoHalves::ToExit(changed);
     return halves.front.unattenuated + halves.rear.unattenuated;
+  }
+};
+
+/// The effect of a slice begins with that of the layer behind it.
+struct BeginEffectStep
+{
+  RayStates rays;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
+  {
+    this->rays.effect[i] = this->rays.effectBehind[i];
+    this->rays.effectBehind[i] = 0;
+  }
+};
+
+/**
+ * Back to front: carries visible importance through a layer, and finds the effect of its
+ * extinction: the derivative of minus the ray's visible importance by the extinction, over the
+ * ray's length per unit of depth. With V the importance behind per unit of transmittance it is,
+ * Eqs. (27) and (28),
+ *
+ *   integral of w T (V - g) dt,   w = 1 - t at the front of the layer, t at its back,
+ *
+ * with the quadrature of the score. The optical depths are those at the front.
+ */
+template <Kept kept>
+struct EffectStep
+{
+  RayStates rays;
+
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
+  {
+    constexpr float ofBack[2] = { float(gaussPoints[0]), float(gaussPoints[1]) };
+    const HalfLayer<float> front = here.template Half<Cut::Both>(0);
+    const HalfLayer<float> rear = here.template Half<Cut::Both>(1);
+    const float behind = this->rays.behind[i];
+    const float unit = here.layer.thickness * this->TransmittanceTo(here, i);
+    const float middle = Carried(rear, behind);
+    const float effects[2] = { here.WayInHalf(0) * unit *
+        (front.Passed() * middle - front.visibleSlope),
+      here.WayInHalf(1) * unit * front.Passed() * (rear.Passed() * behind - rear.visibleSlope) };
+    this->rays.effect[i] += ofBack[0] * effects[0] + ofBack[1] * effects[1];
+    this->rays.effectBehind[i] = (1.0f - ofBack[0]) * effects[0] + (1.0f - ofBack[1]) * effects[1];
+    this->Gain(here.Light(), i);
+  }
+
+  template <class Sampler>
+  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler>& here, Index i) const
+  {
+    const float transmittance = this->TransmittanceTo(here.plain, i);
+    LayerEffect effect;
+    const LayerLight light = here.Light(this->rays.behind[i], effect);
+    this->rays.effect[i] += transmittance * effect.back;
+    this->rays.effectBehind[i] = transmittance * effect.front;
+    this->Gain(light, i);
+  }
+
+private:
+  /// Transmittance at the front of the layer, or where the ray enters the box in it.
+  template <Passage passage>
+  LIMPID_HD LIMPID_INLINE float TransmittanceTo(const RayInLayer<passage>& here, Index i) const
+  {
+    const bool entersHere = passage == Passage::Clipped && here.Entry() > here.layer.front;
+    return entersHere ? 1.0f : Transmitted(static_cast<float>(this->rays.opticalDepth[i]));
+  }
+
+  LIMPID_HD LIMPID_INLINE void Gain(const LayerLight& light, Index i) const
+  {
+    this->rays.behind[i] = light.visible + light.passed * this->rays.behind[i];
+    this->rays.unattenuated[i] += light.unattenuated;
+    if (kept == Kept::Counted)
+    {
+      this->rays.keptBehind[i] = light.keptVisible + light.passed * this->rays.keptBehind[i];
+      this->rays.keptUnattenuated[i] += light.keptUnattenuated;
+    }
   }
 };
 

@@ -135,6 +135,17 @@ Range<int> ColumnsAboveZero(const float* values, const Range<int>& columns)
 }
 
 LIMPID_MULTIVERSION
+bool AnyAbove(const float* values, const Range<int>& columns, float bound)
+{
+  int above = 0;
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    above |= values[i] > bound ? 1 : 0;
+  }
+  return above != 0;
+}
+
+LIMPID_MULTIVERSION
 void MultiplyRow(
   float* __restrict values, const float* __restrict factors, const Range<int>& columns)
 {

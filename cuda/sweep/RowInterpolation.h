@@ -49,6 +49,9 @@ void LesserRow(const float* first, const float* second, const Range<int>& column
 /// The columns of a row outside of which it is 0.
 Range<int> ColumnsAboveZero(const float* values, const Range<int>& columns);
 
+/// Whether any value of a row is above a bound.
+bool AnyAbove(const float* values, const Range<int>& columns, float bound);
+
 /// values *= factors.
 void MultiplyRow(float* values, const float* factors, const Range<int>& columns);
 }

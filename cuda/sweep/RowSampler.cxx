@@ -275,6 +275,66 @@ void RowSampler::SampleAlternative(Field extinction)
   this->Rays.kept[1] = this->Samples.kept[1];
 }
 
+bool RowSampler::SelectBeside(int s)
+{
+  const int behind = std::min(s + 1, this->Frustum.lastSlice);
+  this->Rays.columns = Hull(this->Frustum.ActiveRays(s, this->RowNumber),
+    this->Frustum.ActiveRays(behind, this->RowNumber));
+  return !this->Rays.columns.Empty();
+}
+
+float RowSampler::LongestWay(const Range<int>& columns) const
+{
+  // The length is that of a slope, which is largest at one of the ends.
+  return columns.Empty() ? 0.0f
+                         : this->Rays.layer.thickness *
+      std::max(this->Rays.length[columns.begin], this->Rays.length[columns.end - 1]);
+}
+
+bool RowSampler::HasAbove(const Range<int>& columns, float bound) const
+{
+  return AnyAbove(this->Rays.extinction[0], columns, bound) ||
+    AnyAbove(this->Rays.extinction[1], columns, bound);
+}
+
+PointSample RowSampler::SampleAt(const RayFields<Field>& fields, float share, int column) const
+{
+  const Slice& slice = this->Frustum.SliceAt(this->S);
+  const double depth = this->Rays.layer.front + double(share) * this->Rays.layer.thickness;
+  const NodePair u =
+    NodesAt(this->Frustum.Row(this->Frustum.columnLines)[column].At(depth), this->Frustum.nodesU);
+  const NodePair v = NodesAt(
+    this->Frustum.Row(this->Frustum.rowLines)[this->RowNumber].At(depth), this->Frustum.nodesV);
+  const float along = slice.FractionAt(share);
+  const auto sample = [&](const auto& nodeOf)
+  {
+    const auto across = [&](int node)
+    {
+      const auto row = [&](int number)
+      {
+        const float first = nodeOf(node, number, u.first);
+        return first + u.weight * (nodeOf(node, number, u.first + 1) - first);
+      };
+      const float first = row(v.first);
+      return first + v.weight * (row(v.first + 1) - first);
+    };
+    const float front = across(slice.nodes[0]);
+    return front + along * (across(slice.nodes[1]) - front);
+  };
+  const auto valuesOf = [](Field field)
+  { return [field](int node, int row, int at) { return field->Row(node, row)[at]; }; };
+  const auto extinction = valuesOf(fields.extinction);
+  const float inView =
+    this->Frustum.seesAll ? 1.0f : this->Frustum.Row(this->Frustum.inView, this->RowNumber)[column];
+  const auto lesser = [&](int node, int row, int at)
+  { return std::min(extinction(node, row, at), fields.base->Row(node, row)[at]); };
+  PointSample found;
+  found.extinction = sample(extinction);
+  found.importance = inView * sample(valuesOf(fields.importance));
+  found.kept = fields.base ? sample(lesser) : found.extinction;
+  return found;
+}
+
 void RowSampler::SampleLeast(Field extinction)
 {
   if (extinction)

@@ -162,6 +162,10 @@ public:
   /// they did not, samples are 0. Returns whether there are any.
   bool SelectReadBySlice(int s, bool entered, const Range<int>& dimmed);
 
+  /// Selects instead the rays that have to be visited in a layer on either side of the slice behind
+  /// slice `s`. Returns whether there are any.
+  bool SelectBeside(int s);
+
   const FaceFrustum& Plan() const { return this->Frustum; }
 
   /// The first ray.
@@ -176,6 +180,33 @@ public:
   {
     detail::StepThroughLayer(this->Rays, step);
   }
+
+  /// Calls step for all rays in the layer: with a ResolvedRay where something important is met and
+  /// the ray enters or leaves the box or `resolve` says so, see ResolveSides. After the samples at
+  /// the Gauss points.
+  template <class Resolve, class Step>
+  void ForEachResolved(
+    const RayFields<Field>& fields, const Resolve& resolve, const Step& step) const
+  {
+    const Range<int>& columns = this->Rays.columns;
+    const Range<int> through = this->Rays.Through();
+    for (const Range<int>& side :
+      { Range<int>{ columns.begin, through.begin }, Range<int>{ through.end, columns.end } })
+    {
+      this->StepWhere<Passage::Clipped>(side, fields, resolve, step);
+    }
+    if (this->HasAbove(through, resolve.LeastOnWay(this->LongestWay(through))))
+    {
+      this->StepWhere<Passage::Through>(through, fields, resolve, step);
+    }
+    else
+    {
+      this->StepPlain<Passage::Through>(through, step);
+    }
+  }
+
+  /// Samples fields where ray `column` is at a share of the layer's thickness.
+  PointSample SampleAt(const RayFields<Field>& fields, float share, int column) const;
 
   template <class Step>
   void ForEachRegardless(const Step& step) const
@@ -224,6 +255,43 @@ private:
     float* blend[2];
     float* lesser[2][2]; ///< rows of voxels, see RowsOfLesser
   };
+
+  /// The longest way of some rays through the layer [length].
+  float LongestWay(const Range<int>& columns) const;
+
+  /// Whether any of some rays has a sample of the extinction above a bound.
+  bool HasAbove(const Range<int>& columns, float bound) const;
+
+  /// Calls step for some rays: with a ResolvedRay where the layer is resolved.
+  template <Passage passage, class Resolve, class Step>
+  void StepWhere(const Range<int>& columns, const RayFields<Field>& fields, const Resolve& resolve,
+    const Step& step) const
+  {
+    int begin = columns.begin;
+    for (int i = columns.begin; i < columns.end; ++i)
+    {
+      const RayInLayer<Passage::Clipped> ray = this->Rays.template At<Passage::Clipped>(i);
+      if (IsResolved(ray, resolve, i))
+      {
+        this->StepPlain<passage>({ begin, i }, step);
+        step(ResolvedRay<RowSampler>{ *this, fields, ray, i, resolve.Densest(ray) }, i);
+        begin = i + 1;
+      }
+    }
+    this->StepPlain<passage>({ begin, columns.end }, step);
+  }
+
+  /// Calls step for some rays, which all pass in one way.
+  template <Passage passage, class Step>
+  void StepPlain(const Range<int>& columns, const Step& step) const
+  {
+    if (!columns.Empty())
+    {
+      RayRow part = this->Rays;
+      part.columns = columns;
+      detail::StepAllAs<passage>(part, step);
+    }
+  }
 
   Range<int> ColumnsFarFromSides() const;
   template <class Source>

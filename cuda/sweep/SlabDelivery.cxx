@@ -123,7 +123,7 @@ SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
   { return Passages(bands.Ranks(), from, to, filled, room, Passages::Keep::Boxes, frustum.axisU); };
   for (const Range<int>& slab : SlabsOf(frustum, true))
   {
-    const Range<int> read{ slab.begin,
+    const Range<int> read{ std::max(slab.begin - mostSlicesInFront, 0),
       std::min(slab.end + mostSlicesBehind, frustum.SliceCount()) };
     this->All.push_back(
       { slab, pass(home.kept, part(needed, read, &Slice::touchedColumns, &Slice::touchedRows)),

@@ -12,8 +12,9 @@
 
 namespace limpid
 {
-constexpr int slicesCopied = 16;    ///< floats in a cache line of 64 bytes
-constexpr int mostSlicesBehind = 2; ///< that sweeps read behind the slice they have reached
+constexpr int slicesCopied = 16;     ///< floats in a cache line of 64 bytes
+constexpr int mostSlicesBehind = 2;  ///< that sweeps read behind the slice they have reached
+constexpr int mostSlicesInFront = 1; ///< ... in front of it
 
 /// The slabs of a frustum, front to back: so many slices that a transposed read uses whole cache
 /// lines. `copied`: whether slices are copied; else all are one slab.
@@ -61,7 +62,7 @@ public:
     FieldView window;
   };
 
-  /// Brings what is read of the slices of a slab, and of those behind it.
+  /// Brings what is read of the slices of a slab, and of those beside it.
   void Bring(const Range<int>& slab, const std::vector<Field>& fields) const;
 
   /// Brings what was changed in the slices of a slab back.

@@ -34,7 +34,8 @@ std::shared_ptr<SlabMemory> SlabPool::Take(const FaceFrustum& frustum)
     }
   }
   this->All.push_back(std::make_shared<SlabMemory>());
-  this->All.back()->values = NodeValues((slicesCopied + mostSlicesBehind) * PitchOf(frustum));
+  this->All.back()->values =
+    NodeValues((mostSlicesInFront + slicesCopied + mostSlicesBehind) * PitchOf(frustum));
   this->All.back()->rows.resize(std::size_t(frustum.nodesV));
   return this->All.back();
 }
@@ -99,8 +100,10 @@ void SliceWindow::Load(const Range<int>& slab)
   {
     return;
   }
+  const int inFront = this->Delivery ? mostSlicesInFront : this->Use.inFront;
   const int behind = this->Delivery ? mostSlicesBehind : this->Use.behind;
-  const Range<int> slices{ slab.begin, std::min(slab.end + behind, this->Source->SliceCount()) };
+  const Range<int> slices{ std::max(slab.begin - inFront, 0),
+    std::min(slab.end + behind, this->Source->SliceCount()) };
   const Range<int> nodes = NodesOf(*this->Source, slices);
   const int margin = this->Delivery ? this->Delivery->Margin() : 0;
   const Range<int> columns =

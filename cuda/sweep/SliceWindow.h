@@ -45,12 +45,13 @@ private:
   std::vector<std::shared_ptr<SlabMemory>> All;
 };
 
-/// What a sweep does with a field, and how many slices behind the one it has reached.
+/// What a sweep does with a field, and on which slices beside the one it has reached.
 struct FieldUse
 {
   int behind = 0; ///< slices behind that it reads, at most mostSlicesBehind
   bool writes = false;
   bool reads = true; ///< whether it reads what was there before the sweep
+  int inFront = 0;   ///< slices in front that it reads, at most mostSlicesInFront
 };
 
 /**

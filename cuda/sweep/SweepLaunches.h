@@ -38,13 +38,15 @@ struct RayHere
   float alternativeBehind = 0;
   float cost = 0;
   float reach = 0;
+  float effect = 0;
+  float effectBehind = 0;
 
   LIMPID_HD LIMPID_INLINE RayStates States()
   {
     return { &this->opticalDepth, &this->collected, &this->behind, &this->visible,
       &this->unattenuated, &this->transmittance, &this->density, &this->ahead,
       &this->rearImportance, &this->keptBehind, &this->keptVisible, &this->keptUnattenuated,
-      &this->alternativeBehind, &this->cost, &this->reach };
+      &this->alternativeBehind, &this->cost, &this->reach, &this->effect, &this->effectBehind };
   }
 
   LIMPID_HD LIMPID_INLINE void Load(const RayStates& ray)
@@ -58,6 +60,8 @@ struct RayHere
     this->keptBehind = *ray.keptBehind;
     this->keptVisible = *ray.keptVisible;
     this->keptUnattenuated = *ray.keptUnattenuated;
+    this->effect = *ray.effect;
+    this->effectBehind = *ray.effectBehind;
   }
 
   LIMPID_HD LIMPID_INLINE void Store(const RayStates& ray) const
@@ -71,6 +75,8 @@ struct RayHere
     *ray.keptBehind = this->keptBehind;
     *ray.keptVisible = this->keptVisible;
     *ray.keptUnattenuated = this->keptUnattenuated;
+    *ray.effect = this->effect;
+    *ray.effectBehind = this->effectBehind;
   }
 };
 

@@ -144,6 +144,40 @@ void SeeAcrossRows(const FaceFrustum& frustum, const LinearMap& map, int v, floa
     read, out);
 }
 
+LIMPID_MULTIVERSION
+void AddRow(
+  const float* __restrict values, float weight, const Range<int>& columns, float* __restrict sum)
+{
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    sum[i] += weight * values[i];
+  }
+}
+
+/// values *= shares; what a guard carries, whose share is 0, may be no number.
+LIMPID_MULTIVERSION
+void WeighRow(float* __restrict values, const float* __restrict shares, const Range<int>& columns)
+{
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    values[i] = shares[i] > 0.0f ? shares[i] * values[i] : 0.0f;
+  }
+}
+
+/// Positions of rays on a slice, on the border of the box where they are beside it.
+LIMPID_MULTIVERSION
+void PlaceRow(const RayLine* __restrict lines, double relativeDepth, int nodes,
+  const Range<int>& columns, float* __restrict positions)
+{
+  const double last = nodes - 1;
+  for (int i = columns.begin; i < columns.end; ++i)
+  {
+    const double position = lines[i].At(relativeDepth);
+    const double inside = position > 0 ? position : 0.0;
+    positions[i] = static_cast<float>(inside < last ? inside : last);
+  }
+}
+
 /// Of voxels whose rays enter through a side: the transmittance, in place of their density.
 struct TransmitFromDensity
 {
@@ -210,6 +244,52 @@ bool VoxelRow::FindSeen(const RaysBeside& rays)
   {
     this->TransmitFromSide(rays, side, this->Memory.voxels);
     ExchangeTransmittance(this->Memory.voxels, side, this->Means);
+  }
+  return true;
+}
+
+/// The rays about all active columns.
+Range<int> VoxelRow::ColumnsAboutActive() const
+{
+  return { this->Frustum.ColumnsAbout(this->S, this->Active.begin).begin,
+    this->Frustum.ColumnsAbout(this->S, this->Active.end - 1).end };
+}
+
+bool VoxelRow::FindEffect(const RaysBeside& rays)
+{
+  if (this->Active.Empty())
+  {
+    return false;
+  }
+  const FaceFrustum& plan = this->Frustum;
+  const float depth = this->Here.RelativeDepth();
+  const Range<int> read = this->ColumnsAboutActive();
+  const Range<int> rows = plan.RowsAbout(this->S, this->V);
+  float* sum = this->Memory.rays[0];
+  float* positions = this->Memory.rays[1];
+  std::fill(sum + read.begin, sum + read.end, 0.0f);
+  for (int row = rows.begin; row < rows.end; ++row)
+  {
+    const float weight = plan.Row(plan.rowShare)[row] *
+      HatAt(plan.Row(plan.rowLines)[row].At(depth), this->V, plan.nodesV);
+    if (weight > 0)
+    {
+      AddRow(rays.behind + plan.RayAt(0, row), weight, read, sum);
+    }
+  }
+  WeighRow(sum, plan.Row(plan.columnShare), read);
+  PlaceRow(plan.Row(plan.columnLines), depth, plan.nodesU, read, positions);
+  const float gain = this->Here.hatGain * plan.Row(plan.rowHatGain, this->S)[this->V];
+  const float* gains = plan.Row(plan.columnHatGain, this->S);
+  for (int u = this->Active.begin; u < this->Active.end; ++u)
+  {
+    const Range<int> about = plan.ColumnsAbout(this->S, u);
+    float effect = 0;
+    for (int i = about.begin; i < about.end; ++i)
+    {
+      effect += AtLeast(1.0f - Magnitude(positions[i] - static_cast<float>(u)), 0.0f) * sum[i];
+    }
+    this->Means.behind[u] = gain * gains[u] * effect;
   }
   return true;
 }

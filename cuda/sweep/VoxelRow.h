@@ -56,6 +56,15 @@ public:
 
   const SeenByVoxels& SeenHere() const { return this->Means; }
 
+  /**
+   * Finds what the rays say of the active columns (RaysBeside::behind): the sum over rays with the
+   * weights by which these interpolate the voxels, per part of a cell that is inside the box and
+   * among the rays. Returns whether any column is active.
+   */
+  bool FindEffect(const RaysBeside& rays);
+
+  const float* EffectHere() const { return this->Means.behind; }
+
   /// The importance of nodes as far as the picture shows them, in the active columns.
   const float* ImportanceInView(Field nodeImportance);
 
@@ -101,6 +110,7 @@ private:
   void TransmitLinear(const RaysBeside& rays, const Range<int>& columns, float* out);
   void TransmitDensity(const Range<int>& columns, float* densityToTransmittance) const;
   void AverageVoxels(const float* rays, float* out);
+  Range<int> ColumnsAboutActive() const;
 
   const FaceFrustum& Frustum;
   const Slice& Here;

@@ -88,6 +88,38 @@ public:
     return { &this->Transmittance, &this->Behind };
   }
 
+  LIMPID_HD LIMPID_INLINE bool FindEffect(const SliceImages& rays)
+  {
+    if (!this->IsActive())
+    {
+      return false;
+    }
+    const FaceFrustum& plan = this->Frustum;
+    const float depth = this->Here.RelativeDepth();
+    const Range<int> columns = plan.ColumnsAbout(this->S, this->U);
+    const Range<int> rows = plan.RowsAbout(this->S, this->V);
+    float effect = 0;
+    for (int row = rows.begin; row < rows.end; ++row)
+    {
+      float sum = 0;
+      for (int column = columns.begin; column < columns.end; ++column)
+      {
+        const float weight = plan.Row(plan.columnShare)[column] *
+          HatAt(plan.Row(plan.columnLines)[column].At(depth), this->U, plan.nodesU);
+        // What a guard carries, whose share is 0, may be no number.
+        sum += weight > 0.0f ? weight * rays.seen[plan.RayAt(column, row)].behind : 0.0f;
+      }
+      const float weight = plan.Row(plan.rowShare)[row] *
+        HatAt(plan.Row(plan.rowLines)[row].At(depth), this->V, plan.nodesV);
+      effect += weight > 0.0f ? weight * sum : 0.0f;
+    }
+    this->Behind = this->Here.hatGain * plan.Row(plan.rowHatGain, this->S)[this->V] *
+      plan.Row(plan.columnHatGain, this->S)[this->U] * effect;
+    return true;
+  }
+
+  LIMPID_HD LIMPID_INLINE const float* EffectHere() const { return &this->Behind; }
+
   LIMPID_HD LIMPID_INLINE const float* ImportanceInView(Field nodeImportance)
   {
     this->Importance = *this->Row(nodeImportance);

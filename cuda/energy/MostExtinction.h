@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_energy_MostExtinction_h
+#define limpid_energy_MostExtinction_h
+
+#include "math/Macros.h"
+
+namespace limpid
+{
+/**
+ * The upper bound of the extinction: mu-bar + epsilon (majorant - mu-bar) with the base extinction
+ * mu-bar. It is exact at both ends, the base with epsilon = 0 and the majorant with 1, and in
+ * between rounding takes it neither below the base nor above the majorant. Linear but for that, so
+ * that samples of it follow from samples of the base extinction.
+ */
+template <class Real>
+struct MostExtinction
+{
+  Real emphasis; ///< epsilon [0, 1]
+  Real majorant; ///< [1/length]
+
+  LIMPID_HD LIMPID_INLINE Real operator()(Real base) const
+  {
+    const Real between = (Real(1) - this->emphasis) * base + this->emphasis * this->majorant;
+    const Real most = between > base ? between : base;
+    return most < this->majorant ? most : this->majorant;
+  }
+};
+}
+
+#endif
