@@ -407,10 +407,11 @@ class TestMajorant(OptimizerTest):
                            self.optimized(without, array).max())
 
     def test_is_the_largest_value_of_the_function(self):
-        # What is important rises to the bound.
+        # What is important rises towards the bound, and well above what the data have.
         largest = self.optimized(self.scene(0), vtkExtinctionOptimizer.OPACITY_FUNCTION).max()
 
-        self.assertEqual(largest, np.float32(-np.log(1 - 0.9)))
+        self.assertLessEqual(largest, np.float32(-np.log(1 - 0.9)))
+        self.assertGreater(largest, 3 * -np.log(1 - 0.9 * 0.4))
 
 
 class TestArraysWithNamesOfResults(OptimizerTest):

@@ -52,7 +52,8 @@ class TestMethods(FilterTest):
                                       number(result.GetOutput(), "VisibilityScore")])
 
     def test_optimized_shows_most(self):
-        shown = {method: self.run_method(method) for method in METHODS}
+        # Smoothing costs energy.
+        shown = {method: self.run_method(method, Smoothness=0) for method in METHODS}
 
         best = shown.pop(Optimizer.OPTIMIZED)
         for other in shown.values():
@@ -65,8 +66,8 @@ class TestMethods(FilterTest):
             np.testing.assert_array_equal(
                 values(output, "Extinction"), values(output, "BaseExtinction"))
         ordinary = self.run_method(Optimizer.ORDINARY)
-        self.assertEqual(number(ordinary, "VisibilityScore"),
-                         number(ordinary, "BaseVisibilityScore"))
+        self.assertAlmostEqual(number(ordinary, "VisibilityScore"),
+                               number(ordinary, "BaseVisibilityScore"), places=9)
 
     def test_viola_and_ament_only_take_away(self):
         for method in (Optimizer.VIOLA_2004, Optimizer.AMENT_2017):

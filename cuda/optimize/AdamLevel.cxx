@@ -5,10 +5,9 @@
 
 #include "optimize/AdamLevel.h"
 
-#include "backend/Backend.h"
 #include "optimize/AdamVoxel.h"
 #include "optimize/Iterate.h"
-#include "optimize/Terms.h"
+#include "optimize/VoxelSteps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,75 +29,6 @@ AdamVoxel<float> AdamStep(const Problem& problem, int count)
   body.floor = static_cast<float>(1e-6 * std::max(settings.weights.view, settings.weights.light));
   body.bounds = BoundsOf(problem);
   return body;
-}
-
-/// A step at a voxel that leaves the change in place of the derivative.
-struct StepAndChange
-{
-  AdamVoxel<float> step;
-  float* gradient;
-
-  LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
-  {
-    const float before = this->step.extinction[voxel];
-    this->step(voxel);
-    this->gradient[voxel] = this->step.extinction[voxel] - before;
-  }
-};
-
-template <class Voxel>
-void StepRange(const Voxel& body, Index begin, Index end)
-{
-  RunMultiversioned(
-    [&body, begin, end]() LIMPID_INLINE_LAMBDA
-    {
-      const Voxel voxel = body;
-      LIMPID_IVDEP
-      for (Index i = begin; i < end; ++i)
-      {
-        voxel(i);
-      }
-    });
-}
-
-/// A step in [begin, end), in vector registers. Returns the sum of the changes [1/length].
-template <class Voxel>
-double StepBlock(const Voxel& step, Index begin, Index end)
-{
-  constexpr Index chunk = 1024;
-  float before[chunk];
-  double sum = 0;
-  for (Index first = begin; first < end; first += chunk)
-  {
-    const Index last = std::min(first + chunk, end);
-    std::copy(step.extinction + first, step.extinction + last, before);
-    StepRange(step, first, last);
-    sum += SumOfChanges(step.extinction + first, before, last - first);
-  }
-  return sum;
-}
-
-/// A step at all voxels, and the sum of the changes for the next record; the processor sums them
-/// while they are at hand.
-template <class AnyDevice>
-void StepAll([[maybe_unused]] AnyDevice& device, const Problem& problem,
-  const AdamVoxel<float>& step, [[maybe_unused]] float* gradient, Terms<AnyDevice>& terms)
-{
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    const Int3& nodes = problem.grid.nodes;
-    terms.Sums()->moved.changes = problem.SumOverRows(
-      [&](int y, int z)
-      {
-        const Index first = (Index(z) * nodes.y + y) * nodes.x;
-        return StepBlock(step, first, first + nodes.x);
-      });
-  }
-  else
-  {
-    device.ForIndices("Adam", problem.grid.NodeCount(), StepAndChange{ step, gradient });
-    terms.SumChanges(gradient);
-  }
 }
 
 template <class AnyDevice>

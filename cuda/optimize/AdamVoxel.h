@@ -21,6 +21,8 @@ namespace limpid
 template <class Real>
 struct AdamVoxel
 {
+  static constexpr const char* label = "Adam";
+
   const Real* gradient;   ///< of the visibility terms
   const Real* base;       ///< mu-bar [1/length]
   const Real* importance; ///< [0, 1]

@@ -13,9 +13,10 @@ namespace
 /// What an optimisation needs on a GPU, about.
 GpuNeed NeedOf(const Grid& grid, const Settings& settings)
 {
-  // Fields: base, importance and that of nodes; policy: three iterates and the light's derivative;
-  // Adam: extinction, best, derivative and its two means.
-  const double fields = settings.solver == SolverKind::Policy ? 7 : 8;
+  // Fields: base, importance and that of nodes; policy: three iterates, the light's derivative, and
+  // in thick media the derivative and the lengths of steps; Adam: extinction, best, derivative and
+  // its two means.
+  const double fields = settings.solver == SolverKind::Policy ? 9 : 8;
   const double nodes = double(grid.NodeCount());
   // Rays of the light and all cameras, with images of them on a few slices, and plans.
   const double across =

@@ -9,6 +9,7 @@
 #include "optimize/Iterate.h"
 #include "optimize/PolicySweep.h"
 #include "optimize/ProximalDescent.h"
+#include "optimize/ResilientDescent.h"
 #include "optimize/Smoothing.h"
 
 #include <algorithm>
@@ -49,6 +50,7 @@ public:
     , Energy(device, problem)
     , Warm(warm)
     , Descent(FirstProximity(problem))
+    , Resilient(device, problem, this->Energy)
   {
     if (!start)
     {
@@ -62,6 +64,7 @@ public:
   IterationRecord Start() override
   {
     this->Lowest = this->MeasureFirst();
+    this->LastEnergy = this->Lowest.energy.Total();
     for (const Term* term : this->Energy.All())
     {
       this->SeeLast.push_back(term);
@@ -76,6 +79,14 @@ public:
   {
     [[maybe_unused]] const typename AnyDevice::Team team;
     this->OnHost.clear();
+    if (this->Refines())
+    {
+      return this->Refine();
+    }
+    if (this->TriesSeveralStarts() && this->Count == 0)
+    {
+      this->DescendFromHere();
+    }
     const Turn turn = this->TurnOf(this->Count++);
     const IterationRecord record = this->Advance(turn);
     const double energy = record.energy.Total();
@@ -92,7 +103,11 @@ public:
       this->Lowest = record;
       this->BestOf = this->Now;
     }
-    return record;
+    if (this->TriesSeveralStarts() && this->Count == this->MainTerms())
+    {
+      this->DescendFromHere();
+    }
+    return this->TriesSeveralStarts() ? this->BestRecord() : record;
   }
 
   IterationRecord Smooth() override
@@ -103,24 +118,29 @@ public:
     {
       this->GoBack();
     }
-    IterationRecord record = this->Advance(this->SmoothingTurn());
+    this->IsRefining = this->IsRefining && this->IsSmoothing; // steps are short by now
+    this->IsSmoothing = true;
+    IterationRecord record = this->Given->IsThick()
+      ? this->StepResiliently(this->Given->SmoothingStrength())
+      : this->Advance(this->SmoothingTurn());
     record.isResult = true;
     this->BestOf = this->Now;
     return record;
   }
 
-  bool Converged() const override { return this->ChangesLess(1); }
+  bool Converged() const override
+  {
+    return this->Given->IsThick() ? this->HasRefined() && this->Given->settings.tolerance > 0
+                                  : this->ChangesLess(1);
+  }
 
   bool IsNear() const override
   {
     constexpr double nearness = 10;
-    return this->ChangesLess(nearness);
+    return this->Given->IsThick() ? this->HasRefined() : this->ChangesLess(nearness);
   }
 
-  int IterationLimit() const override
-  {
-    return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
-  }
+  int IterationLimit() const override { return this->MostIterations(); }
 
   void BestToPiece([[maybe_unused]] const FieldView& piece) const override
   {
@@ -177,6 +197,139 @@ public:
 private:
   using Term = VisibilityTerm<AnyDevice>;
 
+  int MostIterations() const
+  {
+    return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
+  }
+
+  /// How many policy sweeps there are at most: in thick media they find the structures to be
+  /// cleared at once, and resilient steps are better at all else.
+  int SweepLimit() const
+  {
+    const int iterations = this->MostIterations();
+    return this->Given->IsThick() ? (iterations + 1) / 2 : iterations;
+  }
+
+  /// Whether policy sweeps have found what they can, so that resilient steps follow.
+  bool Refines() const
+  {
+    return this->Given->IsThick() &&
+      (this->IsRefining || this->ChangesLess(1) || this->Count >= this->SweepLimit());
+  }
+
+  /// Whether the last resilient steps have gained next to nothing.
+  bool HasStalled() const
+  {
+    const int patience = this->Given->IsSmall() ? 6 : 3;
+    return this->StepsWithoutGain >= patience;
+  }
+
+  /// Whether that is so at the lowest energy.
+  bool HasRefined() const
+  {
+    return this->HasStalled() && !(this->LowestRefined > this->Lowest.energy.Total());
+  }
+
+  /// Whether steps also descend from the base, and from what the first sweeps have cleared. In a
+  /// small volume that takes next to no time.
+  bool TriesSeveralStarts() const
+  {
+    return this->Given->IsThick() && this->Given->IsSmall() && !this->Warm;
+  }
+
+  /// Resilient steps from the last iterate, where sweeps go on then.
+  void DescendFromHere()
+  {
+    constexpr int mostSteps = 24;
+    const double energy = this->LastEnergy;
+    const double change = this->Change;
+    this->BranchedAt = this->Now;
+    this->BeginRefinement();
+    for (int step = 0; step < mostSteps && !this->HasStalled(); ++step)
+    {
+      this->TryResilientStep();
+    }
+    this->BeginRefinement();
+    this->Now = this->BranchedAt;
+    this->BranchedAt = none;
+    this->LastEnergy = energy;
+    this->Change = change;
+  }
+
+  /// Several resilient steps. They begin at the last iterate, as one that clears much may be worth
+  /// more in the end than one of a lower energy that clears little; where they end above the lowest
+  /// energy, others begin at that. Returns the record of the best.
+  IterationRecord Refine()
+  {
+    constexpr int stepsPerIteration = 7;
+    constexpr int mostStepsAbove = 10;
+    for (int step = 0; step < stepsPerIteration && !this->HasRefined(); ++step)
+    {
+      const bool isAbove = this->LowestRefined > this->Lowest.energy.Total();
+      if (isAbove && (this->HasStalled() || this->Steps >= mostStepsAbove))
+      {
+        this->GoBack();
+        this->BeginRefinement();
+      }
+      this->TryResilientStep();
+    }
+    return this->BestRecord();
+  }
+
+  /// Of the best iterate, with the last change.
+  IterationRecord BestRecord() const
+  {
+    IterationRecord record = this->Lowest;
+    record.meanChange = this->Change;
+    return record;
+  }
+
+  /// Makes the next resilient step the first one from the last iterate.
+  void BeginRefinement()
+  {
+    this->IsRefining = false;
+    this->StepsWithoutGain = 0;
+    this->Steps = 0;
+  }
+
+  void TryResilientStep()
+  {
+    constexpr double leastGain = 0.1; // of an energy, per tolerance
+    ++this->Steps;
+    const double before = this->IsRefining ? this->LowestRefined : this->LastEnergy;
+    const IterationRecord record = this->StepResiliently(0);
+    const double energy = record.energy.Total();
+    const bool gains =
+      before - energy > leastGain * this->Given->settings.tolerance * std::abs(before);
+    this->StepsWithoutGain = gains ? 0 : this->StepsWithoutGain + 1;
+    this->LowestRefined = std::min(energy, before);
+    if (energy < this->Lowest.energy.Total())
+    {
+      this->Lowest = record;
+      this->BestOf = this->Now;
+    }
+  }
+
+  IterationRecord StepResiliently(double smoothing)
+  {
+    const std::size_t free = this->FreeIterate();
+    const float* last = this->Iterates[this->Now].values;
+    limpid::Iterate<AnyDevice>& next = this->Iterates[free];
+    PrepareIterate(this->Device, *this->Given, 1, last, next); // room alone
+    if (!this->IsRefining)
+    {
+      this->Resilient.BeginAt(last);
+      this->IsRefining = true;
+    }
+    const IterationRecord record = this->Resilient.Step(last, next.own.Data(), smoothing);
+    this->Now = free;
+    this->LastEnergy = record.energy.Total();
+    this->Change = record.meanChange;
+    this->LagBeside = nullptr;
+    this->SeeLast.clear(); // derivatives leave no optical depths
+    return record;
+  }
+
   /// Than so many times what is tolerated.
   bool ChangesLess(double times) const
   {
@@ -222,7 +375,7 @@ private:
   {
     const int round = this->MainTerms();
     const bool litBeside = !this->Energy.cameras.empty() && this->Energy.light;
-    const bool returns = this->IterationLimit() > round + 1; // a camera has the last word
+    const bool returns = this->SweepLimit() > round + 1; // a camera has the last word
     const bool lightFirst = iteration == round && litBeside && returns && !this->Warm;
     Term& swept = lightFirst ? *this->Energy.light : this->Main(iteration);
     const bool first = lightFirst || iteration < round;
@@ -253,6 +406,7 @@ private:
   IterationRecord GoBack()
   {
     this->Now = this->BestOf;
+    this->LastEnergy = this->Lowest.energy.Total();
     this->LagBeside = nullptr;
     this->SeeLast.clear();
     IterationRecord record = this->Lowest;
@@ -264,7 +418,7 @@ private:
   std::size_t FreeIterate() const
   {
     std::size_t free = 0;
-    while (free == this->Now || free == this->BestOf)
+    while (free == this->Now || free == this->BestOf || free == this->BranchedAt)
     {
       ++free;
     }
@@ -280,6 +434,7 @@ private:
     this->Prepare(*turn.swept, last, next);
     const IterationRecord record = this->Sweep(turn, last, next.own.Data());
     this->Now = free;
+    this->LastEnergy = record.energy.Total();
     this->Change = record.meanChange;
     this->Weighed = turn.weighs;
     return record;
@@ -336,7 +491,7 @@ private:
   /// finds them when they are.
   bool SweepsSameNext(const Turn& turn)
   {
-    const bool again = this->Count < this->IterationLimit() &&
+    const bool again = this->Count < this->SweepLimit() &&
       (turn.weighs || !(this->Energy.MeanChange() < this->Given->settings.tolerance));
     return this->MainTerms() == 1 &&
       (turn.smoothing > 0 || (again && this->TurnOf(this->Count).swept == turn.swept));
@@ -448,6 +603,8 @@ private:
     this->LagBeside = turn.swept;
   }
 
+  static constexpr auto none = std::size_t(-1);
+
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
@@ -456,10 +613,18 @@ private:
   double Change = 0;
   bool Weighed = false; ///< in the last iteration, which is not stationary then
   ProximalDescent Descent;
+  ResilientDescent<AnyDevice> Resilient;
+  bool IsRefining = false; ///< whether resilient steps go on from the last iterate
+  bool IsSmoothing = false;
+  int Steps = 0;                    ///< resilient steps since they began
+  int StepsWithoutGain = 0;         ///< resilient steps since the last one that was worth it
+  double LowestRefined = 0;         ///< energy of resilient steps since they began
+  double LastEnergy = 0;            ///< of the last iterate
   IterationRecord Lowest;           ///< of the best iterate
   std::vector<const Term*> SeeLast; ///< those whose rays have the last iterate's optical depths
-  std::array<limpid::Iterate<AnyDevice>, 3> Iterates; ///< filled as needed
+  std::array<limpid::Iterate<AnyDevice>, 4> Iterates; ///< filled as needed
   std::size_t Now = 0;                                ///< the last iterate
+  std::size_t BranchedAt = none;                      ///< where a descent began
   std::size_t BestOf = 0;                             ///< the best
   DeviceArray<AnyDevice, float> Lagged; ///< derivative of the terms not swept; empty: none
   const Term* LagFilledBy = nullptr;    ///< the one term that it is of

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_ResilientDescent_h
+#define limpid_optimize_ResilientDescent_h
+
+#include "optimize/ResilientVoxel.h"
+#include "optimize/Smoothing.h"
+#include "optimize/VoxelSteps.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace limpid
+{
+namespace detail
+{
+/// Sets values to one.
+struct FillWith
+{
+  float* values;
+  float value;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index i) const { this->values[i] = this->value; }
+};
+}
+
+/**
+ * Resilient steps along the derivative of the energy (ResilientVoxel.h), from an extinction that is
+ * near a good optimum. Where ranks share the problem, each steps in its slab.
+ */
+template <class AnyDevice>
+class ResilientDescent
+{
+public:
+  ResilientDescent(
+    std::shared_ptr<AnyDevice> device, const Problem& problem, Terms<AnyDevice>& energy)
+    : Device(std::move(device))
+    , Given(&problem)
+    , Energy(&energy)
+    , Own(problem.OwnSlab())
+  {
+  }
+
+  /// Starts anew, with short steps, from an extinction.
+  void BeginAt(const float* extinction)
+  {
+    const auto count = static_cast<std::size_t>(this->Given->grid.NodeCount());
+    if (this->Gradient.Empty())
+    {
+      this->Gradient = DeviceArray<AnyDevice, float>::Zeros(this->Device, count, "the derivative");
+    }
+    this->State.RoomFor(this->Device, count, "the step lengths");
+    this->Device->ForIndices("resilient steps", this->Own.Count(),
+      detail::FillWith{
+        this->State.Data() + this->Own.Begin(), firstLength * this->Given->majorant });
+    this->FindGradient(extinction);
+  }
+
+  /// The step from the last extinction to the next one, and the record of that. `smoothing`: sigma
+  /// of SmoothedChange [length]; 0: neighbours are not drawn together.
+  IterationRecord Step(const float* last, float* next, double smoothing)
+  {
+    this->Device->Copy(next + this->Own.Begin(), last + this->Own.Begin(),
+      std::size_t(this->Own.Count()) * sizeof(float));
+    if (smoothing > 0)
+    {
+      limpid::FindPull(*this->Device,
+        { this->Given->grid.nodes, this->Energy->Fields().base.Data(),
+          this->Energy->Fields().importance.Data(), last, this->Gradient.Data(),
+          static_cast<float>(smoothing), this->Gradient.Data() },
+        this->Own.slices);
+    }
+    StepAll(*this->Device, *this->Given, this->StepWith(next, smoothing), this->Gradient.Data(),
+      *this->Energy);
+    this->Energy->ShareSlabs(next);
+    this->FindGradient(next);
+    this->Energy->TakeMoved(next, nullptr);
+    return this->Energy->Record();
+  }
+
+private:
+  static constexpr float firstLength = 0.05f;   ///< of a step [majorant]
+  static constexpr float mostLength = 0.4f;     ///< [majorant]
+  static constexpr double roundingOfSum = 1e-6; ///< of a derivative [weights]
+
+  ResilientVoxel StepWith(float* extinction, double smoothing) const
+  {
+    const Weights& weights = this->Given->settings.weights;
+    ResilientVoxel step{};
+    step.gradient = this->Gradient.Data();
+    step.base = this->Energy->Fields().base.Data();
+    step.importance = this->Energy->Fields().importance.Data();
+    step.previous = this->Energy->Previous();
+    step.state = this->State.Data();
+    step.extinction = extinction;
+    step.regularization = static_cast<float>(this->Given->RegularizationWeight() + smoothing);
+    step.coherence = static_cast<float>(this->Given->CoherenceWeight());
+    step.longest = mostLength * this->Given->majorant;
+    step.floor = static_cast<float>(roundingOfSum * std::max(weights.view, weights.light));
+    step.bounds = BoundsOf(*this->Given);
+    return step;
+  }
+
+  /// The terms see the extinction for the next record along the way.
+  void FindGradient(const float* extinction)
+  {
+    if (!this->Energy->OnRanks())
+    {
+      this->Gradient.SetZero();
+    }
+    this->Energy->Differentiate(extinction, this->Gradient.Data());
+  }
+
+  std::shared_ptr<AnyDevice> Device;
+  const Problem* Given;
+  Terms<AnyDevice>* Energy;
+  Slab Own; ///< of this rank
+  mutable DeviceArray<AnyDevice, float> Gradient;
+  mutable DeviceArray<AnyDevice, float> State;
+};
+}
+
+#endif

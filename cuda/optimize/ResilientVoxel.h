@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_ResilientVoxel_h
+#define limpid_optimize_ResilientVoxel_h
+
+#include "backend/Simd.h"
+#include "optimize/ExtinctionBounds.h"
+
+namespace limpid
+{
+/**
+ * One step of resilient propagation [RB93] at every voxel, projected to its bounds. A voxel has a
+ * step length of its own, which grows while the derivative of the energy keeps its sign and shrinks
+ * where that changes; the size of the derivative does not matter, so that what light hardly reaches
+ * moves like the rest.
+ *
+ * The state of a voxel is one number: its step length, with the sign of its last derivative.
+ */
+struct ResilientVoxel
+{
+  static constexpr const char* label = "resilient steps";
+
+  const float* gradient;   ///< of the visibility terms
+  const float* base;       ///< mu-bar [1/length]
+  const float* importance; ///< [0, 1]
+  const float* previous;   ///< what to stay near [1/length]; null: nothing
+  float* state;            ///< step length [1/length], negative where the last derivative was
+  float* extinction;       ///< [1/length]
+  float regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
+  float coherence;         ///< weight of (mu - mu_previous) [length]
+  float longest;           ///< most that a step may be [1/length]
+  float floor;             ///< derivatives below it are rounding errors
+  ExtinctionBounds<float> bounds;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
+  {
+    constexpr float growth = 1.2f;
+    constexpr float shrinkage = 0.5f;
+    const float now = this->extinction[voxel];
+    const float original = this->base[voxel];
+    const float toPrevious =
+      this->previous ? this->coherence * (now - this->previous[voxel]) : 0.0f;
+    const float seen =
+      Magnitude(this->gradient[voxel]) > this->floor ? this->gradient[voxel] : 0.0f;
+    const float slope = seen + this->regularization * (now - original) + toPrevious;
+    const float last = this->state[voxel];
+    const float least = this->bounds.protect * this->importance[voxel] * original;
+    const float range = this->bounds.Most(original) - least;
+    const float before = AtMost(Magnitude(last), 0.5f * range);
+    const float product = slope * last;
+    const float grown = AtMost(growth * before, this->longest);
+    const float length = product > 0.0f ? grown : product < 0.0f ? shrinkage * before : before;
+    const float step = slope > 0.0f ? length : slope < 0.0f ? -length : 0.0f;
+    this->state[voxel] = slope < 0.0f ? -length : length;
+    this->extinction[voxel] = this->bounds.Clamp(now - step, this->importance[voxel], original);
+  }
+};
+}
+
+#endif

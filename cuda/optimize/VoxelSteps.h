@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Steps of a descent that every voxel takes by itself.
+
+#ifndef limpid_optimize_VoxelSteps_h
+#define limpid_optimize_VoxelSteps_h
+
+#include "backend/Backend.h"
+#include "backend/Simd.h"
+#include "optimize/Terms.h"
+
+#include <algorithm>
+
+namespace limpid
+{
+namespace detail
+{
+/// A step at a voxel that leaves the change in place of the derivative.
+template <class Step>
+struct StepAndChange
+{
+  Step step;
+  float* gradient;
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
+  {
+    const float before = this->step.extinction[voxel];
+    this->step(voxel);
+    this->gradient[voxel] = this->step.extinction[voxel] - before;
+  }
+};
+
+template <class Step>
+void StepRange(const Step& body, Index begin, Index end)
+{
+  RunMultiversioned(
+    [&body, begin, end]() LIMPID_INLINE_LAMBDA
+    {
+      const Step step = body;
+      LIMPID_IVDEP
+      for (Index i = begin; i < end; ++i)
+      {
+        step(i);
+      }
+    });
+}
+
+/// A step in [begin, end), in vector registers. Returns the sum of the changes [1/length].
+template <class Step>
+double StepBlock(const Step& step, Index begin, Index end)
+{
+  constexpr Index chunk = 1024;
+  float before[chunk];
+  double sum = 0;
+  for (Index first = begin; first < end; first += chunk)
+  {
+    const Index last = std::min(first + chunk, end);
+    std::copy(step.extinction + first, step.extinction + last, before);
+    StepRange(step, first, last);
+    sum += SumOfChanges(step.extinction + first, before, last - first);
+  }
+  return sum;
+}
+}
+
+/// A step at all voxels, and the sum of the changes for the next record; the processor sums them
+/// while they are at hand. `step(voxel)` changes `step.extinction[voxel]`. On a device, `gradient`
+/// is overwritten.
+template <class AnyDevice, class Step>
+void StepAll([[maybe_unused]] AnyDevice& device, const Problem& problem, const Step& step,
+  [[maybe_unused]] float* gradient, Terms<AnyDevice>& terms)
+{
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    const Int3& nodes = problem.grid.nodes;
+    terms.Sums()->moved.changes = problem.SumOverRows(
+      [&](int y, int z)
+      {
+        const Index first = (Index(z) * nodes.y + y) * nodes.x;
+        return detail::StepBlock(step, first, first + nodes.x);
+      });
+  }
+  else
+  {
+    device.ForIndices(
+      Step::label, problem.grid.NodeCount(), detail::StepAndChange<Step>{ step, gradient });
+    terms.SumChanges(gradient);
+  }
+}
+}
+
+#endif
