@@ -4,9 +4,11 @@
 #ifndef limpid_SearchReport_h
 #define limpid_SearchReport_h
 
+#include "backend/CallingThread.h"
+
 #include <atomic>
 #include <functional>
-#include <thread>
+#include <utility>
 
 namespace limpid
 {
@@ -22,7 +24,6 @@ public:
   /// `tell`: takes the share of the work done and returns whether to go on.
   explicit SearchReport(std::function<bool(double)> tell)
     : Tell(std::move(tell))
-    , Home(std::this_thread::get_id())
   {
   }
 
@@ -31,7 +32,7 @@ public:
   {
     return [this, begin, end](double share)
     {
-      if (!this->Stopped && std::this_thread::get_id() == this->Home)
+      if (!this->Stopped && this->Home.IsThis())
       {
         this->Stopped = !this->Tell(begin + (end - begin) * share);
       }
@@ -43,7 +44,7 @@ public:
 
 private:
   std::function<bool(double)> Tell;
-  std::thread::id Home;
+  CallingThread Home;
   std::atomic<bool> Stopped{ false };
 };
 }

@@ -253,7 +253,7 @@ TEST(FindViewpoints, KeepsWhatWasDoneWhenItIsStopped)
   EXPECT_TRUE(result.paths.empty());
 }
 
-// Whoever watches the progress may run code that is for one thread alone, as Python's is.
+// Observers of the progress may run code that is for one thread alone, as Python's is.
 TEST(FindViewpoints, AsksOnTheThreadOfTheCallerAlone)
 {
   const BoxScene scene = Filled(Content::Onion);

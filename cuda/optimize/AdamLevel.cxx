@@ -62,7 +62,7 @@ public:
       this->First = Field::Zeros(this->Device, this->Now.Size(), "the mean derivative");
       this->Second =
         Field::Zeros(this->Device, this->Now.Size(), "the mean square of the derivative");
-      this->FindGradient();
+      this->Energy.FillGradient(this->Now.Data(), this->Gradient);
     }
     AdamVoxel<float> step = AdamStep(this->Given, count);
     step.gradient = this->Gradient.Data();
@@ -74,7 +74,7 @@ public:
     step.extinction = this->Now.Data();
     StepAll(*this->Device, this->Given, step, this->Gradient.Data(), this->Energy);
     this->Energy.ShareSlabs(this->Now.Data());
-    this->FindGradient();
+    this->Energy.FillGradient(this->Now.Data(), this->Gradient);
     this->Energy.TakeMoved(this->Now.Data(), nullptr);
     return this->Energy.Record();
   }
@@ -115,16 +115,6 @@ private:
   std::vector<float> OnHost(const Field& field) const
   {
     return limpid::OnHost(*this->Device, field.Data() + this->Own.Begin(), this->Own.Count());
-  }
-
-  /// For the next step; the terms see the present extinction along the way.
-  void FindGradient()
-  {
-    if (!this->Energy.OnRanks())
-    {
-      this->Gradient.SetZero();
-    }
-    this->Energy.Differentiate(this->Now.Data(), this->Gradient.Data());
   }
 
   const Problem& Given;

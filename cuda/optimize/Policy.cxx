@@ -98,11 +98,7 @@ public:
     {
       return this->GoBack();
     }
-    if (energy < this->Lowest.energy.Total())
-    {
-      this->Lowest = record;
-      this->BestOf = this->Now;
-    }
+    this->KeepIfLowest(record);
     if (this->TriesSeveralStarts() && this->Count == this->MainTerms())
     {
       this->DescendFromHere();
@@ -140,7 +136,10 @@ public:
     return this->Given->IsThick() ? this->HasRefined() : this->ChangesLess(nearness);
   }
 
-  int IterationLimit() const override { return this->MostIterations(); }
+  int IterationLimit() const override
+  {
+    return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
+  }
 
   void BestToPiece([[maybe_unused]] const FieldView& piece) const override
   {
@@ -197,16 +196,11 @@ public:
 private:
   using Term = VisibilityTerm<AnyDevice>;
 
-  int MostIterations() const
-  {
-    return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
-  }
-
   /// How many policy sweeps there are at most: in thick media they find the structures to be
   /// cleared at once, and resilient steps are better at all else.
   int SweepLimit() const
   {
-    const int iterations = this->MostIterations();
+    const int iterations = this->IterationLimit();
     return this->Given->IsThick() ? (iterations + 1) / 2 : iterations;
   }
 
@@ -276,7 +270,7 @@ private:
     return this->BestRecord();
   }
 
-  /// Of the best iterate, with the last change.
+  /// The record of the best iterate, with the last change.
   IterationRecord BestRecord() const
   {
     IterationRecord record = this->Lowest;
@@ -294,7 +288,6 @@ private:
 
   void TryResilientStep()
   {
-    constexpr double leastGain = 0.1; // of an energy, per tolerance
     ++this->Steps;
     const double before = this->IsRefining ? this->LowestRefined : this->LastEnergy;
     const IterationRecord record = this->StepResiliently(0);
@@ -303,7 +296,12 @@ private:
       before - energy > leastGain * this->Given->settings.tolerance * std::abs(before);
     this->StepsWithoutGain = gains ? 0 : this->StepsWithoutGain + 1;
     this->LowestRefined = std::min(energy, before);
-    if (energy < this->Lowest.energy.Total())
+    this->KeepIfLowest(record);
+  }
+
+  void KeepIfLowest(const IterationRecord& record)
+  {
+    if (record.energy.Total() < this->Lowest.energy.Total())
     {
       this->Lowest = record;
       this->BestOf = this->Now;
@@ -333,8 +331,7 @@ private:
   /// Than so many times what is tolerated.
   bool ChangesLess(double times) const
   {
-    constexpr double leastGain = 0.1; // of an energy, per tolerance
-    constexpr double little = 5;      // change of the extinction, per tolerance
+    constexpr double little = 5; // change of the extinction, per tolerance
     const double tolerance = times * this->Given->settings.tolerance;
     const bool gains = this->Descent.EnergyChange() >= leastGain * tolerance;
     return this->Count >= this->MainTerms() && !this->Weighed &&
@@ -409,9 +406,7 @@ private:
     this->LastEnergy = this->Lowest.energy.Total();
     this->LagBeside = nullptr;
     this->SeeLast.clear();
-    IterationRecord record = this->Lowest;
-    record.meanChange = this->Change;
-    return record;
+    return this->BestRecord();
   }
 
   /// A place for the next iterate that overwrites neither the last nor the best.
@@ -604,6 +599,7 @@ private:
   }
 
   static constexpr auto none = std::size_t(-1);
+  static constexpr double leastGain = 0.1; ///< of an energy, per tolerance
 
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;

@@ -27,7 +27,7 @@ struct FillWith
 
 /**
  * Resilient steps along the derivative of the energy (ResilientVoxel.h), from an extinction that is
- * near a good optimum. Where ranks share the problem, each steps in its slab.
+ * near a good optimum.
  */
 template <class AnyDevice>
 class ResilientDescent
@@ -54,7 +54,7 @@ public:
     this->Device->ForIndices("resilient steps", this->Own.Count(),
       detail::FillWith{
         this->State.Data() + this->Own.Begin(), firstLength * this->Given->majorant });
-    this->FindGradient(extinction);
+    this->Energy->FillGradient(extinction, this->Gradient);
   }
 
   /// The step from the last extinction to the next one, and the record of that. `smoothing`: sigma
@@ -74,7 +74,7 @@ public:
     StepAll(*this->Device, *this->Given, this->StepWith(next, smoothing), this->Gradient.Data(),
       *this->Energy);
     this->Energy->ShareSlabs(next);
-    this->FindGradient(next);
+    this->Energy->FillGradient(next, this->Gradient);
     this->Energy->TakeMoved(next, nullptr);
     return this->Energy->Record();
   }
@@ -102,20 +102,10 @@ private:
     return step;
   }
 
-  /// The terms see the extinction for the next record along the way.
-  void FindGradient(const float* extinction)
-  {
-    if (!this->Energy->OnRanks())
-    {
-      this->Gradient.SetZero();
-    }
-    this->Energy->Differentiate(extinction, this->Gradient.Data());
-  }
-
   std::shared_ptr<AnyDevice> Device;
   const Problem* Given;
   Terms<AnyDevice>* Energy;
-  Slab Own; ///< of this rank
+  Slab Own; ///< voxels that take steps here
   mutable DeviceArray<AnyDevice, float> Gradient;
   mutable DeviceArray<AnyDevice, float> State;
 };

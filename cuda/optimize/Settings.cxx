@@ -89,10 +89,15 @@ double RayDensityOfScores(const Settings& settings, Index nodes)
   return std::max(settings.rayDensity, std::min(rays, most));
 }
 
-bool TellsScores(const Settings& settings, Index nodes)
+bool SeesWhatScoresAreOf(const Settings& settings)
 {
   return InfoOf(settings.method).iterates && settings.weights.view > 0 &&
-    settings.importanceSmoothing == ImportanceSmoothing::Off &&
+    settings.importanceSmoothing == ImportanceSmoothing::Off;
+}
+
+bool TellsScores(const Settings& settings, Index nodes)
+{
+  return SeesWhatScoresAreOf(settings) &&
     RayDensityOfScores(settings, nodes) == settings.rayDensity;
 }
 

@@ -145,8 +145,12 @@ bool IsSmall(Index nodes);
 /// voxel wide.
 double RayDensityOfScores(const Settings& settings, Index nodes);
 
-/// Whether iterations see what the scores of a volume are of: the camera has a term, the importance
-/// is as given, and so are the rays. Else a score takes a sweep of its own.
+/// Whether iterations see what the scores are of, but maybe by fewer rays: the camera has a term,
+/// and the importance is as given.
+bool SeesWhatScoresAreOf(const Settings& settings);
+
+/// Whether iterations also have as many rays as the scores of a volume. Else a score takes a sweep
+/// of its own.
 bool TellsScores(const Settings& settings, Index nodes);
 
 /// Whether there is another extinction for the light than for the camera.

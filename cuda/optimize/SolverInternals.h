@@ -238,10 +238,8 @@ struct Solver::Internals
   /// Whether records have scores.
   bool KnowsScores() const
   {
-    const Settings& wanted = this->settings;
-    const bool asGiven =
-      wanted.weights.view > 0 && wanted.importanceSmoothing == ImportanceSmoothing::Off;
-    return !this->Minimizes() || asGiven || wanted.scoreIterations;
+    return !this->Minimizes() || SeesWhatScoresAreOf(this->settings) ||
+      this->settings.scoreIterations;
   }
 
   /// Whether iterations minimise Eq. (21); else there is one, by a method of another kind.

@@ -209,6 +209,17 @@ void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 }
 
 template <class AnyDevice>
+void Terms<AnyDevice>::FillGradient(
+  const float* extinction, DeviceArray<AnyDevice, float>& gradient)
+{
+  if (!this->Shared)
+  {
+    gradient.SetZero();
+  }
+  this->Differentiate(extinction, gradient.Data());
+}
+
+template <class AnyDevice>
 void Terms<AnyDevice>::Pass([[maybe_unused]] float* derivative,
   const VisibilityTerm<AnyDevice>* from, [[maybe_unused]] const VisibilityTerm<AnyDevice>* to) const
 {

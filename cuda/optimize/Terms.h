@@ -54,6 +54,9 @@ public:
   /// need no zeros.
   void Differentiate(const float* extinction, float* gradient);
 
+  /// Differentiate, in place of what `gradient` has.
+  void FillGradient(const float* extinction, DeviceArray<AnyDevice, float>& gradient);
+
   /// Where ranks share the problem, brings the derivative that a term was added to last to those
   /// who add another one, or into slabs. `from`: null: none was added; `to`: null: slabs.
   void Pass(float* derivative, const VisibilityTerm<AnyDevice>* from,

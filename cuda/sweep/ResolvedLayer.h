@@ -54,7 +54,7 @@ struct RayPiece
 
   LIMPID_HD LIMPID_INLINE float Visible() const { return this->Shown(1.0f, this->tilt); }
 
-  /// The same of what is kept of the base extinction.
+  /// Visible, of what is kept of the base extinction.
   LIMPID_HD LIMPID_INLINE float KeptVisible() const
   {
     return this->Shown(this->keptShare, this->keptTilt);
@@ -233,7 +233,7 @@ struct ResolvedRay
     this->ForPiecesInOrder([](int number, int) { return number; }, visit);
   }
 
-  /// The same, back to front.
+  /// ForPieces, back to front.
   template <class Visit>
   LIMPID_HD LIMPID_INLINE void ForPiecesBackward(const Visit& visit) const
   {
@@ -261,7 +261,7 @@ struct ResolvedRay
     return light;
   }
 
-  /// The same, and its effect. `behind`: visible importance at the back of what is inside the box.
+  /// Light, and its effect. `behind`: visible importance at the back of what is inside the box.
   LIMPID_HD LIMPID_INLINE LayerLight Light(float behind, LayerEffect& effect) const
   {
     struct Met
