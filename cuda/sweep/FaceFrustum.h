@@ -76,11 +76,18 @@ LIMPID_HD LIMPID_INLINE Range<int> RaysAbout(
   return about;
 }
 
+/// The position in a box of so many nodes that is closest [index].
+LIMPID_HD LIMPID_INLINE double InBox(double position, int nodes)
+{
+  const double last = nodes - 1;
+  const double inside = position > 0 ? position : 0.0;
+  return inside < last ? inside : last;
+}
+
 /// The hat function of a voxel at a position, which counts as on the border of the box beside it.
 LIMPID_HD LIMPID_INLINE float HatAt(double position, int voxel, int nodes)
 {
-  const double last = nodes - 1;
-  const double inside = position > 0 ? (position < last ? position : last) : 0;
+  const double inside = InBox(position, nodes);
   return AtLeast(1.0f - Magnitude(static_cast<float>(inside - voxel)), 0.0f);
 }
 
@@ -94,8 +101,7 @@ struct NodePair
 /// The nodes beside a position in a box of so many nodes, or on its border [index].
 LIMPID_HD LIMPID_INLINE NodePair NodesAt(double position, int nodes)
 {
-  const double last = nodes - 1;
-  const double inside = position > 0 ? (position < last ? position : last) : 0;
+  const double inside = InBox(position, nodes);
   const int floor = static_cast<int>(inside);
   const int first = floor < nodes - 2 ? floor : nodes - 2;
   return { first, static_cast<float>(inside - first) };

@@ -102,8 +102,8 @@ LIMPID_HD LIMPID_INLINE HalfLayer<Real> WholeHalf(
     layer.frontScale + half.begin * widening, layer.frontScale + half.end * widening);
 }
 
-/// The part of a half between the clips of the ray's column and row, as shares of the layer's
-/// thickness.
+/// The part of a layer's `half`, or of another range, between the clips of the ray's column and
+/// row, all as shares of the layer's thickness.
 LIMPID_HD LIMPID_INLINE Range<float> ClippedRange(
   const Layer& layer, const Range<float>& half, const Range<float>& column, const Range<float>& row)
 {

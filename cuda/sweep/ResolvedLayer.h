@@ -217,13 +217,7 @@ struct ResolvedRay
   /// Where it is inside the box, as shares of the layer's thickness.
   LIMPID_HD LIMPID_INLINE Range<float> Inside() const
   {
-    const float inverse = 1.0f / this->plain.layer.thickness;
-    const float entry = (this->plain.Entry() - this->plain.layer.front) * inverse;
-    const float exit =
-      (Least(this->plain.column.end, this->plain.row.end) - this->plain.layer.front) * inverse;
-    const float begin = Least(entry > 0.0f ? entry : 0.0f, 1.0f);
-    const float end = exit < 1.0f ? exit : 1.0f;
-    return { begin, end > begin ? end : begin };
+    return ClippedRange(this->plain.layer, { 0.0f, 1.0f }, this->plain.column, this->plain.row);
   }
 
   /// Calls visit(piece) front to back for what is inside the box, as long as it returns true.
@@ -338,8 +332,6 @@ private:
       }
     }
   }
-
-  LIMPID_HD static LIMPID_INLINE float Least(float a, float b) { return a < b ? a : b; }
 
   LIMPID_HD LIMPID_INLINE PointSample SampleAt(float share) const
   {

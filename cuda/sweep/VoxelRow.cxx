@@ -169,12 +169,9 @@ LIMPID_MULTIVERSION
 void PlaceRow(const RayLine* __restrict lines, double relativeDepth, int nodes,
   const Range<int>& columns, float* __restrict positions)
 {
-  const double last = nodes - 1;
   for (int i = columns.begin; i < columns.end; ++i)
   {
-    const double position = lines[i].At(relativeDepth);
-    const double inside = position > 0 ? position : 0.0;
-    positions[i] = static_cast<float>(inside < last ? inside : last);
+    positions[i] = static_cast<float>(InBox(lines[i].At(relativeDepth), nodes));
   }
 }
 
