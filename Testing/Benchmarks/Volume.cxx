@@ -20,10 +20,11 @@ double Bell(double x, double width)
 
 SceneForSolver MakeVolume(const std::string& filling, int nodes)
 {
-  LIMPID_REQUIRE((filling == "onion" || filling == "dense") && nodes >= 2 && nodes <= 2048,
+  LIMPID_REQUIRE(
+    (filling == "onion" || filling == "dense" || filling == "waves") && nodes >= 2 && nodes <= 2048,
     "There is no volume \"" << filling << "\" with " << nodes
-                            << " nodes along each axis (it is a formula). Choose onion or dense, "
-                               "and 2 to 2048 nodes.");
+                            << " nodes along each axis (it is a formula). Choose onion, dense or "
+                               "waves, and 2 to 2048 nodes.");
   constexpr double majorant = 12; // [1/length]
   const double haze = filling == "dense" ? 0.02 : 0.0;
   SceneForSolver scene;
@@ -46,6 +47,13 @@ SceneForSolver MakeVolume(const std::string& filling, int nodes)
         static_cast<float>(majorant * (value < 0.02 ? haze : std::min(1.0, value)));
       scene.importance[std::size_t(node)] =
         static_cast<float>(std::clamp(1.6 - 4 * fromCore, 0.0, 1.0));
+      if (filling == "waves")
+      {
+        scene.extinction[std::size_t(node)] = static_cast<float>(
+          majorant * (0.55 + 0.45 * std::sin(9 * x.x) * std::sin(8 * x.y) * std::sin(7 * x.z)));
+        scene.importance[std::size_t(node)] =
+          static_cast<float>(0.5 + 0.45 * std::cos(5 * x.x + 4 * x.y - 6 * x.z));
+      }
     });
   const double radius = scene.grid.Radius();
   scene.camera.focalPoint = scene.light.focalPoint = scene.grid.Centre();

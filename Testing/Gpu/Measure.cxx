@@ -355,41 +355,53 @@ Json MeasureDevice(const Effort& effort)
   return result;
 }
 
-Json MeasureScene(const SceneForSolver& scene, const Effort& effort)
+void MeasureScene(const SceneForSolver& scene, const Effort& effort, Json& result,
+  const std::function<void()>& save)
 {
-  Json result{ { "scene", scene.name }, { "nodes", scene.grid.nodes.x },
+  result = { { "scene", scene.name }, { "nodes", scene.grid.nodes.x },
     { "directions", effort.directions } };
-  MeasureSetUp(scene, effort, result);
+  for (const char* name : { "policy", "begin", "run", "download", "picture", "picture_at_rest",
+         "frame", "prepare", "plan", "upload", "adam", "processor", "sphere" })
+  {
+    result[name]["missing"] = "No time was left.";
+  }
+  result["filled"] = 0;
   result["policy"] = Try(
     [&]
     {
       const Prepared prepared(scene, Settings());
       return MeasureIterations(prepared, PolicyTraffic(prepared.problem), effort);
     });
-  result["adam"] = Try(
-    [&]
-    {
-      const Prepared prepared(scene, OfAdam());
-      return MeasureIterations(prepared, AdamTraffic(prepared.problem), effort);
-    });
+  save();
   try
   {
     const std::vector<float> found = MeasureRun(scene, effort, result);
     MeasurePictures(MakeDevice(), scene, found, effort, result);
+    save();
     result["frame"] = MeasureFrame(scene, effort);
   }
   catch (const std::exception& error)
   {
     for (const char* name : { "begin", "run", "download", "picture", "picture_at_rest", "frame" })
     {
-      if (!result.contains(name))
+      if (result[name].contains("missing"))
       {
         result[name]["missing"] = error.what();
       }
     }
   }
-  result["sphere"] = Try([&] { return MeasureSphere(scene, effort); });
+  save();
+  MeasureSetUp(scene, effort, result);
+  result["adam"] = Try(
+    [&]
+    {
+      const Prepared prepared(scene, OfAdam());
+      return MeasureIterations(prepared, AdamTraffic(prepared.problem), effort);
+    });
+  save();
   result["processor"] = Try([&] { return MeasureProcessor(scene, effort); });
-  return result;
+  save();
+  result["sphere"] = Try([&] { return MeasureSphere(scene, effort); });
+  save();
 }
 }

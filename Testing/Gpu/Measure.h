@@ -14,6 +14,7 @@
 #include "backend/CompiledDevice.h"
 
 #include <exception>
+#include <functional>
 #include <memory>
 
 namespace limpid::benchmark
@@ -37,8 +38,9 @@ struct Effort
 /// Name and copy rate of the GPU.
 Json MeasureDevice(const Effort& effort);
 
-/// All steps of a scene.
-Json MeasureScene(const SceneForSolver& scene, const Effort& effort);
+/// All steps of a scene, what matters most first; `save` is called after each.
+void MeasureScene(const SceneForSolver& scene, const Effort& effort, Json& result,
+  const std::function<void()>& save);
 
 /// What `measure` returns, or why it could not.
 template <class Work>

@@ -5,7 +5,7 @@
 # Copies what the core and its tests need beside a compiler, GLM, oneTBB, GoogleTest and
 # nlohmann-json, from this Debian machine into a folder, for a machine with a GPU that has none:
 #   bash Testing/Gpu/collect-dependencies.sh [FOLDER]
-# run.sh looks for build-gpu-dependencies, which is the default.
+# FOLDER: build-gpu-dependencies, if it is not given.
 
 set -euo pipefail
 

@@ -3,8 +3,11 @@
 
 // How long the steps of the optimisation take on a GPU, at the sizes of Table 1 of [HG24].
 //
-//   limpid_bench_gpu [--sizes 256,304,472] [--scenes onion,dense] [--quick] [--output FILE.json]
+//   limpid_bench_gpu [--sizes 256,304,472] [--scenes onion,dense,waves] [--quick] [--along-x]
+//     [--files A.scene.json,B.scene.json] [--density 1] [--output FILE.json]
 //
+// With --files those scenes (pack-scenes.py) instead of formulas. --density multiplies extinction;
+// --along-x looks along that axis.
 // Writes FILE.json after every scene, or the numbers to standard output.
 
 #include "Measure.h"
@@ -19,7 +22,9 @@ int main(int argc, char* argv[])
 {
   using namespace limpid;
   using namespace limpid::benchmark;
-  return RunProgram(argc, argv, { { "sizes", "256,304,472" }, { "scenes", "onion,dense" } },
+  return RunProgram(argc, argv,
+    { { "sizes", "256,304,472" }, { "scenes", "onion,dense,waves" }, { "along-x", "no" },
+      { "files", "" }, { "density", "1" } },
     [](const Options& options, Json& results, const std::function<void()>& save)
     {
       LIMPID_REQUIRE(FindCuda().usable,
@@ -28,13 +33,35 @@ int main(int argc, char* argv[])
       const Effort effort = options.Flag("quick") ? Effort{ 2, 0.2, 12, 64, 1 << 22 } : Effort();
       results = MeasureDevice(effort);
       results["scenes"] = Json::array();
+      const auto measure = [&](SceneForSolver scene)
+      {
+        const auto density = static_cast<float>(options.Number("density"));
+        for (float& value : scene.extinction)
+        {
+          value *= density;
+        }
+        if (options.Flag("along-x"))
+        {
+          scene.camera.position = scene.grid.Centre() + scene.grid.Radius() * Vec3(3, 0.3, 0.2);
+          scene.name += " along x";
+        }
+        std::cerr << scene.name << ' ' << scene.grid.nodes.x << std::endl;
+        Json& place = results["scenes"].emplace_back();
+        MeasureScene(scene, effort, place, save);
+      };
+      const std::vector<std::string> files = options.List("files");
+      for (const std::string& file : files)
+      {
+        measure(SceneOfFile(file));
+      }
       for (const std::string& filling : options.List("scenes"))
       {
         for (const std::string& size : options.List("sizes"))
         {
-          std::cerr << filling << ' ' << size << std::endl;
-          results["scenes"].push_back(MeasureScene(MakeVolume(filling, std::stoi(size)), effort));
-          save();
+          if (files.empty())
+          {
+            measure(MakeVolume(filling, std::stoi(size)));
+          }
         }
       }
     });

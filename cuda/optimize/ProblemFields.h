@@ -30,6 +30,7 @@ struct ProblemFields
   using Field = BorrowedArray<AnyDevice, float>;
 
   ProblemFields(const std::shared_ptr<AnyDevice>& device, const Problem& problem)
+    : where(device)
   {
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
     this->base = Field(device, problem.baseExtinction, count, "the base extinction");
@@ -37,11 +38,12 @@ struct ProblemFields
     this->nodeImportance = Field(device, problem.nodeImportance, count, "the importance");
   }
 
+  std::shared_ptr<AnyDevice> where;
   Field base;           ///< [1/length]
   Field importance;     ///< [0, 1]
   Field nodeImportance; ///< [0, 1]
 
-  /// Those of a problem, which are moved to the device when first asked for.
+  /// Those of a problem, which are moved to the device when first asked for, and again by another.
   static std::shared_ptr<ProblemFields> Of(
     const std::shared_ptr<AnyDevice>& device, const Problem& problem)
   {
@@ -51,7 +53,7 @@ struct ProblemFields
     }
     const std::lock_guard<std::mutex> lock(problem.resident->access);
     auto fields = std::static_pointer_cast<ProblemFields>(problem.resident->fields);
-    if (!fields)
+    if (!fields || fields->where != device)
     {
       fields = std::make_shared<ProblemFields>(device, problem);
       problem.resident->fields = fields;

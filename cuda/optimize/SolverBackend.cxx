@@ -30,7 +30,7 @@ public:
     , Fields(ProblemFields<AnyDevice>::Of(device, problem))
     , Before(PreviousOf(device, problem))
     , Term(device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity)
-    , Sum(device, 1, "sums")
+    , Sum(DeviceArray<AnyDevice, Seen>::Zeros(device, 1, "sums"))
   {
   }
 

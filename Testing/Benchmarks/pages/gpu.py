@@ -100,7 +100,7 @@ def scene_section(scene, bandwidth):
 
 
 def page(measured):
-    text = head("Gpu", measured, "bash Testing/Gpu/run.sh")
+    text = head("Gpu", measured, "bash Testing/Gpu/one-shot.sh FOLDER")
     if measured["options"]["quick"] == "yes":
         text += "\n**A quick run: small pictures, few directions, figures without meaning.**\n"
     text += f"\n* device: {measured['device']}\n"
