@@ -153,6 +153,39 @@ TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThirdOfAPercentAtEveryWeight)
   }
 }
 
+TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThousandthInOpaqueData)
+{
+  LoadedScene scene(GetParam().name);
+  scene.settings.protectImportance = 0;
+  for (const bool ramp : { true, false })
+  {
+    for (const double cells : { 1.0 / 3, 1.0, 3.0 })
+    {
+      scene.Classify(ramp, cells);
+      scene.settings.emphasis = 1;
+      scene.settings.solver = SolverKind::Policy;
+      Solver policy = scene.MakeSolver();
+      policy.Run();
+      scene.settings.solver = SolverKind::Adam;
+      Solver adam = scene.MakeSolver();
+      adam.Run();
+      scene.settings.solver = SolverKind::Policy;
+      scene.settings.emphasis = 0;
+      Solver thinner = scene.MakeSolver();
+      thinner.Run();
+
+      const double found = policy.BestEnergy().Total();
+      const double other = adam.BestEnergy().Total();
+      const double without = thinner.BestEnergy().Total();
+      std::cout << GetParam().name << (ramp ? " ramp" : " opaque") << " over " << cells
+                << ": policy " << found << ", Adam " << other << ", without emphasis " << without
+                << '\n';
+      EXPECT_LE(found, other + 0.001 * std::abs(other)) << ramp << ' ' << cells;
+      EXPECT_LE(found, without) << ramp << ' ' << cells;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Quick, PolicyAgainstAdam, ::testing::Values(Bars{ "carotid_mra", 0, 0 }),
   ::testing::PrintToStringParamName());
 

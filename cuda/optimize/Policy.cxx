@@ -83,7 +83,7 @@ public:
     {
       return this->Refine();
     }
-    if (this->TriesSeveralStarts() && this->Count == 0)
+    if (this->DescendsFromBase() && this->Count == 0)
     {
       this->DescendFromHere();
     }
@@ -99,11 +99,11 @@ public:
       return this->GoBack();
     }
     this->KeepIfLowest(record);
-    if (this->TriesSeveralStarts() && this->Count == this->MainTerms())
+    if (this->DescendsFromFirstSweeps() && this->Count == this->MainTerms())
     {
       this->DescendFromHere();
     }
-    return this->TriesSeveralStarts() ? this->BestRecord() : record;
+    return this->DescendsFromBase() ? this->BestRecord() : record;
   }
 
   IterationRecord Smooth() override
@@ -204,6 +204,10 @@ private:
     return this->Given->IsThick() ? (iterations + 1) / 2 : iterations;
   }
 
+  /// Whether matter may become thicker in policy sweeps, too. Not in thick media, where that hides
+  /// more than a sweep finds: what the sweeps have cleared is made thicker by resilient steps.
+  bool SweepsEmphasise() const { return this->Warm || !this->Given->IsThick(); }
+
   /// Whether policy sweeps have found what they can, so that resilient steps follow.
   bool Refines() const
   {
@@ -224,11 +228,20 @@ private:
     return this->HasStalled() && !(this->LowestRefined > this->Lowest.energy.Total());
   }
 
-  /// Whether steps also descend from the base, and from what the first sweeps have cleared. In a
-  /// small volume that takes next to no time.
-  bool TriesSeveralStarts() const
+  /// Whether steps also descend from the base: where important matter is opaque and may be removed,
+  /// a sweep can remove too much of it at once. In a small volume that takes next to no time.
+  bool DescendsFromBase() const
   {
-    return this->Given->IsThick() && this->Given->IsSmall() && !this->Warm;
+    constexpr double opaque = 4; // optical depth from node to node
+    const bool removes = this->Given->settings.protectImportance < 1 &&
+      this->Given->majorant * this->Given->NodeDistance() > opaque;
+    return this->Given->IsThick() && !this->Warm && (this->Given->IsSmall() || removes);
+  }
+
+  /// ... and from what the first sweeps have cleared.
+  bool DescendsFromFirstSweeps() const
+  {
+    return this->DescendsFromBase() && this->Given->IsSmall();
   }
 
   /// Resilient steps from the last iterate, where sweeps go on then.
@@ -511,7 +524,7 @@ private:
       { last, turn.smoothing > 0 ? this->FindPull(turn, last) : this->Lagged.Data(), next,
         this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Descent.Proximity(),
         turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous(),
-        this->Energy.OnRanks() },
+        this->SweepsEmphasise(), this->Energy.OnRanks() },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {

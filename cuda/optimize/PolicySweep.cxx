@@ -22,11 +22,13 @@ PolicyKernel<const float*, float*> KernelOf(
   const double coherence = sweep.previous ? problem.CoherenceWeight() : 0.0;
   const double proximity = own * sweep.proximity;
   const double p = own + proximity + coherence + sweep.smoothing;
+  ExtinctionBounds<float> bounds = BoundsOf(problem);
+  bounds.emphasis = sweep.emphasises ? bounds.emphasis : 0.0f;
   const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
   return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
     sweep.previous, sweep.lagged, sweep.next, sweep.alternative,
     { gainOf(sweep.weight), gainOf(1.0), static_cast<float>(proximity / p),
-      static_cast<float>(coherence / p), BoundsOf(problem) },
+      static_cast<float>(coherence / p), bounds },
     sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept,
     0.5f / gainOf(sweep.weight) };
 }

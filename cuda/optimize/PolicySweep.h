@@ -41,6 +41,7 @@ struct PolicySweep
   Reach reach = Reach::Unlimited;     ///< of the rays, where something is weighed
   double smoothing = 0;            ///< sigma of SmoothedChange [length], if `lagged` has its pull
   const float* previous = nullptr; ///< what to stay near [1/length]; null: nothing
+  bool emphasises = true; ///< whether matter may become thicker than in the data, as far as it may
   const TermsOnRanks* ranks = nullptr; ///< that share the sweep; null: there is one
 };
 

@@ -77,10 +77,15 @@ bool Problem::MayHaveThickLayers() const
   return this->majorant * glm::length(this->grid.spacing) > thickLayer;
 }
 
+double Problem::NodeDistance() const
+{
+  return std::cbrt(this->grid.CellVolume());
+}
+
 bool Problem::IsThick() const
 {
-  constexpr double thin = 0.6; // optical depth from node to node
-  return this->majorant * std::cbrt(this->grid.CellVolume()) > thin;
+  constexpr double thin = 0.5; // optical depth from node to node
+  return this->majorant * this->NodeDistance() > thin;
 }
 
 double Problem::SmoothingStrength() const

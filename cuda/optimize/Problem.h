@@ -96,6 +96,9 @@ struct Problem
   /// followed by resilient steps then (Documentation/Method.md, section on thick media).
   bool IsThick() const;
 
+  /// Edge of a cube of the same volume as a cell [length].
+  double NodeDistance() const;
+
   /// sigma of SmoothedChange in world units [length]: with smoothness 1, neighbours move a voxel
   /// through its whole range as all visibility does.
   double SmoothingStrength() const;

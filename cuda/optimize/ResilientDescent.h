@@ -53,7 +53,7 @@ public:
     this->State.RoomFor(this->Device, count, "the step lengths");
     this->Device->ForIndices("resilient steps", this->Own.Count(),
       detail::FillWith{
-        this->State.Data() + this->Own.Begin(), firstLength * this->Given->majorant });
+        this->State.Data() + this->Own.Begin(), this->LengthOf(firstChange, firstDepth) });
     this->Energy->FillGradient(extinction, this->Gradient);
   }
 
@@ -80,9 +80,19 @@ public:
   }
 
 private:
-  static constexpr float firstLength = 0.05f;   ///< of a step [majorant]
-  static constexpr float mostLength = 0.4f;     ///< [majorant]
+  static constexpr double firstChange = 0.05;   ///< of a step [majorant]
+  static constexpr double mostChange = 0.4;     ///< [majorant]
+  static constexpr double firstDepth = 0.7;     ///< of a step, from node to node
+  static constexpr double mostDepth = 2;        ///< as much as nearly ends what is behind
   static constexpr double roundingOfSum = 1e-6; ///< of a derivative [weights]
+
+  /// Of a step: no more than a change, and no more than an optical depth from node to node
+  /// [1/length].
+  float LengthOf(double change, double depth) const
+  {
+    return static_cast<float>(
+      std::min(change * double(this->Given->majorant), depth / this->Given->NodeDistance()));
+  }
 
   ResilientVoxel StepWith(float* extinction, double smoothing) const
   {
@@ -96,7 +106,7 @@ private:
     step.extinction = extinction;
     step.regularization = static_cast<float>(this->Given->RegularizationWeight() + smoothing);
     step.coherence = static_cast<float>(this->Given->CoherenceWeight());
-    step.longest = mostLength * this->Given->majorant;
+    step.longest = this->LengthOf(mostChange, mostDepth);
     step.floor = static_cast<float>(roundingOfSum * std::max(weights.view, weights.light));
     step.bounds = BoundsOf(*this->Given);
     return step;
