@@ -13,7 +13,9 @@ import time
 REGISTERS = 65536  # of a multiprocessor of sm_90, given to warps in blocks of 8 per thread
 MOST_THREADS = 2048
 SWEEPS = {"VisitTiles": "the policy's sweep", "VisitPhases": "the derivative's sweep"}
-KINDS = {"loads": ("LDG",), "stores": ("STG",), "branches": ("BRA",),
+KINDS = {"loads": ("LDG",), "stores": ("STG",),
+         "generic": ("LD", "ST"),  # of memory that the compiler does not know the kind of
+         "spilled": ("LDL", "STL"), "branches": ("BRA",),
          "of double precision": ("DADD", "DMUL", "DFMA", "DSETP")}
 
 

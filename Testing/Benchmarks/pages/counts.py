@@ -59,5 +59,5 @@ which the compiler moves what finds no register.
 """ + table(measured["kernels"], [
         ("kernel", lambda k: k["kernel"]), ("instructions", lambda k: k["instructions"]),
         *((kind, lambda k, kind=kind: k[kind])
-          for kind in ("loads", "stores", "branches", "of double precision", "registers",
+          for kind in ("loads", "stores", "generic", "spilled", "branches", "of double precision", "registers",
                        "threads", "stack"))])
