@@ -37,6 +37,9 @@ constexpr int blockThreads = blockColumns * blockRows;
 /// memory takes, so few that each has 80 registers.
 constexpr int residentThreads = 768;
 
+/// The same of a launch of tiles, of whose longer work a thread has 128 registers.
+constexpr int residentTileThreads = 512;
+
 template <class Body>
 __global__ void VisitEach(const Extent extent, const __grid_constant__ Body body)
 {
@@ -107,7 +110,7 @@ __global__ void __launch_bounds__(blockThreads, residentThreads / blockThreads)
 }
 
 template <class Body>
-__global__ void __launch_bounds__(Body::tileThreads, residentThreads / Body::tileThreads)
+__global__ void __launch_bounds__(Body::tileThreads, residentTileThreads / Body::tileThreads)
   VisitTiles(const int phases, const __grid_constant__ Body body)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
@@ -132,7 +135,7 @@ __global__ void __launch_bounds__(Body::tileThreads, residentThreads / Body::til
         for (int item = static_cast<int>(threadIdx.x); item < extent.columns * extent.rows;
              item += static_cast<int>(blockDim.x))
         {
-          tile(step, item % extent.columns, item / extent.columns);
+          body.Visit(tile, step, item % extent.columns, item / extent.columns);
         }
       }
     }
@@ -250,9 +253,9 @@ public:
   }
 
   /// Phases in order, tile by tile, in any order: of each, its steps in order, like ForEach over
-  /// tile.ExtentOf(step) of tile(step, column, row), where tile is body.TileAt(phase, number). A
-  /// step sees what the tile's steps before and all phases before have written. Tiles of a phase
-  /// may write the same to the same place. One launch.
+  /// tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is body.TileAt(phase,
+  /// number). A step sees what the tile's steps before and all phases before have written. Tiles of
+  /// a phase may write the same to the same place. One launch.
   template <class Body>
   void ForTiles(const char* label, int phases, const Body& body)
   {

@@ -131,10 +131,10 @@ public:
   }
 
   /// Phases in order, tile by tile, in any order: of each, its steps in order, like ForEach over
-  /// tile.ExtentOf(step) of tile(step, column, row), where tile is body.TileAt(phase, number). A
-  /// step sees what the tile's steps before and all phases before have written. Tiles of a phase
-  /// may write the same to the same place, so that they take turns here, now in this order and now
-  /// in that.
+  /// tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is body.TileAt(phase,
+  /// number). A step sees what the tile's steps before and all phases before have written. Tiles of
+  /// a phase may write the same to the same place, so that they take turns here, now in this order
+  /// and now in that.
   template <class Body>
   void ForTiles(const char* label, int phases, const Body& body)
   {
@@ -147,7 +147,8 @@ public:
         const auto tile = body.TileAt(phase, phase % 2 == 0 ? number : tiles - 1 - number);
         for (int step = 0; step < tile.steps; ++step)
         {
-          Visit(tile.ExtentOf(step), [&](int column, int row) { tile(step, column, row); });
+          Visit(
+            tile.ExtentOf(step), [&](int column, int row) { body.Visit(tile, step, column, row); });
         }
       }
     }

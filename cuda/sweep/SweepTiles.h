@@ -48,12 +48,12 @@ struct BackwardTiles
     return this->Across() * ((this->frustum.rows + tile.rows - 1) / tile.rows);
   }
 
-  /// What a tile does in a phase, in two steps.
+  /// What a tile does in a phase, in two steps. It does not know the sweep: through a reference in
+  /// a variable a compiler for GPUs does not see that the memory is not a thread's own.
   struct Tile
   {
     static constexpr int steps = 2;
 
-    const BackwardTiles& sweep;
     int slice;            ///< that the rays come to; that of the voxels is the next one
     Range<int> columns;   ///< rays
     Range<int> rows;      ///< rays
@@ -64,19 +64,6 @@ struct BackwardTiles
     {
       return step == 0 ? Extent{ this->voxelsOfU.Length(), this->voxelsOfV.Length() }
                        : Extent{ this->columns.Length(), this->rows.Length() };
-    }
-
-    LIMPID_HD LIMPID_INLINE void operator()(int step, int column, int row) const
-    {
-      if (step == 0)
-      {
-        this->sweep.VisitVoxel(
-          this->slice + 1, this->voxelsOfU.begin + column, this->voxelsOfV.begin + row);
-      }
-      else
-      {
-        this->sweep.MoveRay(this->slice, this->columns.begin + column, this->rows.begin + row);
-      }
     }
   };
 
@@ -90,12 +77,24 @@ struct BackwardTiles
     const int s = plan.lastSlice - phase;
     if (s == plan.lastSlice)
     {
-      return { *this, s, columns, rows, {}, {} }; // there are no voxels behind
+      return { s, columns, rows, {}, {} }; // there are no voxels behind
     }
     const Slice& behind = plan.SliceAt(s + 1);
-    return { *this, s, columns, rows,
+    return { s, columns, rows,
       this->VoxelsOf(s + 1, plan.planeColumns, columns, plan.columns, behind.ownedColumns),
       this->VoxelsOf(s + 1, plan.planeRows, rows, plan.rows, behind.ownedRows) };
+  }
+
+  LIMPID_HD LIMPID_INLINE void Visit(const Tile& tile, int step, int column, int row) const
+  {
+    if (step == 0)
+    {
+      this->VisitVoxel(tile.slice + 1, tile.voxelsOfU.begin + column, tile.voxelsOfV.begin + row);
+    }
+    else
+    {
+      this->MoveRay(tile.slice, tile.columns.begin + column, tile.rows.begin + row);
+    }
   }
 
 private:
