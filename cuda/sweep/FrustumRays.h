@@ -12,6 +12,7 @@
 #include "sweep/PlanSweep.h"
 #include "sweep/RankBands.h"
 #include "sweep/RaySteps.h"
+#include "sweep/RayTiles.h"
 #include "sweep/SliceWindow.h"
 
 #include <algorithm>
@@ -96,6 +97,22 @@ public:
     return this->Means.Data();
   }
 
+  /// What tiles of rays find; made when first needed.
+  VoxelsOfTiles Tiles()
+  {
+    const RayTiles tiles{ this->Addresses.columns, this->Addresses.rows };
+    if (this->Found.Empty())
+    {
+      const Index count = Index(this->Addresses.SliceCount()) * (tiles.Across() + tiles.Down());
+      DeviceArray<AnyDevice, Range<int>> found(
+        this->Device, std::size_t(count), "the plan of a sweep");
+      const MadeVoxelsOfTile made{ this->Addresses, tiles, found.Data() };
+      this->Device->ForEach("plan", made.ExtentOfRanges(), made);
+      this->Found = std::move(found); // not before they are there
+    }
+    return { tiles, this->Found.Data() };
+  }
+
   /// Images of the rays on some slices, so many values, for one sweep.
   DeviceArray<AnyDevice, float> MakeImages(Index count) const
   {
@@ -106,6 +123,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, unsigned char> Tables;
   DeviceArray<AnyDevice, HatOfVoxel> Means;
+  DeviceArray<AnyDevice, Range<int>> Found; ///< see VoxelsOfTiles
   FaceFrustum Addresses;
 };
 

@@ -10,6 +10,7 @@
 
 #include "backend/Extent.h"
 #include "sweep/RaySampler.h"
+#include "sweep/RayTiles.h"
 #include "sweep/SlabImages.h"
 
 namespace limpid
@@ -21,15 +22,14 @@ namespace detail
 template <class Kernel>
 struct BackwardTiles
 {
-  /// Of rays: a block of threads.
-  static constexpr Extent tile{ 32, 8 };
-  static constexpr int tileThreads = tile.columns * tile.rows;
+  static constexpr int tileThreads = RayTiles::size.columns * RayTiles::size.rows;
   static constexpr int slicesPerSlab = 1;
 
   FaceFrustum frustum;
   RayStates states;
   Kernel kernel;
   SlabImages images;
+  VoxelsOfTiles voxels;
 
   template <class AnyDevice>
   BackwardTiles(FrustumRays<AnyDevice>& rays, float* room, const Kernel& what)
@@ -37,16 +37,14 @@ struct BackwardTiles
     , states(rays.States())
     , kernel(what)
     , images(rays, slicesPerSlab, room)
+    , voxels(rays.Tiles())
   {
   }
 
   /// The last one takes the rays out of the volume.
   int PhaseCount() const { return this->frustum.SliceCount() - this->frustum.firstNodeSlice + 1; }
 
-  LIMPID_HD LIMPID_INLINE int TileCount() const
-  {
-    return this->Across() * ((this->frustum.rows + tile.rows - 1) / tile.rows);
-  }
+  LIMPID_HD LIMPID_INLINE int TileCount() const { return this->voxels.tiles.Count(); }
 
   /// What a tile does in a phase, in two steps. It does not know the sweep: through a reference in
   /// a variable a compiler for GPUs does not see that the memory is not a thread's own.
@@ -57,7 +55,7 @@ struct BackwardTiles
     int slice;            ///< that the rays come to; that of the voxels is the next one
     Range<int> columns;   ///< rays
     Range<int> rows;      ///< rays
-    Range<int> voxelsOfU; ///< that these rays read, and those that none read between the tiles
+    Range<int> voxelsOfU; ///< see VoxelsOfTiles
     Range<int> voxelsOfV;
 
     LIMPID_HD LIMPID_INLINE Extent ExtentOf(int step) const
@@ -69,20 +67,15 @@ struct BackwardTiles
 
   LIMPID_HD LIMPID_INLINE Tile TileAt(int phase, int number) const
   {
-    const FaceFrustum& plan = this->frustum;
-    const Range<int> columns =
-      Intersection(Part(number % this->Across(), tile.columns), { 0, plan.columns });
-    const Range<int> rows =
-      Intersection(Part(number / this->Across(), tile.rows), { 0, plan.rows });
-    const int s = plan.lastSlice - phase;
-    if (s == plan.lastSlice)
+    const int s = this->frustum.lastSlice - phase;
+    const Range<int> columns = this->voxels.tiles.ColumnsOf(number);
+    const Range<int> rows = this->voxels.tiles.RowsOf(number);
+    if (s == this->frustum.lastSlice)
     {
       return { s, columns, rows, {}, {} }; // there are no voxels behind
     }
-    const Slice& behind = plan.SliceAt(s + 1);
-    return { s, columns, rows,
-      this->VoxelsOf(s + 1, plan.planeColumns, columns, plan.columns, behind.ownedColumns),
-      this->VoxelsOf(s + 1, plan.planeRows, rows, plan.rows, behind.ownedRows) };
+    return { s, columns, rows, this->voxels.AlongU(s + 1, number),
+      this->voxels.AlongV(s + 1, number) };
   }
 
   LIMPID_HD LIMPID_INLINE void Visit(const Tile& tile, int step, int column, int row) const
@@ -98,40 +91,6 @@ struct BackwardTiles
   }
 
 private:
-  LIMPID_HD static LIMPID_INLINE Range<int> Part(int number, int length)
-  {
-    return { number * length, (number + 1) * length };
-  }
-
-  LIMPID_HD LIMPID_INLINE int Across() const
-  {
-    return (this->frustum.columns + tile.columns - 1) / tile.columns;
-  }
-
-  /// The voxels of slice `s` along one axis that `rays` read of it, in the layers behind and in
-  /// front of it, as far as they are `owned`; and those up to what the next rays read. `count`: of
-  /// all rays along that axis.
-  LIMPID_HD LIMPID_INLINE Range<int> VoxelsOf(
-    int s, const MapTable& planes, const Range<int>& rays, int count, const Range<int>& owned) const
-  {
-    const int first = s > 0 ? 2 * (s - 1) : 0; // two planes in a layer
-    const int end = s < this->frustum.lastSlice ? 2 * (s + 1) : 2 * s;
-    Range<int> read{ owned.end, owned.begin };
-    for (int plane = first; plane < end; ++plane)
-    {
-      const int* nodes = this->frustum.Row(planes, plane).index;
-      const int begin = nodes[rays.begin];
-      const int behind = nodes[rays.end - 1] + 2;
-      const int next = rays.end < count ? nodes[rays.end] : owned.end;
-      read.begin = begin < read.begin ? begin : read.begin;
-      read.end = behind > read.end ? behind : read.end;
-      read.end = next > read.end ? next : read.end;
-    }
-    read.begin = rays.begin == 0 ? owned.begin : read.begin;
-    const Range<int> found = Intersection(read, owned);
-    return found.Empty() ? Range<int>{} : found;
-  }
-
   LIMPID_HD LIMPID_INLINE void VisitVoxel(int s, int u, int v) const
   {
     VoxelSampler voxel(this->frustum, s, u, v);
