@@ -169,24 +169,52 @@ struct Nothing
 {
 };
 
+/// Rays along one axis.
+struct Axis
+{
+  const MapTable& planes;
+  const RayLine* lines;
+  int nodes;
+};
+
 /// Whether all voxels of slice `s` along one axis that the rays read are among those `found`, as
-/// far as they are `owned`.
-bool FindsAll(const FaceFrustum& plan, const MapTable& planes, int s, const Range<int>& rays,
+/// far as they are `owned`: at Gauss points, and anywhere in the layer behind, which a ray that
+/// enters or leaves there resolves.
+bool FindsAll(const FaceFrustum& plan, const Axis& axis, int s, const Range<int>& rays,
   const Range<int>& owned, const Range<int>& found)
 {
+  const auto finds = [&](int first)
+  {
+    for (const int node : { first, first + 1 })
+    {
+      if (owned.Contains(node) && !found.Contains(node))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (int ray = rays.begin; s < plan.lastSlice && ray < rays.end; ++ray)
+  {
+    const Layer& layer = plan.SliceAt(s).layer;
+    for (const double share : { 0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99 })
+    {
+      const double depth = layer.front + share * layer.thickness;
+      if (!finds(NodesAt(axis.lines[ray].At(depth), axis.nodes).first))
+      {
+        return false;
+      }
+    }
+  }
   for (int layer = std::max(s - 1, 0); layer <= std::min(s, plan.lastSlice - 1); ++layer)
   {
     for (int ray = rays.begin; ray < rays.end; ++ray)
     {
       for (const int half : { 0, 1 })
       {
-        const int first = plan.Row(planes, 2 * layer + half).index[ray];
-        for (const int node : { first, first + 1 })
+        if (!finds(plan.Row(axis.planes, 2 * layer + half).index[ray]))
         {
-          if (owned.Contains(node) && !found.Contains(node))
-          {
-            return false;
-          }
+          return false;
         }
       }
     }
@@ -351,9 +379,10 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
       for (int number = 0; number < tiles.TileCount(); ++number)
       {
         const auto tile = tiles.TileAt(phase, number);
-        ASSERT_TRUE(
-          FindsAll(plan, plan.planeColumns, s, tile.columns, slice.ownedColumns, tile.voxelsOfU));
-        ASSERT_TRUE(FindsAll(plan, plan.planeRows, s, tile.rows, slice.ownedRows, tile.voxelsOfV));
+        ASSERT_TRUE(FindsAll(plan, { plan.planeColumns, plan.Row(plan.columnLines), plan.nodesU },
+          s, tile.columns, slice.ownedColumns, tile.voxelsOfU));
+        ASSERT_TRUE(FindsAll(plan, { plan.planeRows, plan.Row(plan.rowLines), plan.nodesV }, s,
+          tile.rows, slice.ownedRows, tile.voxelsOfV));
         for (int v = tile.voxelsOfV.begin; v < tile.voxelsOfV.end; ++v)
         {
           for (int u = tile.voxelsOfU.begin; u < tile.voxelsOfU.end; ++u)

@@ -87,32 +87,51 @@ struct MadeVoxelsOfTile
     const Slice& slice = plan.SliceAt(s);
     const int row = number - this->tiles.Across();
     this->ranges[Index(s) * (this->tiles.Across() + this->tiles.Down()) + number] = row < 0
-      ? this->VoxelsOf(s, plan.planeColumns,
-          RayTiles::Part(number, RayTiles::size.columns, plan.columns), plan.columns,
-          slice.ownedColumns)
-      : this->VoxelsOf(s, plan.planeRows, RayTiles::Part(row, RayTiles::size.rows, plan.rows),
-          plan.rows, slice.ownedRows);
+      ? this->VoxelsOf(s,
+          { plan.planeColumns, plan.Row(plan.columnLines), plan.columns, plan.nodesU },
+          RayTiles::Part(number, RayTiles::size.columns, plan.columns), slice.ownedColumns)
+      : this->VoxelsOf(s, { plan.planeRows, plan.Row(plan.rowLines), plan.rows, plan.nodesV },
+          RayTiles::Part(row, RayTiles::size.rows, plan.rows), slice.ownedRows);
   }
 
 private:
-  /// The voxels of slice `s` along one axis that `rays` read of it, in the layers behind and in
-  /// front of it, as far as they are `owned`; and those up to what the next rays read. `count`: of
-  /// all rays along that axis.
-  LIMPID_HD LIMPID_INLINE Range<int> VoxelsOf(
-    int s, const MapTable& planes, const Range<int>& rays, int count, const Range<int>& owned) const
+  /// Rays along one axis.
+  struct Axis
   {
+    const MapTable& planes; ///< see FaceFrustum
+    const RayLine* lines;
+    int count;
+    int nodes;
+  };
+
+  /// The voxels of slice `s` along one axis that `rays` read of it, in the layers behind and in
+  /// front of it, as far as they are `owned`; and those up to what the next rays read.
+  LIMPID_HD LIMPID_INLINE Range<int> VoxelsOf(
+    int s, const Axis& axis, const Range<int>& rays, const Range<int>& owned) const
+  {
+    const FaceFrustum& plan = this->frustum;
     const int first = s > 0 ? 2 * (s - 1) : 0; // two planes in a layer
-    const int end = s < this->frustum.lastSlice ? 2 * (s + 1) : 2 * s;
+    const int end = s < plan.lastSlice ? 2 * (s + 1) : 2 * s;
     Range<int> read{ owned.end, owned.begin };
+    const auto add = [&](int begin, int last, int next)
+    {
+      next = rays.end < axis.count ? next : owned.end;
+      const int behind = last + 2 > next ? last + 2 : next;
+      read = { begin < read.begin ? begin : read.begin, behind > read.end ? behind : read.end };
+    };
+    const int beside = rays.end < axis.count ? rays.end : rays.end - 1;
     for (int plane = first; plane < end; ++plane)
     {
-      const int* nodes = this->frustum.Row(planes, plane).index;
-      const int begin = nodes[rays.begin];
-      const int behind = nodes[rays.end - 1] + 2;
-      const int next = rays.end < count ? nodes[rays.end] : owned.end;
-      read.begin = begin < read.begin ? begin : read.begin;
-      read.end = behind > read.end ? behind : read.end;
-      read.end = next > read.end ? next : read.end;
+      const int* nodes = plan.Row(axis.planes, plane).index;
+      add(nodes[rays.begin], nodes[rays.end - 1], nodes[beside]);
+    }
+    // Layers are also sampled elsewhere (ResolvedRay): as far as their ends.
+    for (int slice = s; slice <= s + 1 && slice <= plan.lastSlice; ++slice)
+    {
+      const double depth = plan.SliceAt(slice).RelativeDepth();
+      const auto nodeOf = [&](int ray)
+      { return NodesAt(axis.lines[ray].At(depth), axis.nodes).first; };
+      add(nodeOf(rays.begin), nodeOf(rays.end - 1), nodeOf(beside));
     }
     read.begin = rays.begin == 0 ? owned.begin : read.begin;
     const Range<int> found = Intersection(read, owned);
