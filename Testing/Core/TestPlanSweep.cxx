@@ -93,6 +93,12 @@ protected:
   {
   }
 
+  std::vector<FrustumRays<SimulatedDevice>> MoveToDevice() const
+  {
+    return PlanRays(SimulatedDevice::Shared(), this->scene.grid, this->scene.MakeOccupancy(),
+      GetParam().eye, { GetParam().rayDensity, GetParam().placement });
+  }
+
   Boxes scene;
   std::vector<PlannedFrustum> frusta;
 };
@@ -165,9 +171,53 @@ bool AnyNear(const PlannedFrustum& frustum, const std::vector<bool>& rays, int c
 }
 
 /// What is swept in tiles does not matter to where they are.
-struct Nothing
+/// A number for every voxel of a slice.
+class VoxelCounts
 {
+public:
+  explicit VoxelCounts(const FaceFrustum& plan)
+    : NodesU(plan.nodesU)
+    , Counts(std::size_t(plan.nodesU) * std::size_t(plan.nodesV), 0)
+  {
+  }
+
+  void Add(const Range<int>& columns, const Range<int>& rows)
+  {
+    for (int v = rows.begin; v < rows.end; ++v)
+    {
+      for (int u = columns.begin; u < columns.end; ++u)
+      {
+        ++this->Counts[this->IndexOf(u, v)];
+      }
+    }
+  }
+
+  int At(int u, int v) const { return this->Counts[this->IndexOf(u, v)]; }
+
+private:
+  std::size_t IndexOf(int u, int v) const
+  {
+    return std::size_t(v) * std::size_t(this->NodesU) + std::size_t(u);
+  }
+
+  int NodesU;
+  std::vector<int> Counts;
 };
+
+/// Calls visit(ray) for the rays of a tile.
+template <class Visit>
+void ForRaysOf(const FaceFrustum& plan, const RayTiles& tiles, int number, const Visit& visit)
+{
+  const Range<int> columns = tiles.ColumnsOf(number);
+  const Range<int> rows = tiles.RowsOf(number);
+  for (int row = rows.begin; row < rows.end; ++row)
+  {
+    for (int column = columns.begin; column < columns.end; ++column)
+    {
+      visit(std::size_t(plan.RayAt(column, row)));
+    }
+  }
+}
 
 /// Rays along one axis.
 struct Axis
@@ -360,46 +410,90 @@ TEST_P(PlanOf, KnowsWhereTheRaysOfVoxelsEnterTheBox)
 // So that a tile waits for no other; and every voxel is found by one of them at least.
 TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
 {
-  std::vector<FrustumRays<SimulatedDevice>> moved =
-    PlanRays(SimulatedDevice::Shared(), this->scene.grid, this->scene.MakeOccupancy(),
-      GetParam().eye, { GetParam().rayDensity, GetParam().placement });
-  for (FrustumRays<SimulatedDevice>& rays : moved)
+  for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
   {
     const FaceFrustum& plan = rays.Plan();
-    using Tiles = detail::BackwardTiles<Nothing>;
-    auto images = detail::SlabImages::RoomFor(rays, Tiles::slicesPerSlab);
-    const Tiles tiles(rays, images.Data(), {});
-    for (int phase = 1; phase < tiles.PhaseCount(); ++phase)
+    const VoxelsOfTiles& voxels = rays.Tiles().voxels;
+    for (int s = plan.firstNodeSlice; s <= plan.lastSlice; ++s)
     {
-      const int s = plan.lastSlice - phase + 1;
       const Slice& slice = plan.SliceAt(s);
-      std::vector<int> finders(std::size_t(plan.nodesU) * std::size_t(plan.nodesV), 0);
-      const auto findersOf = [&](int u, int v) -> int&
-      { return finders[std::size_t(v) * std::size_t(plan.nodesU) + std::size_t(u)]; };
-      for (int number = 0; number < tiles.TileCount(); ++number)
+      VoxelCounts finders(plan);
+      for (int number = 0; number < voxels.tiles.Count(); ++number)
       {
-        const auto tile = tiles.TileAt(phase, number);
+        const Range<int> columns = voxels.AlongU(s, number);
+        const Range<int> rows = voxels.AlongV(s, number);
         ASSERT_TRUE(FindsAll(plan, { plan.planeColumns, plan.Row(plan.columnLines), plan.nodesU },
-          s, tile.columns, slice.ownedColumns, tile.voxelsOfU));
+          s, voxels.tiles.ColumnsOf(number), slice.ownedColumns, columns));
         ASSERT_TRUE(FindsAll(plan, { plan.planeRows, plan.Row(plan.rowLines), plan.nodesV }, s,
-          tile.rows, slice.ownedRows, tile.voxelsOfV));
-        for (int v = tile.voxelsOfV.begin; v < tile.voxelsOfV.end; ++v)
-        {
-          for (int u = tile.voxelsOfU.begin; u < tile.voxelsOfU.end; ++u)
-          {
-            ++findersOf(u, v);
-          }
-        }
+          voxels.tiles.RowsOf(number), slice.ownedRows, rows));
+        finders.Add(columns, rows);
       }
       for (int v = 0; v < plan.nodesV; ++v)
       {
         for (int u = 0; u < plan.nodesU; ++u)
         {
           const bool owned = slice.ownedColumns.Contains(u) && slice.ownedRows.Contains(v);
-          ASSERT_EQ(findersOf(u, v) > 0, owned) << u << " " << v;
+          ASSERT_EQ(finders.At(u, v) > 0, owned) << u << " " << v;
         }
       }
     }
+  }
+}
+
+// A ray is moved where it may change, and as long as its image on the slice is an old one: images
+// of two slices take turns. All voxels are found that rays matter to.
+TEST_P(PlanOf, VisitsAllTilesThatHaveAnythingToDo)
+{
+  for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
+  {
+    const FaceFrustum& plan = rays.Plan();
+    const TileLists& lists = rays.Tiles();
+    const VoxelsOfTiles& voxels = lists.voxels;
+    std::vector<int> changes(std::size_t(plan.RayCount()), 0);
+    std::vector<int> images[2] = { changes, changes };
+    int phase = 0;
+    for (int s = plan.lastSlice; s >= plan.firstNodeSlice - 1; --s)
+    {
+      const PhaseOfTiles here = phase < lists.phaseCount && lists.phases[phase].slice == s
+        ? lists.phases[phase++]
+        : PhaseOfTiles{ s, 0, 0 };
+      ASSERT_LE(here.count, lists.mostTiles);
+      VoxelCounts finders(plan);
+      std::vector<bool> moved(changes.size(), false);
+      for (int index = 0; index < here.count; ++index)
+      {
+        const int number = lists.numbers[here.first + index];
+        if (s < plan.lastSlice)
+        {
+          finders.Add(voxels.AlongU(s + 1, number), voxels.AlongV(s + 1, number));
+        }
+        ForRaysOf(plan, voxels.tiles, number, [&](std::size_t ray) { moved[ray] = true; });
+      }
+
+      for (int v = 0; s < plan.lastSlice && v < plan.nodesV; ++v)
+      {
+        const Range<int> active = plan.ActiveVoxels(s + 1, v);
+        for (int u = active.begin; u < active.end; ++u)
+        {
+          ASSERT_GT(finders.At(u, v), 0) << u << " " << v;
+        }
+      }
+      for (int row = 0; s >= plan.firstNodeSlice && row < plan.rows; ++row)
+      {
+        for (int column = 0; column < plan.columns; ++column)
+        {
+          const auto ray = std::size_t(plan.RayAt(column, row));
+          const bool active = plan.ActiveRays(s, row).Contains(column) ||
+            (s < plan.lastSlice && plan.ActiveRays(s + 1, row).Contains(column));
+          ASSERT_TRUE(moved[ray] || !active) << column << " " << row;
+          changes[ray] += active ? 1 : 0;
+          int& image = images[s & 1][ray];
+          image = moved[ray] ? changes[ray] : image;
+          ASSERT_EQ(image, changes[ray]) << column << " " << row;
+        }
+      }
+    }
+    ASSERT_EQ(phase, lists.phaseCount);
   }
 }
 

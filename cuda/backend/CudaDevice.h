@@ -15,6 +15,7 @@
 #include <cuda_runtime.h>
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -114,17 +115,22 @@ __global__ void __launch_bounds__(Body::tileThreads, residentTileThreads / Body:
   VisitTiles(const int phases, const __grid_constant__ Body body)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
-  const int tiles = body.TileCount();
+  auto tiles = body.TilesOf(0);
   for (int phase = 0; phase < phases; ++phase)
   {
+    const auto now = tiles;
     if (phase > 0)
     {
       grid.sync();
     }
-    for (int number = static_cast<int>(blockIdx.x); number < tiles;
+    if (phase + 1 < phases)
+    {
+      tiles = body.TilesOf(phase + 1); // is there by the time it is needed
+    }
+    for (int number = static_cast<int>(blockIdx.x); number < now.count;
          number += static_cast<int>(gridDim.x))
     {
-      const auto tile = body.TileAt(phase, number);
+      const auto tile = body.TileAt(now, number);
       for (int step = 0; step < tile.steps; ++step)
       {
         if (step > 0)
@@ -252,15 +258,20 @@ public:
       { label, 0, phases - 1 }, &detail::VisitPhases<Body>, BlockOf(), phases, body);
   }
 
-  /// Phases in order, tile by tile, in any order: of each, its steps in order, like ForEach over
-  /// tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is body.TileAt(phase,
-  /// number). A step sees what the tile's steps before and all phases before have written. Tiles of
-  /// a phase may write the same to the same place. One launch.
+  /// All phases of a body in order, tile by tile, in any order: of each, its steps in order, like
+  /// ForEach over tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is
+  /// body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A step sees what the tile's steps
+  /// before and all phases before have written. Tiles of a phase may write the same to the same
+  /// place. One launch.
   template <class Body>
-  void ForTiles(const char* label, int phases, const Body& body)
+  void ForTiles(const char* label, const Body& body)
   {
-    this->LaunchResident(
-      { label, 0, phases - 1 }, &detail::VisitTiles<Body>, dim3(Body::tileThreads), phases, body);
+    const int phases = body.PhaseCount();
+    if (phases > 0)
+    {
+      this->LaunchResident({ label, 0, phases - 1 }, &detail::VisitTiles<Body>,
+        dim3(Body::tileThreads), phases, body, body.MostTiles());
+    }
   }
 
 private:
@@ -269,16 +280,17 @@ private:
 
   static dim3 BlockOf() { return dim3(detail::blockColumns, detail::blockRows); }
 
-  /// Launches as many blocks as can wait for each other.
+  /// Launches as many blocks as can wait for each other, `mostBlocks` at most.
   template <class Body>
-  void LaunchResident(
-    const Launch& launch, void (*kernel)(int, Body), const dim3& block, int phases, Body body)
+  void LaunchResident(const Launch& launch, void (*kernel)(int, Body), const dim3& block,
+    int phases, Body body, int mostBlocks = std::numeric_limits<int>::max())
   {
     this->Use();
     int blocksPerProcessor = 0;
     LIMPID_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
       &blocksPerProcessor, kernel, static_cast<int>(block.x * block.y), 0));
-    const dim3 grid(static_cast<unsigned>(blocksPerProcessor * this->Processors));
+    const int resident = blocksPerProcessor * this->Processors;
+    const dim3 grid(static_cast<unsigned>(resident < mostBlocks ? resident : mostBlocks));
     void* arguments[] = { &phases, &body };
     const Timed timed(*this, launch);
     detail::RequireCuda(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(kernel), grid,

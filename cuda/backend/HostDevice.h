@@ -130,21 +130,22 @@ public:
     }
   }
 
-  /// Phases in order, tile by tile, in any order: of each, its steps in order, like ForEach over
-  /// tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is body.TileAt(phase,
-  /// number). A step sees what the tile's steps before and all phases before have written. Tiles of
-  /// a phase may write the same to the same place, so that they take turns here, now in this order
-  /// and now in that.
+  /// All phases of a body in order, tile by tile, in any order: of each, its steps in order, like
+  /// ForEach over tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is
+  /// body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A step sees what the tile's steps
+  /// before and all phases before have written. Tiles of a phase may write the same to the same
+  /// place, so that they take turns here, now in this order and now in that.
   template <class Body>
-  void ForTiles(const char* label, int phases, const Body& body)
+  void ForTiles(const char* label, const Body& body)
   {
-    const Timed timed(this->Times, { label, 0, phases - 1 });
-    const int tiles = body.TileCount();
+    const int phases = body.PhaseCount();
+    const Timed timed(this->Times, { label, 0, phases > 0 ? phases - 1 : 0 });
     for (int phase = 0; phase < phases; ++phase)
     {
-      for (int number = 0; number < tiles; ++number)
+      const auto tiles = body.TilesOf(phase);
+      for (int number = 0; number < tiles.count; ++number)
       {
-        const auto tile = body.TileAt(phase, phase % 2 == 0 ? number : tiles - 1 - number);
+        const auto tile = body.TileAt(tiles, phase % 2 == 0 ? number : tiles.count - 1 - number);
         for (int step = 0; step < tile.steps; ++step)
         {
           Visit(
@@ -291,10 +292,10 @@ public:
   }
 
   template <class Body>
-  void ForTiles(const char* label, int phases, const Body& body)
+  void ForTiles(const char* label, const Body& body)
   {
     this->MayFail(label);
-    HostDevice::ForTiles(label, phases, body);
+    HostDevice::ForTiles(label, body);
   }
 
 private:

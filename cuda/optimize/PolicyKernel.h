@@ -163,25 +163,56 @@ struct PolicyKernel
     voxels.Prefetch(this->nodeImportance);
     voxels.Prefetch(this->next);
     voxels.Prefetch(this->lagged);
-    const float* protects =
-      this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr;
-    const float* bases = voxels.Row(this->base);
-    const float* lasts = this->policy.inertia > 0 ? voxels.Row(this->last) : bases;
-    const float* before = this->previous ? voxels.Row(this->previous) : bases;
-    const float* lags = this->lagged ? voxels.Row(this->lagged) : nullptr;
-    voxels.ForIdle(
-      IdleStep{ this->policy, protects, bases, lasts, before, lags, voxels.Row(this->next) });
+    this->IdleVoxelStep(voxels);
+    this->ActiveVoxelStep(voxels, rays);
+  }
+
+  /// Of VoxelStep, the voxels that no ray matters to.
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void IdleVoxelStep(const Voxels& voxels) const
+  {
+    const FieldsHere here = this->FieldsOf(voxels);
+    voxels.ForIdle(IdleStep{ this->policy, here.protects, here.bases, here.lasts, here.before,
+      here.lags, voxels.Row(this->next) });
+  }
+
+  /// Of VoxelStep, the other voxels.
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void ActiveVoxelStep(
+    Voxels& voxels, const typename Voxels::Rays& rays) const
+  {
     if (voxels.FindSeen(rays))
     {
+      const FieldsHere here = this->FieldsOf(voxels);
       const auto seen = voxels.SeenHere();
       voxels.ForActive(
         PolicyStep{ this->policy, GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted),
-          seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance), protects,
-          bases, lasts, before, lags, voxels.Row(this->next) });
+          seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance),
+          here.protects, here.bases, here.lasts, here.before, here.lags, voxels.Row(this->next) });
     }
   }
 
 private:
+  /// What the steps of voxels read, see PolicyStep.
+  struct FieldsHere
+  {
+    const float* protects;
+    const float* bases;
+    const float* lasts;
+    const float* before;
+    const float* lags;
+  };
+
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE FieldsHere FieldsOf(const Voxels& voxels) const
+  {
+    const float* bases = voxels.Row(this->base);
+    return { this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr, bases,
+      this->policy.inertia > 0 ? voxels.Row(this->last) : bases,
+      this->previous ? voxels.Row(this->previous) : bases,
+      this->lagged ? voxels.Row(this->lagged) : nullptr };
+  }
+
   /// Through the layer behind slice `s`, whose voxels are final.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void Carry(Rays& rays, int s) const

@@ -97,20 +97,14 @@ public:
     return this->Means.Data();
   }
 
-  /// What tiles of rays find; made when first needed.
-  VoxelsOfTiles Tiles()
+  /// Tiles of rays, for a sweep from the back; made when first needed.
+  const TileLists& Tiles()
   {
-    const RayTiles tiles{ this->Addresses.columns, this->Addresses.rows };
-    if (this->Found.Empty())
+    if (!this->Tiling)
     {
-      const Index count = Index(this->Addresses.SliceCount()) * (tiles.Across() + tiles.Down());
-      DeviceArray<AnyDevice, Range<int>> found(
-        this->Device, std::size_t(count), "the plan of a sweep");
-      const MadeVoxelsOfTile made{ this->Addresses, tiles, found.Data() };
-      this->Device->ForEach("plan", made.ExtentOfRanges(), made);
-      this->Found = std::move(found); // not before they are there
+      this->Tiling = std::make_unique<TilePlan<AnyDevice>>(this->Device, this->Addresses);
     }
-    return { tiles, this->Found.Data() };
+    return this->Tiling->Lists();
   }
 
   /// Images of the rays on some slices, so many values, for one sweep.
@@ -123,7 +117,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, unsigned char> Tables;
   DeviceArray<AnyDevice, HatOfVoxel> Means;
-  DeviceArray<AnyDevice, Range<int>> Found; ///< see VoxelsOfTiles
+  std::unique_ptr<TilePlan<AnyDevice>> Tiling;
   FaceFrustum Addresses;
 };
 

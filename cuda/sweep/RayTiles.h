@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The rays of a frustum cut into tiles, for a sweep in which rays depend on the voxels behind
-// (SweepTiles.h): the voxels that a tile finds on each slice.
+// (SweepTiles.h): the voxels that a tile finds on each slice, and where it has anything to do.
 
 #ifndef limpid_sweep_RayTiles_h
 #define limpid_sweep_RayTiles_h
 
+#include "backend/DeviceArray.h"
 #include "backend/Extent.h"
 #include "sweep/FaceFrustum.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace limpid
 {
@@ -137,6 +143,189 @@ private:
     const Range<int> found = Intersection(read, owned);
     return found.Empty() ? Range<int>{} : found;
   }
+};
+
+/// Where rays go in a sweep from the back: to slice `lastSlice - phase`, in the last phase nowhere.
+/// Marks the tiles that have anything to do in a phase: rays whose images are not those of two
+/// slices before, or active voxels on the slice behind.
+struct MarkedTile
+{
+  FaceFrustum frustum;
+  VoxelsOfTiles voxels;
+  unsigned char* marks; ///< [phase][tile]
+
+  static int PhasesOf(const FaceFrustum& frustum)
+  {
+    return frustum.SliceCount() - frustum.firstNodeSlice + 1;
+  }
+
+  LIMPID_HD void operator()(int number, int phase) const
+  {
+    const int s = this->frustum.lastSlice - phase;
+    const bool works = this->MovesRays(s, number) || this->FindsVoxels(s + 1, number);
+    this->marks[Index(phase) * this->voxels.tiles.Count() + number] = works ? 1 : 0;
+  }
+
+private:
+  /// A ray changes where it is active in the layers behind the slice and the next one, and its
+  /// image is to be renewed as long as that of two slices before is another.
+  LIMPID_HD LIMPID_INLINE bool MovesRays(int slice, int number) const
+  {
+    if (slice < this->frustum.firstNodeSlice)
+    {
+      return false;
+    }
+    const Range<int> columns = this->voxels.tiles.ColumnsOf(number);
+    const Range<int> rows = this->voxels.tiles.RowsOf(number);
+    for (int s = slice; s <= slice + 2 && s <= this->frustum.lastSlice; ++s)
+    {
+      for (int row = rows.begin; row < rows.end; ++row)
+      {
+        if (!Intersection(this->frustum.ActiveRays(s, row), columns).Empty())
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  LIMPID_HD LIMPID_INLINE bool FindsVoxels(int s, int number) const
+  {
+    if (s > this->frustum.lastSlice)
+    {
+      return false;
+    }
+    const Range<int> columns = this->voxels.AlongU(s, number);
+    const Range<int> rows = this->voxels.AlongV(s, number);
+    for (int v = rows.begin; v < rows.end; ++v)
+    {
+      if (!Intersection(this->frustum.ActiveVoxels(s, v), columns).Empty())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+/// Lists the marked tiles of a phase.
+struct ListedTiles
+{
+  const unsigned char* marks; ///< [phase][tile]
+  int tiles;
+  int* numbers; ///< [phase][]
+  int* counts;  ///< [phase]
+
+  LIMPID_HD void operator()(Index phase) const
+  {
+    const unsigned char* marksHere = this->marks + phase * this->tiles;
+    int* numbersHere = this->numbers + phase * this->tiles;
+    int count = 0;
+    for (int number = 0; number < this->tiles; ++number)
+    {
+      if (marksHere[number] != 0)
+      {
+        numbersHere[count] = number;
+        ++count;
+      }
+    }
+    this->counts[phase] = count;
+  }
+};
+
+/// A phase in which some tiles have anything to do.
+struct alignas(16) PhaseOfTiles
+{
+  int slice;   ///< that the rays go to
+  int count;   ///< of tiles
+  Index first; ///< of their numbers
+};
+
+/// What a sweep reads of a TilePlan.
+struct TileLists
+{
+  VoxelsOfTiles voxels;
+  const int* numbers;
+  const PhaseOfTiles* phases;
+  int phaseCount;
+  int mostTiles; ///< in a phase
+};
+
+/// Which tiles of a frustum a sweep from the back visits, phase by phase, and what they find.
+template <class AnyDevice>
+class TilePlan
+{
+public:
+  TilePlan(const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum)
+    : Device(device)
+  {
+    this->FindVoxels(frustum);
+    this->ListPhases(frustum, this->ListTiles(frustum));
+  }
+
+  const TileLists& Lists() const { return this->Addresses; }
+
+private:
+  static constexpr const char* what = "the plan of a sweep";
+
+  template <class Value>
+  DeviceArray<AnyDevice, Value> Make(Index count) const
+  {
+    return { this->Device, static_cast<std::size_t>(count), what };
+  }
+
+  void FindVoxels(const FaceFrustum& frustum)
+  {
+    const RayTiles tiles{ frustum.columns, frustum.rows };
+    this->Voxels =
+      this->Make<Range<int>>(Index(frustum.SliceCount()) * (tiles.Across() + tiles.Down()));
+    const MadeVoxelsOfTile made{ frustum, tiles, this->Voxels.Data() };
+    this->Device->ForEach("plan", made.ExtentOfRanges(), made);
+    this->Addresses.voxels = { tiles, this->Voxels.Data() };
+  }
+
+  /// Returns how many there are in each phase.
+  std::vector<int> ListTiles(const FaceFrustum& frustum)
+  {
+    const int tiles = this->Addresses.voxels.tiles.Count();
+    const int phases = MarkedTile::PhasesOf(frustum);
+    DeviceArray<AnyDevice, unsigned char> marks = this->Make<unsigned char>(Index(phases) * tiles);
+    DeviceArray<AnyDevice, int> counts = this->Make<int>(phases);
+    this->Numbers = this->Make<int>(Index(phases) * tiles);
+    this->Device->ForEach(
+      "plan", { tiles, phases }, MarkedTile{ frustum, this->Addresses.voxels, marks.Data() });
+    this->Device->ForIndices(
+      "plan", phases, ListedTiles{ marks.Data(), tiles, this->Numbers.Data(), counts.Data() });
+    std::vector<int> found(static_cast<std::size_t>(phases));
+    counts.Download(found.data());
+    this->Addresses.numbers = this->Numbers.Data();
+    return found;
+  }
+
+  /// `counts`: of tiles in each phase.
+  void ListPhases(const FaceFrustum& frustum, const std::vector<int>& counts)
+  {
+    std::vector<PhaseOfTiles> phases;
+    for (std::size_t phase = 0; phase < counts.size(); ++phase)
+    {
+      if (counts[phase] > 0)
+      {
+        phases.push_back({ frustum.lastSlice - static_cast<int>(phase), counts[phase],
+          Index(phase) * this->Addresses.voxels.tiles.Count() });
+      }
+    }
+    this->Phases = { this->Device, phases, what };
+    this->Addresses.phases = this->Phases.Data();
+    this->Addresses.phaseCount = static_cast<int>(phases.size());
+    this->Addresses.mostTiles = *std::max_element(counts.begin(), counts.end());
+  }
+
+  std::shared_ptr<AnyDevice> Device;
+  DeviceArray<AnyDevice, Range<int>> Voxels;
+  DeviceArray<AnyDevice, int> Numbers;
+  DeviceArray<AnyDevice, PhaseOfTiles> Phases;
+  TileLists Addresses{};
 };
 }
 

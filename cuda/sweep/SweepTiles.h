@@ -3,7 +3,9 @@
 
 // How a device sweeps where rays depend on the voxels behind: the rays are cut into tiles, and a
 // tile finds all the voxels of a slice that its rays read. Some of those its neighbours find, too,
-// so that nobody waits for anybody's voxels, and only once per slice for the rays beside them.
+// so that nobody waits for anybody's voxels, and only once per slice for the rays beside them. Most
+// tiles have nothing to do on most slices: their rays meet nothing, and no ray matters to their
+// voxels (RayTiles.h). Voxels that no ray matters to are found before.
 
 #ifndef limpid_sweep_SweepTiles_h
 #define limpid_sweep_SweepTiles_h
@@ -17,34 +19,71 @@ namespace limpid
 {
 namespace detail
 {
+/// A ray before a sweep from the back. It leaves an image on the last two slices, as it may be
+/// active on neither.
+template <class Kernel>
+struct StartedRay
+{
+  RayStates states;
+  SlabImages images;
+  int lastSlice;
+
+  LIMPID_HD void operator()(Index ray) const
+  {
+    const RayStates here = this->states.From(ray);
+    StartBehind{ here }(0);
+    this->images.template Take<Kernel>(this->lastSlice, ray, here);
+    this->images.template Take<Kernel>(this->lastSlice - 1, ray, here);
+  }
+};
+
+/// The voxels that no ray matters to, row by row: some threads share the filled ones of a row.
+template <class Kernel>
+struct IdleVoxels
+{
+  static constexpr int threads = 32;
+
+  FaceFrustum frustum;
+  Kernel kernel;
+
+  Extent ExtentOfRows() const
+  {
+    return { threads, this->frustum.SliceCount() * this->frustum.nodesV };
+  }
+
+  LIMPID_HD void operator()(int thread, int row) const
+  {
+    const int s = row / this->frustum.nodesV;
+    const int v = row % this->frustum.nodesV;
+    const Range<int> filled = this->frustum.FilledVoxels(s, v);
+    for (int u = filled.begin + thread; u < filled.end; u += threads)
+    {
+      this->kernel.IdleVoxelStep(VoxelSampler(this->frustum, s, u, v));
+    }
+  }
+};
+
 /// Back to front. In each phase a tile first visits voxels of a slice, of which rays have left an
 /// image; then its rays go on through them to the slice in front and leave theirs.
 template <class Kernel>
 struct BackwardTiles
 {
   static constexpr int tileThreads = RayTiles::size.columns * RayTiles::size.rows;
-  static constexpr int slicesPerSlab = 1;
 
   FaceFrustum frustum;
   RayStates states;
   Kernel kernel;
   SlabImages images;
-  VoxelsOfTiles voxels;
+  TileLists lists;
 
-  template <class AnyDevice>
-  BackwardTiles(FrustumRays<AnyDevice>& rays, float* room, const Kernel& what)
-    : frustum(rays.Plan())
-    , states(rays.States())
-    , kernel(what)
-    , images(rays, slicesPerSlab, room)
-    , voxels(rays.Tiles())
+  int PhaseCount() const { return this->lists.phaseCount; }
+  int MostTiles() const { return this->lists.mostTiles; }
+
+  /// What there is to do in a phase.
+  LIMPID_HD LIMPID_INLINE PhaseOfTiles TilesOf(int phase) const
   {
+    return this->lists.phases[phase];
   }
-
-  /// The last one takes the rays out of the volume.
-  int PhaseCount() const { return this->frustum.SliceCount() - this->frustum.firstNodeSlice + 1; }
-
-  LIMPID_HD LIMPID_INLINE int TileCount() const { return this->voxels.tiles.Count(); }
 
   /// What a tile does in a phase, in two steps. It does not know the sweep: through a reference in
   /// a variable a compiler for GPUs does not see that the memory is not a thread's own.
@@ -65,17 +104,23 @@ struct BackwardTiles
     }
   };
 
-  LIMPID_HD LIMPID_INLINE Tile TileAt(int phase, int number) const
+  /// One of the tiles of a phase.
+  LIMPID_HD LIMPID_INLINE Tile TileAt(const PhaseOfTiles& phase, int index) const
   {
-    const int s = this->frustum.lastSlice - phase;
-    const Range<int> columns = this->voxels.tiles.ColumnsOf(number);
-    const Range<int> rows = this->voxels.tiles.RowsOf(number);
-    if (s == this->frustum.lastSlice)
+    const VoxelsOfTiles& voxels = this->lists.voxels;
+    const int number = this->lists.numbers[phase.first + index];
+    const int s = phase.slice;
+    Tile found{ s, {}, voxels.tiles.RowsOf(number), {}, {} };
+    if (s >= this->frustum.firstNodeSlice) // else there are voxels alone
     {
-      return { s, columns, rows, {}, {} }; // there are no voxels behind
+      found.columns = voxels.tiles.ColumnsOf(number);
     }
-    return { s, columns, rows, this->voxels.AlongU(s + 1, number),
-      this->voxels.AlongV(s + 1, number) };
+    if (s < this->frustum.lastSlice) // else there are no voxels behind
+    {
+      found.voxelsOfU = voxels.AlongU(s + 1, number);
+      found.voxelsOfV = voxels.AlongV(s + 1, number);
+    }
+    return found;
   }
 
   LIMPID_HD LIMPID_INLINE void Visit(const Tile& tile, int step, int column, int row) const
@@ -94,24 +139,31 @@ private:
   LIMPID_HD LIMPID_INLINE void VisitVoxel(int s, int u, int v) const
   {
     VoxelSampler voxel(this->frustum, s, u, v);
-    this->kernel.VoxelStep(voxel, this->images.At(s));
+    this->kernel.ActiveVoxelStep(voxel, this->images.At(s));
   }
 
   LIMPID_HD LIMPID_INLINE void MoveRay(int s, int column, int row) const
   {
     const Index index = this->frustum.RayAt(column, row);
     const RayStates here = this->states.From(index);
-    if (s == this->frustum.lastSlice)
-    {
-      StartBehind{ here }(0);
-    }
     RaySampler ray(this->frustum, here, column, row);
-    if (s >= this->frustum.firstNodeSlice)
-    {
-      this->kernel.RayStep(ray, s);
-      this->images.template Take<Kernel>(s, index, here);
-      return;
-    }
+    this->kernel.RayStep(ray, s);
+    this->images.template Take<Kernel>(s, index, here);
+  }
+};
+
+/// A ray that leaves the volume.
+template <class Kernel>
+struct LeavingRay
+{
+  FaceFrustum frustum;
+  RayStates states;
+  Kernel kernel;
+
+  LIMPID_HD void operator()(int column, int row) const
+  {
+    const RayStates here = this->states.From(this->frustum.RayAt(column, row));
+    RaySampler ray(this->frustum, here, column, row);
     this->kernel.LeaveStep(ray);
     FinishBehind{ here }(0);
   }
@@ -123,10 +175,19 @@ private:
 template <class AnyDevice, class Kernel>
 void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
-  using Tiles = detail::BackwardTiles<Kernel>;
-  DeviceArray<AnyDevice, float> images = detail::SlabImages::RoomFor(rays, Tiles::slicesPerSlab);
-  const Tiles tiles(rays, images.Data(), kernel);
-  device.ForTiles(Kernel::label, tiles.PhaseCount(), tiles);
+  constexpr int slicesPerSlab = 1;
+  const FaceFrustum& frustum = rays.Plan();
+  const RayStates states = rays.States();
+  DeviceArray<AnyDevice, float> room = detail::SlabImages::RoomFor(rays, slicesPerSlab);
+  const detail::SlabImages images(rays, slicesPerSlab, room.Data());
+  device.ForIndices(Kernel::label, frustum.RayCount(),
+    detail::StartedRay<Kernel>{ states, images, frustum.lastSlice });
+  const detail::IdleVoxels<Kernel> idle{ frustum, kernel };
+  device.ForEach(Kernel::label, idle.ExtentOfRows(), idle);
+  device.ForTiles(
+    Kernel::label, detail::BackwardTiles<Kernel>{ frustum, states, kernel, images, rays.Tiles() });
+  device.ForEach(Kernel::label, Extent{ frustum.columns, frustum.rows },
+    detail::LeavingRay<Kernel>{ frustum, states, kernel });
 }
 }
 
