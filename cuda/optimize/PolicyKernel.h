@@ -117,6 +117,35 @@ struct PolicyKernel
     return carried;
   }
 
+  /// Copies what a ray carries; rear importance has to be there from the start.
+  LIMPID_HD LIMPID_INLINE void CopyCarried(const RayStates& from, const RayStates& to) const
+  {
+    if (this->transmittance == Transmittance::OfLastIterate)
+    {
+      *to.opticalDepth = *from.opticalDepth;
+    }
+    *to.collected = *from.collected;
+    *to.behind = *from.behind;
+    *to.visible = *from.visible;
+    *to.unattenuated = *from.unattenuated;
+    *to.transmittance = *from.transmittance;
+    *to.density = *from.density;
+    *to.ahead = *from.ahead;
+    *to.rearImportance = *from.rearImportance;
+    if (this->kept == Kept::Counted)
+    {
+      *to.keptBehind = *from.keptBehind;
+      *to.keptVisible = *from.keptVisible;
+      *to.keptUnattenuated = *from.keptUnattenuated;
+    }
+    if (this->alternative)
+    {
+      *to.alternativeBehind = *from.alternativeBehind;
+      *to.cost = *from.cost;
+      *to.reach = *from.reach;
+    }
+  }
+
   /// To slice `s`, whose voxels are to be found next. The voxels behind are final.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const

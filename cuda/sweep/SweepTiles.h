@@ -11,6 +11,7 @@
 #define limpid_sweep_SweepTiles_h
 
 #include "backend/Extent.h"
+#include "sweep/RayHere.h"
 #include "sweep/RaySampler.h"
 #include "sweep/RayTiles.h"
 #include "sweep/SlabImages.h"
@@ -32,6 +33,7 @@ struct StartedRay
   {
     const RayStates here = this->states.From(ray);
     StartBehind{ here }(0);
+    *here.rearImportance = 0;
     this->images.template Take<Kernel>(this->lastSlice, ray, here);
     this->images.template Take<Kernel>(this->lastSlice - 1, ray, here);
   }
@@ -142,13 +144,24 @@ private:
     this->kernel.ActiveVoxelStep(voxel, this->images.At(s));
   }
 
+  /// What a ray carries is in registers meanwhile, so that reading fields need not wait for it to
+  /// be written.
   LIMPID_HD LIMPID_INLINE void MoveRay(int s, int column, int row) const
   {
     const Index index = this->frustum.RayAt(column, row);
-    const RayStates here = this->states.From(index);
-    RaySampler ray(this->frustum, here, column, row);
-    this->kernel.RayStep(ray, s);
-    this->images.template Take<Kernel>(s, index, here);
+    const RayStates kept = this->states.From(index);
+    RayHere here;
+    const RayStates carried = here.States();
+    this->kernel.CopyCarried(kept, carried);
+    const bool changes = this->frustum.ActiveRays(s, row).Contains(column) ||
+      (s < this->frustum.lastSlice && this->frustum.ActiveRays(s + 1, row).Contains(column));
+    if (changes)
+    {
+      RaySampler ray(this->frustum, carried, column, row);
+      this->kernel.RayStep(ray, s);
+      this->kernel.CopyCarried(carried, kept);
+    }
+    this->images.template Take<Kernel>(s, index, carried);
   }
 };
 
