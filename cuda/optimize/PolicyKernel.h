@@ -196,6 +196,14 @@ struct PolicyKernel
     this->ActiveVoxelStep(voxels, rays);
   }
 
+  /// Brings what will be read of the slices in front.
+  template <class Voxels>
+  LIMPID_HD LIMPID_INLINE void PrefetchInFront(const Voxels& voxels) const
+  {
+    voxels.PrefetchInFront({ this->base, this->importance, this->nodeImportance, this->last,
+      this->previous, this->lagged, this->alternative });
+  }
+
   /// Of VoxelStep, the voxels that no ray matters to.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void IdleVoxelStep(const Voxels& voxels) const

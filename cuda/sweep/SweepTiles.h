@@ -142,6 +142,7 @@ private:
   {
     VoxelSampler voxel(this->frustum, s, u, v);
     this->kernel.ActiveVoxelStep(voxel, this->images.At(s));
+    this->kernel.PrefetchInFront(voxel);
   }
 
   /// What a ray carries is in registers meanwhile, so that reading fields need not wait for it to

@@ -7,6 +7,7 @@
 #ifndef limpid_sweep_VoxelSampler_h
 #define limpid_sweep_VoxelSampler_h
 
+#include "backend/Prefetch.h"
 #include "sweep/Cubic.h"
 #include "sweep/FaceFrustum.h"
 #include "sweep/HatMean.h"
@@ -59,6 +60,25 @@ public:
 
   /// Only rows can be brought ahead of time.
   LIMPID_HD LIMPID_INLINE void Prefetch(const float*) const {}
+
+  /// On a device: brings what fields have two slices in front, which is read in the next phase.
+  template <int count>
+  LIMPID_HD LIMPID_INLINE void PrefetchInFront(const Field (&fields)[count]) const
+  {
+    constexpr int slices = 2;
+    if (this->S - slices < this->Frustum.firstNodeSlice)
+    {
+      return;
+    }
+    const Index way = this->Frustum.strideW * (this->Here.nodes[0] - this->Here.nodes[1]) * slices;
+    for (const Field field : fields)
+    {
+      if (field)
+      {
+        PrefetchOnDevice(this->Row(field) + way);
+      }
+    }
+  }
 
   LIMPID_HD LIMPID_INLINE bool FindSeen(const SliceImages& rays)
   {
