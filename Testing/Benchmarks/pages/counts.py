@@ -55,9 +55,10 @@ weighed. *Inside*: what nearly all take, rays that cross the layer from front to
 from the sides of the box. Else **all paths together**, of which none takes all: rays that enter or
 leave in the layer and rays that cross it, voxels near the sides and voxels inside. *Threads*: how
 many a multiprocessor holds with so many registers; *stack*: bytes of memory of a thread's own, into
-which the compiler moves what finds no register.
+which the compiler moves what finds no register; *spilled*: instructions that do so, or fetch it back;
+*generic*: loads and stores of memory that the compiler does not know the kind of.
 """ + table(measured["kernels"], [
         ("kernel", lambda k: k["kernel"]), ("instructions", lambda k: k["instructions"]),
         *((kind, lambda k, kind=kind: k[kind])
-          for kind in ("loads", "stores", "generic", "spilled", "branches", "of double precision", "registers",
-                       "threads", "stack"))])
+          for kind in ("loads", "stores", "generic", "spilled", "branches", "of double precision",
+                       "registers", "threads", "stack"))])
