@@ -10,6 +10,8 @@
 #include "Tolerance.h"
 
 #include "energy/VisibilityTerm.h"
+#include "optimize/PreparedScene.h"
+#include "optimize/Terms.h"
 
 #include <gtest/gtest.h>
 
@@ -214,6 +216,56 @@ TEST(ThickMedia, AreSolvedAsWellAsByDescent)
         // %.
         EXPECT_LE(found, other + 6e-3 * std::abs(other));
         EXPECT_LE(found, policy.History().front().energy.Total());
+      }
+    }
+  }
+}
+
+TEST(ThickMedia, AreSolvedSoThatNoSmallChangeGains)
+{
+  constexpr int nodes = 12;
+  RandomNumbers random(7);
+  for (const double depth : { 0.3, 3.0, 14.0, 40.0 }) // from node to node
+  {
+    for (const double protect : { 0.0, 1.0 })
+    {
+      BoxScene scene = SceneAlong(nodes, Vec3(1, 0.7, 2));
+      FillNoise(scene, depth, 11);
+      scene.settings.protectImportance = protect;
+      scene.settings.emphasis = 0;
+      Solver solver = scene.MakeSolver();
+      solver.Run();
+      const std::vector<float> found = solver.Extinction();
+
+      PreparedScene prepared(scene.Fields());
+      const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+      Terms<HostDevice> terms(HostDevice::Shared(), problem);
+      terms.MeasureBase();
+      const double energy = terms.Measure(found.data()).energy.Total();
+      for (int change = 0; change < 50; ++change)
+      {
+        std::vector<float> other = found;
+        const int side = change % 2 == 0 ? 1 : random.IntegerBetween(2, 4);
+        const Int3 corner(random.IntegerBetween(0, nodes - side),
+          random.IntegerBetween(0, nodes - side), random.IntegerBetween(0, nodes - side));
+        const double share =
+          random.Chance(0.5) ? random.Between(0, 1) : random.IntegerBetween(0, 1);
+        for (int z = corner.z; z < corner.z + side; ++z)
+        {
+          for (int y = corner.y; y < corner.y + side; ++y)
+          {
+            for (int x = corner.x; x < corner.x + side; ++x)
+            {
+              const auto node = std::size_t((z * nodes + y) * nodes + x);
+              const double least = protect * double(scene.importance[node]);
+              other[node] =
+                static_cast<float>(scene.extinction[node] * (least + share * (1 - least)));
+            }
+          }
+        }
+        // 0.3 % is the most that was seen, of 24000 changes of noise and waves.
+        EXPECT_LE(energy - terms.Measure(other.data()).energy.Total(), 5e-3 * std::abs(energy))
+          << depth << ' ' << protect << ' ' << change;
       }
     }
   }

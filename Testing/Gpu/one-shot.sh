@@ -122,25 +122,11 @@ PYTHON
 figures onion-256 40 --scenes onion --sizes 256
 
 # --- 4: is it right -----------------------------------------------------------------------------------
-shards=4
-for ((n = 0; n < shards; ++n)); do
-  GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$n timeout --kill-after=5 70 "$bin/test_gpu" --gtest_filter=-*GivesItsMemoryBack > "$work/shard$n" 2>&1 &
-  pids[n]=$!
-done
-for ((n = 0; n < shards; ++n)); do
-  wait "${pids[n]}"; status=$?
-  { printf '\n===== test_gpu, part %s, status %s\n' "$n" "$status"; cat "$work/shard$n"; } >> "$out/tests.log"
-  note "test_gpu $n" "status $status, $(grep -c '^\[       OK' "$work/shard$n") right, $(grep -c '^\[  FAILED  \] .* ms)$' "$work/shard$n") wrong, last: $(grep -a '^\[ RUN ' "$work/shard$n" | tail -1 | cut -c14-)" 0
-  ((status == 0)) || failed=1
-done
-step memory 20 tests.log "$bin/test_gpu" --gtest_filter=*GivesItsMemoryBack # it looks at the memory of all processes
-grep -ahE -B8 '^\[  FAILED  \] .* ms\)$' "$work"/shard* | head -60
+step tests 90 tests.log "$bin/test_gpu"; tested="$last" # alone: some tests take all memory that there is
 # Those that were wrong, and those that ended their process, alone: one failure can spoil what follows.
 {
-  grep -ahoP '^\[  FAILED  \] \K[^ ,]+(?=.* ms\)$)' "$work"/shard*
-  for ((n = 0; n < shards; ++n)); do
-    grep -q '^\[==========\].*ran' "$work/shard$n" || grep -a '^\[ RUN ' "$work/shard$n" | tail -1 | cut -c14-
-  done
+  grep -ahoP '^\[  FAILED  \] \K[^ ,]+(?=.* ms\)$)' "$tested"
+  grep -q '^\[==========\].*ran' "$tested" || grep -a '^\[ RUN ' "$tested" | tail -1 | cut -c14-
 } | tr -d ',' | sort -u | head -6 > "$work/suspects"
 while read -r name; do
   step "alone: $name" 20 tests.log "$bin/test_gpu" "--gtest_filter=$name"
