@@ -246,6 +246,23 @@ TEST(Coherence, StaysNearTwoExtinctionsInSeparateMode)
   EXPECT_LT(MeanDistance(solver.LightExtinction(), light), most);
 }
 
+TEST(Coherence, StaysNearWhatIsThickerThanTheDataInThickMedia)
+{
+  BoxScene scene = BoxScene::Onion();
+  for (float& value : scene.extinction)
+  {
+    value *= 4;
+  }
+  scene.settings.temporalCoherence = 1e6;
+  const std::vector<float> before = AnyExtinction(scene);
+  Solver solver(
+    scene.Fields(), scene.camera, scene.light, scene.settings, ChangeFrom(scene, before));
+  solver.Run();
+
+  const double most = 10 / CoherenceWeightOf(scene) + 1e-5 * MajorantOf(scene);
+  EXPECT_LT(MeanDistance(solver.Extinction(), before), most);
+}
+
 TEST(Coherence, RejectsWhatItCannotWorkWith)
 {
   BoxScene scene = BoxScene::Onion(9);

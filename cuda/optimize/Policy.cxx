@@ -205,8 +205,12 @@ private:
   }
 
   /// Whether matter may become thicker in policy sweeps, too. Not in thick media, where that hides
-  /// more than a sweep finds: what the sweeps have cleared is made thicker by resilient steps.
-  bool SweepsEmphasise() const { return this->Warm || !this->Given->IsThick(); }
+  /// more than a sweep finds: what the sweeps have cleared is made thicker by resilient steps. But
+  /// what is started from, or to stay near, may be thicker already.
+  bool SweepsEmphasise() const
+  {
+    return this->Warm || !this->Given->IsThick() || this->Given->previous != nullptr;
+  }
 
   /// Whether policy sweeps have found what they can, so that resilient steps follow.
   bool Refines() const

@@ -84,7 +84,7 @@ double Problem::NodeDistance() const
 
 bool Problem::IsThick() const
 {
-  constexpr double thin = 0.5; // optical depth from node to node
+  constexpr double thin = 0.6; // optical depth from node to node
   return this->majorant * this->NodeDistance() > thin;
 }
 
