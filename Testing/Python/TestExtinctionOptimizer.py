@@ -789,7 +789,8 @@ class TestRuns(OptimizerTest):
         result.Modified()
         result.Update()
 
-        self.assertLessEqual(number(result.GetOutput(), "Energy"), first + abs(first) * 1e-9)
+        # To the rounding of floats: a resilient step sums what is seen in another sweep than a start.
+        self.assertLessEqual(number(result.GetOutput(), "Energy"), first + abs(first) * 1e-7)
 
     def test_a_warm_start_survives_a_change_of_size(self):
         result = optimizer(phantom(12), WarmStart=1)
