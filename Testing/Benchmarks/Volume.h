@@ -14,7 +14,8 @@ namespace limpid::benchmark
 {
 /// [-1, 1]^3 with an important core inside a shell that hides it, seen obliquely from outside and
 /// lit from above. `filling`: "onion" leaves the corners of the box empty, "dense" has a haze that
-/// leaves nothing empty, "waves" is important everywhere and opaque. Throws limpid::Error on other names.
+/// leaves nothing empty, "waves" is important everywhere and opaque. Throws limpid::Error on other
+/// names.
 SceneForSolver MakeVolume(const std::string& filling, int nodes);
 
 /// The orbit of the viewpoint filter's defaults.
