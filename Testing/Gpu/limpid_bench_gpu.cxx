@@ -4,10 +4,10 @@
 // How long the steps of the optimisation take on a GPU, at the sizes of Table 1 of [HG24].
 //
 //   limpid_bench_gpu [--sizes 256,304,472] [--scenes onion,dense,waves] [--quick] [--along-x]
-//     [--files A.scene.json,B.scene.json] [--density 1] [--output FILE.json]
+//     [--files A.scene.json,B.scene.json] [--output FILE.json]
 //
-// With --files those scenes (pack-scenes.py) instead of formulas. --density multiplies extinction;
-// --along-x looks along that axis.
+// With --files those scenes (pack-scenes.py) instead of formulas. --along-x looks along
+// that axis.
 // Writes FILE.json after every scene, or the numbers to standard output.
 
 #include "Measure.h"
@@ -24,7 +24,7 @@ int main(int argc, char* argv[])
   using namespace limpid::benchmark;
   return RunProgram(argc, argv,
     { { "sizes", "256,304,472" }, { "scenes", "onion,dense,waves" }, { "along-x", "no" },
-      { "files", "" }, { "density", "1" } },
+      { "files", "" } },
     [](const Options& options, Json& results, const std::function<void()>& save)
     {
       LIMPID_REQUIRE(FindCuda().usable,
@@ -35,33 +35,28 @@ int main(int argc, char* argv[])
       results["scenes"] = Json::array();
       const auto measure = [&](SceneForSolver scene)
       {
-        const auto density = static_cast<float>(options.Number("density"));
-        for (float& value : scene.extinction)
-        {
-          value *= density;
-        }
         if (options.Flag("along-x"))
         {
           scene.camera.position = scene.grid.Centre() + scene.grid.Radius() * Vec3(3, 0.3, 0.2);
           scene.name += " along x";
         }
         std::cerr << scene.name << ' ' << scene.grid.nodes.x << std::endl;
-        Json& place = results["scenes"].emplace_back();
-        MeasureScene(scene, effort, place, save);
+        MeasureScene(scene, effort, results["scenes"].emplace_back(), save);
       };
       const std::vector<std::string> files = options.List("files");
       for (const std::string& file : files)
       {
         measure(SceneOfFile(file));
       }
+      if (!files.empty())
+      {
+        return;
+      }
       for (const std::string& filling : options.List("scenes"))
       {
         for (const std::string& size : options.List("sizes"))
         {
-          if (files.empty())
-          {
-            measure(MakeVolume(filling, std::stoi(size)));
-          }
+          measure(MakeVolume(filling, std::stoi(size)));
         }
       }
     });

@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Everything that one call on a machine with a GPU can tell, most valuable first:
-#   bash Testing/Gpu/one-shot.sh OUT [SECONDS] [figures|checks|all]
-# figures: the machine, whether it works, tests, times, profiles; checks: core tests and sanitizers.
+#   bash Testing/Gpu/one-shot.sh OUT [SECONDS]
 # Programs, libraries and scenes are made before, elsewhere, by pack.sh, which fills build-gpu-carry/; what
 # of them does not run there is built there. Every step has its own limit, writes its result at once, and
 # stops nothing after it, but nothing follows where not even the smallest scene works. OUT gets 8 files at
@@ -14,7 +13,6 @@ set -uo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 out="${1:?where to}"
 total="${2:-520}" # seconds of all
-part="${3:-all}"
 work="$(mktemp -d)"
 build="$root/build-gpu"
 carried="$root/build-gpu-carry"
@@ -26,7 +24,7 @@ mkdir -p "$out" "$build" "$dependencies"
 [[ -f $carried/carry.tar.xz ]] && tar -xJf "$carried/carry.tar.xz" -C "$work" && mkdir -p "$bin" && cp -f "$work"/bin/* "$bin"
 export LD_LIBRARY_PATH="$dependencies/usr/lib/x86_64-linux-gnu${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 PATH="$PATH:/usr/local/cuda/bin"
-[[ $part == checks ]] || printf '# One shot\n\n| step | result | s | at |\n| --- | --- | ---: | ---: |\n' > "$summary"
+printf '# One shot\n\n| step | result | s | at |\n| --- | --- | ---: | ---: |\n' > "$summary"
 
 note() { echo "| $1 | $2 | $3 | $SECONDS |" >> "$summary"; echo "[$SECONDS s] $1: $2 ($3 s)"; }
 
@@ -82,7 +80,6 @@ if ! step smoke 25 benchmark.log "$bench" --quick --sizes 64 --scenes onion --ou
   exit 1
 fi
 grep -ao '"missing": .*' "$work/smoke.json" 2> /dev/null | sort | uniq -c | head -5
-if [[ $part != checks ]]; then
 if [[ -f $root/Testing/Gpu/Latencies.cu ]]; then
   step latencies_built 30 build.log nvcc -std=c++20 -O3 -arch=sm_90 -o "$work/run_latencies" "$root/Testing/Gpu/Latencies.cu"
   step latencies 20 benchmark.log "$work/run_latencies" && cat "$last"
@@ -159,8 +156,7 @@ figures dense-256 30 --scenes dense --sizes 256
 figures dense-472 45 --scenes dense --sizes 472
 figures onion-304 30 --scenes onion --sizes 304
 [[ -f $out/Gpu.json ]] && step page 15 benchmark.log python3 -B "$root/Testing/Benchmarks/pages/make.py" --pages gpu --no-plots "$out"
-fi
-if [[ $part != figures ]]; then
+
 # --- 7: the core's tests, the sanitizers ------------------------------------------------------------------
 if ((background)); then
   while kill -0 "$background" 2> /dev/null && ((total - SECONDS > 60)); do sleep 1; done
@@ -184,7 +180,6 @@ checked+=':*PolicyOfDevice*/Outside:*PolicyOfDevice*/Inside:*PolicyOfDevice*/Alo
 step memcheck 50 sanitizers.log compute-sanitizer --tool memcheck --error-exitcode 9 --print-limit 10 --track-stream-ordered-races all "$bin/test_gpu" "--gtest_filter=$checked"
 step initcheck 35 sanitizers.log compute-sanitizer --tool initcheck --error-exitcode 9 --print-limit 10 "$bin/test_gpu" "--gtest_filter=$checked"
 step synccheck 30 sanitizers.log compute-sanitizer --tool synccheck --error-exitcode 9 --print-limit 10 "$bin/test_gpu" "--gtest_filter=$checked"
-fi
 
 # --- what came out ---------------------------------------------------------------------------------------
 cat "$work/machine" >> "$summary"
