@@ -61,8 +61,7 @@ struct LoadedScene : SceneOfFile
     const std::vector<double>& scalars = this->file.scalars;
     const auto [low, high] = std::minmax_element(scalars.begin(), scalars.end());
     const double top = this->Top();
-    const double distance =
-      cells * std::cbrt(this->grid.spacing.x * this->grid.spacing.y * this->grid.spacing.z);
+    const double distance = cells * std::cbrt(this->grid.CellVolume());
     for (std::size_t node = 0; node < scalars.size(); ++node)
     {
       const double opacity =

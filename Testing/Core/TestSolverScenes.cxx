@@ -127,6 +127,15 @@ INSTANTIATE_TEST_SUITE_P(Long, RealScene,
 
 class PolicyAgainstAdam : public RealScene
 {
+protected:
+  /// To its end.
+  static Solver RunOf(LoadedScene& scene, SolverKind kind)
+  {
+    scene.settings.solver = kind;
+    Solver solver = scene.MakeSolver();
+    solver.Run();
+    return solver;
+  }
 };
 
 TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThirdOfAPercentAtEveryWeight)
@@ -136,12 +145,8 @@ TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThirdOfAPercentAtEveryWeight)
   {
     scene.settings.weights.view = weight;
     scene.settings.weights.light = 0.1 * weight;
-    scene.settings.solver = SolverKind::Policy;
-    Solver policy = scene.MakeSolver();
-    policy.Run();
-    scene.settings.solver = SolverKind::Adam;
-    Solver adam = scene.MakeSolver();
-    adam.Run();
+    const Solver policy = RunOf(scene, SolverKind::Policy);
+    const Solver adam = RunOf(scene, SolverKind::Adam);
 
     const double least = adam.BestEnergy().Total();
     std::cout << GetParam().name << " at " << weight << ": policy " << policy.BestEnergy().Total()
@@ -164,24 +169,14 @@ TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThousandthInOpaqueData)
     {
       scene.Classify(ramp, cells);
       scene.settings.emphasis = 1;
-      scene.settings.solver = SolverKind::Policy;
-      Solver policy = scene.MakeSolver();
-      policy.Run();
-      scene.settings.solver = SolverKind::Adam;
-      Solver adam = scene.MakeSolver();
-      adam.Run();
-      scene.settings.solver = SolverKind::Policy;
+      const double found = RunOf(scene, SolverKind::Policy).BestEnergy().Total();
+      const double other = RunOf(scene, SolverKind::Adam).BestEnergy().Total();
       scene.settings.emphasis = 0;
-      Solver thinner = scene.MakeSolver();
-      thinner.Run();
-
-      const double found = policy.BestEnergy().Total();
-      const double other = adam.BestEnergy().Total();
-      const double without = thinner.BestEnergy().Total();
+      const double without = RunOf(scene, SolverKind::Policy).BestEnergy().Total();
       std::cout << GetParam().name << (ramp ? " ramp" : " opaque") << " over " << cells
                 << ": policy " << found << ", Adam " << other << ", without emphasis " << without
                 << '\n';
-      // Of a ramp over a third of a cell, mu h is up to 41, and steps still gain at the end:
+      // With a ramp over a third of a cell, mu h is up to 41, and steps still gain at the end:
       // skull_phantom ends 1.7 % above Adam, visible_male with protection 1.1 % above what it is
       // without emphasis.
       const double share = ramp && cells < 1 ? 0.03 : 0.001;

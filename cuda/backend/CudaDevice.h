@@ -38,7 +38,7 @@ constexpr int blockThreads = blockColumns * blockRows;
 /// memory takes, so few that each has 80 registers.
 constexpr int residentThreads = 768;
 
-/// The same of a launch of tiles, of whose longer work a thread has 128 registers.
+/// Fewer in a launch of tiles, whose longer work gets 128 registers a thread.
 constexpr int residentTileThreads = 512;
 
 template <class Body>

@@ -236,9 +236,9 @@ private:
   /// a sweep can remove too much of it at once. In a small volume that takes next to no time.
   bool DescendsFromBase() const
   {
-    constexpr double opaque = 4; // optical depth from node to node
-    const bool removes = this->Given->settings.protectImportance < 1 &&
-      this->Given->majorant * this->Given->NodeDistance() > opaque;
+    constexpr double opaque = 4;
+    const bool removes =
+      this->Given->settings.protectImportance < 1 && this->Given->MostNodeDepth() > opaque;
     return this->Given->IsThick() && !this->Warm && (this->Given->IsSmall() || removes);
   }
 

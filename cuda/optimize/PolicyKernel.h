@@ -204,7 +204,7 @@ struct PolicyKernel
       this->previous, this->lagged, this->alternative });
   }
 
-  /// Of VoxelStep, the voxels that no ray matters to.
+  /// A VoxelStep of the voxels that no ray matters to.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void IdleVoxelStep(const Voxels& voxels) const
   {
@@ -213,7 +213,7 @@ struct PolicyKernel
       here.lags, voxels.Row(this->next) });
   }
 
-  /// Of VoxelStep, the other voxels.
+  /// A VoxelStep of the others.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void ActiveVoxelStep(
     Voxels& voxels, const typename Voxels::Rays& rays) const

@@ -82,10 +82,15 @@ double Problem::NodeDistance() const
   return std::cbrt(this->grid.CellVolume());
 }
 
+double Problem::MostNodeDepth() const
+{
+  return double(this->majorant) * this->NodeDistance();
+}
+
 bool Problem::IsThick() const
 {
-  constexpr double thin = 0.6; // optical depth from node to node
-  return this->majorant * this->NodeDistance() > thin;
+  constexpr double thin = 0.6;
+  return this->MostNodeDepth() > thin;
 }
 
 double Problem::SmoothingStrength() const

@@ -99,6 +99,9 @@ struct Problem
   /// Edge of a cube of the same volume as a cell [length].
   double NodeDistance() const;
 
+  /// Optical depth of the majorant over that distance, from node to node.
+  double MostNodeDepth() const;
+
   /// sigma of SmoothedChange in world units [length]: with smoothness 1, neighbours move a voxel
   /// through its whole range as all visibility does.
   double SmoothingStrength() const;

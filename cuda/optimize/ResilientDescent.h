@@ -86,8 +86,8 @@ private:
   static constexpr double mostDepth = 2;        ///< as much as nearly ends what is behind
   static constexpr double roundingOfSum = 1e-6; ///< of a derivative [weights]
 
-  /// Of a step: no more than a change, and no more than an optical depth from node to node
-  /// [1/length].
+  /// A length of steps: no more than a change, and no more than an optical depth from node to
+  /// node [1/length].
   float LengthOf(double change, double depth) const
   {
     return static_cast<float>(

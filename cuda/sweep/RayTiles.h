@@ -21,7 +21,7 @@ namespace limpid
 /// Tiles are counted row by row.
 struct RayTiles
 {
-  /// Of rays: a block of threads.
+  /// A block of threads, one for each ray.
   static constexpr Extent size{ 32, 8 };
 
   int columns = 0; ///< of all rays
