@@ -34,8 +34,7 @@ Ceiling CeilingOf(
 {
   PreparedScene prepared(scene.Fields());
   const Problem optimized = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
-  const Problem problem = prepared.ProblemFor(
-    scene.camera, scene.light, ForScores(scene.settings, scene.grid.NodeCount()));
+  const Problem problem = prepared.ProblemForScores(scene.camera, scene.light, scene.settings);
   const NodeValues least = optimized.LeastExtinction();
   const MostExtinction<float> most{ static_cast<float>(emphasis), prepared.Majorant() };
   const auto sweeps =
@@ -186,8 +185,8 @@ TEST(Ceiling, IsTheBestOfAllChoicesOfARay)
     std::vector<double> importance;
     for (int k = 0; k <= layers; ++k)
     {
-      // Thin enough for two halves a layer (ResolveImportant).
-      extinction.push_back(random.Chance(0.2) ? 0 : random.PowerOfTen(-2, -0.4));
+      // Thin enough for two halves a layer (Problem::MayHaveThickLayers).
+      extinction.push_back(random.Chance(0.2) ? 0 : random.PowerOfTen(-2, -0.6));
       importance.push_back(random.Chance(0.3) ? 0 : random.Between(0, 1));
     }
     BoxScene scene = Column(extinction, importance);

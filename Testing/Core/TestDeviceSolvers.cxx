@@ -39,7 +39,8 @@ TEST(AdamOfDevice, IsThatOfTheProcessor)
   BoxScene scene = Onion();
   scene.settings.solver = SolverKind::Adam;
   scene.settings.iterationsPerLevel = { { 2, 3, 4 } };
-  scene.settings.rayDensity = 4; // as scores of small volumes have
+  scene.FillOnion(4);            // no layer is thick,
+  scene.settings.rayDensity = 4; // so that iterations see what scores do
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
   const std::shared_ptr<SolverBackend> backend = MakeSolverBackend(MakeTestedDevice());

@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(Solvers, SeveralViews,
 TEST_P(SeveralViews, TellTheMeanScoreThatTheReferenceSees)
 {
   BoxScene scene = this->Scene();
-  scene.settings.rayDensity = 4; // as scores of small volumes have
+  scene.FillOnion(4);            // no layer is thick,
+  scene.settings.rayDensity = 4; // so that iterations see what scores do
   const std::vector<Camera> cameras = OrbitOf(scene, 3);
 
   const Solver solver = RunFor(scene, cameras);

@@ -229,8 +229,9 @@ TEST(SolverModes, BestIsTheBestOfTheHistory)
 
 TEST(SolverModes, EnergyIsMadeOfScoresAndTheDistanceFromTheBase)
 {
-  BoxScene scene = BoxScene::Onion(21);
-  scene.settings.rayDensity = 4; // as scores of small volumes have
+  BoxScene scene = BoxScene::Cube(21);
+  scene.FillOnion(4);            // no layer is thick,
+  scene.settings.rayDensity = 4; // so that iterations see what scores do
   Solver solver = scene.MakeSolver();
   solver.Run();
 

@@ -13,25 +13,19 @@
 namespace limpid
 {
 /// Resolves the layers that would be thick at the upper bound of the extinction.
+template <class TheCuts>
 struct ResolveImportant
 {
+  using Cuts = TheCuts;
+
   MostExtinction<float> most;
 
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE bool operator()(const RayInLayer<passage>& ray, Index) const
-  {
-    return this->Densest(ray) * ray.layer.thickness * ray.length > thickLayer;
-  }
-
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE float Densest(const RayInLayer<passage>& ray) const
-  {
-    return this->most(DensestOf(ray));
-  }
+  LIMPID_HD LIMPID_INLINE bool Reaches(Index) const { return true; }
+  LIMPID_HD LIMPID_INLINE float Densest(float sampled) const { return this->most(sampled); }
 
   LIMPID_HD LIMPID_INLINE float LeastOnWay(float way) const
   {
-    return this->most.majorant * way > thickLayer ? -1.0f : 1e30f;
+    return this->most.majorant * way > Cuts::thick ? -1.0f : 1e30f;
   }
 };
 
@@ -121,11 +115,11 @@ struct CeilingStep
 
   /// What is kept is cut as a score of the base extinction cuts it, so that no rounding of pieces
   /// puts the one below the other.
-  template <class Sampler>
-  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler>& here, Index i) const
+  template <class Sampler, class Cuts>
+  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
   {
-    ResolvedRay<Sampler> ofBase = here;
-    ofBase.densest = DensestOf(here.plain);
+    ResolvedRay<Sampler, Cuts> ofBase = here;
+    ofBase.densest = here.sampled;
     float* behind = kept == Kept::Counted ? this->rays.keptBehind : this->rays.behind;
     float unattenuated = 0;
     ofBase.ForPiecesBackward(
@@ -154,9 +148,9 @@ struct CeilingStep
   }
 
 private:
-  template <class Sampler>
+  template <class Sampler, class Cuts>
   LIMPID_HD LIMPID_INLINE static ChosenPiece::Matter LeastOf(
-    const ResolvedRay<Sampler>& here, const RayPiece& piece)
+    const ResolvedRay<Sampler, Cuts>& here, const RayPiece& piece)
   {
     if (!here.fields.base)
     {
@@ -239,9 +233,9 @@ private:
 /**
  * The most that a source could see, whatever the extinction of the nodes is within its bounds: the
  * sum of what all rays could show if each chose for itself. For SweepRaysBackward;
- * RayStates::visible and keptVisible tell it in the end.
+ * RayStates::visible and keptVisible tell it in the end. `Cuts`: how layers are resolved.
  */
-template <class Field>
+template <class Field, class Cuts>
 struct CeilingKernel
 {
   static constexpr const char* label = "ceiling";
@@ -253,7 +247,7 @@ struct CeilingKernel
   Kept kept; ///< whether the ceiling of what is kept is wanted, too
 
   template <class Windows>
-  CeilingKernel<SliceWindow*> With(Windows& windows) const
+  CeilingKernel<SliceWindow*, Cuts> With(Windows& windows) const
   {
     return { windows(this->base, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
       windows(this->least, FieldUse{ 1 }), this->most, this->kept };
@@ -277,7 +271,7 @@ struct CeilingKernel
     rays.SampleImportance(this->importance);
     rays.SampleLeast(this->least);
     const RayFields<Field> fields{ this->base, this->importance, this->least };
-    const ResolveImportant resolve{ this->most };
+    const ResolveImportant<Cuts> resolve{ this->most };
     if (this->kept == Kept::Counted)
     {
       rays.ForEachResolved(

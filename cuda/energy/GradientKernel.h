@@ -126,13 +126,13 @@ private:
     const RayFields<typename Rays::Field> fields{ this->extinction, this->importance, this->base };
     if (!this->base)
     {
-      rays.ForEachResolved(fields, ResolveLit{ rays.States().opticalDepth },
+      rays.ForEachResolved(fields, ResolveLit<>{ rays.States().opticalDepth },
         EffectStep<Kept::Ignored>{ rays.States() });
       return;
     }
     rays.SampleKept(this->extinction, this->base);
-    rays.ForEachResolved(
-      fields, ResolveLit{ rays.States().opticalDepth }, EffectStep<Kept::Counted>{ rays.States() });
+    rays.ForEachResolved(fields, ResolveLit<>{ rays.States().opticalDepth },
+      EffectStep<Kept::Counted>{ rays.States() });
   }
 };
 }

@@ -12,9 +12,9 @@ namespace limpid
 /**
  * What a source sees, Eqs. (23), (24) and (32): the integral of importance g, extinction mu and
  * transmittance T along every ray, and the same without transmittance; with a base, both also of
- * what is kept of it (Kept). Leaves the optical depths.
+ * what is kept of it (Kept). Leaves the optical depths. `Cuts`: how layers are resolved.
  */
-template <class Field>
+template <class Field, class Cuts>
 struct ScoreKernel
 {
   static constexpr const char* label = "forward sweep";
@@ -24,7 +24,7 @@ struct ScoreKernel
   Field base;       ///< [1/length]; null: what is kept is not counted
 
   template <class Windows>
-  ScoreKernel<SliceWindow*> With(Windows& windows) const
+  ScoreKernel<SliceWindow*, Cuts> With(Windows& windows) const
   {
     return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
       windows(this->base, FieldUse{ 1 }) };
@@ -41,15 +41,14 @@ struct ScoreKernel
     rays.SampleExtinction(this->extinction);
     rays.SampleImportance(this->importance);
     const RayFields<Field> fields{ this->extinction, this->importance, this->base };
+    const ResolveLit<Cuts> resolve{ rays.States().opticalDepth };
     if (this->base)
     {
       rays.SampleKept(this->extinction, this->base);
-      rays.ForEachResolved(fields, ResolveLit{ rays.States().opticalDepth },
-        ScoreStep<Kept::Counted>{ rays.States() });
+      rays.ForEachResolved(fields, resolve, ScoreStep<Kept::Counted>{ rays.States() });
       return;
     }
-    rays.ForEachResolved(
-      fields, ResolveLit{ rays.States().opticalDepth }, ScoreStep<Kept::Ignored>{ rays.States() });
+    rays.ForEachResolved(fields, resolve, ScoreStep<Kept::Ignored>{ rays.States() });
   }
 };
 

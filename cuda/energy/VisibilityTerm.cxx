@@ -13,11 +13,13 @@ namespace limpid
 {
 template <class AnyDevice>
 VisibilityTerm<AnyDevice>::VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid,
-  const Occupancy& occupancy, const RaySource& source, double rayDensity, const Communicator* ranks)
+  const Occupancy& occupancy, const RaySource& source, double rayDensity, const Communicator* ranks,
+  bool fine)
   : Device(std::move(device))
   , Filled(&occupancy)
   , Rays(PlanRays(
       this->Device, grid, occupancy, source, { rayDensity, Placement::ForIntegrals, ranks }))
+  , Fine(fine)
   , Add(this->Device)
 {
 }
@@ -38,8 +40,16 @@ void VisibilityTerm<AnyDevice>::Forward(const TermFields& fields, Seen* sum)
 template <class AnyDevice>
 void VisibilityTerm<AnyDevice>::ForwardAt(std::size_t frustum, const TermFields& fields)
 {
-  SweepForward(*this->Device, this->Rays[frustum], *this->Filled,
-    ScoreKernel<const float*>{ fields.extinction, fields.importance, fields.base });
+  FrustumRays<AnyDevice>& rays = this->Rays[frustum];
+  this->Fine ? this->Score<FineCuts>(rays, fields) : this->Score<UsualCuts>(rays, fields);
+}
+
+template <class AnyDevice>
+template <class Cuts>
+void VisibilityTerm<AnyDevice>::Score(FrustumRays<AnyDevice>& rays, const TermFields& fields)
+{
+  SweepForward(*this->Device, rays, *this->Filled,
+    ScoreKernel<const float*, Cuts>{ fields.extinction, fields.importance, fields.base });
 }
 
 template <class AnyDevice>
@@ -47,11 +57,18 @@ void VisibilityTerm<AnyDevice>::FindCeiling(const CeilingFields& fields, Seen* s
 {
   for (FrustumRays<AnyDevice>& rays : this->Rays)
   {
-    SweepRaysBackward(*this->Device, rays, *this->Filled,
-      CeilingKernel<const float*>{
-        fields.base, fields.importance, fields.least, fields.most, fields.CountsKept() });
+    this->Fine ? this->FindMost<FineCuts>(rays, fields) : this->FindMost<UsualCuts>(rays, fields);
   }
   this->Sum(sum, fields.CountsKept());
+}
+
+template <class AnyDevice>
+template <class Cuts>
+void VisibilityTerm<AnyDevice>::FindMost(FrustumRays<AnyDevice>& rays, const CeilingFields& fields)
+{
+  SweepRaysBackward(*this->Device, rays, *this->Filled,
+    CeilingKernel<const float*, Cuts>{
+      fields.base, fields.importance, fields.least, fields.most, fields.CountsKept() });
 }
 
 template <class AnyDevice>

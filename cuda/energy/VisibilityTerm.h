@@ -55,9 +55,10 @@ template <class AnyDevice>
 class VisibilityTerm
 {
 public:
-  /// `ranks`: see PlanSettings.
+  /// `ranks`: see PlanSettings. `fine`: whether Forward and FindCeiling resolve layers by FineCuts.
   VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid, const Occupancy& occupancy,
-    const RaySource& source, double rayDensity, const Communicator* ranks = nullptr);
+    const RaySource& source, double rayDensity, const Communicator* ranks = nullptr,
+    bool fine = false);
 
   /// What the rays see, into `sum`; null: it is summed later. Leaves the optical depths of all
   /// rays.
@@ -100,12 +101,19 @@ public:
   const Occupancy& Occupied() const { return *this->Filled; }
 
 private:
+  template <class Cuts>
+  void Score(FrustumRays<AnyDevice>& rays, const TermFields& fields);
+
+  template <class Cuts>
+  void FindMost(FrustumRays<AnyDevice>& rays, const CeilingFields& fields);
+
   void SweepGradient(FrustumRays<AnyDevice>& rays, const TermFields& fields, Derivative derivative,
     const GradientTarget& target, float* gradient);
 
   std::shared_ptr<AnyDevice> Device;
   const Occupancy* Filled;
   std::vector<FrustumRays<AnyDevice>> Rays;
+  bool Fine;
   SumOnDevice<AnyDevice> Add;
 };
 }

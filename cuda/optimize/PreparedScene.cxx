@@ -9,6 +9,7 @@
 #include "optimize/Neighbourhood.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace limpid
@@ -28,6 +29,17 @@ void RequireFields(const SceneFields& scene)
     "The majorant is " << scene.majorant
                        << " (Eq. (25) needs an upper bound of the extinction). Give the largest "
                           "extinction of the transfer function, or 0 for that of the scene.");
+}
+
+/// Rays per voxel and axis that scores take, so that enough of them meet what is shown: at least so
+/// many across a volume. Where media are thick, a ray shows the one surface that it meets.
+double RayDensityOfScores(const Problem& problem)
+{
+  const double most = problem.IsSmall() ? 4 : 2;
+  const double fewestAcross = problem.MayHaveThickLayers() ? 256 : 110;
+  const double wanted =
+    fewestAcross / std::cbrt(double(std::max<Index>(problem.grid.NodeCount(), 1)));
+  return std::max(problem.settings.rayDensity, std::min(wanted, most));
 }
 
 /// Number of a node in the grid, from that in the arrays.
@@ -240,7 +252,19 @@ Problem PreparedScene::ProblemFor(
   }
   task.light = SourceOfLight(light, scene.grid);
   task.settings = settings;
-  task.tellsScores = TellsScores(settings, scene.grid.NodeCount());
+  task.tellsScores = SeesWhatScoresAreOf(settings) &&
+    RayDensityOfScores(task) == settings.rayDensity && !task.MayHaveThickLayers();
+  return task;
+}
+
+Problem PreparedScene::ProblemForScores(
+  const Camera& camera, const Light& light, const Settings& settings)
+{
+  Settings wanted = settings;
+  wanted.importanceSmoothing = ImportanceSmoothing::Off;
+  Problem task = this->ProblemFor(camera, light, wanted);
+  task.settings.rayDensity = RayDensityOfScores(task);
+  task.fine = task.MayHaveThickLayers();
   return task;
 }
 

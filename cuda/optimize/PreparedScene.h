@@ -40,6 +40,10 @@ public:
   /// The energy as seen from a camera and lit by a light; null-weighted terms stay in it.
   Problem ProblemFor(const Camera& camera, const Light& light, const Settings& settings);
 
+  /// The same for scores and ceilings, which the importance as given counts for. In small volumes
+  /// and thick media they take more rays than iterations, and thick layers are cut finer.
+  Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);
+
   /// What a problem of this scene is to stay near of a change, moved into its bounds; sets how
   /// near. Nothing where that does not count.
   CarriedExtinction StayedNear(

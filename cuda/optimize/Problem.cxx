@@ -69,12 +69,13 @@ double Problem::WeightOfRange(double share) const
 
 bool Problem::IsSmall() const
 {
-  return limpid::IsSmall(this->grid.NodeCount());
+  constexpr Index small = Index(44) * 44 * 44;
+  return this->grid.NodeCount() < small;
 }
 
 bool Problem::MayHaveThickLayers() const
 {
-  return this->majorant * glm::length(this->grid.spacing) > thickLayer;
+  return this->majorant * glm::length(this->grid.spacing) > UsualCuts::thick;
 }
 
 double Problem::NodeDistance() const

@@ -54,7 +54,8 @@ struct Problem
   bool forLight =
     false; ///< whether the extinction for the light is wanted of a method that has one
   Settings settings;
-  bool tellsScores = true; ///< whether iterations see what the scores are of, see TellsScores
+  bool fine = false;       ///< whether scores and ceilings resolve layers by FineCuts
+  bool tellsScores = true; ///< whether iterations see what scores are of, as scores do
 
   double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
 
@@ -85,10 +86,10 @@ struct Problem
   /// filled voxels only [1/length^2].
   double SquaresFrom(const float* other, const float* extinction) const;
 
-  /// See limpid::IsSmall.
+  /// Whether the volume is so small that it may take as long as one of 44^3 voxels.
   bool IsSmall() const;
 
-  /// Whether a sweep may meet layers that it resolves for their depth, see thickLayer.
+  /// Whether a sweep may meet layers that it resolves for their depth, see UsualCuts.
   bool MayHaveThickLayers() const;
 
   /// Whether an extinction within its bounds can stop so much light from one node to the next that

@@ -514,9 +514,9 @@ const Scores& Progressive::KeptScores() const
 Scores Progressive::ScoresFrom(const Camera& camera) const
 {
   const Internals& state = *this->State;
-  Settings settings = ForScores(state.Wanted(), state.ShownScene().Arrays().grid.NodeCount());
+  Settings settings = state.Wanted();
   settings.otherCameras.clear();
-  const Problem problem = state.ShownScene().ProblemFor(camera, state.light, settings);
+  const Problem problem = state.ShownScene().ProblemForScores(camera, state.light, settings);
   ChosenBackend backend;
   backend.Choose(settings, problem.grid);
   const auto score = [&]() -> Scores

@@ -215,7 +215,7 @@ public:
         PieceOf(problem, AxisPermutation(), problem.baseExtinction),
         PieceOf(problem, AxisPermutation(), problem.nodeImportance), problem.settings.skipUnneeded))
     , Term(HostDevice::Shared(), problem.grid, *this->Occupied, source, problem.settings.rayDensity,
-        problem.piece->ranks.get())
+        problem.piece->ranks.get(), problem.fine)
   {
     VisitPieces(this->Term.Frusta(), *problem.piece, this->Occupied.get());
   }

@@ -28,8 +28,7 @@ Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, cons
   const Light& light, const Settings& settings)
 {
   const Problem bounded = scene.ProblemFor(camera, light, settings);
-  const Settings ofScores = ForScores(settings, bounded.grid.NodeCount());
-  return CeilingOf(scene.ProblemFor(camera, light, ofScores), bounded, backend);
+  return CeilingOf(scene.ProblemForScores(camera, light, settings), bounded, backend);
 }
 
 double LeastEnergyOf(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,

@@ -72,40 +72,10 @@ void Settings::Require() const
   }
 }
 
-namespace
-{
-constexpr Index smallVolume = Index(44) * 44 * 44; ///< nodes
-}
-
-bool IsSmall(Index nodes)
-{
-  return nodes < smallVolume;
-}
-
-double RayDensityOfScores(const Settings& settings, Index nodes)
-{
-  constexpr double most = 4;
-  const double rays = std::sqrt(double(smallVolume) / double(std::max<Index>(nodes, 1)));
-  return std::max(settings.rayDensity, std::min(rays, most));
-}
-
 bool SeesWhatScoresAreOf(const Settings& settings)
 {
   return InfoOf(settings.method).iterates && settings.weights.view > 0 &&
     settings.importanceSmoothing == ImportanceSmoothing::Off;
-}
-
-bool TellsScores(const Settings& settings, Index nodes)
-{
-  return SeesWhatScoresAreOf(settings) &&
-    RayDensityOfScores(settings, nodes) == settings.rayDensity;
-}
-
-Settings ForScores(Settings settings, Index nodes)
-{
-  settings.importanceSmoothing = ImportanceSmoothing::Off;
-  settings.rayDensity = RayDensityOfScores(settings, nodes);
-  return settings;
 }
 
 Settings ForCameras(Settings settings, const std::vector<Camera>& cameras)

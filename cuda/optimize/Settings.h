@@ -119,7 +119,7 @@ struct Settings
   double temporalCoherence = 0;
 
   /// Whether every iteration has a score, also where that takes a sweep of its own, see
-  /// TellsScores.
+  /// Problem::tellsScores.
   bool scoreIterations = false;
 
   /// Cameras for which the extinction is to be as good as for the camera itself: the energy's view
@@ -137,21 +137,9 @@ bool operator==(const Settings& one, const Settings& other);
 /// Settings for the first of several cameras, one at least, and as much for the others.
 Settings ForCameras(Settings settings, const std::vector<Camera>& cameras);
 
-/// Whether a volume is so small that it may take as long as one of 44^3 voxels.
-bool IsSmall(Index nodes);
-
-/// Rays per voxel and axis that scores take: Settings::rayDensity, but in a small volume as many as
-/// make a sweep as long as one of 44^3 voxels, 4 at most, so that several rays meet a structure a
-/// voxel wide.
-double RayDensityOfScores(const Settings& settings, Index nodes);
-
 /// Whether iterations see what the scores are of, but maybe by fewer rays: the camera has a term,
 /// and the importance is as given.
 bool SeesWhatScoresAreOf(const Settings& settings);
-
-/// Whether iterations also have as many rays as the scores of a volume. Else a score takes a sweep
-/// of its own.
-bool TellsScores(const Settings& settings, Index nodes);
 
 /// Whether there is another extinction for the light than for the camera.
 inline bool HasLightExtinction(const Settings& settings)
@@ -159,9 +147,6 @@ inline bool HasLightExtinction(const Settings& settings)
   const MethodInfo& info = InfoOf(settings.method);
   return info.iterates ? settings.mode == Mode::Separate : info.hasLightExtinction;
 }
-
-/// The settings of scores of a volume: the importance as given, and RayDensityOfScores.
-Settings ForScores(Settings settings, Index nodes);
 
 /// The three terms of Eq. (21), in world units: the normalised energy times R^2.
 struct Energy

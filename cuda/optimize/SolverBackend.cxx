@@ -29,7 +29,8 @@ public:
     , Device(device)
     , Fields(ProblemFields<AnyDevice>::Of(device, problem))
     , Before(PreviousOf(device, problem))
-    , Term(device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity)
+    , Term(device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity, nullptr,
+        problem.fine)
     , Sum(DeviceArray<AnyDevice, Seen>::Zeros(device, 1, "sums"))
   {
   }

@@ -250,8 +250,7 @@ struct Solver::Internals
     if (!this->judge)
     {
       auto made = std::make_unique<Judge>();
-      made->problem = this->prepared->ProblemFor(
-        this->camera, this->light, ForScores(this->settings, this->scene.grid.NodeCount()));
+      made->problem = this->prepared->ProblemForScores(this->camera, this->light, this->settings);
       made->sweeps = this->backend->SweepsFromCameras(made->problem);
       this->judge = std::move(made);
     }
@@ -328,13 +327,16 @@ struct Solver::Internals
   {
     const auto start = std::chrono::steady_clock::now();
     IterationRecord record = this->NextRecord();
+    const bool better =
+      record.isResult || (record.level == 0 && record.energy.Total() < this->runLowest);
     if (!this->Minimizes() && !this->lightRun)
     {
       this->Judged(record);
     }
     else if (this->KnowsScores() && !this->SeesAlong() && !this->lightRun)
     {
-      record.score = this->ScoreOf(this->minimizer->Best().data());
+      const bool isKnown = this->best && record.level == 0 && !better;
+      record.score = isKnown ? *this->best : this->ScoreOf(this->minimizer->Best().data());
     }
     ++this->iterations;
     this->seconds +=
@@ -342,8 +344,6 @@ struct Solver::Internals
     record.iteration = this->iterations;
     record.seconds = this->seconds;
     this->history.push_back(record);
-    const bool better =
-      record.isResult || (record.level == 0 && record.energy.Total() < this->runLowest);
     if (better)
     {
       this->runLowest = record.energy.Total();

@@ -11,6 +11,8 @@
 #include "sweep/FlatTables.h"
 #include "sweep/HalfLayer.h"
 
+#include <cmath>
+
 namespace limpid
 {
 /// Where samples lie: a slice of voxels, or the plane of a point source itself; and the layer
@@ -210,6 +212,25 @@ struct FaceFrustum : FlatTables
   {
     return RaysAbout(this->Row(this->rowLines), this->rows, this->Row(this->voxelRows, s).index,
       this->nodesV, v, this->SliceAt(s).RelativeDepth());
+  }
+
+  /// Where a ray crosses faces of cells within a layer, in order, as shares of its thickness; 1
+  /// where it crosses none. As no ray moves by more than a node in a layer, there is at most one
+  /// along either axis.
+  LIMPID_HD LIMPID_INLINE Range<float> FacesCrossed(const Layer& layer, int column, int row) const
+  {
+    const auto face = [&layer](const RayLine& line)
+    {
+      const double front = line.At(layer.front);
+      const double moved = line.slope * layer.thickness;
+      const double back = front + moved;
+      const double between = std::floor(front > back ? front : back);
+      const bool crosses = between > (front < back ? front : back);
+      return crosses ? static_cast<float>((between - front) / moved) : 1.0f;
+    };
+    const float u = face(this->Row(this->columnLines)[column]);
+    const float v = face(this->Row(this->rowLines)[row]);
+    return u < v ? Range<float>{ u, v } : Range<float>{ v, u };
   }
 
   /// Where a row of rays is inside the box in v, in relative depths.

@@ -53,6 +53,7 @@ struct LayerLight
   float unattenuated;     ///< the same without attenuation
   float keptVisible;      ///< visible importance of what is kept of the base extinction, see Kept
   float keptUnattenuated; ///< the same without attenuation
+  float opticalDepth;     ///< from the entry into the box on, see RayInLayer::DepthFromEntry
 };
 
 /// A ray in a layer, and what is sampled on it at both Gauss points.
@@ -143,7 +144,7 @@ struct RayInLayer
     return { front.Passed() * rear.Passed(), front.visible + front.Passed() * rear.visible,
       front.unattenuated + rear.unattenuated,
       front.visible * keptFront + front.Passed() * (rear.visible * keptRear),
-      front.unattenuated * keptFront + rear.unattenuated * keptRear };
+      front.unattenuated * keptFront + rear.unattenuated * keptRear, this->DepthFromEntry() };
   }
 };
 

@@ -143,15 +143,14 @@ public:
   LIMPID_HD LIMPID_INLINE void ForEachResolved(
     const RayFields<Field>& fields, const Resolve& resolve, const Step& step) const
   {
-    if (IsResolved(this->Ray, resolve, 0))
-    {
-      step(ResolvedRay<RaySampler>{ *this, fields, this->Ray, this->I, resolve.Densest(this->Ray) },
-        0);
-    }
-    else
-    {
-      this->ForEachInLayer(step);
-    }
+    StepResolved(this->Ray, *this, fields, resolve, this->I, 0, step,
+      [&](Index) { this->ForEachInLayer(step); });
+  }
+
+  /// See FaceFrustum.
+  LIMPID_HD LIMPID_INLINE Range<float> FacesCrossed(int) const
+  {
+    return this->Frustum.FacesCrossed(this->Ray.layer, this->I, this->J);
   }
 
   LIMPID_HD LIMPID_INLINE PointSample SampleAt(

@@ -195,7 +195,7 @@ struct ScoreStep
       this->rays.keptVisible[i] += transmittance * light.keptVisible;
       this->rays.keptUnattenuated[i] += light.keptUnattenuated;
     }
-    this->rays.opticalDepth[i] += here.DepthFromEntry();
+    this->rays.opticalDepth[i] += light.opticalDepth;
   }
 };
 
@@ -234,8 +234,8 @@ struct CarryStep
     }
   }
 
-  template <class Sampler>
-  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler>& here, Index i) const
+  template <class Sampler, class Cuts>
+  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
   {
     const RayInLayer<Passage::Clipped>& plain = here.plain;
     const LayerLight light = here.Light();
@@ -393,8 +393,8 @@ struct EffectStep
     this->Gain(here.Light(), i);
   }
 
-  template <class Sampler>
-  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler>& here, Index i) const
+  template <class Sampler, class Cuts>
+  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
   {
     const float transmittance = this->TransmittanceTo(here.plain, i);
     LayerEffect effect;

@@ -119,9 +119,24 @@ private:
 /// Optical depth behind which nothing matters any more: T = 1e-7.
 constexpr float darkDepth = 16.0f;
 
-/// Optical depth of a layer from which on two constant halves are not enough: they are off by 0.1 %
-/// of the visible importance there, and by three times as much at twice the depth.
-constexpr float thickLayer = 0.5f;
+/// Which layers are resolved for their depth, and how: as sweeps do. Two constant halves are off by
+/// 0.1 % of the visible importance at `thick`, and by three times as much at twice the depth.
+struct UsualCuts
+{
+  static constexpr float thick = 0.5f;   ///< optical depth from which on a layer is resolved
+  static constexpr float finer = 1;      ///< it is cut as if it were so many times as deep
+  static constexpr bool atFaces = false; ///< whether it is cut at the faces of cells, too
+};
+
+/// As scores do. Within a layer a ray may cross two faces of cells, where fields have kinks. One
+/// pair of Gauss points does not see them, and misses the skin of what is opaque: scores of real
+/// data are off by 0.2 to 0.4 % then, those of an opaque block on edge by 10 %.
+struct FineCuts
+{
+  static constexpr float thick = 0.25f;
+  static constexpr float finer = 4;
+  static constexpr bool atFaces = true;
+};
 
 /// The larger extinction of the two Gauss points [1/length].
 template <Passage passage>
@@ -130,59 +145,72 @@ LIMPID_HD LIMPID_INLINE float DensestOf(const RayInLayer<passage>& ray)
   return ray.extinction[0] > ray.extinction[1] ? ray.extinction[0] : ray.extinction[1];
 }
 
+/// The most that is sampled of a ray in a layer.
+struct MostInLayer
+{
+  float extinction; ///< [1/length]
+  float importance; ///< [0, 1]
+};
+
+/// At the Gauss points, and with FineCuts at the ends of the layer. `sampler`: what samples fields
+/// along the ray, which is in `column`.
+template <class Cuts, class Sampler, Passage passage>
+LIMPID_HD LIMPID_INLINE MostInLayer MostOf(const RayInLayer<passage>& ray, const Sampler& sampler,
+  const RayFields<typename Sampler::Field>& fields, int column)
+{
+  const float front = ray.importance[0];
+  const float rear = ray.importance[1];
+  MostInLayer most{ DensestOf(ray), front > rear ? front : rear };
+  if (Cuts::atFaces)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      const PointSample sample = sampler.SampleAt(fields, static_cast<float>(end), column);
+      most.extinction = AtLeast(sample.extinction, most.extinction);
+      most.importance = AtLeast(sample.importance, most.importance);
+    }
+  }
+  return most;
+}
+
 /**
  * Which layers with anything important a sweep resolves, beside those where a ray enters or leaves
  * the box: here none. Where nothing is important, two halves are exact.
  *
- * `Densest` is the extinction by which a layer is cut into parts [1/length]. `LeastOnWay` is a
- * sampled extinction below which no layer of a row is resolved; `way`: the longest way of its rays
- * through the layer [length].
+ * `Reaches`: whether a ray is asked at all. `Densest` is the extinction by which a layer is cut
+ * into parts, from the most that is sampled [1/length]. `LeastOnWay` is a sampled extinction below
+ * which no layer of a row is resolved; `way`: the longest way of its rays through the layer
+ * [length].
  */
 struct ResolveSides
 {
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE bool operator()(const RayInLayer<passage>&, Index) const
-  {
-    return false;
-  }
+  using Cuts = UsualCuts;
 
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE float Densest(const RayInLayer<passage>& ray) const
-  {
-    return DensestOf(ray);
-  }
-
+  LIMPID_HD LIMPID_INLINE bool Reaches(Index) const { return false; }
+  LIMPID_HD LIMPID_INLINE float Densest(float sampled) const { return sampled; }
   LIMPID_HD LIMPID_INLINE float LeastOnWay(float) const { return 1e30f; }
 };
 
 /// Resolves thick layers as far as light comes.
+template <class TheCuts = UsualCuts>
 struct ResolveLit
 {
+  using Cuts = TheCuts;
+
   const double* opticalDepths; ///< of the rays at the front of the layer
 
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE bool operator()(const RayInLayer<passage>& ray, Index i) const
+  LIMPID_HD LIMPID_INLINE bool Reaches(Index i) const
   {
-    return DensestOf(ray) * ray.layer.thickness * ray.length > thickLayer &&
-      this->opticalDepths[i] < double(darkDepth);
+    return this->opticalDepths[i] < double(darkDepth);
   }
 
-  template <Passage passage>
-  LIMPID_HD LIMPID_INLINE float Densest(const RayInLayer<passage>& ray) const
-  {
-    return DensestOf(ray);
-  }
+  LIMPID_HD LIMPID_INLINE float Densest(float sampled) const { return sampled; }
 
-  LIMPID_HD LIMPID_INLINE float LeastOnWay(float way) const { return thickLayer / way; }
+  LIMPID_HD LIMPID_INLINE float LeastOnWay(float way) const
+  {
+    return Cuts::atFaces ? -1.0f : Cuts::thick / way;
+  }
 };
-
-/// Whether a layer is resolved; `resolve`: see ResolveSides.
-template <Passage passage, class Resolve>
-LIMPID_HD LIMPID_INLINE bool IsResolved(
-  const RayInLayer<passage>& ray, const Resolve& resolve, Index i)
-{
-  return ray.MeetsImportance() && (!ray.StaysInside() || resolve(ray, i));
-}
 
 constexpr int mostPartsOfLayer = 16; ///< of a layer, each with Gauss points of its own
 constexpr int piecesOfPart = 4;      ///< of equal length
@@ -205,13 +233,14 @@ struct LayerEffect
 };
 
 /// A ray's way through a layer, resolved into pieces. `Sampler`: what samples fields along it.
-template <class Sampler>
+template <class Sampler, class Cuts>
 struct ResolvedRay
 {
   const Sampler& sampler;
   RayFields<typename Sampler::Field> fields;
   RayInLayer<Passage::Clipped> plain; ///< the same in two halves
   int column;                         ///< of the ray
+  float sampled;                      ///< the most that is sampled of the extinction [1/length]
   float densest;                      ///< extinction by which the layer is cut [1/length]
 
   /// Where it is inside the box, as shares of the layer's thickness.
@@ -240,11 +269,11 @@ struct ResolvedRay
     return piece.size * (this->plain.layer.thickness * this->plain.length);
   }
 
-  /// The integral of g mu dt of the pieces, from their sum. Two halves are exact where the whole
-  /// layer is inside the box.
+  /// The integral of g mu dt of the pieces, from their sum. Unless faces are crossed, two halves
+  /// are exact where the whole layer is inside the box.
   LIMPID_HD LIMPID_INLINE float Unattenuated(float ofPieces) const
   {
-    return this->IsWhole() ? this->plain.Light().unattenuated : ofPieces;
+    return !Cuts::atFaces && this->IsWhole() ? this->plain.Light().unattenuated : ofPieces;
   }
 
   /// What the layer does to light inside the box.
@@ -301,23 +330,70 @@ private:
     return inside.begin <= 0.0f && inside.end >= 1.0f;
   }
 
+  /// The stretches between the faces of cells that the ray crosses inside the box.
+  struct Stretches
+  {
+    float ends[4];
+    int count;
+
+    /// Ends a stretch at a share of the layer, if it lies between the last one and `last`.
+    LIMPID_HD LIMPID_INLINE void EndAt(float share, float last)
+    {
+      if (share > this->ends[this->count] && share < last)
+      {
+        ++this->count;
+        this->ends[this->count] = share;
+      }
+    }
+  };
+
+  LIMPID_HD LIMPID_INLINE Stretches StretchesOf(const Range<float>& inside) const
+  {
+    Stretches stretches{ { inside.begin }, 0 };
+    if (Cuts::atFaces)
+    {
+      const Range<float> faces = this->sampler.FacesCrossed(this->column);
+      stretches.EndAt(faces.begin, inside.end);
+      stretches.EndAt(faces.end, inside.end);
+    }
+    ++stretches.count;
+    stretches.ends[stretches.count] = inside.end;
+    return stretches;
+  }
+
   /// Calls visit(piece) for what is inside the box, as long as it returns true. `order(number,
   /// count)`: which of `count` comes at a number.
   template <class Order, class Visit>
   LIMPID_HD LIMPID_INLINE void ForPiecesInOrder(const Order& order, const Visit& visit) const
   {
-    const Range<float> inside = this->Inside();
+    const Stretches stretches = this->StretchesOf(this->Inside());
+    for (int number = 0; number < stretches.count; ++number)
+    {
+      const int stretch = order(number, stretches.count);
+      if (!this->VisitPieces(
+            { stretches.ends[stretch], stretches.ends[stretch + 1] }, order, visit))
+      {
+        return;
+      }
+    }
+  }
+
+  /// The same for a stretch. Returns whether all of its pieces were visited.
+  template <class Order, class Visit>
+  LIMPID_HD LIMPID_INLINE bool VisitPieces(
+    const Range<float>& stretch, const Order& order, const Visit& visit) const
+  {
     const float way = this->plain.layer.thickness * this->plain.length;
-    const int parts = PartsOfLayer(this->densest * way * inside.Length());
-    const float size = inside.Length() / static_cast<float>(parts);
+    const int parts = PartsOfLayer(Cuts::finer * this->densest * way * stretch.Length());
+    const float size = stretch.Length() / static_cast<float>(parts);
     const float length = way * size * (1.0f / piecesOfPart);
     if (!(size > 0.0f))
     {
-      return;
+      return true;
     }
     for (int part = 0; part < parts; ++part)
     {
-      const float begin = inside.begin + size * static_cast<float>(order(part, parts));
+      const float begin = stretch.begin + size * static_cast<float>(order(part, parts));
       const PointSample first = this->SampleAt(begin + size * float(gaussPoints[0]));
       const PointSample second = this->SampleAt(begin + size * float(gaussPoints[1]));
       for (int number = 0; number < piecesOfPart; ++number)
@@ -327,10 +403,11 @@ private:
           (piece + 1.0f) * (1.0f / piecesOfPart) };
         if (!visit(this->PieceOf(first, second, shares, begin, size, length)))
         {
-          return;
+          return false;
         }
       }
     }
+    return true;
   }
 
   LIMPID_HD LIMPID_INLINE PointSample SampleAt(float share) const
@@ -344,19 +421,32 @@ private:
   LIMPID_HD LIMPID_INLINE float AddPieces(LayerLight& light, const Visit& visit) const
   {
     float transmittance = 1;
+    float opticalDepth = 0;
     this->ForPieces(
       [&](const RayPiece& piece)
       {
-        visit(piece, transmittance);
-        light.visible += transmittance * piece.Visible();
+        const bool isLit = transmittance > nothing;
         light.unattenuated += piece.Unattenuated();
-        light.keptVisible += transmittance * piece.KeptVisible();
         light.keptUnattenuated += piece.KeptUnattenuated();
-        transmittance *= piece.Passed();
-        return transmittance > nothing;
+        opticalDepth += piece.opticalDepth;
+        if (isLit)
+        {
+          visit(piece, transmittance);
+          light.visible += transmittance * piece.Visible();
+          light.keptVisible += transmittance * piece.KeptVisible();
+          transmittance *= piece.Passed();
+        }
+        return Cuts::atFaces || transmittance > nothing;
       });
+    if (Cuts::atFaces)
+    {
+      light.passed = transmittance;
+      light.opticalDepth = AtMost(opticalDepth, 1e4f);
+      return transmittance;
+    }
     const LayerLight halves = this->plain.Light();
     light.passed = halves.passed;
+    light.opticalDepth = halves.opticalDepth;
     if (!(transmittance > nothing) || this->IsWhole()) // pieces end where light does
     {
       light.unattenuated = halves.unattenuated;
@@ -406,6 +496,33 @@ private:
     return scale * scale + (1.0f / 12) * (size * widening) * (size * widening);
   }
 };
+
+/// Hands a ray to step(ray, i): as a ResolvedRay where its layer is resolved (ResolveSides), else
+/// by plain(i). `i`: of its states; `column`: of the ray.
+template <class Sampler, class Resolve, class Step, class Plain>
+LIMPID_HD LIMPID_INLINE void StepResolved(const RayInLayer<Passage::Clipped>& ray,
+  const Sampler& sampler, const RayFields<typename Sampler::Field>& fields, const Resolve& resolve,
+  int column, Index i, const Step& step, const Plain& plain)
+{
+  using Cuts = typename Resolve::Cuts;
+  const bool inside = ray.StaysInside();
+  if (inside && !resolve.Reaches(i))
+  {
+    plain(i);
+    return;
+  }
+  const MostInLayer most = MostOf<Cuts>(ray, sampler, fields, column);
+  const float densest = resolve.Densest(most.extinction);
+  const bool thick = densest * ray.layer.thickness * ray.length > Cuts::thick;
+  if (most.importance > 0.0f && (!inside || thick))
+  {
+    step(ResolvedRay<Sampler, Cuts>{ sampler, fields, ray, column, most.extinction, densest }, i);
+  }
+  else
+  {
+    plain(i);
+  }
+}
 }
 
 #endif

@@ -205,6 +205,12 @@ public:
     }
   }
 
+  /// See FaceFrustum.
+  Range<float> FacesCrossed(int column) const
+  {
+    return this->Frustum.FacesCrossed(this->Rays.layer, column, this->RowNumber);
+  }
+
   /// Samples fields where ray `column` is at a share of the layer's thickness.
   PointSample SampleAt(const RayFields<Field>& fields, float share, int column) const;
 
@@ -270,13 +276,15 @@ private:
     int begin = columns.begin;
     for (int i = columns.begin; i < columns.end; ++i)
     {
-      const RayInLayer<Passage::Clipped> ray = this->Rays.template At<Passage::Clipped>(i);
-      if (IsResolved(ray, resolve, i))
-      {
-        this->StepPlain<passage>({ begin, i }, step);
-        step(ResolvedRay<RowSampler>{ *this, fields, ray, i, resolve.Densest(ray) }, i);
-        begin = i + 1;
-      }
+      StepResolved(
+        this->Rays.template At<Passage::Clipped>(i), *this, fields, resolve, i, i,
+        [&](const auto& ray, Index)
+        {
+          this->StepPlain<passage>({ begin, i }, step);
+          step(ray, i);
+          begin = i + 1;
+        },
+        [](Index) {});
     }
     this->StepPlain<passage>({ begin, columns.end }, step);
   }

@@ -76,12 +76,12 @@ private:
     if (swept.values.attainable)
     {
       SweepRaysBackward(*this->Device, rays, *swept.occupancy,
-        CeilingKernel<const float*>{ fields.extinction.Data(), fields.importance.Data(),
+        CeilingKernel<const float*, UsualCuts>{ fields.extinction.Data(), fields.importance.Data(),
           fields.least.Data(), { 0, 0 }, Kept::Ignored });
       return;
     }
     SweepForward(*this->Device, rays, *swept.occupancy,
-      ScoreKernel<const float*>{
+      ScoreKernel<const float*, UsualCuts>{
         fields.extinction.Data(), fields.importance.Data(), fields.base.Data() });
   }
 
