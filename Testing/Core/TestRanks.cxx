@@ -191,6 +191,23 @@ INSTANTIATE_TEST_SUITE_P(Ranks, SharedScene,
       } }),
   [](const auto& tested) { return tested.param.name; });
 
+// Where opaque matter may be removed, steps also descend from what a coarser grid finds.
+TEST(Ranks, HaveTheSameBitsInOpaqueMatter)
+{
+  BoxScene scene(Int3(49, 44, 42), Vec3(0.0), Vec3(1.0));
+  scene.FillOnion(600); // an optical depth of 15 from node to node
+  scene.settings.maximumIterations = 2;
+  const Whole whole(scene);
+
+  const Found alone = OptimizedAlone(whole);
+
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    SCOPED_TRACE(axis);
+    ExpectSame(alone, OptimizedBy(2, whole, Slabs(scene.grid.nodes, axis, 2)));
+  }
+}
+
 TEST(Ranks, HaveTheSameBitsOnScenesAtRandom)
 {
   for (unsigned seed = 0; seed < 60; ++seed)

@@ -178,7 +178,6 @@ TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThousandthInOpaqueData)
 {
   LoadedScene scene(GetParam().name);
   scene.settings.protectImportance = 0;
-  scene.settings.maximumIterations = 16;
   for (const bool ramp : { true, false })
   {
     for (const double cells : { 1.0 / 3, 1.0, 3.0 })
@@ -192,11 +191,10 @@ TEST_P(PolicyAgainstAdam, EndsLowerOrWithinAThousandthInOpaqueData)
       std::cout << GetParam().name << (ramp ? " ramp" : " opaque") << " over " << cells
                 << ": policy " << found << ", Adam " << other << ", without emphasis " << without
                 << '\n';
+      EXPECT_LE(found, other + 0.001 * std::abs(other)) << ramp << ' ' << cells;
       // With a ramp over a third of a cell, mu h is up to 41, and steps still gain at the end:
-      // skull_phantom ends 1.7 % above Adam, visible_male with protection 1.1 % above what it is
-      // without emphasis.
+      // visible_male with protection ends 1.1 % above what it is without emphasis.
       const double share = ramp && cells < 1 ? 0.03 : 0.001;
-      EXPECT_LE(found, other + share * std::abs(other)) << ramp << ' ' << cells;
       EXPECT_LE(found, without + share * std::abs(without)) << ramp << ' ' << cells;
     }
   }

@@ -5,30 +5,23 @@
 
 #include "optimize/Policy.h"
 
+#include "optimize/CoarseProblem.h"
+#include "optimize/DescentProgress.h"
 #include "optimize/FieldsOfRanks.h"
 #include "optimize/Iterate.h"
-#include "optimize/PolicySweep.h"
+#include "optimize/PolicyTurns.h"
 #include "optimize/ProximalDescent.h"
 #include "optimize/ResilientDescent.h"
 #include "optimize/Smoothing.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace limpid
 {
 namespace
 {
-/// Whether it can cost more to clear a way through the volume than it can show: where the majorant
-/// is cleared all along the diameter, p (R majorant)^2 in normalised coordinates, against a V of 1.
-bool CanCostMoreThanItShows(const Problem& problem, double weight)
-{
-  const double radius = problem.grid.Radius();
-  const double diameter = radius * problem.majorant;
-  const double change = problem.NormalisedRegularization() + problem.CoherenceWeight() / radius;
-  return weight < change * diameter * diameter;
-}
-
 /// For ProximalDescent: it doubles the regularisation at least, and moves voxels through their
 /// whole range where T (V - g) is 0.1 or more.
 double FirstProximity(const Problem& problem)
@@ -49,8 +42,10 @@ public:
     , Device(device)
     , Energy(device, problem)
     , Warm(warm)
+    , Turns(problem, this->Energy, warm)
     , Descent(FirstProximity(problem))
     , Resilient(device, problem, this->Energy)
+    , Steps(problem)
   {
     if (!start)
     {
@@ -64,7 +59,7 @@ public:
   IterationRecord Start() override
   {
     this->Lowest = this->MeasureFirst();
-    this->LastEnergy = this->Lowest.energy.Total();
+    this->LastEnergy = this->FirstEnergy = this->Lowest.energy.Total();
     for (const Term* term : this->Energy.All())
     {
       this->SeeLast.push_back(term);
@@ -85,9 +80,10 @@ public:
     }
     if (this->DescendsFromBase() && this->Count == 0)
     {
-      this->DescendFromHere();
+      this->DescendFrom(this->Now);
+      this->DescendFromCoarser();
     }
-    const Turn turn = this->TurnOf(this->Count++);
+    const Turn turn = this->Turns.Of(this->Count++);
     const IterationRecord record = this->Advance(turn);
     const double energy = record.energy.Total();
     if (turn.transmittance == Transmittance::AssumeOne)
@@ -99,9 +95,9 @@ public:
       return this->GoBack();
     }
     this->KeepIfLowest(record);
-    if (this->DescendsFromFirstSweeps() && this->Count == this->MainTerms())
+    if (this->DescendsFromFirstSweeps() && this->Count == this->Turns.MainTerms())
     {
-      this->DescendFromHere();
+      this->DescendFrom(this->Now);
     }
     return this->DescendsFromBase() ? this->BestRecord() : record;
   }
@@ -118,7 +114,7 @@ public:
     this->IsSmoothing = true;
     IterationRecord record = this->Given->IsThick()
       ? this->StepResiliently(this->Given->SmoothingStrength())
-      : this->Advance(this->SmoothingTurn());
+      : this->Advance(this->Turns.Smoothing(this->Count++));
     record.isResult = true;
     this->BestOf = this->Now;
     return record;
@@ -136,10 +132,7 @@ public:
     return this->Given->IsThick() ? this->HasRefined() : this->ChangesLess(nearness);
   }
 
-  int IterationLimit() const override
-  {
-    return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
-  }
+  int IterationLimit() const override { return this->Turns.IterationLimit(); }
 
   void BestToPiece([[maybe_unused]] const FieldView& piece) const override
   {
@@ -195,14 +188,7 @@ public:
 
 private:
   using Term = VisibilityTerm<AnyDevice>;
-
-  /// How many policy sweeps there are at most: in thick media they find the structures to be
-  /// cleared at once, and resilient steps are better at all else.
-  int SweepLimit() const
-  {
-    const int iterations = this->IterationLimit();
-    return this->Given->IsThick() ? (iterations + 1) / 2 : iterations;
-  }
+  using Turn = PolicyTurn<AnyDevice>;
 
   /// Whether matter may become thicker in policy sweeps, too. Not in thick media, where that hides
   /// more than a sweep finds: what the sweeps have cleared is made thicker by resilient steps. But
@@ -216,20 +202,13 @@ private:
   bool Refines() const
   {
     return this->Given->IsThick() &&
-      (this->IsRefining || this->ChangesLess(1) || this->Count >= this->SweepLimit());
+      (this->IsRefining || this->ChangesLess(1) || this->Count >= this->Turns.SweepLimit());
   }
 
-  /// Whether the last resilient steps have gained next to nothing.
-  bool HasStalled() const
-  {
-    const int patience = this->Given->IsSmall() ? 6 : 3;
-    return this->StepsWithoutGain >= patience;
-  }
-
-  /// Whether that is so at the lowest energy.
+  /// Whether the last resilient steps have gained next to nothing, at the lowest energy.
   bool HasRefined() const
   {
-    return this->HasStalled() && !(this->LowestRefined > this->Lowest.energy.Total());
+    return this->Steps.HasStalled() && !(this->Steps.Lowest() > this->Lowest.energy.Total());
   }
 
   /// Whether steps also descend from the base: where important matter is opaque and may be removed,
@@ -248,15 +227,17 @@ private:
     return this->DescendsFromBase() && this->Given->IsSmall();
   }
 
-  /// Resilient steps from the last iterate, where sweeps go on then.
-  void DescendFromHere()
+  /// Resilient steps from an iterate, which is the last one or was measured last. Sweeps go on from
+  /// the last one then.
+  void DescendFrom(std::size_t first)
   {
     constexpr int mostSteps = 24;
     const double energy = this->LastEnergy;
     const double change = this->Change;
     this->BranchedAt = this->Now;
+    this->Now = first;
     this->BeginRefinement();
-    for (int step = 0; step < mostSteps && !this->HasStalled(); ++step)
+    for (int step = 0; step < mostSteps && !this->Steps.HasStalled(); ++step)
     {
       this->TryResilientStep();
     }
@@ -267,17 +248,68 @@ private:
     this->Change = change;
   }
 
+  /// The same from what is found with half as many nodes along each axis, which sees ways through
+  /// opaque matter that steps of single nodes do not. In a small volume other starts do.
+  void DescendFromCoarser()
+  {
+    if (this->Given->IsSmall())
+    {
+      return;
+    }
+    const CoarseProblem coarse(*this->Given, 2);
+    const std::size_t free = this->FreeIterate();
+    limpid::Iterate<AnyDevice>& start = this->Iterates[free];
+    start.own =
+      this->Energy.Everywhere(coarse.ChangedOn(this->Given->grid, this->FoundBy(coarse.Made())));
+    start.values = start.own.Data();
+    const double before = std::exchange(this->LastEnergy, this->MeasureIterate(free));
+    this->DescendFrom(free);
+    this->LastEnergy = before;
+  }
+
+  /// The optimum of another problem, of this rank's slab where ranks share it.
+  std::vector<float> FoundBy(const Problem& problem)
+  {
+    Policy policy(this->Device, problem, {}, false);
+    policy.Start();
+    for (int made = 0; made < policy.IterationLimit() && !policy.Converged(); ++made)
+    {
+      policy.Iterate();
+    }
+    const float* best = policy.Best().data();
+    const Slab own = problem.OwnSlab();
+    return { best + own.Begin(), best + own.Begin() + own.Count() };
+  }
+
+  /// The energy of an iterate, which is kept if it is the best.
+  double MeasureIterate(std::size_t which)
+  {
+    const std::size_t last = std::exchange(this->Now, which);
+    const IterationRecord record = this->Energy.Measure(this->Iterates[which].values);
+    this->KeepIfLowest(record);
+    this->Now = last;
+    this->LagBeside = nullptr;
+    return record.energy.Total();
+  }
+
   /// Several resilient steps. They begin at the last iterate, as one that clears much may be worth
   /// more in the end than one of a lower energy that clears little; where they end above the lowest
-  /// energy, others begin at that. Returns the record of the best.
+  /// energy, or begin far above it, others begin at that. Returns the record of the best.
   IterationRecord Refine()
   {
     constexpr int stepsPerIteration = 7;
     constexpr int mostStepsAbove = 10;
+    constexpr double leastShare = 0.5; ///< of what the best has gained
+    const double best = this->Lowest.energy.Total();
+    const bool begins = !this->IsRefining;
+    if (begins && this->FirstEnergy - this->LastEnergy < leastShare * (this->FirstEnergy - best))
+    {
+      this->GoBack();
+    }
     for (int step = 0; step < stepsPerIteration && !this->HasRefined(); ++step)
     {
-      const bool isAbove = this->LowestRefined > this->Lowest.energy.Total();
-      if (isAbove && (this->HasStalled() || this->Steps >= mostStepsAbove))
+      const bool isAbove = this->Steps.Lowest() > this->Lowest.energy.Total();
+      if (isAbove && (this->Steps.HasStalled() || this->Steps.Count() >= mostStepsAbove))
       {
         this->GoBack();
         this->BeginRefinement();
@@ -299,20 +331,14 @@ private:
   void BeginRefinement()
   {
     this->IsRefining = false;
-    this->StepsWithoutGain = 0;
-    this->Steps = 0;
+    this->Steps.Begin();
   }
 
   void TryResilientStep()
   {
-    ++this->Steps;
-    const double before = this->IsRefining ? this->LowestRefined : this->LastEnergy;
+    const double before = this->LastEnergy;
     const IterationRecord record = this->StepResiliently(0);
-    const double energy = record.energy.Total();
-    const bool gains =
-      before - energy > leastGain * this->Given->settings.tolerance * std::abs(before);
-    this->StepsWithoutGain = gains ? 0 : this->StepsWithoutGain + 1;
-    this->LowestRefined = std::min(energy, before);
+    this->Steps.Step(before, record.energy.Total());
     this->KeepIfLowest(record);
   }
 
@@ -350,60 +376,9 @@ private:
   {
     constexpr double little = 5; // change of the extinction, per tolerance
     const double tolerance = times * this->Given->settings.tolerance;
-    const bool gains = this->Descent.EnergyChange() >= leastGain * tolerance;
-    return this->Count >= this->MainTerms() && !this->Weighed &&
+    const bool gains = this->Descent.EnergyChange() >= DescentProgress::leastGain * tolerance;
+    return this->Count >= this->Turns.MainTerms() && !this->Weighed &&
       this->Change < (gains ? 1 : little) * tolerance;
-  }
-
-  /// What an iteration sweeps.
-  struct Turn
-  {
-    Term* swept;
-    std::vector<Term*> others; ///< act with their derivatives at the last iterate
-    Transmittance transmittance;
-    bool weighs; ///< its clearing against its cost
-    Reach reach;
-    double smoothing = 0; ///< see PolicySweep [length]
-  };
-
-  /// How many terms are swept in turn: those of the cameras or, without one, the light's.
-  int MainTerms() const { return std::max(1, int(this->Energy.cameras.size())); }
-
-  Term& Main(int iteration)
-  {
-    return this->Energy.cameras.empty()
-      ? *this->Energy.light
-      : this->Energy.cameras[std::size_t(iteration % this->MainTerms())];
-  }
-
-  std::vector<Term*> AllBut(const Term& swept)
-  {
-    std::vector<Term*> others = this->Energy.All();
-    others.erase(std::find(others.begin(), others.end(), &swept));
-    return others;
-  }
-
-  /// The cameras are swept in turn, or the light without one. But each has a turn in which nothing
-  /// is in its way: what is hidden from it must be able to say what it would gain.
-  Turn TurnOf(int iteration)
-  {
-    const int round = this->MainTerms();
-    const bool litBeside = !this->Energy.cameras.empty() && this->Energy.light;
-    const bool returns = this->SweepLimit() > round + 1; // a camera has the last word
-    const bool lightFirst = iteration == round && litBeside && returns && !this->Warm;
-    Term& swept = lightFirst ? *this->Energy.light : this->Main(iteration);
-    const bool first = lightFirst || iteration < round;
-    return { &swept, this->AllBut(swept),
-      first && !this->Warm ? Transmittance::AssumeOne : Transmittance::OfLastIterate,
-      iteration < 3 * round && CanCostMoreThanItShows(*this->Given, this->Energy.WeightOf(swept)),
-      first ? Reach::Unlimited : Reach::OfLastSweep };
-  }
-
-  Turn SmoothingTurn()
-  {
-    Term& swept = this->Main(this->Count++);
-    return { &swept, this->AllBut(swept), Transmittance::OfLastIterate, false, Reach::OfLastSweep,
-      this->Given->SmoothingStrength() };
   }
 
   IterationRecord MeasureFirst()
@@ -503,10 +478,10 @@ private:
   /// finds them when they are.
   bool SweepsSameNext(const Turn& turn)
   {
-    const bool again = this->Count < this->SweepLimit() &&
+    const bool again = this->Count < this->Turns.SweepLimit() &&
       (turn.weighs || !(this->Energy.MeanChange() < this->Given->settings.tolerance));
-    return this->MainTerms() == 1 &&
-      (turn.smoothing > 0 || (again && this->TurnOf(this->Count).swept == turn.swept));
+    return this->Turns.MainTerms() == 1 &&
+      (turn.smoothing > 0 || (again && this->Turns.Of(this->Count).swept == turn.swept));
   }
 
   /// Whether a term's rays have the last iterate's optical depths.
@@ -616,12 +591,12 @@ private:
   }
 
   static constexpr auto none = std::size_t(-1);
-  static constexpr double leastGain = 0.1; ///< of an energy, per tolerance
 
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
   bool Warm;
+  PolicyTurns<AnyDevice> Turns;
   int Count = 0;
   double Change = 0;
   bool Weighed = false; ///< in the last iteration, which is not stationary then
@@ -629,9 +604,8 @@ private:
   ResilientDescent<AnyDevice> Resilient;
   bool IsRefining = false; ///< whether resilient steps go on from the last iterate
   bool IsSmoothing = false;
-  int Steps = 0;                    ///< resilient steps since they began
-  int StepsWithoutGain = 0;         ///< resilient steps since the last one that was worth it
-  double LowestRefined = 0;         ///< energy of resilient steps since they began
+  DescentProgress Steps;            ///< resilient steps since they began
+  double FirstEnergy = 0;           ///< of what iterations start from
   double LastEnergy = 0;            ///< of the last iterate
   IterationRecord Lowest;           ///< of the best iterate
   std::vector<const Term*> SeeLast; ///< those whose rays have the last iterate's optical depths

@@ -90,7 +90,7 @@ double Problem::MostNodeDepth() const
 
 bool Problem::IsThick() const
 {
-  constexpr double thin = 0.6;
+  constexpr double thin = 0.5;
   return this->MostNodeDepth() > thin;
 }
 
