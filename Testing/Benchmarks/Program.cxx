@@ -54,7 +54,20 @@ std::string Line(const char* path, const std::string& begin)
   return "unknown";
 }
 
-/// Processes that were running, a mean over the last minute.
+void Save(const std::string& path, const Json& json)
+{
+  std::ofstream file;
+  if (!path.empty())
+  {
+    file.open(path);
+  }
+  std::ostream& stream = path.empty() ? std::cout : file;
+  stream << json.dump(1) << std::endl;
+  LIMPID_REQUIRE(stream.good(),
+    "The file " << path << " cannot be written (the results would be lost). Choose another.");
+}
+}
+
 double LoadAverage()
 {
   double load = 0;
@@ -62,8 +75,6 @@ double LoadAverage()
   return load;
 }
 
-/// What is measured on and with. Absolute paths are a matter of one machine: of those only the file
-/// name is shown.
 Json Machine(const std::vector<std::string>& command, double loadBefore)
 {
   std::string shown;
@@ -79,20 +90,6 @@ Json Machine(const std::vector<std::string>& command, double loadBefore)
     { "cores", std::thread::hardware_concurrency() }, { "threads", ThreadCount() },
     { "compiler", LIMPID_COMPILER }, { "build_type", LIMPID_BUILD_TYPE }, { "date", date },
     { "load_before", loadBefore }, { "load_after", LoadAverage() } };
-}
-
-void Save(const std::string& path, const Json& json)
-{
-  std::ofstream file;
-  if (!path.empty())
-  {
-    file.open(path);
-  }
-  std::ostream& stream = path.empty() ? std::cout : file;
-  stream << json.dump(1) << std::endl;
-  LIMPID_REQUIRE(stream.good(),
-    "The file " << path << " cannot be written (the results would be lost). Choose another.");
-}
 }
 
 std::vector<std::string> Split(const std::string& list)

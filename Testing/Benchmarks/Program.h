@@ -124,6 +124,12 @@ inline Json ToJson(const Int3& nodes)
   return { nodes.x, nodes.y, nodes.z };
 }
 
+double LoadAverage(); ///< processes that were running, a mean over the last minute
+
+/// What is measured on and with. Absolute paths in `command` are a matter of one machine: of those
+/// only the file name is shown.
+Json Machine(const std::vector<std::string>& command, double loadBefore);
+
 /// Fills `results`; may call `save` whenever more of them are there.
 using Measurement =
   std::function<void(const Options& options, Json& results, const std::function<void()>& save)>;

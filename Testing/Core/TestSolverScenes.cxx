@@ -108,7 +108,6 @@ TEST_P(RealScene, ReportsTheScoreOfTheMarchInOpaqueData)
 {
   LoadedScene scene(GetParam().name);
   scene.Classify(/*ramp=*/true, 1);
-  scene.file.importance = scene.importance; // for the march
   scene.settings.emphasis = 0;
   Solver solver = scene.MakeSolver();
   solver.Run();

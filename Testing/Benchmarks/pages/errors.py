@@ -143,5 +143,7 @@ def page(measured):
     return head("Run time against error", measured, command) + f"""
 Reference: the march of Testing/Reference, double precision, no code of the sweeps. Rays and \
 samples are per voxel and axis. Quadrature: a simple scorer with two rays per voxel and axis (one \
-in scenes above 4 million voxels), no skips. CUDA: {cuda}{')' if '(' in cuda else ''}.
+in scenes above 4 million voxels), no skips. CUDA: {cuda}{')' if '(' in cuda else ''}. Media that \
+stop most light from one node to the next, as with the opacity that ParaView begins with, have a \
+page of their own: [Thick.md](Thick.md).
 """ + fronts_section(scenes) + equal_section(scenes) + "".join(map(scene_section, scenes))
