@@ -195,8 +195,10 @@ private:
   /// what is started from, or to stay near, may be thicker already.
   bool SweepsEmphasise() const
   {
-    return this->Warm || !this->Given->IsThick() || this->Given->previous != nullptr;
+    return this->Warm || this->IsHardlyThick() || this->Given->previous != nullptr;
   }
+
+  bool IsHardlyThick() const { return this->Given->MostNodeDepth() < hardlyThick; }
 
   /// Whether policy sweeps have found what they can, so that resilient steps follow.
   bool Refines() const
@@ -205,10 +207,14 @@ private:
       (this->IsRefining || this->ChangesLess(1) || this->Count >= this->Turns.SweepLimit());
   }
 
-  /// Whether the last resilient steps have gained next to nothing, at the lowest energy.
+  /// Whether the last resilient steps have gained next to nothing, at the lowest energy. Where
+  /// media are hardly thick, sweeps have found nearly all, and a few steps are enough.
   bool HasRefined() const
   {
-    return this->Steps.HasStalled() && !(this->Steps.Lowest() > this->Lowest.energy.Total());
+    constexpr int fewSteps = 7;
+    const bool enough =
+      this->Steps.HasStalled() || (this->Steps.Count() >= fewSteps && this->IsHardlyThick());
+    return enough && !(this->Steps.Lowest() > this->Lowest.energy.Total());
   }
 
   /// Whether steps also descend from the base: where important matter is opaque and may be removed,
@@ -249,10 +255,12 @@ private:
   }
 
   /// The same from what is found with half as many nodes along each axis, which sees ways through
-  /// opaque matter that steps of single nodes do not. In a small volume other starts do.
+  /// opaque matter that steps of single nodes do not. In a small volume other starts do, and
+  /// elsewhere only the most opaque matter is worth the time.
   void DescendFromCoarser()
   {
-    if (this->Given->IsSmall())
+    constexpr double mostOpaque = 20;
+    if (this->Given->IsSmall() || this->Given->MostNodeDepth() < mostOpaque)
     {
       return;
     }
@@ -590,6 +598,7 @@ private:
     this->LagBeside = turn.swept;
   }
 
+  static constexpr double hardlyThick = 0.6; ///< optical depth from node to node
   static constexpr auto none = std::size_t(-1);
 
   const Problem* Given;
