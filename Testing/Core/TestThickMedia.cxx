@@ -10,7 +10,6 @@
 #include "Tolerance.h"
 
 #include "energy/VisibilityTerm.h"
-#include "optimize/Levels.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Terms.h"
 
@@ -106,18 +105,6 @@ TEST(ThickMedia, ShowAsMuchOfAnOpaqueBlockAsTheIntegral)
 
 namespace
 {
-/// S by a march through the same trilinear fields, given on so many times more nodes that a cell
-/// stops little.
-double FineMarch(const BoxScene& scene, int finer)
-{
-  const Int3 nodes = (scene.grid.nodes - 1) * finer + 1;
-  BoxScene fine(nodes, scene.grid.origin, scene.grid.spacing / double(finer));
-  fine.camera = scene.camera;
-  fine.extinction = Prolong(scene.grid, scene.extinction.data(), fine.grid);
-  fine.importance = Prolong(scene.grid, scene.importance.data(), fine.grid);
-  return fine.TrueScore(fine.extinction);
-}
-
 struct OpaqueShape
 {
   const char* name;
@@ -154,7 +141,7 @@ TEST(ThickMedia, HaveTheScoreOfAFineMarchFromAnyDirection)
         const auto density = [&](const Vec3& x) { return shape.density(x - scene.grid.Centre()); };
         scene.Fill([&](const Vec3& x) { return extinction * density(x); }, density);
 
-        const double march = FineMarch(scene, 6);
+        const double march = scene.TrueScore(scene.extinction, 8);
 
         EXPECT_WITHIN(scene.MakeSolver().BaseScore().visibility, march,
           Relative(5e-3, march, "the bar of the issue"));

@@ -36,7 +36,7 @@ void RequireFields(const SceneFields& scene)
 double RayDensityOfScores(const Problem& problem)
 {
   const double most = problem.IsSmall() ? 4 : 2;
-  const double fewestAcross = problem.MayHaveThickLayers() ? 256 : 110;
+  const double fewestAcross = problem.IsThick() ? 256 : problem.IsSmall() ? 110 : 0;
   const double wanted =
     fewestAcross / std::cbrt(double(std::max<Index>(problem.grid.NodeCount(), 1)));
   return std::max(problem.settings.rayDensity, std::min(wanted, most));
@@ -152,6 +152,12 @@ void RequireReach(const Problem& problem)
   RequireDistance("light", problem.light, problem.grid);
 }
 
+bool IsSampledAsScores(const Problem& problem)
+{
+  return RayDensityOfScores(problem) == problem.settings.rayDensity &&
+    problem.fine == problem.MayHaveThickLayers();
+}
+
 void RequireView(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid)
 {
@@ -252,8 +258,7 @@ Problem PreparedScene::ProblemFor(
   }
   task.light = SourceOfLight(light, scene.grid);
   task.settings = settings;
-  task.tellsScores = SeesWhatScoresAreOf(settings) &&
-    RayDensityOfScores(task) == settings.rayDensity && !task.MayHaveThickLayers();
+  task.tellsScores = SeesWhatScoresAreOf(settings);
   return task;
 }
 

@@ -16,6 +16,9 @@ void RequireSettings(const Settings& settings);
 /// Throws limpid::Error unless the rays of both can be told apart.
 void RequireReach(const Problem& problem);
 
+/// Whether a problem's iterations have as many rays as scores, and resolve layers as these do.
+bool IsSampledAsScores(const Problem& problem);
+
 /// Throws limpid::Error unless camera and light can be worked with.
 void RequireView(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid);
@@ -41,7 +44,8 @@ public:
   Problem ProblemFor(const Camera& camera, const Light& light, const Settings& settings);
 
   /// The same for scores and ceilings, which the importance as given counts for. In small volumes
-  /// and thick media they take more rays than iterations, and thick layers are cut finer.
+  /// and thick media they take more rays than iterations, and layers are resolved by FineCuts where
+  /// any may be thick.
   Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);
 
   /// What a problem of this scene is to stay near of a change, moved into its bounds; sets how

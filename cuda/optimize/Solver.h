@@ -109,8 +109,8 @@ public:
   /// Both extinctions, given away: the solver cannot be used any more.
   std::array<FoundExtinction, 2> TakeExtinctions();
 
-  /// Whether the records have scores, which may take sweeps of their own; BestScore() is always
-  /// that of the importance as given.
+  /// Whether the records have scores; between the first and the last these are by the rays of
+  /// iterations. BestScore() is always that of the importance as given.
   bool TellsScores() const;
 
   double Majorant() const; ///< upper bound of the extinction, Eq. (25) [1/length]

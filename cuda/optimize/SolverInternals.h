@@ -58,7 +58,8 @@ struct Solver::Internals
     std::unique_ptr<SourceSweeps> sweeps;
   };
   mutable std::unique_ptr<Judge> judge;
-  mutable std::optional<Ceiling> ceiling; ///< not there: nobody has asked
+  mutable std::unique_ptr<Judge> judgeOfIterates; ///< by fewer rays, where these see less
+  mutable std::optional<Ceiling> ceiling;         ///< not there: nobody has asked
 
   Energy bestEnergy;
   int iterations = 0;
@@ -99,6 +100,7 @@ struct Solver::Internals
     this->base = Score();
     this->best = Score();
     this->judge.reset();
+    this->judgeOfIterates.reset();
     this->ceiling.reset();
     this->bestEnergy = Energy();
     this->lightExtinction = {};
@@ -222,18 +224,22 @@ struct Solver::Internals
     this->runLowest = record.energy.Total();
     if (!this->lightRun)
     {
-      this->base = this->SeesAlong() ? this->minimizer->BaseScore()
-                                     : this->ScoreOf(this->scene.baseExtinction);
-      this->best = this->SeesAlong()
-        ? record.score
-        : (this->initial ? std::nullopt : std::optional<Score>(this->base));
+      const bool tells = this->SeesAlong() && this->SamplesAsScores();
+      this->base = tells ? this->minimizer->BaseScore() : this->ScoreOf(this->scene.baseExtinction);
+      this->best =
+        tells ? record.score : (this->initial ? std::nullopt : std::optional<Score>(this->base));
       this->bestEnergy = record.energy;
       record.score = this->best.value_or(Score());
     }
     this->history.push_back(record);
   }
 
+  /// Whether iterations see what scores are of.
   bool SeesAlong() const { return this->problem.tellsScores; }
+
+  /// Whether they also sample it as scores do; else scores of iterates are less exact than those of
+  /// the first and the last, for which there is a sweep of its own.
+  bool SamplesAsScores() const { return IsSampledAsScores(this->problem); }
 
   /// Whether records have scores.
   bool KnowsScores() const
@@ -247,14 +253,38 @@ struct Solver::Internals
 
   Score ScoreOf(const float* field) const
   {
-    if (!this->judge)
+    return this->ScoreBy(this->judge, field,
+      [this]
+      { return this->prepared->ProblemForScores(this->camera, this->light, this->settings); });
+  }
+
+  /// The same as iterations sample.
+  Score ScoreOfIterate(const float* field) const
+  {
+    if (this->SamplesAsScores())
+    {
+      return this->ScoreOf(field);
+    }
+    return this->ScoreBy(this->judgeOfIterates, field,
+      [this]
+      {
+        Settings wanted = this->settings;
+        wanted.importanceSmoothing = ImportanceSmoothing::Off;
+        return this->prepared->ProblemFor(this->camera, this->light, wanted);
+      });
+  }
+
+  template <class MakeProblem>
+  Score ScoreBy(std::unique_ptr<Judge>& by, const float* field, const MakeProblem& make) const
+  {
+    if (!by)
     {
       auto made = std::make_unique<Judge>();
-      made->problem = this->prepared->ProblemForScores(this->camera, this->light, this->settings);
+      made->problem = make();
       made->sweeps = this->backend->SweepsFromCameras(made->problem);
-      this->judge = std::move(made);
+      by = std::move(made);
     }
-    return this->judge->sweeps->ScoreOf(field);
+    return by->sweeps->ScoreOf(field);
   }
 
   const std::vector<float>& Extinction() const
@@ -335,8 +365,9 @@ struct Solver::Internals
     }
     else if (this->KnowsScores() && !this->SeesAlong() && !this->lightRun)
     {
-      const bool isKnown = this->best && record.level == 0 && !better;
-      record.score = isKnown ? *this->best : this->ScoreOf(this->minimizer->Best().data());
+      const bool isKnown = record.level == 0 && !better;
+      record.score =
+        isKnown ? this->history.back().score : this->ScoreOfIterate(this->minimizer->Best().data());
     }
     ++this->iterations;
     this->seconds +=
@@ -352,7 +383,8 @@ struct Solver::Internals
     if (better && !this->lightRun)
     {
       this->bestEnergy = record.energy;
-      this->best = this->KnowsScores() ? std::optional<Score>(record.score) : std::nullopt;
+      const bool tells = this->KnowsScores() && (!this->Minimizes() || this->SamplesAsScores());
+      this->best = tells ? std::optional<Score>(record.score) : std::nullopt;
     }
     this->stopped = this->AnyRank(progress && !progress(this->Share(), this->Describe(record)));
     const bool late = this->AnyRank(
@@ -396,13 +428,19 @@ struct Solver::Internals
     {
       return false;
     }
+    constexpr double leastForLight = 0.98;
+    const double least = of.weights.light > 0 ? leastForLight : 1.0;
+    return this->BestScore().fraction < least * this->base.fraction;
+  }
+
+  /// Of a run that is finished.
+  const Score& BestScore()
+  {
     if (!this->best)
     {
       this->best = this->ScoreOf(this->extinction.OnHost().data());
     }
-    constexpr double leastForLight = 0.98;
-    const double least = of.weights.light > 0 ? leastForLight : 1.0;
-    return this->best->fraction < least * this->base.fraction;
+    return *this->best;
   }
 
   void FinishRun()
@@ -419,7 +457,13 @@ struct Solver::Internals
         this->best = this->base;
         this->bestEnergy = this->backend->MakeMinimizer(this->problem, {}, false)->Start().energy;
       }
+      if (!this->lightRun && this->KnowsScores())
+      {
+        this->history.back().score = this->BestScore();
+      }
     }
+    this->judge.reset();
+    this->judgeOfIterates.reset();
     const bool lightFollows = HasLightExtinction(this->settings) && !this->lightRun;
     if (!lightFollows || this->stopped)
     {
