@@ -174,10 +174,11 @@ void PrintColumns()
   std::printf("\n");
 }
 
-/// How far a value is from another one, or a dash where that is next to nothing beside `most`.
+/// How far a value is from another one, or a dash where that is next to nothing beside it, or
+/// beside `most`.
 void PrintDifference(double value, double other, double most)
 {
-  if (std::abs(other) <= 1e-6 * std::abs(most))
+  if (std::abs(other) <= std::max(1e-6 * std::abs(most), 1e-4 * std::abs(value)))
   {
     std::printf(" – |");
     return;
