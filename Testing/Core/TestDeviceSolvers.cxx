@@ -34,6 +34,26 @@ BoxScene Onion()
 }
 }
 
+// In the most opaque matter steps also begin at what a coarser grid finds.
+TEST(PolicyOfDevice, IsThatOfTheProcessorInOpaqueMatter)
+{
+  BoxScene scene(Int3(49, 44, 42), Vec3(0.0), Vec3(1.0));
+  scene.FillOnion(1000); // an optical depth of 26 from node to node
+  PreparedScene prepared(scene.Fields());
+  const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
+  const std::shared_ptr<SolverBackend> backend = MakeSolverBackend(MakeTestedDevice());
+  const auto there = backend->MakeMinimizer(problem, {}, false);
+  const auto here = MakeSolverBackend(HostDevice::Shared())->MakeMinimizer(problem, {}, false);
+  there->Start();
+  here->Start();
+
+  const double found = there->Iterate().energy.Total();
+
+  const double expected = here->Iterate().energy.Total();
+  // Where a derivative is rounding noise, resilient steps follow its sign.
+  EXPECT_NEAR(found / expected, 1, 1e-2);
+}
+
 TEST(AdamOfDevice, IsThatOfTheProcessor)
 {
   BoxScene scene = Onion();

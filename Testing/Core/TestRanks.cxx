@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Ranks, SharedScene,
 TEST(Ranks, HaveTheSameBitsInOpaqueMatter)
 {
   BoxScene scene(Int3(49, 44, 42), Vec3(0.0), Vec3(1.0));
-  scene.FillOnion(600); // an optical depth of 15 from node to node
+  scene.FillOnion(1000); // an optical depth of 26 from node to node
   scene.settings.maximumIterations = 2;
   const Whole whole(scene);
 
