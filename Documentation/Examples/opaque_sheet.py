@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import optimize_scene  # pylint: disable=wrong-import-position
 import sheet  # pylint: disable=wrong-import-position
 
-SIZE = 2.6  # of a picture [inches]
+SIZE = 1.9  # of a picture [inches]
 
 
 def take_default_opacity(scene, display):
