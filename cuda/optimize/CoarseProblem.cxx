@@ -95,7 +95,7 @@ std::vector<float> CoarseProblem::ChangedOn(
   return extinction;
 }
 
-/// Of a field on the grid that was given.
+/// A field of the problem that was given, on another grid.
 std::vector<float> CoarseProblem::Restricted(const float* field, const Grid& to) const
 {
   return MovedTo(*this->Given, this->Given->grid, field + this->Given->OwnSlab().Begin(), to);
@@ -114,7 +114,7 @@ void CoarseProblem::UseFields()
     problem.grid, problem.baseExtinction, problem.nodeImportance, problem.settings.skipUnneeded);
 }
 
-/// The same where each rank has a slab of the fields.
+/// UseFields where each rank has a slab of the fields.
 void CoarseProblem::ShareFields()
 {
   Problem& problem = this->Coarse;

@@ -10,13 +10,12 @@
 
 namespace limpid
 {
-/// A field of a problem on another grid over its box, see Resampled; where ranks share the problem,
-/// this rank's slab from its slab.
+/// A field of a problem's own slab, moved to the own slab of another grid over its box, see
+/// Problem::OwnSlab and Resampled.
 std::vector<float> MovedTo(
   const Problem& problem, const Grid& from, const float* field, const Grid& to);
 
-/// A problem on a coarser grid over the same box, with fields of its own; where ranks share the
-/// problem, each has a slab of them.
+/// A problem on a coarser grid over the same box, with fields of its own.
 class CoarseProblem
 {
 public:
@@ -29,7 +28,8 @@ public:
 
   /// What an extinction of this problem changes, added to the base extinction on a finer grid:
   /// detail of the base survives, and voxels that nothing asked to change keep their base bit by
-  /// bit. `found`: where ranks share the problem, of this rank's slab, as the result is [1/length].
+  /// bit. `found`: in this problem's own slab, as the result is in that of the finer grid
+  /// [1/length].
   std::vector<float> ChangedOn(const Grid& finer, const std::vector<float>& found) const;
 
 private:

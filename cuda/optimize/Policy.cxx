@@ -80,7 +80,7 @@ public:
     }
     if (this->DescendsFromBase() && this->Count == 0)
     {
-      this->DescendFrom(this->Now);
+      this->DescendFrom(this->Now, this->LastEnergy);
       this->DescendFromCoarser();
     }
     const Turn turn = this->Turns.Of(this->Count++);
@@ -97,7 +97,7 @@ public:
     this->KeepIfLowest(record);
     if (this->DescendsFromFirstSweeps() && this->Count == this->Turns.MainTerms())
     {
-      this->DescendFrom(this->Now);
+      this->DescendFrom(this->Now, this->LastEnergy);
     }
     return this->DescendsFromBase() ? this->BestRecord() : record;
   }
@@ -233,15 +233,15 @@ private:
     return this->DescendsFromBase() && this->Given->IsSmall();
   }
 
-  /// Resilient steps from an iterate, which is the last one or was measured last. Sweeps go on from
-  /// the last one then.
-  void DescendFrom(std::size_t first)
+  /// Resilient steps from an iterate and its energy. Sweeps go on from the last one then.
+  void DescendFrom(std::size_t first, double energyThere)
   {
     constexpr int mostSteps = 24;
     const double energy = this->LastEnergy;
     const double change = this->Change;
     this->BranchedAt = this->Now;
     this->Now = first;
+    this->LastEnergy = energyThere;
     this->BeginRefinement();
     for (int step = 0; step < mostSteps && !this->Steps.HasStalled(); ++step)
     {
@@ -254,9 +254,9 @@ private:
     this->Change = change;
   }
 
-  /// The same from what is found with half as many nodes along each axis, which sees ways through
-  /// opaque matter that steps of single nodes do not. In a small volume other starts do, and
-  /// elsewhere only the most opaque matter is worth the time.
+  /// Resilient steps from what is found with half as many nodes along each axis, which sees ways
+  /// through opaque matter that steps of single nodes do not. In a small volume other starts do,
+  /// and elsewhere only the most opaque matter is worth the time.
   void DescendFromCoarser()
   {
     constexpr double mostOpaque = 20;
@@ -270,9 +270,7 @@ private:
     start.own =
       this->Energy.Everywhere(coarse.ChangedOn(this->Given->grid, this->FoundBy(coarse.Made())));
     start.values = start.own.Data();
-    const double before = std::exchange(this->LastEnergy, this->MeasureIterate(free));
-    this->DescendFrom(free);
-    this->LastEnergy = before;
+    this->DescendFrom(free, this->MeasureIterate(free));
   }
 
   /// The optimum of another problem, of this rank's slab where ranks share it.

@@ -43,7 +43,7 @@ public:
   /// The energy as seen from a camera and lit by a light; null-weighted terms stay in it.
   Problem ProblemFor(const Camera& camera, const Light& light, const Settings& settings);
 
-  /// The same for scores and ceilings, which the importance as given counts for. In small volumes
+  /// A problem for scores and ceilings, which the importance as given counts for. In small volumes
   /// and thick media they take more rays than iterations, and layers are resolved by FineCuts where
   /// any may be thick.
   Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);

@@ -55,7 +55,7 @@ struct Problem
     false; ///< whether the extinction for the light is wanted of a method that has one
   Settings settings;
   bool fine = false;       ///< whether scores and ceilings resolve layers by FineCuts
-  bool tellsScores = true; ///< whether iterations see what scores are of, as scores do
+  bool tellsScores = true; ///< whether iterations see what scores are of, see SeesWhatScoresAreOf
 
   double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
 

@@ -258,7 +258,7 @@ struct Solver::Internals
       { return this->prepared->ProblemForScores(this->camera, this->light, this->settings); });
   }
 
-  /// The same as iterations sample.
+  /// ScoreOf, as iterations sample.
   Score ScoreOfIterate(const float* field) const
   {
     if (this->SamplesAsScores())
@@ -433,7 +433,7 @@ struct Solver::Internals
     return this->BestScore().fraction < least * this->base.fraction;
   }
 
-  /// Of a run that is finished.
+  /// BestScore of Solver, once a run is finished.
   const Score& BestScore()
   {
     if (!this->best)

@@ -378,7 +378,7 @@ private:
     }
   }
 
-  /// The same for a stretch. Returns whether all of its pieces were visited.
+  /// ForPiecesInOrder in a stretch. Returns whether all of its pieces were visited.
   template <class Order, class Visit>
   LIMPID_HD LIMPID_INLINE bool VisitPieces(
     const Range<float>& stretch, const Order& order, const Visit& visit) const
