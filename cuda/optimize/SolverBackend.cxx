@@ -5,6 +5,7 @@
 
 #include "optimize/SolverBackend.h"
 
+#include "energy/NodeTransmittance.h"
 #include "energy/TransmittanceSweep.h"
 #include "optimize/Adam.h"
 #include "optimize/ClosedForm.h"
@@ -189,6 +190,11 @@ public:
       {
         FindTransmittanceOnRanks(
           problem.grid, *problem.piece, source, rayDensity, extinction, transmittance);
+        if (problem.IsThick())
+        {
+          RefineTransmittanceOnRanks(
+            problem.grid, *problem.piece, source, extinction, transmittance);
+        }
         return;
       }
     }
@@ -196,14 +202,25 @@ public:
     const BorrowedArray<AnyDevice, float> field(this->Device, extinction, count, "the extinction");
     const Occupancy occupancy(problem.grid, extinction, extinction, true);
     TransmittanceSweep<AnyDevice> volume(this->Device, problem.grid, occupancy, source, rayDensity);
+    const auto fill = [&](float* result)
+    {
+      if (!problem.IsThick())
+      {
+        volume.Fill(field.Data(), result);
+        return;
+      }
+      DeviceArray<AnyDevice, float> swept(this->Device, count, "the transmittance of a sweep");
+      volume.Fill(field.Data(), swept.Data());
+      RefineTransmittance(*this->Device, problem.grid, source, field.Data(), swept.Data(), result);
+    };
     if constexpr (AnyDevice::readsHostMemory)
     {
-      volume.Fill(field.Data(), transmittance);
+      fill(transmittance);
     }
     else
     {
       DeviceArray<AnyDevice, float> result(this->Device, count, "the transmittance");
-      volume.Fill(field.Data(), result.Data());
+      fill(result.Data());
       result.Download(transmittance);
     }
   }

@@ -60,7 +60,8 @@ public:
   /// `extinction`: the base extinction at first.
   virtual void FindByMethod(const Problem& problem, std::vector<float>& extinction) = 0;
 
-  /// Transmittance from a source through an extinction of the problem, see TransmittanceSweep.
+  /// Transmittance from a source through an extinction of the problem, see TransmittanceSweep,
+  /// and in thick media RefineTransmittance.
   virtual void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,
     const float* extinction, float* transmittance) = 0;
 };
