@@ -142,8 +142,9 @@ public:
       const double next = glm::min(walk.face[axis], end);
       if (next > at && counts(walk.cell)) // it may cross several faces at once
       {
+        const double here = MeanAlong(extinction, walk, at, next) * (next - at) * length;
         depth += static_cast<WholeDepth>(
-          MeanAlong(extinction, walk, at, next) * (next - at) * length * unitsOfDepth + 0.5);
+          glm::min(double(darkWholeDepth), here * unitsOfDepth + 0.5)); // also of what overflows
       }
       walk.Cross(axis);
       at = next;
