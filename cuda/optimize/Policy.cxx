@@ -80,7 +80,7 @@ public:
     }
     if (this->DescendsFromBase() && this->Count == 0)
     {
-      this->DescendFrom(this->Now, this->LastEnergy);
+      this->DescendFrom(this->Now, this->LastEnergy, this->Given->IsSmall() ? mostSteps : fewSteps);
       this->DescendFromCoarser();
     }
     const Turn turn = this->Turns.Of(this->Count++);
@@ -211,7 +211,6 @@ private:
   /// media are hardly thick, sweeps have found nearly all, and a few steps are enough.
   bool HasRefined() const
   {
-    constexpr int fewSteps = 7;
     const bool enough =
       this->Steps.HasStalled() || (this->Steps.Count() >= fewSteps && this->IsHardlyThick());
     return enough && !(this->Steps.Lowest() > this->Lowest.energy.Total());
@@ -234,9 +233,10 @@ private:
   }
 
   /// Resilient steps from an iterate and its energy. Sweeps go on from the last one then.
-  void DescendFrom(std::size_t first, double energyThere)
+  /// `stepsFromAfar`: how many at most once twice as much is gained as there was at first; what the
+  /// sweeps clear is as good a start then.
+  void DescendFrom(std::size_t first, double energyThere, int stepsFromAfar = mostSteps)
   {
-    constexpr int mostSteps = 24;
     const double energy = this->LastEnergy;
     const double change = this->Change;
     this->BranchedAt = this->Now;
@@ -245,6 +245,10 @@ private:
     this->BeginRefinement();
     for (int step = 0; step < mostSteps && !this->Steps.HasStalled(); ++step)
     {
+      if (step >= stepsFromAfar && this->Lowest.energy.Total() < 2 * this->FirstEnergy)
+      {
+        break;
+      }
       this->TryResilientStep();
     }
     this->BeginRefinement();
@@ -597,6 +601,8 @@ private:
   }
 
   static constexpr double hardlyThick = 0.6; ///< optical depth from node to node
+  static constexpr int fewSteps = 7;         ///< resilient ones
+  static constexpr int mostSteps = 24;       ///< of a descent
   static constexpr auto none = std::size_t(-1);
 
   const Problem* Given;
