@@ -14,8 +14,20 @@ namespace limpid
 {
 namespace
 {
-/// Rays across a side per voxel of its depth, at least.
+/// Rays across a side per voxel of its depth, at least, but no more than a half per voxel of what
+/// is as wide as the box: along a long box a side is a small part of what is seen.
 constexpr double facePart = 0.25;
+constexpr double mostPart = 0.5;
+
+/// Rays across a box of so many layers, at least, for the sake of the integrals: even across a
+/// single voxel. Across a long one fewer are enough, and would be most of the work.
+double FewestAcross(double layers)
+{
+  constexpr double most = 16;
+  constexpr double least = 4;
+  constexpr double shortest = 64; // [layers]
+  return std::max(least, most * std::min(1.0, std::sqrt(shortest / layers)));
+}
 
 /// Parts between two coordinates: as many as `perUnit` says, and `fewest` at least.
 void AddParts(double begin, double end, double perUnit, double fewest, std::vector<double>& edges)
@@ -219,7 +231,7 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
     this->count = 0;
     return;
   }
-  constexpr double fewest = 16; // even across a single voxel, for the sake of the integrals
+  const double fewest = FewestAcross(farDepth - nearDepth);
   const double perUnit =
     std::max(rayDensity * (this->parallel ? 1.0 : farDepth), (fewest - 1e-6) / size);
   std::vector<double> edges{ outlines.front() };
@@ -230,7 +242,8 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
   else
   {
     // A side that is seen at a grazing angle is a thin strip: rays enough for all its depth.
-    const double alongSide = facePart * rayDensity * (farDepth - nearDepth);
+    const double alongSide = rayDensity *
+      std::min(facePart * (farDepth - nearDepth), std::max(mostPart * last, 0.25 * fewest));
     for (std::size_t i = 0; i + 1 < outlines.size(); ++i)
     {
       if (outlines[i + 1] - outlines[i] > 1e-9 * size)
