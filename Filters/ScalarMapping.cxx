@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -64,7 +65,9 @@ double EvaluateNodes(const std::vector<Node>& nodes, double position)
     return nodes.back().value;
   }
   const Node& left = *(next - 1);
-  const double share = (position - left.position) / (next->position - left.position);
+  // Halves: the difference of two positions may overflow.
+  const double share =
+    (0.5 * position - 0.5 * left.position) / (0.5 * next->position - 0.5 * left.position);
   return left.value + share * (next->value - left.value);
 }
 
@@ -204,7 +207,8 @@ ScalarMapping Evaluate(vtkPiecewiseFunction* function)
   std::vector<Node> nodes = NodesOfPlainFunction(function);
   if (nodes.empty())
   {
-    return [function](double value) { return function->GetValue(value); };
+    return [function = vtkSmartPointer<vtkPiecewiseFunction>(function)](double value)
+    { return function->GetValue(value); };
   }
   return [nodes = std::move(nodes)](double value) { return EvaluateNodes(nodes, value); };
 }

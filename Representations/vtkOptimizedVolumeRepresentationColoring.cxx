@@ -116,6 +116,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
 void vtkOptimizedVolumeRepresentation::ApplyFunctions(
   const limpid::ScalarChoice& scalars, vtkImageData* image)
 {
+  this->State->Contents.Notice(image, { scalars.array });
   const vtkMTimeType time = scalars.array ? scalars.array->GetMTime() : 0;
   if (limpid::AnyProcess(this->Others(), this->State->DefaultsTime != time)) // unique among arrays
   {

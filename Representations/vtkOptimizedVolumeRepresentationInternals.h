@@ -4,6 +4,7 @@
 #ifndef vtkOptimizedVolumeRepresentationInternals_h
 #define vtkOptimizedVolumeRepresentationInternals_h
 
+#include "ArrayContents.h"
 #include "StartingImportance.h"
 #include "vtkOptimizedVolumeRepresentation.h"
 #include "vtkScoreAnnotation.h"
@@ -39,6 +40,7 @@ public:
 struct vtkOptimizedVolumeRepresentation::Internals
 {
   vtkNew<vtkRepresentedVolumeMapper> Mapper;
+  limpid::ArrayContents Contents; ///< of what is shown
   vtkNew<vtkScoreAnnotation> Annotation;
   std::string SourceName;
   bool TellsName = false; // in the present frame

@@ -14,26 +14,35 @@
 #include "render/Classification.h" // for TableAxis
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace limpid
 {
 namespace
 {
-constexpr int Samples = 4096;
+constexpr int LeastSamples = 4096;
+constexpr int MostSamples = 1 << 20;
 
 struct ScalarRange
 {
-  double low = std::numeric_limits<double>::max();
-  double high = std::numeric_limits<double>::lowest();
+  double low = 0;
+  double high = 0;
 
-  void Include(const double* range)
+  // One of so many samples at equal steps.
+  double At(int sample, int count) const
   {
-    this->low = std::min(this->low, range[0]);
-    this->high = std::max(this->high, range[1]);
+    const double share = double(sample) / (count - 1);
+    return this->low * (1 - share) + this->high * share; // no difference: it may overflow
   }
 };
+
+void Include(const double* range, FunctionRange& whole)
+{
+  whole.low = std::min(whole.low, range[0]);
+  whole.high = std::max(whole.high, range[1]);
+}
 
 bool IsConstantOutside(vtkColorTransferFunction* function)
 {
@@ -41,48 +50,14 @@ bool IsConstantOutside(vtkColorTransferFunction* function)
     !function->GetUseAboveRangeColor();
 }
 
-// Where functions are not constant, and whether they are constant outside of it.
-struct FunctionRange
-{
-  ScalarRange interval;
-  bool constantOutside = true;
-};
-
-FunctionRange RangeOfColors(vtkVolumeProperty* property)
-{
-  FunctionRange range;
-  if (property->GetColorChannels(0) == 1)
-  {
-    range.interval.Include(property->GetGrayTransferFunction(0)->GetRange());
-    range.constantOutside = property->GetGrayTransferFunction(0)->GetClamping() != 0;
-  }
-  else
-  {
-    range.interval.Include(property->GetRGBTransferFunction(0)->GetRange());
-    range.constantOutside = IsConstantOutside(property->GetRGBTransferFunction(0));
-  }
-  return range;
-}
-
-FunctionRange RangeOfFunctions(vtkVolumeProperty* property)
-{
-  FunctionRange range = RangeOfColors(property);
-  range.interval.Include(property->GetScalarOpacity(0)->GetRange());
-  range.constantOutside &= property->GetScalarOpacity(0)->GetClamping() != 0;
-  return range;
-}
-
 // An interval to be sampled: never empty, and within the data unless that makes it so.
 ScalarRange SampledRange(const FunctionRange& range, double low, double high)
 {
-  const ScalarRange& functions = range.interval;
-  ScalarRange sampled;
-  sampled.low = low;
-  sampled.high = high;
-  if (range.constantOutside && functions.low <= functions.high)
+  ScalarRange sampled{ low, high };
+  if (range.constantOutside && range.low <= range.high)
   {
-    sampled.low = std::min(std::max(low, functions.low), functions.high);
-    sampled.high = std::max(std::min(high, functions.high), functions.low);
+    sampled.low = std::min(std::max(low, range.low), range.high);
+    sampled.high = std::max(std::min(high, range.high), range.low);
   }
   if (!(sampled.high > sampled.low))
   {
@@ -92,31 +67,77 @@ ScalarRange SampledRange(const FunctionRange& range, double low, double high)
   return sampled;
 }
 
+// The widths between every node and the next but one within an interval: what a function shows
+// there, a step or a peak, is as wide.
+template <class Function>
+double NarrowestFeature(Function* function, const ScalarRange& interval)
+{
+  double narrowest = interval.high - interval.low;
+  double before[2] = { interval.low, interval.low };
+  const int count = function->GetSize();
+  for (int i = 0; i < count; ++i)
+  {
+    std::array<double, 6> node{}; // its position, and more
+    function->GetNodeValue(i, node.data());
+    const double inside = std::min(std::max(node[0], interval.low), interval.high);
+    const double width = inside - before[0];
+    narrowest = i > 1 && width > 0 ? std::min(narrowest, width) : narrowest;
+    before[0] = before[1];
+    before[1] = inside;
+  }
+  return narrowest;
+}
+
+// How a table is sampled.
+struct Sampling
+{
+  int count;
+  double featuresPerSample; ///< the narrowest ones
+};
+
+Sampling SamplingOf(vtkVolumeProperty* property, const ScalarRange& interval, bool ofOpacity)
+{
+  constexpr double samplesPerFeature = 4;
+  double feature = property->GetColorChannels(0) == 1
+    ? NarrowestFeature(property->GetGrayTransferFunction(0), interval)
+    : NarrowestFeature(property->GetRGBTransferFunction(0), interval);
+  if (ofOpacity)
+  {
+    feature = std::min(feature, NarrowestFeature(property->GetScalarOpacity(0), interval));
+  }
+  const double width = interval.high - interval.low;
+  const double wanted = std::ceil(samplesPerFeature * (width / feature)) + 1;
+  Sampling sampling{};
+  sampling.count = wanted > LeastSamples ? static_cast<int>(std::min(wanted, double(MostSamples)))
+                                         : LeastSamples; // of no number, too
+  sampling.featuresPerSample = width / feature / (sampling.count - 1);
+  return sampling;
+}
+
 // As GetTable, but at equal steps whatever the scale of the function.
 void SampleLogarithmicColors(
   vtkColorTransferFunction* function, const ScalarRange& interval, std::vector<double>& table)
 {
   const double* range = function->GetRange();
-  for (int i = 0; i < Samples; ++i)
+  const auto count = static_cast<int>(table.size() / 3);
+  for (int i = 0; i < count; ++i)
   {
-    const double value = interval.low + (interval.high - interval.low) * i / (Samples - 1);
+    const double value = interval.At(i, count);
     const double inside =
       IsConstantOutside(function) ? std::min(std::max(value, range[0]), range[1]) : value;
     function->vtkColorTransferFunction::GetColor(inside, &table[3 * std::size_t(i)]);
   }
 }
 
-std::vector<double> ColorTable(vtkVolumeProperty* property, const ScalarRange& interval)
+std::vector<double> ColorTable(vtkVolumeProperty* property, const ScalarRange& interval, int count)
 {
-  std::vector<double> table(3 * Samples, 0.0);
+  std::vector<double> table(3 * std::size_t(count), 0.0);
   if (property->GetColorChannels(0) == 1)
   {
-    std::vector<double> gray(Samples);
-    property->GetGrayTransferFunction(0)->GetTable(
-      interval.low, interval.high, Samples, gray.data());
+    const ScalarMapping gray = Evaluate(property->GetGrayTransferFunction(0));
     for (std::size_t i = 0; i < table.size(); ++i)
     {
-      table[i] = gray[i / 3];
+      table[i] = i % 3 == 0 ? gray(interval.At(static_cast<int>(i / 3), count)) : table[i - 1];
     }
     return table;
   }
@@ -127,7 +148,7 @@ std::vector<double> ColorTable(vtkVolumeProperty* property, const ScalarRange& i
   }
   else
   {
-    function->GetTable(interval.low, interval.high, Samples, table.data());
+    function->GetTable(interval.low, interval.high, count, table.data());
   }
   return table;
 }
@@ -139,39 +160,74 @@ float Color(double value)
 
 // Functions without extinction yet.
 TransferFunctions WithColors(
-  vtkVolumeProperty* property, const ScalarRange& interval, const ValueUnit& unit)
+  vtkVolumeProperty* property, const ScalarRange& interval, int count, const ValueUnit& unit)
 {
-  const std::vector<double> colors = ColorTable(property, interval);
+  const std::vector<double> colors = ColorTable(property, interval, count);
   TransferFunctions functions;
-  functions.low = (interval.low - unit.offset) * unit.scale;
-  functions.high = (interval.high - unit.offset) * unit.scale;
-  functions.color.resize(Samples);
-  for (std::size_t i = 0; i < Samples; ++i)
+  functions.low = unit.Of(interval.low);
+  functions.high = unit.Of(interval.high);
+  functions.color.resize(std::size_t(count));
+  for (std::size_t i = 0; i < functions.color.size(); ++i)
   {
     functions.color[i] = { { Color(colors[3 * i]), Color(colors[3 * i + 1]),
       Color(colors[3 * i + 2]) } };
   }
   return functions;
 }
+
+double FiniteExtinction(double opacity, double unitDistance)
+{
+  return ExtinctionOfOpacity(std::isfinite(opacity) ? opacity : 0.0, unitDistance);
+}
 }
 
-TransferFunctions SampleFunctions(
-  vtkVolumeProperty* property, double low, double high, const ValueUnit& unit)
+FunctionRange RangeOfFunctions(vtkVolumeProperty* property, bool ofOpacity)
 {
+  FunctionRange range;
+  if (property->GetColorChannels(0) == 1)
+  {
+    Include(property->GetGrayTransferFunction(0)->GetRange(), range);
+    range.constantOutside = property->GetGrayTransferFunction(0)->GetClamping() != 0;
+  }
+  else
+  {
+    Include(property->GetRGBTransferFunction(0)->GetRange(), range);
+    range.constantOutside = IsConstantOutside(property->GetRGBTransferFunction(0));
+  }
+  if (ofOpacity)
+  {
+    Include(property->GetScalarOpacity(0)->GetRange(), range);
+    range.constantOutside &= property->GetScalarOpacity(0)->GetClamping() != 0;
+  }
+  return range;
+}
+
+TransferFunctions SampleFunctions(vtkVolumeProperty* property, double low, double high,
+  const ValueUnit& unit, ExactExtinction& exact)
+{
+  constexpr double fewFeatures = 1.0 / 16; // of a sample: then the table is all but exact
   const double unitDistance = property->GetScalarOpacityUnitDistance(0);
   LIMPID_REQUIRE(unitDistance > 0 && std::isfinite(unitDistance),
     "The scalar opacity unit distance is "
       << unitDistance << " (opacity is light lost on a distance). Set a length above zero.");
 
-  const ScalarRange interval = SampledRange(RangeOfFunctions(property), low, high);
-  TransferFunctions functions = WithColors(property, interval, unit);
-  std::vector<double> opacities(Samples);
-  property->GetScalarOpacity(0)->GetTable(interval.low, interval.high, Samples, opacities.data());
-  functions.extinction.resize(Samples);
-  for (std::size_t i = 0; i < Samples; ++i)
+  const ScalarRange interval = SampledRange(RangeOfFunctions(property, true), low, high);
+  const Sampling sampling = SamplingOf(property, interval, true);
+  TransferFunctions functions = WithColors(property, interval, sampling.count, unit);
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(0);
+  const ScalarMapping opacityOf = Evaluate(opacity);
+  functions.extinction.resize(functions.color.size());
+  for (int i = 0; i < sampling.count; ++i)
   {
-    const double opacity = std::isfinite(opacities[i]) ? opacities[i] : 0.0;
-    functions.extinction[i] = static_cast<float>(ExtinctionOfOpacity(opacity, unitDistance));
+    functions.extinction[std::size_t(i)] =
+      static_cast<float>(FiniteExtinction(opacityOf(interval.At(i, sampling.count)), unitDistance));
+  }
+  exact = {};
+  if (opacity->GetUseLogScale() || !(sampling.featuresPerSample <= fewFeatures))
+  {
+    exact.ofValue = [opacityOf, unitDistance](double value)
+    { return FiniteExtinction(opacityOf(value), unitDistance); };
+    exact.time = opacity->GetMTime();
   }
   return functions;
 }
@@ -179,9 +235,10 @@ TransferFunctions SampleFunctions(
 TransferFunctions SampleColors(
   vtkVolumeProperty* property, double low, double high, const ValueUnit& unit, float extinction)
 {
-  const ScalarRange interval = SampledRange(RangeOfColors(property), low, high);
-  TransferFunctions functions = WithColors(property, interval, unit);
-  functions.extinction.assign(Samples, extinction);
+  const ScalarRange interval = SampledRange(RangeOfFunctions(property, false), low, high);
+  const int count = SamplingOf(property, interval, false).count;
+  TransferFunctions functions = WithColors(property, interval, count, unit);
+  functions.extinction.assign(functions.color.size(), extinction);
   return functions;
 }
 
@@ -191,20 +248,25 @@ float LargestExtinction(vtkVolumeProperty* property)
     LargestValue(property->GetScalarOpacity(0)), property->GetScalarOpacityUnitDistance(0)));
 }
 
-void LookUpExtinction(
-  const TransferFunctions& functions, const float* values, Index count, float* extinction)
+void LookUpExtinction(const TransferFunctions& functions, const ExactExtinction& exact,
+  const ValueUnit& unit, const float* values, Index count, float* extinction)
 {
   const TableAxis axis(functions.low, functions.high, functions.extinction.size());
   const float* entries = functions.extinction.data();
+  const auto lookUp = [=](float value)
+  {
+    float share = 0;
+    const int entry = axis.Split(axis.Inside(axis.Position(value)), share);
+    return Blend(entries[entry], entries[entry + 1], share);
+  };
   ForOnAllCores(count,
-    [=](vtkIdType begin, vtkIdType end)
+    [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        float share = 0;
-        const int entry = axis.Split(axis.Inside(axis.Position(values[i])), share);
-        const float there = Blend(entries[entry], entries[entry + 1], share);
-        extinction[i] = std::isnan(values[i]) ? 0.0F : there;
+        extinction[i] = std::isnan(values[i]) ? 0.0F
+          : exact.ofValue ? static_cast<float>(exact.ofValue(unit.Back(values[i])))
+                          : lookUp(values[i]);
       }
     });
 }

@@ -46,6 +46,34 @@ bool HaveSameTables(const TransferFunctions& a, const TransferFunctions& b)
   return a.low == b.low && a.high == b.high && a.extinction == b.extinction && a.color == b.color;
 }
 
+// Whether single precision holds values as they are.
+bool IsPlain(double low, double high)
+{
+  const double largest = std::max(std::abs(low), std::abs(high));
+  return largest < 1e30 && (largest == 0 || largest > 1e-30);
+}
+
+ValueUnit UnitOf(double low, double high)
+{
+  ValueUnit unit;
+  const double width = high - low;
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (width > 0 && (!IsPlain(low, high) || width < 1e-3 * largest))
+  {
+    unit.offset = low;
+    unit.scale = 1 / width;
+  }
+  return unit;
+}
+
+// The same where others, beyond these, are all alike.
+ValueUnit UnitWithin(double low, double high)
+{
+  ValueUnit unit = UnitOf(low, high);
+  unit.limit = unit.IsPlain() ? 1e30 : 1e6;
+  return unit;
+}
+
 // Calls body(node, its position in data coordinates, count), which returns whether to count.
 template <class Body>
 vtkIdType CountNodes(const Grid& grid, const Body& body)
@@ -95,8 +123,9 @@ VolumeData::ArrayKey VolumeData::KeyOf(
 }
 
 // Single precision has seven digits: enough for the values themselves unless they are huge or
-// differ from each other by far less than from zero.
-ValueUnit VolumeData::ChooseUnit(const FieldSource& source)
+// differ from each other by far less than from zero. Huge values may stand for none, as fill values
+// do, and then the functions say which ones count.
+ValueUnit VolumeData::ChooseUnit(const FieldSource& source, const FunctionRange& functions)
 {
   double range[2] = { std::nan(""), std::nan("") };
   if (source.array)
@@ -113,17 +142,11 @@ ValueUnit VolumeData::ChooseUnit(const FieldSource& source)
   }
   this->Low = range[0] <= range[1] ? range[0] : 0;
   this->High = range[0] <= range[1] ? range[1] : 0;
-
-  ValueUnit unit;
-  const double width = this->High - this->Low;
-  const double largest = std::max(std::abs(this->Low), std::abs(this->High));
-  const bool plain = largest < 1e30 && (largest == 0 || largest > 1e-30);
-  if (width > 0 && (!plain || width < 1e-3 * largest))
-  {
-    unit.offset = this->Low;
-    unit.scale = 1 / width;
-  }
-  return unit;
+  this->UnitIsOfFunctions = !IsPlain(this->Low, this->High) && functions.constantOutside &&
+    std::min(this->High, functions.high) > std::max(this->Low, functions.low);
+  return this->UnitIsOfFunctions
+    ? UnitWithin(std::max(this->Low, functions.low), std::min(this->High, functions.high))
+    : UnitOf(this->Low, this->High);
 }
 
 // Blanked points become empty, and points outside of the crop region but those of the cells that
@@ -217,14 +240,15 @@ void VolumeData::ShareAmong(
 }
 
 void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
-  const FieldSource& extinction, const CropRegion& crop)
+  const FieldSource& extinction, const CropRegion& crop, vtkVolumeProperty* property)
 {
   const Grid grid = image->GetNumberOfPoints() > 0 ? GridOfImage(image) : Grid();
   const ArrayKey key = KeyOf(image, source, 0);
   const ArrayKey extinctionKey = KeyOf(image, extinction, 0);
-  const bool same =
-    !this->AnyRank(!(key == this->ScalarsKey) || !(extinctionKey == this->ExtinctionKey) ||
-      !HaveSameNodes(grid, this->InputGrid) || !(crop == this->Crop));
+  const FunctionRange functions = RangeOfFunctions(property, extinction.array == nullptr);
+  const bool same = !this->AnyRank(!(key == this->ScalarsKey) ||
+    !(extinctionKey == this->ExtinctionKey) || !HaveSameNodes(grid, this->InputGrid) ||
+    !(crop == this->Crop) || (this->UnitIsOfFunctions && !(functions == this->UnitFunctions)));
   if (same && !this->AnyRank(!this->ScalarValues))
   {
     return;
@@ -239,12 +263,12 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
     this->Shared.emplace(this->Ranks, image, this->WholeExtent);
   }
   vtkImageData* here = this->Here(image);
-  this->Unit = this->ChooseUnit(source);
+  this->Unit = this->ChooseUnit(source, functions);
+  this->UnitFunctions = functions;
   FieldSource scaled = source;
-  if (this->Unit.offset != 0 || this->Unit.scale != 1)
+  if (!this->Unit.IsPlain())
   {
-    scaled.mapping = [unit = this->Unit](double value)
-    { return (value - unit.offset) * unit.scale; };
+    scaled.mapping = [unit = this->Unit](double value) { return unit.Of(value); };
   }
   this->InputGrid = grid;
   this->NodeGrid = grid;
@@ -284,14 +308,16 @@ void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
   const TransferFunctions before = std::exchange(this->Tables, TransferFunctions());
   const float majorant = std::exchange(
     this->Majorant, this->ArrayUnit ? this->ArrayMajorant : LargestExtinction(property));
+  const std::uint64_t exactBefore = std::exchange(this->Exact, ExactExtinction()).time;
   this->Tables = this->ArrayUnit
     ? SampleColors(property, this->Low, this->High, this->Unit, *this->ArrayUnit)
-    : SampleFunctions(property, this->Low, this->High, this->Unit);
+    : SampleFunctions(property, this->Low, this->High, this->Unit, this->Exact);
   this->Property = property;
   this->PropertyTime = time;
   this->FunctionsScalars = this->ScalarChanges;
   // A property changes with much that is no function, and VTK changes it while it draws.
-  const bool same = HaveSameTables(before, this->Tables) && majorant == this->Majorant;
+  const bool same = HaveSameTables(before, this->Tables) && majorant == this->Majorant &&
+    exactBefore == this->Exact.time;
   this->FunctionChanges += sameScalars && same ? 0 : 1;
 }
 
@@ -330,8 +356,8 @@ void VolumeData::UpdateBaseExtinction()
   {
     this->Arrays.baseExtinction =
       NewArray<vtkFloatArray>("BaseExtinction", this->NodeGrid.NodeCount());
-    LookUpExtinction(this->Tables, this->Scalars(), this->NodeGrid.NodeCount(),
-      this->Arrays.baseExtinction->GetPointer(0));
+    LookUpExtinction(this->Tables, this->Exact, this->Unit, this->Scalars(),
+      this->NodeGrid.NodeCount(), this->Arrays.baseExtinction->GetPointer(0));
     TakeShares(this->ScalarShares, this->Arrays.baseExtinction);
     if (!this->Crop.planes.empty())
     {

@@ -36,8 +36,9 @@ public:
 
   /// The scalar field, and the base extinction if that comes from an array, too; an array of null:
   /// it comes from the functions. Throws when the image or an array cannot be worked with.
+  /// `property`: whose functions say which values count where some are huge.
   void UpdateScalars(vtkImageData* image, const FieldSource& source, const FieldSource& extinction,
-    const CropRegion& crop);
+    const CropRegion& crop, vtkVolumeProperty* property);
 
   /// The transfer functions, for the present scalars. Throws when they make no sense.
   void UpdateFunctions(vtkVolumeProperty* property);
@@ -118,7 +119,7 @@ private:
   bool Owns(const Vec3& index) const;
   vtkImageData* Here(vtkImageData* image) const;
   static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);
-  ValueUnit ChooseUnit(const FieldSource& source);
+  ValueUnit ChooseUnit(const FieldSource& source, const FunctionRange& functions);
   vtkIdType EmptyScalars(const CropRegion& crop, const float* shares, float* values) const;
   void TakeExtinction(vtkImageData* image, const FieldSource& source, float* scalars);
   void TakeImportance(vtkImageData* here, const FieldSource& source);
@@ -134,8 +135,10 @@ private:
   ArrayKey ScalarsKey;
   CropRegion Crop;
   ValueUnit Unit;
-  double Low = 0;  ///< smallest value of the data
-  double High = 0; ///< largest value of the data
+  FunctionRange UnitFunctions;    ///< that there were when it was chosen
+  bool UnitIsOfFunctions = false; ///< whether others make another one
+  double Low = 0;                 ///< smallest value of the data
+  double High = 0;                ///< largest value of the data
   vtkSmartPointer<vtkFloatArray> ScalarValues;
   std::vector<float> ScalarShares; ///< see Shares
   ArrayKey ExtinctionKey;
@@ -152,6 +155,7 @@ private:
   vtkMTimeType PropertyTime = 0;
   std::uint64_t FunctionsScalars = 0; ///< version of the scalars that they were sampled for
   TransferFunctions Tables;
+  ExactExtinction Exact;
   float Majorant = 0; ///< of the opacity function, wherever it has it, or of the array [1/length]
   std::uint64_t FunctionChanges = 0;
 

@@ -7,9 +7,13 @@
 #include "Memory.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -308,6 +312,16 @@ double* vtkTransmittanceVolumeMapper::Internals::FindWholeBounds(
   return bounds;
 }
 
+// Of values in place, in all arrays that are drawn from.
+void vtkTransmittanceVolumeMapper::Internals::NoticeChanges(
+  vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction)
+{
+  const char* ghosts = vtkDataSetAttributes::GhostArrayName();
+  this->Contents.Notice(image,
+    { scalars, extinction, this->GivenImportance(image).array,
+      image->GetPointData()->GetArray(ghosts), image->GetCellData()->GetArray(ghosts) });
+}
+
 void vtkTransmittanceVolumeMapper::Internals::Draw(
   limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
@@ -320,8 +334,11 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   limpid::FrameSettings frame = this->MakeFrameSettings(renderer, volume);
   const limpid::FieldSource scalars =
     isHere ? this->ScalarSource(image, volume) : limpid::FieldSource();
-  this->Data.UpdateScalars(image, scalars,
-    isHere ? this->ExtinctionSource(image) : limpid::FieldSource(), this->CropRegionOf(volume));
+  const limpid::FieldSource extinction =
+    isHere ? this->ExtinctionSource(image) : limpid::FieldSource();
+  this->NoticeChanges(image, scalars.array, extinction.array);
+  this->Data.UpdateScalars(
+    image, scalars, extinction, this->CropRegionOf(volume), volume->GetProperty());
   this->Data.UpdateFunctions(volume->GetProperty());
   Importance importance;
   std::string trouble; // with the importance

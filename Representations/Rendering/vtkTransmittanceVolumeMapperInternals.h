@@ -9,6 +9,7 @@
 
 #include "vtkTransmittanceVolumeMapper.h"
 
+#include "ArrayContents.h"
 #include "DrawingOrder.h"
 #include "MessageLog.h"
 #include "VolumeData.h"
@@ -20,6 +21,7 @@
 #include <vector>
 
 class vtkHardwareSelector;
+class vtkDataArray;
 class vtkImageData;
 class vtkProp;
 class vtkVolumeProperty;
@@ -65,6 +67,9 @@ struct vtkTransmittanceVolumeMapper::Internals
     vtkMTimeType functionTime = 0; ///< of the function that maps it; 0: none does
   };
   Importance ImportanceOf(vtkImageData* image, const limpid::FieldSource& scalars);
+  std::string ImportanceName() const;
+  limpid::FieldSource GivenImportance(vtkImageData* image) const;
+  void NoticeChanges(vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction);
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequireAvailableChoices() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
@@ -84,6 +89,7 @@ struct vtkTransmittanceVolumeMapper::Internals
 
   vtkTransmittanceVolumeMapper* Self;
   std::shared_ptr<const limpid::Communicator> Ranks; ///< that draw together; null: there is one
+  limpid::ArrayContents Contents;
   limpid::VolumeData Data;
   std::vector<std::unique_ptr<limpid::VolumeView>> Views;
   limpid::FrameResult Last; ///< of the last frame, in whichever view

@@ -144,16 +144,30 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
   return source;
 }
 
+std::string vtkTransmittanceVolumeMapper::Internals::ImportanceName() const
+{
+  const std::string& given = this->Self->ImportanceArray;
+  return given.empty() ? "Importance" : given;
+}
+
+// The array of that name; null: there is none.
+limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::GivenImportance(
+  vtkImageData* image) const
+{
+  limpid::FieldSource source;
+  FindArray(image, this->ImportanceName(), this->Self->ImportanceArrayAssociation, source);
+  return source;
+}
+
 vtkTransmittanceVolumeMapper::Internals::Importance
 vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
   vtkImageData* image, const limpid::FieldSource& scalars)
 {
   const std::string& given = this->Self->ImportanceArray;
-  const std::string name = given.empty() ? "Importance" : given;
   const bool mapped = this->Self->GetUseImportanceFunction() != 0;
   Importance importance;
   limpid::FieldSource& source = importance.source;
-  FindArray(image, name, this->Self->ImportanceArrayAssociation, source);
+  source = this->GivenImportance(image);
   source.component = this->Self->GetImportanceComponent();
   vtkPiecewiseFunction* function = mapped ? this->Self->GetImportanceFunction() : nullptr;
   if (!source.array && given.empty() && (mapped || this->Self->AssumedImportance))
@@ -162,7 +176,7 @@ vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
     function = mapped ? function : this->Self->AssumedImportance.Get();
   }
   LIMPID_REQUIRE(source.array,
-    "The importance array \"" << name
+    "The importance array \"" << this->ImportanceName()
                               << "\" is not among the input's numeric arrays (what is to be seen "
                                  "is not known). Choose one of these: "
                               << limpid::ArrayNames(image)

@@ -1,0 +1,222 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Values and functions as people have them: fill values, labels, many decades, values that are
+# written in place. The picture and the score are those of the filter and of a new mapper.
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
+from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
+
+from mapper_tests import MapperTest, show
+from volume_views import colors_of, image_of, opacity_of, property_of
+
+
+def blob(nodes=17):
+    z, y, x = np.mgrid[-1:1:nodes * 1j, -1:1:nodes * 1j, -1:1:nodes * 1j]
+    return np.exp(-4 * (x ** 2 + y ** 2 + z ** 2))
+
+
+def scored(scalars, volume_property, importance, **settings):
+    """A view of scalars [z, y, x] and the mapper, that score without any optimization."""
+    image = image_of(scalars.shape[::-1], scalars=scalars.ravel(), Importance=importance.ravel())
+    return show(image, volume_property, Optimization=Mapper.OFF, Shadows=0, RestrictToView=0,
+                **settings)
+
+
+def score_of(*args, **settings):
+    view, mapper = scored(*args, **settings)
+    view.window.Render()
+    return mapper.GetVisibilityScore(), view.messages
+
+
+class TestFillValues(MapperTest):
+    def test_of_any_size_change_no_score_and_no_picture(self):
+        importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
+        functions = property_of(colors_of((0, 0.2, 0.3, 0.9), (50, 0.9, 0.2, 0.1)),
+                                opacity_of((0, 0), (50, 0.5)), 1)
+        for fills in ((1e20, 9.96921e36, 1e37, 1e200, 1.7e308), (-1e20, -1e38, -1e200, -1.7e308)):
+            scores, pictures = [], []
+            for fill in fills:
+                scalars = 50 * blob()
+                scalars[:3] = fill  # no values below the ground
+                scalars = scalars if abs(fill) > 1e37 else scalars.astype(np.float32)
+                view, mapper = scored(scalars, functions, importance)
+                pictures.append(view.picture())
+                scores.append(mapper.GetVisibilityScore())
+                self.assert_fine(view)
+            self.assertGreater(scores[0], 5)
+            np.testing.assert_allclose(scores, scores[0], rtol=1e-4)
+            for picture in pictures:
+                np.testing.assert_allclose(picture, pictures[0], atol=1.5)
+
+    def test_leave_functions_of_huge_values_their_meaning(self):
+        importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
+        scores = []
+        for unit in (1.0, 1e34, 1e250):
+            scalars = 50 * blob() * unit
+            scalars[:3] = 1e6 * unit
+            functions = property_of(colors_of((0, 0.2, 0.3, 0.9), (50 * unit, 0.9, 0.2, 0.1)),
+                                    opacity_of((0, 0), (50 * unit, 0.5)), 1)
+            score, messages = score_of(scalars, functions, importance)
+            self.assertEqual(messages, [])
+            scores.append(score)
+        np.testing.assert_allclose(scores, scores[0], rtol=1e-4)
+
+    def test_follow_the_functions(self):
+        scalars = 50 * blob()
+        scalars[:3] = 1e37
+        importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
+        opacity = opacity_of((0, 0), (50, 0.5))
+        view, mapper = scored(
+            scalars, property_of(colors_of((0, 1, 1, 1), (50, 1, 1, 1)), opacity, 1), importance)
+        view.window.Render()
+        first = mapper.GetVisibilityScore()
+        opacity.AddPoint(1e35, 0.5)
+        view.window.Render()
+        opacity.RemovePoint(1e35)
+        view.window.Render()
+        self.assertAlmostEqual(mapper.GetVisibilityScore(), first, delta=1e-6 * first)
+
+
+class TestFunctions(MapperTest):
+    """The scores of mapper and filter are the same for all functions."""
+
+    def assert_scored_as_by_the_filter(self, scalars, opacity, log=False):
+        importance = (np.arange(scalars.size) % 3 / 2).reshape(scalars.shape).astype(np.float32)
+        opacity.SetUseLogScale(log)
+        ends = opacity.GetRange()
+        functions = property_of(colors_of((ends[0], 1, 1, 1), (ends[1], 1, 1, 1)), opacity, 1)
+        view, mapper = scored(scalars, functions, importance)
+        view.window.Render()
+        self.assert_fine(view)
+
+        optimizer = vtkExtinctionOptimizer()
+        optimizer.SetInputDataObject(mapper.GetInput())
+        optimizer.SetInputArrayToProcess(0, 0, 0, 0, "scalars")
+        optimizer.SetExtinctionSource(vtkExtinctionOptimizer.OPACITY_FUNCTION)
+        optimizer.SetScalarOpacityFunction(opacity)
+        optimizer.SetScalarOpacityUnitDistance(1)
+        optimizer.SetMaximumIterations(0)
+        camera = view.camera
+        optimizer.SetCameraPosition(*camera.GetPosition())
+        optimizer.SetCameraFocalPoint(*camera.GetFocalPoint())
+        optimizer.SetCameraViewUp(*camera.GetViewUp())
+        optimizer.SetCameraViewAngle(camera.GetViewAngle())
+        optimizer.Update()
+        table = optimizer.GetOutput().GetFieldData()
+        base = table.GetArray("BaseVisibilityScore").GetValue(0)
+        self.assertGreater(base, 0)
+        self.assertAlmostEqual(mapper.GetVisibilityScore(), base, delta=1e-3 * base)
+
+    def test_of_labels(self):
+        for top in (255, 14175, 65535):
+            labels = np.zeros((17, 17, 17), np.int32)
+            labels[..., 0:5], labels[..., 5:10] = top // 7, top // 7 + 1
+            labels[..., 10:17], labels[0, 0, 0] = top // 7 + 2, top
+            middle = top // 7 + 1
+            opacity = opacity_of((0, 0), (middle - 0.6, 0), (middle - 0.4, 0.9),
+                                 (middle + 0.4, 0.9), (middle + 0.6, 0), (top, 0))
+            with self.subTest(top=top):
+                self.assert_scored_as_by_the_filter(labels, opacity)
+
+    def test_of_many_decades(self):
+        for decades in (3, 8, 12):
+            scalars = 10 ** (decades * (blob() - 1)).astype(np.float32)
+            opacity = opacity_of((scalars.min(), 0), (1, 0.3))
+            for log in (False, True):
+                with self.subTest(decades=decades, log=log):
+                    self.assert_scored_as_by_the_filter(scalars, opacity, log)
+
+    def test_of_many_nodes(self):
+        for count in (64, 4096):
+            heights = np.random.default_rng(5).uniform(0, 0.3, count)
+            opacity = opacity_of(*zip(np.linspace(0, 1, count), heights))
+            with self.subTest(count=count):
+                self.assert_scored_as_by_the_filter(blob().astype(np.float32), opacity)
+
+    def test_that_reach_as_far_as_numbers_do(self):
+        opacity = opacity_of((-1e308, 0), (1e308, 0.3))
+        self.assert_scored_as_by_the_filter(blob().astype(np.float32), opacity)
+
+    def test_of_labels_show_their_own_label_alone(self):
+        labels = np.zeros((17, 17, 17), np.int16)
+        labels[..., 0:5], labels[..., 6:11], labels[..., 12:17] = 1034, 1035, 1036
+        labels[0, 0, 0] = 14175
+        opacity = opacity_of((0, 0), (1034.4, 0), (1034.6, 0.9), (1035.4, 0.9), (1035.6, 0),
+                             (14175, 0))
+        view, _ = scored(labels, property_of(
+            colors_of((0, 1, 1, 1), (14175, 1, 1, 1)), opacity, 1), np.ones(labels.shape))
+        view.renderer.SetBackground(0, 0, 0)
+        view.camera.ParallelProjectionOn()
+        view.camera.SetFocalPoint(8, 8, 8)
+        view.camera.SetPosition(8, 8, 60)
+        view.camera.SetViewUp(0, 1, 0)
+        view.camera.SetParallelScale(8.5)
+        row = view.picture()[80, :, 0]
+        pixel = len(row) / 17
+        self.assertLess(row[int(2.5 * pixel)], 2)
+        self.assertGreater(row[int(8.5 * pixel)], 250)
+        self.assertLess(row[int(14.5 * pixel)], 2)
+
+
+class TestValuesInPlace(MapperTest):
+    """Programs write into arrays and modify the image alone."""
+
+    def changed(self, act):
+        scalars = blob().astype(np.float32)
+        importance = np.clip((scalars - 0.5) / 0.3, 0, 1)
+        functions = property_of(colors_of((0, 0.2, 0.3, 0.9), (1, 0.9, 0.2, 0.1)),
+                                opacity_of((0, 0), (1, 0.5)), 1)
+        view, mapper = scored(scalars, functions, importance)
+        image = mapper.GetInput()
+        first = view.picture()
+        frames = [first]
+        act(image)
+        image.Modified()
+        frames.append(view.picture())
+        found = mapper.GetVisibilityScore()
+        other, again = show(image, functions, Optimization=Mapper.OFF, Shadows=0,
+                            RestrictToView=0)
+        np.testing.assert_array_equal(frames[1], other.picture())
+        self.assertEqual(found, again.GetVisibilityScore())
+        self.assert_fine(view)
+        return first, frames[1]
+
+    def test_of_scalars(self):
+        def act(image):
+            vtk_to_numpy(image.GetPointData().GetArray("scalars"))[2000:] *= 0.3
+        self.assertGreater(np.abs(np.subtract(*self.changed(act))).max(), 10)
+
+    def test_of_importance(self):
+        def act(image):
+            vtk_to_numpy(image.GetPointData().GetArray("Importance"))[:] = 0.25
+        self.changed(act)
+
+    def test_of_blanked_points(self):
+        def act(image):
+            flags = image.GetPointData().GetArray("vtkGhostType")
+            if flags is None:
+                image.AllocatePointGhostArray()
+                flags = image.GetPointData().GetArray("vtkGhostType")
+            vtk_to_numpy(flags)[2000:] = 2  # hidden
+        self.assertGreater(np.abs(np.subtract(*self.changed(act))).max(), 10)
+
+    def test_of_none_make_nothing_anew(self):
+        view, mapper = show()
+        view.window.Render()
+        while not mapper.GetConverged():
+            view.window.Render()
+        before = view.picture()
+        mapper.GetInput().Modified()
+        view.window.Render()
+        self.assertTrue(mapper.GetConverged())
+        np.testing.assert_array_equal(view.picture(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
