@@ -5,7 +5,20 @@
 
 import math
 import operator
+import os
 import reprlib
+import sys
+import warnings
+
+HERE = os.path.dirname(__file__)
+
+
+def warn(text):
+    """A UserWarning about the line from which the package was called."""
+    level = 1
+    while os.path.dirname(sys._getframe(level).f_code.co_filename) == HERE:
+        level += 1
+    warnings.warn(text, stacklevel=level + 1)
 
 
 def number(name, value, why, advice):
