@@ -40,6 +40,10 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("There is no importance", importance_function=None)
         self.refuses("extinction and a function", extinction=mu)
 
+    def test_values_of_cells(self):
+        self.refuses("(23, 19, 15)", "cells", "cell_data_to_point_data", importance=VALUES[
+            1:, 1:, 1:])
+
     def test_functions_that_are_none(self):
         for nodes in ([], [1, 2], "steep", [[1, 2, 3]], [[0, "a"]]):
             self.refuses("extinction_function is not a list of nodes", extinction_function=nodes)

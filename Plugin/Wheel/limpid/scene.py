@@ -8,7 +8,8 @@ import math
 
 import numpy as np
 
-from .fields import Layout, converted, corrected, mapped
+from .arguments import warn
+from .fields import Layout, converted, corrected, emptied, mapped
 from .functions import ExtinctionOfOpacity, PiecewiseLinear
 from .grid import Grid
 from .volume import Volume
@@ -18,6 +19,7 @@ from .volume import Volume
 class Scene:
     """Fields of shape grid.shape, float32, in the layout."""
 
+    source: Volume
     grid: Grid
     layout: Layout
     base_extinction: np.ndarray  #: >= 0 [1/length]
@@ -29,6 +31,19 @@ class Scene:
         """Grid, base extinction and importance as the core takes them; the arrays are views."""
         return (self.grid.in_core(self.layout.order), self.layout.flat(self.base_extinction),
                 self.layout.flat(self.importance))
+
+    def as_given(self, values):
+        """A field as the core has it as the volume itself is, see Volume.as_given; not copied."""
+        return self.source.as_given(self.layout.shaped(values, self.grid.shape))
+
+    def warn_of_nothing_to_see(self, consequence):
+        """A warning if no extinction could show anything; `consequence`: what comes of it."""
+        largest = self.largest_extinction()
+        if largest > 0 and self.importance.max() > 0:
+            return
+        what = "nothing is important" if largest > 0 else "without extinction nothing is seen"
+        warn(f"The largest extinction is {largest:g}, and {what} ({consequence}). Check the "
+             "importance and the extinction.")
 
     def largest_extinction(self):
         """The majorant of Eq. (25) [1/length]; 0 where nothing absorbs."""
@@ -59,9 +74,12 @@ def extinction_function_of(extinction_function, opacity_function, unit_distance)
     return None
 
 
-def ramp_of(scalars, unit_distance):
-    """The filters' default: opacities on a straight line from 0 to 1 over the finite scalars."""
-    finite = np.isfinite(scalars)
+def ramp_of(scalars, mask, unit_distance):
+    """The filters' default: opacities on a straight line from 0 to 1 over the finite scalars.
+
+    mask: where there is no scalar; None: nowhere.
+    """
+    finite = np.isfinite(scalars) if mask is None else np.isfinite(scalars) & ~mask
     low = float(scalars.min(where=finite, initial=np.inf))
     high = float(scalars.max(where=finite, initial=-np.inf))
     nodes = [[low, 0.0], [high, 1.0]] if high > low else [[0.0, 0.0]]
@@ -92,11 +110,11 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
     if own_extinction:
         mu = converted(mu, layout)
     else:
-        mu = mapped(mu, function or ramp_of(mu, distance), layout)
+        mu = mapped(mu, function or ramp_of(mu, source.mask, distance), layout)
     if importance_function is None:
         g = converted(g, layout)
     else:
         g = mapped(g, PiecewiseLinear("importance_function", importance_function, -math.inf,
                                       math.inf), layout)
-    mu, g = corrected(mu, g, layout)
-    return Scene(source.grid, layout, mu, g, majorant, distance)
+    mu, g = corrected(*emptied((mu, g), source.mask), layout)
+    return Scene(source, source.grid, layout, mu, g, majorant, distance)

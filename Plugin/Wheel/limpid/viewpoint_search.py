@@ -6,7 +6,6 @@
 import dataclasses
 import math
 import time
-import warnings
 
 import numpy as np
 
@@ -106,16 +105,10 @@ def viewed_fields(scene, field):
     """The extinction that is looked at, and the base extinction, flat; see viewpoints."""
     require_choice("field", field, ("attainable", "base_extinction", "importance_proxy"))
     _, base, importance = scene.in_core()
-    largest = scene.largest_extinction()
-    if not (largest > 0 and importance.max() > 0):
-        warnings.warn(f"The largest extinction is {largest:g}, and " +
-                      ("nothing is important" if largest > 0 else
-                       "without extinction nothing is seen") +
-                      " (every view has the score 0, and none is better than another). Check the "
-                      "importance and the extinction.", stacklevel=3)
+    scene.warn_of_nothing_to_see("every view has the score 0, and none is better than another")
     if field != "importance_proxy":
         return base, None
-    return np.float32(largest) * importance, base
+    return np.float32(scene.largest_extinction()) * importance, base
 
 
 def least_extinction(base, importance, protect_importance, field):
