@@ -51,13 +51,23 @@ class TestPyVista(unittest.TestCase):
 
         for image in (self.image(), plain(self.image())):
             result = limpid.optimize(image, scalars="values", **FUNCTIONS, **VIEW)
-            np.testing.assert_array_equal(result.extinction, expected.extinction)
+            np.testing.assert_array_equal(result.extinction,
+                                          expected.extinction.ravel(order="F"))
 
+    def test_what_is_found_goes_into_the_image(self):
         image = self.image()
         image.set_active_scalars("values")
-        result = limpid.optimize(image, **FUNCTIONS, **VIEW)
-        image["Extinction"] = result.extinction.ravel(order="F")
-        self.assertTrue(np.shares_memory(result.extinction.ravel(order="F"), result.extinction))
+        for settings in ({}, {"mode": "separate"}, {"importance": phantom.scalars("C")}):
+            result = limpid.optimize(image, **FUNCTIONS, **VIEW, **settings)
+            image["Extinction"] = result.extinction
+            image["Opacity"] = result.opacity()
+            expected = limpid.optimize(phantom.scalars(), **{**SCENE, **VIEW, **settings})
+
+            found = np.asarray(image["Extinction"]).reshape(result.dimensions, order="F")
+            np.testing.assert_array_equal(found, expected.extinction)
+            if result.light_extinction is not None:
+                image["Light"] = result.light_extinction
+        self.assertIn("24 x 20 x 16 points", repr(result))
 
     def test_its_arrays_are_used_where_they_are(self):
         mu, g = phantom.fields()
@@ -97,6 +107,36 @@ class TestPyVista(unittest.TestCase):
         blanked.point_data["vtkGhostType"] = np.full(blanked.n_points, 2, dtype=np.uint8)
         with self.assertRaisesRegex(ValueError, "vtkGhostType in its point_data"):
             limpid.optimize(blanked, scalars="values", **FUNCTIONS)
+
+    def test_other_data_are_refused_with_a_way_out(self):
+        ticks = [np.arange(count, dtype=float) for count in phantom.SHAPE]
+        for data, words in (
+                (pyvista.RectilinearGrid(*ticks), ("a RectilinearGrid", "pyvista.create_grid")),
+                (pyvista.StructuredGrid(*np.meshgrid(*ticks)), ("a StructuredGrid", "sample")),
+                (pyvista.Sphere(), ("a PolyData", "nothing inside")),
+                (pyvista.MultiBlock([self.image()]), ("a MultiBlock", "one of its blocks"))):
+            for function, more in ((limpid.optimize, FUNCTIONS), (limpid.viewpoints, FUNCTIONS),
+                                   (limpid.render, {"color_function": phantom.COLORS})):
+                with self.assertRaises(ValueError) as caught:
+                    function(data, **more)
+                for word in (*words, "same spacing everywhere"):
+                    self.assertIn(word, str(caught.exception))
+
+        grid = pyvista.RectilinearGrid(*ticks)
+        grid["values"] = phantom.scalars().ravel(order="F")
+        advised = pyvista.create_grid(grid, dimensions=(10, 10, 10)).sample(grid)
+        limpid.optimize(advised, scalars="values", **FUNCTIONS)
+
+    def test_values_of_cells_are_refused_with_a_way_out(self):
+        image = pyvista.ImageData(dimensions=phantom.SHAPE)
+        image.cell_data["density"] = np.linspace(0, 1, image.n_cells)
+        for arguments in ({"scalars": "density"}, {}, {"scalars": image.cell_data["density"]}):
+            with self.assertRaises(ValueError) as caught:
+                limpid.optimize(image, **FUNCTIONS, **arguments)
+            self.assertIn("values belong to points", str(caught.exception))
+            self.assertIn("cell_data_to_point_data()", str(caught.exception))
+
+        limpid.optimize(image.cell_data_to_point_data(), **FUNCTIONS)
 
     def test_cameras_and_lights_of_pyvista_are_taken(self):
         expected = limpid.optimize(phantom.scalars(), **SCENE, **VIEW)

@@ -22,10 +22,13 @@ CONVERGENCE = np.dtype([
 
 @dataclasses.dataclass(frozen=True, repr=False)
 class Optimization:
-    """What optimize has found. Arrays have the shape and the order in memory of the input."""
+    """What optimize has found. Arrays have the shape and the order in memory of the input; for an
+    image they are flat, x fastest, as its own are: image["found"] = result.extinction.
+    """
 
     extinction: np.ndarray  #: for the camera, in joint mode also for the light [1/length]
     light_extinction: np.ndarray  #: for the light, in separate mode; else None [1/length]
+    dimensions: tuple  #: points along x, y and z
     camera: Camera  #: as used; with optimize_viewpoint where it came to
     unit_distance: float  #: of opacities [length]
     visibility_score: float  #: S of Eq. (32) [length^2]
@@ -55,7 +58,7 @@ class Optimization:
         return np.negative(opacity, out=opacity)
 
     def __repr__(self):
-        return (f"<limpid.Optimization of {' x '.join(map(str, self.extinction.shape))} points: "
+        return (f"<limpid.Optimization of {' x '.join(map(str, self.dimensions))} points: "
                 f"{100 * self.base_visible_fraction:.1f} % of what is important visible before, "
                 f"{100 * self.visible_fraction:.1f} % after, "
                 f"{100 * self.attainable_fraction:.1f} % at most, "
@@ -110,17 +113,17 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     scene = scene_of(volume, scalars, importance, importance_function, extinction,
                      extinction_function, opacity_function, unit_distance, spacing, origin,
                      direction)
+    scene.warn_of_nothing_to_see("there is nothing to clear the view for: the extinction stays as "
+                                 "it is")
     view = camera_of(camera, scene.grid)
     lamp = light_of(light, view)
     found = _core.optimize(*scene.in_core(), scene.majorant, view.in_core(), lamp.in_core(view),
                            core_settings, guide if optimize_viewpoint else None, progress)
 
-    def as_given(values):
-        return None if values is None else scene.layout.shaped(values, scene.grid.shape)
-
     view = dataclasses.replace(view, position=found.pop("camera_position"),
                                view_up=found.pop("camera_view_up"))
-    return Optimization(extinction=as_given(found.pop("extinction")),
-                        light_extinction=as_given(found.pop("light_extinction", None)),
-                        camera=view, unit_distance=scene.unit_distance,
+    of_light = found.pop("light_extinction", None)
+    return Optimization(extinction=scene.as_given(found.pop("extinction")),
+                        light_extinction=None if of_light is None else scene.as_given(of_light),
+                        dimensions=scene.grid.shape, camera=view, unit_distance=scene.unit_distance,
                         convergence=np.array(found.pop("convergence"), dtype=CONVERGENCE), **found)
