@@ -78,6 +78,12 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("view weight", "-1", view_weight=-1)  # the core's words
         self.refuses("viewpoint_guide is 'map'", viewpoint_guide="map")
 
+    def test_settings_twice(self):
+        self.refuses("preset 'Paper' and settings", preset="Paper", settings=limpid.Settings())
+        self.refuses("settings is {", "limpid.Settings", error=TypeError, settings={"mode": 1})
+        with self.assertRaisesRegex(ValueError, "view_weight is 'strong'"):
+            limpid.Settings(view_weight="strong")
+
     def test_numbers_of_numpy_are_numbers(self):
         settings = limpid.Settings(view_weight=np.float32(3), maximum_iterations=np.int64(4),
                                    iterations_per_level=np.array([1, 2, 3]),

@@ -155,6 +155,23 @@ class TestPyVista(unittest.TestCase):
         self.assertEqual(one.energy, limpid.optimize(phantom.scalars(), camera=camera, light=lamp,
                                                      **SCENE).energy)
 
+    def test_cameras_are_given_to_pyvista(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        plotter.add_mesh(pyvista.Sphere(radius=9, center=(8, 3, 7)))
+        found = limpid.optimize(phantom.scalars(), **SCENE, **VIEW)
+        view = limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False,
+                                 camera_view_angle=20, **SCENE)[0]
+        for camera in (found.camera, view):
+            plotter.camera_position = camera
+            for given, expected in zip(plotter.camera_position, camera):
+                np.testing.assert_allclose(given, expected)
+
+        view.give_to(plotter.camera)
+        self.assertEqual(plotter.camera.view_angle, 20)
+        same = limpid.optimize(phantom.scalars(), camera=plotter.camera, **SCENE).camera
+        np.testing.assert_allclose(same, view)
+        plotter.close()
+
     def test_the_sphere_is_a_surface(self):
         found = limpid.viewpoints(self.image(), number_of_directions=42, refine=False, **FUNCTIONS)
         surface = pyvista.PolyData.from_regular_faces(found.directions, found.triangles)

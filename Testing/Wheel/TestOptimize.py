@@ -97,6 +97,21 @@ class TestResult(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "Default, Keep Context, Strong Reveal, Paper"):
             optimize(preset="Nonsense")
 
+    def test_an_object_has_several_settings(self):
+        weak = limpid.Settings(view_weight=0.01, protect_importance=0)
+        result = optimize(settings=weak)
+
+        self.assertEqual(result.energy, optimize(view_weight=0.01, protect_importance=0).energy)
+        self.assertEqual(optimize(settings=weak, view_weight=10).energy,
+                         optimize(protect_importance=0).energy)
+        self.assertEqual(optimize(settings=limpid.Settings.preset("Paper")).energy,
+                         optimize(preset="Paper").energy)
+
+    def test_a_weight_that_does_not_count_is_told(self):
+        with self.assertWarnsRegex(UserWarning, "clearing_threshold=0") as caught:
+            limpid.Settings(regularization_weight=5)
+        self.assertEqual(caught.filename, __file__)
+
     def test_a_regularization_weight_counts(self):
         self.assertLess(optimize(regularization_weight=10.0).visible_fraction,
                         optimize(regularization_weight=1e-3).visible_fraction)
@@ -119,6 +134,29 @@ class TestResult(unittest.TestCase):
 
         self.assertGreaterEqual(moved.visibility_score, optimize().visibility_score)
         self.assertEqual(moved.camera.focal_point, VIEW["camera"]["focal_point"])
+
+
+class TestEquality(unittest.TestCase):
+    def test_what_has_the_same_values_is_equal_and_has_the_same_hash(self):
+        array = np.array([1, 2, 3])
+        for one, other, different in (
+                (limpid.Settings(iterations_per_level=array), limpid.Settings(
+                    iterations_per_level=[1, 2, 3]), limpid.Settings(skip_unneeded=0)),
+                (limpid.Camera(array, 2 * array), limpid.Camera([1, 2, 3], (2, 4, 6)),
+                 limpid.Camera(array, array)),
+                (limpid.Light(array, True, array), limpid.Light([1, 2, 3], True, [1, 2, 3]),
+                 limpid.Light(array))):
+            self.assertEqual(one, other)
+            self.assertEqual(hash(one), hash(other))
+            self.assertNotEqual(one, different)
+            self.assertEqual(len({one, other, different}), 2)
+
+    def test_results_can_be_compared_and_be_keys(self):
+        views = limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False, **SCENE)
+        for result, another in ((optimize(), optimize()), (views, None), (views[0], views[1])):
+            self.assertEqual(result, result)
+            self.assertNotEqual(result, another)
+            self.assertIn(result, {result: 1})
 
 
 class TestOrder(unittest.TestCase):

@@ -5,18 +5,16 @@
 
 import math
 import operator
-import os
 import reprlib
 import sys
 import warnings
-
-HERE = os.path.dirname(__file__)
 
 
 def warn(text):
     """A UserWarning about the line from which the package was called."""
     level = 1
-    while os.path.dirname(sys._getframe(level).f_code.co_filename) == HERE:
+    while sys._getframe(level).f_globals.get("__name__", "").partition(".")[0] in (
+            __package__, "dataclasses"):
         level += 1
     warnings.warn(text, stacklevel=level + 1)
 

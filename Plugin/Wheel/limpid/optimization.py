@@ -20,7 +20,7 @@ CONVERGENCE = np.dtype([
     ("visible_fraction", float), ("sacrificed_fraction", float), ("seconds", float)])
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Optimization:
     """What optimize has found. Arrays have the shape and the order in memory of the input; for an
     image they are flat, x fastest, as its own are: image["found"] = result.extinction.
@@ -102,8 +102,8 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
         importance. "coupled": the extinction found last.
     progress: called after every iteration with the share of the work that is done and a text;
         stops with the best so far if it returns False.
-    settings: members of limpid.Settings by name, such as view_weight=20, and preset="Paper" for
-        several at once.
+    settings: members of limpid.Settings by name, such as view_weight=20, and preset="Paper" or
+        settings=limpid.Settings(...) for several at once, which the former replace.
 
     Returns an Optimization. Raises ValueError for data and settings that cannot be worked with,
     TypeError for names that there are not. Ctrl-C ends it.

@@ -15,7 +15,7 @@ from .grid import Grid
 from .volume import Volume
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, eq=False)
 class Scene:
     """Fields of shape grid.shape, float32, in the layout."""
 

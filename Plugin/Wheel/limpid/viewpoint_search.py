@@ -13,11 +13,13 @@ from . import _core, sphere
 from .arguments import number, number_between, require_choice, vector, whole_number
 from .scene import scene_of
 from .settings import Settings
+from .views import CameraPosition
 
 
 @dataclasses.dataclass(frozen=True)
-class Viewpoint:
-    """A camera and what it sees; optimize and render take it for their camera."""
+class Viewpoint(CameraPosition):
+    """A camera and what it sees; optimize and render take it for their camera, and PyVista for
+    plotter.camera_position."""
 
     position: tuple  #: [length]
     focal_point: tuple  #: [length]
@@ -30,7 +32,7 @@ class Viewpoint:
     visible_fraction: float  #: share of the important matter whose light reaches the camera [0, 1]
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Viewpoints:
     """What viewpoints has found. Its items are the ranked viewpoints, best first.
 
