@@ -79,6 +79,17 @@ class TestPyVista(unittest.TestCase):
         self.assertTrue(np.shares_memory(scene.importance,
                                          np.asarray(image.point_data["Importance"])))
 
+    def test_a_component_of_an_array_is_the_importance(self):
+        image = self.image()
+        g = phantom.scalars().ravel(order="F")
+        image["vectors"] = np.column_stack([np.zeros_like(g), g, np.zeros_like(g)])
+        expected = limpid.optimize(image, scalars="values", **FUNCTIONS, **VIEW)
+        for component in (1, -1):
+            found = limpid.optimize(image, scalars="values", importance="vectors",
+                                    importance_component=component, **FUNCTIONS, **VIEW)
+            # A length is rounded to double precision.
+            self.assertAlmostEqual(found.visibility_score, expected.visibility_score)
+
     def test_extent_and_direction_count(self):
         image = self.image()
         image.offset = (2, 3, 4)

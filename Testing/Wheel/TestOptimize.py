@@ -136,6 +136,110 @@ class TestResult(unittest.TestCase):
         self.assertEqual(moved.camera.focal_point, VIEW["camera"]["focal_point"])
 
 
+class TestViews(unittest.TestCase):
+    def turned(self, degrees):
+        """The camera of the scene turned about the z axis through its focal point."""
+        c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+        camera = limpid.Camera(**VIEW["camera"])
+        offset = np.subtract(camera.position, camera.focal_point)
+        x, y = c * offset[0] - s * offset[1], s * offset[0] + c * offset[1]
+        return limpid.Camera(np.add(camera.focal_point, (x, y, offset[2])), camera.focal_point,
+                             camera.view_up)
+
+    def test_scores_of_an_orbit_are_the_mean_of_its_cameras(self):
+        for count in (1, 3):
+            found = optimize(views="orbit", number_of_views=count)
+
+            single = [optimize(camera=self.turned(360 * i / count)).base_visibility_score
+                      for i in range(count)]
+            self.assertAlmostEqual(found.base_visibility_score, np.mean(single),
+                                   delta=phantom.rounding_of_sweeps() * np.mean(single))
+            self.assertEqual(found.camera, limpid.Camera(**VIEW["camera"]))
+
+    def test_an_orbit_shows_something_from_all_sides(self):
+        found = optimize(views="orbit", number_of_views=4)
+        single = optimize()
+
+        behind = {"extinction": found.extinction, "extinction_function": None,
+                  "importance": phantom.fields()[1], "importance_function": None,
+                  "camera": self.turned(180), "method": "ordinary"}
+        self.assertGreater(optimize(**behind).visibility_score, optimize(
+            **{**behind, "extinction": single.extinction}).visibility_score)
+
+    def test_eyes_of_a_pair_are_apart(self):
+        wide, narrow, none = (optimize(views="stereo_pair", eye_angle=angle)
+                              for angle in (60, 2, 0))
+
+        self.assertEqual(none.base_visibility_score, optimize().base_visibility_score)
+        self.assertNotEqual(wide.energy, narrow.energy)
+
+
+class TestPrevious(unittest.TestCase):
+    def near(self, result, other):
+        return np.abs(result.extinction.astype(float) - other.extinction).mean()
+
+    def test_a_warm_start_goes_on_from_it(self):
+        before = optimize(smoothness=0)
+        for order in "FC":
+            warm = optimize(phantom.scalars(order), maximum_iterations=0, smoothness=0,
+                            warm_start=True, previous=before)
+
+            np.testing.assert_array_equal(warm.extinction, before.extinction)
+            self.assertEqual(warm.energy, before.energy)
+        self.assertEqual(optimize(smoothness=0, warm_start=True, previous=None).energy,
+                         before.energy)
+
+    #: Seven degrees from that of the scene.
+    CAMERA = {**VIEW["camera"], "position": tuple(np.add(VIEW["camera"]["position"], (0, 4, 3)))}
+
+    def test_coherence_stays_near_it(self):
+        strong = {"temporal_coherence": 2}
+        first = optimize(previous=None, **strong)
+        fresh = optimize(camera=self.CAMERA)
+        for values in (phantom.scalars(), phantom.scalars("C")):
+            coherent = optimize(values, camera=self.CAMERA, previous=first, **strong)
+
+            self.assertLess(self.near(coherent, first), self.near(fresh, first))
+
+    def test_coherence_counts_less_for_another_time_step(self):
+        strong = {"temporal_coherence": 0.5}
+        first = optimize(previous=None, **strong)
+        later = phantom.scalars()
+        later[12, 10, 8] += 1e-6
+        same, other = (optimize(values, previous=first, camera=self.CAMERA, **strong)
+                       for values in (phantom.scalars(), later))
+
+        self.assertLess(self.near(same, first), self.near(other, first))
+
+    def test_fields_have_previous_results_too(self):
+        mu, g = phantom.fields()
+        first = limpid.optimize(extinction=mu, importance=g, **VIEW)
+        again = limpid.optimize(extinction=mu, importance=g, previous=first, warm_start=True,
+                                **VIEW)
+
+        self.assertLessEqual(again.iterations, first.iterations)
+
+
+class TestComponents(unittest.TestCase):
+    def test_one_of_several_is_the_importance(self):
+        mu, g = phantom.fields()
+        several = np.stack([np.zeros_like(g), g, 2 * g], axis=-1)
+        expected = limpid.optimize(extinction=mu, importance=g, **VIEW)
+        for array, component in ((several, 1), (several[..., :2], -1), (g, -1), (g, 0),
+                                 (several[..., 1:2], None)):
+            found = limpid.optimize(extinction=mu, importance=array, importance_component=component,
+                                    **VIEW)
+            np.testing.assert_array_equal(found.extinction, expected.extinction)
+
+    def test_a_search_has_components_too(self):
+        several = np.stack([phantom.scalars(), np.zeros(SHAPE)], axis=-1)
+        found = [limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False,
+                                   importance=array, importance_component=component, **SCENE)
+                 for array, component in ((several, 0), (phantom.scalars(), None))]
+
+        np.testing.assert_array_equal(*(views.visible_fractions for views in found))
+
+
 class TestEquality(unittest.TestCase):
     def test_what_has_the_same_values_is_equal_and_has_the_same_hash(self):
         array = np.array([1, 2, 3])
@@ -293,6 +397,25 @@ class TestEnds(unittest.TestCase):
 
         self.assertEqual(result.iterations, 3)
         self.assertGreater(result.visibility_score, result.base_visibility_score)
+
+    def test_progress_ends_with_all_of_the_work(self):
+        for settings in ({}, {"mode": "separate"}, {"preset": "Paper"}, {"method": "ordinary"},
+                         {"solver": "adam", "iterations_per_level": (1, 1, 2), "smoothness": 0},
+                         {"maximum_iterations": 0}, {"maximum_seconds": 1e-9},
+                         {"optimize_viewpoint": True}):
+            shares = []
+            optimize(progress=lambda share, _: shares.append(share), **settings)
+
+            self.assertEqual(shares, sorted(shares), settings)
+            self.assertEqual(shares.count(1), 1, settings)
+            self.assertEqual(shares[-1], 1, settings)
+
+    def test_a_run_for_the_light_is_half_of_the_work(self):
+        shares = []
+        result = optimize(progress=lambda share, _: shares.append(share), mode="separate")
+
+        self.assertEqual(len(shares), result.iterations)
+        self.assertIn(0.5, shares)
 
     def test_an_exception_of_the_callers_comes_out(self):
         with self.assertRaises(ZeroDivisionError):

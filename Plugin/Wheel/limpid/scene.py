@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from .arguments import warn
+from .arguments import warn, whole_number
 from .fields import Layout, converted, corrected, emptied, mapped
 from .functions import ExtinctionOfOpacity, PiecewiseLinear
 from .grid import Grid
@@ -26,6 +26,7 @@ class Scene:
     importance: np.ndarray  #: [0, 1]
     majorant: float  #: upper bound of Eq. (25), of the function; 0: that of the data [1/length]
     unit_distance: float  #: of opacities [length]
+    data: tuple  #: arrays that extinction and importance were made from
 
     def in_core(self):
         """Grid, base extinction and importance as the core takes them; the arrays are views."""
@@ -88,8 +89,15 @@ def ramp_of(scalars, mask, unit_distance):
 
 def scene_of(volume, scalars=None, importance=None, importance_function=None, extinction=None,
              extinction_function=None, opacity_function=None, unit_distance=None, spacing=None,
-             origin=None, direction=None):
-    """A Scene from the arguments that optimize documents. Raises ValueError."""
+             origin=None, direction=None, importance_component=None, layout=None):
+    """A Scene from the arguments that optimize documents. Raises ValueError.
+
+    layout: that the fields are wanted in; None: the one that takes fewest copies.
+    """
+    if importance_component is not None:
+        importance_component = whole_number(
+            "importance_component", importance_component, -1, 2 ** 31 - 1, "arrays have components "
+            "from 0 on", "Give one of these, or -1 for the length of the tuple.")
     source = Volume(volume, [scalars, extinction, importance], spacing, origin, direction)
     distance = unit_distance_of(unit_distance, source.grid)
     function = extinction_function_of(extinction_function, opacity_function, distance)
@@ -101,10 +109,11 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
     mu = source.field("extinction", extinction) if own_extinction else \
         source.field("scalar", scalars)
     if importance_function is not None and importance is None:
-        g = source.field("scalar", scalars)
+        g = source.field("scalar", scalars, component=importance_component)
     else:
-        g = source.field("importance", importance, "Importance")
-    layout = Layout.for_all([mu, g])
+        g = source.field("importance", importance, "Importance", importance_component)
+    data = (mu, g)
+    layout = layout or Layout.for_all(data)
 
     majorant = function.largest() if function else 0.0
     if own_extinction:
@@ -117,4 +126,4 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
         g = mapped(g, PiecewiseLinear("importance_function", importance_function, -math.inf,
                                       math.inf), layout)
     mu, g = corrected(*emptied((mu, g), source.mask), layout)
-    return Scene(source, source.grid, layout, mu, g, majorant, distance)
+    return Scene(source, source.grid, layout, mu, g, majorant, distance, data)

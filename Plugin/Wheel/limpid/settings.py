@@ -18,7 +18,11 @@ OF_PRESETS = ("view_weight", "light_weight", "clearing_threshold", "regularizati
 #: Settings that are one of several words, and the enumeration of the core that has them.
 CHOICES = {"method": _core.Method, "mode": _core.Mode, "solver": _core.Solver,
            "derivative": _core.Derivative, "importance_smoothing": _core.ImportanceSmoothing,
-           "backend": _core.Backend}
+           "views": _core.Views, "backend": _core.Backend}
+
+#: Settings that the core has apart from the others.
+OF_VIEWS = ("views", "number_of_views", "eye_angle")
+APART = (*OF_VIEWS, "warm_start")
 
 
 def whether(value):
@@ -67,6 +71,11 @@ class Settings:
     emphasis: float = 0.0  #: how much thicker than the data it may become [0, 1]; 1: the paper
     importance_smoothing: str = "median"  #: without specks, or "off": as it is
     smoothness: float = 0.2  #: how strongly changes are drawn to their neighbours [0, 10]
+    views: str = "single_view"  #: for the camera alone, or "stereo_pair", "orbit": a mean of several
+    number_of_views: int = 8  #: of an orbit [1, 360]
+    eye_angle: float = 2.0  #: of a stereo pair, as seen from the focal point [0, 180) [degrees]
+    temporal_coherence: float = 0.0  #: how strongly it is drawn to `previous`, see optimize
+    warm_start: bool = False  #: start from `previous`, see optimize
     backend: str = "auto"  #: or "cpu", "cuda": this or an error
     method: str = "optimized"  #: or "ordinary", "viola_2004", "marchesin_2010", "ament_2017"
     ament_exponent: float = 1.0  #: lambda of "ament_2017", and so on
@@ -141,6 +150,8 @@ class Settings:
         value that it cannot hold."""
         settings = _core.Settings()
         for field in dataclasses.fields(self):
+            if field.name in APART:
+                continue
             value = getattr(self, field.name)
             if field.name in CHOICES:
                 value = choice(field.name, value, CHOICES[field.name])
@@ -149,3 +160,16 @@ class Settings:
             except (TypeError, ValueError, OverflowError, RuntimeError):
                 raise ValueError(wrong_kind(field, value)) from None
         return settings
+
+    def views_in_core(self):
+        """For which cameras the extinction is to be, as the core has it, which checks it."""
+        if self.views != "single_view" and self.method != "optimized":
+            raise ValueError(f"views is {self.views!r} and method {self.method!r} (only the "
+                             "optimised extinction is for several cameras). Use the views "
+                             "'single_view' or the method 'optimized'.")
+        try:
+            return _core.ViewSet(choice("views", self.views, _core.Views), self.number_of_views,
+                                 self.eye_angle)
+        except (TypeError, OverflowError):
+            raise ValueError(f"number_of_views is {self.number_of_views} (an orbit has one to 360). "
+                             "Give one of these.") from None
