@@ -39,8 +39,8 @@ def axes_of(array):
         return None
     names = [str(name).lower() for name in array.dims]
     if any(names.count(axis) != 1 for axis in XYZ):
-        raise ValueError(f"The array has the dims {tuple(array.dims)} (which of them are x, y and z "
-                         "cannot be told). Rename them with array.rename(...), or give "
+        raise ValueError(f"The array has the dims {tuple(array.dims)} (which of them are x, y and "
+                         "z cannot be told). Rename them with array.rename(...), or give "
                          "array.values, indexed [x, y, z].")
     return (*(names.index(axis) for axis in XYZ),
             *(axis for axis, name in enumerate(names) if name not in XYZ))
@@ -80,8 +80,8 @@ def first_and_step(name, array):
     steps = np.diff(positions)
     mean = steps.mean() if len(steps) else 1.0
     if not (np.isfinite(mean) and mean > 0 and np.abs(steps - mean).max(initial=0) <= 1e-3 * mean):
-        raise ValueError(f"The coordinates of the array along {name!r} are not ascending numbers at "
-                         "even steps (rays are followed through evenly spaced points). Sort or "
+        raise ValueError(f"The coordinates of the array along {name!r} are not ascending numbers "
+                         "at even steps (rays are followed through evenly spaced points). Sort or "
                          f"interpolate it, as by array.sortby({name!r}), or leave them out with "
                          f"array.drop_vars({name!r}).")
     return float(positions[0]), float(mean)

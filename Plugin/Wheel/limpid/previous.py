@@ -68,8 +68,8 @@ class Previous:
             raise ValueError("previous is given, warm_start is off and temporal_coherence 0 (it "
                              "would not count). Set one of these, or leave previous out.")
         if self.coherent and found.memory.change is None:
-            raise ValueError("temporal_coherence is set, and previous was found without it (so what "
-                             "it changed was not kept). Set it in both runs.")
+            raise ValueError("temporal_coherence is set, and previous was found without it (so "
+                             "what it changed was not kept). Set it in both runs.")
 
     def layout(self):
         """The order of axes that fields are wanted in; None: any."""
@@ -83,9 +83,9 @@ class Previous:
         ends = [(of.origin, of.origin + of.direction @ np.multiply(of.spacing, np.subtract(
             of.shape, 1))) for of in (before, grid)]
         if not np.allclose(*ends, rtol=0, atol=1e-4 * grid.radius()):
-            raise ValueError(f"previous is of a box from {ends[0][0]} to {ends[0][1].tolist()}, and "
-                             f"the volume is one from {ends[1][0]} to {ends[1][1].tolist()} (its "
-                             "extinction belongs elsewhere). Leave previous out.")
+            raise ValueError(f"previous is of a box from {ends[0][0]} to {ends[0][1].tolist()}, "
+                             f"and the volume is one from {ends[1][0]} to {ends[1][1].tolist()} "
+                             "(its extinction belongs elsewhere). Leave previous out.")
         if self.warm and before.shape != grid.shape:
             raise ValueError(f"previous has {before.shape} points, and the volume {grid.shape} (a "
                              "run starts from a value for each point). Leave warm_start out.")

@@ -71,7 +71,7 @@ class Settings:
     emphasis: float = 0.0  #: how much thicker than the data it may become [0, 1]; 1: the paper
     importance_smoothing: str = "median"  #: without specks, or "off": as it is
     smoothness: float = 0.2  #: how strongly changes are drawn to their neighbours [0, 10]
-    views: str = "single_view"  #: for the camera alone, or "stereo_pair", "orbit": a mean of several
+    views: str = "single_view"  #: for one camera, or "stereo_pair", "orbit": a mean of several
     number_of_views: int = 8  #: of an orbit [1, 360]
     eye_angle: float = 2.0  #: of a stereo pair, as seen from the focal point [0, 180) [degrees]
     temporal_coherence: float = 0.0  #: how strongly it is drawn to `previous`, see optimize
@@ -137,8 +137,8 @@ class Settings:
         if settings is None:
             return cls() if preset is None else cls.preset(preset)
         if preset is not None:
-            raise ValueError(f"preset {preset!r} and settings are given (each has a value for every "
-                             "setting). Give one of them; limpid.Settings.preset(...) and "
+            raise ValueError(f"preset {preset!r} and settings are given (each has a value for "
+                             "every setting). Give one of them; limpid.Settings.preset(...) and "
                              "dataclasses.replace make one of both.")
         if not isinstance(settings, cls):
             raise TypeError(f"settings is {reprlib.repr(settings)} (it has no settings). Give a "
@@ -171,5 +171,5 @@ class Settings:
             return _core.ViewSet(choice("views", self.views, _core.Views), self.number_of_views,
                                  self.eye_angle)
         except (TypeError, OverflowError):
-            raise ValueError(f"number_of_views is {self.number_of_views} (an orbit has one to 360). "
-                             "Give one of these.") from None
+            raise ValueError(f"number_of_views is {self.number_of_views} (an orbit has one to "
+                             "360). Give one of these.") from None

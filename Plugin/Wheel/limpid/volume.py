@@ -31,8 +31,8 @@ def refuse_other_data(volume):
     else:
         advice = ("Make it one, in PyVista by pyvista.create_grid(volume, dimensions=(100, 100, "
                   "100)).sample(volume).")
-    raise ValueError(f"The volume is a {type(volume).__name__} (rays are followed through one image "
-                     f"with the same spacing everywhere). {advice}")
+    raise ValueError(f"The volume is a {type(volume).__name__} (rays are followed through one "
+                     f"image with the same spacing everywhere). {advice}")
 
 
 def refuse_blanked(image):
@@ -152,8 +152,8 @@ class Volume:
         cells = tuple(count - 1 for count in shape)
         if array.shape[:3] == cells or array.shape[:1] == (int(np.prod(cells)),):
             raise ValueError(f"The {role} array has the shape {array.shape}, one value for each of "
-                             f"the volume's {cells} cells (values belong to points). Give values at "
-                             "points: in PyVista, those of image.cell_data_to_point_data().")
+                             f"the volume's {cells} cells (values belong to points). Give values "
+                             "at points: in PyVista, those of image.cell_data_to_point_data().")
         if array.shape[:3] != shape or array.ndim > 4:
             raise ValueError(f"The {role} array has the shape {array.shape} and the volume has "
                              f"{shape} points (values belong to points). Give one number "
@@ -180,9 +180,9 @@ class Volume:
             return np.asarray(self.image.point_data[name])
         of_cells = list(self.image.cell_data.keys())
         if name in of_cells or not names and of_cells:
-            raise ValueError(f"The {role} array {name!r} is not among the image's arrays of points, "
-                             f"and those of its cells are {', '.join(map(repr, of_cells))} (values "
-                             "belong to points). Give the image with values at points: in PyVista, "
+            raise ValueError(f"The {role} array {name!r} is not among the image's arrays of "
+                             "points, and those of its cells are "
+                             f"{', '.join(map(repr, of_cells))} (values belong to points). Give the image with values at points: in PyVista, "
                              "image.cell_data_to_point_data().")
         raise ValueError(f"The {role} array {name!r} is not among the image's arrays of points "
                          "(the scene cannot be made without it). Choose one of these: "
