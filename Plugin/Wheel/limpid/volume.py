@@ -182,7 +182,8 @@ class Volume:
         if name in of_cells or not names and of_cells:
             raise ValueError(f"The {role} array {name!r} is not among the image's arrays of "
                              "points, and those of its cells are "
-                             f"{', '.join(map(repr, of_cells))} (values belong to points). Give the image with values at points: in PyVista, "
+                             f"{', '.join(map(repr, of_cells))} (values belong to points). Give "
+                             "the image with values at points: in PyVista, "
                              "image.cell_data_to_point_data().")
         raise ValueError(f"The {role} array {name!r} is not among the image's arrays of points "
                          "(the scene cannot be made without it). Choose one of these: "
