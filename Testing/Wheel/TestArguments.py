@@ -37,7 +37,9 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("importance", "(23, 20, 16)", "(24, 20, 16)", importance=g[1:])
         self.refuses("complex64", importance=g.astype(np.complex64))
         self.refuses("'density'", "a name", scalars="density")
-        self.refuses("There is no importance", importance_function=None)
+        self.refuses("There is no importance", volume=None, importance_function=None,
+                     extinction_function=None, extinction=mu)
+        self.refuses("scalars are all alike", volume=np.ones((4, 5, 6)), importance_function=None)
         self.refuses("extinction and a function", extinction=mu)
 
     def test_values_of_cells(self):

@@ -108,7 +108,6 @@ class TestPyVista(unittest.TestCase):
 
     def test_what_it_lacks_is_told(self):
         for arguments, words in (({"scalars": "density"}, "'density' is not among"),
-                                 ({"importance_function": None}, "'Importance' is not among"),
                                  ({"spacing": (1, 1, 1)}, "spacing and an image")):
             with self.assertRaises(ValueError) as caught:
                 limpid.optimize(self.image(), **{**FUNCTIONS, **arguments})

@@ -220,6 +220,47 @@ class TestPrevious(unittest.TestCase):
         self.assertLessEqual(again.iterations, first.iterations)
 
 
+class TestAssumedImportance(unittest.TestCase):
+    def assumed(self, values, **arguments):
+        """The importance and the text of the warning."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            scene = scene_of(values, extinction_function=phantom.EXTINCTION, **arguments)
+        self.assertEqual(len(caught), 1)
+        return scene.importance, str(caught[0].message)
+
+    def test_the_largest_scalars_are_important_where_nobody_says_it(self):
+        values = np.arange(1000.0).reshape(10, 10, 10)
+        for order in "FC":
+            importance, text = self.assumed(np.asarray(values, order=order))
+
+            np.testing.assert_allclose(importance, np.interp(values, [949, 989], [0, 1]),
+                                       atol=phantom.SINGLE)
+            self.assertIn("importance_function=[[949, 0], [989, 1]]", text)
+
+    def test_masked_scalars_and_those_that_are_no_numbers_do_not_count(self):
+        values = np.arange(1000.0).reshape(10, 10, 10)
+        more = np.concatenate([values, np.full((1, 10, 10), 5000.0)])
+        importance, _ = self.assumed(np.ma.array(more, mask=more == 5000))
+        np.testing.assert_array_equal(importance[:-1], self.assumed(values)[0])
+
+        more[-1] = np.nan
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            scene = scene_of(more, extinction_function=phantom.EXTINCTION)
+        np.testing.assert_array_equal(scene.importance[:-1], self.assumed(values)[0])
+        self.assertEqual(len(caught), 2)
+
+    def test_searches_and_runs_assume_the_same(self):
+        with self.assertWarnsRegex(UserWarning, "Nobody has said") as caught:
+            found = optimize(importance_function=None)
+        self.assertEqual(caught.filename, __file__)
+        with self.assertWarnsRegex(UserWarning, "Nobody has said"):
+            limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False,
+                              **{**SCENE, "importance_function": None})
+        self.assertGreater(found.visible_fraction, found.base_visible_fraction)
+
+
 class TestComponents(unittest.TestCase):
     def test_one_of_several_is_the_importance(self):
         mu, g = phantom.fields()

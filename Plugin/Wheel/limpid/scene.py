@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 
+from . import _core
 from .arguments import warn, whole_number
 from .fields import Layout, converted, corrected, emptied, mapped
 from .functions import ExtinctionOfOpacity, PiecewiseLinear
@@ -87,6 +88,26 @@ def ramp_of(scalars, mask, unit_distance):
     return ExtinctionOfOpacity(PiecewiseLinear("opacity_function", nodes), unit_distance)
 
 
+def assumed_importance(scalars, mask):
+    """Nodes of an importance of the scalars where nobody has said what is important, as the display
+    has it: the largest few per cent. There is a warning. Raises ValueError if nothing stands out.
+
+    mask: where there is no scalar; None: nowhere.
+    """
+    values = scalars.ravel(order="K") if mask is None else scalars[~mask]
+    step = max(1, values.size // _core.most_samples_of_quantiles) | 1  # odd: meets all columns
+    samples = values[::step].astype(float)
+    ramp = _core.starting_importance(np.sort(samples[np.isfinite(samples)]))
+    if ramp is None:
+        raise ValueError("There is no importance, and the scalars are all alike (nothing stands out "
+                         "of them). Give an importance, or an importance_function.")
+    warn(f"Nobody has said what is important: the largest scalars are, from {ramp[0]:g} (0), above "
+         f"95 % of them, to {ramp[1]:g} (1), above 99 % (what is cleared depends on it). Give "
+         f"importance_function=[[{ramp[0]:g}, 0], [{ramp[1]:g}, 1]] if that is right, or an "
+         "importance.")
+    return [[ramp[0], 0.0], [ramp[1], 1.0]]
+
+
 def scene_of(volume, scalars=None, importance=None, importance_function=None, extinction=None,
              extinction_function=None, opacity_function=None, unit_distance=None, spacing=None,
              origin=None, direction=None, importance_component=None, layout=None):
@@ -108,10 +129,14 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
     own_extinction = extinction is not None
     mu = source.field("extinction", extinction) if own_extinction else \
         source.field("scalar", scalars)
-    if importance_function is not None and importance is None:
+    assumes = importance is None and importance_function is None and \
+        not source.has_array("Importance") and (scalars is not None or volume is not None)
+    if assumes or importance is None and importance_function is not None:
         g = source.field("scalar", scalars, component=importance_component)
     else:
         g = source.field("importance", importance, "Importance", importance_component)
+    if assumes:
+        importance_function = assumed_importance(g, source.mask)
     data = (mu, g)
     layout = layout or Layout.for_all(data)
 

@@ -163,6 +163,10 @@ class Volume:
         if mask is not np.ma.nomask and mask.any():
             self.mask = mask if self.mask is None else self.mask | mask
 
+    def has_array(self, name):
+        """Whether it is an image with an array of points of that name."""
+        return self.image is not None and name in self.image.point_data.keys()
+
     def _active_name(self):
         data = self.image.point_data
         name = getattr(data, "active_scalars_name", None)
