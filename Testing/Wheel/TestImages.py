@@ -69,6 +69,18 @@ class TestPyVista(unittest.TestCase):
                 image["Light"] = result.light_extinction
         self.assertIn("24 x 20 x 16 points", repr(result))
 
+    def test_what_is_found_is_drawn(self):
+        image = self.image()
+        found = limpid.optimize(image, scalars="values", **FUNCTIONS, **VIEW)
+        draw = {"color_function": phantom.COLORS, "extinction_function": EXTINCTION, "width": 30,
+                "height": 30, "camera": found.camera}
+        expected = limpid.render(phantom.scalars(), spacing=SPACING, origin=ORIGIN,
+                                 extinction=found.extinction.reshape(found.dimensions, order="F"),
+                                 **draw)
+
+        np.testing.assert_array_equal(limpid.render(image, scalars="values",
+                                                    extinction=found.extinction, **draw), expected)
+
     def test_its_arrays_are_used_where_they_are(self):
         mu, g = phantom.fields()
         image = self.image(BaseExtinction=mu, Importance=g)
