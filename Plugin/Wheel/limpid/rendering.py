@@ -66,8 +66,8 @@ def drawable(scalars, mask, layout):
 def straight_alpha(rgba):
     """Colors that are not multiplied by alpha, of a picture (height, width, 4) of uint8 whose
     colors are."""
-    alpha = rgba[..., 3:].astype(np.uint16)
-    colors = (rgba[..., :3] * np.uint32(255) + alpha // 2) // np.maximum(alpha, 1)
+    alpha = rgba[..., 3:].astype(np.uint32)
+    colors = (rgba[..., :3].astype(np.uint32) * 255 + alpha // 2) // np.maximum(alpha, 1)
     return np.dstack([np.minimum(colors, 255), alpha]).astype(np.uint8)
 
 
