@@ -6,16 +6,13 @@
 #ifndef limpid_ImportancePoints_h
 #define limpid_ImportancePoints_h
 
+#include "scene/StartingImportance.h"
+
 #include <cstddef>
 #include <vector>
 
 namespace limpid
 {
-/// Shares of the values of an array that lie below those at which what may be important begins, and
-/// is important in full.
-constexpr double ImportanceBegins = 0.95;
-constexpr double ImportanceIsFull = 0.99;
-
 /**
  * Points of a piecewise function (value, importance, midpoint, sharpness) that rises from 0 to 1
  * between the inner two of four values (the property SuggestedImportance), and goes on to the outer

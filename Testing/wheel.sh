@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds the Python package for numpy as a wheel, installs it with VTK and PyVista into a virtual
-# environment that has nothing else, and tests it there.
+# Builds the Python package for numpy as a source distribution and that as a wheel, installs it with
+# VTK, PyVista, xarray and SimpleITK into a virtual environment that has nothing else, and tests it
+# there.
 #   bash Testing/wheel.sh [FOLDER]
-# FOLDER (build/wheel) keeps the wheel in dist/, the environment in venv/, and what was compiled.
+# FOLDER (build/wheel) keeps both in dist/, the environment in venv/, and what was compiled.
 # Packages come from where pip and apt have them. LIMPID_PYTHON_PATH: where the VTK modules' Python
 # package is (build/vtk/lib/python3/*-packages); where it is, what the wheel finds and how much
 # memory that takes is compared with the filter. LIMPID_TEST_DATA: the folder with the test scenes.
@@ -23,15 +24,20 @@ data="$root/../shared/data"
 bash "$root/Testing/install-packages.sh" g++ libglm-dev libtbb-dev python3-venv python3-dev \
   xvfb xauth libgl1-mesa-dri libgl1 libxrender1
 
-rm -rf "$folder/venv" "$folder/dist"
+rm -rf "$folder/venv" "$folder/tools" "$folder/dist" "$folder/unpacked"
+mkdir -p "$folder/unpacked"
+"$python" -m venv "$folder/tools"
+"$folder/tools/bin/pip" --disable-pip-version-check install --quiet build
+"$folder/tools/bin/python" -m build --sdist --outdir "$folder/dist" "$root/Plugin/Wheel"
+tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/unpacked" --strip-components 1
 "$python" -m venv "$folder/venv"
 pip=("$folder/venv/bin/pip" --disable-pip-version-check)
 start=$SECONDS
 "${pip[@]}" wheel --quiet --no-deps --wheel-dir "$folder/dist" \
-  --config-settings="build-dir=$folder/compiled" "$root/Plugin/Wheel"
+  --config-settings="build-dir=$folder/compiled" "$folder/unpacked"
 echo "Built $(du -h "$folder"/dist/*.whl | cut -f1) in $((SECONDS - start)) s:" "$folder"/dist/*.whl
 wheel=("$folder"/dist/*.whl)
-"${pip[@]}" install --quiet "${wheel[0]}[pyvista]"
+"${pip[@]}" install --quiet "${wheel[0]}[pyvista]" xarray SimpleITK
 
 export LIMPID_PYTHON="$python"
 export LIMPID_PYTHON_PATH="${LIMPID_PYTHON_PATH:-${modules[0]:-}}"

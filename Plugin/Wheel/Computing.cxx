@@ -6,6 +6,7 @@
 #include "backend/Interruption.h"
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
 
 namespace nb = nanobind;
 
@@ -43,5 +44,18 @@ void ComputeBesidePython(const std::function<void()>& compute)
   {
     throw nb::python_error(); // the one that the handler raised
   }
+}
+
+std::function<bool(double, const std::string&)> ToProgress(const nb::object& callable)
+{
+  if (callable.is_none())
+  {
+    return {};
+  }
+  return [&callable](double share, const std::string& text)
+  {
+    const nb::gil_scoped_acquire acquired;
+    return !callable(share, text).equal(nb::bool_(false));
+  };
 }
 }

@@ -4,7 +4,10 @@
 #ifndef limpid_wheel_Computing_h
 #define limpid_wheel_Computing_h
 
+#include <nanobind/nanobind.h>
+
 #include <functional>
+#include <string>
 
 namespace limpid::python
 {
@@ -14,6 +17,10 @@ namespace limpid::python
  * from here.
  */
 void ComputeBesidePython(const std::function<void()>& compute);
+
+/// A callable of Python's, called with the share of the work that is done and a text, which returns
+/// false to stop; no function for None. The callable has to outlive it.
+std::function<bool(double, const std::string&)> ToProgress(const nanobind::object& callable);
 }
 
 #endif

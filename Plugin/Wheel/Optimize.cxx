@@ -6,6 +6,7 @@
 #include "Computing.h"
 
 #include "optimize/Solver.h"
+#include "scene/ViewSet.h"
 #include "viewpoint/Concurrent.h"
 
 #include <nanobind/stl/array.h>
@@ -34,7 +35,10 @@ struct Run
   Camera camera;
   Light light;
   Settings settings;
-  std::optional<Guide> guide; ///< with it, the camera moves, too
+  ViewSet views;
+  std::optional<Guide> guide;        ///< with it, the camera moves, too
+  const float* initial = nullptr;    ///< to start from; null: the base extinction
+  CarriedChange* previous = nullptr; ///< to stay near of; null: nothing
   Progress progress;
 
   ConcurrentResult Solve() const
@@ -44,28 +48,19 @@ struct Run
       return OptimizeConcurrently(
         this->scene, this->camera, this->light, this->settings, *this->guide, this->progress);
     }
+    const std::vector<Camera> cameras = CamerasOf(this->views, this->camera, OrbitStart::AtCamera);
     ConcurrentResult result;
     result.camera = this->camera;
-    result.solver =
-      std::make_unique<Solver>(this->scene, this->camera, this->light, this->settings);
+    result.solver = std::make_unique<Solver>(this->scene, cameras.front(), this->light,
+      ForCameras(this->settings, cameras), this->previous ? *this->previous : CarriedChange());
+    if (this->initial)
+    {
+      result.solver->SetInitialExtinction(this->initial);
+    }
     result.solver->Run(this->progress);
     return result;
   }
 };
-
-// A callable of Python's, which returns false to stop, as the core calls it.
-Progress ToProgress(const nb::object& callable)
-{
-  if (callable.is_none())
-  {
-    return {};
-  }
-  return [&callable](double share, const std::string& text)
-  {
-    const nb::gil_scoped_acquire acquired;
-    return !callable(share, text).equal(nb::bool_(false));
-  };
-}
 
 // A row per iteration, in the order of CONVERGENCE in optimization.py.
 nb::list RowsOf(const std::vector<IterationRecord>& history)
@@ -109,14 +104,18 @@ nb::dict ResultsOf(const Solver& solver, const Camera& camera)
 
 nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& importance,
   float majorant, const Camera& camera, const Light& light, const Settings& settings,
-  std::optional<Guide> guide, const nb::object& progress)
+  const ViewSet& views, std::optional<Guide> guide, const OptionalField& initial,
+  CarriedChange* previous, const nb::object& progress)
 {
   Run run(grid, extinction, importance, majorant);
   run.camera = camera;
   run.light = light;
   run.settings = settings;
   run.settings.scoreIterations = true;
+  run.views = views;
   run.guide = guide;
+  run.initial = DataOf(initial);
+  run.previous = previous;
   run.progress = ToProgress(progress);
   ConcurrentResult found;
   ComputeBesidePython(
@@ -130,13 +129,22 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   nb::dict results = ResultsOf(*found.solver, found.camera);
   std::vector<float> forCamera;
   std::vector<float> forLight; // empty: there is none
+  CarriedChange change;
   ComputeBesidePython(
     [&]
     {
+      if (settings.temporalCoherence > 0)
+      {
+        change = found.solver->Change();
+      }
       std::array<FoundExtinction, 2> taken = found.solver->TakeExtinctions();
       forCamera = taken[0].Take();
       forLight = taken[1].Take();
     });
+  if (!change.Empty())
+  {
+    results["change"] = std::move(change);
+  }
   results["extinction"] = ToNumpy(std::move(forCamera));
   if (!forLight.empty())
   {
@@ -148,7 +156,10 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
 
 void BindOptimize(nb::module_& module)
 {
+  nb::class_<CarriedChange>(module, "CarriedChange").def_rw("likeness", &CarriedChange::likeness);
+  module.attr("likeness_in_time") = likenessInTime;
   module.def("optimize", Optimize, "grid"_a, "extinction"_a.noconvert(), "importance"_a.noconvert(),
-    "majorant"_a, "camera"_a, "light"_a, "settings"_a, "guide"_a.none(), "progress"_a.none());
+    "majorant"_a, "camera"_a, "light"_a, "settings"_a, "views"_a, "guide"_a.none(),
+    "initial"_a.noconvert().none(), "previous"_a.none(), "progress"_a.none());
 }
 }

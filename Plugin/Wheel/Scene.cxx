@@ -7,6 +7,7 @@
 #include "scene/Grid.h"
 #include "scene/Placement.h"
 #include "scene/RaySource.h"
+#include "scene/StartingImportance.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
@@ -61,6 +62,20 @@ void MakeLight(Light* light, const Triple& position, const std::optional<Triple>
     light->focalPoint = ToVec3(*focalPoint);
   }
 }
+
+// Values between which importance rises from 0 to 1, of ascending samples; None: nothing stands out
+// of them.
+std::optional<std::array<double, 2>> StartingImportance(
+  const nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>& sorted)
+{
+  const std::vector<double> samples(sorted.data(), sorted.data() + sorted.size());
+  const ImportanceRamp ramp = RampOf(samples, {});
+  if (!ramp.IsKnown())
+  {
+    return std::nullopt;
+  }
+  return { { ramp.begin, ramp.end } };
+}
 }
 
 void BindScene(nb::module_& module)
@@ -82,5 +97,7 @@ void BindScene(nb::module_& module)
     .def("__init__", MakeLight, "position"_a, "focal_point"_a.none());
   module.def("placed_camera", PlacedCamera, "grid"_a);
   module.def("placed_light", PlacedLight, "camera"_a);
+  module.def("starting_importance", StartingImportance, "sorted"_a);
+  module.attr("most_samples_of_quantiles") = mostSamplesOfQuantiles;
 }
 }

@@ -5,6 +5,7 @@
 
 #include "optimize/Presets.h"
 #include "optimize/Settings.h"
+#include "scene/ViewSet.h"
 #include "viewpoint/Concurrent.h"
 
 #include <nanobind/stl/array.h>
@@ -13,6 +14,7 @@
 #include <string>
 
 namespace nb = nanobind;
+using namespace nb::literals;
 
 namespace limpid::python
 {
@@ -45,6 +47,10 @@ void BindChoices(nb::module_& module)
     .value("proxy", Guide::Proxy)
     .value("coupled", Guide::Extinction)
     .value("attainable", Guide::Attainable);
+  nb::enum_<ViewKind>(module, "Views")
+    .value("single_view", ViewKind::Single)
+    .value("stereo_pair", ViewKind::StereoPair)
+    .value("orbit", ViewKind::Orbit);
 }
 
 // A member of a member of the settings as a property.
@@ -80,6 +86,7 @@ void BindSettings(nb::module_& module)
     .def_rw("emphasis", &Settings::emphasis)
     .def_rw("importance_smoothing", &Settings::importanceSmoothing)
     .def_rw("smoothness", &Settings::smoothness)
+    .def_rw("temporal_coherence", &Settings::temporalCoherence)
     .def_rw("backend", &Settings::backend);
   BindPart(settings, "regularization_weight", &Settings::weights, &Weights::regularization);
   BindPart(settings, "view_weight", &Settings::weights, &Weights::view);
@@ -91,6 +98,15 @@ void BindSettings(nb::module_& module)
   BindPart(settings, "ament_light_occluders", &Settings::ament, &AmentWeights::lightOccluders);
   BindPart(settings, "ament_light_background", &Settings::ament, &AmentWeights::lightBackground);
   BindPart(settings, "ament_smoothing", &Settings::ament, &AmentWeights::smoothingPasses);
+  nb::class_<ViewSet>(module, "ViewSet")
+    .def(
+      "__init__",
+      [](ViewSet* views, ViewKind kind, int count, double eyeAngle)
+      {
+        new (views) ViewSet{ kind, count, eyeAngle };
+        views->Require();
+      },
+      "kind"_a, "count"_a, "eye_angle"_a);
   module.def("settings_of_preset",
     [](const std::string& name)
     {

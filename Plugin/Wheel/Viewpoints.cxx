@@ -42,12 +42,45 @@ std::vector<Vec3> DirectionsOf(const Table<double, 3>& table)
   return directions;
 }
 
-// Direction, position and view up of the camera, score and fraction.
+// Tells a caller about both parts of a search, until the answer is to stop.
+class Report
+{
+public:
+  explicit Report(const nb::object& callable)
+    : Tell(ToProgress(callable))
+  {
+  }
+
+  /// What is between `begin` and `end` of all of the work, as a progress of its own.
+  SearchProgress Part(double begin, double end, const char* text)
+  {
+    return [this, begin, end, text](double share)
+    {
+      this->Stopped =
+        this->Stopped || (this->Tell && !this->Tell(begin + (end - begin) * share, text));
+      return !this->Stopped;
+    };
+  }
+
+  bool IsStopped() const { return this->Stopped; }
+
+private:
+  Progress Tell;
+  bool Stopped = false;
+};
+
+// Share of the evaluations that the samples are likely to need: an ascent takes some fifteen.
+double ShareOfSamples(double samples, const SearchSettings& search)
+{
+  return samples / (samples + (search.refine ? 15.0 * search.viewpoints : 0.0));
+}
+
+// Direction, position and view up of the camera, score and fraction, and whether it has them.
 nb::tuple RowOf(const ScoredView& view, const Orbit& orbit)
 {
   const Camera camera = orbit.At(view.direction);
   return nb::make_tuple(ToTriple(view.direction), ToTriple(camera.position),
-    ToTriple(camera.viewUp), view.score.visibility, view.score.fraction);
+    ToTriple(camera.viewUp), view.score.visibility, view.score.fraction, view.valid);
 }
 
 nb::list RowsOf(const std::vector<ScoredView>& views, const Orbit& orbit)
@@ -60,25 +93,43 @@ nb::list RowsOf(const std::vector<ScoredView>& views, const Orbit& orbit)
   return rows;
 }
 
-// `viewed`: the extinction that is looked at; with `base` it is not the base extinction.
-// `attainable`: every ray has its own, from `least` on.
-nb::dict SearchViewpoints(const Grid& grid, const Field& viewed, const Field& importance,
-  const OptionalField& base, bool attainable, const OptionalField& least, const Orbit& orbit,
-  const Table<double, 3>& directions, const SearchSettings& search, const Settings& settings)
+// The least extinction that the settings allow at each node.
+NodeValues LeastExtinction(const SceneFields& fields, const Orbit& orbit, const Settings& settings)
+{
+  PreparedScene scene(fields);
+  return scene.ProblemFor(orbit.At({ 0.0, 0.0, 1.0 }), Light(), settings).LeastExtinction();
+}
+
+// `proxy`: the extinction that is looked at; null: the base extinction. `attainable`: every ray has
+// its own, within the bounds of the settings.
+nb::dict SearchViewpoints(const Grid& grid, const Field& base, const Field& importance,
+  float majorant, const OptionalField& proxy, bool attainable, const Orbit& orbit,
+  const Table<double, 3>& directions, const SearchSettings& settingsOfSearch,
+  const Settings& settings, const nb::object& progress)
 {
   RequireOrbit(orbit, settings, grid);
+  Report report(progress);
+  SearchSettings search = settingsOfSearch;
   std::vector<ScoredView> samples;
   SearchResult found;
   std::string backend;
   ComputeBesidePython(
     [&]
     {
-      const ViewedFields fields{ viewed.data(), importance.data(), DataOf(base), nullptr,
-        attainable, DataOf(least) };
+      const SceneFields scene{ grid, base.data(), importance.data(), majorant };
+      const NodeValues least = attainable ? LeastExtinction(scene, orbit, settings) : NodeValues();
+      ViewedFields fields{ proxy ? proxy->data() : base.data(), importance.data() };
+      fields.base = proxy ? base.data() : nullptr;
+      fields.attainable = attainable;
+      fields.least = attainable ? least.Data() : nullptr;
       const ViewScore score(grid, fields, settings.rayDensity, settings.backend);
       backend = score.BackendName();
-      samples = ScoreViews(score, orbit, DirectionsOf(directions), {});
-      found = FindViewpoints(score, orbit, samples, search, {});
+      const std::vector<Vec3> ways = DirectionsOf(directions);
+      const double share = ShareOfSamples(double(ways.size()), search);
+      samples = ScoreViews(score, orbit, ways, report.Part(0, share, "Scoring views"));
+      search.refine = search.refine && !report.IsStopped();
+      found = FindViewpoints(
+        score, orbit, samples, search, report.Part(share, 1, "Climbing to better views"));
     });
 
   nb::dict results;
@@ -96,18 +147,32 @@ void BindViewpoints(nb::module_& module)
     .def(
       "__init__",
       [](Orbit* orbit, const Triple& centre, double distance, double viewAngle, bool parallel,
-        double parallelScale) {
-        new (orbit) Orbit{ ToVec3(centre), distance, viewAngle, parallel, parallelScale };
+        double parallelScale, const Triple& up)
+      {
+        new (orbit)
+          Orbit{ ToVec3(centre), distance, viewAngle, parallel, parallelScale, 1, ToVec3(up) };
       },
-      "centre"_a, "distance"_a, "view_angle"_a, "parallel_projection"_a, "parallel_scale"_a);
+      "centre"_a, "distance"_a, "view_angle"_a, "parallel_projection"_a, "parallel_scale"_a,
+      "up"_a);
+  nb::class_<AllowedViews>(module, "AllowedViews")
+    .def(
+      "__init__",
+      [](AllowedViews* allowed, const Triple& up, double lowest, double highest,
+        const Table<double, 3>& avoided, double avoidanceAngle)
+      {
+        new (allowed)
+          AllowedViews{ ToVec3(up), lowest, highest, DirectionsOf(avoided), avoidanceAngle };
+      },
+      "up"_a, "lowest"_a, "highest"_a, "avoided"_a, "avoidance_angle"_a);
   nb::class_<SearchSettings>(module, "SearchSettings")
     .def(nb::init<>())
     .def_rw("viewpoints", &SearchSettings::viewpoints)
     .def_rw("separation", &SearchSettings::separation)
     .def_rw("refine", &SearchSettings::refine)
-    .def_rw("first_step", &SearchSettings::firstStep);
-  module.def("search_viewpoints", SearchViewpoints, "grid"_a, "viewed"_a.noconvert(),
-    "importance"_a.noconvert(), "base"_a.noconvert().none(), "attainable"_a,
-    "least"_a.noconvert().none(), "orbit"_a, "directions"_a, "search"_a, "settings"_a);
+    .def_rw("first_step", &SearchSettings::firstStep)
+    .def_rw("allowed", &SearchSettings::allowed);
+  module.def("search_viewpoints", SearchViewpoints, "grid"_a, "base"_a.noconvert(),
+    "importance"_a.noconvert(), "majorant"_a, "proxy"_a.noconvert().none(), "attainable"_a,
+    "orbit"_a, "directions"_a, "search"_a, "settings"_a, "progress"_a.none());
 }
 }

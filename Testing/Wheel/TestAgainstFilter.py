@@ -5,6 +5,7 @@
 # defaults, the same scores, and no more memory.
 
 import dataclasses
+import inspect
 import json
 import os
 import pathlib
@@ -17,6 +18,8 @@ import numpy as np
 
 import limpid
 from limpid.settings import CHOICES
+from limpid.sphere import SAMPLINGS
+from limpid.viewpoint_search import OF_SEARCH
 
 HERE = pathlib.Path(__file__).resolve().parent
 DATA = os.environ.get("LIMPID_TEST_DATA", "")
@@ -43,13 +46,25 @@ def printed_by(script, *arguments, with_filter):
 class TestAgainstFilter(unittest.TestCase):
     def test_defaults_are_the_same(self):
         settings = {field.name: field.default for field in dataclasses.fields(limpid.Settings)}
-        filters = printed_by("print_defaults.py", *settings, with_filter=True)
+        self.compare_defaults("vtkExtinctionOptimizer", settings)
+        own = {name: settings[name] for name in OF_SEARCH}
+        arguments = {name: argument.default for name, argument in inspect.signature(
+            limpid.viewpoints).parameters.items() if name in (
+                "sampling", "number_of_directions", "camera_distance", "camera_view_angle",
+                "camera_parallel_projection", "camera_view_up", "elevation_range",
+                "avoidance_angle", "number_of_viewpoints", "separation_angle", "refine")}
+        self.compare_defaults("vtkViewpointSearch", {**own, **arguments})
 
+    def compare_defaults(self, filter_name, settings):
+        choices = {name: list(choice.__members__) for name, choice in CHOICES.items()}
+        choices["sampling"] = list(SAMPLINGS)
+        filters = printed_by("print_defaults.py", filter_name, *settings, with_filter=True)
         for name, default in settings.items():
-            if name in CHOICES:
-                default = list(CHOICES[name].__members__).index(default)
-            expected = tuple(filters[name]) if name == "iterations_per_level" else filters[name]
-            self.assertEqual(default, expected, name)
+            if name in choices:
+                default = choices[name].index(default)
+            expected = filters[name]
+            self.assertEqual(default, tuple(expected) if isinstance(expected, list) else expected,
+                             name)
 
     def scene_and_scalars(self, name, folder):
         import pyvista

@@ -37,8 +37,14 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("importance", "(23, 20, 16)", "(24, 20, 16)", importance=g[1:])
         self.refuses("complex64", importance=g.astype(np.complex64))
         self.refuses("'density'", "a name", scalars="density")
-        self.refuses("There is no importance", importance_function=None)
+        self.refuses("There is no importance", volume=None, importance_function=None,
+                     extinction_function=None, extinction=mu)
+        self.refuses("scalars are all alike", volume=np.ones((4, 5, 6)), importance_function=None)
         self.refuses("extinction and a function", extinction=mu)
+
+    def test_values_of_cells(self):
+        self.refuses("(23, 19, 15)", "cells", "cell_data_to_point_data", importance=VALUES[
+            1:, 1:, 1:])
 
     def test_functions_that_are_none(self):
         for nodes in ([], [1, 2], "steep", [[1, 2, 3]], [[0, "a"]]):
@@ -74,6 +80,41 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("view weight", "-1", view_weight=-1)  # the core's words
         self.refuses("viewpoint_guide is 'map'", viewpoint_guide="map")
 
+    def test_views_that_do_not_go_together(self):
+        self.refuses("number of views is 400", views="orbit", number_of_views=400)
+        self.refuses("angle between eyes is 180", views="stereo_pair", eye_angle=180)
+        self.refuses("views is 'orbit' and method 'ordinary'", views="orbit", method="ordinary")
+        self.refuses("only one camera can move", views="orbit", optimize_viewpoint=True)
+        self.refuses("method is 'ordinary'", method="ordinary", optimize_viewpoint=True)
+
+    def test_previous_results_that_are_none(self):
+        found = limpid.optimize(VALUES, temporal_coherence=0.2, previous=None, **SCENE)
+        plain = limpid.optimize(VALUES, **SCENE)
+        for name, value in (("warm_start", True), ("temporal_coherence", 0.2)):
+            self.refuses("there is no previous", **{name: value})
+        self.refuses("it would not count", previous=found)
+        self.refuses("previous is a ndarray", previous=found.extinction, warm_start=True)
+        self.refuses("found without it", previous=plain, temporal_coherence=0.2)
+        self.refuses("previous is of a box", previous=found, warm_start=True, origin=(0, 0, 9))
+        self.refuses("separate mode", previous=found, warm_start=True, mode="separate")
+        self.refuses("previous is given", previous=found, warm_start=True, optimize_viewpoint=True)
+        finer = {"volume": np.zeros((47, 39, 31), dtype=np.float32),
+                 "spacing": np.divide(SCENE["spacing"], 2)}
+        self.refuses("(24, 20, 16) points", previous=found, warm_start=True, **finer)
+
+    def test_components_that_are_none(self):
+        g = np.stack([VALUES, VALUES], axis=-1)
+        self.refuses("2 values per point", "importance_component", importance=g)
+        self.refuses("component of the importance is 2", importance=g, importance_component=2)
+        self.refuses("importance_component is 1.5", importance=g, importance_component=1.5)
+        self.refuses("scalar array has 2 values", "[..., 0]", volume=g)
+
+    def test_settings_twice(self):
+        self.refuses("preset 'Paper' and settings", preset="Paper", settings=limpid.Settings())
+        self.refuses("settings is {", "limpid.Settings", error=TypeError, settings={"mode": 1})
+        with self.assertRaisesRegex(ValueError, "view_weight is 'strong'"):
+            limpid.Settings(view_weight="strong")
+
     def test_numbers_of_numpy_are_numbers(self):
         settings = limpid.Settings(view_weight=np.float32(3), maximum_iterations=np.int64(4),
                                    iterations_per_level=np.array([1, 2, 3]),
@@ -100,6 +141,18 @@ class TestViewpointsRefuses(Refusals):
         self.refuses("camera_focal_point", "radii", camera_focal_point=(50, 0, 0))
         self.refuses("field is 'all'", "'base_extinction'", field="all")
         self.refuses("backend is 'gpu'", backend="gpu")
+        self.refuses("sampling is 'random'", "'fibonacci'", sampling="random")
+        self.refuses("elevation_range is (30, 10)", elevation_range=(30, 10))
+        self.refuses("elevation_range is 5", elevation_range=5)
+        self.refuses("camera_view_up is (0.0, 0.0, 0.0)", camera_view_up=(0, 0, 0))
+        self.refuses("An avoided direction", avoided_directions=[(0, 0, 0)])
+        self.refuses("avoidance_angle is 270", avoidance_angle=270)
+        self.refuses("progress is 3", progress=3)
+
+    def test_settings_that_would_not_count(self):
+        self.refuses("no setting 'view_weight'", "preset", error=TypeError, view_weight=3)
+        self.refuses("method is 'ordinary'", settings=limpid.Settings(method="ordinary"))
+        self.refuses("views", settings=limpid.Settings(views="orbit"))
 
 
 class TestRenderRefuses(Refusals):

@@ -51,13 +51,35 @@ class TestPyVista(unittest.TestCase):
 
         for image in (self.image(), plain(self.image())):
             result = limpid.optimize(image, scalars="values", **FUNCTIONS, **VIEW)
-            np.testing.assert_array_equal(result.extinction, expected.extinction)
+            np.testing.assert_array_equal(result.extinction,
+                                          expected.extinction.ravel(order="F"))
 
+    def test_what_is_found_goes_into_the_image(self):
         image = self.image()
         image.set_active_scalars("values")
-        result = limpid.optimize(image, **FUNCTIONS, **VIEW)
-        image["Extinction"] = result.extinction.ravel(order="F")
-        self.assertTrue(np.shares_memory(result.extinction.ravel(order="F"), result.extinction))
+        for settings in ({}, {"mode": "separate"}, {"importance": phantom.scalars("C")}):
+            result = limpid.optimize(image, **FUNCTIONS, **VIEW, **settings)
+            image["Extinction"] = result.extinction
+            image["Opacity"] = result.opacity()
+            expected = limpid.optimize(phantom.scalars(), **{**SCENE, **VIEW, **settings})
+
+            found = np.asarray(image["Extinction"]).reshape(result.dimensions, order="F")
+            np.testing.assert_array_equal(found, expected.extinction)
+            if result.light_extinction is not None:
+                image["Light"] = result.light_extinction
+        self.assertIn("24 x 20 x 16 points", repr(result))
+
+    def test_what_is_found_is_drawn(self):
+        image = self.image()
+        found = limpid.optimize(image, scalars="values", **FUNCTIONS, **VIEW)
+        draw = {"color_function": phantom.COLORS, "extinction_function": EXTINCTION, "width": 30,
+                "height": 30, "camera": found.camera}
+        expected = limpid.render(phantom.scalars(), spacing=SPACING, origin=ORIGIN,
+                                 extinction=found.extinction.reshape(found.dimensions, order="F"),
+                                 **draw)
+
+        np.testing.assert_array_equal(limpid.render(image, scalars="values",
+                                                    extinction=found.extinction, **draw), expected)
 
     def test_its_arrays_are_used_where_they_are(self):
         mu, g = phantom.fields()
@@ -68,6 +90,17 @@ class TestPyVista(unittest.TestCase):
                                          np.asarray(image.point_data["BaseExtinction"])))
         self.assertTrue(np.shares_memory(scene.importance,
                                          np.asarray(image.point_data["Importance"])))
+
+    def test_a_component_of_an_array_is_the_importance(self):
+        image = self.image()
+        g = phantom.scalars().ravel(order="F")
+        image["vectors"] = np.column_stack([np.zeros_like(g), g, np.zeros_like(g)])
+        expected = limpid.optimize(image, scalars="values", **FUNCTIONS, **VIEW)
+        for component in (1, -1):
+            found = limpid.optimize(image, scalars="values", importance="vectors",
+                                    importance_component=component, **FUNCTIONS, **VIEW)
+            # A length is rounded to double precision.
+            self.assertAlmostEqual(found.visibility_score, expected.visibility_score)
 
     def test_extent_and_direction_count(self):
         image = self.image()
@@ -87,7 +120,6 @@ class TestPyVista(unittest.TestCase):
 
     def test_what_it_lacks_is_told(self):
         for arguments, words in (({"scalars": "density"}, "'density' is not among"),
-                                 ({"importance_function": None}, "'Importance' is not among"),
                                  ({"spacing": (1, 1, 1)}, "spacing and an image")):
             with self.assertRaises(ValueError) as caught:
                 limpid.optimize(self.image(), **{**FUNCTIONS, **arguments})
@@ -97,6 +129,36 @@ class TestPyVista(unittest.TestCase):
         blanked.point_data["vtkGhostType"] = np.full(blanked.n_points, 2, dtype=np.uint8)
         with self.assertRaisesRegex(ValueError, "vtkGhostType in its point_data"):
             limpid.optimize(blanked, scalars="values", **FUNCTIONS)
+
+    def test_other_data_are_refused_with_a_way_out(self):
+        ticks = [np.arange(count, dtype=float) for count in phantom.SHAPE]
+        for data, words in (
+                (pyvista.RectilinearGrid(*ticks), ("a RectilinearGrid", "pyvista.create_grid")),
+                (pyvista.StructuredGrid(*np.meshgrid(*ticks)), ("a StructuredGrid", "sample")),
+                (pyvista.Sphere(), ("a PolyData", "nothing inside")),
+                (pyvista.MultiBlock([self.image()]), ("a MultiBlock", "one of its blocks"))):
+            for function, more in ((limpid.optimize, FUNCTIONS), (limpid.viewpoints, FUNCTIONS),
+                                   (limpid.render, {"color_function": phantom.COLORS})):
+                with self.assertRaises(ValueError) as caught:
+                    function(data, **more)
+                for word in (*words, "same spacing everywhere"):
+                    self.assertIn(word, str(caught.exception))
+
+        grid = pyvista.RectilinearGrid(*ticks)
+        grid["values"] = phantom.scalars().ravel(order="F")
+        advised = pyvista.create_grid(grid, dimensions=(10, 10, 10)).sample(grid)
+        limpid.optimize(advised, scalars="values", **FUNCTIONS)
+
+    def test_values_of_cells_are_refused_with_a_way_out(self):
+        image = pyvista.ImageData(dimensions=phantom.SHAPE)
+        image.cell_data["density"] = np.linspace(0, 1, image.n_cells)
+        for arguments in ({"scalars": "density"}, {}, {"scalars": image.cell_data["density"]}):
+            with self.assertRaises(ValueError) as caught:
+                limpid.optimize(image, **FUNCTIONS, **arguments)
+            self.assertIn("values belong to points", str(caught.exception))
+            self.assertIn("cell_data_to_point_data()", str(caught.exception))
+
+        limpid.optimize(image.cell_data_to_point_data(), **FUNCTIONS)
 
     def test_cameras_and_lights_of_pyvista_are_taken(self):
         expected = limpid.optimize(phantom.scalars(), **SCENE, **VIEW)
@@ -114,6 +176,23 @@ class TestPyVista(unittest.TestCase):
             self.assertNotEqual(one.energy, expected.energy)
         self.assertEqual(one.energy, limpid.optimize(phantom.scalars(), camera=camera, light=lamp,
                                                      **SCENE).energy)
+
+    def test_cameras_are_given_to_pyvista(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        plotter.add_mesh(pyvista.Sphere(radius=9, center=(8, 3, 7)))
+        found = limpid.optimize(phantom.scalars(), **SCENE, **VIEW)
+        view = limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False,
+                                 camera_view_angle=20, **SCENE)[0]
+        for camera in (found.camera, view):
+            plotter.camera_position = camera
+            for given, expected in zip(plotter.camera_position, camera):
+                np.testing.assert_allclose(given, expected)
+
+        view.give_to(plotter.camera)
+        self.assertEqual(plotter.camera.view_angle, 20)
+        same = limpid.optimize(phantom.scalars(), camera=plotter.camera, **SCENE).camera
+        np.testing.assert_allclose(same, view)
+        plotter.close()
 
     def test_the_sphere_is_a_surface(self):
         found = limpid.viewpoints(self.image(), number_of_directions=42, refine=False, **FUNCTIONS)

@@ -75,8 +75,10 @@ class TestResult(unittest.TestCase):
         self.assertEqual(optimize(mode="separate").light_extinction.shape, SHAPE)
 
     def test_settings_count(self):
-        self.assertEqual(optimize(view_weight=0, light_weight=0).visibility_score,
-                         optimize(method="ordinary").visibility_score)
+        ordinary = optimize(method="ordinary").visibility_score
+        # Both are of the base extinction, by rays of other orders.
+        self.assertAlmostEqual(optimize(view_weight=0, light_weight=0).visibility_score, ordinary,
+                               delta=phantom.rounding_of_sweeps() * ordinary)
         self.assertLess(optimize().sacrificed_fraction,
                         optimize(protect_importance=0).sacrificed_fraction)
         self.assertEqual(
@@ -95,6 +97,21 @@ class TestResult(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "Default, Keep Context, Strong Reveal, Paper"):
             optimize(preset="Nonsense")
 
+    def test_an_object_has_several_settings(self):
+        weak = limpid.Settings(view_weight=0.01, protect_importance=0)
+        result = optimize(settings=weak)
+
+        self.assertEqual(result.energy, optimize(view_weight=0.01, protect_importance=0).energy)
+        self.assertEqual(optimize(settings=weak, view_weight=10).energy,
+                         optimize(protect_importance=0).energy)
+        self.assertEqual(optimize(settings=limpid.Settings.preset("Paper")).energy,
+                         optimize(preset="Paper").energy)
+
+    def test_a_weight_that_does_not_count_is_told(self):
+        with self.assertWarnsRegex(UserWarning, "clearing_threshold=0") as caught:
+            limpid.Settings(regularization_weight=5)
+        self.assertEqual(caught.filename, __file__)
+
     def test_a_regularization_weight_counts(self):
         self.assertLess(optimize(regularization_weight=10.0).visible_fraction,
                         optimize(regularization_weight=1e-3).visible_fraction)
@@ -102,11 +119,189 @@ class TestResult(unittest.TestCase):
             optimize(regularization_weight=10.0, clearing_threshold=0.1).visible_fraction,
             optimize(clearing_threshold=0.1).visible_fraction)
 
+    def test_nothing_to_see_is_told(self):
+        for nothing, words in (("importance_function", "nothing is important"),
+                               ("extinction_function", "without extinction nothing is seen")):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                optimize(**{nothing: [[0, 0]]})
+
+            self.assertIn(words, str(caught[0].message))
+            self.assertEqual(caught[0].filename, __file__)
+
     def test_moves_the_camera_to_where_more_is_seen(self):
         moved = optimize(optimize_viewpoint=True)
 
         self.assertGreaterEqual(moved.visibility_score, optimize().visibility_score)
         self.assertEqual(moved.camera.focal_point, VIEW["camera"]["focal_point"])
+
+
+class TestViews(unittest.TestCase):
+    def turned(self, degrees):
+        """The camera of the scene turned about the z axis through its focal point."""
+        c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+        camera = limpid.Camera(**VIEW["camera"])
+        offset = np.subtract(camera.position, camera.focal_point)
+        x, y = c * offset[0] - s * offset[1], s * offset[0] + c * offset[1]
+        return limpid.Camera(np.add(camera.focal_point, (x, y, offset[2])), camera.focal_point,
+                             camera.view_up)
+
+    def test_scores_of_an_orbit_are_the_mean_of_its_cameras(self):
+        for count in (1, 3):
+            found = optimize(views="orbit", number_of_views=count)
+
+            single = [optimize(camera=self.turned(360 * i / count)).base_visibility_score
+                      for i in range(count)]
+            self.assertAlmostEqual(found.base_visibility_score, np.mean(single),
+                                   delta=phantom.rounding_of_sweeps() * np.mean(single))
+            self.assertEqual(found.camera, limpid.Camera(**VIEW["camera"]))
+
+    def test_an_orbit_shows_something_from_all_sides(self):
+        found = optimize(views="orbit", number_of_views=4)
+        single = optimize()
+
+        behind = {"extinction": found.extinction, "extinction_function": None,
+                  "importance": phantom.fields()[1], "importance_function": None,
+                  "camera": self.turned(180), "method": "ordinary"}
+        self.assertGreater(optimize(**behind).visibility_score, optimize(
+            **{**behind, "extinction": single.extinction}).visibility_score)
+
+    def test_eyes_of_a_pair_are_apart(self):
+        wide, narrow, none = (optimize(views="stereo_pair", eye_angle=angle)
+                              for angle in (60, 2, 0))
+
+        self.assertEqual(none.base_visibility_score, optimize().base_visibility_score)
+        self.assertNotEqual(wide.energy, narrow.energy)
+
+
+class TestPrevious(unittest.TestCase):
+    def near(self, result, other):
+        return np.abs(result.extinction.astype(float) - other.extinction).mean()
+
+    def test_a_warm_start_goes_on_from_it(self):
+        before = optimize(smoothness=0)
+        for order in "FC":
+            warm = optimize(phantom.scalars(order), maximum_iterations=0, smoothness=0,
+                            warm_start=True, previous=before)
+
+            np.testing.assert_array_equal(warm.extinction, before.extinction)
+            self.assertEqual(warm.energy, before.energy)
+        self.assertEqual(optimize(smoothness=0, warm_start=True, previous=None).energy,
+                         before.energy)
+
+    #: Seven degrees from that of the scene.
+    CAMERA = {**VIEW["camera"], "position": tuple(np.add(VIEW["camera"]["position"], (0, 4, 3)))}
+
+    def test_coherence_stays_near_it(self):
+        strong = {"temporal_coherence": 2}
+        first = optimize(previous=None, **strong)
+        fresh = optimize(camera=self.CAMERA)
+        for values in (phantom.scalars(), phantom.scalars("C")):
+            coherent = optimize(values, camera=self.CAMERA, previous=first, **strong)
+
+            self.assertLess(self.near(coherent, first), self.near(fresh, first))
+
+    def test_coherence_counts_less_for_another_time_step(self):
+        strong = {"temporal_coherence": 0.5}
+        first = optimize(previous=None, **strong)
+        later = phantom.scalars()
+        later[12, 10, 8] += 1e-6
+        same, other = (optimize(values, previous=first, camera=self.CAMERA, **strong)
+                       for values in (phantom.scalars(), later))
+
+        self.assertLess(self.near(same, first), self.near(other, first))
+
+    def test_fields_have_previous_results_too(self):
+        mu, g = phantom.fields()
+        first = limpid.optimize(extinction=mu, importance=g, **VIEW)
+        again = limpid.optimize(extinction=mu, importance=g, previous=first, warm_start=True,
+                                **VIEW)
+
+        self.assertLessEqual(again.iterations, first.iterations)
+
+
+class TestAssumedImportance(unittest.TestCase):
+    def assumed(self, values, **arguments):
+        """The importance and the text of the warning."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            scene = scene_of(values, extinction_function=phantom.EXTINCTION, **arguments)
+        self.assertEqual(len(caught), 1)
+        return scene.importance, str(caught[0].message)
+
+    def test_the_largest_scalars_are_important_where_nobody_says_it(self):
+        values = np.arange(1000.0).reshape(10, 10, 10)
+        for order in "FC":
+            importance, text = self.assumed(np.asarray(values, order=order))
+
+            np.testing.assert_allclose(importance, np.interp(values, [949, 989], [0, 1]),
+                                       atol=phantom.SINGLE)
+            self.assertIn("importance_function=[[949, 0], [989, 1]]", text)
+
+    def test_masked_scalars_and_those_that_are_no_numbers_do_not_count(self):
+        values = np.arange(1000.0).reshape(10, 10, 10)
+        more = np.concatenate([values, np.full((1, 10, 10), 5000.0)])
+        importance, _ = self.assumed(np.ma.array(more, mask=more == 5000))
+        np.testing.assert_array_equal(importance[:-1], self.assumed(values)[0])
+
+        more[-1] = np.nan
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            scene = scene_of(more, extinction_function=phantom.EXTINCTION)
+        np.testing.assert_array_equal(scene.importance[:-1], self.assumed(values)[0])
+        self.assertEqual(len(caught), 2)
+
+    def test_searches_and_runs_assume_the_same(self):
+        with self.assertWarnsRegex(UserWarning, "Nobody has said") as caught:
+            found = optimize(importance_function=None)
+        self.assertEqual(caught.filename, __file__)
+        with self.assertWarnsRegex(UserWarning, "Nobody has said"):
+            limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False,
+                              **{**SCENE, "importance_function": None})
+        self.assertGreater(found.visible_fraction, found.base_visible_fraction)
+
+
+class TestComponents(unittest.TestCase):
+    def test_one_of_several_is_the_importance(self):
+        mu, g = phantom.fields()
+        several = np.stack([np.zeros_like(g), g, 2 * g], axis=-1)
+        expected = limpid.optimize(extinction=mu, importance=g, **VIEW)
+        for array, component in ((several, 1), (several[..., :2], -1), (g, -1), (g, 0),
+                                 (several[..., 1:2], None)):
+            found = limpid.optimize(extinction=mu, importance=array, importance_component=component,
+                                    **VIEW)
+            np.testing.assert_array_equal(found.extinction, expected.extinction)
+
+    def test_a_search_has_components_too(self):
+        several = np.stack([phantom.scalars(), np.zeros(SHAPE)], axis=-1)
+        found = [limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False,
+                                   importance=array, importance_component=component, **SCENE)
+                 for array, component in ((several, 0), (phantom.scalars(), None))]
+
+        np.testing.assert_array_equal(*(views.visible_fractions for views in found))
+
+
+class TestEquality(unittest.TestCase):
+    def test_what_has_the_same_values_is_equal_and_has_the_same_hash(self):
+        array = np.array([1, 2, 3])
+        for one, other, different in (
+                (limpid.Settings(iterations_per_level=array), limpid.Settings(
+                    iterations_per_level=[1, 2, 3]), limpid.Settings(skip_unneeded=0)),
+                (limpid.Camera(array, 2 * array), limpid.Camera([1, 2, 3], (2, 4, 6)),
+                 limpid.Camera(array, array)),
+                (limpid.Light(array, True, array), limpid.Light([1, 2, 3], True, [1, 2, 3]),
+                 limpid.Light(array))):
+            self.assertEqual(one, other)
+            self.assertEqual(hash(one), hash(other))
+            self.assertNotEqual(one, different)
+            self.assertEqual(len({one, other, different}), 2)
+
+    def test_results_can_be_compared_and_be_keys(self):
+        views = limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False, **SCENE)
+        for result, another in ((optimize(), optimize()), (views, None), (views[0], views[1])):
+            self.assertEqual(result, result)
+            self.assertNotEqual(result, another)
+            self.assertIn(result, {result: 1})
 
 
 class TestOrder(unittest.TestCase):
@@ -243,6 +438,25 @@ class TestEnds(unittest.TestCase):
 
         self.assertEqual(result.iterations, 3)
         self.assertGreater(result.visibility_score, result.base_visibility_score)
+
+    def test_progress_ends_with_all_of_the_work(self):
+        for settings in ({}, {"mode": "separate"}, {"preset": "Paper"}, {"method": "ordinary"},
+                         {"solver": "adam", "iterations_per_level": (1, 1, 2), "smoothness": 0},
+                         {"maximum_iterations": 0}, {"maximum_seconds": 1e-9},
+                         {"optimize_viewpoint": True}):
+            shares = []
+            optimize(progress=lambda share, _: shares.append(share), **settings)
+
+            self.assertEqual(shares, sorted(shares), settings)
+            self.assertEqual(shares.count(1), 1, settings)
+            self.assertEqual(shares[-1], 1, settings)
+
+    def test_a_run_for_the_light_is_half_of_the_work(self):
+        shares = []
+        result = optimize(progress=lambda share, _: shares.append(share), mode="separate")
+
+        self.assertEqual(len(shares), result.iterations)
+        self.assertIn(0.5, shares)
 
     def test_an_exception_of_the_callers_comes_out(self):
         with self.assertRaises(ZeroDivisionError):

@@ -26,16 +26,35 @@ class TestSphere(unittest.TestCase):
     def test_has_the_nearest_number_of_directions(self):
         for wanted, number in ((1, 12), (26, 12), (28, 42), (642, 642), (3000, 2562)):
             self.assertEqual(len(sphere.icosphere(wanted)[0]), number)
+        for wanted, number in ((1, 4), (5, 5), (26, 26), (641, 641)):
+            self.assertEqual(len(sphere.fibonacci(wanted)[0]), number)
+        for wanted, number in ((1, 5), (26, 26), (642, 648)):  # 2 and rings of twice as many
+            self.assertEqual(len(sphere.latitude_longitude(wanted)[0]), number)
 
     def test_is_closed_and_looks_outward(self):
-        points, triangles = sphere.icosphere(162)
+        for name, sampling in sphere.SAMPLINGS.items():
+            for count in (1, 20, 162, 1000):
+                points, triangles = sampling(count)
 
-        np.testing.assert_allclose(np.linalg.norm(points, axis=1), 1)
-        self.assertEqual(len(triangles), 2 * len(points) - 4)
-        edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
-        self.assertEqual(len(np.unique(edges, axis=0)), len(edges))  # once in each direction
-        self.assertEqual(set(map(tuple, edges)), set(map(tuple, edges[:, ::-1])))
-        self.assertGreater(np.linalg.det(points[triangles]).min(), 0)
+                np.testing.assert_allclose(np.linalg.norm(points, axis=1), 1)
+                self.assertEqual(len(triangles), 2 * len(points) - 4)
+                edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+                # Once in each direction.
+                self.assertEqual(len(np.unique(edges, axis=0)), len(edges))
+                self.assertEqual(set(map(tuple, edges)), set(map(tuple, edges[:, ::-1])))
+                corners = points[triangles]
+                outward = np.einsum("ij,ij->i", np.cross(corners[:, 1] - corners[:, 0],
+                                                         corners[:, 2] - corners[:, 0]),
+                                    corners.sum(axis=1))
+                self.assertGreater(outward.min(), 0, (name, count))
+
+    def test_a_spiral_has_triangles_with_nothing_outside(self):
+        points, triangles = sphere.fibonacci(200)
+
+        corners = points[triangles]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        heights = normals @ points.T - np.einsum("ij,ij->i", normals, corners[:, 0])[:, None]
+        self.assertLess(heights.max(), 1e-12)  # a convex hull, but for rounding
 
 
 class TestSearch(unittest.TestCase):
@@ -66,13 +85,13 @@ class TestSearch(unittest.TestCase):
 
     def test_by_default_knows_what_could_be_seen_at_most(self):
         found = search(refine=False)
-        guarded = search(refine=False, protect_importance=1)
+        free = search(refine=False, protect_importance=0)
         proxy = search(refine=False, field="importance_proxy")
         result = limpid.optimize(phantom.scalars(), camera=found[0], ray_density=3, **SCENE)
 
         # Both are quadratures of the same integral, with rays at different places.
         self.assertAlmostEqual(found[0].visible_fraction, result.attainable_fraction, delta=0.005)
-        self.assertTrue((guarded.visible_fractions < found.visible_fractions).all())
+        self.assertTrue((found.visible_fractions < free.visible_fractions).all())
         self.assertFalse(np.array_equal(proxy.visible_fractions, found.visible_fractions))
 
     def test_a_view_can_be_optimised_for(self):
@@ -81,6 +100,67 @@ class TestSearch(unittest.TestCase):
 
         self.assertEqual(result.camera.position, best.position)
         self.assertEqual(result.camera.view_up, best.view_up)
+
+    def test_directions_are_spread_as_is_asked(self):
+        for sampling in ("fibonacci", "latitude_longitude"):
+            found = search(sampling=sampling, refine=False)
+
+            np.testing.assert_array_equal(found.directions, sphere.SAMPLINGS[sampling](FEW)[0])
+            self.assertTrue((found.visibility_scores > 0).all())
+
+    def test_viewpoints_are_where_a_person_would_look_from(self):
+        up = np.array([0, 0, 2])
+        found = search(camera_view_up=up, elevation_range=(10, 30),
+                       avoided_directions=[(1, 0, 0.3)], avoidance_angle=80)
+
+        self.assertGreater(len(found), 0)
+        for view in found:
+            self.assertTrue(10 - 1e-6 <= np.degrees(np.arcsin(view.direction[2])) <= 30 + 1e-6)
+            self.assertGreater(view.view_up[2], 0.8)
+            self.assertLess(view.direction @ np.array([1, 0, 0.3]) / np.hypot(1, 0.3),
+                            np.cos(np.radians(80)) + 1e-6)
+            self.assertAlmostEqual(np.dot(view.view_up, view.direction), 0)
+        self.assertEqual(len(found.visibility_scores), FEW)
+
+    def test_nowhere_to_look_from_is_told(self):
+        with self.assertWarnsRegex(UserWarning, "no viewpoints") as caught:
+            found = search(avoided_directions=[(0, 1, 0), (0, -1, 0)], avoidance_angle=100,
+                           refine=False)
+
+        self.assertEqual(caught.filename, __file__)
+        self.assertEqual(len(found), 0)
+        self.assertIn("none of 42", repr(found))
+
+    def test_presets_and_settings_count(self):
+        free = search(protect_importance=0, importance_smoothing="off", refine=False)
+        for given in ({"preset": "Paper"}, {"settings": limpid.Settings.preset("Paper")}):
+            found = search(refine=False, **given)
+            np.testing.assert_array_equal(found.visible_fractions, free.visible_fractions)
+
+    def test_tells_how_far_it_is(self):
+        told = []
+        search(progress=lambda *what: told.append(what))
+
+        shares, texts = zip(*told)
+        self.assertEqual(list(shares), sorted(shares))
+        self.assertGreater(len(set(shares)), 10)
+        self.assertEqual(shares[-1], 1)
+        self.assertEqual(list(dict.fromkeys(texts)), ["Scoring views", "Climbing to better views"])
+
+    def test_can_be_stopped(self):
+        told = []
+
+        def stop(*what):
+            told.append(what)
+            return len(told) < 3
+        found = search(progress=stop)
+
+        self.assertEqual(len(told), 3)
+        is_scored = ~np.isnan(found.visibility_scores)
+        self.assertTrue(0 < is_scored.sum() < FEW)
+        self.assertEqual(found[0].visibility_score, found.visibility_scores[is_scored].max())
+        with self.assertRaises(ZeroDivisionError):
+            search(progress=lambda *_: 1 // 0)
 
     def test_nothing_to_see_is_told(self):
         with warnings.catch_warnings(record=True) as caught:

@@ -322,10 +322,13 @@ struct Solver::Internals
     return smooths && this->minimizer->IterationLimit() > 0 ? smoothingSweeps : 0;
   }
 
+  /// Of the work of all runs: an extinction for the light takes another one.
   double Share() const
   {
     const double limit = this->minimizer->IterationLimit() + this->SmoothingLimit();
-    return std::min(1.0, (this->runIterations + this->runSmoothings) / std::max(1.0, limit));
+    const double made = this->runIterations + this->runSmoothings;
+    const double ofRun = this->RunIsOver() ? 1.0 : std::min(1.0, made / std::max(1.0, limit));
+    return HasLightExtinction(this->settings) ? 0.5 * (ofRun + (this->lightRun ? 1 : 0)) : ofRun;
   }
 
   /// Whether the optimum is found, or nearly, if smoothing follows, which goes on minimising.

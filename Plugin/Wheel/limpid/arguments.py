@@ -6,6 +6,17 @@
 import math
 import operator
 import reprlib
+import sys
+import warnings
+
+
+def warn(text):
+    """A UserWarning about the line from which the package was called."""
+    level = 1
+    while sys._getframe(level).f_globals.get("__name__", "").partition(".")[0] in (
+            __package__, "dataclasses"):
+        level += 1
+    warnings.warn(text, stacklevel=level + 1)
 
 
 def number(name, value, why, advice):

@@ -3,9 +3,9 @@
 
 """Fields as the core reads them: float32, dense, one order of axes for all fields of a scene."""
 
-import warnings
-
 import numpy as np
+
+from .arguments import warn
 
 SLAB = 1 << 20  # points that are converted at a time: what is needed meanwhile stays small
 
@@ -103,6 +103,17 @@ def are_within(array, most):
         return bool(array.min() >= 0 and array.max() <= most)
 
 
+def emptied(fields, mask):
+    """Fields that are 0 where a mask says that there is no value; None: there is one everywhere.
+    The arrays that are given are not changed."""
+    if mask is None:
+        return fields
+    copies = tuple(field.copy(order="K") for field in fields)
+    for copy in copies:
+        copy[mask] = 0
+    return copies
+
+
 def corrected(extinction, importance, layout):
     """Both fields of a scene with values that can be used, as the filters have them: a point with
     NaN, infinity or a negative extinction is empty, importance is moved into [0, 1], and there is
@@ -137,4 +148,4 @@ def corrected(extinction, importance, layout):
 def warn_of_points(counts, total):
     """One warning for all that is wrong with some points: texts and how many points each is of."""
     texts = [f"{count} of {total} points have {what}" for what, count in counts.items() if count]
-    warnings.warn(" ".join(texts), stacklevel=5)
+    warn(" ".join(texts))

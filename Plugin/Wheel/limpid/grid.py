@@ -25,7 +25,7 @@ def matrix_of(direction):
     return matrix
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, eq=False)
 class Grid:
     """The points of a volume: index (i, j, k) is at origin + direction @ (spacing * index)."""
 

@@ -9,6 +9,8 @@ import numpy as np
 
 from . import _core
 from .arguments import choice
+from .previous import Memory, Previous
+from .progress import report_to
 from .scene import scene_of
 from .settings import Settings
 from .views import Camera, camera_of, light_of
@@ -20,12 +22,15 @@ CONVERGENCE = np.dtype([
     ("visible_fraction", float), ("sacrificed_fraction", float), ("seconds", float)])
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Optimization:
-    """What optimize has found. Arrays have the shape and the order in memory of the input."""
+    """What optimize has found. Arrays have the shape and the order in memory of the input; for an
+    image they are flat, x fastest, as its own are: image["found"] = result.extinction.
+    """
 
     extinction: np.ndarray  #: for the camera, in joint mode also for the light [1/length]
     light_extinction: np.ndarray  #: for the light, in separate mode; else None [1/length]
+    dimensions: tuple  #: points along x, y and z
     camera: Camera  #: as used; with optimize_viewpoint where it came to
     unit_distance: float  #: of opacities [length]
     visibility_score: float  #: S of Eq. (32) [length^2]
@@ -42,6 +47,7 @@ class Optimization:
     seconds: float
     backend: str  #: what computed: "CPU, 2 threads"
     convergence: np.ndarray  #: one row per iteration, of type CONVERGENCE, the first is the base's
+    memory: Memory  #: what the next run needs of it as `previous`
 
     def opacity(self, unit_distance=None):
         """Opacity of the extinction on one unit distance, 1 - exp(-extinction * distance), for
@@ -55,7 +61,7 @@ class Optimization:
         return np.negative(opacity, out=opacity)
 
     def __repr__(self):
-        return (f"<limpid.Optimization of {' x '.join(map(str, self.extinction.shape))} points: "
+        return (f"<limpid.Optimization of {' x '.join(map(str, self.dimensions))} points: "
                 f"{100 * self.base_visible_fraction:.1f} % of what is important visible before, "
                 f"{100 * self.visible_fraction:.1f} % after, "
                 f"{100 * self.attainable_fraction:.1f} % at most, "
@@ -64,10 +70,25 @@ class Optimization:
                 f"{self.iterations} iterations in {self.seconds:.2f} s on {self.backend}>")
 
 
+def require_one_camera(settings, before):
+    """Raises ValueError for what cannot go together with a camera that moves."""
+    if settings.views != "single_view":
+        raise ValueError(f"optimize_viewpoint is on and views is {settings.views!r} (only one "
+                         "camera can move). Leave one of them out.")
+    if settings.method != "optimized":
+        raise ValueError(f"optimize_viewpoint is on and method is {settings.method!r} (the camera "
+                         "moves with the optimised extinction). Use the method 'optimized', or "
+                         "leave optimize_viewpoint out.")
+    if before.counts:
+        raise ValueError("optimize_viewpoint is on and previous is given (the camera may go where "
+                         "that says nothing). Leave one of them out.")
+
+
 def optimize(volume=None, *, scalars=None, importance=None, importance_function=None,
              extinction=None, extinction_function=None, opacity_function=None, unit_distance=None,
              spacing=None, origin=None, direction=None, camera=None, light=None,
-             optimize_viewpoint=False, viewpoint_guide="attainable", progress=None, **settings):
+             importance_component=None, optimize_viewpoint=False, viewpoint_guide="attainable",
+             previous=(), progress=None, **settings):
     """Finds the extinction that minimises Eq. (21) for one camera and one light.
 
     Arrays have one number per point, shape (X, Y, Z), indexed [x, y, z]; those of images may be
@@ -81,8 +102,11 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
         `importance` are arrays.
     scalars: an array, or the name of one of the image's; None: `volume`, or its active scalars.
     importance: the same for the importance; None: the image's array "Importance", or with
-        `importance_function` the scalars.
+        `importance_function` the scalars. None of these: the largest scalars are taken for
+        important, between their 95th and 99th percentile, as the display does, with a warning.
     importance_function: nodes [value, importance] that map `importance` to [0, 1].
+    importance_component: of an importance with several values per point, (X, Y, Z, components):
+        which of them, from 0 on, or -1 for the length of the tuple; None: there is one.
     extinction: an array of the base extinction, or a name [1/length].
     extinction_function: nodes [scalar, extinction], in place of `extinction` [1/length].
     opacity_function: nodes [scalar, opacity on one unit distance], in place of both. None of the
@@ -97,30 +121,45 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     viewpoint_guide: what tells the way. "attainable": what could be seen from each view at most;
         the extinction is optimised once, where that is highest. "proxy": the majorant times
         importance. "coupled": the extinction found last.
-    progress: called after every iteration with the share of the work that is done and a text;
-        stops with the best so far if it returns False.
-    settings: members of limpid.Settings by name, such as view_weight=20, and preset="Paper" for
-        several at once.
+    previous: what optimize has found for another view or time step of the same box, None for the
+        first: with warm_start=True the iterations start from it, and with temporal_coherence=0.2,
+        say, the result stays near it where little is to be gained, unless it is of other settings
+        or of a view more than 20 degrees away.
+    progress: called after every iteration with the share of the work that is done, 1 at the end,
+        and a text; stops with the best so far if it returns False.
+    settings: members of limpid.Settings by name, such as view_weight=20, and preset="Paper" or
+        settings=limpid.Settings(...) for several at once, which the former replace.
 
     Returns an Optimization. Raises ValueError for data and settings that cannot be worked with,
     TypeError for names that there are not. Ctrl-C ends it.
     """
-    core_settings = Settings.of(settings).in_core()
+    settings = Settings.of(settings)
+    core_settings, views = settings.in_core(), settings.views_in_core()
     guide = choice("viewpoint_guide", viewpoint_guide, _core.ViewpointGuide)
+    report = report_to(progress)
+    before = Previous(previous, settings)
+    if optimize_viewpoint:
+        require_one_camera(settings, before)
     scene = scene_of(volume, scalars, importance, importance_function, extinction,
                      extinction_function, opacity_function, unit_distance, spacing, origin,
-                     direction)
+                     direction, importance_component, before.layout())
+    before.require_box(scene.grid)
+    scene.warn_of_nothing_to_see("there is nothing to clear the view for: the extinction stays as "
+                                 "it is")
     view = camera_of(camera, scene.grid)
     lamp = light_of(light, view)
+    memory = Memory.of(scene, settings)
     found = _core.optimize(*scene.in_core(), scene.majorant, view.in_core(), lamp.in_core(view),
-                           core_settings, guide if optimize_viewpoint else None, progress)
-
-    def as_given(values):
-        return None if values is None else scene.layout.shaped(values, scene.grid.shape)
+                           core_settings, views, guide if optimize_viewpoint else None,
+                           before.initial(scene), before.change(memory), report)
+    if report:
+        report.finish()
 
     view = dataclasses.replace(view, position=found.pop("camera_position"),
                                view_up=found.pop("camera_view_up"))
-    return Optimization(extinction=as_given(found.pop("extinction")),
-                        light_extinction=as_given(found.pop("light_extinction", None)),
-                        camera=view, unit_distance=scene.unit_distance,
+    of_light = found.pop("light_extinction", None)
+    return Optimization(extinction=scene.as_given(found.pop("extinction")),
+                        light_extinction=None if of_light is None else scene.as_given(of_light),
+                        dimensions=scene.grid.shape, camera=view, unit_distance=scene.unit_distance,
+                        memory=memory.with_change(found.pop("change", None)),
                         convergence=np.array(found.pop("convergence"), dtype=CONVERGENCE), **found)

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core
 from .arguments import number, vector, whole_number
-from .fields import Layout, converted, mapped
+from .fields import Layout, converted, emptied, mapped
 from .functions import table_of
 from .scene import extinction_function_of, ramp_of, unit_distance_of
 from .views import camera_of, clip_to_world, light_of
@@ -49,9 +49,14 @@ def field_like_scalars(source, role, given, layout):
     return layout.flat(converted(source.field(role, given), layout))
 
 
-def drawable(scalars, layout):
-    """The scalars in that layout, NaN where there is no number: such points are empty."""
+def drawable(scalars, mask, layout):
+    """The scalars in that layout, NaN where there is no number: such points are empty.
+
+    mask: where there is no scalar; None: nowhere.
+    """
     values = converted(scalars, layout)
+    if mask is not None:
+        values = converted(np.where(mask, np.float32(np.nan), values), layout)
     if not np.isfinite([values.min(), values.max()]).all():
         values = np.where(np.isfinite(values), values, np.float32(np.nan))
         values = converted(values, layout)
@@ -61,8 +66,8 @@ def drawable(scalars, layout):
 def straight_alpha(rgba):
     """Colors that are not multiplied by alpha, of a picture (height, width, 4) of uint8 whose
     colors are."""
-    alpha = rgba[..., 3:].astype(np.uint16)
-    colors = (rgba[..., :3] * np.uint32(255) + alpha // 2) // np.maximum(alpha, 1)
+    alpha = rgba[..., 3:].astype(np.uint32)
+    colors = (rgba[..., :3].astype(np.uint32) * 255 + alpha // 2) // np.maximum(alpha, 1)
     return np.dstack([np.minimum(colors, 255), alpha]).astype(np.uint8)
 
 
@@ -97,13 +102,14 @@ def render(volume, *, color_function, scalars=None, extinction_function=None,
     layout = Layout.for_all([values])
     distance = unit_distance_of(unit_distance, source.grid)
     function = extinction_function_of(extinction_function, opacity_function, distance) or \
-        ramp_of(values, distance)
+        ramp_of(values, source.mask, distance)
+    mask = source.mask  # of the scalars
     found = field_like_scalars(source, "extinction", extinction, layout)
     if found is None and light_extinction is not None:
         raise ValueError("light_extinction is given without extinction (it goes with what was "
                          "found for the camera). Give both.")
-    base = None if found is None else \
-        np.nan_to_num(layout.flat(mapped(values, function, layout)), copy=False)
+    base = None if found is None else np.nan_to_num(
+        layout.flat(*emptied((mapped(values, function, layout),), mask)), copy=False)
     view = camera_of(camera, source.grid)
 
     lighting = _core.Lighting()
@@ -122,7 +128,7 @@ def render(volume, *, color_function, scalars=None, extinction_function=None,
             for name, value in (("width", width), ("height", height))]
     matrix = clip_to_world(view, source.grid, size[0] / size[1])
     picture = _core.render(
-        source.grid.in_core(layout.order), layout.flat(drawable(values, layout)),
+        source.grid.in_core(layout.order), layout.flat(drawable(values, mask, layout)),
         transfer_functions(function, color_nodes(color_function)), base, found,
         field_like_scalars(source, "light extinction", light_extinction, layout), lighting,
         _core.View(*size, matrix.T.ravel().tolist(),

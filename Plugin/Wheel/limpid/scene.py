@@ -8,27 +8,44 @@ import math
 
 import numpy as np
 
-from .fields import Layout, converted, corrected, mapped
+from . import _core
+from .arguments import warn, whole_number
+from .fields import Layout, converted, corrected, emptied, mapped
 from .functions import ExtinctionOfOpacity, PiecewiseLinear
 from .grid import Grid
 from .volume import Volume
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, eq=False)
 class Scene:
     """Fields of shape grid.shape, float32, in the layout."""
 
+    source: Volume
     grid: Grid
     layout: Layout
     base_extinction: np.ndarray  #: >= 0 [1/length]
     importance: np.ndarray  #: [0, 1]
     majorant: float  #: upper bound of Eq. (25), of the function; 0: that of the data [1/length]
     unit_distance: float  #: of opacities [length]
+    data: tuple  #: arrays that extinction and importance were made from
 
     def in_core(self):
         """Grid, base extinction and importance as the core takes them; the arrays are views."""
         return (self.grid.in_core(self.layout.order), self.layout.flat(self.base_extinction),
                 self.layout.flat(self.importance))
+
+    def as_given(self, values):
+        """A field as the core has it as the volume itself is, see Volume.as_given; not copied."""
+        return self.source.as_given(self.layout.shaped(values, self.grid.shape))
+
+    def warn_of_nothing_to_see(self, consequence):
+        """A warning if no extinction could show anything; `consequence`: what comes of it."""
+        largest = self.largest_extinction()
+        if largest > 0 and self.importance.max() > 0:
+            return
+        what = "nothing is important" if largest > 0 else "without extinction nothing is seen"
+        warn(f"The largest extinction is {largest:g}, and {what} ({consequence}). Check the "
+             "importance and the extinction.")
 
     def largest_extinction(self):
         """The majorant of Eq. (25) [1/length]; 0 where nothing absorbs."""
@@ -59,19 +76,49 @@ def extinction_function_of(extinction_function, opacity_function, unit_distance)
     return None
 
 
-def ramp_of(scalars, unit_distance):
-    """The filters' default: opacities on a straight line from 0 to 1 over the finite scalars."""
-    finite = np.isfinite(scalars)
+def ramp_of(scalars, mask, unit_distance):
+    """The filters' default: opacities on a straight line from 0 to 1 over the finite scalars.
+
+    mask: where there is no scalar; None: nowhere.
+    """
+    finite = np.isfinite(scalars) if mask is None else np.isfinite(scalars) & ~mask
     low = float(scalars.min(where=finite, initial=np.inf))
     high = float(scalars.max(where=finite, initial=-np.inf))
     nodes = [[low, 0.0], [high, 1.0]] if high > low else [[0.0, 0.0]]
     return ExtinctionOfOpacity(PiecewiseLinear("opacity_function", nodes), unit_distance)
 
 
+def assumed_importance(scalars, mask):
+    """Nodes of an importance of the scalars where nobody has said what is important, as the display
+    has it: the largest few per cent. There is a warning. Raises ValueError if nothing stands out.
+
+    mask: where there is no scalar; None: nowhere.
+    """
+    values = scalars.ravel(order="K") if mask is None else scalars[~mask]
+    step = max(1, values.size // _core.most_samples_of_quantiles) | 1  # odd: meets all columns
+    samples = values[::step].astype(float)
+    ramp = _core.starting_importance(np.sort(samples[np.isfinite(samples)]))
+    if ramp is None:
+        raise ValueError("There is no importance, and the scalars are all alike (nothing stands out "
+                         "of them). Give an importance, or an importance_function.")
+    warn(f"Nobody has said what is important: the largest scalars are, from {ramp[0]:g} (0), above "
+         f"95 % of them, to {ramp[1]:g} (1), above 99 % (what is cleared depends on it). Give "
+         f"importance_function=[[{ramp[0]:g}, 0], [{ramp[1]:g}, 1]] if that is right, or an "
+         "importance.")
+    return [[ramp[0], 0.0], [ramp[1], 1.0]]
+
+
 def scene_of(volume, scalars=None, importance=None, importance_function=None, extinction=None,
              extinction_function=None, opacity_function=None, unit_distance=None, spacing=None,
-             origin=None, direction=None):
-    """A Scene from the arguments that optimize documents. Raises ValueError."""
+             origin=None, direction=None, importance_component=None, layout=None):
+    """A Scene from the arguments that optimize documents. Raises ValueError.
+
+    layout: that the fields are wanted in; None: the one that takes fewest copies.
+    """
+    if importance_component is not None:
+        importance_component = whole_number(
+            "importance_component", importance_component, -1, 2 ** 31 - 1, "arrays have components "
+            "from 0 on", "Give one of these, or -1 for the length of the tuple.")
     source = Volume(volume, [scalars, extinction, importance], spacing, origin, direction)
     distance = unit_distance_of(unit_distance, source.grid)
     function = extinction_function_of(extinction_function, opacity_function, distance)
@@ -82,21 +129,26 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
     own_extinction = extinction is not None
     mu = source.field("extinction", extinction) if own_extinction else \
         source.field("scalar", scalars)
-    if importance_function is not None and importance is None:
-        g = source.field("scalar", scalars)
+    assumes = importance is None and importance_function is None and \
+        not source.has_array("Importance") and (scalars is not None or volume is not None)
+    if assumes or importance is None and importance_function is not None:
+        g = source.field("scalar", scalars, component=importance_component)
     else:
-        g = source.field("importance", importance, "Importance")
-    layout = Layout.for_all([mu, g])
+        g = source.field("importance", importance, "Importance", importance_component)
+    if assumes:
+        importance_function = assumed_importance(g, source.mask)
+    data = (mu, g)
+    layout = layout or Layout.for_all(data)
 
     majorant = function.largest() if function else 0.0
     if own_extinction:
         mu = converted(mu, layout)
     else:
-        mu = mapped(mu, function or ramp_of(mu, distance), layout)
+        mu = mapped(mu, function or ramp_of(mu, source.mask, distance), layout)
     if importance_function is None:
         g = converted(g, layout)
     else:
         g = mapped(g, PiecewiseLinear("importance_function", importance_function, -math.inf,
                                       math.inf), layout)
-    mu, g = corrected(mu, g, layout)
-    return Scene(source.grid, layout, mu, g, majorant, distance)
+    mu, g = corrected(*emptied((mu, g), source.mask), layout)
+    return Scene(source, source.grid, layout, mu, g, majorant, distance, data)

@@ -9,7 +9,7 @@ import operator
 import reprlib
 
 from . import _core
-from .arguments import choice
+from .arguments import choice, require_choice, warn
 
 #: Settings that a preset has values for.
 OF_PRESETS = ("view_weight", "light_weight", "clearing_threshold", "regularization_weight",
@@ -18,7 +18,11 @@ OF_PRESETS = ("view_weight", "light_weight", "clearing_threshold", "regularizati
 #: Settings that are one of several words, and the enumeration of the core that has them.
 CHOICES = {"method": _core.Method, "mode": _core.Mode, "solver": _core.Solver,
            "derivative": _core.Derivative, "importance_smoothing": _core.ImportanceSmoothing,
-           "backend": _core.Backend}
+           "views": _core.Views, "backend": _core.Backend}
+
+#: Settings that the core has apart from the others.
+OF_VIEWS = ("views", "number_of_views", "eye_angle")
+APART = (*OF_VIEWS, "warm_start")
 
 
 def whether(value):
@@ -31,6 +35,12 @@ def whether(value):
 #: How a value becomes one of the kind that a default is of.
 CONVERSIONS = {bool: whether, int: operator.index, float: float,
                tuple: lambda value: tuple(map(operator.index, value))}
+
+
+def wrong_kind(field, value):
+    """What to say of a value that is of another kind than the default."""
+    return (f"{field.name} is {reprlib.repr(value)} (it is of the kind of {field.default!r}, its "
+            "default). Give such a value.")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -61,6 +71,11 @@ class Settings:
     emphasis: float = 0.0  #: how much thicker than the data it may become [0, 1]; 1: the paper
     importance_smoothing: str = "median"  #: without specks, or "off": as it is
     smoothness: float = 0.2  #: how strongly changes are drawn to their neighbours [0, 10]
+    views: str = "single_view"  #: for one camera, or "stereo_pair", "orbit": a mean of several
+    number_of_views: int = 8  #: of an orbit [1, 360]
+    eye_angle: float = 2.0  #: of a stereo pair, as seen from the focal point [0, 180) [degrees]
+    temporal_coherence: float = 0.0  #: how strongly it is drawn to `previous`, see optimize
+    warm_start: bool = False  #: start from `previous`, see optimize
     backend: str = "auto"  #: or "cpu", "cuda": this or an error
     method: str = "optimized"  #: or "ordinary", "viola_2004", "marchesin_2010", "ament_2017"
     ament_exponent: float = 1.0  #: lambda of "ament_2017", and so on
@@ -70,6 +85,23 @@ class Settings:
     ament_light_occluders: float = 100.0
     ament_light_background: float = 0.0
     ament_smoothing: int = 1
+
+    def __post_init__(self):
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if field.name in CHOICES:
+                require_choice(field.name, value, CHOICES[field.name].__members__)
+                continue
+            try:
+                value = CONVERSIONS[type(field.default)](value)
+            except (TypeError, ValueError, OverflowError):
+                raise ValueError(wrong_kind(field, value)) from None
+            object.__setattr__(self, field.name, value)
+        if self.regularization_weight != type(self).regularization_weight and \
+                self.clearing_threshold > 0:
+            warn(f"regularization_weight is {self.regularization_weight:g}, and clearing_threshold "
+                 f"{self.clearing_threshold:g} (it takes the place of the weight, which does not "
+                 "count). Set clearing_threshold=0 for the weight, or leave the weight out.")
 
     @classmethod
     def preset(cls, name):
@@ -82,14 +114,15 @@ class Settings:
 
     @classmethod
     def of(cls, given):
-        """Settings from keyword arguments; preset="Paper" stands for the values of that preset,
-        which others replace; a regularization_weight counts. Raises TypeError for a name that there is not."""
+        """Settings from keyword arguments; preset="Paper" stands for the values of that preset, and
+        settings= for those of a Settings, which others replace; a regularization_weight counts.
+        Raises TypeError for a name that there is not."""
         names = [field.name for field in dataclasses.fields(cls)]
-        start = cls.preset(given["preset"]) if "preset" in given else cls()
-        given = {name: value for name, value in given.items() if name != "preset"}
+        start = cls._start(given.get("settings"), given.get("preset"))
+        given = {name: value for name, value in given.items() if name not in ("preset", "settings")}
         for name in given:
             if name not in names:
-                near = difflib.get_close_matches(name, names + ["preset"], 1)
+                near = difflib.get_close_matches(name, [*names, "preset", "settings"], 1)
                 raise TypeError(f"There is no setting {name!r}" +
                                 (f". Did you mean {near[0]!r}?" if near else
                                  f" (help(limpid.Settings) lists all). Use one of these: "
@@ -98,18 +131,45 @@ class Settings:
             given.setdefault("clearing_threshold", 0.0)
         return dataclasses.replace(start, **given)
 
+    @classmethod
+    def _start(cls, settings, preset):
+        """What other settings replace members of."""
+        if settings is None:
+            return cls() if preset is None else cls.preset(preset)
+        if preset is not None:
+            raise ValueError(f"preset {preset!r} and settings are given (each has a value for "
+                             "every setting). Give one of them; limpid.Settings.preset(...) and "
+                             "dataclasses.replace make one of both.")
+        if not isinstance(settings, cls):
+            raise TypeError(f"settings is {reprlib.repr(settings)} (it has no settings). Give a "
+                            "limpid.Settings, or settings by their names.")
+        return settings
+
     def in_core(self):
         """The settings as the core has them, whose ranges the core checks. Raises ValueError for a
-        value of another kind."""
+        value that it cannot hold."""
         settings = _core.Settings()
         for field in dataclasses.fields(self):
+            if field.name in APART:
+                continue
             value = getattr(self, field.name)
             if field.name in CHOICES:
-                setattr(settings, field.name, choice(field.name, value, CHOICES[field.name]))
-                continue
+                value = choice(field.name, value, CHOICES[field.name])
             try:
-                setattr(settings, field.name, CONVERSIONS[type(field.default)](value))
+                setattr(settings, field.name, value)
             except (TypeError, ValueError, OverflowError, RuntimeError):
-                raise ValueError(f"{field.name} is {reprlib.repr(value)} (it is of the kind of "
-                                 f"{field.default!r}, its default). Give such a value.") from None
+                raise ValueError(wrong_kind(field, value)) from None
         return settings
+
+    def views_in_core(self):
+        """For which cameras the extinction is to be, as the core has it, which checks it."""
+        if self.views != "single_view" and self.method != "optimized":
+            raise ValueError(f"views is {self.views!r} and method {self.method!r} (only the "
+                             "optimised extinction is for several cameras). Use the views "
+                             "'single_view' or the method 'optimized'.")
+        try:
+            return _core.ViewSet(choice("views", self.views, _core.Views), self.number_of_views,
+                                 self.eye_angle)
+        except (TypeError, OverflowError):
+            raise ValueError(f"number_of_views is {self.number_of_views} (an orbit has one to "
+                             "360). Give one of these.") from None

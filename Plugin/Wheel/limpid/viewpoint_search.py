@@ -6,19 +6,21 @@
 import dataclasses
 import math
 import time
-import warnings
 
 import numpy as np
 
 from . import _core, sphere
-from .arguments import number, number_between, require_choice, vector, whole_number
+from .arguments import number, number_between, require_choice, vector, warn, whole_number
+from .progress import report_to
 from .scene import scene_of
 from .settings import Settings
+from .views import CameraPosition
 
 
 @dataclasses.dataclass(frozen=True)
-class Viewpoint:
-    """A camera and what it sees; optimize and render take it for their camera."""
+class Viewpoint(CameraPosition):
+    """A camera and what it sees; optimize and render take it for their camera, and PyVista for
+    plotter.camera_position."""
 
     position: tuple  #: [length]
     focal_point: tuple  #: [length]
@@ -31,7 +33,7 @@ class Viewpoint:
     visible_fraction: float  #: share of the important matter whose light reaches the camera [0, 1]
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Viewpoints:
     """What viewpoints has found. Its items are the ranked viewpoints, best first.
 
@@ -42,7 +44,7 @@ class Viewpoints:
     viewpoints: tuple  #: of Viewpoint, best first
     directions: np.ndarray  #: (n, 3), unit vectors from the focal point to the cameras
     triangles: np.ndarray  #: (2n - 4, 3), indices of directions, counterclockwise from outside
-    visibility_scores: np.ndarray  #: (n,), S of every direction [length^2]
+    visibility_scores: np.ndarray  #: (n,), S of every direction, NaN if stopped before [length^2]
     visible_fractions: np.ndarray  #: (n,), see Viewpoint [0, 1]
     evaluations: int  #: scores and derivatives
     seconds: float
@@ -55,6 +57,9 @@ class Viewpoints:
         return self.viewpoints[rank]
 
     def __repr__(self):
+        if not self.viewpoints:
+            return (f"<limpid.Viewpoints: none of {len(self.directions)} directions is ranked; "
+                    f"{self.seconds:.2f} s on {self.backend}>")
         best = self.viewpoints[0]
         return (f"<limpid.Viewpoints: {len(self)} ranked, the best at "
                 f"({', '.join(f'{x:.6g}' for x in best.position)}), from where "
@@ -63,7 +68,7 @@ class Viewpoints:
                 f"{self.seconds:.2f} s on {self.backend}>")
 
 
-def orbit_of(grid, focal_point, distance, view_angle, parallel):
+def orbit_of(grid, focal_point, distance, view_angle, parallel, up):
     """The arguments of the core's orbit, checked, for cameras round a grid; see viewpoints."""
     distance = number_between(
         "camera_distance", distance, 1, math.inf, "below 1 some of the cameras would stand inside "
@@ -85,10 +90,10 @@ def orbit_of(grid, focal_point, distance, view_angle, parallel):
         centre = focal_point
     return {"centre": tuple(centre), "distance": distance * grid.radius(),
             "view_angle": float(view_angle), "parallel_projection": bool(parallel),
-            "parallel_scale": grid.radius()}
+            "parallel_scale": grid.radius(), "up": up}
 
 
-def search_settings(number_of_viewpoints, separation_angle, refine, directions):
+def search_settings(number_of_viewpoints, separation_angle, refine, directions, allowed):
     """The core's settings of a search, checked; see viewpoints."""
     search = _core.SearchSettings()
     search.viewpoints = whole_number(
@@ -99,90 +104,153 @@ def search_settings(number_of_viewpoints, separation_angle, refine, directions):
         "Give an angle from 0 to 180 degrees."))
     search.refine = bool(refine)
     search.first_step = 0.5 * sphere.spacing(directions)
+    search.allowed = allowed
     return search
 
 
-def viewed_fields(scene, field):
-    """The extinction that is looked at, and the base extinction, flat; see viewpoints."""
-    require_choice("field", field, ("attainable", "base_extinction", "importance_proxy"))
-    _, base, importance = scene.in_core()
-    largest = scene.largest_extinction()
-    if not (largest > 0 and importance.max() > 0):
-        warnings.warn(f"The largest extinction is {largest:g}, and " +
-                      ("nothing is important" if largest > 0 else
-                       "without extinction nothing is seen") +
-                      " (every view has the score 0, and none is better than another). Check the "
-                      "importance and the extinction.", stacklevel=3)
+def allowed_views(up, elevation_range, avoided_directions, avoidance_angle):
+    """The directions that viewpoints may have, as the core has them; see viewpoints."""
+    try:
+        lowest, highest = map(float, elevation_range)
+    except (TypeError, ValueError):
+        lowest = highest = math.nan
+    if not -90 <= lowest <= highest <= 90:
+        raise ValueError(f"elevation_range is {elevation_range!r} (a view is from the angle of one "
+                         "to that of the other above what is level). Give two angles from -90 to "
+                         "90 degrees, the smaller one first, like (0, 90).")
+    angle = number_between("avoidance_angle", avoidance_angle, 0, 180, "no direction is so far "
+                           "from another", "Give an angle from 0 to 180 degrees.")
+    avoided = np.array([unit_vector("An avoided direction", direction, "nothing is kept away from "
+                                    "it") for direction in avoided_directions]).reshape(-1, 3)
+    return _core.AllowedViews(up, math.radians(lowest), math.radians(highest), avoided,
+                              math.radians(angle))
+
+
+def unit_vector(name, value, why):
+    """`value` as a tuple of three floats of length one."""
+    given = vector(name, value, why)
+    length = math.hypot(*given)
+    if not length > 0:
+        raise ValueError(f"{name} is {given} (it leads nowhere: {why}). Give a direction, like "
+                         "(0, 0, 1).")
+    return tuple(x / length for x in given)
+
+
+def proxy_of(scene, field):
+    """The extinction that is looked at, flat; None: the base extinction. See viewpoints."""
+    scene.warn_of_nothing_to_see("every view has the score 0, and none is better than another")
     if field != "importance_proxy":
-        return base, None
-    return np.float32(largest) * importance, base
+        return None
+    return np.float32(scene.largest_extinction()) * scene.layout.flat(scene.importance)
 
 
-def least_extinction(base, importance, protect_importance, field):
-    """The lower bound of the extinction, flat; None: there is none."""
-    share = number_between("protect_importance", protect_importance, 0, 1,
-                           "it is a share of the extinction", "Give a number from 0 to 1.")
-    return np.float32(share) * importance * base if field == "attainable" and share > 0 else None
+def scores_of(samples, column):
+    """A column of the rows of Viewpoints.cxx, NaN where a view was not scored."""
+    return np.array([sample[column] if sample[5] else math.nan for sample in samples])
+
+
+#: What a search takes of limpid.Settings.
+OF_SEARCH = ("protect_importance", "importance_smoothing", "ray_density", "backend")
+
+
+def settings_of_search(given):
+    """Settings from keyword arguments. Raises TypeError or ValueError for those that a search has
+    no use for."""
+    for name in given:
+        if name not in (*OF_SEARCH, "preset", "settings"):
+            raise TypeError(f"A search has no setting {name!r} (it would not count). Use these: "
+                            f"{', '.join(OF_SEARCH)}, preset, settings.")
+    settings = Settings.of(given)
+    if settings.method != "optimized":
+        raise ValueError(f"method is {settings.method!r} (the search finds views for the optimised "
+                         "extinction). Use the method 'optimized'.")
+    if settings.views != "single_view" or settings.warm_start or settings.temporal_coherence > 0:
+        raise ValueError("views, warm_start or temporal_coherence is set (a search looks from one "
+                         "direction after the other, whatever was before). Leave them out.")
+    return settings
 
 
 def viewpoints(volume=None, *, scalars=None, importance=None, importance_function=None,
                extinction=None, extinction_function=None, opacity_function=None,
                unit_distance=None, spacing=None, origin=None, direction=None,
-               field="attainable", number_of_directions=642, camera_focal_point=None,
-               camera_distance=3.0, camera_view_angle=30.0, camera_parallel_projection=False,
-               number_of_viewpoints=4, separation_angle=30.0, refine=True,
-               protect_importance=0.0, ray_density=1.0, backend="auto"):
+               importance_component=None, field="attainable", sampling="icosphere",
+               number_of_directions=642, camera_focal_point=None, camera_distance=3.0,
+               camera_view_angle=30.0, camera_parallel_projection=False, camera_view_up=(0, 1, 0),
+               elevation_range=(-90, 90), avoided_directions=(), avoidance_angle=30.0,
+               number_of_viewpoints=4, separation_angle=30.0, refine=True, progress=None,
+               **settings):
     """Scores views from all around a volume by S of Eq. (32), climbs from the best of them along
     its derivative (Eqs. (29)-(31)), and ranks what is reached.
 
     The cameras stand on a sphere round the volume's centre and look at it, upright by Eq. (10).
 
-    volume ... direction: as for optimize.
+    volume ... importance_component: as for optimize.
     field: the extinction that is looked at. "attainable": one of its own for every ray, the best
         that there is: no optimisation for the view could show more, and it nearly reaches that.
         "importance_proxy": the majorant of Eq. (25) times importance, as if nothing else were
         there. "base_extinction": that of the volume, which with
         `extinction` may be what optimize has found.
-    number_of_directions: 1 to 100000, the nearest that an icosphere has: 12, 42, 162, 642, 2562.
+    sampling: how directions are spread over the sphere. "icosphere": a subdivided icosahedron.
+        "fibonacci": a spiral from pole to pole, of any number of directions.
+        "latitude_longitude": rings about the y axis.
+    number_of_directions: 1 to 100000, the nearest that the sampling has; that of an icosphere is
+        12, 42, 162, 642, 2562 and so on.
     camera_focal_point: what the cameras look at [length]; None: the centre.
     camera_distance: from what they look at, in radii of the sphere round the volume, not below 1.
     camera_view_angle: for whoever looks through them; has no influence on scores [degrees].
     camera_parallel_projection: whether they look along parallel rays.
+    camera_view_up: what is upwards in pictures, and what elevations are above; of any length.
+    elevation_range: from which elevations above the plane at right angles to it a viewpoint may
+        look: (0, 90) is the hemisphere above. Directions are scored all the same [degrees].
+    avoided_directions, avoidance_angle: vectors from what the cameras look at that no viewpoint may
+        come closer to than this angle [degrees].
     number_of_viewpoints: most that are ranked, and ascents that are made.
     separation_angle: least angle between two of them [degrees].
     refine: climb from the best directions to better ones between them.
-    protect_importance: the share that important structures keep, as in limpid.Settings; of
-        "attainable".
-    ray_density, backend: as in limpid.Settings.
+    progress: called with the share of the work that is done, 1 at the end, and a text; stops with
+        the best so far if it returns False.
+    settings: protect_importance and importance_smoothing, which count for "attainable",
+        ray_density and backend, as in limpid.Settings; preset="Paper", or another, for the first
+        two; settings=limpid.Settings(...), of which the others do not count.
 
-    Returns Viewpoints. Raises ValueError for arguments that cannot be worked with. Ctrl-C ends it.
+    Returns Viewpoints. Raises ValueError for arguments that cannot be worked with, TypeError for
+    names that there are not. Ctrl-C ends it.
     """
     start = time.perf_counter()
-    settings = Settings(ray_density=ray_density, backend=backend).in_core()
+    settings = settings_of_search(settings)
+    require_choice("field", field, ("attainable", "base_extinction", "importance_proxy"))
+    require_choice("sampling", sampling, tuple(sphere.SAMPLINGS))
+    report = report_to(progress)
     count = whole_number("number_of_directions", number_of_directions, 1, sphere.MOST_POINTS,
                          "without any there is nothing to compare, and more cannot be told apart",
                          f"Give a whole number from 1 to {sphere.MOST_POINTS}.")
-    directions, triangles = sphere.icosphere(count)
-    search = search_settings(number_of_viewpoints, separation_angle, refine, directions)
+    directions, triangles = sphere.SAMPLINGS[sampling](count)
+    up = unit_vector("camera_view_up", camera_view_up, "nothing would be upwards")
+    allowed = allowed_views(up, elevation_range, avoided_directions, avoidance_angle)
+    search = search_settings(number_of_viewpoints, separation_angle, refine, directions, allowed)
     scene = scene_of(volume, scalars, importance, importance_function, extinction,
                      extinction_function, opacity_function, unit_distance, spacing, origin,
-                     direction)
+                     direction, importance_component)
     orbit = orbit_of(scene.grid, camera_focal_point, camera_distance, camera_view_angle,
-                     camera_parallel_projection)
-    grid, given, seen = scene.in_core()
-    viewed, base = viewed_fields(scene, field)
-    least = least_extinction(given, seen, protect_importance, field)
-    found = _core.search_viewpoints(grid, viewed, seen, base, field == "attainable", least,
-                                    _core.Orbit(**orbit), directions, search, settings)
+                     camera_parallel_projection, up)
+    found = _core.search_viewpoints(*scene.in_core(), scene.majorant, proxy_of(scene, field),
+                                    field == "attainable", _core.Orbit(**orbit), directions, search,
+                                    settings.in_core(), report)
+    if report:
+        report.finish()
+    if not found["viewpoints"] and not (report and report.is_stopped):
+        warn("No direction that was scored is within elevation_range and far enough from all "
+             "avoided ones (there are no viewpoints). Widen the range, avoid less, or raise "
+             "number_of_directions.")
 
     camera = {"focal_point": orbit["centre"], **{name: orbit[name] for name in (
         "view_angle", "parallel_projection", "parallel_scale")}}
     ranked = tuple(Viewpoint(position=tuple(position), view_up=tuple(view_up), direction=tuple(way),
                              visibility_score=score, visible_fraction=fraction, **camera)
-                   for way, position, view_up, score, fraction in found["viewpoints"])
+                   for way, position, view_up, score, fraction, _ in found["viewpoints"])
     samples = found["samples"]
     return Viewpoints(viewpoints=ranked, directions=directions, triangles=triangles,
-                      visibility_scores=np.array([sample[3] for sample in samples]),
-                      visible_fractions=np.array([sample[4] for sample in samples]),
+                      visibility_scores=scores_of(samples, 3),
+                      visible_fractions=scores_of(samples, 4),
                       evaluations=found["evaluations"], seconds=time.perf_counter() - start,
                       backend=found["backend"])

@@ -13,9 +13,31 @@ from . import _core
 from .arguments import number, vector
 
 
+class CameraPosition:
+    """What PyVista takes for plotter.camera_position: three items, position, focal point, view up.
+    These do not tell the view angle and the projection: see give_to."""
+
+    def __len__(self):
+        return 3
+
+    def __getitem__(self, index):
+        return (self.position, self.focal_point, self.view_up)[index]
+
+    def __iter__(self):
+        return iter(self[:])
+
+    def give_to(self, camera):
+        """Places a camera of PyVista, plotter.camera for instance, with view angle and
+        projection."""
+        camera.position, camera.focal_point, camera.up = self
+        camera.view_angle = self.view_angle
+        camera.parallel_projection = self.parallel_projection
+        camera.parallel_scale = self.parallel_scale
+
+
 @dataclasses.dataclass(frozen=True)
-class Camera:
-    """A camera in world coordinates."""
+class Camera(CameraPosition):
+    """A camera in world coordinates. In PyVista: plotter.camera_position = camera."""
 
     position: tuple
     focal_point: tuple
@@ -33,12 +55,12 @@ class Camera:
             value = number(f"The camera's {name}", getattr(self, name), "a picture is so large",
                            "Give a finite number.")
             object.__setattr__(self, name, value)
+        object.__setattr__(self, "parallel_projection", bool(self.parallel_projection))
 
     def in_core(self):
         """The camera as the core has it."""
         return _core.Camera(self.position, self.focal_point, self.view_up, self.view_angle,
-                            bool(self.parallel_projection), self.parallel_scale,
-                            self.aspect_ratio)
+                            self.parallel_projection, self.parallel_scale, self.aspect_ratio)
 
     def axes(self):
         """Right, up and forward in the picture, and the distance of the focal point [length]."""
@@ -66,12 +88,15 @@ class Light:
     def __post_init__(self):
         position = vector("The light's position", self.position, "the light is there")
         object.__setattr__(self, "position", position)
+        object.__setattr__(self, "directional", bool(self.directional))
+        if self.focal_point is not None:
+            focal_point = vector("The light's focal_point", self.focal_point, "it shines there")
+            object.__setattr__(self, "focal_point", focal_point)
 
     def in_core(self, camera):
         """The light as the core has it."""
         focal_point = camera.focal_point if self.focal_point is None else self.focal_point
-        return _core.Light(self.position, vector("The light's focal_point", focal_point,
-                                                 "it shines there") if self.directional else None)
+        return _core.Light(self.position, focal_point if self.directional else None)
 
 
 def members_of(given, names):
@@ -97,7 +122,8 @@ def camera_of(given, grid):
         return given
     names = {field.name: (field.name,) for field in dataclasses.fields(Camera)}
     members = members_of(given, {**names, "view_up": ("up", "view_up")})
-    if "position" not in members and hasattr(given, "__len__") and len(given) == 3:
+    if "position" not in members and not isinstance(given, str) and \
+            hasattr(given, "__len__") and len(given) == 3:
         members = dict(zip(("position", "focal_point", "view_up"), given))
     if "position" not in members or "focal_point" not in members:
         raise ValueError(f"camera is {given!r} (it has no position and focal_point). Give a "

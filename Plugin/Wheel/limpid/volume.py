@@ -5,7 +5,9 @@
 
 import numpy as np
 
+from .arguments import warn
 from .grid import Grid
+from .named_axes import axes_of, doubt_about_axes, has_shape, placement_of, values_of
 
 HIDDEN = 3  # flags of a blanked point (duplicate, hidden) in VTK's ghost arrays
 BLANKED = {"point_data": HIDDEN, "cell_data": 41}  # of a cell: duplicate, refined, hidden
@@ -14,6 +16,23 @@ BLANKED = {"point_data": HIDDEN, "cell_data": 41}  # of a cell: duplicate, refin
 def is_image(volume):
     """Whether it has what an image has; the package knows neither VTK nor PyVista."""
     return all(hasattr(volume, name) for name in ("dimensions", "spacing", "point_data"))
+
+
+def refuse_other_data(volume):
+    """Raises ValueError for data of VTK's and PyVista's that are no image."""
+    if is_image(volume) or not hasattr(volume, "GetClassName"):
+        return
+    if volume.GetClassName() == "vtkImageData":
+        advice = "Give pyvista.wrap(volume): this VTK is older than 9.4."
+    elif hasattr(volume, "GetNumberOfBlocks"):
+        advice = "Choose one of its blocks."
+    elif hasattr(volume, "GetPolys"):
+        advice = "It has a surface and nothing inside: give the volume that it was made from."
+    else:
+        advice = ("Make it one, in PyVista by pyvista.create_grid(volume, dimensions=(100, 100, "
+                  "100)).sample(volume).")
+    raise ValueError(f"The volume is a {type(volume).__name__} (rays are followed through one "
+                     f"image with the same spacing everywhere). {advice}")
 
 
 def refuse_blanked(image):
@@ -37,8 +56,11 @@ class Volume:
     def __init__(self, volume, others, spacing=None, origin=None, direction=None):
         placement = {"spacing": spacing, "origin": origin, "direction": direction}
         given = {name: value for name, value in placement.items() if value is not None}
+        refuse_other_data(volume)
         self.image = volume if is_image(volume) else None
-        self.scalars = None if volume is None or self.image is not None else np.asarray(volume)
+        self.scalars = volume if self.image is None else None
+        self.axes = (0, 1, 2)  #: of an array as it is given: those that are x, y and z
+        self.mask = None  #: where a masked array has no value, shape grid.shape; None: nowhere
         if self.image is not None:
             if given:
                 raise ValueError(f"{' and '.join(given)} and an image are given (the image has its "
@@ -46,29 +68,55 @@ class Volume:
             refuse_blanked(self.image)
             self.grid = Grid.of_image(self.image)
         else:
-            self.grid = Grid(self._shape([self.scalars, *others]), **given)
+            self.grid = self._grid([volume, *others], given)
         if not self.grid.has_volume():
             raise ValueError(f"The volume has {' x '.join(map(str, self.grid.shape))} points "
                              "(without a volume nothing can hide anything). Give at least two "
                              "points along each axis.")
 
-    @staticmethod
-    def _shape(arrays):
-        arrays = [array for array in arrays if hasattr(array, "shape")]
-        if not arrays:
+    def _grid(self, arrays, given):
+        first = next((array for array in arrays if has_shape(array)), None)
+        if first is None:
             raise ValueError("There is neither a volume nor an array of extinction and importance "
                              "(there is nothing to be seen). Give an image or arrays.")
-        if arrays[0].ndim != 3:
-            raise ValueError(f"The volume has the shape {arrays[0].shape} (its axes are x, y and "
-                             "z). Give an array with three axes.")
-        return arrays[0].shape
+        axes = axes_of(first)
+        shape = np.shape(values_of(first))
+        if len(shape) not in (3, 4):
+            raise ValueError(f"The volume has the shape {shape} (its axes are x, y and z). Give an "
+                             "array with three axes.")
+        self.axes = self.axes if axes is None else axes[:3]
+        grid = Grid(tuple(shape[axis] for axis in self.axes), **{**placement_of(first), **given})
+        self._compare(given, Grid(grid.shape, **placement_of(first)), placement_of(first))
+        doubt = doubt_about_axes(grid.shape, grid.spacing) if axes is None else None
+        if doubt:
+            warn(doubt)
+        return grid
 
-    def field(self, role, given, default=None):
-        """An array of shape `grid.shape`, of any type, never copied.
+    @staticmethod
+    def _compare(given, own, told):
+        """Raises ValueError where what is given is not what the array itself tells."""
+        for name in set(given) & set(told):
+            ours, theirs = getattr(own, name), getattr(Grid(own.shape, **{name: given[name]}), name)
+            if not np.allclose(ours, theirs, rtol=1e-6, atol=1e-6 * own.diagonal()):
+                raise ValueError(f"{name} is {given[name]!r}, and the array's own is "
+                                 f"{np.asarray(ours).tolist()} (one of the two is wrong). Leave "
+                                 f"{name} out, or give the array without it.")
+
+    def as_given(self, field):
+        """A field of shape grid.shape as the volume itself is: arrays in the order of its axes,
+        images flat, x fastest. Not copied, unless it is for an image and in another order."""
+        if self.image is not None:
+            return field.ravel(order="F")
+        return field.transpose(np.argsort(self.axes))
+
+    def field(self, role, given, default=None, component=None):
+        """An array of shape `grid.shape`, of any type, never copied but for the length of tuples.
 
         role: what it is, for messages.
         given: an array, or the name of one of the image's; None: the image's array `default`, by
             default its active scalars, or the array of scalars that is the volume.
+        component: of an array with several values per point: from 0 on, or -1 for the length of
+            the tuple; None: there is one.
         """
         if given is None and self.image is None and default is None:
             given = self.scalars
@@ -77,17 +125,47 @@ class Volume:
                              "array, or an image with one.")
         if given is None:
             given = default or self._active_name()
-        array = self._named(role, given) if isinstance(given, str) else np.asarray(given)
+        if isinstance(given, str):
+            given = self._named(role, given)
+        array = self._in_order(given)
         if array.dtype.kind not in "fiub":
             raise ValueError(f"The {role} array has the type {array.dtype} (its values are "
                              "numbers). Give an array of real numbers.")
-        if self.image is not None and array.shape == (np.prod(self.grid.shape),):
-            array = array.reshape(self.grid.shape, order="F")  # VTK's order: x fastest
-        if array.shape != self.grid.shape:
+        self._require_points(role, array)
+        array = component_of(role, array, component)
+        self._add_mask(np.ma.getmask(array))
+        return np.asarray(array)
+
+    def _in_order(self, given):
+        """An array, masked if it is given so, shape grid.shape, maybe with components behind."""
+        array = given if isinstance(given, np.ma.MaskedArray) else values_of(given)
+        points = int(np.prod(self.grid.shape))
+        if self.image is not None and array.ndim in (1, 2) and array.shape[0] == points:
+            # VTK's order: x fastest
+            return array.reshape(self.grid.shape + array.shape[1:], order="F")
+        axes = axes_of(given) or (*self.axes, 3)[:array.ndim]
+        return array if axes == tuple(range(array.ndim)) or array.ndim != len(axes) else \
+            array.transpose(axes)
+
+    def _require_points(self, role, array):
+        shape = self.grid.shape
+        cells = tuple(count - 1 for count in shape)
+        if array.shape[:3] == cells or array.shape[:1] == (int(np.prod(cells)),):
+            raise ValueError(f"The {role} array has the shape {array.shape}, one value for each of "
+                             f"the volume's {cells} cells (values belong to points). Give values "
+                             "at points: in PyVista, those of image.cell_data_to_point_data().")
+        if array.shape[:3] != shape or array.ndim > 4:
             raise ValueError(f"The {role} array has the shape {array.shape} and the volume has "
-                             f"{self.grid.shape} points (values belong to points). Give one number "
+                             f"{shape} points (values belong to points). Give one number "
                              "for each point, indexed [x, y, z].")
-        return array
+
+    def _add_mask(self, mask):
+        if mask is not np.ma.nomask and mask.any():
+            self.mask = mask if self.mask is None else self.mask | mask
+
+    def has_array(self, name):
+        """Whether it is an image with an array of points of that name."""
+        return self.image is not None and name in self.image.point_data.keys()
 
     def _active_name(self):
         data = self.image.point_data
@@ -102,8 +180,34 @@ class Volume:
             raise ValueError(f"The {role} is {name!r}, a name, and the volume is an array (only "
                              "images have names for arrays). Give the array itself.")
         names = list(self.image.point_data.keys())
-        if name not in names:
-            raise ValueError(f"The {role} array {name!r} is not among the image's arrays of points "
-                             "(the scene cannot be made without it). Choose one of these: "
-                             f"{', '.join(map(repr, names)) or 'there is none'}.")
-        return np.asarray(self.image.point_data[name])
+        if name in names:
+            return np.asarray(self.image.point_data[name])
+        of_cells = list(self.image.cell_data.keys())
+        if name in of_cells or not names and of_cells:
+            raise ValueError(f"The {role} array {name!r} is not among the image's arrays of "
+                             "points, and those of its cells are "
+                             f"{', '.join(map(repr, of_cells))} (values belong to points). Give "
+                             "the image with values at points: in PyVista, "
+                             "image.cell_data_to_point_data().")
+        raise ValueError(f"The {role} array {name!r} is not among the image's arrays of points "
+                         "(the scene cannot be made without it). Choose one of these: "
+                         f"{', '.join(map(repr, names)) or 'there is none'}.")
+
+
+def component_of(role, array, component):
+    """One number per point of an array (X, Y, Z) or (X, Y, Z, components), see Volume.field."""
+    count = array.shape[3] if array.ndim == 4 else 1
+    if component is None and count > 1:
+        advice = ("Choose one with importance_component, from 0 on, or -1 for the length of the "
+                  "tuple." if role == "importance" else "Give one of them, array[..., 0] say.")
+        raise ValueError(f"The {role} array has {count} values per point (one number is meant). "
+                         f"{advice}")
+    if component is not None and not -1 <= component < count:
+        raise ValueError(f"The component of the {role} is {component}, and its array has {count} "
+                         "(there is no such component). Choose one from 0 on, or -1 for the length "
+                         "of the tuple.")
+    if array.ndim == 3:
+        return array
+    if component == -1 and count > 1:
+        return np.sqrt(sum(array[..., i].astype(float) ** 2 for i in range(count)))
+    return array[..., max(component or 0, 0)]
