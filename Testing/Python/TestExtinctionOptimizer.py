@@ -14,8 +14,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, function_of, image_of,
-                    memory_limited_to, phantom, values)
+from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, flipped, function_of,
+                    image_of, in_order, memory_limited_to, phantom, rounded_rotation, values)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -596,9 +596,10 @@ class TestDegenerateInput(OptimizerTest):
                 self.assertIn(str(value), result.messages["ErrorEvent"][0])
 
     def test_a_sheared_direction_matrix_is_refused(self):
-        image = phantom(8)
-        image.SetDirectionMatrix(1, 0.5, 0, 0, 1, 0, 0, 0, 1)
-        self.assert_refuses("direction matrix", filter_=optimizer(image))
+        for shear in (0.002, 0.5):
+            image = phantom(8)
+            image.SetDirectionMatrix(1, shear, 0, 0, 1, 0, 0, 0, 1)
+            self.assert_refuses("direction matrix", filter_=optimizer(image))
 
     def test_extinction_with_components_is_refused(self):
         image = image_of((2, 2, 2), Importance=np.ones(8), BaseExtinction=np.ones((8, 3)))
@@ -707,6 +708,35 @@ class TestPlaceInTheWorld(OptimizerTest):
         image.SetDirectionMatrix(*matrix.ravel())
         image.SetOrigin(*(matrix @ np.array([-1.0, -1, -1])))
         self.compare(image, 1, lambda position: matrix @ position)
+
+    def test_by_a_direction_matrix_of_few_digits(self):
+        image = phantom()
+        image.SetDirectionMatrix(*rounded_rotation(16).ravel())
+        exact = self.run_filter(image)
+        for digits in (3, 4, 5, 6):
+            image.SetDirectionMatrix(*rounded_rotation(digits).ravel())
+            output = self.run_filter(image)
+            # Nodes move by up to 1.5 units of the last digit, in radii, and optical depths, of
+            # about 6, by as much of themselves.
+            self.assertLess(abs(number(output, "VisibilityScore") /
+                                number(exact, "VisibilityScore") - 1), 10 * 10.0**-digits)
+            self.assertEqual(output.GetDirectionMatrix().GetElement(0, 1),
+                             rounded_rotation(digits)[0, 1])
+
+    def test_with_a_negative_spacing(self):
+        image = phantom()
+        reference = self.run_filter(image)
+        for axes in ((0,), (1,), (2,), (0, 1, 2)):
+            backwards = flipped(image, *axes)
+            output = self.run_filter(backwards)
+            self.assertEqual(output.GetSpacing(), backwards.GetSpacing())
+            self.assertLess(abs(number(output, "VisibilityScore") /
+                                number(reference, "VisibilityScore") - 1), 1e-6)
+            for name in ("Extinction", "Transmittance", "LightTransmittance", "MissedImportance"):
+                expected = values(reference, name)
+                # Sums in another order; iterations end at changes of 1e-3, see Tolerance.
+                np.testing.assert_allclose(in_order(output, name, *axes), expected,
+                                           atol=1e-3 * expected.max())
 
     def test_mirrored_by_a_left_handed_direction_matrix(self):
         matrix = np.diag([1.0, -1, 1])

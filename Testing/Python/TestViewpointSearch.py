@@ -12,8 +12,8 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
-from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, function_of, image_of,
-                    memory_limited_to, phantom, values)
+from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, flipped, function_of,
+                    image_of, memory_limited_to, phantom, rounded_rotation, values)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -378,6 +378,21 @@ class TestScores(SearchTest):
 
             np.testing.assert_allclose(values(output, "VisibilityScore") / unit**2,
                                        values(reference, "VisibilityScore"), rtol=1e-3)
+
+    def test_do_not_depend_on_the_sign_of_the_spacing(self):
+        reference = self.run_filter(phantom()).GetOutput()
+        output = self.run_filter(flipped(phantom(), 0, 2)).GetOutput()
+        np.testing.assert_allclose(values(output, "VisibilityScore"),
+                                   values(reference, "VisibilityScore"), rtol=1e-5)
+        np.testing.assert_allclose(output.GetBounds(), reference.GetBounds(), rtol=1e-12)
+
+    def test_take_a_direction_matrix_of_few_digits(self):
+        image = phantom()
+        for digits in (16, 4):
+            image.SetDirectionMatrix(*rounded_rotation(digits).ravel())
+            scores = values(self.run_filter(image).GetOutput(), "VisibilityScore")
+            exact = scores if digits == 16 else exact
+        np.testing.assert_allclose(scores, exact, rtol=1e-3)
 
     def test_take_importance_from_a_function(self):
         image = phantom()

@@ -37,6 +37,35 @@ def phantom(resolution=20, scene=0):
     return image
 
 
+def flipped(image, *axes):
+    """The same image with its points in the opposite order along some axes: negative spacings."""
+    shape = image.GetDimensions()
+    spacing, origin = np.array(image.GetSpacing()), np.array(image.GetOrigin())
+    for axis in axes:
+        origin[axis] += (shape[axis] - 1) * spacing[axis]
+        spacing[axis] *= -1
+    names = [image.GetPointData().GetArrayName(i)
+             for i in range(image.GetPointData().GetNumberOfArrays())]
+    result = image_of(shape, spacing, origin,
+                      **{name: in_order(image, name, *axes) for name in names})
+    scalars = image.GetPointData().GetScalars()
+    if scalars:
+        result.GetPointData().SetActiveScalars(scalars.GetName())
+    return result
+
+
+def in_order(image, name, *axes):
+    """The values of an array, flat, in the opposite order along some axes."""
+    grid = values(image, name).reshape(image.GetDimensions()[::-1])
+    return np.flip(grid, [2 - axis for axis in axes]).ravel()
+
+
+def rounded_rotation(digits):
+    """A direction matrix about two axes as a text file has it."""
+    c, s = np.cos(np.radians(15)), np.sin(np.radians(15))
+    return np.round(np.array([[c, -s, 0], [s * c, c * c, -s], [s * s, s * c, c]]), digits)
+
+
 def blocks_of(*images):
     blocks = vtkMultiBlockDataSet()
     for number, image in enumerate(images):
