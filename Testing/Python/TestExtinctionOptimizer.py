@@ -10,12 +10,14 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPiecewiseFunction, vtkPolyData,
+                                           vtkRectilinearGrid, vtkTable, vtkUnstructuredGrid)
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, flipped, function_of,
-                    image_of, in_order, memory_limited_to, phantom, rounded_rotation, values)
+from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
+                    function_of, image_of, in_order, memory_limited_to, phantom, rounded_rotation,
+                    values, with_input)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -522,6 +524,15 @@ class TestDegenerateInput(OptimizerTest):
         blocks = blocks_of(phantom(12), phantom(12))
         self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
                             "Resample To Image", filter_=optimizer(blocks))
+
+    def test_data_of_other_kinds_are_refused_with_what_makes_an_image_of_them(self):
+        for kind in (vtkUnstructuredGrid, vtkPolyData, vtkRectilinearGrid, vtkTable):
+            with self.subTest(kind=kind.__name__):
+                result = optimizer(kind())
+                executive = caught(result.GetExecutive())
+                self.assert_refuses(kind.__name__, "Resample To Image", filter_=result)
+                self.assertEqual(len(executive), 1, executive)  # that the request has failed
+                self.assertIn("returned failure", executive[0])
 
     def test_flat_images_keep_their_extinction_with_a_warning(self):
         for shape in ((5, 5, 1), (5, 1, 1), (1, 1, 1), (1, 6, 7)):

@@ -7,13 +7,14 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
-from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, flipped, function_of,
-                    image_of, memory_limited_to, phantom, rounded_rotation, values)
+from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
+                    function_of, image_of, memory_limited_to, phantom, rounded_rotation, values,
+                    with_input)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -706,6 +707,15 @@ class TestDegenerateInput(SearchTest):
 
     def test_a_camera_that_is_too_far_away_is_refused(self):
         self.assert_refuses("Move it closer", filter_=search(phantom(8), CameraDistance=1e14))
+
+    def test_data_of_other_kinds_and_parts_of_images_are_refused(self):
+        result = search(vtkUnstructuredGrid())
+        executive = caught(result.GetExecutive())
+        self.assert_refuses("vtkUnstructuredGrid", "Resample To Image", filter_=result)
+        self.assertEqual(len(executive), 1, executive)  # that the request has failed
+        part = PartOf(phantom(12), (0, 11, 0, 11, 0, 8))
+        self.assert_refuses("0..11 0..11 0..8", "nobody wrote",
+                            filter_=with_input(search(phantom(12)), part))
 
     def test_images_without_a_volume_are_refused(self):
         for shape in ((2, 1, 1), (5, 5, 1), (1, 1, 1), (1, 6, 7)):

@@ -9,7 +9,10 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import (vtkDataObject, vtkImageData, vtkMultiBlockDataSet,
+                                           vtkPiecewiseFunction)
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from limpid.vtkLimpidFilters import vtkOcclusionPhantom, vtkVisibilityAlgorithm
 
@@ -71,6 +74,33 @@ def blocks_of(*images):
     for number, image in enumerate(images):
         blocks.SetBlock(number, image)
     return blocks
+
+
+class PartOf(VTKPythonAlgorithmBase):
+    """Announces an image and gives a part of it."""
+
+    def __init__(self, image, extent):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
+        self.image, self.extent = image, extent
+
+    def RequestInformation(self, _, __, output):
+        output.GetInformationObject(0).Set(
+            vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), self.image.GetExtent(), 6)
+        return 1
+
+    def RequestData(self, _, __, output):
+        part = vtkImageData()
+        part.ShallowCopy(self.image)
+        part.Crop(self.extent)
+        output.GetInformationObject(0).Get(vtkDataObject.DATA_OBJECT()).ShallowCopy(part)
+        return 1
+
+
+def with_input(filter_, source):
+    """The same filter with the output of an algorithm instead of its data."""
+    filter_.RemoveAllInputConnections(0)
+    filter_.SetInputConnection(source.GetOutputPort())
+    return filter_
 
 
 def function_of(*nodes):
