@@ -534,6 +534,16 @@ class TestDegenerateInput(OptimizerTest):
                 self.assertEqual(len(executive), 1, executive)  # that the request has failed
                 self.assertIn("returned failure", executive[0])
 
+    def test_a_part_of_an_image_is_refused(self):
+        image = phantom(12)
+        for extent in ((0, 11, 0, 11, 0, 8), (1, 11, 0, 11, 0, 11)):
+            result = with_input(optimizer(image), PartOf(image, extent))
+            self.assert_refuses("only the extent {}..{} {}..{} {}..{}".format(*extent),
+                                "0..11 0..11 0..11", "nobody wrote", filter_=result)
+        result = with_input(optimizer(image), PartOf(image, image.GetExtent()))
+        result.Update()
+        self.assert_no_error(result)
+
     def test_flat_images_keep_their_extinction_with_a_warning(self):
         for shape in ((5, 5, 1), (5, 1, 1), (1, 1, 1), (1, 6, 7)):
             with self.subTest(shape=shape):
