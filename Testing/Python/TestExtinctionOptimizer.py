@@ -544,6 +544,29 @@ class TestDegenerateInput(OptimizerTest):
         result.Update()
         self.assert_no_error(result)
 
+    def test_flat_images_have_all_results(self):
+        image = image_of((5, 6, 1), BaseExtinction=np.ones(30), Importance=np.ones(30))
+        volume = phantom(12)
+        volume.GetPointData().RemoveArray("Scalars")
+        for properties in ({}, {"Mode": 1}, {"Method": vtkExtinctionOptimizer.AMENT_2017},
+                           {"OptimizeViewpoint": 1}):
+            with self.subTest(properties):
+                flat, whole = optimizer(image, **properties), optimizer(volume, **properties)
+                names = []
+                for result in (flat, whole):
+                    result.Update()
+                    self.assert_no_error(result)
+                    attributes = (result.GetOutput().GetPointData(),
+                                  result.GetOutput().GetFieldData(),
+                                  result.GetConvergence().GetRowData())
+                    names.append([{data.GetArrayName(i) for i in range(data.GetNumberOfArrays())}
+                                  for data in attributes])
+                names[1][1] -= {"HighestAttainableFraction", "Proof"}  # where they are known
+                self.assertEqual(*names)
+                for name in SUMMARY[:-1]:
+                    self.assertEqual(number(flat.GetOutput(), name), 1 if name == "Settled" else 0)
+                self.assertEqual(flat.GetConvergence().GetNumberOfRows(), 0)
+
     def test_flat_images_keep_their_extinction_with_a_warning(self):
         for shape in ((5, 5, 1), (5, 1, 1), (1, 1, 1), (1, 6, 7)):
             with self.subTest(shape=shape):
