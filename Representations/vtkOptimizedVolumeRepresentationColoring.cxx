@@ -99,6 +99,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   this->Actor->SetVisibility(isShown ? 1 : 0);
   if (!isShown)
   {
+    this->State->Mapper->ClearResults(); // not those of an earlier time step
     return nullptr;
   }
   this->ApplyFunctions(scalars, image);
