@@ -79,10 +79,15 @@ std::string RefusalOf(vtkDataObject* input, const std::string& worker)
   }
   const std::string what = "The input is a " + std::string(input->GetClassName()) + " (" + worker +
     " one image with the same spacing everywhere). ";
+  if (vtkCompositeDataSet::SafeDownCast(input))
+  {
+    return what +
+      "Take one of its blocks with the filter Extract Block, or make an image of all of them with "
+      "Merge Blocks and Resample To Image.";
+  }
   return what +
-    (vtkCompositeDataSet::SafeDownCast(input)
-        ? "Take one of its blocks with the filter Extract Block, or make an image of all of them "
-          "with Merge Blocks and Resample To Image."
-        : "Make it one with the filter Resample To Image.");
+    (vtkDataSet::SafeDownCast(input)
+        ? "Make it one with the filter Resample To Image."
+        : "Connect an image, or points and cells that the filter Resample To Image makes one of.");
 }
 }

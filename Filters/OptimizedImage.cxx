@@ -18,7 +18,6 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
-#include "optimize/Solver.h"
 #include "viewpoint/Concurrent.h"
 
 #include <algorithm>
@@ -87,11 +86,12 @@ void AddMissedImportance(const SceneArrays& arrays, const float* extinction,
 
 // A column of a table with one row per iteration.
 template <class ArrayType, class Member>
-void AddColumn(const char* name, const Solver& solver, const Member& member, vtkTable* table)
+void AddColumn(
+  const char* name, const OptimizationSummary& summary, const Member& member, vtkTable* table)
 {
   vtkNew<ArrayType> column;
   column->SetName(name);
-  for (const IterationRecord& record : solver.History())
+  for (const IterationRecord& record : summary.history)
   {
     column->InsertNextValue(member(record));
   }
@@ -99,22 +99,23 @@ void AddColumn(const char* name, const Solver& solver, const Member& member, vtk
 }
 
 /// Of iterations that tell them.
-void AddScores(const Solver& solver, vtkTable* table)
+void AddScores(const OptimizationSummary& summary, vtkTable* table)
 {
   using Record = IterationRecord;
   AddColumn<vtkDoubleArray>(
-    "VisibilityScore", solver, [](const Record& record) { return record.score.visibility; }, table);
+    "VisibilityScore", summary, [](const Record& record) { return record.score.visibility; },
+    table);
   AddColumn<vtkDoubleArray>(
-    "VisibleFraction", solver, [](const Record& record) { return record.score.fraction; }, table);
+    "VisibleFraction", summary, [](const Record& record) { return record.score.fraction; }, table);
   AddColumn<vtkDoubleArray>(
-    "SacrificedFraction", solver, [](const Record& record) { return record.score.sacrificed; },
+    "SacrificedFraction", summary, [](const Record& record) { return record.score.sacrificed; },
     table);
   // The same in all rows, to be drawn beside the others.
-  const Ceiling ceiling = solver.FindCeiling();
+  const Ceiling& ceiling = summary.ceiling;
   AddColumn<vtkDoubleArray>(
-    "AttainableScore", solver, [&](const Record&) { return ceiling.visibility; }, table);
+    "AttainableScore", summary, [&](const Record&) { return ceiling.visibility; }, table);
   AddColumn<vtkDoubleArray>(
-    "AttainableFraction", solver, [&](const Record&) { return ceiling.fraction; }, table);
+    "AttainableFraction", summary, [&](const Record&) { return ceiling.fraction; }, table);
 }
 }
 
@@ -143,10 +144,15 @@ void AddFields(
   output->GetPointData()->AddArray(lightTransmittance);
 }
 
-void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, vtkImageData* output)
+void AddUnsolvedFields(
+  const SceneArrays& arrays, double unitDistance, bool separate, vtkImageData* output)
 {
   const float* extinction = arrays.baseExtinction->GetPointer(0);
   AddCopy("Extinction", extinction, output->GetNumberOfPoints(), output);
+  if (separate)
+  {
+    AddCopy("LightExtinction", extinction, output->GetNumberOfPoints(), output);
+  }
   AddOpacity(extinction, unitDistance, output);
   output->GetPointData()->AddArray(arrays.baseExtinction);
   output->GetPointData()->AddArray(arrays.importance);
@@ -155,22 +161,36 @@ void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, vtkImageD
   AddConstant("MissedImportance", 0, output);
 }
 
-void AddSummary(const Solver& solver, vtkFieldData* output)
+OptimizationSummary SummaryOf(const Solver& solver)
 {
-  AddValue<vtkDoubleArray>("VisibilityScore", solver.BestScore().visibility, output);
-  AddValue<vtkDoubleArray>("BaseVisibilityScore", solver.BaseScore().visibility, output);
-  AddValue<vtkDoubleArray>("VisibleFraction", solver.BestScore().fraction, output);
-  AddValue<vtkDoubleArray>("BaseVisibleFraction", solver.BaseScore().fraction, output);
-  AddValue<vtkDoubleArray>("SacrificedFraction", solver.BestScore().sacrificed, output);
-  const Ceiling ceiling = solver.FindCeiling();
-  AddValue<vtkDoubleArray>("AttainableFraction", ceiling.fraction, output);
-  AddValue<vtkDoubleArray>("AttainableScore", ceiling.visibility, output);
-  AddValue<vtkDoubleArray>("AttainableLightScore", ceiling.lightVisibility, output);
-  AddValue<vtkDoubleArray>("Energy", solver.BestEnergy().Total(), output);
-  AddValue<vtkIntArray>("Iterations", solver.Iterations(), output);
-  AddValue<vtkIntArray>("Settled", solver.Settled() ? 1 : 0, output);
-  AddValue<vtkDoubleArray>("Seconds", solver.Seconds(), output);
-  AddValue<vtkStringArray>("Backend", solver.BackendName(), output);
+  OptimizationSummary summary;
+  summary.score = solver.BestScore();
+  summary.baseScore = solver.BaseScore();
+  summary.ceiling = solver.FindCeiling();
+  summary.energy = solver.BestEnergy().Total();
+  summary.iterations = solver.Iterations();
+  summary.settled = solver.Settled();
+  summary.seconds = solver.Seconds();
+  summary.backend = solver.BackendName();
+  summary.history = solver.History();
+  return summary;
+}
+
+void AddSummary(const OptimizationSummary& summary, vtkFieldData* output)
+{
+  AddValue<vtkDoubleArray>("VisibilityScore", summary.score.visibility, output);
+  AddValue<vtkDoubleArray>("BaseVisibilityScore", summary.baseScore.visibility, output);
+  AddValue<vtkDoubleArray>("VisibleFraction", summary.score.fraction, output);
+  AddValue<vtkDoubleArray>("BaseVisibleFraction", summary.baseScore.fraction, output);
+  AddValue<vtkDoubleArray>("SacrificedFraction", summary.score.sacrificed, output);
+  AddValue<vtkDoubleArray>("AttainableFraction", summary.ceiling.fraction, output);
+  AddValue<vtkDoubleArray>("AttainableScore", summary.ceiling.visibility, output);
+  AddValue<vtkDoubleArray>("AttainableLightScore", summary.ceiling.lightVisibility, output);
+  AddValue<vtkDoubleArray>("Energy", summary.energy, output);
+  AddValue<vtkIntArray>("Iterations", summary.iterations, output);
+  AddValue<vtkIntArray>("Settled", summary.settled ? 1 : 0, output);
+  AddValue<vtkDoubleArray>("Seconds", summary.seconds, output);
+  AddValue<vtkStringArray>("Backend", summary.backend, output);
 }
 
 void AddViewpoint(const ConcurrentResult& result, vtkFieldData* output)
@@ -197,24 +217,24 @@ void AddPlacement(
   AddValue<vtkDoubleArray>("ScalarOpacityUnitDistance", unitDistance, output);
 }
 
-void FillConvergence(const Solver& solver, vtkTable* table)
+void FillConvergence(const OptimizationSummary& summary, vtkTable* table)
 {
   using Record = IterationRecord;
   AddColumn<vtkIntArray>(
-    "Iteration", solver, [](const Record& record) { return record.iteration; }, table);
+    "Iteration", summary, [](const Record& record) { return record.iteration; }, table);
   AddColumn<vtkIntArray>(
-    "Level", solver, [](const Record& record) { return record.level; }, table);
+    "Level", summary, [](const Record& record) { return record.level; }, table);
   AddColumn<vtkDoubleArray>(
-    "Energy", solver, [](const Record& record) { return record.energy.Total(); }, table);
+    "Energy", summary, [](const Record& record) { return record.energy.Total(); }, table);
   AddColumn<vtkDoubleArray>(
-    "RegularizationEnergy", solver,
+    "RegularizationEnergy", summary,
     [](const Record& record) { return record.energy.regularization; }, table);
   AddColumn<vtkDoubleArray>(
-    "ViewEnergy", solver, [](const Record& record) { return record.energy.view; }, table);
+    "ViewEnergy", summary, [](const Record& record) { return record.energy.view; }, table);
   AddColumn<vtkDoubleArray>(
-    "LightEnergy", solver, [](const Record& record) { return record.energy.light; }, table);
-  AddScores(solver, table);
+    "LightEnergy", summary, [](const Record& record) { return record.energy.light; }, table);
+  AddScores(summary, table);
   AddColumn<vtkDoubleArray>(
-    "Seconds", solver, [](const Record& record) { return record.seconds; }, table);
+    "Seconds", summary, [](const Record& record) { return record.seconds; }, table);
 }
 }

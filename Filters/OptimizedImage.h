@@ -6,6 +6,11 @@
 #ifndef limpid_OptimizedImage_h
 #define limpid_OptimizedImage_h
 
+#include "optimize/Solver.h"
+
+#include <string>
+#include <vector>
+
 class vtkFieldData;
 class vtkImageData;
 class vtkTable;
@@ -16,18 +21,34 @@ struct Camera;
 struct ConcurrentResult;
 struct Light;
 struct SceneArrays;
-class Solver;
 
 /// Adds the point arrays of a solved scene.
 void AddFields(
   const Solver& solver, const SceneArrays& arrays, double unitDistance, vtkImageData* output);
 
 /// Adds the point arrays and scores of a scene in which nothing can hide, because the image has
-/// no volume: the base extinction, seen and lit without loss.
-void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, vtkImageData* output);
+/// no volume: the base extinction, seen and lit without loss. `separate`: that of the light, too.
+void AddUnsolvedFields(
+  const SceneArrays& arrays, double unitDistance, bool separate, vtkImageData* output);
+
+/// What an optimisation achieved; by itself: of a scene in which nothing can hide.
+struct OptimizationSummary
+{
+  Score score;
+  Score baseScore;
+  Ceiling ceiling;
+  double energy = 0;
+  int iterations = 0;
+  bool settled = true;
+  double seconds = 0;
+  std::string backend;                  ///< empty: none
+  std::vector<IterationRecord> history; ///< empty: no iteration
+};
+
+OptimizationSummary SummaryOf(const Solver& solver);
 
 /// Adds scores, energy and effort.
-void AddSummary(const Solver& solver, vtkFieldData* output);
+void AddSummary(const OptimizationSummary& summary, vtkFieldData* output);
 
 /// Adds what the extinction alone achieved before the camera was moved, and what was proved of the
 /// new view, as far as that is known.
@@ -38,7 +59,7 @@ void AddPlacement(
   const Camera& camera, const Light& light, double unitDistance, vtkFieldData* output);
 
 /// One row per iteration, first the base extinction.
-void FillConvergence(const Solver& solver, vtkTable* table);
+void FillConvergence(const OptimizationSummary& summary, vtkTable* table);
 }
 
 #endif

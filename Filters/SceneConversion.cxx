@@ -18,6 +18,7 @@
 
 #include "math/Require.h"
 #include "optimize/Solver.h"
+#include "scene/ImageGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,23 +134,35 @@ std::string SceneArrays::Warning() const
 
 Grid GridOfImage(vtkImageData* image)
 {
-  Grid grid;
   int extent[6];
   image->GetExtent(extent);
-  double first[3];
-  image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], first);
+  return GridOfExtent(extent, PlacementOf(image, extent));
+}
+
+ImagePlacement PlacementOf(vtkImageData* image, const int extent[6])
+{
+  ImagePlacement placement{};
+  image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], placement.data());
+  std::copy_n(image->GetSpacing(), 3, placement.begin() + 3);
+  std::copy_n(image->GetDirectionMatrix()->GetData(), 9, placement.begin() + 6);
+  return placement;
+}
+
+Grid GridOfExtent(const int extent[6], const ImagePlacement& placement)
+{
+  Grid placed;
   for (int axis = 0; axis < 3; ++axis)
   {
-    grid.nodes[axis] = std::max(0, extent[2 * axis + 1] - extent[2 * axis] + 1);
-    grid.origin[axis] = first[axis];
-    grid.spacing[axis] = image->GetSpacing()[axis];
+    const auto at = static_cast<std::size_t>(axis);
+    placed.nodes[axis] = std::max(0, extent[2 * axis + 1] - extent[2 * axis] + 1);
+    placed.origin[axis] = placement[at];
+    placed.spacing[axis] = placement[3 + at];
     for (int row = 0; row < 3; ++row)
     {
-      grid.direction[axis][row] = image->GetDirectionMatrix()->GetElement(row, axis);
+      placed.direction[axis][row] = placement[6 + 3 * std::size_t(row) + at];
     }
   }
-  grid.Require();
-  return grid;
+  return ImageGrid(placed.nodes, placed.origin, placed.spacing, placed.direction);
 }
 
 vtkSmartPointer<vtkFloatArray> ConvertField(

@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,16 @@ struct VTKLIMPIDFILTERS_EXPORT SceneArrays
 
 /// The nodes of an image: its points. Extent and direction matrix are part of the placement.
 VTKLIMPIDFILTERS_EXPORT Grid GridOfImage(vtkImageData* image);
+
+/// Where an image is, as one message: position of a point, spacing, and direction matrix row by
+/// row.
+using ImagePlacement = std::array<double, 15>;
+
+/// The placement of the first point of an extent, which may be another one than the image's.
+ImagePlacement PlacementOf(vtkImageData* image, const int extent[6]);
+
+/// The grid of an extent whose first point is placed so.
+Grid GridOfExtent(const int extent[6], const ImagePlacement& placement);
 
 /// A field at the points of the image; NaN where it has no finite value.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(

@@ -9,7 +9,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -38,28 +37,13 @@ Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<
     throw JointError("The input has no points on any rank (there is nothing to be seen). Give it "
                      "an image with data.");
   }
-  std::array<double, 15> placement{};
+  ImagePlacement placement{};
   if (hasPoints && ranks.Rank() == first)
   {
-    input->TransformIndexToPhysicalPoint(whole[0], whole[2], whole[4], placement.data());
-    std::copy_n(input->GetSpacing(), 3, placement.begin() + 3);
-    std::copy_n(input->GetDirectionMatrix()->GetData(), 9, placement.begin() + 6);
+    placement = PlacementOf(input, whole.data());
   }
   ranks.Gather(placement.data(), placement.size());
-  Grid grid;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto at = static_cast<std::size_t>(axis);
-    grid.nodes[axis] = whole[2 * at + 1] - whole[2 * at] + 1;
-    grid.origin[axis] = placement[at];
-    grid.spacing[axis] = placement[3 + at];
-    for (int row = 0; row < 3; ++row)
-    {
-      grid.direction[axis][row] = placement[6 + 3 * std::size_t(row) + at];
-    }
-  }
-  grid.Require(); // the same everywhere
-  return grid;
+  return GridOfExtent(whole.data(), placement); // the same everywhere
 }
 
 NodeBox BoxOf(vtkImageData* input, const std::array<int, 6>& whole)

@@ -8,6 +8,7 @@
 #include "PropertyPrinter.h"
 #include "Vectors.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -26,9 +27,9 @@
 #include "viewpoint/CameraPath.h"
 #include "viewpoint/Search.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <exception>
-#include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCameraPath);
@@ -113,35 +114,21 @@ struct vtkCameraPath::Internals
   }
 
   vtkCameraPath* Self;
-  int Step = 0; // of the time that is asked for next
-  std::vector<double> Times;
-  limpid::DirectionMesh Mesh;
-  std::vector<std::vector<double>> Scores; // of the time steps so far
+  std::vector<double> Times; // time steps of the input
 
+  bool IsLaterPiece() const
+  {
+    return this->Self->GetOutputInformation(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
+  }
   bool GoesThroughTime() const { return this->Self->Way == THROUGH_TIME; }
+  std::size_t StepCount() const { return this->GoesThroughTime() ? this->Times.size() : 1; }
 
-  void Restart()
-  {
-    this->Step = 0;
-    this->Scores.clear();
-  }
-
-  // Takes what the input is at one time. Returns whether that was the last one.
-  bool Take(vtkPolyData* sphere)
-  {
-    limpid::DirectionMesh mesh = MeshOf(sphere);
-    LIMPID_REQUIRE(this->Step == 0 || mesh.directions == this->Mesh.directions,
-      "The directions of time step " << this->Step
-                                     << " are others than before (a way has one sphere). Leave "
-                                        "Sampling and NumberOfDirections as they are.");
-    this->Mesh = std::move(mesh);
-    this->Scores.push_back(ScoresOf(sphere));
-    ++this->Step;
-    return !this->GoesThroughTime() || this->Step >= static_cast<int>(this->Times.size());
-  }
-
+  void Update(std::size_t step) const;
+  bool Read(vtkInformation* input, limpid::DirectionMesh& mesh,
+    std::vector<std::vector<double>>& scores) const;
   void RequireSettings() const;
-  limpid::CameraPath Find(const limpid::Orbit& orbit) const;
+  limpid::CameraPath Find(const limpid::DirectionMesh& mesh,
+    const std::vector<std::vector<double>>& scores, const limpid::Orbit& orbit) const;
   void Fill(const limpid::CameraPath& path, const limpid::Orbit& orbit, vtkPolyData* output) const;
 };
 
@@ -164,7 +151,61 @@ void vtkCameraPath::Internals::RequireSettings() const
     "or set Way to Round Trip.");
 }
 
-limpid::CameraPath vtkCameraPath::Internals::Find(const limpid::Orbit& orbit) const
+// Brings the input to a time step. The pipeline's own way of doing this, CONTINUE_EXECUTING, never
+// ends where the input fails, because it ends in RequestData alone, which is not called then.
+void vtkCameraPath::Internals::Update(std::size_t step) const
+{
+  vtkAlgorithmOutput* connection = this->Self->GetInputConnection(0, 0);
+  auto* producer = Pipeline::SafeDownCast(connection->GetProducer()->GetExecutive());
+  producer->GetOutputInformation(connection->GetIndex())
+    ->Set(Pipeline::UPDATE_TIME_STEP(), this->Times[step]);
+  LIMPID_REQUIRE(producer->Update(connection->GetIndex()),
+    "The input cannot be computed at time step "
+      << step << " of 0.." << (this->Times.size() - 1) << ", time " << this->Times[step]
+      << " (a way through time needs the scores of all of them). See what the input says, or take "
+         "this time step out of the data.");
+}
+
+// The sphere and its scores at all time steps; the input is at the first one. Returns false if the
+// user wants to stop.
+bool vtkCameraPath::Internals::Read(vtkInformation* input, limpid::DirectionMesh& mesh,
+  std::vector<std::vector<double>>& scores) const
+{
+  const std::size_t steps = this->StepCount();
+  for (std::size_t step = 0; step < steps; ++step)
+  {
+    if (step > 0)
+    {
+      this->Update(step);
+    }
+    if (limpid::IsAborted(this->Self))
+    {
+      return false;
+    }
+    vtkPolyData* sphere = vtkPolyData::GetData(input);
+    // With several processes the first one has the sphere; the others help to compute it.
+    if (this->IsLaterPiece() && sphere->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    limpid::DirectionMesh present = MeshOf(sphere);
+    LIMPID_REQUIRE(scores.empty() || present.directions == mesh.directions,
+      "The directions of time step " << step
+                                     << " are others than before (a way has one sphere). Leave "
+                                        "Sampling and NumberOfDirections as they are.");
+    mesh = std::move(present);
+    scores.push_back(ScoresOf(sphere));
+    this->Self->UpdateProgress(double(step + 1) / double(steps));
+    if (limpid::IsAborted(this->Self))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+limpid::CameraPath vtkCameraPath::Internals::Find(const limpid::DirectionMesh& mesh,
+  const std::vector<std::vector<double>>& scores, const limpid::Orbit& orbit) const
 {
   limpid::CameraPathSettings settings;
   settings.keyViews = this->Self->NumberOfKeyViews;
@@ -175,8 +216,8 @@ limpid::CameraPath vtkCameraPath::Internals::Find(const limpid::Orbit& orbit) co
   settings.allowed.lowest = vtkMath::RadiansFromDegrees(this->Self->ElevationRange[0]);
   settings.allowed.highest = vtkMath::RadiansFromDegrees(this->Self->ElevationRange[1]);
   limpid::CameraPath path = this->GoesThroughTime()
-    ? limpid::PathThroughTime(this->Mesh, this->Scores, settings)
-    : limpid::RoundTrip(this->Mesh, this->Scores.back(), settings);
+    ? limpid::PathThroughTime(mesh, scores, settings)
+    : limpid::RoundTrip(mesh, scores.back(), settings);
   LIMPID_REQUIRE(!path.directions.empty(),
     "No direction of the sphere is within ElevationRange (there is nowhere to go). Widen it, or "
     "raise NumberOfDirections of the search.");
@@ -253,7 +294,6 @@ int vtkCameraPath::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  this->State->Restart();
   this->State->Times.clear();
   if (input->Has(Pipeline::TIME_STEPS()))
   {
@@ -272,59 +312,40 @@ int vtkCameraPath::RequestInformation(
 int vtkCameraPath::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  const auto step = static_cast<std::size_t>(this->State->Step);
-  if (this->Way == THROUGH_TIME && step < this->State->Times.size())
+  if (this->State->GoesThroughTime() && !this->State->Times.empty())
   {
     inputVector[0]->GetInformationObject(0)->Set(
-      Pipeline::UPDATE_TIME_STEP(), this->State->Times[step]);
+      Pipeline::UPDATE_TIME_STEP(), this->State->Times.front());
   }
   return 1;
 }
 
 int vtkCameraPath::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* sphere = vtkPolyData::GetData(inputVector[0]);
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  Internals& state = *this->State;
-  // With several processes the first one has the sphere.
-  const bool isLaterPiece =
-    outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
-  if (isLaterPiece && sphere->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
+  const Internals& state = *this->State;
   try
   {
     state.RequireSettings();
-    const bool isLast = state.Take(sphere);
-    this->UpdateProgress(
-      isLast ? 1.0 : double(state.Step) / std::max<double>(1, double(state.Times.size())));
-    if (limpid::IsAborted(this))
+    limpid::DirectionMesh mesh;
+    std::vector<std::vector<double>> scores;
+    const bool isWhole = state.Read(input, mesh, scores);
+    output->Initialize();
+    if (isWhole && !scores.empty())
     {
-      output->Initialize();
-    }
-    else if (!isLast)
-    {
-      request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
-      return 1;
-    }
-    else
-    {
+      vtkPolyData* sphere = vtkPolyData::GetData(input);
       const limpid::Orbit orbit = OrbitOf(sphere);
-      state.Fill(state.Find(orbit), orbit, output);
+      state.Fill(state.Find(mesh, scores, orbit), orbit, output);
       output->GetFieldData()->ShallowCopy(sphere->GetFieldData());
     }
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-    state.Restart();
     return 1;
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< error.what());
     output->Initialize();
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-    state.Restart();
     return 0;
   }
 }

@@ -18,7 +18,8 @@
  * The field data are those of the sphere: CameraViewAngle, CameraParallelProjection and so on.
  *
  * ROUND_TRIP goes through the best views and back to the first one. THROUGH_TIME has one frame per
- * time step of the input, which is updated for each of them, and follows what can be seen.
+ * time step of the input, which is updated for each of them, and follows what can be seen. Where
+ * the input fails at a time step, there is no path, and one error that names this time step.
  *
  * @sa vtkViewpointSearch
  */
@@ -103,7 +104,7 @@ protected:
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
   int RequestUpdateExtent(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+  int RequestData(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:

@@ -84,6 +84,7 @@ struct vtkExtinctionOptimizer::Internals
   {
   }
 
+  bool HasTwoExtinctions() const;
   double BytesPerPoint() const;
   bool RanksShare(vtkInformation* outInfo) const;
   limpid::ImageScene Read(vtkInformationVector** inputVector) const;
@@ -211,6 +212,15 @@ void vtkExtinctionOptimizer::Optimize(
   if (!scene.grid.HasVolume())
   {
     state.WriteUnsolved(scene, output);
+    const limpid::OptimizationSummary none;
+    limpid::AddSummary(none, output->GetFieldData());
+    limpid::FillConvergence(none, convergence);
+    if (this->OptimizeViewpoint)
+    {
+      limpid::ConcurrentResult start;
+      start.startScore.emplace();
+      limpid::AddViewpoint(start, output->GetFieldData());
+    }
     limpid::AddPlacement(camera, light, scene.unitDistance, output->GetFieldData());
     state.ReportReplaced(scene, input, output);
     return;
@@ -221,14 +231,15 @@ void vtkExtinctionOptimizer::Optimize(
   const limpid::ConcurrentResult result = state.Optimize(scene.Fields(), camera, light);
   this->SetProgressText(nullptr);
   limpid::AddFields(*result.solver, scene.arrays, scene.unitDistance, output);
-  limpid::AddSummary(*result.solver, output->GetFieldData());
+  const limpid::OptimizationSummary summary = limpid::SummaryOf(*result.solver);
+  limpid::AddSummary(summary, output->GetFieldData());
   limpid::AddPlacement(result.camera, light, scene.unitDistance, output->GetFieldData());
   if (this->OptimizeViewpoint)
   {
     limpid::AddViewpoint(result, output->GetFieldData());
   }
   state.ReportReplaced(scene, input, output);
-  limpid::FillConvergence(*result.solver, convergence);
+  limpid::FillConvergence(summary, convergence);
   state.LastNodes = scene.grid.nodes;
   state.LastPiece = scene.Fields().piece;
   state.LastExtinction = this->WarmStart
@@ -236,6 +247,12 @@ void vtkExtinctionOptimizer::Optimize(
     : nullptr;
   const bool coherent = this->GetTemporalCoherence() > 0 && this->GetMethod() == OPTIMIZED;
   state.LastChange = coherent ? result.solver->Change() : limpid::CarriedChange();
+}
+
+// Whether the light has an extinction of its own.
+bool vtkExtinctionOptimizer::Internals::HasTwoExtinctions() const
+{
+  return this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
 }
 
 // That a run takes beyond its input, results included. Measured by
@@ -246,7 +263,7 @@ void vtkExtinctionOptimizer::Optimize(
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;
-  const bool two = this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
+  const bool two = this->HasTwoExtinctions();
   const double separate = two ? 22 : 0;
   const double viewpoint = this->Self->OptimizeViewpoint ? (adam ? 30 : 12) : 0;
   const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 20 : 0;
@@ -361,7 +378,7 @@ void vtkExtinctionOptimizer::Internals::WriteUnsolved(
                      << scene.grid.nodes.z
                      << " points (without a volume nothing can hide anything): the extinction "
                         "stays as it is. Give an image with at least two points per axis.");
-  limpid::AddUnsolvedFields(scene.arrays, scene.unitDistance, output);
+  limpid::AddUnsolvedFields(scene.arrays, scene.unitDistance, this->HasTwoExtinctions(), output);
 }
 
 // Scripts find results by their names, so results keep them.

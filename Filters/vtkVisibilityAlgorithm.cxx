@@ -61,10 +61,10 @@ vtkMTimeType vtkVisibilityAlgorithm::GetMTime()
 
 int vtkVisibilityAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composite data come to the filter, which refuses them; the executive would give it block by
-  // block.
+  // Data of other kinds come to the filter, which refuses them in its own words. Composite data are
+  // the first of the list, so that the executive does not give them block by block.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace
@@ -35,6 +36,37 @@ double MeanCellLength(const limpid::Grid& grid)
   }
   const double length = 2 * grid.Radius() / std::cbrt(cells);
   return length > 0 ? length : grid.spacing[0]; // a single point has no length
+}
+
+bool AreSeveralProcesses()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1;
+}
+
+// Whether all of an extent is in another one; an empty one is in any.
+bool Covers(const int extent[6], const int part[6])
+{
+  bool covers = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int* own = extent + 2 * axis;
+    const int* wanted = part + 2 * axis;
+    if (wanted[1] < wanted[0])
+    {
+      return true;
+    }
+    covers = covers && own[0] <= wanted[0] && wanted[1] <= own[1];
+  }
+  return covers;
+}
+
+std::string WordsOfExtent(const int extent[6])
+{
+  std::ostringstream words;
+  words << extent[0] << ".." << extent[1] << " " << extent[2] << ".." << extent[3] << " "
+        << extent[4] << ".." << extent[5];
+  return words.str();
 }
 }
 
@@ -59,17 +91,18 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   LIMPID_REQUIRE(input && input->GetNumberOfPoints() > 0,
     "The input has no points (there is nothing to be seen). Give it an image with data.");
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  const bool isWhole = !whole || std::equal(whole, whole + 6, input->GetExtent());
   const int* extent = input->GetExtent();
-  LIMPID_REQUIRE(isWhole || !controller || controller->GetNumberOfProcesses() < 2,
-    "This process has only the extent "
-      << extent[0] << ".." << extent[1] << " " << extent[2] << ".." << extent[3] << " " << extent[4]
-      << ".." << extent[5] << " of " << whole[0] << ".." << whole[1] << " " << whole[2] << ".."
-      << whole[3] << " " << whole[4] << ".." << whole[5]
-      << " (what hides a structure may lie in the rest, so the result would be wrong). Run with "
-         "one process, or read from a source that can give the whole image to each process.");
+  LIMPID_REQUIRE(!whole || Covers(extent, whole),
+    (AreSeveralProcesses() ? "This process has only the extent " : "The input has only the extent ")
+      << WordsOfExtent(extent) << " of " << WordsOfExtent(whole)
+      << " (what hides a structure may lie in the rest, so the result would be wrong, and filters "
+         "behind this one would read the rest from memory that nobody wrote). "
+      << (AreSeveralProcesses()
+             ? "Run with one process, or read from a source that can give the whole image to each "
+               "process."
+             : "Give an image with all points of the whole extent that its source announces, or "
+               "let the source announce the extent that it gives."));
   return input;
 }
 

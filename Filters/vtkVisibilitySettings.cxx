@@ -11,8 +11,10 @@
 #include "optimize/Presets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iterator>
+#include <sstream>
 
 vtkStandardNewMacro(vtkVisibilitySettings);
 vtkCxxSetObjectMacro(vtkVisibilitySettings, ImportanceFunction, vtkPiecewiseFunction);
@@ -27,8 +29,46 @@ vtkVisibilitySettings::~vtkVisibilitySettings()
   this->SetImportanceFunction(nullptr);
 }
 
-void vtkVisibilitySettings::SetRegularizationWeight(double weight)
+double vtkVisibilitySettings::Clamped(const char* property, double value, double least, double most)
 {
+  if (!std::isfinite(value) || (value >= least && value <= most))
+  {
+    return value;
+  }
+  const double nearest = value < least ? least : most;
+  std::ostringstream range;
+  range << least;
+  if (most < VTK_INT_MAX)
+  {
+    range << " to " << most;
+  }
+  else
+  {
+    range << " or more";
+  }
+  vtkWarningMacro(<< property << " is " << value
+                  << " (there is no such value, so nothing could be computed). It is " << nearest
+                  << " now; set it to " << range.str() << ".");
+  return nearest;
+}
+
+void vtkVisibilitySettings::SetIterationsPerLevel(int quarter, int half, int full)
+{
+  const int given[3] = { quarter, half, full };
+  int iterations[3];
+  std::transform(given, given + 3, iterations,
+    [this](int count)
+    { return static_cast<int>(this->Clamped("IterationsPerLevel", count, 0, VTK_INT_MAX)); });
+  if (!std::equal(iterations, iterations + 3, this->IterationsPerLevel))
+  {
+    std::copy(iterations, iterations + 3, this->IterationsPerLevel);
+    this->Modified();
+  }
+}
+
+void vtkVisibilitySettings::SetRegularizationWeight(double given)
+{
+  const double weight = this->Clamped("RegularizationWeight", given, 0, VTK_DOUBLE_MAX);
   if (weight != this->RegularizationWeight)
   {
     this->RegularizationWeight = weight;

@@ -11,6 +11,9 @@
  * on to it. Two owners can share one:
  * mapper->SetVisibilitySettings(filter->GetVisibilitySettings()).
  *
+ * A value outside of the range that a property has is moved to the nearer end of it, with a
+ * warning, and GetNameMinValue and GetNameMaxValue tell the ends, as those of vtkSetClampMacro do.
+ *
  * Defaults are those of the preset "Default", see SetPreset. Some depend on the owner:
  * vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED, see there, and RestrictToView on;
  * filters have TemporalCoherence 0, so that a result does not depend on what ran before;
@@ -102,7 +105,7 @@ public:
    * properties whose names begin with Ament. vtkViewpointSearch does not ask for it. Default is
    * OPTIMIZED.
    */
-  vtkSetMacro(Method, int);
+  LIMPID_SET_CLAMPED(Method, int, OPTIMIZED, AMENT_2017);
   vtkGetMacro(Method, int);
   ///@}
 
@@ -111,7 +114,7 @@ public:
    * Of AMENT_2017: exponent lambda, not below zero. Where importance g is high, extinction is kept:
    * (1 - g)^(2 lambda). Default is 1.
    */
-  vtkSetMacro(AmentExponent, double);
+  LIMPID_SET_CLAMPED(AmentExponent, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentExponent, double);
   ///@}
 
@@ -128,7 +131,7 @@ public:
    * Of AMENT_2017: weight q against what hides important matter from the camera, per radius of the
    * image's sphere, not below zero. Default is 100.
    */
-  vtkSetMacro(AmentOccluders, double);
+  LIMPID_SET_CLAMPED(AmentOccluders, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentOccluders, double);
   ///@}
 
@@ -136,7 +139,7 @@ public:
   /**
    * Of AMENT_2017: weight r against what lies behind important matter, likewise. Default is 0.
    */
-  vtkSetMacro(AmentBackground, double);
+  LIMPID_SET_CLAMPED(AmentBackground, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentBackground, double);
   ///@}
 
@@ -144,7 +147,7 @@ public:
   /**
    * Of AMENT_2017: the weight q of the light's own extinction, likewise. Default is 100.
    */
-  vtkSetMacro(AmentLightOccluders, double);
+  LIMPID_SET_CLAMPED(AmentLightOccluders, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentLightOccluders, double);
   ///@}
 
@@ -152,7 +155,7 @@ public:
   /**
    * Of AMENT_2017: the weight r of the light's own extinction, likewise. Default is 0.
    */
-  vtkSetMacro(AmentLightBackground, double);
+  LIMPID_SET_CLAMPED(AmentLightBackground, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentLightBackground, double);
   ///@}
 
@@ -160,7 +163,7 @@ public:
   /**
    * Of AMENT_2017: passes that smooth what is kept, 0 to 100. Default is 1.
    */
-  vtkSetMacro(AmentSmoothing, int);
+  LIMPID_SET_CLAMPED(AmentSmoothing, int, 0, 100);
   vtkGetMacro(AmentSmoothing, int);
   ///@}
 
@@ -171,7 +174,7 @@ public:
    * follows p of Eq. (22), delta q / (R mu-max), not below zero. 0: p is RegularizationWeight, as
    * in [HG24]. Default is 3e-3.
    */
-  vtkSetMacro(ClearingThreshold, double);
+  LIMPID_SET_CLAMPED(ClearingThreshold, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(ClearingThreshold, double);
   ///@}
 
@@ -190,7 +193,7 @@ public:
    * Weight q of the view term, Eq. (23): dimensionless, not below zero; zero leaves the view as it
    * is. Default is 10.
    */
-  vtkSetMacro(ViewWeight, double);
+  LIMPID_SET_CLAMPED(ViewWeight, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(ViewWeight, double);
   ///@}
 
@@ -199,7 +202,7 @@ public:
    * Weight r of the light term, Eq. (24): dimensionless, not below zero; zero leaves the light as
    * it is. Default is 1.
    */
-  vtkSetMacro(LightWeight, double);
+  LIMPID_SET_CLAMPED(LightWeight, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(LightWeight, double);
   ///@}
 
@@ -209,7 +212,7 @@ public:
    * towards the camera's focal point. Of the mapper: its own light, see LightSource there.
    * Default is POINT.
    */
-  vtkSetMacro(LightType, int);
+  LIMPID_SET_CLAMPED(LightType, int, POINT, DIRECTIONAL);
   vtkGetMacro(LightType, int);
   ///@}
 
@@ -229,7 +232,7 @@ public:
    * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one for each,
    * Section 4.2; shadows are those of the extinction for the light. Default is JOINT.
    */
-  vtkSetMacro(Mode, int);
+  LIMPID_SET_CLAMPED(Mode, int, JOINT, SEPARATE);
   vtkGetMacro(Mode, int);
   ///@}
 
@@ -238,7 +241,7 @@ public:
    * POLICY: policy sweeps. ADAM: the projected Adam of [HG24], coarse to fine.
    * Default is POLICY.
    */
-  vtkSetMacro(Solver, int);
+  LIMPID_SET_CLAMPED(Solver, int, POLICY, ADAM);
   vtkGetMacro(Solver, int);
   ///@}
 
@@ -246,7 +249,7 @@ public:
   /**
    * Most iterations of the policy solver, not below zero. Default is 8.
    */
-  vtkSetMacro(MaximumIterations, int);
+  LIMPID_SET_CLAMPED(MaximumIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
   ///@}
 
@@ -255,7 +258,11 @@ public:
    * Iterations of Adam at a quarter, half and the full resolution, not below zero.
    * Default is (32, 32, 64).
    */
-  vtkSetVector3Macro(IterationsPerLevel, int);
+  virtual void SetIterationsPerLevel(int quarter, int half, int full);
+  virtual void SetIterationsPerLevel(const int iterations[3])
+  {
+    this->SetIterationsPerLevel(iterations[0], iterations[1], iterations[2]);
+  }
   vtkGetVector3Macro(IterationsPerLevel, int);
   ///@}
 
@@ -273,7 +280,7 @@ public:
    * majorant, Eq. (25), or below five times this where policy sweeps change the energy by less than
    * a tenth of this share of it; not below zero. Default is 1e-3.
    */
-  vtkSetMacro(Tolerance, double);
+  LIMPID_SET_CLAMPED(Tolerance, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -281,7 +288,7 @@ public:
   /**
    * The optimisation for a view stops after this time [s]; zero: no limit. Default is 0.
    */
-  vtkSetMacro(MaximumSeconds, double);
+  LIMPID_SET_CLAMPED(MaximumSeconds, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
   ///@}
 
@@ -290,7 +297,7 @@ public:
    * VOLUME: exact derivative of the volume integral. RAY: Eqs. (19)-(20) as printed, without the
    * weight of the widening rays. Default is VOLUME.
    */
-  vtkSetMacro(Derivative, int);
+  LIMPID_SET_CLAMPED(Derivative, int, VOLUME, RAY);
   vtkGetMacro(Derivative, int);
   ///@}
 
@@ -298,7 +305,7 @@ public:
   /**
    * Rays per voxel and axis on the slice farthest from the eye, 0.1 to 16. Default is 1.
    */
-  vtkSetMacro(RayDensity, double);
+  LIMPID_SET_CLAMPED(RayDensity, double, 0.1, 16);
   vtkGetMacro(RayDensity, double);
   ///@}
 
@@ -332,7 +339,7 @@ public:
    * MaximumIterations for each. Methods other than OPTIMIZED are for the camera; vtkViewpointSearch
    * does not ask for it. Default is SINGLE_VIEW.
    */
-  vtkSetMacro(Views, int);
+  LIMPID_SET_CLAMPED(Views, int, SINGLE_VIEW, ORBIT);
   vtkGetMacro(Views, int);
   ///@}
 
@@ -340,7 +347,7 @@ public:
   /**
    * Cameras of an ORBIT, 1 to 360. Default is 8.
    */
-  vtkSetMacro(NumberOfViews, int);
+  LIMPID_SET_CLAMPED(NumberOfViews, int, 1, 360);
   vtkGetMacro(NumberOfViews, int);
   ///@}
 
@@ -359,7 +366,7 @@ public:
    * is behind it, as in [HG24], which tears holes into it; 1: what has importance 1 stays whole.
    * Default is 1.
    */
-  vtkSetMacro(ProtectImportance, double);
+  LIMPID_SET_CLAMPED(ProtectImportance, double, 0, 1);
   vtkGetMacro(ProtectImportance, double);
   ///@}
 
@@ -370,7 +377,7 @@ public:
    * data's own, and VisibleFraction does not fall where only the view counts (LightWeight 0); 1: it
    * may become as thick as the thickest, as in [HG24]. Default is 0.
    */
-  vtkSetMacro(Emphasis, double);
+  LIMPID_SET_CLAMPED(Emphasis, double, 0, 1);
   vtkGetMacro(Emphasis, double);
   ///@}
 
@@ -381,7 +388,7 @@ public:
    * importance makes specks in the picture. Scores, fractions and MissedImportance are always those
    * of the importance as given. AS_GIVEN: nothing is smoothed, as in [HG24]. Default is MEDIAN.
    */
-  vtkSetMacro(ImportanceSmoothing, int);
+  LIMPID_SET_CLAMPED(ImportanceSmoothing, int, AS_GIVEN, MEDIAN);
   vtkGetMacro(ImportanceSmoothing, int);
   ///@}
 
@@ -391,7 +398,7 @@ public:
    * the weights of view and light, 0 to 10, see cuda/optimize/Smoothing.h. Near the optimum, six
    * further sweeps do it. 0: not at all, as in [HG24]. Default is 0.2.
    */
-  vtkSetMacro(Smoothness, double);
+  LIMPID_SET_CLAMPED(Smoothness, double, 0, 10);
   vtkGetMacro(Smoothness, double);
   ///@}
 
@@ -405,7 +412,7 @@ public:
    * 20 degrees away. Results depend on what was before, then. 0: they do not, as in [HG24]. Default
    * is 0.2, and 0 for filters. vtkViewpointSearch has no last result.
    */
-  vtkSetMacro(TemporalCoherence, double);
+  LIMPID_SET_CLAMPED(TemporalCoherence, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(TemporalCoherence, double);
   ///@}
 
@@ -414,7 +421,7 @@ public:
    * AUTO: the fastest that works here, which the owner's results name. CPU, CUDA: this or an
    * error. Default is AUTO.
    */
-  vtkSetMacro(Backend, int);
+  LIMPID_SET_CLAMPED(Backend, int, AUTO, CUDA);
   vtkGetMacro(Backend, int);
   ///@}
 
@@ -426,6 +433,12 @@ public:
 protected:
   vtkVisibilitySettings();
   ~vtkVisibilitySettings() override;
+
+  /**
+   * The number from `least` to `most` that is nearest to a value of a property, with a warning
+   * where that is another one; not a number: itself.
+   */
+  double Clamped(const char* property, double value, double least, double most);
 
 private:
   vtkVisibilitySettings(const vtkVisibilitySettings&) = delete;

@@ -57,6 +57,27 @@
     CUDA = 2                                                                                       \
   }
 
+/// SetName of vtkVisibilitySettings, with a value from `least` to `most`: another one is moved to
+/// the nearer of these, with a warning. What is no number stays, and the owner refuses it.
+#define LIMPID_SET_CLAMPED(name, type, least, most)                                                \
+  virtual void Set##name(type value)                                                               \
+  {                                                                                                \
+    const type nearest = static_cast<type>(this->Clamped(#name, value, least, most));              \
+    if (!(nearest == this->name))                                                                  \
+    {                                                                                              \
+      this->name = nearest;                                                                        \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual type Get##name##MinValue()                                                               \
+  {                                                                                                \
+    return least;                                                                                  \
+  }                                                                                                \
+  virtual type Get##name##MaxValue()                                                               \
+  {                                                                                                \
+    return most;                                                                                   \
+  }
+
 /// SetName and GetName of an owner with the method GetVisibilitySettings.
 #define LIMPID_FORWARD_SETTING(name, type)                                                         \
   virtual void Set##name(type value)                                                               \

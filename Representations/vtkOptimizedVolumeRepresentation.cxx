@@ -110,6 +110,7 @@ void vtkOptimizedVolumeRepresentation::UpdateMapperParameters()
   {
     messages.push_back(this->State->Refusal);
     this->Actor->SetVisibility(1); // the outline
+    this->State->Mapper->ClearResults();
   }
   else if (auto* image = vtkImageData::SafeDownCast(this->VolumeMapper->GetDataSetInput()))
   {

@@ -99,6 +99,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   this->Actor->SetVisibility(isShown ? 1 : 0);
   if (!isShown)
   {
+    this->State->Mapper->ClearResults(); // not those of an earlier time step
     return nullptr;
   }
   this->ApplyFunctions(scalars, image);
@@ -218,7 +219,7 @@ void vtkOptimizedVolumeRepresentation::ApplyImportance(
       mapper->SetImportanceArrayAssociation(association(colors.onCells));
     }
   }
-  else if (name == COLOR_ARRAY || (name == IMPORTANCE && !isThere(name, onCells)))
+  else if (name == COLOR_ARRAY || (!this->State->ImportanceGiven && !isThere(name, onCells)))
   {
     this->AssumeImportance(colors, image);
     mapper->SetImportanceArray(""); // "Importance", or what the function makes of the scalars
@@ -226,7 +227,7 @@ void vtkOptimizedVolumeRepresentation::ApplyImportance(
   }
   else
   {
-    mapper->SetImportanceArray(name.c_str());
+    mapper->SetImportanceArray(name.c_str()); // that it is missing is the mapper's to say
     mapper->SetImportanceArrayAssociation(association(onCells));
   }
 }

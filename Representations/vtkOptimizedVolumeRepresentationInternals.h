@@ -47,6 +47,7 @@ struct vtkOptimizedVolumeRepresentation::Internals
   bool ShowScore = true;
 
   std::string ImportanceArray = "Importance";
+  bool ImportanceGiven = false; // off: colours stand in where there is no such array
   int ImportanceAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
   // What the volume's property has in place of functions that were not given.

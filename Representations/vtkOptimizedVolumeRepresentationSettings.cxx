@@ -66,6 +66,7 @@ void vtkOptimizedVolumeRepresentation::SetImportanceArray(int vtkNotUsed(index),
 {
   this->State->ImportanceAssociation = association;
   this->State->ImportanceArray = name ? name : "";
+  this->State->ImportanceGiven = true;
 }
 
 void vtkOptimizedVolumeRepresentation::SetExtinctionArray(int vtkNotUsed(index),

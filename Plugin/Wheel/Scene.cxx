@@ -4,7 +4,7 @@
 #include "Arrays.h"
 #include "Bindings.h"
 
-#include "scene/Grid.h"
+#include "scene/ImageGrid.h"
 #include "scene/Placement.h"
 #include "scene/RaySource.h"
 #include "scene/StartingImportance.h"
@@ -23,15 +23,9 @@ namespace
 void MakeGrid(Grid* grid, const std::array<int, 3>& nodes, const Triple& origin,
   const Triple& spacing, const std::array<Triple, 3>& direction)
 {
-  new (grid) Grid();
-  grid->nodes = { nodes[0], nodes[1], nodes[2] };
-  grid->origin = ToVec3(origin);
-  grid->spacing = ToVec3(spacing);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    grid->direction[axis] = ToVec3(direction[std::size_t(axis)]);
-  }
-  grid->Require();
+  const Mat3 axes(ToVec3(direction[0]), ToVec3(direction[1]), ToVec3(direction[2]));
+  new (grid)
+    Grid(ImageGrid({ nodes[0], nodes[1], nodes[2] }, ToVec3(origin), ToVec3(spacing), axes));
 }
 
 // Position, focal point and parallel scale of a camera that nobody has placed.

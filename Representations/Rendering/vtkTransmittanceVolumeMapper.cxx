@@ -96,6 +96,11 @@ void vtkTransmittanceVolumeMapper::Reset()
   this->Modified();
 }
 
+void vtkTransmittanceVolumeMapper::ClearResults()
+{
+  this->State->Last = limpid::FrameResult();
+}
+
 double vtkTransmittanceVolumeMapper::GetVisibilityScore() const
 {
   return this->State->Last.score.visibility;

@@ -425,6 +425,12 @@ public:
   ///@}
 
   /**
+   * Says that nothing is shown: scores and fractions are zero until the next frame. For owners that
+   * hide the volume because there is nothing to be drawn.
+   */
+  void ClearResults();
+
+  /**
    * Whether the last frame showed all that there is to show: at full resolution, the optimization
    * at its end.
    */

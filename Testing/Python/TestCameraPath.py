@@ -40,9 +40,12 @@ def angles(vectors, closed):
 class Moving(VTKPythonAlgorithmBase):
     """An important ball that goes round with time within another one."""
 
-    def __init__(self, steps):
+    def __init__(self, steps, without=()):
+        """`without`: time steps that have no array Importance."""
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
         self.steps = steps
+        self.without = without
+        self.points = lambda time: 16  # along an axis
         self.asked = []
 
     def RequestInformation(self, _, __, output):
@@ -58,13 +61,28 @@ class Moving(VTKPythonAlgorithmBase):
         time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
         self.asked.append(time)
         angle = 1.5 * time / self.steps
-        z, y, x = np.meshgrid(*3 * [np.linspace(-1, 1, 16)], indexing="ij")
+        points = self.points(time)
+        z, y, x = np.meshgrid(*3 * [np.linspace(-1, 1, points)], indexing="ij")
         important = (x - 0.6 * np.cos(angle)) ** 2 + y ** 2 + (z - 0.6 * np.sin(angle)) ** 2 < 0.09
         base = np.where(important, 3, np.where(x ** 2 + y ** 2 + z ** 2 < 1, 1.5, 0))
-        info.Get(vtkDataObject.DATA_OBJECT()).ShallowCopy(image_of(
-            (16, 16, 16), spacing=3 * (2 / 15,), origin=3 * (-1,), BaseExtinction=base.ravel(),
-            Importance=important.astype(float).ravel()))
+        image = image_of(3 * (points,), spacing=3 * (2 / (points - 1),), origin=3 * (-1,),
+                         BaseExtinction=base.ravel(), Importance=important.astype(float).ravel())
+        if time in self.without:
+            image.GetPointData().RemoveArray("Importance")
+        info.Get(vtkDataObject.DATA_OBJECT()).ShallowCopy(image)
         return 1
+
+
+def search_through_time(source):
+    searched = vtkViewpointSearch()
+    searched.messages = {"ErrorEvent": caught(searched, "ErrorEvent")}
+    searched.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    searched.SetInputConnection(source.GetOutputPort())
+    searched.SetNumberOfDirections(162)
+    searched.RefineOff()
+    searched.SetExtinctionSource(vtkViewpointSearch.ARRAY)
+    searched.SetField(vtkViewpointSearch.BASE_EXTINCTION)
+    return searched
 
 
 class TestCameraPath(FilterTest):
@@ -98,14 +116,7 @@ class TestCameraPath(FilterTest):
 
     def test_through_time_it_follows_what_can_be_seen(self):
         source = Moving(12)
-        searched = vtkViewpointSearch()
-        searched.SetInputConnection(source.GetOutputPort())
-        searched.SetNumberOfDirections(162)
-        searched.RefineOff()
-        searched.SetExtinctionSource(vtkViewpointSearch.ARRAY)
-        searched.SetField(vtkViewpointSearch.BASE_EXTINCTION)
-        searched.SetInputArrayToProcess(1, 0, 0, 0, "Importance")
-        searched.SetInputArrayToProcess(2, 0, 0, 0, "BaseExtinction")
+        searched = search_through_time(source)
         path = path_of(searched, Way=vtkCameraPath.THROUGH_TIME)
         path.Update()
         self.assert_no_error(path)
@@ -123,6 +134,63 @@ class TestCameraPath(FilterTest):
             self.assertGreaterEqual(score, 0.899 * scores[near].max())
         turned = np.degrees(np.arccos(directions[0] @ directions[-1]))
         self.assertGreater(turned, 30)
+
+    def test_through_time_it_ends_at_a_step_that_fails_and_begins_anew(self):
+        for failing in (1, 3):
+            with self.subTest(failing=failing):
+                source = Moving(4, without=(failing,))
+                searched = search_through_time(source)
+                path = path_of(searched, Way=vtkCameraPath.THROUGH_TIME)
+                self.assert_refuses(f"time step {failing} of 0..3", filter_=path)
+                self.assertEqual(len(searched.messages["ErrorEvent"]), 1)
+                self.assertIn('"Importance"', searched.messages["ErrorEvent"][0])
+                self.assertEqual(source.asked, list(range(failing + 1)))
+
+                source.without = ()
+                source.asked.clear()
+                source.Modified()
+                path.Update()
+                self.assertEqual(source.asked, [0, 1, 2, 3])
+                self.assertEqual(path.GetOutput().GetNumberOfPoints(), 4)
+                self.assertEqual(len(path.messages["ErrorEvent"]), 1)  # that of before
+
+    def test_through_time_it_ends_at_a_first_step_that_fails(self):
+        searched = search_through_time(Moving(3, without=(0,)))
+        path = path_of(searched, Way=vtkCameraPath.THROUGH_TIME)
+        path.Update()
+        self.assertEqual(len(searched.messages["ErrorEvent"]), 1)
+        self.assert_no_error(path)  # it is not asked
+        self.assertEqual(path.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_through_time_of_one_step(self):
+        path = path_of(search_through_time(Moving(1)), Way=vtkCameraPath.THROUGH_TIME)
+        path.Update()
+        self.assert_no_error(path)
+        self.assertEqual(path.GetOutput().GetNumberOfPoints(), 1)
+
+    def test_through_time_of_images_with_other_extents(self):
+        source = Moving(3)
+        source.points = lambda time: 16 - int(time)
+        searched = search_through_time(source)
+        path = path_of(searched, Way=vtkCameraPath.THROUGH_TIME)
+        path.Update()
+        messages = path.messages["ErrorEvent"] + searched.messages["ErrorEvent"]
+        self.assertLessEqual(len(messages), 2, messages)
+
+    def test_through_time_it_can_be_aborted(self):
+        source = Moving(5)
+        path = path_of(search_through_time(source), Way=vtkCameraPath.THROUGH_TIME)
+        tag = path.AddObserver("ProgressEvent", lambda *_: path.SetAbortExecute(
+            1 if len(source.asked) == 2 else 0))
+        path.Update()
+        self.assertEqual(source.asked, [0, 1])
+        self.assertEqual(path.GetOutput().GetNumberOfPoints(), 0)
+        path.RemoveObserver(tag)
+        path.SetAbortExecute(0)
+        path.Modified()
+        path.Update()
+        self.assert_no_error(path)
+        self.assertEqual(path.GetOutput().GetNumberOfPoints(), 5)
 
     def test_says_what_cannot_be(self):
         searched = search(phantom(12))

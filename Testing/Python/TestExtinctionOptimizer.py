@@ -10,12 +10,14 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPiecewiseFunction, vtkPolyData,
+                                           vtkRectilinearGrid, vtkTable, vtkUnstructuredGrid)
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, function_of, image_of,
-                    memory_limited_to, phantom, values)
+from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
+                    function_of, image_of, in_order, memory_limited_to, phantom, rounded_rotation,
+                    values, with_input)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -523,6 +525,48 @@ class TestDegenerateInput(OptimizerTest):
         self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
                             "Resample To Image", filter_=optimizer(blocks))
 
+    def test_data_of_other_kinds_are_refused_with_what_makes_an_image_of_them(self):
+        for kind in (vtkUnstructuredGrid, vtkPolyData, vtkRectilinearGrid, vtkTable):
+            with self.subTest(kind=kind.__name__):
+                result = optimizer(kind())
+                executive = caught(result.GetExecutive())
+                self.assert_refuses(kind.__name__, "Resample To Image", filter_=result)
+                self.assertEqual(len(executive), 1, executive)  # that the request has failed
+                self.assertIn("returned failure", executive[0])
+
+    def test_a_part_of_an_image_is_refused(self):
+        image = phantom(12)
+        for extent in ((0, 11, 0, 11, 0, 8), (1, 11, 0, 11, 0, 11)):
+            result = with_input(optimizer(image), PartOf(image, extent))
+            self.assert_refuses("only the extent {}..{} {}..{} {}..{}".format(*extent),
+                                "0..11 0..11 0..11", "nobody wrote", filter_=result)
+        result = with_input(optimizer(image), PartOf(image, image.GetExtent()))
+        result.Update()
+        self.assert_no_error(result)
+
+    def test_flat_images_have_all_results(self):
+        image = image_of((5, 6, 1), BaseExtinction=np.ones(30), Importance=np.ones(30))
+        volume = phantom(12)
+        volume.GetPointData().RemoveArray("Scalars")
+        for properties in ({}, {"Mode": 1}, {"Method": vtkExtinctionOptimizer.AMENT_2017},
+                           {"OptimizeViewpoint": 1}):
+            with self.subTest(properties):
+                flat, whole = optimizer(image, **properties), optimizer(volume, **properties)
+                names = []
+                for result in (flat, whole):
+                    result.Update()
+                    self.assert_no_error(result)
+                    attributes = (result.GetOutput().GetPointData(),
+                                  result.GetOutput().GetFieldData(),
+                                  result.GetConvergence().GetRowData())
+                    names.append([{data.GetArrayName(i) for i in range(data.GetNumberOfArrays())}
+                                  for data in attributes])
+                names[1][1] -= {"HighestAttainableFraction", "Proof"}  # where they are known
+                self.assertEqual(*names)
+                for name in SUMMARY[:-1]:
+                    self.assertEqual(number(flat.GetOutput(), name), 1 if name == "Settled" else 0)
+                self.assertEqual(flat.GetConvergence().GetNumberOfRows(), 0)
+
     def test_flat_images_keep_their_extinction_with_a_warning(self):
         for shape in ((5, 5, 1), (5, 1, 1), (1, 1, 1), (1, 6, 7)):
             with self.subTest(shape=shape):
@@ -578,12 +622,11 @@ class TestDegenerateInput(OptimizerTest):
                                 filter_=result)
 
     def test_settings_that_make_no_sense_are_named(self):
-        cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0,
-                     ClearingThreshold=-4,
-                     ScalarOpacityUnitDistance=-1, Mode=7, Solver=-1, Derivative=2, Backend=9,
-                     LightType=3, ExtinctionSource=2, ScalarComponent=4, ViewpointGuide=3,
-                     LearningRate=-1, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
-                     ProtectImportance=1.5, Emphasis=1.1, ImportanceSmoothing=2, Smoothness=-1)
+        nan = math.nan  # the settings themselves move other numbers into their ranges
+        cases = dict(ViewWeight=nan, LightWeight=nan, RegularizationWeight=nan, RayDensity=nan,
+                     ClearingThreshold=nan, ScalarOpacityUnitDistance=-1, ExtinctionSource=2,
+                     ScalarComponent=4, ViewpointGuide=3, LearningRate=-1, Tolerance=nan,
+                     MaximumSeconds=nan, ProtectImportance=nan, Emphasis=nan, Smoothness=nan)
         for name, value in cases.items():
             with self.subTest(name=name):
                 result = optimizer(phantom(8), **{name: value})
@@ -596,9 +639,10 @@ class TestDegenerateInput(OptimizerTest):
                 self.assertIn(str(value), result.messages["ErrorEvent"][0])
 
     def test_a_sheared_direction_matrix_is_refused(self):
-        image = phantom(8)
-        image.SetDirectionMatrix(1, 0.5, 0, 0, 1, 0, 0, 0, 1)
-        self.assert_refuses("direction matrix", filter_=optimizer(image))
+        for shear in (0.002, 0.5):
+            image = phantom(8)
+            image.SetDirectionMatrix(1, shear, 0, 0, 1, 0, 0, 0, 1)
+            self.assert_refuses("direction matrix", filter_=optimizer(image))
 
     def test_extinction_with_components_is_refused(self):
         image = image_of((2, 2, 2), Importance=np.ones(8), BaseExtinction=np.ones((8, 3)))
@@ -707,6 +751,35 @@ class TestPlaceInTheWorld(OptimizerTest):
         image.SetDirectionMatrix(*matrix.ravel())
         image.SetOrigin(*(matrix @ np.array([-1.0, -1, -1])))
         self.compare(image, 1, lambda position: matrix @ position)
+
+    def test_by_a_direction_matrix_of_few_digits(self):
+        image = phantom()
+        image.SetDirectionMatrix(*rounded_rotation(16).ravel())
+        exact = self.run_filter(image)
+        for digits in (3, 4, 5, 6):
+            image.SetDirectionMatrix(*rounded_rotation(digits).ravel())
+            output = self.run_filter(image)
+            # Nodes move by up to 1.5 units of the last digit, in radii, and optical depths, of
+            # about 6, by as much of themselves.
+            self.assertLess(abs(number(output, "VisibilityScore") /
+                                number(exact, "VisibilityScore") - 1), 10 * 10.0**-digits)
+            self.assertEqual(output.GetDirectionMatrix().GetElement(0, 1),
+                             rounded_rotation(digits)[0, 1])
+
+    def test_with_a_negative_spacing(self):
+        image = phantom()
+        reference = self.run_filter(image)
+        for axes in ((0,), (1,), (2,), (0, 1, 2)):
+            backwards = flipped(image, *axes)
+            output = self.run_filter(backwards)
+            self.assertEqual(output.GetSpacing(), backwards.GetSpacing())
+            self.assertLess(abs(number(output, "VisibilityScore") /
+                                number(reference, "VisibilityScore") - 1), 1e-6)
+            for name in ("Extinction", "Transmittance", "LightTransmittance", "MissedImportance"):
+                expected = values(reference, name)
+                # Sums in another order; iterations end at changes of 1e-3, see Tolerance.
+                np.testing.assert_allclose(in_order(output, name, *axes), expected,
+                                           atol=1e-3 * expected.max())
 
     def test_mirrored_by_a_left_handed_direction_matrix(self):
         matrix = np.diag([1.0, -1, 1])
@@ -883,7 +956,7 @@ class TestRuns(OptimizerTest):
         self.assertEqual(result.GetOutput().GetNumberOfPoints(), 512)
 
     def test_recovers_from_an_error(self):
-        result = optimizer(phantom(), ViewWeight=-1)
+        result = optimizer(phantom(), ViewWeight=math.nan)
         result.Update()
         result.SetViewWeight(10)
         result.Update()

@@ -201,6 +201,17 @@ class TestOptimizedVolume(displays.DisplayTest):
         self.assertEqual(display.VisibleFraction, 0)
         self.assertEqual(display.Converged, 1)
 
+    def test_says_that_a_chosen_array_is_missing_whatever_its_name(self):
+        for name in ("Importance", "importance"):
+            with self.subTest(name):
+                display = self.shown(simple.Wavelet(), ImportanceArray=["POINTS", name])
+                self.assert_draws(display, f"The importance array \"{name}\" is not among")
+                self.assertEqual(display.VisibleFraction, 0)
+                simple.Delete(display)
+        display = self.shown(simple.Wavelet())  # nothing is chosen
+        self.assert_draws(display)
+        self.assertGreater(display.VisibleFraction, 0)
+
     def test_takes_one_component_of_a_vector(self):
         source = image_source((12, 12, 12), v="np.stack([x, 0 * x, 0 * x], axis=1)")
         display = self.shown(source, ShowScore=0)

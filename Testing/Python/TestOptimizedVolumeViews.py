@@ -183,6 +183,34 @@ outInfo.Set(keys.TIME_RANGE(), [0.0, 1.0], 2)
         self.assertEqual(fractions[1], 0)
         self.assertEqual(fractions[2], fractions[0])
 
+    def test_a_time_step_without_the_colored_array_shows_nothing_of_the_last_one(self):
+        changing = simple.ProgrammableFilter(
+            Input=OcclusionPhantom(Resolution=24), Script="""
+from paraview import vtk
+time = self.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+output.ShallowCopy(inputs[0].VTKObject)
+if time == 1:
+    output.VTKObject.GetPointData().RemoveArray('Scalars')
+""", RequestInformationScript="""
+from paraview import vtk
+keys = vtk.vtkStreamingDemandDrivenPipeline
+outInfo = self.GetOutputInformation(0)
+outInfo.Set(keys.TIME_STEPS(), [0.0, 1.0], 2)
+outInfo.Set(keys.TIME_RANGE(), [0.0, 1.0], 2)
+""")
+        display = displays.show(changing, self.view)
+        results = []
+        for time in (0, 1, 0):
+            self.view.ViewTime = time
+            simple.Render(self.view)
+            results.append((display.VisibleFraction, display.VisibilityScore,
+                            display.AttainableFraction))
+            self.assertEqual("Scalars" in display.Messages, time == 1)
+
+        self.assertGreater(min(results[0]), 0)
+        self.assertEqual(results[1], (0, 0, 0))
+        self.assertEqual(results[2], results[0])
+
     # Picking
 
     def test_is_picked_where_it_is_seen(self):

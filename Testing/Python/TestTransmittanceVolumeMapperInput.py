@@ -271,14 +271,13 @@ class TestBadInput(MapperTest):
         view.window.Render()
 
     def test_settings_that_make_no_sense_are_named(self):
-        cases = dict(ViewWeight=-1, LightWeight=-2, RegularizationWeight=-3, RayDensity=0, Mode=7,
-                     ClearingThreshold=-4,
-                     Solver=-1, Derivative=2, Backend=9, LightType=3, LightSource=2, Method=5,
-                     ExtinctionSource=2,
-                     Optimization=3, MaximumIterations=-1, Tolerance=-1, MaximumSeconds=-1,
+        nan = np.nan  # the settings themselves move other numbers into their ranges
+        cases = dict(ViewWeight=nan, LightWeight=nan, RegularizationWeight=nan, RayDensity=nan,
+                     ClearingThreshold=nan, LightSource=2, ExtinctionSource=2,
+                     Optimization=3, Tolerance=nan, MaximumSeconds=nan,
                      ShadowStrength=1.5, Ambient=-0.5, Anisotropy=1, Specular=-1, SpecularPower=-2,
                      LightIntensity=-4, SampleDistance=0, InteractiveFrameTime=0, EaseTime=-1,
-                     ProtectImportance=-0.5, Emphasis=2, AmentRegularization=0, AmentExponent=-1)
+                     ProtectImportance=nan, Emphasis=nan, AmentRegularization=0, AmentExponent=nan)
         for name, value in cases.items():
             with self.subTest(name=name):
                 view, mapper = show(phantom(8), **{name: value})

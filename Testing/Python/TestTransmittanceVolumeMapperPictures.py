@@ -9,6 +9,7 @@ import unittest
 import numpy as np
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 
+from images import flipped, rounded_rotation
 from volume_views import (View, actor_of, colors_of, difference, fixed_point_mapper, gpu_mapper,
                           gray_property, image_of, opacity_of, phantom, phantom_property,
                           plain_mapper, property_of, save, values)
@@ -123,6 +124,27 @@ class TestPlacement(PictureTest):
                 for view in views:
                     view.look()
                 self.assertLess(difference(views[0].picture(), views[1].picture()), 0.1)
+
+    def test_direction_matrices_of_few_digits(self):
+        pictures = []
+        for digits in (16, 5, 4, 3):
+            image = phantom()
+            image.SetDirectionMatrix(*rounded_rotation(digits).ravel())
+            view = View()
+            view.add(image, phantom_property(), plain_mapper())
+            view.look()
+            pictures.append(view.picture())
+            self.assertGreater(pictures[-1].std(), 3)
+            self.assertLess(difference(pictures[-1], pictures[0]), 0.5)
+
+    def test_a_negative_spacing(self):
+        pictures = []
+        for axes in ((), (0,), (1, 2)):
+            view = View()
+            view.add(flipped(phantom(), *axes), phantom_property(), plain_mapper())
+            view.look()
+            pictures.append(view.picture())
+            self.assertLess(difference(pictures[-1], pictures[0]), 0.1)
 
     def test_far_from_the_origin_and_tiny(self):
         reference = View()

@@ -7,13 +7,14 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
-from images import (FilterTest, abort_at_every_event, blocks_of, filter_on, function_of, image_of,
-                    memory_limited_to, phantom, values)
+from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
+                    function_of, image_of, memory_limited_to, phantom, rounded_rotation, values,
+                    with_input)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -379,6 +380,21 @@ class TestScores(SearchTest):
             np.testing.assert_allclose(values(output, "VisibilityScore") / unit**2,
                                        values(reference, "VisibilityScore"), rtol=1e-3)
 
+    def test_do_not_depend_on_the_sign_of_the_spacing(self):
+        reference = self.run_filter(phantom()).GetOutput()
+        output = self.run_filter(flipped(phantom(), 0, 2)).GetOutput()
+        np.testing.assert_allclose(values(output, "VisibilityScore"),
+                                   values(reference, "VisibilityScore"), rtol=1e-5)
+        np.testing.assert_allclose(output.GetBounds(), reference.GetBounds(), rtol=1e-12)
+
+    def test_take_a_direction_matrix_of_few_digits(self):
+        image = phantom()
+        for digits in (16, 4):
+            image.SetDirectionMatrix(*rounded_rotation(digits).ravel())
+            scores = values(self.run_filter(image).GetOutput(), "VisibilityScore")
+            exact = scores if digits == 16 else exact
+        np.testing.assert_allclose(scores, exact, rtol=1e-3)
+
     def test_take_importance_from_a_function(self):
         image = phantom()
         half = function_of((0, 0), (1, 0.5))
@@ -655,9 +671,9 @@ class TestDegenerateInput(SearchTest):
         cases = dict(NumberOfDirections=(0, -5, 2000000), CameraDistance=(0.5, 0, -3, np.nan),
                      CameraViewAngle=(0, 180, np.nan), NumberOfViewpoints=(0, -1),
                      SeparationAngle=(-1, 181), AvoidanceAngle=(-1, 181), SphereRadius=(0, -2),
-                     RayDensity=(0, 100),
+                     RayDensity=(np.nan,),
                      ScalarOpacityUnitDistance=(-1,), Field=(5, -1), Sampling=(3, -1),
-                     Backend=(9,), ExtinctionSource=(2,), ViewWeight=(-1,), MaximumIterations=(-1,))
+                     ExtinctionSource=(2,), ViewWeight=(np.nan,))
         for name, wrong in cases.items():
             for value in wrong:
                 with self.subTest(name=name, value=value):
@@ -691,6 +707,15 @@ class TestDegenerateInput(SearchTest):
 
     def test_a_camera_that_is_too_far_away_is_refused(self):
         self.assert_refuses("Move it closer", filter_=search(phantom(8), CameraDistance=1e14))
+
+    def test_data_of_other_kinds_and_parts_of_images_are_refused(self):
+        result = search(vtkUnstructuredGrid())
+        executive = caught(result.GetExecutive())
+        self.assert_refuses("vtkUnstructuredGrid", "Resample To Image", filter_=result)
+        self.assertEqual(len(executive), 1, executive)  # that the request has failed
+        part = PartOf(phantom(12), (0, 11, 0, 11, 0, 8))
+        self.assert_refuses("0..11 0..11 0..8", "nobody wrote",
+                            filter_=with_input(search(phantom(12)), part))
 
     def test_images_without_a_volume_are_refused(self):
         for shape in ((2, 1, 1), (5, 5, 1), (1, 1, 1), (1, 6, 7)):

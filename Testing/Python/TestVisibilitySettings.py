@@ -13,6 +13,8 @@ from limpid.vtkLimpidFilters import (vtkExtinctionOptimizer, vtkOcclusionPhantom
                                      vtkViewpointSearch, vtkVisibilitySettings)
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
 
+from images import caught
+
 OWNERS = (vtkExtinctionOptimizer, vtkViewpointSearch, vtkTransmittanceVolumeMapper)
 # Defaults that are the owner's own.
 OWN_DEFAULTS = {
@@ -30,10 +32,14 @@ def names():
 
 
 def other(value):
-    """A value of the same kind that is not this one."""
+    """A value of the same kind that is not this one, within the range of its setting."""
     if value is None:
         return vtkPiecewiseFunction()
-    return tuple(number + 1 for number in value) if isinstance(value, tuple) else value + 1
+    if isinstance(value, tuple):
+        return tuple(number + 1 for number in value)
+    if isinstance(value, int):
+        return value - 1 if value > 0 else value + 1
+    return value / 2 if value > 0 else 1.0
 
 
 class TestVisibilitySettings(unittest.TestCase):
@@ -48,6 +54,44 @@ class TestVisibilitySettings(unittest.TestCase):
                     getattr(instance, "Set" + name)(value)
                     self.assertEqual(getattr(settings, "Get" + name)(), value)
                     self.assertEqual(getattr(instance, "Get" + name)(), value)
+
+    def test_values_out_of_range_are_moved_into_it_and_said(self):
+        infinite = float("inf")
+        cases = {"Mode": (-1, 7), "Solver": (-1, 2), "Method": (-1, 5), "LightType": (-1, 2),
+                 "Derivative": (-1, 2), "Views": (-1, 3), "ImportanceSmoothing": (-1, 2),
+                 "Backend": (-1, 9), "NumberOfViews": (0, 361), "AmentSmoothing": (-1, 101),
+                 "ProtectImportance": (-0.5, 1.5), "Emphasis": (-1, 1.1), "Smoothness": (-1, 11),
+                 "RayDensity": (0, 100), "MaximumIterations": (-1, None), "Tolerance": (-1, None),
+                 "MaximumSeconds": (-1, None), "TemporalCoherence": (-1, None),
+                 "ClearingThreshold": (-4, None), "ViewWeight": (-1, None),
+                 "LightWeight": (-2, None), "AmentExponent": (-1, None),
+                 "AmentOccluders": (-1, None), "AmentBackground": (-1, None),
+                 "AmentLightOccluders": (-1, None), "AmentLightBackground": (-1, None)}
+        for owner in OWNERS:
+            for name, wrong in cases.items():
+                instance = owner()
+                settings = instance.GetVisibilitySettings()
+                ends = [getattr(settings, f"Get{name}{end}Value")() for end in ("Min", "Max")]
+                for value, end in zip(wrong, ends):
+                    if value is None:
+                        continue
+                    with self.subTest(owner=owner.__name__, setting=name, value=value):
+                        told = caught(settings, "WarningEvent")
+                        getattr(instance, "Set" + name)(value)
+                        self.assertEqual(getattr(instance, "Get" + name)(), end)
+                        self.assertEqual(len(told), 1, told)
+                        self.assertIn(f"{name} is {value} ", told[0])
+                        getattr(instance, "Set" + name)(end)
+                        self.assertEqual(len(told), 1, told)
+        settings = vtkVisibilitySettings()
+        told = caught(settings, "WarningEvent")
+        settings.SetRegularizationWeight(-3)
+        settings.SetIterationsPerLevel(8, -1, 4)
+        self.assertEqual(settings.GetRegularizationWeight(), 0)
+        self.assertEqual(settings.GetIterationsPerLevel(), (8, 0, 4))
+        self.assertEqual(len(told), 2, told)
+        settings.SetViewWeight(infinite)  # it is not near any weight: owners refuse it
+        self.assertEqual(settings.GetViewWeight(), infinite)
 
     def test_switches_are_passed_on(self):
         for owner in OWNERS:

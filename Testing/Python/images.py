@@ -9,7 +9,10 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import (vtkDataObject, vtkImageData, vtkMultiBlockDataSet,
+                                           vtkPiecewiseFunction)
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from limpid.vtkLimpidFilters import vtkOcclusionPhantom, vtkVisibilityAlgorithm
 
@@ -37,11 +40,67 @@ def phantom(resolution=20, scene=0):
     return image
 
 
+def flipped(image, *axes):
+    """The same image with its points in the opposite order along some axes: negative spacings."""
+    shape = image.GetDimensions()
+    spacing, origin = np.array(image.GetSpacing()), np.array(image.GetOrigin())
+    for axis in axes:
+        origin[axis] += (shape[axis] - 1) * spacing[axis]
+        spacing[axis] *= -1
+    names = [image.GetPointData().GetArrayName(i)
+             for i in range(image.GetPointData().GetNumberOfArrays())]
+    result = image_of(shape, spacing, origin,
+                      **{name: in_order(image, name, *axes) for name in names})
+    scalars = image.GetPointData().GetScalars()
+    if scalars:
+        result.GetPointData().SetActiveScalars(scalars.GetName())
+    return result
+
+
+def in_order(image, name, *axes):
+    """The values of an array, flat, in the opposite order along some axes."""
+    grid = values(image, name).reshape(image.GetDimensions()[::-1])
+    return np.flip(grid, [2 - axis for axis in axes]).ravel()
+
+
+def rounded_rotation(digits):
+    """A direction matrix about two axes as a text file has it."""
+    c, s = np.cos(np.radians(15)), np.sin(np.radians(15))
+    return np.round(np.array([[c, -s, 0], [s * c, c * c, -s], [s * s, s * c, c]]), digits)
+
+
 def blocks_of(*images):
     blocks = vtkMultiBlockDataSet()
     for number, image in enumerate(images):
         blocks.SetBlock(number, image)
     return blocks
+
+
+class PartOf(VTKPythonAlgorithmBase):
+    """Announces an image and gives a part of it."""
+
+    def __init__(self, image, extent):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
+        self.image, self.extent = image, extent
+
+    def RequestInformation(self, _, __, output):
+        output.GetInformationObject(0).Set(
+            vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), self.image.GetExtent(), 6)
+        return 1
+
+    def RequestData(self, _, __, output):
+        part = vtkImageData()
+        part.ShallowCopy(self.image)
+        part.Crop(self.extent)
+        output.GetInformationObject(0).Get(vtkDataObject.DATA_OBJECT()).ShallowCopy(part)
+        return 1
+
+
+def with_input(filter_, source):
+    """The same filter with the output of an algorithm instead of its data."""
+    filter_.RemoveAllInputConnections(0)
+    filter_.SetInputConnection(source.GetOutputPort())
+    return filter_
 
 
 def function_of(*nodes):

@@ -58,7 +58,7 @@ class TestOptimizeRefuses(Refusals):
 
     def test_grids_that_are_none(self):
         self.refuses("spacing is (1, 2)", spacing=(1, 2))
-        self.refuses("spacing along axis 1 is -1", spacing=(1, -1, 1))  # the core's words
+        self.refuses("spacing along axis 1 is 0", spacing=(1, 0, 1))  # the core's words
         self.refuses("(2, 2)", "3 x 3", direction=np.eye(2))
         self.refuses("not orthonormal", direction=2 * np.eye(3))
         self.refuses("origin is (0, nan, 0)", origin=(0, np.nan, 0))

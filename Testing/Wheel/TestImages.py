@@ -118,6 +118,19 @@ class TestPyVista(unittest.TestCase):
             self.assertEqual(limpid.optimize(turned, scalars="values", **FUNCTIONS,
                                              **VIEW).visibility_score, expected.visibility_score)
 
+    def test_a_negative_spacing_turns_an_axis_round(self):
+        expected = limpid.optimize(phantom.scalars(), **SCENE, **VIEW)
+        backwards = {**SCENE, "spacing": np.multiply(SPACING, (-1, 1, 1)),
+                     "origin": np.add(ORIGIN, ((phantom.SHAPE[0] - 1) * SPACING[0], 0, 0))}
+        found = limpid.optimize(phantom.scalars()[::-1], **backwards, **VIEW)
+        self.assertLess(abs(found.visibility_score / expected.visibility_score - 1), 1e-6)
+
+    def test_direction_matrices_of_few_digits_are_made_orthonormal(self):
+        turn = np.array([[0.8, -0.6, 0], [0.6, 0.8, 0], [0, 0, 1]])
+        exact = limpid.optimize(phantom.scalars(), direction=turn, **SCENE, **VIEW)
+        rounded = limpid.optimize(phantom.scalars(), direction=turn + 4e-5, **SCENE, **VIEW)
+        self.assertLess(abs(rounded.visibility_score / exact.visibility_score - 1), 1e-3)
+
     def test_what_it_lacks_is_told(self):
         for arguments, words in (({"scalars": "density"}, "'density' is not among"),
                                  ({"spacing": (1, 1, 1)}, "spacing and an image")):

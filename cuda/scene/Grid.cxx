@@ -4,6 +4,7 @@
 #include "scene/Grid.h"
 
 #include "math/Require.h"
+#include "scene/ImageGrid.h"
 
 #include <cmath>
 
@@ -64,17 +65,11 @@ void Grid::Require() const
       "The origin along axis " << axis << " is " << this->origin[axis]
                                << " (rays cannot reach it). Set a finite origin.");
   }
-  const Mat3 product = glm::transpose(this->direction) * this->direction;
-  double error = 0;
-  for (int column = 0; column < 3; ++column)
-  {
-    for (int row = 0; row < 3; ++row)
-    {
-      error = std::fmax(error, std::abs(product[column][row] - (column == row ? 1.0 : 0.0)));
-    }
-  }
-  LIMPID_REQUIRE(error < 1e-6,
+  const double distance = DistanceFromOrthonormal(this->direction);
+  LIMPID_REQUIRE(distance < 1e-6,
     "The direction matrix is not orthonormal, by "
-      << error << " (a sheared image has no single spacing). Resample it to an orthonormal image.");
+      << distance
+      << " (a sheared image has no single spacing; only what rounding to three digits leaves, "
+      << mostRounding << " at most, is corrected). Resample it to an orthonormal image.");
 }
 }

@@ -30,7 +30,7 @@ class Grid:
     """The points of a volume: index (i, j, k) is at origin + direction @ (spacing * index)."""
 
     shape: tuple  #: points along each axis
-    spacing: tuple = (1.0, 1.0, 1.0)  #: distance of neighbouring points, above zero [length]
+    spacing: tuple = (1.0, 1.0, 1.0)  #: from point to point, not zero; negative: backwards [length]
     origin: tuple = (0.0, 0.0, 0.0)  #: position of the first point [length]
     direction: typing.Any = None  #: (3, 3), columns: directions of the axes; None: x, y, z
 
