@@ -7,8 +7,8 @@
 # OUTDIR (demo-output) gets, per scene: before.png, paper.png, after.png, result.vti, convergence.csv and
 # report.md; and s-sphere.vtp, s-sphere.png, the best and the worst view before and after,
 # viewpoints.md and camera files. Without --scene the scene is the embedded phantom of a head; with
-# several scenes each has a folder of its own and there are contact sheets of all. N (642) is the
-# number of directions of the S-sphere.
+# several scenes each has a folder of its own, NAME, or NAME-2 for the second file NAME.scene.json, and
+# there are contact sheets of all. N (642) is the number of directions of the S-sphere.
 
 set -euo pipefail
 
@@ -66,13 +66,26 @@ show() {
     --plugin "$plugin" --directions "$directions" "$@"
 }
 
+# Prints a folder for a scene that none of the other arguments is.
+folder_for() {
+  local name taken number=1
+  name="$output/$(basename "$1" .scene.json)"
+  taken=$'\n'"$(printf '%s\n' "${@:2}")"$'\n'
+  local folder="$name"
+  while [[ "$taken" == *$'\n'"$folder"$'\n'* ]]; do
+    number=$((number + 1))
+    folder="$name-$number"
+  done
+  printf '%s\n' "$folder"
+}
+
 case ${#scenes[@]} in
   0) show --output "$output" ;;
   1) show --output "$output" --scene "${scenes[0]}" ;;
   *)
     folders=()
     for scene in "${scenes[@]}"; do
-      folder="$output/$(basename "$scene" .scene.json)"
+      folder="$(folder_for "$scene" "${folders[@]}")"
       show --output "$folder" --scene "$scene"
       folders+=("$folder")
     done
