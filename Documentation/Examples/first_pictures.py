@@ -11,7 +11,7 @@ import story
 from paraview import simple
 
 OUTPUT = os.environ["LIMPID_OUTPUT"]
-FILES = os.environ["LIMPID_FILES"].split()
+FILES = os.environ["LIMPID_FILES"].splitlines()
 PATIENCE = 120  # seconds
 
 

@@ -15,18 +15,18 @@ if (($# < 3)); then
   exit 2
 fi
 here="$(dirname "${BASH_SOURCE[0]}")"
-LIMPID_FILES="$(realpath "${@:3}")"
+LIMPID_FILES="$(realpath "${@:3}")" # a line each: names may have spaces
 export LIMPID_FILES
 bash "$here/in_window.sh" "$1" "$2" "$here/first_pictures.py"
 cd "$2"
 pictures=()
-for file in $LIMPID_FILES; do
+while IFS= read -r file; do
   name="$(basename "$file" .vti)"
   for way in ordinary optimized; do # the middle of the view, without the text in its corner
     convert "$name-$way.png" -gravity center -crop 60x86%+0+0 +repage -resize x300 "cut-$name-$way.png"
     pictures+=("cut-$name-$way.png")
   done
-done
+done <<< "$LIMPID_FILES"
 montage "${pictures[@]}" -tile 4x -geometry +3+3 -background white -depth 8 -quality 88 \
   first-pictures.jpg
 rm "${pictures[@]}"
