@@ -54,6 +54,15 @@ class TestPyVista(unittest.TestCase):
             np.testing.assert_array_equal(result.extinction,
                                           expected.extinction.ravel(order="F"))
 
+    def test_its_arrays_are_arrays(self):
+        scalars = self.image()["values"].reshape(phantom.SHAPE, order="F")
+        self.assertIsInstance(scalars, pyvista.pyvista_ndarray)
+
+        result = limpid.optimize(scalars, **SCENE, **VIEW)
+
+        np.testing.assert_array_equal(
+            result.extinction, limpid.optimize(phantom.scalars(), **SCENE, **VIEW).extinction)
+
     def test_what_is_found_goes_into_the_image(self):
         image = self.image()
         image.set_active_scalars("values")

@@ -19,8 +19,10 @@ def is_image(volume):
 
 
 def refuse_other_data(volume):
-    """Raises ValueError for data of VTK's and PyVista's that are no image."""
+    """Raises ValueError for data of VTK's and PyVista's that are no image, nor an array."""
     if is_image(volume) or not hasattr(volume, "GetClassName"):
+        return
+    if isinstance(volume, np.ndarray):  # PyVista's have the methods of VTK's array
         return
     if volume.GetClassName() == "vtkImageData":
         advice = "Give pyvista.wrap(volume): this VTK is older than 9.4."
