@@ -6,9 +6,9 @@
   pvpython parameter_sheet.py --plugin Limpid.so --property NAME --values A B ... --output SHEET.png
     [--default-opacity] [FILE.scene.json ...]
 
-Without scenes: the embedded phantom. With --default-opacity, opacities are ParaView's default: a straight
-line from 0 to 1 over the range of the data, on a cell's length. Above each picture, the shares of what
-is important that are visible and removed.
+Without scenes: the embedded phantom. With --default-opacity, opacities are ParaView's default: a
+straight line from 0 to 1 over the range of the data, on a cell's length. Above each picture, the
+shares of what is important that are visible and removed.
 """
 
 import os
