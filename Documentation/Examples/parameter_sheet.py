@@ -4,10 +4,11 @@
 """Draws scenes with several values of a property of Optimized Volume: a row per scene.
 
   pvpython parameter_sheet.py --plugin Limpid.so --property NAME --values A B ... --output SHEET.png
-    [FILE.scene.json ...]
+    [--default-opacity] [FILE.scene.json ...]
 
-Without scenes: the embedded phantom. Above each picture, the shares of what is important that are
-visible and removed.
+Without scenes: the embedded phantom. With --default-opacity, opacities are ParaView's default: a
+straight line from 0 to 1 over the range of the data, on a cell's length. Above each picture, the
+shares of what is important that are visible and removed.
 """
 
 import os
@@ -34,11 +35,21 @@ def text(value):
     return value if isinstance(value, str) else "{:g}".format(value)
 
 
-def pictures(scene, name, values):
+def take_default_opacity(scene, display):
+    image = scene.source.GetClientSideObject().GetOutputDataObject(0)
+    low, high = scene.source.PointData[scene.array].GetRange()
+    simple.GetOpacityTransferFunction(scene.array).Points = optimize_scene.piecewise(
+        [[low, 0], [high, 1]])
+    display.ScalarOpacityUnitDistance = image.GetLength() / image.GetNumberOfCells() ** (1 / 3)
+
+
+def pictures(scene, name, values, default_opacity):
     """Titles and pictures, one for every value; prints the display's numbers: S, and the shares of
     what is important that are visible before and after, and removed, in percent."""
     view = optimize_scene.make_view(scene)
     display = optimize_scene.show(scene, view)
+    if default_opacity:
+        take_default_opacity(scene, display)
     if name not in display.ListProperties():
         raise SystemExit("A display has no property {} (there is nothing to vary). There are: {}."
                          .format(name, ", ".join(display.ListProperties())))
@@ -60,9 +71,11 @@ def main():
     parser = sheet.parser()
     parser.add_argument("--property", required=True)
     parser.add_argument("--values", required=True, nargs="+", type=number_or_name)
+    parser.add_argument("--default-opacity", action="store_true")
     arguments = parser.parse_args()
     sheet.draw(arguments, len(arguments.values), SIZE,
-               lambda scene: pictures(scene, arguments.property, arguments.values))
+               lambda scene: pictures(scene, arguments.property, arguments.values,
+                                      arguments.default_opacity))
 
 
 if __name__ == "__main__":

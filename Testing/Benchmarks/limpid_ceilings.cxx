@@ -36,10 +36,10 @@ What no extinction can exceed ([Method.md](../Method.md), 5), on the scenes of t
 
 ## Results below their ceilings
 
-S and the visible fraction of runs with the values of the preset *Paper* and with those of the display (*Protect Importance* 1, *Median*,
-*Smoothness* 0.2), light included, over their ceilings of the camera alone.
+S and the visible fraction of runs with the values of the preset *Paper*, and with *Protect Importance* 1, *Median* and *Smoothness* 0.2 of
+the display beside the other values of *Paper* (Emphasis 1, no Clearing Threshold), light included, over their ceilings of the camera alone.
 
-| scene | *Paper*: S / ceiling | visible / at most | display: S / ceiling | visible / at most |
+| scene | *Paper*: S / ceiling | visible / at most | protected: S / ceiling | visible / at most |
 | --- | ---: | ---: | ---: | ---: |
 )";
 
@@ -59,7 +59,7 @@ const char* const viewsPage =
 ## Views
 
 32 directions (Fibonacci, at three radii): rank correlation (Spearman) of the visible fraction after a full run for each direction, with
-the values of the display and a light beside the camera, with the ceiling, the proxy and the base extinction. *Best*: share of the
+the protected values and a light beside the camera, with the ceiling, the proxy and the base extinction. *Best*: share of the
 largest visible fraction that the direction with the highest ceiling has. Times are processor times per direction; the score is that of the base extinction.
 
 | scene | ceiling | proxy | base | best | score [ms] | ceiling [ms] | ratio | full run [ms] |

@@ -92,8 +92,8 @@ The head of `vtkOcclusionPhantom`, optimised by the core in one process (`Testin
 The optimiser has seven fields: base extinction, importance, what of it nodes can show, three iterates and the
 derivative of the light's term. None of them is written where the scene is empty, and in small pages memory that
 nobody writes is not taken: *peak* is the most that was resident, *scene* what of it the scene has, and *dense* what
-seven fields with a value per node would take. So 1024^3 nodes fit into 24 GB. Processes of MPI divide the rest
-([Ranks.md](Ranks.md)); images of VTK, whose arrays are dense, are not part of this.
+seven fields with a value per node would take. In the phantom, *peak* is little more than half of that. Processes of MPI
+divide it ([Ranks.md](Ranks.md)); images of VTK, whose arrays are dense, are not part of this.
 
 S and the share of what is important that is visible have to tend to a limit: edges of the phantom are as wide as the
 distance of its nodes. The policy of the default settings, from the base to its end; times are medians of iterations and

@@ -7,6 +7,7 @@ import unittest
 
 from fronts import equal_errors, front_of, place_of_first
 from make import PAGES, read, text_of
+from markdown import RESULTS, RESULTS_CHANGED, head
 from peers import until
 from scaling import fit_exponents
 
@@ -23,6 +24,16 @@ class Pages(unittest.TestCase):
                 path = os.path.join(DOCUMENTATION, page.capitalize() + ".md")
                 with open(path, encoding="utf-8") as file, self.subTest(page):
                     self.assertEqual(file.read(), text_of(page, measured))
+
+    def test_say_when_their_results_are_older_than_the_code(self):
+        def is_old(title, date):
+            machine = {"command": "", "processor": "", "cores": 2, "date": date, "load_before": 0}
+            return "older than the code" in head(title, {"machine": machine})
+
+        for title in RESULTS:
+            self.assertTrue(is_old(title, "2026-11-22"))
+            self.assertFalse(is_old(title, RESULTS_CHANGED))
+        self.assertFalse(is_old("Kernels", "2026-11-22"))
 
 
 class Exponents(unittest.TestCase):
