@@ -17,8 +17,6 @@
 
 namespace limpid
 {
-struct ScenePiece;
-
 /// Where the transmittance of neighbouring nodes, `least` to `most`, differs so much, it may jump
 /// between the rays of a sweep: by 0.1 where it is bright, by less in the dark, where light comes
 /// through gaps. With this limit opaque blocks, shells, sheets and waves are within 1e-3 rms of a
@@ -125,8 +123,8 @@ public:
     return inView;
   }
 
-  /// Of what is in some cells, given by their first nodes; what is dark may be less deep than it
-  /// is. `counts(cell)`: whether one of them counts. The field has the nodes of all that do.
+  /// The depth of some cells, given by their first nodes; what is dark may be less deep than it is.
+  /// `counts(cell)`: whether one of them counts. The field has the nodes of all that do.
   template <class Counts>
   LIMPID_HD WholeDepth DepthTo(const Int3& node, const FieldWithin& extinction,
     const NodesWithin& cells, const Counts& counts) const
@@ -300,10 +298,6 @@ private:
 template <class AnyDevice>
 void RefineTransmittance(AnyDevice& device, const Grid& grid, const RaySource& source,
   const float* extinction, const float* swept, float* transmittance);
-
-/// The same in place, of fields that ranks share: with the bits that one rank finds.
-void RefineTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
-  const float* extinction, float* transmittance);
 }
 
 #endif

@@ -22,6 +22,10 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
 void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
   double rayDensity, const float* extinction, float* transmittance);
 
+/// RefineTransmittance in place, of fields of this rank's piece: with the bits that one rank finds.
+void RefineTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
+  const float* extinction, float* transmittance);
+
 /// The rays of a source through the scene of ranks, for scores.
 std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const RaySource& source);
 

@@ -322,7 +322,7 @@ struct Solver::Internals
     return smooths && this->minimizer->IterationLimit() > 0 ? smoothingSweeps : 0;
   }
 
-  /// Of the work of all runs: an extinction for the light takes another one.
+  /// The share of the work that is done. An extinction for the light takes another run.
   double Share() const
   {
     const double limit = this->minimizer->IterationLimit() + this->SmoothingLimit();
