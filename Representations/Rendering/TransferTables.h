@@ -51,7 +51,7 @@ struct FunctionRange
   }
 };
 
-/// Of the colours, and of the opacity if that counts, too.
+/// The range of the colours, and of the opacity if that counts, too.
 FunctionRange RangeOfFunctions(vtkVolumeProperty* property, bool ofOpacity);
 
 /// The extinction of values, where a table between its entries is not what the functions say.

@@ -312,7 +312,7 @@ double* vtkTransmittanceVolumeMapper::Internals::FindWholeBounds(
   return bounds;
 }
 
-// Of values in place, in all arrays that are drawn from.
+// Notices values written in place, in all arrays that are drawn from.
 void vtkTransmittanceVolumeMapper::Internals::NoticeChanges(
   vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction)
 {

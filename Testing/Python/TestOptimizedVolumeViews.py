@@ -22,6 +22,21 @@ ORDINARY = {"Method": "Ordinary", "Shadows": 0, "Shade": 0}
 VIRIDIS = "Viridis" if runner.PARAVIEW >= (6, 0) else "Viridis (matplotlib)"
 
 
+def phantom_in_two_steps(script):
+    """A phantom at the times 0 and 1, of which a script makes `output` for its `time`."""
+    return simple.ProgrammableFilter(Input=OcclusionPhantom(Resolution=24), Script="""
+from paraview import vtk
+time = self.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+output.ShallowCopy(inputs[0].VTKObject)
+""" + script, RequestInformationScript="""
+from paraview import vtk
+keys = vtk.vtkStreamingDemandDrivenPipeline
+outInfo = self.GetOutputInformation(0)
+outInfo.Set(keys.TIME_STEPS(), [0.0, 1.0], 2)
+outInfo.Set(keys.TIME_RANGE(), [0.0, 1.0], 2)
+""")
+
+
 class TestOptimizedVolumeViews(displays.DisplayTest):
     def assert_is_stock(self, display, view=None):
         """The same picture as by ParaView's own volume rendering on the CPU; returns it."""
@@ -158,19 +173,9 @@ class TestOptimizedVolumeViews(displays.DisplayTest):
             np.testing.assert_array_equal(frame, pictures.take(self.view))
 
     def test_follows_time(self):
-        changing = simple.ProgrammableFilter(
-            Input=OcclusionPhantom(Resolution=24), Script="""
-from paraview import vtk
-time = self.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
-output.ShallowCopy(inputs[0].VTKObject)
+        changing = phantom_in_two_steps("""
 importance = inputs[0].PointData['Importance']
 output.PointData.append(importance if time < 1 else importance * 0, 'Importance')
-""", RequestInformationScript="""
-from paraview import vtk
-keys = vtk.vtkStreamingDemandDrivenPipeline
-outInfo = self.GetOutputInformation(0)
-outInfo.Set(keys.TIME_STEPS(), [0.0, 1.0], 2)
-outInfo.Set(keys.TIME_RANGE(), [0.0, 1.0], 2)
 """)
         display = displays.show(changing, self.view)
         fractions = []
@@ -184,19 +189,9 @@ outInfo.Set(keys.TIME_RANGE(), [0.0, 1.0], 2)
         self.assertEqual(fractions[2], fractions[0])
 
     def test_a_time_step_without_the_colored_array_shows_nothing_of_the_last_one(self):
-        changing = simple.ProgrammableFilter(
-            Input=OcclusionPhantom(Resolution=24), Script="""
-from paraview import vtk
-time = self.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
-output.ShallowCopy(inputs[0].VTKObject)
+        changing = phantom_in_two_steps("""
 if time == 1:
     output.VTKObject.GetPointData().RemoveArray('Scalars')
-""", RequestInformationScript="""
-from paraview import vtk
-keys = vtk.vtkStreamingDemandDrivenPipeline
-outInfo = self.GetOutputInformation(0)
-outInfo.Set(keys.TIME_STEPS(), [0.0, 1.0], 2)
-outInfo.Set(keys.TIME_RANGE(), [0.0, 1.0], 2)
 """)
         display = displays.show(changing, self.view)
         results = []
