@@ -84,9 +84,13 @@ class TestSetGet(unittest.TestCase):
                 if not all(isinstance(number, (int, float)) for number in first):
                     continue
                 with self.subTest(name=kind.__name__ + "::" + name):
-                    other = tuple(number + 1 for number in first)
                     before = instance.GetMTime()
-                    getattr(instance, "Set" + name)(*other)
+                    # The default may be the greatest value that there is.
+                    for step in (1, -1):
+                        other = tuple(number + step for number in first)
+                        getattr(instance, "Set" + name)(*other)
+                        if as_arguments(getattr(instance, "Get" + name)()) == other:
+                            break
                     self.assertEqual(as_arguments(getattr(instance, "Get" + name)()), other)
                     self.assertGreater(instance.GetMTime(), before)
 
