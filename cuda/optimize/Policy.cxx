@@ -78,10 +78,9 @@ public:
     {
       return this->Refine();
     }
-    if (this->DescendsFromBase() && this->Count == 0)
+    if (this->DescendsFromBase() && this->Count == 0 && this->Given->IsSmall())
     {
-      this->DescendFrom(this->Now, this->LastEnergy, this->Given->IsSmall() ? mostSteps : fewSteps);
-      this->DescendFromCoarser();
+      this->DescendFrom(this->Now, this->LastEnergy);
     }
     const Turn turn = this->Turns.Of(this->Count++);
     const IterationRecord record = this->Advance(turn);
@@ -95,9 +94,9 @@ public:
       return this->GoBack();
     }
     this->KeepIfLowest(record);
-    if (this->DescendsFromFirstSweeps() && this->Count == this->Turns.MainTerms())
+    if (this->DescendsFromBase() && this->Count == this->Turns.MainTerms())
     {
-      this->DescendFrom(this->Now, this->LastEnergy);
+      this->DescendFromOtherStarts();
     }
     return this->DescendsFromBase() ? this->BestRecord() : record;
   }
@@ -226,16 +225,30 @@ private:
     return this->Given->IsThick() && !this->Warm && (this->Given->IsSmall() || removes);
   }
 
-  /// ... and from what the first sweeps have cleared.
-  bool DescendsFromFirstSweeps() const
+  /// Resilient steps from other starts than the last sweep's iterate: in a small volume from what
+  /// the first sweeps have cleared, where they began at the base; else from the base, if the sweeps
+  /// gain little by comparison with it, and from a coarser grid.
+  void DescendFromOtherStarts()
   {
-    return this->DescendsFromBase() && this->Given->IsSmall();
+    constexpr double little = 2; // times the energy of the base
+    if (this->Given->IsSmall())
+    {
+      this->DescendFrom(this->Now, this->LastEnergy);
+      return;
+    }
+    if (this->Lowest.energy.Total() > little * this->FirstEnergy)
+    {
+      const std::size_t free = this->FreeIterate();
+      limpid::Iterate<AnyDevice>& base = this->Iterates[free];
+      base.own = {};
+      base.values = this->Energy.Fields().base.Data();
+      this->DescendFrom(free, this->FirstEnergy);
+    }
+    this->DescendFromCoarser();
   }
 
   /// Resilient steps from an iterate and its energy. Sweeps go on from the last one then.
-  /// `stepsFromAfar`: how many at most once twice as much is gained as there was at first; what the
-  /// sweeps clear is as good a start then.
-  void DescendFrom(std::size_t first, double energyThere, int stepsFromAfar = mostSteps)
+  void DescendFrom(std::size_t first, double energyThere)
   {
     const double energy = this->LastEnergy;
     const double change = this->Change;
@@ -245,10 +258,6 @@ private:
     this->BeginRefinement();
     for (int step = 0; step < mostSteps && !this->Steps.HasStalled(); ++step)
     {
-      if (step >= stepsFromAfar && this->Lowest.energy.Total() < 2 * this->FirstEnergy)
-      {
-        break;
-      }
       this->TryResilientStep();
     }
     this->BeginRefinement();
@@ -264,7 +273,7 @@ private:
   void DescendFromCoarser()
   {
     constexpr double mostOpaque = 20;
-    if (this->Given->IsSmall() || this->Given->MostNodeDepth() < mostOpaque)
+    if (this->Given->MostNodeDepth() < mostOpaque)
     {
       return;
     }
