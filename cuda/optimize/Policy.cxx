@@ -43,7 +43,7 @@ public:
     , Energy(device, problem)
     , Warm(warm)
     , Turns(problem, this->Energy, warm)
-    , Descent(FirstProximity(problem))
+    , Proximal(FirstProximity(problem))
     , Resilient(device, problem, this->Energy)
     , Steps(problem)
   {
@@ -64,7 +64,7 @@ public:
     {
       this->SeeLast.push_back(term);
     }
-    this->Descent.BeginAt(this->Lowest.energy.Total());
+    this->Proximal.BeginAt(this->Lowest.energy.Total());
     return this->Lowest;
   }
 
@@ -76,27 +76,30 @@ public:
     this->OnHost.clear();
     if (this->Refines())
     {
-      return this->Refine();
+      const IterationRecord record = this->Refine();
+      const bool branches = this->DescendsFromBase() && !this->Given->IsSmall();
+      return branches && !std::exchange(this->HasBranched, true) ? this->DescendFromOtherStarts()
+                                                                 : record;
     }
-    if (this->DescendsFromBase() && this->Count == 0 && this->Given->IsSmall())
+    if (this->DescendsFromFirstSweeps() && this->Count == 0)
     {
-      this->DescendFrom(this->Now, this->LastEnergy);
+      this->DescendFrom(this->Now, this->LastEnergy, { mostSteps, mostSteps });
     }
     const Turn turn = this->Turns.Of(this->Count++);
     const IterationRecord record = this->Advance(turn);
     const double energy = record.energy.Total();
     if (turn.transmittance == Transmittance::AssumeOne)
     {
-      this->Descent.BeginAt(energy);
+      this->Proximal.BeginAt(energy);
     }
-    else if (!this->Descent.Keeps(energy, this->Lowest.energy.Total()))
+    else if (!this->Proximal.Keeps(energy, this->Lowest.energy.Total()))
     {
       return this->GoBack();
     }
     this->KeepIfLowest(record);
-    if (this->DescendsFromBase() && this->Count == this->Turns.MainTerms())
+    if (this->DescendsFromFirstSweeps() && this->Count == this->Turns.MainTerms())
     {
-      this->DescendFromOtherStarts();
+      this->DescendFrom(this->Now, this->LastEnergy, { mostSteps, mostSteps });
     }
     return this->DescendsFromBase() ? this->BestRecord() : record;
   }
@@ -225,46 +228,68 @@ private:
     return this->Given->IsThick() && !this->Warm && (this->Given->IsSmall() || removes);
   }
 
-  /// Resilient steps from other starts than the last sweep's iterate: in a small volume from what
-  /// the first sweeps have cleared, where they began at the base; else from the base, if the sweeps
-  /// gain little by comparison with it, and from a coarser grid.
-  void DescendFromOtherStarts()
+  /// ... and from what the first sweeps have cleared: both before sweeps go on.
+  bool DescendsFromFirstSweeps() const
+  {
+    return this->DescendsFromBase() && this->Given->IsSmall();
+  }
+
+  /// Resilient steps from a coarser grid, and from the base if little has been gained on it: few
+  /// where as many from what the sweeps have cleared have come lower. Then steps go on from the
+  /// lowest. Returns its record.
+  IterationRecord DescendFromOtherStarts()
   {
     constexpr double little = 2; // times the energy of the base
-    if (this->Given->IsSmall())
-    {
-      this->DescendFrom(this->Now, this->LastEnergy);
-      return;
-    }
+    const std::size_t refined = this->BestOf;
+    this->DescendFromCoarser();
     if (this->Lowest.energy.Total() > little * this->FirstEnergy)
     {
       const std::size_t free = this->FreeIterate();
       limpid::Iterate<AnyDevice>& base = this->Iterates[free];
       base.own = {};
       base.values = this->Energy.Fields().base.Data();
-      this->DescendFrom(free, this->FirstEnergy);
+      this->DescendFrom(free, this->FirstEnergy, { mostSteps, mostSteps });
     }
-    this->DescendFromCoarser();
+    if (this->BestOf == refined)
+    {
+      return this->BestRecord();
+    }
+    this->BeginRefinement();
+    this->GoBack();
+    return this->Refine();
   }
 
-  /// Resilient steps from an iterate and its energy. Sweeps go on from the last one then.
-  void DescendFrom(std::size_t first, double energyThere)
+  /// How many resilient steps a descent takes.
+  struct Descent
   {
-    const double energy = this->LastEnergy;
+    int most;
+    int aboveLowest; ///< at most, as long as they are above the lowest energy
+  };
+
+  /// Resilient steps from an iterate and its energy. Afterwards all goes on from where it was.
+  void DescendFrom(std::size_t first, double energyThere, const Descent& steps)
+  {
+    const double energy = std::exchange(this->LastEnergy, energyThere);
     const double change = this->Change;
-    this->BranchedAt = this->Now;
-    this->Now = first;
-    this->LastEnergy = energyThere;
-    this->BeginRefinement();
-    for (int step = 0; step < mostSteps && !this->Steps.HasStalled(); ++step)
+    const bool wasRefining = std::exchange(this->IsRefining, false);
+    const DescentProgress progress = std::exchange(this->Steps, DescentProgress(*this->Given));
+    ResilientDescent<AnyDevice> resilient = std::exchange(
+      this->Resilient, ResilientDescent<AnyDevice>(this->Device, *this->Given, this->Energy));
+    this->BranchedAt = std::exchange(this->Now, first);
+    for (int step = 0; step < steps.most && !this->Steps.HasStalled(); ++step)
     {
+      if (step >= steps.aboveLowest && this->Steps.Lowest() > this->Lowest.energy.Total())
+      {
+        break;
+      }
       this->TryResilientStep();
     }
-    this->BeginRefinement();
-    this->Now = this->BranchedAt;
-    this->BranchedAt = none;
-    this->LastEnergy = energy;
+    this->Now = std::exchange(this->BranchedAt, none);
+    this->Resilient = std::move(resilient);
+    this->Steps = progress;
+    this->IsRefining = wasRefining;
     this->Change = change;
+    this->LastEnergy = energy;
   }
 
   /// Resilient steps from what is found with half as many nodes along each axis, which sees ways
@@ -283,7 +308,7 @@ private:
     start.own =
       this->Energy.Everywhere(coarse.ChangedOn(this->Given->grid, this->FoundBy(coarse.Made())));
     start.values = start.own.Data();
-    this->DescendFrom(free, this->MeasureIterate(free));
+    this->DescendFrom(free, this->MeasureIterate(free), { mostSteps, fewSteps });
   }
 
   /// The optimum of another problem, of this rank's slab where ranks share it.
@@ -395,7 +420,7 @@ private:
   {
     constexpr double little = 5; // change of the extinction, per tolerance
     const double tolerance = times * this->Given->settings.tolerance;
-    const bool gains = this->Descent.EnergyChange() >= DescentProgress::leastGain * tolerance;
+    const bool gains = this->Proximal.EnergyChange() >= DescentProgress::leastGain * tolerance;
     return this->Count >= this->Turns.MainTerms() && !this->Weighed &&
       this->Change < (gains ? 1 : little) * tolerance;
   }
@@ -520,7 +545,7 @@ private:
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
       { last, turn.smoothing > 0 ? this->FindPull(turn, last) : this->Lagged.Data(), next,
-        this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Descent.Proximity(),
+        this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Proximal.Proximity(),
         turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous(),
         this->SweepsEmphasise(), this->Energy.OnRanks() },
       moved);
@@ -622,10 +647,11 @@ private:
   int Count = 0;
   double Change = 0;
   bool Weighed = false; ///< in the last iteration, which is not stationary then
-  ProximalDescent Descent;
+  ProximalDescent Proximal;
   ResilientDescent<AnyDevice> Resilient;
   bool IsRefining = false; ///< whether resilient steps go on from the last iterate
   bool IsSmoothing = false;
+  bool HasBranched = false;         ///< whether steps have begun at other starts, too
   DescentProgress Steps;            ///< resilient steps since they began
   double FirstEnergy = 0;           ///< of what iterations start from
   double LastEnergy = 0;            ///< of the last iterate
