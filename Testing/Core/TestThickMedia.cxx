@@ -136,7 +136,7 @@ TEST(ThickMedia, HaveTheScoreOfAFineMarchFromAnyDirection)
       for (const double extinction : { 1.0, 30.0 })
       {
         SCOPED_TRACE(::testing::Message() << shape.name << ' ' << direction.y << ' ' << extinction);
-        BoxScene scene = SceneAlong(14, direction);
+        BoxScene scene = SceneAlong(11, direction);
         scene.settings.maximumIterations = 0;
         const auto density = [&](const Vec3& x) { return shape.density(x - scene.grid.Centre()); };
         scene.Fill([&](const Vec3& x) { return extinction * density(x); }, density);
