@@ -9,10 +9,10 @@
 #include "optimize/DescentProgress.h"
 #include "optimize/FieldsOfRanks.h"
 #include "optimize/Iterate.h"
+#include "optimize/LaggedDerivative.h"
 #include "optimize/PolicyTurns.h"
 #include "optimize/ProximalDescent.h"
 #include "optimize/ResilientDescent.h"
-#include "optimize/Smoothing.h"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +44,7 @@ public:
     , Warm(warm)
     , Turns(problem, this->Energy, warm)
     , Proximal(FirstProximity(problem))
+    , Lagged(device, problem, this->Energy)
     , Resilient(device, problem, this->Energy)
     , Steps(problem)
   {
@@ -62,7 +63,7 @@ public:
     this->LastEnergy = this->FirstEnergy = this->Lowest.energy.Total();
     for (const Term* term : this->Energy.All())
     {
-      this->SeeLast.push_back(term);
+      this->Seeing.Add(*term);
     }
     this->Proximal.BeginAt(this->Lowest.energy.Total());
     return this->Lowest;
@@ -332,7 +333,7 @@ private:
     const IterationRecord record = this->Energy.Measure(this->Iterates[which].values);
     this->KeepIfLowest(record);
     this->Now = last;
-    this->LagBeside = nullptr;
+    this->Lagged.Outdate();
     return record.energy.Total();
   }
 
@@ -410,8 +411,8 @@ private:
     this->Now = free;
     this->LastEnergy = record.energy.Total();
     this->Change = record.meanChange;
-    this->LagBeside = nullptr;
-    this->SeeLast.clear(); // derivatives leave no optical depths
+    this->Lagged.Outdate();
+    this->Seeing.Clear(); // derivatives leave no optical depths
     return record;
   }
 
@@ -440,8 +441,8 @@ private:
   {
     this->Now = this->BestOf;
     this->LastEnergy = this->Lowest.energy.Total();
-    this->LagBeside = nullptr;
-    this->SeeLast.clear();
+    this->Lagged.Outdate();
+    this->Seeing.Clear();
     return this->BestRecord();
   }
 
@@ -491,28 +492,29 @@ private:
 
   IterationRecord Sweep(const Turn& turn, const float* last, float* next)
   {
-    if (!this->Sees(*turn.swept))
+    if (!this->Seeing.Contains(*turn.swept))
     {
       this->Energy.MeasureTerm(*turn.swept, last);
     }
     const bool first = this->Count == 1 && turn.transmittance == Transmittance::AssumeOne;
-    if (!first && this->LagBeside != turn.swept)
+    if (!first && !this->Lagged.IsBeside(*turn.swept))
     {
-      this->FindLagged(turn, last);
+      this->Lagged.Find(turn, last, this->Seeing);
     }
     this->SweepOnce(turn, last, next);
-    this->LagBeside = nullptr;
-    this->SeeLast = { turn.swept };
+    this->Lagged.Outdate();
+    this->Seeing.Clear();
+    this->Seeing.Add(*turn.swept);
     if (AnyDevice::readsHostMemory && this->SweepsSameNext(turn))
     {
-      this->FindLagged(turn, next); // sees the next iterate along the way
+      this->Lagged.Find(turn, next, this->Seeing); // sees the next iterate along the way
     }
     else
     {
       for (Term* other : turn.others)
       {
         this->Energy.MeasureTerm(*other, next);
-        this->SeeLast.push_back(other);
+        this->Seeing.Add(*other);
       }
     }
     return this->Energy.Record();
@@ -528,12 +530,6 @@ private:
       (turn.smoothing > 0 || (again && this->Turns.Of(this->Count).swept == turn.swept));
   }
 
-  /// Whether a term's rays have the last iterate's optical depths.
-  bool Sees(const Term& term) const
-  {
-    return std::find(this->SeeLast.begin(), this->SeeLast.end(), &term) != this->SeeLast.end();
-  }
-
   void SweepOnce(const Turn& turn, const float* last, float* next)
   {
     ExactDifferences moved;
@@ -544,7 +540,7 @@ private:
         [this](const Term* other) { return this->Energy.IsOfCamera(*other); });
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
-      { last, turn.smoothing > 0 ? this->FindPull(turn, last) : this->Lagged.Data(), next,
+      { last, turn.smoothing > 0 ? this->Lagged.WithPull(turn, last) : this->Lagged.Data(), next,
         this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Proximal.Proximity(),
         turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous(),
         this->SweepsEmphasise(), this->Energy.OnRanks() },
@@ -574,66 +570,6 @@ private:
       : this->Energy.Fields().base.Data();
   }
 
-  /// The pull of neighbours beside the derivative of the other terms.
-  const float* FindPull(const Turn& turn, const float* last)
-  {
-    if (this->Pull.Empty())
-    {
-      this->Pull = DeviceArray<AnyDevice, float>::Zeros(
-        this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), "the pull");
-    }
-    this->Energy.Pass(this->Lagged.Data(), this->Lagged.Empty() ? nullptr : turn.swept, nullptr);
-    limpid::FindPull(*this->Device,
-      { this->Given->grid.nodes, this->Energy.Fields().base.Data(),
-        this->Energy.Fields().importance.Data(), last, this->Lagged.Data(),
-        static_cast<float>(turn.smoothing), this->Pull.Data() },
-      this->Given->OwnSlab().slices);
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (const TermsOnRanks* ranks = this->Energy.OnRanks())
-      {
-        ranks->Pass(this->Pull.Data(), TermsOnRanks::slabs, &turn.swept->Frusta());
-      }
-    }
-    return this->Pull.Data();
-  }
-
-  /// The sum of the derivatives of all terms that are not swept.
-  void FindLagged(const Turn& turn, const float* extinction)
-  {
-    const bool several = turn.others.size() > 1;
-    if (turn.others.empty())
-    {
-      return;
-    }
-    if (several && !this->Lagged.Empty() && !this->Energy.OnRanks())
-    {
-      this->Lagged.SetZero();
-    }
-    else if (several || this->LagFilledBy != turn.others[0]) // each writes voxels of its own
-    {
-      this->Lagged = {};
-      this->Lagged = DeviceArray<AnyDevice, float>::Zeros(this->Device,
-        static_cast<std::size_t>(this->Given->grid.NodeCount()), "the lagged derivative");
-    }
-    const Term* before = nullptr;
-    for (Term* other : turn.others)
-    {
-      this->Energy.Pass(this->Lagged.Data(), before, other);
-      before = other;
-      const float kept = several ? 1 : 0;
-      this->Sees(*other)
-        ? this->Energy.DifferentiateSeen(*other, extinction, kept, this->Lagged.Data())
-        : this->Energy.DifferentiateTerm(*other, extinction, kept, this->Lagged.Data());
-    }
-    this->Energy.Pass(this->Lagged.Data(), before, turn.swept);
-    this->SeeLast.erase(std::remove_if(this->SeeLast.begin(), this->SeeLast.end(),
-                          [&turn](const Term* term) { return term != turn.swept; }),
-      this->SeeLast.end()); // derivatives leave no optical depths
-    this->LagFilledBy = several ? nullptr : turn.others[0];
-    this->LagBeside = turn.swept;
-  }
-
   static constexpr double hardlyThick = 0.6; ///< optical depth from node to node
   static constexpr int fewSteps = 7;         ///< resilient ones
   static constexpr int mostSteps = 24;       ///< of a descent
@@ -648,24 +584,21 @@ private:
   double Change = 0;
   bool Weighed = false; ///< in the last iteration, which is not stationary then
   ProximalDescent Proximal;
+  TermsThatSee<AnyDevice> Seeing;
+  LaggedDerivative<AnyDevice> Lagged;
   ResilientDescent<AnyDevice> Resilient;
   bool IsRefining = false; ///< whether resilient steps go on from the last iterate
   bool IsSmoothing = false;
-  bool HasBranched = false;         ///< whether steps have begun at other starts, too
-  DescentProgress Steps;            ///< resilient steps since they began
-  double FirstEnergy = 0;           ///< of what iterations start from
-  double LastEnergy = 0;            ///< of the last iterate
-  IterationRecord Lowest;           ///< of the best iterate
-  std::vector<const Term*> SeeLast; ///< those whose rays have the last iterate's optical depths
+  bool HasBranched = false; ///< whether steps have begun at other starts, too
+  DescentProgress Steps;    ///< resilient steps since they began
+  double FirstEnergy = 0;   ///< of what iterations start from
+  double LastEnergy = 0;    ///< of the last iterate
+  IterationRecord Lowest;   ///< of the best iterate
   std::array<limpid::Iterate<AnyDevice>, 4> Iterates; ///< filled as needed
   std::size_t Now = 0;                                ///< the last iterate
   std::size_t BranchedAt = none;                      ///< where a descent began
   std::size_t BestOf = 0;                             ///< the best
-  DeviceArray<AnyDevice, float> Lagged; ///< derivative of the terms not swept; empty: none
-  const Term* LagFilledBy = nullptr;    ///< the one term that it is of
-  const Term* LagBeside = nullptr;      ///< the swept term if it is at the last iterate
-  DeviceArray<AnyDevice, float> Pull;   ///< that less the pull of neighbours; empty: not needed
-  mutable std::vector<float> OnHost;    ///< the best; empty: not read yet
+  mutable std::vector<float> OnHost;                  ///< the best; empty: not read yet
 };
 }
 

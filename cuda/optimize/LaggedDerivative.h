@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_LaggedDerivative_h
+#define limpid_optimize_LaggedDerivative_h
+
+#include "optimize/PolicyTurns.h"
+#include "optimize/Smoothing.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace limpid
+{
+/// The terms whose rays have the optical depths of the last iterate. Sweeps that see it again can
+/// do without a sweep from the front.
+template <class AnyDevice>
+class TermsThatSee
+{
+public:
+  using Term = VisibilityTerm<AnyDevice>;
+
+  void Clear() { this->All.clear(); }
+  void Add(const Term& term) { this->All.push_back(&term); }
+  bool Contains(const Term& term) const
+  {
+    return std::find(this->All.begin(), this->All.end(), &term) != this->All.end();
+  }
+  void KeepOnly(const Term& term)
+  {
+    const bool kept = this->Contains(term);
+    this->All.assign(kept ? 1 : 0, &term);
+  }
+
+private:
+  std::vector<const Term*> All;
+};
+
+/**
+ * What acts on the voxels of a policy sweep beside the swept term: the sum of the derivatives of
+ * all other terms by an iterate (they lag behind the sweep), and the pull of neighbours.
+ */
+template <class AnyDevice>
+class LaggedDerivative
+{
+public:
+  using Term = VisibilityTerm<AnyDevice>;
+  using Turn = PolicyTurn<AnyDevice>;
+
+  /// Problem and terms must outlive it.
+  LaggedDerivative(
+    std::shared_ptr<AnyDevice> device, const Problem& problem, Terms<AnyDevice>& energy)
+    : Device(std::move(device))
+    , Given(&problem)
+    , Energy(&energy)
+  {
+  }
+
+  /// Sums the derivatives of the terms that a turn does not sweep. `seeing`: the terms that have
+  /// seen the extinction; those whose derivative is found lose their optical depths.
+  void Find(const Turn& turn, const float* extinction, TermsThatSee<AnyDevice>& seeing)
+  {
+    if (turn.others.empty())
+    {
+      return;
+    }
+    const bool several = turn.others.size() > 1;
+    this->MakeRoom(turn);
+    const Term* before = nullptr;
+    for (Term* other : turn.others)
+    {
+      this->Energy->Pass(this->Sum.Data(), before, other);
+      before = other;
+      const float kept = several ? 1 : 0;
+      seeing.Contains(*other)
+        ? this->Energy->DifferentiateSeen(*other, extinction, kept, this->Sum.Data())
+        : this->Energy->DifferentiateTerm(*other, extinction, kept, this->Sum.Data());
+    }
+    this->Energy->Pass(this->Sum.Data(), before, turn.swept);
+    seeing.KeepOnly(*turn.swept);
+    this->FilledBy = several ? nullptr : turn.others[0];
+    this->Beside = turn.swept;
+  }
+
+  /// Whether it is the derivative by the last iterate beside a swept term.
+  bool IsBeside(const Term& term) const { return this->Beside == &term; }
+
+  /// The last iterate is another one.
+  void Outdate() { this->Beside = nullptr; }
+
+  /// One value per node; null: there are no other terms.
+  const float* Data() const { return this->Sum.Data(); }
+
+  /// ... less the pull of neighbours upon the extinction that a turn starts from.
+  const float* WithPull(const Turn& turn, const float* last)
+  {
+    if (this->Pulled.Empty())
+    {
+      this->Pulled = this->Zeros("the pull");
+    }
+    this->Energy->Pass(this->Sum.Data(), this->Sum.Empty() ? nullptr : turn.swept, nullptr);
+    FindPull(*this->Device,
+      { this->Given->grid.nodes, this->Energy->Fields().base.Data(),
+        this->Energy->Fields().importance.Data(), last, this->Sum.Data(),
+        static_cast<float>(turn.smoothing), this->Pulled.Data() },
+      this->Given->OwnSlab().slices);
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (const TermsOnRanks* ranks = this->Energy->OnRanks())
+      {
+        ranks->Pass(this->Pulled.Data(), TermsOnRanks::slabs, &turn.swept->Frusta());
+      }
+    }
+    return this->Pulled.Data();
+  }
+
+private:
+  DeviceArray<AnyDevice, float> Zeros(const char* what) const
+  {
+    return DeviceArray<AnyDevice, float>::Zeros(
+      this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), what);
+  }
+
+  /// Makes the sum 0 where the terms of a turn do not overwrite it.
+  void MakeRoom(const Turn& turn)
+  {
+    const bool several = turn.others.size() > 1;
+    if (several && !this->Sum.Empty() && !this->Energy->OnRanks())
+    {
+      this->Sum.SetZero();
+    }
+    else if (several || this->FilledBy != turn.others[0]) // each writes voxels of its own
+    {
+      this->Sum = {};
+      this->Sum = this->Zeros("the lagged derivative");
+    }
+  }
+
+  std::shared_ptr<AnyDevice> Device;
+  const Problem* Given;
+  Terms<AnyDevice>* Energy;
+  DeviceArray<AnyDevice, float> Sum;    ///< empty: not needed yet
+  const Term* FilledBy = nullptr;       ///< the one term that has written it; null: several
+  const Term* Beside = nullptr;         ///< the swept term if it is of the last iterate
+  DeviceArray<AnyDevice, float> Pulled; ///< the sum less the pull; empty: not needed yet
+};
+}
+
+#endif
