@@ -7,12 +7,14 @@
 #include "RaySources.h"
 #include "Tolerance.h"
 
+#include "math/Require.h"
 #include "sweep/PlanSweep.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 using namespace limpid;
@@ -93,5 +95,21 @@ TEST(LongImages, HaveTheScoreOfAMarch)
         }
       }
     }
+  }
+}
+
+TEST(LongImages, AreRefusedWhereNoMachineHasMemoryForTheRays)
+{
+  BoxScene scene = LongBox(2, 500000, 2);
+  const Vec3 eye = scene.grid.Centre() + 3.0 * scene.grid.Radius() * Vec3(0.3, 0.3, 0.9);
+
+  try
+  {
+    WorkPerNode(scene, PointAt(eye));
+    FAIL() << "Nothing was thrown.";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("GiB of memory"), std::string::npos) << error.what();
   }
 }

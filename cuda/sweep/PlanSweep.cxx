@@ -4,6 +4,8 @@
 #include "sweep/PlanSweep.h"
 
 #include "backend/Backend.h"
+#include "backend/PhysicalMemory.h"
+#include "math/Require.h"
 #include "sweep/ActiveSpans.h"
 #include "sweep/HatMean.h"
 #include "sweep/RayGeometry.h"
@@ -353,6 +355,27 @@ bool PlaceLaterals(PlannedFrustum& frustum, const Grid& grid, const RaySource& s
   return true;
 }
 
+/// Refuses what the machine has no memory for: a system that grants it all the same ends the
+/// process. The rays of a long image that is seen neither along its length nor from a side spread
+/// over a square of which they use the diagonal.
+void RequireMemory(const FaceFrustum& frustum, const Grid& grid, std::size_t slices)
+{
+  constexpr double bytesOfRay = 100;  // RayStates, its length and whether it is in view
+  constexpr double bytesOfPlace = 24; // of a row or a column on a slice
+  constexpr double gigabyte = 1 << 30;
+  constexpr double most = 0.25; // of all memory: camera, light and scores have rays of their own
+  const double rays = double(frustum.columns) * frustum.rows;
+  const double bytes =
+    bytesOfRay * rays + bytesOfPlace * double(slices) * (double(frustum.columns) + frustum.rows);
+  LIMPID_REQUIRE(bytes < most * PhysicalMemory(),
+    "Seen from there, an image of "
+      << grid.nodes.x << " x " << grid.nodes.y << " x " << grid.nodes.z << " points takes " << rays
+      << " rays (they would need " << bytes / gigabyte << " GiB of memory; this machine has "
+      << PhysicalMemory() / gigabyte
+      << "). Look along the image or straight at one of its sides, or resample it to fewer "
+         "points.");
+}
+
 /// The frustum about the source that opens along +axis or -axis; without rays if it misses the
 /// grid.
 PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const RaySource& source,
@@ -370,6 +393,7 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
     return frustum;
   }
   const std::vector<Slice> slices = PlaceSlices(depth);
+  RequireMemory(frustum, grid, slices.size());
   frustum.lastSlice = static_cast<int>(slices.size()) - 1;
   frustum.firstNodeSlice = slices.front().node < 0 ? 1 : 0;
   frustum.frontDepth = slices.front().RelativeDepth();
