@@ -77,14 +77,16 @@ public:
     this->OnHost.clear();
     if (this->Refines())
     {
-      const IterationRecord record = this->Refine();
-      const bool branches = this->DescendsFromBase() && !this->Given->IsSmall();
-      return branches && !std::exchange(this->HasBranched, true) ? this->DescendFromOtherStarts()
-                                                                 : record;
+      if (this->DescendsFromBase() && !this->Given->IsSmall() && !this->HasBranched)
+      {
+        this->HasBranched = true;
+        this->DescendFromOtherStarts();
+      }
+      return this->Refine();
     }
     if (this->DescendsFromFirstSweeps() && this->Count == 0)
     {
-      this->DescendFrom(this->Now, this->LastEnergy, { mostSteps, mostSteps });
+      this->DescendFrom(this->Now, this->LastEnergy, mostSteps);
     }
     const Turn turn = this->Turns.Of(this->Count++);
     const IterationRecord record = this->Advance(turn);
@@ -100,7 +102,7 @@ public:
     this->KeepIfLowest(record);
     if (this->DescendsFromFirstSweeps() && this->Count == this->Turns.MainTerms())
     {
-      this->DescendFrom(this->Now, this->LastEnergy, { mostSteps, mostSteps });
+      this->DescendFrom(this->Now, this->LastEnergy, mostSteps);
     }
     return this->DescendsFromBase() ? this->BestRecord() : record;
   }
@@ -235,13 +237,11 @@ private:
     return this->DescendsFromBase() && this->Given->IsSmall();
   }
 
-  /// Resilient steps from a coarser grid, and from the base if little has been gained on it: few
-  /// where as many from what the sweeps have cleared have come lower. Then steps go on from the
-  /// lowest. Returns its record.
-  IterationRecord DescendFromOtherStarts()
+  /// Resilient steps from other starts than what the sweeps have cleared: from a coarser grid, and
+  /// from the base if little has been gained on it.
+  void DescendFromOtherStarts()
   {
     constexpr double little = 2; // times the energy of the base
-    const std::size_t refined = this->BestOf;
     this->DescendFromCoarser();
     if (this->Lowest.energy.Total() > little * this->FirstEnergy)
     {
@@ -249,46 +249,28 @@ private:
       limpid::Iterate<AnyDevice>& base = this->Iterates[free];
       base.own = {};
       base.values = this->Energy.Fields().base.Data();
-      this->DescendFrom(free, this->FirstEnergy, { mostSteps, mostSteps });
+      this->DescendFrom(free, this->FirstEnergy, mostSteps);
     }
-    if (this->BestOf == refined)
-    {
-      return this->BestRecord();
-    }
-    this->BeginRefinement();
-    this->GoBack();
-    return this->Refine();
   }
 
-  /// How many resilient steps a descent takes.
-  struct Descent
-  {
-    int most;
-    int aboveLowest; ///< at most, as long as they are above the lowest energy
-  };
-
-  /// Resilient steps from an iterate and its energy. Afterwards all goes on from where it was.
-  void DescendFrom(std::size_t first, double energyThere, const Descent& steps)
+  /// Resilient steps from an iterate and its energy. Sweeps or steps go on from the last one then.
+  /// `stepsAbove`: how many at most, as long as they are above the lowest energy.
+  void DescendFrom(std::size_t first, double energyThere, int stepsAbove)
   {
     const double energy = std::exchange(this->LastEnergy, energyThere);
     const double change = this->Change;
-    const bool wasRefining = std::exchange(this->IsRefining, false);
-    const DescentProgress progress = std::exchange(this->Steps, DescentProgress(*this->Given));
-    ResilientDescent<AnyDevice> resilient = std::exchange(
-      this->Resilient, ResilientDescent<AnyDevice>(this->Device, *this->Given, this->Energy));
     this->BranchedAt = std::exchange(this->Now, first);
-    for (int step = 0; step < steps.most && !this->Steps.HasStalled(); ++step)
+    this->BeginRefinement();
+    for (int step = 0; step < mostSteps && !this->Steps.HasStalled(); ++step)
     {
-      if (step >= steps.aboveLowest && this->Steps.Lowest() > this->Lowest.energy.Total())
+      if (step >= stepsAbove && this->Steps.Lowest() > this->Lowest.energy.Total())
       {
         break;
       }
       this->TryResilientStep();
     }
+    this->BeginRefinement();
     this->Now = std::exchange(this->BranchedAt, none);
-    this->Resilient = std::move(resilient);
-    this->Steps = progress;
-    this->IsRefining = wasRefining;
     this->Change = change;
     this->LastEnergy = energy;
   }
@@ -309,7 +291,7 @@ private:
     start.own =
       this->Energy.Everywhere(coarse.ChangedOn(this->Given->grid, this->FoundBy(coarse.Made())));
     start.values = start.own.Data();
-    this->DescendFrom(free, this->MeasureIterate(free), { mostSteps, fewSteps });
+    this->DescendFrom(free, this->MeasureIterate(free), fewSteps);
   }
 
   /// The optimum of another problem, of this rank's slab where ranks share it.
