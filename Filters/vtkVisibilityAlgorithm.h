@@ -73,7 +73,7 @@ public:
    * Where the base extinction comes from: OPACITY_FUNCTION of the scalar field, or ARRAY 2.
    * Default is OPACITY_FUNCTION.
    */
-  vtkSetMacro(ExtinctionSource, int);
+  LIMPID_SET_CLAMPED(ExtinctionSource, int, OPACITY_FUNCTION, ARRAY);
   vtkGetMacro(ExtinctionSource, int);
   ///@}
 

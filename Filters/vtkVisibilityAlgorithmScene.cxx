@@ -106,10 +106,8 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   return input;
 }
 
-void vtkVisibilityAlgorithm::SceneReader::RequireChoices() const
+void vtkVisibilityAlgorithm::SceneReader::RequireUnitDistance() const
 {
-  limpid::RequireChoices(this->Self->Settings);
-  limpid::RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
   const double unitDistance = this->Self->ScalarOpacityUnitDistance;
   LIMPID_REQUIRE(unitDistance >= 0 && std::isfinite(unitDistance),
     "ScalarOpacityUnitDistance is " << unitDistance

@@ -45,8 +45,8 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// Throws unless the input is there, and all of it.
   vtkImageData* RequireWholeImage(vtkInformationVector** inputVector) const;
 
-  /// Throws on a choice that does not exist or a unit distance that is none.
-  void RequireChoices() const;
+  /// Throws on a unit distance that is none.
+  void RequireUnitDistance() const;
 
   /// The scene of the input, with the base extinction from `extinctionSource`. Warns of values that
   /// cannot be used.

@@ -330,7 +330,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     "Switch UseDepthPeelingForVolumes off.");
   vtkImageData* image = this->RequireImage();
   const bool isHere = image->GetNumberOfPoints() > 0;
-  this->RequireAvailableChoices();
+  this->RequirePossibleNumbers();
   limpid::FrameSettings frame = this->MakeFrameSettings(renderer, volume);
   const limpid::FieldSource scalars =
     isHere ? this->ScalarSource(image, volume) : limpid::FieldSource();

@@ -71,7 +71,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   limpid::FieldSource GivenImportance(vtkImageData* image) const;
   void NoticeChanges(vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction);
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
-  void RequireAvailableChoices() const;
+  void RequirePossibleNumbers() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
   void LeaveToOneProcess(limpid::FrameSettings& frame);
   void LeaveWhatIsNotShared(limpid::FrameSettings& frame);

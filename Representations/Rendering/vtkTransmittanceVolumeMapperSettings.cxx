@@ -229,13 +229,9 @@ limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolu
   return region;
 }
 
-void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
+void vtkTransmittanceVolumeMapper::Internals::RequirePossibleNumbers() const
 {
   const vtkTransmittanceVolumeMapper* self = this->Self;
-  limpid::RequireChoice("Optimization", self->Optimization, 3);
-  limpid::RequireChoice("LightSource", self->LightSource, 2);
-  limpid::RequireChoice("ExtinctionSource", self->ExtinctionSource, 2);
-  limpid::RequireChoices(self->Settings);
   RequireShare("ShadowStrength", self->ShadowStrength);
   RequireShare("Ambient", self->Ambient);
   LIMPID_REQUIRE(std::abs(self->Anisotropy) < 1,

@@ -624,8 +624,8 @@ class TestDegenerateInput(OptimizerTest):
     def test_settings_that_make_no_sense_are_named(self):
         nan = math.nan  # the settings themselves move other numbers into their ranges
         cases = dict(ViewWeight=nan, LightWeight=nan, RegularizationWeight=nan, RayDensity=nan,
-                     ClearingThreshold=nan, ScalarOpacityUnitDistance=-1, ExtinctionSource=2,
-                     ScalarComponent=4, ViewpointGuide=3, LearningRate=-1, Tolerance=nan,
+                     ClearingThreshold=nan, ScalarOpacityUnitDistance=-1,
+                     ScalarComponent=4, LearningRate=-1, Tolerance=nan,
                      MaximumSeconds=nan, ProtectImportance=nan, Emphasis=nan, Smoothness=nan)
         for name, value in cases.items():
             with self.subTest(name=name):
