@@ -123,8 +123,7 @@ public:
   ///@{
   /**
    * Name of the array with the importance, dimensionless, or with what ImportanceFunction maps to
-   * it. Empty: the array "Importance", or if there is none and UseImportanceFunction is on, the
-   * scalar array. Default is empty.
+   * it. Empty: the array "Importance", or if there is none, the scalar array. Default is empty.
    */
   void SetImportanceArray(const char* name);
   const char* GetImportanceArray() const;
@@ -133,8 +132,10 @@ public:
   ///@{
   /**
    * Function from the scalars to importance that stands in where nothing says what is important:
-   * no array is named, there is none of the name "Importance", and UseImportanceFunction is off.
-   * Null: that is an error. Default is null.
+   * UseImportanceFunction is off, and ImportanceArray is empty and there is none of the name
+   * "Importance", or it is the scalar array. Null: a ramp over the largest scalars, from their 95th
+   * to their 99th percentile, or above where these are in noise, with a warning, where
+   * ImportanceArray is empty. Default is null.
    */
   void SetAssumedImportance(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetAssumedImportance() { return this->AssumedImportance; }
