@@ -19,8 +19,12 @@ namespace limpid
 {
 ImportanceRamp StartingImportance(const SharedArray& array)
 {
-  const std::vector<double> samples = array.Samples(mostSamplesOfQuantiles);
-  return samples.empty() ? ImportanceRamp() : RampOf(samples, array.FiniteRange());
+  const std::vector<double> sorted = array.Samples(mostSamplesOfQuantiles);
+  const ImportanceRamp first =
+    sorted.empty() ? ImportanceRamp() : RampOf(sorted, array.FiniteRange());
+  return first.IsKnown()
+    ? CleanRamp(first, sorted, array.SamplesAbove(first.begin, mostSamplesOfQuantiles))
+    : first;
 }
 
 ScalarMapping MappingOf(const ImportanceRamp& ramp)
