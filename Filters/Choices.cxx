@@ -30,13 +30,6 @@ std::string NamesIn(vtkFieldData* attributes)
 }
 }
 
-void RequireChoice(const char* property, int value, int count)
-{
-  LIMPID_REQUIRE(value >= 0 && value < count,
-    property << " is " << value << " (there is no such choice). Set a number from 0 to "
-             << (count - 1) << ".");
-}
-
 void RequireAngle(const char* property, double degrees)
 {
   LIMPID_REQUIRE(degrees >= 0 && degrees <= 180,

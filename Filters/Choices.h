@@ -17,9 +17,6 @@ class vtkDataSet;
 
 namespace limpid
 {
-/// Throws unless `value` is one of the numbers 0 to count - 1 of the enumeration `property`.
-VTKLIMPIDFILTERS_EXPORT void RequireChoice(const char* property, int value, int count);
-
 /// Throws unless two directions can have an angle [degrees].
 VTKLIMPIDFILTERS_EXPORT void RequireAngle(const char* property, double degrees);
 

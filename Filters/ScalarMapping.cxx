@@ -4,6 +4,7 @@
 #include "ScalarMapping.h"
 
 #include "AllCores.h"
+#include "FunctionPieces.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -50,6 +52,21 @@ std::vector<Node> NodesOfPlainFunction(vtkPiecewiseFunction* function)
     nodes.push_back({ node[0], node[1] });
   }
   return nodes;
+}
+
+FunctionPieces<vtkPiecewiseFunction> PiecesOf(vtkPiecewiseFunction* function)
+{
+  const auto newPiece = [function]
+  {
+    auto piece = vtkSmartPointer<vtkPiecewiseFunction>::New();
+    piece->SetClamping(function->GetClamping());
+    piece->SetUseLogScale(function->GetUseLogScale());
+    piece->SetAllowDuplicateScalars(1); // two nodes may be at one position
+    return piece;
+  };
+  const auto addNode = [](vtkPiecewiseFunction* piece, const std::array<double, 6>& node)
+  { piece->AddPoint(node[0], node[1], node[2], node[3]); };
+  return { function, newPiece, addNode };
 }
 
 double EvaluateNodes(const std::vector<Node>& nodes, double position)
@@ -207,8 +224,9 @@ ScalarMapping Evaluate(vtkPiecewiseFunction* function)
   std::vector<Node> nodes = NodesOfPlainFunction(function);
   if (nodes.empty())
   {
-    return [function = vtkSmartPointer<vtkPiecewiseFunction>(function)](double value)
-    { return function->GetValue(value); };
+    const auto pieces =
+      std::make_shared<const FunctionPieces<vtkPiecewiseFunction>>(PiecesOf(function));
+    return [pieces](double value) { return pieces->At(value)->GetValue(value); };
   }
   return [nodes = std::move(nodes)](double value) { return EvaluateNodes(nodes, value); };
 }

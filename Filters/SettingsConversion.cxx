@@ -3,7 +3,6 @@
 
 #include "SettingsConversion.h"
 
-#include "Choices.h"
 #include "Vectors.h"
 
 #include "vtkPiecewiseFunction.h"
@@ -17,18 +16,6 @@
 
 namespace limpid
 {
-void RequireChoices(vtkVisibilitySettings* settings)
-{
-  RequireChoice("Method", settings->GetMethod(), methodCount);
-  RequireChoice("LightType", settings->GetLightType(), 2);
-  RequireChoice("Mode", settings->GetMode(), 2);
-  RequireChoice("Solver", settings->GetSolver(), 2);
-  RequireChoice("Derivative", settings->GetDerivative(), 2);
-  RequireChoice("Views", settings->GetViews(), 3);
-  RequireChoice("ImportanceSmoothing", settings->GetImportanceSmoothing(), 2);
-  RequireChoice("Backend", settings->GetBackend(), 3);
-}
-
 namespace
 {
 AmentWeights AmentWeightsOf(vtkVisibilitySettings* settings)

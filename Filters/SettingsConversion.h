@@ -20,9 +20,6 @@ struct Light;
 struct Settings;
 struct ViewSet;
 
-/// Throws on a choice that does not exist.
-VTKLIMPIDFILTERS_EXPORT void RequireChoices(vtkVisibilitySettings* settings);
-
 /// Weights, solver and backend.
 VTKLIMPIDFILTERS_EXPORT Settings SettingsOf(vtkVisibilitySettings* settings);
 

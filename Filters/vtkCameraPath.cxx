@@ -38,8 +38,6 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-constexpr int MostFrames = 100000;
-
 vtkDataArray* RequireArray(vtkPolyData* sphere, const char* name, int components)
 {
   vtkDataArray* array = sphere->GetPointData()->GetArray(name);
@@ -134,14 +132,7 @@ struct vtkCameraPath::Internals
 
 void vtkCameraPath::Internals::RequireSettings() const
 {
-  limpid::RequireChoice("Way", this->Self->Way, 2);
-  LIMPID_REQUIRE(this->Self->NumberOfKeyViews >= 1,
-    "NumberOfKeyViews is " << this->Self->NumberOfKeyViews
-                           << " (a round trip goes somewhere). Set it to 1 or more.");
   limpid::RequireAngle("SeparationAngle", this->Self->SeparationAngle);
-  LIMPID_REQUIRE(this->Self->NumberOfFrames >= 2 && this->Self->NumberOfFrames <= MostFrames,
-    "NumberOfFrames is " << this->Self->NumberOfFrames << " (a way has 2 to " << MostFrames
-                         << "). Set it between these.");
   LIMPID_REQUIRE(this->Self->LeastShare >= 0 && this->Self->LeastShare <= 1,
     "LeastShare is " << this->Self->LeastShare
                      << " (it is a share of a score). Set it between 0 and 1.");

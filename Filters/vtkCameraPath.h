@@ -29,6 +29,7 @@
 
 #include "vtkLimpidFiltersModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkVisibilitySettingsMacros.h" // for setters of values in a range
 
 #include <memory> // for the hidden core
 
@@ -49,7 +50,7 @@ public:
   /**
    * Which way. Default is ROUND_TRIP.
    */
-  vtkSetMacro(Way, int);
+  LIMPID_SET_CLAMPED(Way, int, ROUND_TRIP, THROUGH_TIME);
   vtkGetMacro(Way, int);
   ///@}
 
@@ -57,7 +58,7 @@ public:
   /**
    * Most views that a round trip goes through, the best ones, at least 1. Default is 4.
    */
-  vtkSetMacro(NumberOfKeyViews, int);
+  LIMPID_SET_CLAMPED(NumberOfKeyViews, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfKeyViews, int);
   ///@}
 
@@ -65,7 +66,7 @@ public:
   /**
    * Least angle between any two of these [degrees], 0 to 180. Default is 30.
    */
-  vtkSetMacro(SeparationAngle, double);
+  LIMPID_SET_CLAMPED(SeparationAngle, double, 0, 180);
   vtkGetMacro(SeparationAngle, double);
   ///@}
 
@@ -73,7 +74,7 @@ public:
   /**
    * Of a round trip, 2 to 100000. Default is 120.
    */
-  vtkSetMacro(NumberOfFrames, int);
+  LIMPID_SET_CLAMPED(NumberOfFrames, int, 2, 100000);
   vtkGetMacro(NumberOfFrames, int);
   ///@}
 
@@ -82,7 +83,7 @@ public:
    * Share of the locally best score that key views have at least, 0 to 1: lower is smoother.
    * THROUGH_TIME, every time step is one. Default is 0.9.
    */
-  vtkSetMacro(LeastShare, double);
+  LIMPID_SET_CLAMPED(LeastShare, double, 0, 1);
   vtkGetMacro(LeastShare, double);
   ///@}
 
@@ -91,7 +92,7 @@ public:
    * Between which elevations the camera stays [degrees], as in vtkViewpointSearch. Near the poles
    * an upright picture turns fast. Default is (-75, 75).
    */
-  vtkSetVector2Macro(ElevationRange, double);
+  LIMPID_SET_CLAMPED_VECTOR2(ElevationRange, double, -90, 90);
   vtkGetVector2Macro(ElevationRange, double);
   ///@}
 

@@ -88,7 +88,6 @@ struct vtkExtinctionOptimizer::Internals
   double BytesPerPoint() const;
   bool RanksShare(vtkInformation* outInfo) const;
   limpid::ImageScene Read(vtkInformationVector** inputVector) const;
-  void RequireChoices() const;
   limpid::Camera MakeCamera(const limpid::Grid& grid) const;
   limpid::Light MakeLight(const limpid::Camera& camera) const;
   limpid::ConcurrentResult Optimize(const limpid::SceneFields& scene, const limpid::Camera& camera,
@@ -202,7 +201,7 @@ void vtkExtinctionOptimizer::Optimize(
 {
   Internals& state = *this->State;
   const limpid::Interruptible interruptible(limpid::GoOn(this));
-  state.RequireChoices();
+  state.Reader.RequireUnitDistance();
   const limpid::ImageScene scene = state.Read(inputVector);
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   const limpid::Camera camera = state.MakeCamera(scene.grid);
@@ -270,12 +269,6 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
   const double smoothed = this->Self->GetSmoothness() > 0 ? 4 : 0;
   const double coherent = this->Self->GetTemporalCoherence() > 0 ? (two ? 24 : 12) : 0;
   return (adam ? 42 : 36) + separate + viewpoint + despeckled + smoothed + coherent;
-}
-
-void vtkExtinctionOptimizer::Internals::RequireChoices() const
-{
-  this->Reader.RequireChoices();
-  limpid::RequireChoice("ViewpointGuide", this->Self->ViewpointGuide, 3);
 }
 
 limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid& grid) const

@@ -162,7 +162,7 @@ public:
    * importance, whatever hides it. COUPLED: the extinction that was optimised last. Default is
    * ATTAINABLE.
    */
-  vtkSetMacro(ViewpointGuide, int);
+  LIMPID_SET_CLAMPED(ViewpointGuide, int, PROXY, ATTAINABLE);
   vtkGetMacro(ViewpointGuide, int);
   ///@}
 

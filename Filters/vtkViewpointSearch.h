@@ -107,7 +107,7 @@ public:
    * with the weights and a light above and behind the camera; takes long.
    * Default is ATTAINABLE.
    */
-  vtkSetMacro(Field, int);
+  LIMPID_SET_CLAMPED(Field, int, IMPORTANCE_PROXY, ATTAINABLE);
   vtkGetMacro(Field, int);
   ///@}
 
@@ -115,7 +115,7 @@ public:
   /**
    * How directions are spread over the sphere. Default is ICOSPHERE.
    */
-  vtkSetMacro(Sampling, int);
+  LIMPID_SET_CLAMPED(Sampling, int, ICOSPHERE, LATITUDE_LONGITUDE);
   vtkGetMacro(Sampling, int);
   ///@}
 
@@ -124,7 +124,7 @@ public:
    * Number of directions, 1 to 100000; the nearest that the sampling can have, which for an
    * icosphere is 12, 42, 162, 642, 2562 and so on. Default is 642.
    */
-  vtkSetMacro(NumberOfDirections, int);
+  LIMPID_SET_CLAMPED(NumberOfDirections, int, 1, 100000);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
@@ -151,7 +151,7 @@ public:
    * Distance of the cameras from what they look at, in radii of the sphere round the image's box;
    * not below 1, and so that all of them stand outside that sphere. Default is 3.
    */
-  vtkSetMacro(CameraDistance, double);
+  LIMPID_SET_CLAMPED(CameraDistance, double, 1, VTK_DOUBLE_MAX);
   vtkGetMacro(CameraDistance, double);
   ///@}
 
@@ -189,7 +189,7 @@ public:
    * [degrees]: (0, 90) is the hemisphere above, (0, 0) the horizon. Scores of the S-sphere are
    * those of all directions. Default is (-90, 90).
    */
-  vtkSetVector2Macro(ElevationRange, double);
+  LIMPID_SET_CLAMPED_VECTOR2(ElevationRange, double, -90, 90);
   vtkGetVector2Macro(ElevationRange, double);
   ///@}
 
@@ -201,7 +201,7 @@ public:
   void AddAvoidedDirection(double x, double y, double z);
   void RemoveAllAvoidedDirections();
   int GetNumberOfAvoidedDirections() const;
-  vtkSetMacro(AvoidanceAngle, double);
+  LIMPID_SET_CLAMPED(AvoidanceAngle, double, 0, 180);
   vtkGetMacro(AvoidanceAngle, double);
   ///@}
 
@@ -209,7 +209,7 @@ public:
   /**
    * Most viewpoints that are ranked, and ascents that are made. Default is 4.
    */
-  vtkSetMacro(NumberOfViewpoints, int);
+  LIMPID_SET_CLAMPED(NumberOfViewpoints, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfViewpoints, int);
   ///@}
 
@@ -217,7 +217,7 @@ public:
   /**
    * Least angle between two ranked viewpoints [degrees]. Default is 30.
    */
-  vtkSetMacro(SeparationAngle, double);
+  LIMPID_SET_CLAMPED(SeparationAngle, double, 0, 180);
   vtkGetMacro(SeparationAngle, double);
   ///@}
 

@@ -32,7 +32,6 @@
 
 namespace
 {
-constexpr int LargestNumberOfDirections = 100000;
 constexpr double LongSeconds = 60; // a search that takes longer is announced
 
 using Clock = std::chrono::steady_clock;
@@ -334,17 +333,8 @@ void vtkViewpointSearch::Internals::ScoreAndFind(
 void vtkViewpointSearch::Internals::RequirePossibleSettings() const
 {
   const vtkViewpointSearch* self = this->Self;
-  this->Reader.RequireChoices();
-  limpid::RequireChoice("Field", self->Field, 5);
-  limpid::RequireChoice("Sampling", self->Sampling, 3);
+  this->Reader.RequireUnitDistance();
   limpid::RequireSettings(this->MakeSettings());
-  LIMPID_REQUIRE(
-    self->NumberOfDirections >= 1 && self->NumberOfDirections <= LargestNumberOfDirections,
-    "NumberOfDirections is " << self->NumberOfDirections
-                             << " (without any there is nothing to compare, and more than "
-                             << LargestNumberOfDirections
-                             << " cannot be told apart). Set it between 1 and "
-                             << LargestNumberOfDirections << ".");
   LIMPID_REQUIRE(self->CameraDistance >= 1 && std::isfinite(self->CameraDistance),
     "CameraDistance is "
       << self->CameraDistance
@@ -355,9 +345,6 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
       << self->CameraViewAngle
       << " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
   this->RequireAllowedViews();
-  LIMPID_REQUIRE(self->NumberOfViewpoints >= 1,
-    "NumberOfViewpoints is " << self->NumberOfViewpoints
-                             << " (a search is for at least one). Set it to 1 or more.");
   limpid::RequireAngle("SeparationAngle", self->SeparationAngle);
   LIMPID_REQUIRE(self->SphereRadius > 0 && std::isfinite(self->SphereRadius),
     "SphereRadius is " << self->SphereRadius

@@ -11,7 +11,10 @@
  * Input port 0: vtkImageData with arrays of its points or its cells (cell arrays are averaged to
  * the points first), of any numeric type, chosen with SetInputArrayToProcess:
  *   index 0: scalar field; default: the active scalars;
- *   index 1: importance, dimensionless; default: "Importance";
+ *   index 1: importance, dimensionless; default, and what the name "(Automatic)" stands for:
+ *     "Importance", or if there is none, the scalar field with ImportanceFunction, or else with
+ *     what is assumed: its largest values are important, in a ramp from their 95th to their 99th
+ *     percentile, or above where these are in noise, and there is a warning;
  *   index 2: extinction [1/length], where a filter is told to take one; default: "BaseExtinction".
  * Points with a NaN or an infinite value and blanked points are empty: they have neither extinction
  * nor importance. So are the points of blanked cells for arrays of points; in arrays of cells,
@@ -73,7 +76,7 @@ public:
    * Where the base extinction comes from: OPACITY_FUNCTION of the scalar field, or ARRAY 2.
    * Default is OPACITY_FUNCTION.
    */
-  vtkSetMacro(ExtinctionSource, int);
+  LIMPID_SET_CLAMPED(ExtinctionSource, int, OPACITY_FUNCTION, ARRAY);
   vtkGetMacro(ExtinctionSource, int);
   ///@}
 

@@ -6,9 +6,11 @@
 #include "Choices.h"
 #include "Memory.h"
 #include "SettingsConversion.h"
+#include "SharedArray.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -27,6 +29,9 @@
 
 namespace
 {
+// Stands for no choice of an importance array; none_string in LimpidFilters.xml.
+const char* const AUTOMATIC = "(Automatic)";
+
 double MeanCellLength(const limpid::Grid& grid)
 {
   double cells = 1;
@@ -106,10 +111,8 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   return input;
 }
 
-void vtkVisibilityAlgorithm::SceneReader::RequireChoices() const
+void vtkVisibilityAlgorithm::SceneReader::RequireUnitDistance() const
 {
-  limpid::RequireChoices(this->Self->Settings);
-  limpid::RequireChoice("ExtinctionSource", this->Self->ExtinctionSource, 2);
   const double unitDistance = this->Self->ScalarOpacityUnitDistance;
   LIMPID_REQUIRE(unitDistance >= 0 && std::isfinite(unitDistance),
     "ScalarOpacityUnitDistance is " << unitDistance
@@ -129,13 +132,19 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
   limpid::ImageScene scene;
   scene.grid = limpid::GridOfImage(input);
   this->ReadUnits(extinctionSource, scene);
-  const bool ramp = extinctionSource != ARRAY && !this->HasOpacityFunction();
-  const ScalarRange range = ramp ? this->RangeOfScalars(input) : ScalarRange{};
-  scene.arrays = this->Convert(input, extinctionSource, range, scene);
-  if (!scene.arrays.Warning().empty())
+  Assumed assumed;
+  if (extinctionSource != ARRAY && !this->HasOpacityFunction())
   {
-    vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
+    assumed.range = this->RangeOfScalars(input);
   }
+  const limpid::ImportanceChoice importance = this->ChooseImportance(input);
+  if (importance.IsAssumed(this->Self->Settings))
+  {
+    assumed.importance =
+      limpid::StartingImportance(limpid::SharedArray(importance.scalars, input, nullptr, nullptr));
+  }
+  scene.arrays = this->Convert(input, extinctionSource, assumed, scene);
+  this->Warn(assumed, scene);
   return scene;
 }
 
@@ -184,27 +193,67 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
   scene.piece = shared.piece;
   this->ReadUnits(extinctionSource, scene);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  ScalarRange range{ none, none };
+  Assumed assumed;
+  ScalarRange& range = assumed.range = { none, none };
   if (extinctionSource != ARRAY && !this->HasOpacityFunction())
   {
     limpid::Jointly(&ranks, [&] { range = empty ? range : this->RangeOfScalars(shared.image); });
     limpid::JoinRange(ranks, range[0], range[1]);
   }
+  this->AssumeShared(shared, WholeExtentOf(inputVector), assumed);
   limpid::Jointly(&ranks,
     [&]
     {
       scene.arrays = empty
         ? limpid::SceneArrays{ limpid::NewArray<vtkFloatArray>("BaseExtinction", 0),
             limpid::NewArray<vtkFloatArray>("Importance", 0), 0, 0, 0 }
-        : this->Convert(shared.image, extinctionSource, range, scene);
+        : this->Convert(shared.image, extinctionSource, assumed, scene);
     });
   shared.TakeOwners(scene.arrays.baseExtinction);
   shared.TakeOwners(scene.arrays.importance);
+  this->Warn(assumed, scene);
+  return scene;
+}
+
+// Of an image that ranks share. Where some of them have an importance array, all should.
+void vtkVisibilityAlgorithm::SceneReader::AssumeShared(
+  const limpid::SharedImage& shared, const std::array<int, 6>& whole, Assumed& assumed) const
+{
+  const limpid::Communicator& ranks = *shared.piece->ranks;
+  limpid::FieldSource scalars;
+  bool isThere = false;
+  bool assumes = false;
+  limpid::Jointly(&ranks,
+    [&]
+    {
+      if (!shared.piece->nodes.Empty())
+      {
+        const limpid::ImportanceChoice importance = this->ChooseImportance(shared.image);
+        assumes = importance.IsAssumed(this->Self->Settings);
+        isThere = importance.array.array != nullptr;
+        scalars = importance.scalars;
+      }
+    });
+  assumed.isThere = ranks.AnyOf(isThere);
+  if (!assumed.isThere && ranks.AnyOf(assumes))
+  {
+    assumed.importance = limpid::StartingImportance(limpid::SharedArray(scalars, shared.image,
+      whole.data(), vtkMultiProcessController::GetGlobalController(),
+      &shared.piece->owned[std::size_t(ranks.Rank())]));
+  }
+}
+
+void vtkVisibilityAlgorithm::SceneReader::Warn(
+  const Assumed& assumed, const limpid::ImageScene& scene) const
+{
+  if (assumed.importance)
+  {
+    vtkWarningWithObjectMacro(this->Self, << limpid::WarningOf(*assumed.importance));
+  }
   if (!scene.arrays.Warning().empty())
   {
     vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
   }
-  return scene;
 }
 
 bool vtkVisibilityAlgorithm::SceneReader::HasOpacityFunction() const
@@ -228,66 +277,104 @@ void vtkVisibilityAlgorithm::SceneReader::ReadUnits(
 }
 
 limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* input,
-  int extinctionSource, const ScalarRange& range, limpid::ImageScene& scene) const
+  int extinctionSource, const Assumed& assumed, limpid::ImageScene& scene) const
 {
   const limpid::FieldSource extinction = extinctionSource == ARRAY
     ? this->ExtinctionArray(input)
-    : this->OpacityOfScalars(input, scene.unitDistance, range);
-  const limpid::FieldSource importance = this->ImportanceSource(input);
+    : this->OpacityOfScalars(input, scene.unitDistance, assumed.range);
+  const limpid::FieldSource importance = this->ImportanceSource(input, assumed);
   limpid::SceneArrays arrays = limpid::ConvertScene(input, extinction, importance);
   if (extinctionSource == ARRAY)
   {
     scene.taken.push_back(extinction.array);
   }
-  if (!this->Self->GetUseImportanceFunction() && importance.array->GetNumberOfComponents() == 1)
+  if (!assumed.importance && !this->Self->GetUseImportanceFunction() &&
+    importance.array->GetNumberOfComponents() == 1)
   {
     scene.taken.push_back(importance.array);
   }
   return arrays;
 }
 
-vtkDataArray* vtkVisibilityAlgorithm::SceneReader::FindArray(
-  int index, const char* role, const char* fallback, vtkImageData* input, bool& onCells) const
+// The name of an array that a user has chosen; empty: none is.
+std::string vtkVisibilityAlgorithm::SceneReader::ChosenName(int index) const
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* array = this->Self->GetInputArrayToProcess(index, input, association);
   vtkInformation* chosen = this->Self->GetInputArrayInformation(index);
   const char* name =
     chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   // A script's array property has no name, or its own index, when the input had not been executed
   // before; only ParaView's server manager does that.
-  const bool named = name && *name && name != std::to_string(index);
-  if (!array && !named)
+  return name && name != std::to_string(index) && name != std::string(AUTOMATIC) ? name : "";
+}
+
+// An array as it was chosen, or else of the name `fallback`, or if that is null the active scalars.
+// An array of null: there is none.
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::FindArray(
+  int index, const char* fallback, vtkImageData* input) const
+{
+  limpid::FieldSource source;
+  vtkDataSetAttributes* points = input->GetPointData();
+  if (!this->ChosenName(index).empty())
   {
-    array =
-      fallback ? input->GetPointData()->GetArray(fallback) : input->GetPointData()->GetScalars();
+    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    source.array = this->Self->GetInputArrayToProcess(index, input, association);
+    source.onCells = source.array &&
+      (association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
+        (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
+          points->GetArray(source.array->GetName()) != source.array));
+    return source;
   }
-  const char* wanted = named ? name : (fallback ? fallback : "(the active scalars)");
-  LIMPID_REQUIRE(array,
-    "The " << role << " array \"" << wanted
+  source.array = fallback ? points->GetArray(fallback) : points->GetScalars();
+  if (!source.array && fallback)
+  {
+    source.array = input->GetCellData()->GetArray(fallback);
+    source.onCells = source.array != nullptr;
+  }
+  return source;
+}
+
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::RequireArray(
+  int index, const char* role, const char* fallback, vtkImageData* input) const
+{
+  const limpid::FieldSource source = this->FindArray(index, fallback, input);
+  const std::string chosen = this->ChosenName(index);
+  LIMPID_REQUIRE(source.array,
+    "The " << role << " array \""
+           << (chosen.empty() ? (fallback ? fallback : "(the active scalars)") : chosen)
            << "\" is not among the input's numeric arrays (the scene cannot be made without it). "
               "Choose one of these: "
            << limpid::ArrayNames(input) << ".");
-  onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
-    (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
-      input->GetPointData()->GetArray(array->GetName()) != array);
-  return array;
+  return source;
 }
 
-limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ImportanceSource(vtkImageData* input) const
+limpid::ImportanceChoice vtkVisibilityAlgorithm::SceneReader::ChooseImportance(
+  vtkImageData* input) const
 {
-  limpid::FieldSource source;
-  source.array = this->FindArray(1, "importance", "Importance", input, source.onCells);
-  source.component = this->Self->Settings->GetImportanceComponent();
-  limpid::RequireComponent("ImportanceComponent", source.array, source.component);
-  source.mapping = limpid::ImportanceMapping(this->Self->Settings);
-  return source;
+  const std::string name = this->ChosenName(1);
+  limpid::ImportanceChoice choice;
+  choice.name = name.empty() ? "Importance" : name;
+  choice.isChosen = !name.empty();
+  choice.array = this->FindArray(1, "Importance", input);
+  if (!choice.array.array && !choice.isChosen && this->FindArray(0, nullptr, input).array)
+  {
+    choice.scalars = this->Scalars(input);
+  }
+  return choice;
+}
+
+limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ImportanceSource(
+  vtkImageData* input, const Assumed& assumed) const
+{
+  const limpid::ScalarMapping mapping =
+    assumed.importance ? limpid::MappingOf(*assumed.importance) : limpid::KeepValue();
+  limpid::ImportanceChoice choice = this->ChooseImportance(input);
+  choice.isChosen = choice.isChosen || assumed.isThere;
+  return choice.Source(this->Self->Settings, mapping, input);
 }
 
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ExtinctionArray(vtkImageData* input) const
 {
-  limpid::FieldSource source;
-  source.array = this->FindArray(2, "extinction", "BaseExtinction", input, source.onCells);
+  const limpid::FieldSource source = this->RequireArray(2, "extinction", "BaseExtinction", input);
   LIMPID_REQUIRE(source.array->GetNumberOfComponents() == 1,
     "The extinction array \""
       << limpid::NameOf(source.array) << "\" has " << source.array->GetNumberOfComponents()
@@ -297,8 +384,7 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ExtinctionArray(vtkImag
 
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::Scalars(vtkImageData* input) const
 {
-  limpid::FieldSource source;
-  source.array = this->FindArray(0, "scalar", nullptr, input, source.onCells);
+  limpid::FieldSource source = this->RequireArray(0, "scalar", nullptr, input);
   source.component = this->Self->Settings->GetScalarComponent();
   limpid::RequireComponent("ScalarComponent", source.array, source.component);
   return source;

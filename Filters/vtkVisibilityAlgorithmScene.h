@@ -8,12 +8,15 @@
 
 #include "SceneConversion.h"
 #include "SharedImage.h"
+#include "StartingImportance.h"
 #include "vtkVisibilityAlgorithm.h"
 
 #include "optimize/Solver.h"
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace limpid
@@ -45,8 +48,8 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// Throws unless the input is there, and all of it.
   vtkImageData* RequireWholeImage(vtkInformationVector** inputVector) const;
 
-  /// Throws on a choice that does not exist or a unit distance that is none.
-  void RequireChoices() const;
+  /// Throws on a unit distance that is none.
+  void RequireUnitDistance() const;
 
   /// The scene of the input, with the base extinction from `extinctionSource`. Warns of values that
   /// cannot be used.
@@ -66,15 +69,29 @@ private:
   /// A range of scalars; ends that are not numbers: there are none.
   using ScalarRange = std::array<double, 2>;
 
+  /// What is assumed of all scalars, those of other ranks included.
+  struct Assumed
+  {
+    ScalarRange range{};                              ///< of opacities; see OpacityOfScalars
+    std::optional<limpid::ImportanceRamp> importance; ///< none: something says what is important
+    bool isThere = false;                             ///< an importance array, on some rank
+  };
+
   bool HasOpacityFunction() const;
-  limpid::SceneArrays Convert(vtkImageData* input, int extinctionSource, const ScalarRange& range,
+  limpid::SceneArrays Convert(vtkImageData* input, int extinctionSource, const Assumed& assumed,
     limpid::ImageScene& scene) const;
+  void AssumeShared(
+    const limpid::SharedImage& shared, const std::array<int, 6>& whole, Assumed& assumed) const;
+  void Warn(const Assumed& assumed, const limpid::ImageScene& scene) const;
   void ReadUnits(int extinctionSource, limpid::ImageScene& scene) const;
   ScalarRange RangeOfScalars(vtkImageData* input) const;
 
-  vtkDataArray* FindArray(
-    int index, const char* role, const char* fallback, vtkImageData* input, bool& onCells) const;
-  limpid::FieldSource ImportanceSource(vtkImageData* input) const;
+  std::string ChosenName(int index) const;
+  limpid::FieldSource FindArray(int index, const char* fallback, vtkImageData* input) const;
+  limpid::FieldSource RequireArray(
+    int index, const char* role, const char* fallback, vtkImageData* input) const;
+  limpid::ImportanceChoice ChooseImportance(vtkImageData* input) const;
+  limpid::FieldSource ImportanceSource(vtkImageData* input, const Assumed& assumed) const;
   limpid::FieldSource ExtinctionArray(vtkImageData* input) const;
   limpid::FieldSource Scalars(vtkImageData* input) const;
   limpid::FieldSource OpacityOfScalars(

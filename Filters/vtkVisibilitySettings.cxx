@@ -19,17 +19,8 @@
 vtkStandardNewMacro(vtkVisibilitySettings);
 vtkCxxSetObjectMacro(vtkVisibilitySettings, ImportanceFunction, vtkPiecewiseFunction);
 
-vtkVisibilitySettings::vtkVisibilitySettings()
-{
-  this->SetPreset(limpid::defaultPreset.name);
-}
-
-vtkVisibilitySettings::~vtkVisibilitySettings()
-{
-  this->SetImportanceFunction(nullptr);
-}
-
-double vtkVisibilitySettings::Clamped(const char* property, double value, double least, double most)
+double limpid::Clamped(
+  vtkObject* owner, const char* property, double value, double least, double most)
 {
   if (!std::isfinite(value) || (value >= least && value <= most))
   {
@@ -46,10 +37,21 @@ double vtkVisibilitySettings::Clamped(const char* property, double value, double
   {
     range << " or more";
   }
-  vtkWarningMacro(<< property << " is " << value
-                  << " (there is no such value, so nothing could be computed). It is " << nearest
-                  << " now; set it to " << range.str() << ".");
+  vtkWarningWithObjectMacro(
+    owner, << property << " is " << value
+           << " (there is no such value, so nothing could be computed). It is " << nearest
+           << " now; set it to " << range.str() << ".");
   return nearest;
+}
+
+vtkVisibilitySettings::vtkVisibilitySettings()
+{
+  this->SetPreset(limpid::defaultPreset.name);
+}
+
+vtkVisibilitySettings::~vtkVisibilitySettings()
+{
+  this->SetImportanceFunction(nullptr);
 }
 
 void vtkVisibilitySettings::SetIterationsPerLevel(int quarter, int half, int full)
@@ -57,8 +59,9 @@ void vtkVisibilitySettings::SetIterationsPerLevel(int quarter, int half, int ful
   const int given[3] = { quarter, half, full };
   int iterations[3];
   std::transform(given, given + 3, iterations,
-    [this](int count)
-    { return static_cast<int>(this->Clamped("IterationsPerLevel", count, 0, VTK_INT_MAX)); });
+    [this](int count) {
+      return static_cast<int>(limpid::Clamped(this, "IterationsPerLevel", count, 0, VTK_INT_MAX));
+    });
   if (!std::equal(iterations, iterations + 3, this->IterationsPerLevel))
   {
     std::copy(iterations, iterations + 3, this->IterationsPerLevel);
@@ -68,7 +71,7 @@ void vtkVisibilitySettings::SetIterationsPerLevel(int quarter, int half, int ful
 
 void vtkVisibilitySettings::SetRegularizationWeight(double given)
 {
-  const double weight = this->Clamped("RegularizationWeight", given, 0, VTK_DOUBLE_MAX);
+  const double weight = limpid::Clamped(this, "RegularizationWeight", given, 0, VTK_DOUBLE_MAX);
   if (weight != this->RegularizationWeight)
   {
     this->RegularizationWeight = weight;

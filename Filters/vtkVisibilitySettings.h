@@ -434,12 +434,6 @@ protected:
   vtkVisibilitySettings();
   ~vtkVisibilitySettings() override;
 
-  /**
-   * The number from `least` to `most` that is nearest to a value of a property, with a warning
-   * where that is another one; not a number: itself.
-   */
-  double Clamped(const char* property, double value, double least, double most);
-
 private:
   vtkVisibilitySettings(const vtkVisibilitySettings&) = delete;
   void operator=(const vtkVisibilitySettings&) = delete;

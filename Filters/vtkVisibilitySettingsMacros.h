@@ -7,7 +7,10 @@
 #ifndef vtkVisibilitySettingsMacros_h
 #define vtkVisibilitySettingsMacros_h
 
-#include "vtkWrappingHints.h" // for VTK_SIZEHINT
+#include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkWrappingHints.h"       // for VTK_SIZEHINT
+
+class vtkObject;
 
 /// The choices of vtkVisibilitySettings.
 #define LIMPID_VISIBILITY_CHOICES()                                                                \
@@ -57,12 +60,22 @@
     CUDA = 2                                                                                       \
   }
 
-/// SetName of vtkVisibilitySettings, with a value from `least` to `most`: another one is moved to
-/// the nearer of these, with a warning. What is no number stays, and the owner refuses it.
+#ifndef __VTK_WRAP__ // it is for the macros
+namespace limpid
+{
+/// The number from `least` to `most` that is nearest to a value of a property, with a warning where
+/// that is another one; not a number: itself.
+VTKLIMPIDFILTERS_EXPORT double Clamped(
+  vtkObject* owner, const char* property, double value, double least, double most);
+}
+#endif
+
+/// SetName with a value from `least` to `most`: another one is moved to the nearer of these, with a
+/// warning. What is no number stays, and whoever computes with it refuses it.
 #define LIMPID_SET_CLAMPED(name, type, least, most)                                                \
   virtual void Set##name(type value)                                                               \
   {                                                                                                \
-    const type nearest = static_cast<type>(this->Clamped(#name, value, least, most));              \
+    const type nearest = static_cast<type>(limpid::Clamped(this, #name, value, least, most));      \
     if (!(nearest == this->name))                                                                  \
     {                                                                                              \
       this->name = nearest;                                                                        \
@@ -76,6 +89,24 @@
   virtual type Get##name##MaxValue()                                                               \
   {                                                                                                \
     return most;                                                                                   \
+  }
+
+/// The methods of vtkSetVector2Macro, with values from `least` to `most` as LIMPID_SET_CLAMPED.
+#define LIMPID_SET_CLAMPED_VECTOR2(name, type, least, most)                                        \
+  virtual void Set##name(type first, type second)                                                  \
+  {                                                                                                \
+    const type nearest[2] = { static_cast<type>(limpid::Clamped(this, #name, first, least, most)), \
+      static_cast<type>(limpid::Clamped(this, #name, second, least, most)) };                      \
+    if (!(nearest[0] == this->name[0] && nearest[1] == this->name[1]))                             \
+    {                                                                                              \
+      this->name[0] = nearest[0];                                                                  \
+      this->name[1] = nearest[1];                                                                  \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual void Set##name(const type value[2])                                                      \
+  {                                                                                                \
+    this->Set##name(value[0], value[1]);                                                           \
   }
 
 /// SetName and GetName of an owner with the method GetVisibilitySettings.

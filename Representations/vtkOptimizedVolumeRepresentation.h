@@ -27,9 +27,10 @@
 #include "vtkLimpidRepresentationsModule.h" // for export macro
 #include "vtkVisibilitySettings.h"          // for the methods that are passed on
 
-#include <memory> // for the hidden state
-#include <string> // for messages
-#include <vector> // for messages
+#include <memory>  // for the hidden state
+#include <string>  // for messages
+#include <utility> // for times and components
+#include <vector>  // for messages
 
 class vtkColorTransferFunction;
 class vtkDataArray;
@@ -213,6 +214,8 @@ private:
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
   vtkMultiProcessController* Others() const;
   limpid::SharedArray Shared(const limpid::ScalarChoice& choice, vtkImageData* image) const;
+  void ApplyComponent(vtkDataArray* scalars);
+  std::pair<vtkMTimeType, int> TimeAndComponentOf(vtkDataArray* scalars) const;
   void ApplyFunctions(const limpid::ScalarChoice& scalars, vtkImageData* image);
   void AssumeImportance(const limpid::ScalarChoice& scalars, vtkImageData* image);
   void ApplyImportance(vtkImageData* image, const limpid::ScalarChoice& colors);

@@ -5,6 +5,7 @@
 
 #include "ScalarChoice.h"
 #include "SharedArray.h"
+#include "StartingImportance.h"
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
 #include "vtkDataArray.h"
@@ -86,7 +87,11 @@ vtkMultiProcessController* vtkOptimizedVolumeRepresentation::Others() const
 limpid::SharedArray vtkOptimizedVolumeRepresentation::Shared(
   const limpid::ScalarChoice& choice, vtkImageData* image) const
 {
-  return { choice.array, image, choice.onCells, this->WholeExtent, this->Others() };
+  limpid::FieldSource source;
+  source.array = choice.array;
+  source.onCells = choice.onCells;
+  source.component = std::max(this->State->Mapper->GetScalarComponent(), -1); // undecided: all
+  return { source, image, this->WholeExtent, this->Others() };
 }
 
 // Returns what is shown; null: nothing, or nothing here.
@@ -102,6 +107,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
     this->State->Mapper->ClearResults(); // not those of an earlier time step
     return nullptr;
   }
+  this->ApplyComponent(scalars.array);
   this->ApplyFunctions(scalars, image);
   if (scalars.array)
   {
@@ -114,16 +120,33 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   return scalars.array;
 }
 
+// The base class sets the vector mode of VTK's own mappers only. Two or four components may be
+// meant as colours with an opacity: there the mapper is to say what it shows of them.
+void vtkOptimizedVolumeRepresentation::ApplyComponent(vtkDataArray* scalars)
+{
+  if (scalars)
+  {
+    vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction(0);
+    const int components = scalars->GetNumberOfComponents();
+    const int unchosen = components == 2 || components == 4
+      ? vtkTransmittanceVolumeMapper::UNDECIDED
+      : vtkTransmittanceVolumeMapper::MAGNITUDE;
+    this->State->Mapper->SetScalarComponent(colors->GetVectorMode() == vtkScalarsToColors::COMPONENT
+        ? colors->GetVectorComponent()
+        : unchosen);
+  }
+}
+
 void vtkOptimizedVolumeRepresentation::ApplyFunctions(
   const limpid::ScalarChoice& scalars, vtkImageData* image)
 {
   this->State->Contents.Notice(image, { scalars.array });
-  const vtkMTimeType time = scalars.array ? scalars.array->GetMTime() : 0;
-  if (limpid::AnyProcess(this->Others(), this->State->DefaultsTime != time)) // unique among arrays
+  const auto of = this->TimeAndComponentOf(scalars.array);
+  if (limpid::AnyProcess(this->Others(), this->State->DefaultsOf != of))
   {
     limpid::SpreadOverRange(this->Shared(scalars, image).FiniteRange(), this->State->DefaultColors,
       this->State->DefaultOpacity);
-    this->State->DefaultsTime = time;
+    this->State->DefaultsOf = of;
   }
   if (!this->State->ColorsGiven)
   {
@@ -133,41 +156,33 @@ void vtkOptimizedVolumeRepresentation::ApplyFunctions(
   {
     this->Superclass::SetScalarOpacity(this->State->DefaultOpacity);
   }
-  if (!scalars.array)
-  {
-    return;
-  }
-
-  // The base class sets the vector mode of VTK's own mappers only. Two or four components may be
-  // meant as colours with an opacity: there the mapper is to say what it shows of them.
-  vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction(0);
-  const int components = scalars.array->GetNumberOfComponents();
-  const int unchosen = components == 2 || components == 4 ? vtkTransmittanceVolumeMapper::UNDECIDED
-                                                          : vtkTransmittanceVolumeMapper::MAGNITUDE;
-  this->State->Mapper->SetScalarComponent(colors->GetVectorMode() == vtkScalarsToColors::COMPONENT
-      ? colors->GetVectorComponent()
-      : unchosen);
 }
 
 void vtkOptimizedVolumeRepresentation::AssumeImportance(
   const limpid::ScalarChoice& scalars, vtkImageData* image)
 {
-  const vtkMTimeType time = scalars.array ? scalars.array->GetMTime() : 0;
-  if (!limpid::AnyProcess(this->Others(), this->State->AssumedTime != time))
-  {
-    return;
-  }
-  this->State->AssumedTime = time;
-  const limpid::ImportanceRamp ramp = limpid::StartingImportance(this->Shared(scalars, image));
+  const auto of = this->TimeAndComponentOf(scalars.array);
+  limpid::ImportanceRamp& ramp = this->State->ShownRamp;
   vtkPiecewiseFunction* function = this->State->AssumedImportance;
-  function->RemoveAllPoints();
-  if (ramp.IsKnown())
+  if (limpid::AnyProcess(this->Others(), this->State->AssumedOf != of))
   {
-    function->AddPoint(ramp.begin, 0);
-    function->AddPoint(ramp.end, 1);
+    this->State->AssumedOf = of;
+    ramp = limpid::StartingImportance(this->Shared(scalars, image));
+    function->RemoveAllPoints();
+    if (ramp.IsKnown())
+    {
+      function->AddPoint(ramp.begin, 0);
+      function->AddPoint(ramp.end, 1);
+    }
   }
-  this->State->ShownRamp = ramp;
   this->State->Mapper->SetAssumedImportance(ramp.IsKnown() ? function : nullptr);
+}
+
+// Two arrays, or two components of one, differ in it.
+std::pair<vtkMTimeType, int> vtkOptimizedVolumeRepresentation::TimeAndComponentOf(
+  vtkDataArray* scalars) const
+{
+  return { scalars ? scalars->GetMTime() : 0, this->State->Mapper->GetScalarComponent() };
 }
 
 double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
@@ -181,7 +196,10 @@ double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
   if (chosen.array)
   {
     // One process is asked: what it has stands for all.
-    const limpid::SharedArray array(chosen.array, image, chosen.onCells, nullptr, nullptr);
+    limpid::FieldSource source;
+    source.array = chosen.array;
+    source.onCells = chosen.onCells;
+    const limpid::SharedArray array(source, image, nullptr, nullptr);
     const std::array<double, 2> range = array.FiniteRange();
     const bool isImportance = range[0] >= 0 && range[1] <= 1;
     ramp = isImportance ? limpid::ImportanceRamp() : limpid::StartingImportance(array);
@@ -227,6 +245,7 @@ void vtkOptimizedVolumeRepresentation::ApplyImportance(
   }
   else
   {
+    mapper->SetAssumedImportance(nullptr);
     mapper->SetImportanceArray(name.c_str()); // that it is missing is the mapper's to say
     mapper->SetImportanceArrayAssociation(association(onCells));
   }

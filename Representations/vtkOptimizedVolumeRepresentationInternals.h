@@ -5,7 +5,6 @@
 #define vtkOptimizedVolumeRepresentationInternals_h
 
 #include "ArrayContents.h"
-#include "StartingImportance.h"
 #include "vtkOptimizedVolumeRepresentation.h"
 #include "vtkScoreAnnotation.h"
 #include "vtkTransmittanceVolumeMapper.h"
@@ -15,8 +14,11 @@
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 
+#include "scene/StartingImportance.h"
+
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The mapper in ParaView's kind of prop. It has no type of its own: users know the name of the
@@ -53,14 +55,14 @@ struct vtkOptimizedVolumeRepresentation::Internals
   // What the volume's property has in place of functions that were not given.
   vtkNew<vtkColorTransferFunction> DefaultColors;
   vtkNew<vtkPiecewiseFunction> DefaultOpacity;
-  vtkMTimeType DefaultsTime = 0; // of the array that they are for
+  std::pair<vtkMTimeType, int> DefaultsOf{ 0, 0 }; // see TimeAndComponentOf
   bool ColorsGiven = false;
   bool OpacityGiven = false;
 
   // What is important of the array that is shown, where nothing says it.
   vtkNew<vtkPiecewiseFunction> AssumedImportance;
   limpid::ImportanceRamp ShownRamp;
-  vtkMTimeType AssumedTime = 0; // of the array that they are for
+  std::pair<vtkMTimeType, int> AssumedOf{ 0, 0 };
   std::array<double, 4> SuggestedImportance = {};
 
   // Asked for, but not available.

@@ -9,7 +9,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMProxy.h"
 
-#include <string>
+#include <cstddef>
+#include <vector>
+
+namespace
+{
+constexpr int NONE = 0; // what a number is before it has a value, too
+}
 
 vtkStandardNewMacro(vtkSMPresetProperty);
 
@@ -27,22 +33,21 @@ void vtkSMPresetProperty::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkSMPresetProperty::OnChosen()
 {
-  const char* value = this->GetNumberOfElements() == 1 ? this->GetElement(0) : nullptr;
-  const std::string name = value ? value : "";
-  if (name.empty())
+  const int chosen = this->GetNumberOfElements() == 1 ? this->GetElement(0) : NONE;
+  if (chosen == NONE)
   {
     return;
   }
-  this->SetElement(0, "");
+  this->SetElement(0, NONE);
   const std::vector<limpid::Preset> presets = limpid::PresetsFor(this->GetParent());
-  if (const limpid::Preset* preset = limpid::FindPreset(presets, name))
+  if (chosen > 0 && chosen <= static_cast<int>(presets.size()))
   {
-    limpid::Apply(*preset, this->GetParent());
+    limpid::Apply(presets[static_cast<std::size_t>(chosen - 1)], this->GetParent());
   }
   else
   {
-    vtkErrorMacro("There is no preset \""
-      << name << "\" (nothing is changed). Choose one of these: " << limpid::NamesOf(presets)
-      << ".");
+    vtkErrorMacro("There is no preset number "
+      << chosen << " (nothing is changed). Choose one of these by its name: "
+      << limpid::NamesOf(presets) << ".");
   }
 }

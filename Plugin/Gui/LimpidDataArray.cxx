@@ -161,7 +161,8 @@ LimpidDataArray ImportanceArrayOf(vtkSMProxy* proxy)
     return array;
   }
   array.Port = input.GetOutputPort();
-  for (const char* name : { "ImportanceArray", "ColorArrayName" }) // the latter is a display's
+  // The second is a display's, the third a filter's.
+  for (const char* name : { "ImportanceArray", "ColorArrayName", "ScalarArray" })
   {
     vtkSMPropertyHelper chosen(proxy, name, /*quiet=*/true);
     chosen.SetUseUnchecked(true);

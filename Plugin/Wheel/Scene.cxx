@@ -57,10 +57,11 @@ void MakeLight(Light* light, const Triple& position, const std::optional<Triple>
   }
 }
 
+using Samples = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
 // Values between which importance rises from 0 to 1, of ascending samples; None: nothing stands out
 // of them.
-std::optional<std::array<double, 2>> StartingImportance(
-  const nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>& sorted)
+std::optional<std::array<double, 2>> StartingImportance(const Samples& sorted)
 {
   const std::vector<double> samples(sorted.data(), sorted.data() + sorted.size());
   const ImportanceRamp ramp = RampOf(samples, {});
@@ -69,6 +70,21 @@ std::optional<std::array<double, 2>> StartingImportance(
     return std::nullopt;
   }
   return { { ramp.begin, ramp.end } };
+}
+
+// These values, or others above them where there is less noise. `values`: samples above the first
+// one; `eighths`: the eighth largest of the neighbours of each.
+std::array<double, 2> CleanImportance(const std::array<double, 2>& ramp, const Samples& sorted,
+  const Samples& values, const Samples& eighths)
+{
+  const std::vector<double> samples(sorted.data(), sorted.data() + sorted.size());
+  std::vector<ValueAmongOthers> amongOthers(values.size());
+  for (std::size_t i = 0; i < amongOthers.size(); ++i)
+  {
+    amongOthers[i] = { values.data()[i], eighths.data()[i] };
+  }
+  const ImportanceRamp clean = CleanRamp({ ramp[0], ramp[1], {} }, samples, amongOthers);
+  return { { clean.begin, clean.end } };
 }
 }
 
@@ -92,6 +108,7 @@ void BindScene(nb::module_& module)
   module.def("placed_camera", PlacedCamera, "grid"_a);
   module.def("placed_light", PlacedLight, "camera"_a);
   module.def("starting_importance", StartingImportance, "sorted"_a);
+  module.def("clean_importance", CleanImportance, "ramp"_a, "sorted"_a, "values"_a, "eighths"_a);
   module.attr("most_samples_of_quantiles") = mostSamplesOfQuantiles;
 }
 }

@@ -4,10 +4,12 @@
 #include "TransferTables.h"
 
 #include "AllCores.h"
+#include "FunctionPieces.h"
 #include "ScalarMapping.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
 
 #include "math/Require.h"
@@ -114,18 +116,41 @@ Sampling SamplingOf(vtkVolumeProperty* property, const ScalarRange& interval, bo
   return sampling;
 }
 
+FunctionPieces<vtkColorTransferFunction> PiecesOf(vtkColorTransferFunction* function)
+{
+  const auto newPiece = [function]
+  {
+    auto piece = vtkSmartPointer<vtkColorTransferFunction>::New();
+    piece->SetClamping(function->GetClamping());
+    piece->SetScale(function->GetScale());
+    piece->SetColorSpace(function->GetColorSpace());
+    piece->SetHSVWrap(function->GetHSVWrap());
+    piece->SetNanColor(function->GetNanColor());
+    piece->SetUseBelowRangeColor(function->GetUseBelowRangeColor());
+    piece->SetBelowRangeColor(function->GetBelowRangeColor());
+    piece->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
+    piece->SetAboveRangeColor(function->GetAboveRangeColor());
+    piece->SetAllowDuplicateScalars(1); // two nodes may be at one position
+    return piece;
+  };
+  const auto addNode = [](vtkColorTransferFunction* piece, const std::array<double, 6>& node)
+  { piece->AddRGBPoint(node[0], node[1], node[2], node[3], node[4], node[5]); };
+  return { function, newPiece, addNode };
+}
+
 // As GetTable, but at equal steps whatever the scale of the function.
 void SampleLogarithmicColors(
   vtkColorTransferFunction* function, const ScalarRange& interval, std::vector<double>& table)
 {
   const double* range = function->GetRange();
+  const FunctionPieces<vtkColorTransferFunction> pieces = PiecesOf(function);
   const auto count = static_cast<int>(table.size() / 3);
   for (int i = 0; i < count; ++i)
   {
     const double value = interval.At(i, count);
     const double inside =
       IsConstantOutside(function) ? std::min(std::max(value, range[0]), range[1]) : value;
-    function->vtkColorTransferFunction::GetColor(inside, &table[3 * std::size_t(i)]);
+    pieces.At(inside)->vtkColorTransferFunction::GetColor(inside, &table[3 * std::size_t(i)]);
   }
 }
 

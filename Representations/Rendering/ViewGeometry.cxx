@@ -93,12 +93,15 @@ Camera CameraOfMatrix(
   const auto at = [&clipToData](double x, double y, double z)
   { return TransformPoint(clipToData, Vec3(x, y, z)); };
 
+  // The middle of the whole picture, which need not be that of a tile.
+  const double x = 0.5 * (whole[0] + whole[1]);
+  const double y = 0.5 * (whole[2] + whole[3]);
   Camera camera;
   camera.parallel = parallel;
-  const Vec3 direction = glm::normalize(at(0, 0, 1) - at(0, 0, -1));
+  const Vec3 direction = glm::normalize(at(x, y, 1) - at(x, y, -1));
   if (parallel)
   {
-    const Vec3 front = at(0, 0, -1);
+    const Vec3 front = at(x, y, -1);
     const double depth = glm::dot(grid.Centre() - front, direction);
     camera.position = front + (depth - 2 * grid.Radius()) * direction;
     camera.focalPoint = front + depth * direction;
@@ -190,9 +193,12 @@ void Cover(const glm::dmat4& dataToClip, const Grid& grid, ViewGeometry& geometr
   geometry.farthest = std::clamp(0.5 * (high.z + 1), geometry.nearest, 1.0);
 }
 
+// To a hundredth of a pixel of the largest pictures. The cameras of tiles, in which VTK makes
+// pictures that are larger than the window, are those of the whole to 3e-8 only: it takes 3.1415926
+// for pi there.
 bool AreClose(const Vec3& a, const Vec3& b, double size)
 {
-  return glm::distance(a, b) <= 1e-9 * size;
+  return glm::distance(a, b) <= 1e-6 * size;
 }
 }
 

@@ -17,6 +17,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 vtkStandardNewMacro(vtkTransmittanceVolumeMapper);
@@ -76,6 +77,25 @@ void vtkTransmittanceVolumeMapper::SetExtinctionArray(const char* name)
 const char* vtkTransmittanceVolumeMapper::GetExtinctionArray() const
 {
   return this->ExtinctionArray.c_str();
+}
+
+void vtkTransmittanceVolumeMapper::SetMissedColor(double red, double green, double blue)
+{
+  std::array<double, 3> color{ { red, green, blue } };
+  for (double& channel : color)
+  {
+    channel = limpid::Clamped(this, "A channel of MissedColor", channel, 0, 1);
+  }
+  if (!std::equal(color.begin(), color.end(), this->MissedColor))
+  {
+    std::copy(color.begin(), color.end(), this->MissedColor);
+    this->Modified();
+  }
+}
+
+void vtkTransmittanceVolumeMapper::SetMissedColor(const double color[3])
+{
+  this->SetMissedColor(color[0], color[1], color[2]);
 }
 
 void vtkTransmittanceVolumeMapper::SetAssumedImportance(vtkPiecewiseFunction* function)

@@ -123,8 +123,7 @@ public:
   ///@{
   /**
    * Name of the array with the importance, dimensionless, or with what ImportanceFunction maps to
-   * it. Empty: the array "Importance", or if there is none and UseImportanceFunction is on, the
-   * scalar array. Default is empty.
+   * it. Empty: the array "Importance", or if there is none, the scalar array. Default is empty.
    */
   void SetImportanceArray(const char* name);
   const char* GetImportanceArray() const;
@@ -133,8 +132,10 @@ public:
   ///@{
   /**
    * Function from the scalars to importance that stands in where nothing says what is important:
-   * no array is named, there is none of the name "Importance", and UseImportanceFunction is off.
-   * Null: that is an error. Default is null.
+   * UseImportanceFunction is off, and ImportanceArray is empty and there is none of the name
+   * "Importance", or it is the scalar array. Null: a ramp over the largest scalars, from their 95th
+   * to their 99th percentile, or above where these are in noise, with a warning, where
+   * ImportanceArray is empty. Default is null.
    */
   void SetAssumedImportance(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetAssumedImportance() { return this->AssumedImportance; }
@@ -145,7 +146,8 @@ public:
    * Where the array with the importance is: vtkDataObject::FIELD_ASSOCIATION_POINTS, _CELLS, or
    * _POINTS_THEN_CELLS. Default is FIELD_ASSOCIATION_POINTS_THEN_CELLS.
    */
-  vtkSetMacro(ImportanceArrayAssociation, int);
+  LIMPID_SET_CLAMPED(ImportanceArrayAssociation, int, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
   vtkGetMacro(ImportanceArrayAssociation, int);
   ///@}
 
@@ -156,7 +158,7 @@ public:
    * colours alone. Scores, too, are of what the array has: what was removed from it before does not
    * count. Default is OPACITY_FUNCTION.
    */
-  vtkSetMacro(ExtinctionSource, int);
+  LIMPID_SET_CLAMPED(ExtinctionSource, int, OPACITY_FUNCTION, ARRAY);
   vtkGetMacro(ExtinctionSource, int);
   ///@}
 
@@ -175,7 +177,8 @@ public:
    * Where the array with the extinction is: as SetImportanceArrayAssociation.
    * Default is FIELD_ASSOCIATION_POINTS_THEN_CELLS.
    */
-  vtkSetMacro(ExtinctionArrayAssociation, int);
+  LIMPID_SET_CLAMPED(ExtinctionArrayAssociation, int, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
   vtkGetMacro(ExtinctionArrayAssociation, int);
   ///@}
 
@@ -186,7 +189,7 @@ public:
    * change; changed functions and settings are followed. CONTINUOUS: optimized for every frame.
    * Default is CONTINUOUS.
    */
-  vtkSetMacro(Optimization, int);
+  LIMPID_SET_CLAMPED(Optimization, int, OFF, CONTINUOUS);
   vtkGetMacro(Optimization, int);
   ///@}
 
@@ -213,7 +216,7 @@ public:
    * LightIntensity, its tint from its diffuse colour. OWN: that of LightType and LightPosition.
    * Default is SCENE.
    */
-  vtkSetMacro(LightSource, int);
+  LIMPID_SET_CLAMPED(LightSource, int, SCENE, OWN);
   vtkGetMacro(LightSource, int);
   ///@}
 
@@ -231,7 +234,7 @@ public:
   /**
    * Share of the shadow that is drawn, in [0, 1]. Default is 0.7.
    */
-  vtkSetMacro(ShadowStrength, double);
+  LIMPID_SET_CLAMPED(ShadowStrength, double, 0, 1);
   vtkGetMacro(ShadowStrength, double);
   ///@}
 
@@ -240,7 +243,7 @@ public:
    * Share of the light that comes from all sides and reaches everything, in [0, 1]. Default is
    * 0.35.
    */
-  vtkSetMacro(Ambient, double);
+  LIMPID_SET_CLAMPED(Ambient, double, 0, 1);
   vtkGetMacro(Ambient, double);
   ///@}
 
@@ -258,7 +261,7 @@ public:
    * Weight k_s of the Blinn-Phong term of Eq. (5) where the base extinction is steepest; elsewhere
    * it is less in proportion to the gradient. Not below zero. Default is 2.
    */
-  vtkSetMacro(Specular, double);
+  LIMPID_SET_CLAMPED(Specular, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(Specular, double);
   ///@}
 
@@ -266,7 +269,7 @@ public:
   /**
    * Exponent of the Blinn-Phong term, not below zero. Default is 20.
    */
-  vtkSetMacro(SpecularPower, double);
+  LIMPID_SET_CLAMPED(SpecularPower, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpecularPower, double);
   ///@}
 
@@ -275,7 +278,7 @@ public:
    * Brightness of the light, not below zero; at 1, what it reaches unhindered keeps about the
    * colour of the transfer function. Default is 1.
    */
-  vtkSetMacro(LightIntensity, double);
+  LIMPID_SET_CLAMPED(LightIntensity, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(LightIntensity, double);
   ///@}
 
@@ -320,7 +323,8 @@ public:
   /**
    * Red, green and blue of what is missed, in [0, 1]. Default is magenta, (1, 0, 1).
    */
-  vtkSetVector3Macro(MissedColor, double);
+  virtual void SetMissedColor(double red, double green, double blue);
+  virtual void SetMissedColor(const double color[3]);
   vtkGetVector3Macro(MissedColor, double);
   ///@}
 
@@ -337,7 +341,7 @@ public:
    * Time constant with which changes of the extinction ease in while the view moves [s]; zero: they
    * are shown at once. Default is 0.3.
    */
-  vtkSetMacro(EaseTime, double);
+  LIMPID_SET_CLAMPED(EaseTime, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(EaseTime, double);
   ///@}
 

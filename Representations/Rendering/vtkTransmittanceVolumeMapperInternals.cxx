@@ -330,7 +330,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     "Switch UseDepthPeelingForVolumes off.");
   vtkImageData* image = this->RequireImage();
   const bool isHere = image->GetNumberOfPoints() > 0;
-  this->RequireAvailableChoices();
+  this->RequirePossibleNumbers();
   limpid::FrameSettings frame = this->MakeFrameSettings(renderer, volume);
   const limpid::FieldSource scalars =
     isHere ? this->ScalarSource(image, volume) : limpid::FieldSource();
@@ -340,11 +340,14 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   this->Data.UpdateScalars(
     image, scalars, extinction, this->CropRegionOf(volume), volume->GetProperty());
   this->Data.UpdateFunctions(volume->GetProperty());
+  limpid::ImportanceChoice choice =
+    isHere ? this->ChooseImportance(image, scalars) : limpid::ImportanceChoice();
+  this->AssumeImportance(image, choice);
   Importance importance;
   std::string trouble; // with the importance
   try
   {
-    importance = isHere ? this->ImportanceOf(image, scalars) : Importance();
+    importance = isHere ? this->ImportanceOf(image, choice) : Importance();
     if (!this->Ranks)
     {
       this->Data.UpdateImportance(image, importance.source, importance.functionTime);
@@ -370,6 +373,10 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   else if (this->Ranks)
   {
     this->Data.UpdateImportance(image, importance.source, importance.functionTime);
+  }
+  if (!importance.warning.empty() && (frame.optimize || frame.showMissed))
+  {
+    this->Warn(importance.warning);
   }
   if (inParts && frame.Composing() != limpid::Compositing::FrontToBack)
   {

@@ -12,12 +12,16 @@
 #include "ArrayContents.h"
 #include "DrawingOrder.h"
 #include "MessageLog.h"
+#include "StartingImportance.h"
 #include "VolumeData.h"
 #include "VolumeView.h"
+
+#include "vtkTimeStamp.h"
 
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkHardwareSelector;
@@ -65,13 +69,16 @@ struct vtkTransmittanceVolumeMapper::Internals
   {
     limpid::FieldSource source;
     vtkMTimeType functionTime = 0; ///< of the function that maps it; 0: none does
+    std::string warning;           ///< what was assumed; may be nothing
   };
-  Importance ImportanceOf(vtkImageData* image, const limpid::FieldSource& scalars);
-  std::string ImportanceName() const;
+  limpid::ImportanceChoice ChooseImportance(
+    vtkImageData* image, const limpid::FieldSource& scalars) const;
+  void AssumeImportance(vtkImageData* image, limpid::ImportanceChoice& choice);
+  Importance ImportanceOf(vtkImageData* image, const limpid::ImportanceChoice& choice);
   limpid::FieldSource GivenImportance(vtkImageData* image) const;
   void NoticeChanges(vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction);
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
-  void RequireAvailableChoices() const;
+  void RequirePossibleNumbers() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
   void LeaveToOneProcess(limpid::FrameSettings& frame);
   void LeaveWhatIsNotShared(limpid::FrameSettings& frame);
@@ -90,6 +97,9 @@ struct vtkTransmittanceVolumeMapper::Internals
   vtkTransmittanceVolumeMapper* Self;
   std::shared_ptr<const limpid::Communicator> Ranks; ///< that draw together; null: there is one
   limpid::ArrayContents Contents;
+  limpid::ImportanceRamp Ramp; ///< that is assumed where nothing says what is important
+  std::pair<vtkMTimeType, int> RampOf{ 0, 0 }; ///< time and component of the scalars that it is of
+  vtkTimeStamp RampTime;                       ///< when it was found
   limpid::VolumeData Data;
   std::vector<std::unique_ptr<limpid::VolumeView>> Views;
   limpid::FrameResult Last; ///< of the last frame, in whichever view

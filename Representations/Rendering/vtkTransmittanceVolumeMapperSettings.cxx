@@ -7,6 +7,7 @@
 
 #include "Choices.h"
 #include "SettingsConversion.h"
+#include "SharedArray.h"
 #include "SharedView.h"
 
 #include "vtkCellData.h"
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -144,47 +146,82 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
   return source;
 }
 
-std::string vtkTransmittanceVolumeMapper::Internals::ImportanceName() const
-{
-  const std::string& given = this->Self->ImportanceArray;
-  return given.empty() ? "Importance" : given;
-}
-
-// The array of that name; null: there is none.
+// The array that says what is important; null: there is none of its name.
 limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::GivenImportance(
   vtkImageData* image) const
 {
+  const std::string& given = this->Self->ImportanceArray;
   limpid::FieldSource source;
-  FindArray(image, this->ImportanceName(), this->Self->ImportanceArrayAssociation, source);
+  FindArray(
+    image, given.empty() ? "Importance" : given, this->Self->ImportanceArrayAssociation, source);
   return source;
+}
+
+limpid::ImportanceChoice vtkTransmittanceVolumeMapper::Internals::ChooseImportance(
+  vtkImageData* image, const limpid::FieldSource& scalars) const
+{
+  const std::string& given = this->Self->ImportanceArray;
+  limpid::ImportanceChoice choice;
+  choice.name = given.empty() ? "Importance" : given;
+  choice.array = this->GivenImportance(image);
+  choice.isChosen = !given.empty();
+  choice.scalars = scalars;
+  if (this->Self->AssumedImportance && choice.isChosen && choice.array.array == scalars.array)
+  {
+    choice.array.array = nullptr;
+    choice.isChosen = false;
+  }
+  return choice;
+}
+
+// Finds what is assumed where nothing says what is important, of the scalars of all processes.
+void vtkTransmittanceVolumeMapper::Internals::AssumeImportance(
+  vtkImageData* image, limpid::ImportanceChoice& choice)
+{
+  // Where some processes have an importance array, all should.
+  choice.isChosen = this->AnyRank(choice.isChosen || choice.array.array);
+  const bool assumes = !this->Self->AssumedImportance && choice.IsAssumed(this->Self->Settings);
+  if (!this->AnyRank(assumes))
+  {
+    return;
+  }
+  const limpid::FieldSource& scalars = choice.scalars;
+  const auto of = std::make_pair(scalars.array ? scalars.array->GetMTime() : 0, scalars.component);
+  if (this->AnyRank(of != this->RampOf))
+  {
+    this->Ramp =
+      limpid::StartingImportance(limpid::SharedArray(scalars, image, this->Self->WholeExtent,
+        this->Ranks ? vtkMultiProcessController::GetGlobalController() : nullptr));
+    this->RampOf = of;
+    this->RampTime.Modified();
+  }
 }
 
 vtkTransmittanceVolumeMapper::Internals::Importance
 vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
-  vtkImageData* image, const limpid::FieldSource& scalars)
+  vtkImageData* image, const limpid::ImportanceChoice& choice)
 {
-  const std::string& given = this->Self->ImportanceArray;
-  const bool mapped = this->Self->GetUseImportanceFunction() != 0;
+  vtkVisibilitySettings* settings = this->Self->Settings;
+  vtkPiecewiseFunction* given = this->Self->AssumedImportance;
   Importance importance;
-  limpid::FieldSource& source = importance.source;
-  source = this->GivenImportance(image);
-  source.component = this->Self->GetImportanceComponent();
-  vtkPiecewiseFunction* function = mapped ? this->Self->GetImportanceFunction() : nullptr;
-  if (!source.array && given.empty() && (mapped || this->Self->AssumedImportance))
+  if (!choice.IsAssumed(settings))
   {
-    source = scalars;
-    function = mapped ? function : this->Self->AssumedImportance.Get();
+    vtkPiecewiseFunction* function = settings->GetImportanceFunction();
+    importance.source = choice.Source(settings, limpid::KeepValue(), image);
+    importance.functionTime =
+      settings->GetUseImportanceFunction() && function ? function->GetMTime() : 0;
   }
-  LIMPID_REQUIRE(source.array,
-    "The importance array \"" << this->ImportanceName()
-                              << "\" is not among the input's numeric arrays (what is to be seen "
-                                 "is not known). Choose one of these: "
-                              << limpid::ArrayNames(image)
-                              << "; or turn optimization and ShowMissed off.");
-  limpid::RequireComponent("ImportanceComponent", source.array, source.component);
-  source.mapping = function && !mapped ? limpid::Evaluate(function)
-                                       : limpid::ImportanceMapping(this->Self->Settings);
-  importance.functionTime = function ? function->GetMTime() : 0;
+  else if (given)
+  {
+    importance.source = choice.Source(settings, limpid::Evaluate(given), image);
+    importance.functionTime = given->GetMTime();
+  }
+  else
+  {
+    importance.source = choice.Source(settings, limpid::MappingOf(this->Ramp), image);
+    importance.functionTime = this->RampTime.GetMTime();
+    importance.warning = limpid::WarningOf(this->Ramp);
+  }
   return importance;
 }
 
@@ -229,13 +266,9 @@ limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolu
   return region;
 }
 
-void vtkTransmittanceVolumeMapper::Internals::RequireAvailableChoices() const
+void vtkTransmittanceVolumeMapper::Internals::RequirePossibleNumbers() const
 {
   const vtkTransmittanceVolumeMapper* self = this->Self;
-  limpid::RequireChoice("Optimization", self->Optimization, 3);
-  limpid::RequireChoice("LightSource", self->LightSource, 2);
-  limpid::RequireChoice("ExtinctionSource", self->ExtinctionSource, 2);
-  limpid::RequireChoices(self->Settings);
   RequireShare("ShadowStrength", self->ShadowStrength);
   RequireShare("Ambient", self->Ambient);
   LIMPID_REQUIRE(std::abs(self->Anisotropy) < 1,

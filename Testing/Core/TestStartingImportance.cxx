@@ -8,14 +8,77 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <random>
 #include <vector>
 
 namespace
 {
+using limpid::CleanRamp;
 using limpid::ImportanceRamp;
+using limpid::mostSpecks;
 using limpid::RampOf;
+using limpid::SpecksOf;
+using limpid::ValueAmongOthers;
+
+/// Values of size^3 nodes.
+struct Image
+{
+  int size;
+  std::vector<double> values;
+
+  double& At(int i, int j, int k)
+  {
+    return this->values[static_cast<std::size_t>((k * this->size + j) * this->size + i)];
+  }
+
+  std::vector<double> Sorted() const
+  {
+    std::vector<double> sorted = this->values;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+  std::vector<ValueAmongOthers> Above(double least) const
+  {
+    std::vector<ValueAmongOthers> above;
+    const auto valueAt = [this](int i, int j, int k)
+    { return this->values[static_cast<std::size_t>((k * this->size + j) * this->size + i)]; };
+    for (int node = 0; node < this->size * this->size * this->size; ++node)
+    {
+      const int i = node % this->size;
+      const int j = node / this->size % this->size;
+      const int k = node / (this->size * this->size);
+      if (valueAt(i, j, k) > least)
+      {
+        above.push_back({ valueAt(i, j, k),
+          limpid::EighthLargestNeighbour(
+            { { this->size, this->size, this->size } }, { { i, j, k } }, valueAt) });
+      }
+    }
+    return above;
+  }
+};
+
+/// A ball of 1 in 0.5 in nothing, with Rician noise of a standard deviation.
+Image Ball(double noise)
+{
+  Image image{ 40, {} };
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  for (int node = 0; node < 64000; ++node)
+  {
+    const double x = node % 40 - 19.5;
+    const double y = node / 40 % 40 - 19.5;
+    const double z = node / 1600 - 19.5;
+    const double radius = std::sqrt(x * x + y * y + z * z);
+    const double value = radius < 7 ? 1 : radius < 17 ? 0.5 : 0;
+    image.values.push_back(std::hypot(value + noise * normal(random), noise * normal(random)));
+  }
+  return image;
+}
 
 /// So many zeros and ones.
 std::vector<double> Mask(std::size_t zeros, std::size_t ones)
@@ -47,6 +110,61 @@ TEST(StartingImportance, OfAMaskIsItsInsideHoweverLargeThatIs)
     EXPECT_EQ(ramp.begin, 0) << ones;
     EXPECT_EQ(ramp.end, 1) << ones;
   }
+}
+
+TEST(StartingImportance, OfCleanValuesStaysWhatItIs)
+{
+  const Image image = Ball(0.0);
+
+  const ImportanceRamp first = RampOf(image.Sorted(), {});
+  const ImportanceRamp ramp = CleanRamp(first, image.Sorted(), image.Above(first.begin));
+
+  EXPECT_LT(SpecksOf(first, image.Above(first.begin)), mostSpecks);
+  EXPECT_EQ(ramp.begin, first.begin);
+  EXPECT_EQ(ramp.end, first.end);
+}
+
+// The ball is 2.2 % of the nodes, and stands out of the noise; the 95th percentile is within it.
+TEST(StartingImportance, MovesUpOutOfTheNoise)
+{
+  for (const double noise : { 0.08, 0.09, 0.1 })
+  {
+    const Image image = Ball(noise);
+
+    const ImportanceRamp first = RampOf(image.Sorted(), {});
+    const std::vector<ValueAmongOthers> above = image.Above(first.begin);
+    const ImportanceRamp ramp = CleanRamp(first, image.Sorted(), above);
+
+    EXPECT_GT(SpecksOf(first, above), mostSpecks) << noise;
+    EXPECT_LT(SpecksOf(ramp, above), mostSpecks) << noise;
+    EXPECT_GT(ramp.begin, first.begin) << noise;
+    EXPECT_LT(ramp.end, 1 + 3 * noise) << "the ball is still important";
+  }
+}
+
+TEST(StartingImportance, OfNothingButNoiseIsTheLeastNoisyOne)
+{
+  const Image image = Ball(10.0);
+
+  const ImportanceRamp first = RampOf(image.Sorted(), {});
+  const std::vector<ValueAmongOthers> above = image.Above(first.begin);
+  const ImportanceRamp ramp = CleanRamp(first, image.Sorted(), above);
+
+  EXPECT_LE(SpecksOf(ramp, above), SpecksOf(first, above));
+  EXPECT_TRUE(ramp.IsKnown());
+}
+
+TEST(StartingImportance, KnowsSpecksAsTheMedianDoes)
+{
+  // One node alone, a wall, and what the border stands for.
+  Image image{ 5, std::vector<double>(125, 0.0) };
+  image.At(2, 2, 2) = 1;
+  EXPECT_EQ(SpecksOf({ 0, 1, {} }, image.Above(0)), 1);
+  for (int number = 0; number < 25; ++number)
+  {
+    image.At(0, number % 5, number / 5) = 1;
+  }
+  EXPECT_NEAR(SpecksOf({ 0, 1, {} }, image.Above(0)), 1.0 / 26, 1e-12);
 }
 
 TEST(StartingImportance, IsNotKnownWhereNothingStandsOut)

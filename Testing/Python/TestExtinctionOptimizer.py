@@ -516,6 +516,76 @@ class TestValuesThatCannotBeUsed(OptimizerTest):
         self.assertIsNotNone(output.GetPointGhostArray())
 
 
+def starting_importance(scalars):
+    """What the display takes for important: the largest few per cent, in a ramp."""
+    ordered = np.sort(scalars.astype(float), axis=None)
+    ends = [ordered[int(share * (ordered.size - 1))] for share in (0.95, 0.99)]
+    return np.interp(scalars, ends, (0, 1))
+
+
+class TestImportanceNotGiven(OptimizerTest):
+    """The rule of the display, with a warning that has the points of the ramp."""
+
+    def scene(self, **arrays):
+        return image_of((12, 11, 10), BaseExtinction=np.ones(1320), **arrays)
+
+    def found(self, image, scalars=None, **properties):
+        result = optimizer(image, ExtinctionSource=1, **properties)
+        if scalars:
+            result.SetInputArrayToProcess(0, 0, 0, POINTS, scalars)
+        result.Update()
+        self.assertEqual(result.messages["ErrorEvent"], [])
+        return values(result.GetOutput(), "Importance"), result.messages["WarningEvent"]
+
+    def test_the_largest_scalars_are_important(self):
+        scalars = np.sort(np.random.default_rng(1).gamma(2, 200, 1320))  # not noise in space
+
+        importance, told = self.found(self.scene(density=scalars), "density")
+
+        np.testing.assert_allclose(importance, starting_importance(scalars), atol=2 * SINGLE)
+        self.assertEqual(len(told), 1)
+        self.assertIn("Nobody has said what is important", told[0])
+
+    def test_they_are_the_component_that_counts(self):
+        vectors = np.sort(np.random.default_rng(2).normal(0, 100, (1320, 3)), axis=0)
+        for component, counted in ((1, vectors[:, 1]), (-1, np.linalg.norm(vectors, axis=1))):
+            importance, _ = self.found(self.scene(flow=vectors), "flow", ScalarComponent=component)
+            np.testing.assert_allclose(importance, starting_importance(counted), atol=1e-6)
+
+    def test_an_array_or_a_function_says_it(self):
+        scalars = np.linspace(0, 100, 1320)
+        own = np.linspace(0, 1, 1320)
+        importance, told = self.found(self.scene(density=scalars, Importance=own), "density")
+        np.testing.assert_allclose(importance, own, atol=SINGLE)
+        self.assertEqual(told, [])
+
+        importance, told = self.found(self.scene(density=scalars), "density",
+                                      UseImportanceFunction=1,
+                                      ImportanceFunction=function_of((20, 0), (60, 1)))
+        np.testing.assert_allclose(importance, np.interp(scalars, (20, 60), (0, 1)), atol=1e-6)
+        self.assertEqual(told, [])
+
+    def test_automatic_is_no_choice(self):
+        scalars = np.linspace(0, 100, 1320)
+        for own in (None, np.linspace(1, 0, 1320)):
+            image = self.scene(density=scalars, **({} if own is None else {"Importance": own}))
+            image.GetPointData().SetActiveScalars("density")
+            result = optimizer(image, ExtinctionSource=1)
+            result.SetInputArrayToProcess(1, 0, 0, POINTS, "(Automatic)")
+            result.Update()
+            np.testing.assert_allclose(values(result.GetOutput(), "Importance"),
+                                       starting_importance(scalars) if own is None else own,
+                                       atol=1e-6)
+
+    def test_scalars_that_are_all_alike_say_nothing(self):
+        image = self.scene(density=np.ones(1320))
+        image.GetPointData().SetActiveScalars("density")
+        self.assert_refuses("Nobody has said", "all alike", filter_=optimizer(image))
+
+    def test_without_scalars_the_array_is_missing(self):
+        self.assert_refuses('"Importance" is not among', filter_=optimizer(self.scene()))
+
+
 class TestDegenerateInput(OptimizerTest):
     def test_no_points(self):
         self.assert_refuses("no points", filter_=optimizer(vtkImageData()))
@@ -624,8 +694,8 @@ class TestDegenerateInput(OptimizerTest):
     def test_settings_that_make_no_sense_are_named(self):
         nan = math.nan  # the settings themselves move other numbers into their ranges
         cases = dict(ViewWeight=nan, LightWeight=nan, RegularizationWeight=nan, RayDensity=nan,
-                     ClearingThreshold=nan, ScalarOpacityUnitDistance=-1, ExtinctionSource=2,
-                     ScalarComponent=4, ViewpointGuide=3, LearningRate=-1, Tolerance=nan,
+                     ClearingThreshold=nan, ScalarOpacityUnitDistance=-1,
+                     ScalarComponent=4, LearningRate=-1, Tolerance=nan,
                      MaximumSeconds=nan, ProtectImportance=nan, Emphasis=nan, Smoothness=nan)
         for name, value in cases.items():
             with self.subTest(name=name):

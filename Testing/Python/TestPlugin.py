@@ -7,7 +7,9 @@ import os
 import tempfile
 import unittest
 
+import numpy as np
 from paraview import simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
 
 import runner
 
@@ -38,6 +40,11 @@ class TestPlugin(unittest.TestCase):
     def test_works_as_it_is_on_the_phantom(self):
         optimizer = ExtinctionOptimizer(Input=OcclusionPhantom(Resolution=24))
         optimizer.UpdatePipeline()
+
+        points = simple.servermanager.Fetch(optimizer).GetPointData()
+        inputs = simple.servermanager.Fetch(optimizer.Input).GetPointData()
+        np.testing.assert_array_equal(vtk_to_numpy(points.GetArray("Importance")),
+                                      vtk_to_numpy(inputs.GetArray("Importance")))
 
         self.assertIn("Extinction", optimizer.PointData.keys())
         fields = optimizer.FieldData
@@ -77,6 +84,24 @@ class TestPlugin(unittest.TestCase):
         optimizer = ExtinctionOptimizer(Input=phantom)
         self.assertEqual(list(optimizer.ImportanceArray), ["POINTS", "Importance"])
         self.assertEqual(list(optimizer.ExtinctionArray), ["POINTS", "BaseExtinction"])
+
+    def test_takes_the_largest_values_for_important_whether_the_input_was_updated_or_not(self):
+        for updates in (False, True):
+            source = simple.Wavelet()
+            if updates:
+                source.UpdatePipeline()
+            optimizer = ExtinctionOptimizer(Input=source, MaximumIterations=0)
+            if updates:
+                self.assertEqual(list(optimizer.ImportanceArray), ["POINTS", "(Automatic)"])
+
+            optimizer.UpdatePipeline()
+
+            points = simple.servermanager.Fetch(optimizer).GetPointData()
+            values, importance = (vtk_to_numpy(points.GetArray(name)).astype(float)
+                                  for name in ("RTData", "Importance"))
+            ordered = np.sort(values)
+            ends = [ordered[int(share * (ordered.size - 1))] for share in (0.95, 0.99)]
+            np.testing.assert_allclose(importance, np.interp(values, ends, (0, 1)), atol=1e-6)
 
     def test_uses_the_opacity_function_of_the_color_map_editor(self):
         phantom = OcclusionPhantom(Resolution=16)

@@ -64,9 +64,13 @@ class TestPresets(displays.DisplayTest):
         self.assertEqual(values(self.display), DEFAULT)
 
     def test_are_found_without_capital_letters(self):
-        self.display.Preset = "strong reveal"
+        for name, expected in PRESETS.items():
+            for written in (name.lower(), name.capitalize()):
+                change_all(self.display)
 
-        self.assertEqual(values(self.display), PRESETS["Strong Reveal"])
+                self.display.Preset = written
+
+                self.assertEqual(values(self.display), expected)
 
     def test_set_what_filters_have_of_it(self):
         for make, without in ((ExtinctionOptimizer, ("TemporalCoherence",)),
@@ -103,15 +107,26 @@ class TestPresets(displays.DisplayTest):
             self.assertEqual(proxy.RegularizationWeight, 1e-3)
             proxy.UpdateVTKObjects()
 
-    def test_an_unknown_name_changes_nothing_and_says_which_there_are(self):
-        self.display.ViewWeight = 3
+    def test_an_unknown_name_raises_and_changes_nothing(self):
+        for proxy in (self.display, ExtinctionOptimizer(Input=simple.FindSource("phantom"))):
+            proxy.ViewWeight = 3
+            before = values(proxy)
+
+            with self.assertRaisesRegex(ValueError, "Nonsense"):
+                proxy.Preset = "Nonsense"
+
+            self.assertEqual(values(proxy), before)
+            self.assertEqual(self.errors, [])
+        with self.assertRaises(ValueError):
+            ExtinctionOptimizer(Preset="Nonsense")
+
+    def test_an_unknown_number_changes_nothing_and_says_which_names_there_are(self):
         before = values(self.display)
 
-        self.display.Preset = "Nonsense"
+        self.display.Preset = 5
 
         self.assertEqual(values(self.display), before)
         self.assertEqual(len(self.errors), 1)
-        self.assertIn('"Nonsense"', self.errors[0])
         self.assertIn("Default, Keep Context, Strong Reveal, Paper.", self.errors[0])
 
     def test_have_no_state_of_their_own(self):

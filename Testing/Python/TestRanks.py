@@ -129,6 +129,13 @@ class TestRanks(unittest.TestCase):
             np.testing.assert_array_equal(values_in(output, name, output.GetExtent()),
                                           values_in(whole, name, output.GetExtent()), name)
 
+    def test_assume_the_same_importance(self):
+        image = whole_phantom()
+        image.GetPointData().RemoveArray("Importance")
+        for more in (0, 1):
+            optimizer = together(Pieces(image, slabs(image, 2, more)))
+            self.same(alone(image), optimizer)
+
     def test_pieces_of_a_source(self):
         phantom = vtkOcclusionPhantom()
         phantom.SetResolution(20)

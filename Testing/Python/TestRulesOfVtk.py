@@ -85,9 +85,9 @@ class TestSetGet(unittest.TestCase):
                     continue
                 with self.subTest(name=kind.__name__ + "::" + name):
                     before = instance.GetMTime()
-                    # The default may be the greatest value that there is.
-                    for step in (1, -1):
-                        other = tuple(number + step for number in first)
+                    # The default may be at an end of the range.
+                    for change in (lambda n: n + 1, lambda n: n - 1, lambda n: n / 2):
+                        other = tuple(map(change, first))
                         getattr(instance, "Set" + name)(*other)
                         if as_arguments(getattr(instance, "Get" + name)()) == other:
                             break

@@ -347,6 +347,33 @@ class TestViews(MapperTest):
         for score in scores:
             self.assertAlmostEqual(score, whole, delta=1e-6 * whole)
 
+    def test_tiles_are_not_optimized_again(self):
+        # A frame makes one step at least, and a new view takes more than one.
+        view, mapper = show(ProgressiveStill=1, InteractiveFrameTime=1e-6, EaseTime=0)
+        capture = vtkWindowToImageFilter()
+        capture.SetInput(view.window)
+        capture.ReadFrontBufferOff()
+        for parallel, angle in ((0, 5), (0, 30), (0, 90), (1, 30)):
+            view.camera.SetParallelProjection(parallel)
+            view.camera.SetViewAngle(angle)
+            view.camera.Azimuth(10)
+            view.window.Render()
+            first = mapper.GetIterations()
+            while not mapper.GetConverged():
+                view.window.Render()
+            last = mapper.GetIterations()
+            self.assertLess(first, last)
+            for scale in (2, 3):
+                found = []
+                tag = view.window.AddObserver(
+                    "EndEvent", lambda *_, found=found: found.append(mapper.GetIterations()))
+                capture.SetScale(scale)
+                capture.Modified()
+                capture.Update()
+                view.window.RemoveObserver(tag)
+                self.assertGreaterEqual(len(found), scale ** 2)
+                self.assertEqual(set(found), {last}, (parallel, angle, scale))
+
     def test_an_abort_at_any_check_leaves_a_mapper_that_draws(self):
         self.assert_survives_aborts(*show(size=(500, 500)))
 

@@ -73,6 +73,46 @@ class TestImportance(MapperTest):
         self.assertEqual(mapper.GetBaseVisibilityScore(), assumed)
         self.assert_fine(view)
 
+    def test_the_largest_scalars_count_where_nothing_says_what_is_important(self):
+        image = phantom(16)
+        image.GetPointData().RemoveArray("Importance")
+        ordered = np.sort(values(image, "Scalars").astype(float))
+        ends = [ordered[int(share * (ordered.size - 1))] for share in (0.95, 0.99)]
+        function = opacity_of((ends[0], 0), (ends[1], 1))
+        view, mapper = show(image, UseImportanceFunction=1, ImportanceFunction=function)
+        view.window.Render()
+        expected = mapper.GetVisibilityScore()
+        self.assertGreater(expected, 0)
+        self.assert_fine(view)
+
+        mapper.UseImportanceFunctionOff()
+        view.window.Render()
+        self.assertEqual(mapper.GetVisibilityScore(), expected)
+        self.assertIn(f"from {ends[0]:g} (0) to {ends[1]:g} (1)", mapper.GetMessages())
+        mapper.SetImportanceArray("Scalars")
+        view.window.Render()
+        self.assertNotEqual(mapper.GetVisibilityScore(), expected, "its values are importance")
+        mapper.SetImportanceArray("")
+        mapper.SetOptimization(mapper.OFF)
+        view.window.Render()
+        self.assertEqual(mapper.GetMessages(), "", "nothing is made of it but the score")
+        self.assertGreater(mapper.GetVisibilityScore(), 0)
+
+    def test_a_named_scalar_array_gets_what_is_assumed_of_it(self):
+        image = phantom(16)
+        function = opacity_of((0.6, 0), (0.8, 1))
+        view, mapper = show(image, ImportanceArray="Scalars", AssumedImportance=function)
+        mapper.SelectScalarArray("Scalars")
+        mapper.SetScalarModeToUsePointFieldData()
+        view.window.Render()
+        assumed = mapper.GetBaseVisibilityScore()
+        mapper.SetAssumedImportance(None)
+        mapper.SetImportanceFunction(function)
+        mapper.UseImportanceFunctionOn()
+        view.window.Render()
+        self.assertEqual(mapper.GetBaseVisibilityScore(), assumed)
+        self.assert_fine(view)
+
     def test_importance_of_cells(self):
         image = phantom()
         importance = values(image, "Importance").reshape(32, 32, 32)

@@ -273,10 +273,10 @@ class TestBadInput(MapperTest):
     def test_settings_that_make_no_sense_are_named(self):
         nan = np.nan  # the settings themselves move other numbers into their ranges
         cases = dict(ViewWeight=nan, LightWeight=nan, RegularizationWeight=nan, RayDensity=nan,
-                     ClearingThreshold=nan, LightSource=2, ExtinctionSource=2,
-                     Optimization=3, Tolerance=nan, MaximumSeconds=nan,
-                     ShadowStrength=1.5, Ambient=-0.5, Anisotropy=1, Specular=-1, SpecularPower=-2,
-                     LightIntensity=-4, SampleDistance=0, InteractiveFrameTime=0, EaseTime=-1,
+                     ClearingThreshold=nan, Tolerance=nan, MaximumSeconds=nan,
+                     ShadowStrength=nan, Ambient=nan, Anisotropy=1, Specular=nan,
+                     SpecularPower=nan, LightIntensity=nan, SampleDistance=0,
+                     InteractiveFrameTime=0, EaseTime=nan,
                      ProtectImportance=nan, Emphasis=nan, AmentRegularization=0, AmentExponent=nan)
         for name, value in cases.items():
             with self.subTest(name=name):

@@ -21,6 +21,14 @@ def blob(nodes=17):
     return np.exp(-4 * (x ** 2 + y ** 2 + z ** 2))
 
 
+def nodes_of(function):
+    """The positions of the nodes."""
+    node = [0.0] * 4
+    for i in range(function.GetSize()):
+        function.GetNodeValue(i, node)
+        yield node[0]
+
+
 def scored(scalars, volume_property, importance, **settings):
     """A view of scalars [z, y, x] and the mapper, that score without any optimization."""
     image = image_of(scalars.shape[::-1], scalars=scalars.ravel(), Importance=importance.ravel())
@@ -89,8 +97,10 @@ class TestFunctions(MapperTest):
     def assert_scored_as_by_the_filter(self, scalars, opacity, log=False):
         importance = (np.arange(scalars.size) % 3 / 2).reshape(scalars.shape).astype(np.float32)
         opacity.SetUseLogScale(log)
-        ends = opacity.GetRange()
-        functions = property_of(colors_of((ends[0], 1, 1, 1), (ends[1], 1, 1, 1)), opacity, 1)
+        colors = colors_of(*((position, 1, 1, 1) for position in nodes_of(opacity)))
+        if log:
+            colors.SetScaleToLog10()
+        functions = property_of(colors, opacity, 1)
         view, mapper = scored(scalars, functions, importance)
         view.window.Render()
         self.assert_fine(view)
@@ -138,6 +148,10 @@ class TestFunctions(MapperTest):
             opacity = opacity_of(*zip(np.linspace(0, 1, count), heights))
             with self.subTest(count=count):
                 self.assert_scored_as_by_the_filter(blob().astype(np.float32), opacity)
+            opacity = opacity_of(*zip(10.0 ** np.linspace(-6, 6, count), heights))
+            for log in (False, True):
+                with self.subTest(count=count, decades=12, log=log):
+                    self.assert_scored_as_by_the_filter(10 ** (12 * blob() - 6), opacity, log)
 
     def test_that_reach_as_far_as_numbers_do(self):
         opacity = opacity_of((-1e308, 0), (1e308, 0.3))

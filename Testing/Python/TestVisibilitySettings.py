@@ -9,7 +9,7 @@ import unittest
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 
-from limpid.vtkLimpidFilters import (vtkExtinctionOptimizer, vtkOcclusionPhantom,
+from limpid.vtkLimpidFilters import (vtkCameraPath, vtkExtinctionOptimizer, vtkOcclusionPhantom,
                                      vtkViewpointSearch, vtkVisibilitySettings)
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
 
@@ -55,6 +55,22 @@ class TestVisibilitySettings(unittest.TestCase):
                     self.assertEqual(getattr(settings, "Get" + name)(), value)
                     self.assertEqual(getattr(instance, "Get" + name)(), value)
 
+    def assert_moved(self, instance, name, wrong, settings, told):
+        """A value below the range and one above it; None: there is none. settings: which knows
+        the ends; told: what it has said."""
+        ends = [getattr(settings, f"Get{name}{end}Value")() for end in ("Min", "Max")]
+        for value, end in zip(wrong, ends):
+            if value is None:
+                continue
+            with self.subTest(owner=instance.GetClassName(), setting=name, value=value):
+                told.clear()
+                getattr(instance, "Set" + name)(value)
+                self.assertEqual(getattr(instance, "Get" + name)(), end)
+                self.assertEqual(len(told), 1, told)
+                self.assertIn(f"{name} is {value} ", told[0])
+                getattr(instance, "Set" + name)(end)
+                self.assertEqual(len(told), 1, told)
+
     def test_values_out_of_range_are_moved_into_it_and_said(self):
         infinite = float("inf")
         cases = {"Mode": (-1, 7), "Solver": (-1, 2), "Method": (-1, 5), "LightType": (-1, 2),
@@ -71,18 +87,7 @@ class TestVisibilitySettings(unittest.TestCase):
             for name, wrong in cases.items():
                 instance = owner()
                 settings = instance.GetVisibilitySettings()
-                ends = [getattr(settings, f"Get{name}{end}Value")() for end in ("Min", "Max")]
-                for value, end in zip(wrong, ends):
-                    if value is None:
-                        continue
-                    with self.subTest(owner=owner.__name__, setting=name, value=value):
-                        told = caught(settings, "WarningEvent")
-                        getattr(instance, "Set" + name)(value)
-                        self.assertEqual(getattr(instance, "Get" + name)(), end)
-                        self.assertEqual(len(told), 1, told)
-                        self.assertIn(f"{name} is {value} ", told[0])
-                        getattr(instance, "Set" + name)(end)
-                        self.assertEqual(len(told), 1, told)
+                self.assert_moved(instance, name, wrong, settings, caught(settings, "WarningEvent"))
         settings = vtkVisibilitySettings()
         told = caught(settings, "WarningEvent")
         settings.SetRegularizationWeight(-3)
@@ -92,6 +97,41 @@ class TestVisibilitySettings(unittest.TestCase):
         self.assertEqual(len(told), 2, told)
         settings.SetViewWeight(infinite)  # it is not near any weight: owners refuse it
         self.assertEqual(settings.GetViewWeight(), infinite)
+
+    def test_owners_move_what_is_their_own_and_say_so(self):
+        cases = {
+            vtkViewpointSearch: {
+                "Field": (-1, 5), "Sampling": (-1, 3), "NumberOfDirections": (0, 100001),
+                "CameraDistance": (0.5, None), "AvoidanceAngle": (-1, 181),
+                "NumberOfViewpoints": (0, None), "SeparationAngle": (-1, 181),
+                "ExtinctionSource": (-1, 2)},
+            vtkExtinctionOptimizer: {"ViewpointGuide": (-1, 3), "ExtinctionSource": (-1, 2)},
+            vtkCameraPath: {
+                "Way": (-1, 2), "NumberOfKeyViews": (0, None), "SeparationAngle": (-1, 181),
+                "NumberOfFrames": (1, 100001), "LeastShare": (-0.1, 1.1)},
+            vtkTransmittanceVolumeMapper: {
+                "ExtinctionSource": (-1, 2), "Optimization": (-1, 3), "LightSource": (-1, 2),
+                "ImportanceArrayAssociation": (-1, 4), "ExtinctionArrayAssociation": (-1, 4),
+                "ShadowStrength": (-0.1, 1.5), "Ambient": (-0.5, 1.1), "Specular": (-1, None),
+                "SpecularPower": (-2, None), "LightIntensity": (-4, None), "EaseTime": (-1, None)}}
+        for owner, properties in cases.items():
+            for name, wrong in properties.items():
+                instance = owner()
+                told = caught(instance, "WarningEvent")
+                self.assert_moved(instance, name, wrong, instance, told)
+
+    def test_owners_move_vectors_and_say_so(self):
+        for owner, name, wrong, right in (
+                (vtkViewpointSearch, "ElevationRange", (-91, 100), (-90, 90)),
+                (vtkCameraPath, "ElevationRange", (-91, 100), (-90, 90)),
+                (vtkTransmittanceVolumeMapper, "MissedColor", (-1, 0.5, 2), (0, 0.5, 1))):
+            instance = owner()
+            told = caught(instance, "WarningEvent")
+            getattr(instance, "Set" + name)(wrong)
+            self.assertEqual(getattr(instance, "Get" + name)(), right)
+            self.assertEqual(len(told), 2, told)
+            getattr(instance, "Set" + name)(*right)
+            self.assertEqual(len(told), 2, told)
 
     def test_switches_are_passed_on(self):
         for owner in OWNERS:

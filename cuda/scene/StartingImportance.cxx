@@ -4,6 +4,7 @@
 #include "scene/StartingImportance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace limpid
@@ -32,5 +33,41 @@ ImportanceRamp RampOf(const std::vector<double>& sorted, const std::array<double
                                    : ImportanceRamp{ ramp.begin, sorted.back(), range };
   }
   return ramp;
+}
+
+double SpecksOf(const ImportanceRamp& ramp, const std::vector<ValueAmongOthers>& values)
+{
+  const auto importance = [&ramp](double value)
+  { return std::min(std::max((value - ramp.begin) / (ramp.end - ramp.begin), 0.0), 1.0); };
+  double all = 0;
+  double removed = 0;
+  for (const ValueAmongOthers& sample : values)
+  {
+    const double own = importance(sample.value);
+    all += own;
+    removed += std::max(own - importance(sample.eighth), 0.0);
+  }
+  return all > 0 ? removed / all : 0;
+}
+
+ImportanceRamp CleanRamp(const ImportanceRamp& first, const std::vector<double>& sorted,
+  const std::vector<ValueAmongOthers>& values)
+{
+  ImportanceRamp cleanest = first;
+  double least = first.IsKnown() ? SpecksOf(first, values) : 0;
+  constexpr int steps = 8;
+  for (int step = 1; step <= steps && least > mostSpecks; ++step)
+  {
+    const double fewer = std::pow(0.5, 0.5 * step);
+    const ImportanceRamp ramp{ QuantileOf(sorted, 1 - fewer * (1 - ImportanceBegins)),
+      QuantileOf(sorted, 1 - fewer * (1 - ImportanceIsFull)), first.range };
+    const double specks = ramp.IsKnown() ? SpecksOf(ramp, values) : 1;
+    if (specks < least)
+    {
+      cleanest = ramp;
+      least = specks;
+    }
+  }
+  return cleanest;
 }
 }

@@ -103,7 +103,8 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     scalars: an array, or the name of one of the image's; None: `volume`, or its active scalars.
     importance: the same for the importance; None: the image's array "Importance", or with
         `importance_function` the scalars. None of these: the largest scalars are taken for
-        important, between their 95th and 99th percentile, as the display does, with a warning.
+        important, between their 95th and 99th percentile, or above where these are in noise, as
+        the display does, with a warning.
     importance_function: nodes [value, importance] that map `importance` to [0, 1].
     importance_component: of an importance with several values per point, (X, Y, Z, components):
         which of them, from 0 on, or -1 for the length of the tuple; None: there is one.

@@ -88,21 +88,41 @@ def ramp_of(scalars, mask, unit_distance):
     return ExtinctionOfOpacity(PiecewiseLinear("opacity_function", nodes), unit_distance)
 
 
+def eighth_largest_neighbours(scalars, mask, places):
+    """Of each place (i, j, k), the eighth largest scalar of its 26 neighbours; on the border, its
+    nodes stand for those beyond. mask: where there is no scalar; None: nowhere."""
+    neighbours = np.empty((27, len(places)))
+    last = np.array(scalars.shape) - 1
+    for number, offset in enumerate(np.ndindex(3, 3, 3)):
+        at = tuple(np.clip(places + np.subtract(offset, 1), 0, last).T)
+        none = ~np.isfinite(scalars[at]) if mask is None else ~np.isfinite(scalars[at]) | mask[at]
+        neighbours[number] = np.where(none, -np.inf, scalars[at])
+    neighbours[13] = -np.inf  # the place itself
+    return np.ascontiguousarray(np.partition(neighbours, 27 - 8, axis=0)[27 - 8])
+
+
 def assumed_importance(scalars, mask):
     """Nodes of an importance of the scalars where nobody has said what is important, as the display
     has it: the largest few per cent. There is a warning. Raises ValueError if nothing stands out.
 
     mask: where there is no scalar; None: nowhere.
     """
-    values = scalars.ravel(order="K") if mask is None else scalars[~mask]
-    step = max(1, values.size // _core.most_samples_of_quantiles) | 1  # odd: meets all columns
-    samples = values[::step].astype(float)
-    ramp = _core.starting_importance(np.sort(samples[np.isfinite(samples)]))
+    nodes = None if mask is None else np.flatnonzero(~mask.ravel(order="F"))
+    count = scalars.size if nodes is None else nodes.size
+    step = max(1, count // _core.most_samples_of_quantiles) | 1  # odd: meets all columns
+    nodes = np.arange(0, count, step) if nodes is None else nodes[::step]
+    places = np.stack(np.unravel_index(nodes, scalars.shape, order="F"), 1)
+    samples = scalars[tuple(places.T)].astype(float)
+    ordered = np.sort(samples[np.isfinite(samples)])
+    ramp = _core.starting_importance(ordered)
     if ramp is None:
         raise ValueError("There is no importance, and the scalars are all alike (nothing stands out "
                          "of them). Give an importance, or an importance_function.")
-    warn(f"Nobody has said what is important: the largest scalars are, from {ramp[0]:g} (0), above "
-         f"95 % of them, to {ramp[1]:g} (1), above 99 % (what is cleared depends on it). Give "
+    above = np.isfinite(samples) & (samples > ramp[0])
+    eighths = eighth_largest_neighbours(scalars, mask, places[above])
+    ramp = _core.clean_importance(ramp, ordered, samples[above], eighths)
+    warn(f"Nobody has said what is important: the largest scalars are, from {ramp[0]:g} (0) to "
+         f"{ramp[1]:g} (1) (what is cleared depends on it). Give "
          f"importance_function=[[{ramp[0]:g}, 0], [{ramp[1]:g}, 1]] if that is right, or an "
          "importance.")
     return [[ramp[0], 0.0], [ramp[1], 1.0]]

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "StartingImportance.h"
+
+#include "Choices.h"
+#include "SettingsConversion.h"
+#include "SharedArray.h"
+#include "vtkVisibilitySettings.h"
+
+#include "vtkImageData.h"
+
+#include "math/Require.h"
+
+#include <sstream>
+#include <vector>
+
+namespace limpid
+{
+ImportanceRamp StartingImportance(const SharedArray& array)
+{
+  const std::vector<double> sorted = array.Samples(mostSamplesOfQuantiles);
+  const ImportanceRamp first =
+    sorted.empty() ? ImportanceRamp() : RampOf(sorted, array.FiniteRange());
+  return first.IsKnown()
+    ? CleanRamp(first, sorted, array.SamplesAbove(first.begin, mostSamplesOfQuantiles))
+    : first;
+}
+
+ScalarMapping MappingOf(const ImportanceRamp& ramp)
+{
+  LIMPID_REQUIRE(ramp.IsKnown(),
+    "Nobody has said what is important, and the scalars are all alike (nothing stands out of "
+    "them). Choose an importance array, or set ImportanceFunction.");
+  return Ramp(ramp.begin, ramp.end);
+}
+
+std::string WarningOf(const ImportanceRamp& ramp)
+{
+  std::ostringstream text;
+  text << "Nobody has said what is important: the largest scalars are, from " << ramp.begin
+       << " (0) to " << ramp.end
+       << " (1) (what is cleared depends on it). If that is right, give ImportanceFunction these "
+          "two points and set UseImportanceFunction; else choose an importance array.";
+  return text.str();
+}
+
+bool ImportanceChoice::IsAssumed(vtkVisibilitySettings* settings) const
+{
+  return this->IsOfScalars() && !settings->GetUseImportanceFunction();
+}
+
+FieldSource ImportanceChoice::Source(
+  vtkVisibilitySettings* settings, const ScalarMapping& assumed, vtkImageData* image) const
+{
+  FieldSource source = this->IsOfScalars() ? this->scalars : this->array;
+  LIMPID_REQUIRE(source.array,
+    "The importance array \"" << this->name
+                              << "\" is not among the input's numeric arrays (what is to be seen "
+                                 "is not known). Choose one of these: "
+                              << ArrayNames(image) << ".");
+  if (!this->IsOfScalars())
+  {
+    source.component = settings->GetImportanceComponent();
+    RequireComponent("ImportanceComponent", source.array, source.component);
+  }
+  source.mapping = this->IsAssumed(settings) ? assumed : ImportanceMapping(settings);
+  return source;
+}
+}
