@@ -126,7 +126,6 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   lighting.enabled = frame.lit && frame.light.found;
   lighting.shadows = lighting.shadows && frame.CastsShadows();
   lighting.light = frame.light.light;
-  lighting.color = frame.light.color;
   this->Caster.SetLighting(lighting);
 }
 

@@ -210,7 +210,8 @@ public:
    * Which light casts the shadow and drives the optimization. SCENE: the strongest of the
    * renderer's lights that are switched on, by colour and intensity; other lights are not drawn,
    * and the strength of this one only tells which it is: how bright it is comes from
-   * LightIntensity, its tint from its diffuse colour. OWN: that of LightType and LightPosition.
+   * LightIntensity, and it is white, so that colours can be read off a scalar bar. OWN: that of
+   * LightType and LightPosition.
    * Default is SCENE.
    */
   vtkSetMacro(LightSource, int);
@@ -272,8 +273,9 @@ public:
 
   ///@{
   /**
-   * Brightness of the light, not below zero; at 1, what it reaches unhindered keeps about the
-   * colour of the transfer function. Default is 1.
+   * Brightness of the light, not below zero. At 1, a surface that faces light and camera has the
+   * colour of the transfer function, and nothing is brighter; above, no channel is clipped alone.
+   * Default is 1.
    */
   vtkSetMacro(LightIntensity, double);
   vtkGetMacro(LightIntensity, double);
