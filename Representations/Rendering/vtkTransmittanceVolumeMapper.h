@@ -305,7 +305,8 @@ public:
    * Whether the picture is painted over, in MissedColor, where it misses something important. What
    * was removed is painted, and of what is hidden, that which could be seen in the same pixel if
    * what is less important were not in front of it: the inside and the back of something that is
-   * seen, or what it hides of its own kind, is not. At most 70 % of a pixel are painted, and little
+   * seen, or what it hides of its own kind, is not. What is important itself and seen covers the
+   * paint of what is behind it. At most 70 % of a pixel are painted, and little
    * where little is missed, so that noise paints nothing.
    *
    * Moving frames have it, too: it is gathered along the rays of the very picture that it is
