@@ -395,7 +395,8 @@ public:
   ///@{
   /**
    * Visibility score of what the last frame showed, S of Eq. (32), and of the base extinction in
-   * the same view [length^2]. Zero without importance.
+   * the same view [length^2]. Zero without importance. What is behind opaque geometry that was
+   * drawn before is not seen; the optimization does not take it into account.
    */
   double GetVisibilityScore() const;
   double GetBaseVisibilityScore() const;
@@ -405,7 +406,7 @@ public:
   /**
    * Of the important matter in the data, the integral of importance times base extinction, the
    * share whose light reaches the camera, in [0, 1]: what was removed is not seen, and what was
-   * made thicker is not seen twice.
+   * made thicker is not seen twice. What is behind opaque geometry is not seen, likewise.
    */
   double GetVisibleFraction() const;
   double GetBaseVisibleFraction() const;
