@@ -77,4 +77,10 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& n
   }
   return text;
 }
+
+std::string MissedText(vtkTransmittanceVolumeMapper* mapper)
+{
+  const bool painted = mapper->GetShowMissed() && !mapper->DrawsWithOthers();
+  return painted ? "This color: removed or hidden" : "";
+}
 }

@@ -16,6 +16,9 @@ namespace limpid
 /// the optimisation, and how far the optimisation is; empty when the last picture knew no
 /// importance. `name`: of the volume; empty: the text has none.
 std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& name);
+
+/// What the paint over the picture means; empty where there is none.
+std::string MissedText(vtkTransmittanceVolumeMapper* mapper);
 }
 
 #endif

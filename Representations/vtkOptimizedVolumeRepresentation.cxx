@@ -70,11 +70,19 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
         ? limpid::ScoreText(state.Mapper, name)
         : std::string();
     });
+  this->State->Annotation->SetLegendSource(
+    [this]()
+    {
+      const Internals& state = *this->State;
+      state.Annotation->SetLegendColor(state.Mapper->GetMissedColor());
+      return state.Mapper->HasDrawn ? limpid::MissedText(state.Mapper) : std::string();
+    });
 }
 
 vtkOptimizedVolumeRepresentation::~vtkOptimizedVolumeRepresentation()
 {
   this->State->Annotation->SetTextSource(nullptr); // a renderer may keep it longer
+  this->State->Annotation->SetLegendSource(nullptr);
 }
 
 int vtkOptimizedVolumeRepresentation::RequestData(

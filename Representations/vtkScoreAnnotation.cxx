@@ -33,17 +33,20 @@ vtkScoreAnnotation::vtkScoreAnnotation()
   this->PickableOff();
   this->UseBoundsOff(); // Reset Camera looks at the data alone
 
-  vtkTextProperty* text = this->Actor->GetTextProperty();
-  text->SetFontFamilyToArial();
-  text->SetFontSize(FONT_SIZE);
-  text->SetJustificationToLeft();
-  text->SetVerticalJustificationToTop();
-  text->SetColor(1, 1, 1);
-  text->SetBackgroundColor(0, 0, 0);
-  text->SetBackgroundOpacity(0.5);
-  this->Actor->SetTextScaleModeToNone();
-  this->Actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  this->Actor->SetPosition(MARGIN, 1 - MARGIN);
+  for (vtkTextActor* actor : { this->Actor.Get(), this->Legend.Get() })
+  {
+    vtkTextProperty* text = actor->GetTextProperty();
+    text->SetFontFamilyToArial();
+    text->SetFontSize(FONT_SIZE);
+    text->SetJustificationToLeft();
+    text->SetVerticalJustificationToTop();
+    text->SetColor(1, 1, 1);
+    text->SetBackgroundColor(0, 0, 0);
+    text->SetBackgroundOpacity(0.5);
+    actor->SetTextScaleModeToNone();
+    actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    actor->SetPosition(MARGIN, 1 - MARGIN);
+  }
 }
 
 vtkScoreAnnotation::~vtkScoreAnnotation() = default;
@@ -52,6 +55,17 @@ void vtkScoreAnnotation::SetTextSource(std::function<std::string()> source)
 {
   this->TextSource = std::move(source);
   this->Modified();
+}
+
+void vtkScoreAnnotation::SetLegendSource(std::function<std::string()> source)
+{
+  this->LegendSource = std::move(source);
+  this->Modified();
+}
+
+void vtkScoreAnnotation::SetLegendColor(const double color[3])
+{
+  this->Legend->GetTextProperty()->SetColor(color[0], color[1], color[2]);
 }
 
 void vtkScoreAnnotation::ClaimView(vtkRenderer* renderer)
@@ -75,6 +89,11 @@ std::string vtkScoreAnnotation::CurrentText()
   return this->TextSource && this->GetVisibility() ? this->TextSource() : std::string();
 }
 
+std::string vtkScoreAnnotation::CurrentLegend()
+{
+  return this->LegendSource && this->GetVisibility() ? this->LegendSource() : std::string();
+}
+
 // Where the annotations end that were drawn before this one in this frame.
 double vtkScoreAnnotation::BottomOfOthers(vtkViewport* viewport)
 {
@@ -87,41 +106,53 @@ double vtkScoreAnnotation::BottomOfOthers(vtkViewport* viewport)
   {
     if (auto* annotation = vtkScoreAnnotation::SafeDownCast(prop))
     {
-      bottom = annotation->CurrentText().empty() ? bottom : annotation->Bottom;
+      const bool drawn = !annotation->CurrentText().empty() || !annotation->CurrentLegend().empty();
+      bottom = drawn ? annotation->Bottom : bottom;
     }
   }
   return bottom;
 }
 
-int vtkScoreAnnotation::RenderOverlay(vtkViewport* viewport)
+// Below what has been drawn. Returns how much was.
+int vtkScoreAnnotation::DrawPlate(
+  vtkViewport* viewport, const std::string& text, vtkTextActor* actor)
 {
-  const std::string text = this->CurrentText();
   if (text.empty())
   {
     return 0;
   }
-  const double top = this->BottomOfOthers(viewport) - MARGIN;
-  this->Actor->SetPosition(MARGIN, top);
-  this->Actor->SetInput(text.c_str());
+  const double top = this->Bottom - MARGIN;
+  actor->SetPosition(MARGIN, top);
+  actor->SetInput(text.c_str());
   double size[2];
-  this->Actor->GetSize(viewport, size);
+  actor->GetSize(viewport, size);
   this->Bottom = top - size[1] / std::max(1, viewport->GetSize()[1]);
   // The image of the text is made in passes before this one; they are over.
-  this->Actor->RenderOpaqueGeometry(viewport);
-  const int drawn = this->Actor->RenderOverlay(viewport);
+  actor->RenderOpaqueGeometry(viewport);
+  const int drawn = actor->RenderOverlay(viewport);
   // Windows of a server share their shaders: when one is closed, those that the text has kept are
   // gone in the others. So it keeps none.
-  this->Actor->ReleaseGraphicsResources(viewport->GetVTKWindow());
+  actor->ReleaseGraphicsResources(viewport->GetVTKWindow());
   return drawn;
+}
+
+int vtkScoreAnnotation::RenderOverlay(vtkViewport* viewport)
+{
+  this->Bottom = this->BottomOfOthers(viewport);
+  const int text = this->DrawPlate(viewport, this->CurrentText(), this->Actor);
+  const int legend = this->DrawPlate(viewport, this->CurrentLegend(), this->Legend);
+  return text + legend;
 }
 
 void vtkScoreAnnotation::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Actor->ReleaseGraphicsResources(window);
+  this->Legend->ReleaseGraphicsResources(window);
 }
 
 void vtkScoreAnnotation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Text: " << this->CurrentText() << "\n";
+  os << indent << "Legend: " << this->CurrentLegend() << "\n";
 }

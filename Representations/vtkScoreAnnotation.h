@@ -33,6 +33,10 @@ public:
   /// What says the text of a frame; an empty text is not drawn. None: nothing is drawn.
   void SetTextSource(std::function<std::string()> source);
 
+  /// What says what a colour means, on a plate of its own below, in that colour. Likewise.
+  void SetLegendSource(std::function<std::string()> source);
+  void SetLegendColor(const double color[3]);
+
   /// Claims all of a renderer's view for the present frame, or nothing. Where processes put a frame
   /// together, only what props claim is taken from each.
   void ClaimView(vtkRenderer* renderer);
@@ -51,12 +55,16 @@ private:
   void operator=(const vtkScoreAnnotation&) = delete;
 
   std::string CurrentText();
+  std::string CurrentLegend();
   double BottomOfOthers(vtkViewport* viewport);
+  int DrawPlate(vtkViewport* viewport, const std::string& text, vtkTextActor* actor);
 
   std::function<std::string()> TextSource;
+  std::function<std::string()> LegendSource;
   double Bounds[6] = {};
-  double Bottom = 1; // of the plate in the last frame, share of the viewport's height
+  double Bottom = 1; // of the plates in the last frame, share of the viewport's height
   vtkNew<vtkTextActor> Actor;
+  vtkNew<vtkTextActor> Legend;
 };
 
 #endif

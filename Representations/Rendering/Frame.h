@@ -32,7 +32,7 @@ struct FrameSettings
   Settings solver;
   ViewSet views;     ///< for which cameras
   ChosenLight light; ///< in data coordinates
-  Lighting lighting; ///< but for the light itself, its colour and whether it is on
+  Lighting lighting; ///< but for the light itself and whether it is on
   bool lit = true;
   double sampleDistance = 1;
   bool jitter = false;

@@ -108,6 +108,25 @@ std::vector<float> OpaqueDepth::InMiddles(const PictureFrame& frame) const
     });
 }
 
+std::optional<OpaqueGeometry> OpaqueDepth::InBox() const
+{
+  const auto farthest = static_cast<float>(this->Geometry.farthest);
+  const bool hides = std::any_of(
+    this->Values.begin(), this->Values.end(), [farthest](float depth) { return depth < farthest; });
+  if (!hides)
+  {
+    return std::nullopt;
+  }
+  const PictureFrame frame = FrameOf(this->Geometry, 1);
+  OpaqueGeometry opaque{ frame.size[0], frame.size[1], ClipToData(this->Geometry, frame),
+    this->InMiddles(frame) };
+  for (float& depth : opaque.depth)
+  {
+    depth = depth < ToClip(farthest) ? depth : 1.0F; // what is behind the box hides nothing
+  }
+  return opaque;
+}
+
 // The view's pixels along an axis, counted in what the box covers, that are less than a pixel of
 // the frame away from the middle of one.
 OpaqueDepth::Pixels OpaqueDepth::FedBy(const PictureFrame& frame, std::size_t axis, int pixel) const
@@ -121,18 +140,23 @@ OpaqueDepth::Pixels OpaqueDepth::FedBy(const PictureFrame& frame, std::size_t ax
   return { std::clamp(first, 0, last), std::clamp(end - 1, 0, last) + 1 };
 }
 
-// For each row of the view and each pixel of a frame's row.
-std::vector<DepthRange> OpaqueDepth::AlongRows(const PictureFrame& frame) const
+std::vector<OpaqueDepth::Pixels> OpaqueDepth::ColumnsFedBy(const PictureFrame& frame) const
 {
-  // In front of the box and behind it, one depth is like another.
-  const auto nearest = static_cast<float>(this->Geometry.nearest);
-  const auto farthest = static_cast<float>(this->Geometry.farthest);
   std::vector<Pixels> columns;
   columns.reserve(std::size_t(frame.size[0]));
   for (int column = 0; column < frame.size[0]; ++column)
   {
     columns.push_back(this->FedBy(frame, 0, column));
   }
+  return columns;
+}
+
+// For each row of the view and each pixel of a frame's row.
+std::vector<DepthRange> OpaqueDepth::AlongRows(const std::vector<Pixels>& columns) const
+{
+  // In front of the box and behind it, one depth is like another.
+  const auto nearest = static_cast<float>(this->Geometry.nearest);
+  const auto farthest = static_cast<float>(this->Geometry.farthest);
   std::vector<DepthRange> ranges;
   ranges.reserve(columns.size() * std::size_t(this->Covered[1]));
   for (int row = 0; row < this->Covered[1]; ++row)
@@ -140,11 +164,11 @@ std::vector<DepthRange> OpaqueDepth::AlongRows(const PictureFrame& frame) const
     const float* values = this->Values.data() + std::size_t(row) * std::size_t(this->Covered[0]);
     for (const Pixels& fed : columns)
     {
-      DepthRange range{ farthest, nearest };
+      DepthRange range{ farthest, nearest, 0 };
       for (int column = fed.first; column < fed.end; ++column)
       {
         const float depth = std::clamp(values[column], nearest, farthest);
-        range = { std::min(range.nearest, depth), std::max(range.farthest, depth) };
+        range = { std::min(range.nearest, depth), std::max(range.farthest, depth), 0 };
       }
       ranges.push_back(range);
     }
@@ -152,9 +176,30 @@ std::vector<DepthRange> OpaqueDepth::AlongRows(const PictureFrame& frame) const
   return ranges;
 }
 
+// Nothing is between two depths that are farther apart than half of the range.
+float OpaqueDepth::TurnOf(const DepthRange& range, const Pixels& columns, const Pixels& rows) const
+{
+  const float middle = 0.5F * (range.nearest + range.farthest);
+  float before = range.nearest;
+  float behind = range.farthest;
+  for (int row = rows.first; row < rows.end; ++row)
+  {
+    const float* values = this->Values.data() + std::size_t(row) * std::size_t(this->Covered[0]);
+    for (int column = columns.first; column < columns.end; ++column)
+    {
+      const float depth = std::clamp(values[column], range.nearest, range.farthest);
+      before = depth <= middle ? std::max(before, depth) : before;
+      behind = depth > middle ? std::min(behind, depth) : behind;
+    }
+  }
+  const bool apart = behind - before > 0.5F * (range.farthest - range.nearest);
+  return apart ? before : range.nearest;
+}
+
 std::vector<DepthRange> OpaqueDepth::RangesOf(const PictureFrame& frame) const
 {
-  const std::vector<DepthRange> along = this->AlongRows(frame);
+  const std::vector<Pixels> columns = this->ColumnsFedBy(frame);
+  const std::vector<DepthRange> along = this->AlongRows(columns);
   const auto width = std::size_t(frame.size[0]);
   std::vector<DepthRange> ranges;
   ranges.reserve(width * std::size_t(frame.size[1]));
@@ -167,9 +212,11 @@ std::vector<DepthRange> OpaqueDepth::RangesOf(const PictureFrame& frame) const
       for (int from = fed.first + 1; from < fed.end; ++from)
       {
         const DepthRange& other = along[std::size_t(from) * width + column];
-        range = { std::min(range.nearest, other.nearest),
-          std::max(range.farthest, other.farthest) };
+        range = { std::min(range.nearest, other.nearest), std::max(range.farthest, other.farthest),
+          0 };
       }
+      range.turns =
+        range.nearest < range.farthest ? this->TurnOf(range, columns[column], fed) : range.nearest;
       ranges.push_back(range);
     }
   }

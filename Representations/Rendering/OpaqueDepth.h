@@ -8,8 +8,11 @@
 
 #include "ViewGeometry.h"
 
+#include "scene/OpaqueGeometry.h"
+
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 class vtkRenderer;
@@ -23,6 +26,11 @@ struct DepthRange
 {
   float nearest;
   float farthest;
+
+  /// Up to here a pixel shows what lies before the nearest depth, and from here on gradually what
+  /// lies before the farthest: the nearest depth, or, where two things are far apart, the end of
+  /// the one in front.
+  float turns;
 };
 
 class OpaqueDepth
@@ -49,6 +57,9 @@ public:
   /// Of the view's pixel in the middle of each pixel of a frame, in clip coordinates.
   std::vector<float> InMiddles(const PictureFrame& frame) const;
 
+  /// What of it may hide anything of the box, in data coordinates; none: nothing.
+  std::optional<OpaqueGeometry> InBox() const;
+
   /**
    * For each pixel of a coarse frame, the depths of the view's pixels that it gives something to
    * when the picture is interpolated, as far as they are within those of the box. Empty when no
@@ -63,7 +74,9 @@ private:
     int end; // one past the last
   };
   Pixels FedBy(const PictureFrame& frame, std::size_t axis, int pixel) const;
-  std::vector<DepthRange> AlongRows(const PictureFrame& frame) const;
+  std::vector<Pixels> ColumnsFedBy(const PictureFrame& frame) const;
+  std::vector<DepthRange> AlongRows(const std::vector<Pixels>& columns) const;
+  float TurnOf(const DepthRange& range, const Pixels& columns, const Pixels& rows) const;
 
   vtkRenderer* Target;
   ViewGeometry Geometry;

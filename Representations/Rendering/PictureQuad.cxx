@@ -40,19 +40,52 @@ uniform vec4 mask; // colour; alpha that is left out, negative: draw the picture
 // Of two pictures, see PicturesBetween
 uniform int between; // 0: there is one
 uniform sampler2D nearPicture;
-uniform sampler2D ranges;
+uniform sampler2D ranges; // see DepthRange
 uniform sampler2D depths; // of the view's pixels
 uniform vec2 depthRange;  // of the box
 uniform vec4 depthPlace;  // of the rectangle in `depths`: left bottom, width height [pixels]
 
-// 0: the near picture, 1: the far one. All ranges around have the pixel's own depth in them.
-float shareOfFar()
+ivec2 inPictures(ivec2 pixel)
 {
-  vec2 range = texture2D(ranges, texCoord).rg;
-  ivec2 pixel = ivec2(floor(depthPlace.xy + depthPlace.zw * texCoord));
-  float depth = texelFetch(depths, clamp(pixel, ivec2(0), textureSize(depths, 0) - 1), 0).r;
-  float beyond = clamp(depth, depthRange.x, depthRange.y) - range.r;
-  return range.r < range.g ? clamp(beyond / (range.g - range.r), 0.0, 1.0) : 1.0;
+  return clamp(pixel, ivec2(0), textureSize(ranges, 0) - 1);
+}
+
+// The share of the far picture that a pixel has at a depth, which is in its range.
+float shareAt(ivec2 pixel, float depth)
+{
+  vec3 range = texelFetch(ranges, inPictures(pixel), 0).rgb;
+  float beyond = depth - range.b;
+  return range.b < range.g ? clamp(beyond / (range.g - range.b), 0.0, 1.0) : 1.0;
+}
+
+vec4 colorAt(ivec2 pixel, float share)
+{
+  pixel = inPictures(pixel);
+  return mix(texelFetch(nearPicture, pixel, 0), texelFetch(picture, pixel, 0), share);
+}
+
+// Where pixels side by side have other shares, they are mixed before they are interpolated:
+// nothing from behind one of them gets into another.
+vec4 colorBetween()
+{
+  ivec2 own = ivec2(floor(depthPlace.xy + depthPlace.zw * texCoord));
+  float depth = texelFetch(depths, clamp(own, ivec2(0), textureSize(depths, 0) - 1), 0).r;
+  depth = clamp(depth, depthRange.x, depthRange.y);
+  vec2 place = texCoord * vec2(textureSize(ranges, 0)) - 0.5;
+  ivec2 first = ivec2(floor(place));
+  vec2 share = place - vec2(first);
+  ivec2 right = first + ivec2(1, 0);
+  ivec2 up = first + ivec2(0, 1);
+  ivec2 both = first + ivec2(1, 1);
+  vec4 far =
+    vec4(shareAt(first, depth), shareAt(right, depth), shareAt(up, depth), shareAt(both, depth));
+  if (far == vec4(far.x))
+  {
+    return mix(texture2D(nearPicture, texCoord), texture2D(picture, texCoord), far.x);
+  }
+  vec4 below = mix(colorAt(first, far.x), colorAt(right, far.y), share.x);
+  vec4 above = mix(colorAt(up, far.z), colorAt(both, far.w), share.x);
+  return mix(below, above, share.y);
 }
 
 void main()
@@ -68,7 +101,7 @@ void main()
   }
   if (between != 0)
   {
-    color = mix(texture2D(nearPicture, texCoord), color, shareOfFar());
+    color = colorBetween();
   }
   gl_FragData[0] = color;
 }
@@ -146,10 +179,10 @@ void PictureQuad::DrawBetween(vtkRenderer* renderer, const PicturesBetween& pict
   const PictureFrame& frame, const ViewGeometry& geometry)
 {
   this->Ready(renderer);
-  const int linear = vtkTextureObject::Linear;
-  SetPicture(renderer, pictures.farthest, linear, this->Texture);
-  SetPicture(renderer, pictures.nearest, linear, this->NearTexture);
-  SetTexture(renderer, frame.size, 2, VTK_FLOAT, pictures.ranges.data(), linear, this->Ranges);
+  const int single = vtkTextureObject::Nearest;
+  SetPicture(renderer, pictures.farthest, vtkTextureObject::Linear, this->Texture);
+  SetPicture(renderer, pictures.nearest, vtkTextureObject::Linear, this->NearTexture);
+  SetTexture(renderer, frame.size, 3, VTK_FLOAT, pictures.ranges.data(), single, this->Ranges);
   SetTexture(renderer, pictures.opaque.Size(), 1, VTK_FLOAT, pictures.opaque.OfPixels().data(),
     vtkTextureObject::Nearest, this->Depths);
 

@@ -112,12 +112,6 @@ ChosenLight StrongestLight(vtkRenderer* renderer)
   chosen.light.type = strongest->GetPositional() ? LightType::Point : LightType::Directional;
   chosen.light.position = ToVec3(from);
   chosen.light.focalPoint = ToVec3(to);
-  const double* color = strongest->GetDiffuseColor();
-  const double largest = std::max({ color[0], color[1], color[2] });
-  for (std::size_t channel = 0; channel < 3; ++channel)
-  {
-    chosen.color[channel] = static_cast<float>(std::max(color[channel] / largest, 0.0));
-  }
   chosen.description = Describe(strongest, number, lights->GetNumberOfItems());
   return chosen;
 }

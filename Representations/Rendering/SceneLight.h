@@ -8,7 +8,6 @@
 
 #include "scene/RaySource.h"
 
-#include <array>
 #include <string>
 
 class vtkRenderer;
@@ -22,8 +21,7 @@ struct ChosenLight
   bool found = false;
   Light light; ///< in world coordinates, see ToData
   bool movesWithCamera = false;
-  std::array<float, 3> color{ { 1.0f, 1.0f, 1.0f } }; ///< largest channel: 1
-  std::string description;                            ///< for the user
+  std::string description; ///< for the user
 };
 
 /// The light of the settings; as long as nobody has placed it, above and behind the camera.

@@ -77,10 +77,6 @@ void TakeFirstOf(const Communicator& ranks, ChosenLight& light)
       VisitVector(light.light.position, visit);
       VisitVector(light.light.focalPoint, visit);
       visit(light.movesWithCamera);
-      for (float& channel : light.color)
-      {
-        visit(channel);
-      }
     });
 }
 }

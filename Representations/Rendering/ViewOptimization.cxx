@@ -34,6 +34,7 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? likenessInTime : 0;
   this->Optimizer.reset();
   this->Most.reset();
+  this->Front.reset();
   this->Base = nullptr;
   auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
   optimizer->GoOnFrom(shown);
@@ -169,18 +170,41 @@ Scores ViewOptimization::Measure(const FrameSettings& frame, const Camera& camer
   return *this->Elsewhere;
 }
 
+// What of `all` the frame's camera sees in front of opaque geometry. Moving frames repeat what was
+// measured last, likewise.
+Scores ViewOptimization::InFront(const FrameSettings& frame, const Camera& camera,
+  const std::optional<OpaqueGeometry>& opaque, const Scores& all, bool changed)
+{
+  if (!opaque)
+  {
+    this->Front.reset();
+    return all;
+  }
+  const bool current = this->Front && !changed && AreSame(camera, this->Front->camera) &&
+    *opaque == this->Front->opaque;
+  if (!current && (frame.still || !this->Front))
+  {
+    this->Front = { camera, *opaque, this->Optimizer->ScoresFrom(camera, &*opaque) };
+  }
+  const Scores& front = this->Front->scores;
+  return { OfAll(front.base, all.base), OfAll(front.best, all.best) };
+}
+
 // What the frame's camera could see at most, whatever the extinction was optimised for. It is found
 // once for a camera, a light and settings of a scene.
-Ceiling ViewOptimization::FindCeiling(
-  const FrameSettings& frame, const Camera& camera, const Score& found)
+Ceiling ViewOptimization::FindCeiling(const FrameSettings& frame, const Camera& camera,
+  const std::optional<OpaqueGeometry>& opaque, const Score& found)
 {
   const bool known = this->Most && AreSame(camera, this->Most->camera) &&
-    AreSame(this->ViewLight, this->Most->light) && frame.solver == this->Most->settings;
+    opaque == this->Most->opaque && AreSame(this->ViewLight, this->Most->light) &&
+    frame.solver == this->Most->settings;
   if (!known)
   {
-    this->Most = { camera, this->ViewLight, frame.solver, this->Optimizer->CeilingFrom(camera) };
+    this->Most = { camera, opaque, this->ViewLight, frame.solver,
+      this->Optimizer->CeilingFrom(camera, opaque ? &*opaque : nullptr) };
   }
   Ceiling ceiling = this->Most->value;
+  ceiling.fraction *= opaque ? ShareInFront(this->Front->scores.base, found) : 1.0;
   if (ceiling.visibility > 0)
   {
     ceiling.visibility = std::max(ceiling.visibility, found.visibility);
@@ -190,8 +214,8 @@ Ceiling ViewOptimization::FindCeiling(
 }
 
 void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& data,
-  const Camera& camera, const FrameClock& clock, const std::function<bool()>& isAborted,
-  FrameResult& result)
+  const Camera& camera, const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
+  const std::function<bool()>& isAborted, FrameResult& result)
 {
   if (this->DataVersion != data.DataVersion())
   {
@@ -224,7 +248,8 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   frame.ShowsExtinction() ? this->Show(frame, frame.Largest(clock.SecondsSinceLast()), changed)
                           : this->ShowBase(frame, data);
 
-  const Scores scores = this->Measure(frame, camera, changed);
+  const Scores scores =
+    this->InFront(frame, camera, opaque, this->Measure(frame, camera, changed), changed);
   result.score = frame.optimize ? scores.best : scores.base;
   result.baseScore = scores.base;
   result.iterations = this->Optimizer->Iterations();
@@ -234,7 +259,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     frame.still && (frozen || this->Optimizer->Converged()) && this->Remaining == 0;
   if (frame.optimize && result.converged)
   {
-    result.ceiling = this->FindCeiling(frame, camera, result.score);
+    result.ceiling = this->FindCeiling(frame, camera, opaque, result.score);
   }
 }
 
@@ -255,6 +280,7 @@ void ViewOptimization::Release()
 {
   this->Optimizer.reset();
   this->Most.reset();
+  this->Front.reset();
   this->Base = nullptr;
   this->ShowsBase = true;
   this->CasterVersion = 0;

@@ -32,11 +32,13 @@ public:
   /**
    * Optimises for a frame for as long as it may, brings what was found into the pictures, at once
    * or bit by bit, and sets scores and progress in `result`. The camera is in data coordinates.
+   * `opaque`: what of the volume it does not see, whatever the extinction; none: it sees all.
    * `isAborted` tells whether the user has had enough. Throws when the optimisation is impossible,
    * and Interrupted, which changes nothing, when it is not to begin.
    */
   void Advance(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
-    const FrameClock& clock, const std::function<bool()>& isAborted, FrameResult& result);
+    const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
+    const std::function<bool()>& isAborted, FrameResult& result);
 
   /// Forgets what has been found, and shows the extinction of the transfer functions.
   void Stop();
@@ -61,7 +63,10 @@ private:
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
   void Show(const FrameSettings& frame, double seconds, bool changed);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
-  Ceiling FindCeiling(const FrameSettings& frame, const Camera& camera, const Score& found);
+  Scores InFront(const FrameSettings& frame, const Camera& camera,
+    const std::optional<OpaqueGeometry>& opaque, const Scores& all, bool changed);
+  Ceiling FindCeiling(const FrameSettings& frame, const Camera& camera,
+    const std::optional<OpaqueGeometry>& opaque, const Score& found);
   void ShowBase(const FrameSettings& frame, const VolumeData& data);
 
   Renderer& Pictures;
@@ -79,10 +84,20 @@ private:
   std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for those above
   Camera ElsewhereCamera;
 
-  /// What the last camera that rested could see at most.
+  /// What was last seen in front of opaque geometry; fractions are of what is there.
+  struct KnownInFront
+  {
+    Camera camera;
+    OpaqueGeometry opaque;
+    Scores scores;
+  };
+  std::optional<KnownInFront> Front;
+
+  /// What the last camera that rested could see at most; fractions likewise.
   struct KnownCeiling
   {
     Camera camera;
+    std::optional<OpaqueGeometry> opaque;
     Light light;
     Settings settings;
     Ceiling value;

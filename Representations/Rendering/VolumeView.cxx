@@ -126,7 +126,6 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   lighting.enabled = frame.lit && frame.light.found;
   lighting.shadows = lighting.shadows && frame.CastsShadows();
   lighting.light = frame.light.light;
-  lighting.color = frame.light.color;
   this->Caster.SetLighting(lighting);
 }
 
@@ -185,12 +184,15 @@ void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& ge
   this->Rays.jitter = frame.jitter;
 }
 
-void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
-  const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result)
+void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
+  const ViewGeometry& geometry, const std::function<bool()>& isAborted, FrameMessages& messages,
+  FrameResult& result)
 {
   try
   {
-    this->Optimization.Advance(frame, data, camera, this->Clock, isAborted, result);
+    const bool scored = frame.measure && data.HasImportance();
+    this->Optimization.Advance(frame, data, geometry.camera,
+      scored ? this->Opaque->InBox() : std::nullopt, this->Clock, isAborted, result);
   }
   catch (const Interrupted&)
   {
@@ -230,6 +232,7 @@ void VolumeView::PrepareNow(
   }
   this->CastSeconds = 0;
   this->Geometry.reset();
+  this->Opaque.reset();
   this->Image = Picture();
   ViewGeometry geometry = GeometryOf(this->Target, this->Volume, data.Whole());
   if (frame.ranks)
@@ -265,7 +268,8 @@ void VolumeView::PrepareNow(
   const std::function<bool()> isAborted = this->AbortCheck();
   try
   {
-    this->Optimize(frame, data, geometry.camera, isAborted, messages, result);
+    this->Opaque = this->OpaqueOf(frame, geometry);
+    this->Optimize(frame, data, geometry, isAborted, messages, result);
     // While there is something left to do, the next picture follows at once.
     this->GoesOn = frame.still && frame.stepwise && !result.converged;
     const bool fine = frame.still && !this->GoesOn;
@@ -314,6 +318,7 @@ void VolumeView::ReleaseNow()
   this->FunctionsVersion = 0;
   this->ImportanceVersion = 0;
   this->Geometry.reset();
+  this->Opaque.reset();
   this->Image = Picture();
   this->Part = Picture();
   this->Fine.Clear();

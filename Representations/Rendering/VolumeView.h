@@ -10,6 +10,7 @@
 #include "Frame.h"
 #include "FrameBudget.h"
 #include "Memory.h"
+#include "OpaqueDepth.h"
 #include "PictureBackend.h"
 #include "PictureQuad.h"
 #include "SharpenedPicture.h"
@@ -34,9 +35,6 @@ class vtkObject;
 
 namespace limpid
 {
-class OpaqueDepth;
-struct DepthRange;
-
 /// With optimisation and light, and either solver; measured.
 inline const MemoryNeed drawingNeed{ 56, fewerPoints };
 
@@ -93,7 +91,7 @@ private:
   void WhileDrawing(const Action& action);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   bool MakePicture(const View& view);
-  OpaqueDepth OpaqueOf(const FrameSettings& frame) const;
+  OpaqueDepth OpaqueOf(const FrameSettings& frame, const ViewGeometry& geometry) const;
   bool DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque);
   bool DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opaque);
   void Show(const FrameSettings& frame, const OpaqueDepth& opaque);
@@ -106,7 +104,7 @@ private:
   void ChoosePictures(BackendKind wish, const Grid& grid);
   void UpdateRenderer(const FrameSettings& frame, const VolumeData& data);
   void UseImportance(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
-  void Optimize(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
+  void Optimize(const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
   void PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
@@ -139,6 +137,7 @@ private:
   bool GoesOn = false; ///< whether the last frame was one of several on the way to the still one
 
   std::optional<ViewGeometry> Geometry; ///< of the frame; none: there is nothing to be drawn
+  std::optional<OpaqueDepth> Opaque;    ///< likewise
   PictureFrame Frame;
   View Rays;     ///< of the frame's pictures, but for where they begin and end
   Picture Image; ///< of the frame; of several parts, their alpha only

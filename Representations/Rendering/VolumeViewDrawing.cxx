@@ -121,7 +121,7 @@ FrameResult VolumeView::Draw(
       // The pictures of two eyes would begin each other anew.
       const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
       const bool inSlices = frame.still && frame.stepwise && !this->GoesOn && !stereo;
-      const OpaqueDepth opaque = this->OpaqueOf(frame);
+      const OpaqueDepth& opaque = *this->Opaque;
       if (!(inSlices ? this->DrawInSlices(frame, opaque) : this->DrawWhole(frame, opaque)))
       {
         this->LastResult.converged = false;
@@ -130,9 +130,9 @@ FrameResult VolumeView::Draw(
   return this->LastResult;
 }
 
-OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame) const
+OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame, const ViewGeometry& geometry) const
 {
-  OpaqueDepth opaque(this->Target, *this->Geometry);
+  OpaqueDepth opaque(this->Target, geometry);
   if (frame.ranks)
   {
     // A process may have opaque geometry that hides the parts of others.

@@ -213,7 +213,8 @@ public:
    * Which light casts the shadow and drives the optimization. SCENE: the strongest of the
    * renderer's lights that are switched on, by colour and intensity; other lights are not drawn,
    * and the strength of this one only tells which it is: how bright it is comes from
-   * LightIntensity, its tint from its diffuse colour. OWN: that of LightType and LightPosition.
+   * LightIntensity, and it is white, so that colours can be read off a scalar bar. OWN: that of
+   * LightType and LightPosition.
    * Default is SCENE.
    */
   LIMPID_SET_CLAMPED(LightSource, int, SCENE, OWN);
@@ -275,8 +276,9 @@ public:
 
   ///@{
   /**
-   * Brightness of the light, not below zero; at 1, what it reaches unhindered keeps about the
-   * colour of the transfer function. Default is 1.
+   * Brightness of the light, not below zero. At 1, a surface that faces light and camera has the
+   * colour of the transfer function, and nothing is brighter; above, no channel is clipped alone.
+   * Default is 1.
    */
   LIMPID_SET_CLAMPED(LightIntensity, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(LightIntensity, double);
@@ -306,7 +308,8 @@ public:
    * Whether the picture is painted over, in MissedColor, where it misses something important. What
    * was removed is painted, and of what is hidden, that which could be seen in the same pixel if
    * what is less important were not in front of it: the inside and the back of something that is
-   * seen, or what it hides of its own kind, is not. At most 70 % of a pixel are painted, and little
+   * seen, or what it hides of its own kind, is not. What is important itself and seen covers the
+   * paint of what is behind it. At most 70 % of a pixel are painted, and little
    * where little is missed, so that noise paints nothing.
    *
    * Moving frames have it, too: it is gathered along the rays of the very picture that it is
@@ -396,7 +399,8 @@ public:
   ///@{
   /**
    * Visibility score of what the last frame showed, S of Eq. (32), and of the base extinction in
-   * the same view [length^2]. Zero without importance.
+   * the same view [length^2]. Zero without importance. What is behind opaque geometry that was
+   * drawn before is not seen; the optimization does not take it into account.
    */
   double GetVisibilityScore() const;
   double GetBaseVisibilityScore() const;
@@ -406,7 +410,7 @@ public:
   /**
    * Of the important matter in the data, the integral of importance times base extinction, the
    * share whose light reaches the camera, in [0, 1]: what was removed is not seen, and what was
-   * made thicker is not seen twice.
+   * made thicker is not seen twice. What is behind opaque geometry is not seen, likewise.
    */
   double GetVisibleFraction() const;
   double GetBaseVisibleFraction() const;

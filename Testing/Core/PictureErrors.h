@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -25,11 +26,11 @@ inline Tolerance EightBits()
   return Tolerance{ 0.5 / 255, "rounding to 8 bits" } + Roundoff<float>(300, 1.0);
 }
 
-/// Direct light, with which what a sample sends to the viewer is multiplied.
+/// What a change of the light that reaches a sample and is scattered to the viewer is multiplied
+/// with: direct light, and the largest slope of the tone, 1.5.
 inline double DirectLight(const Lighting& lighting)
 {
-  const double strength = lighting.shadows ? lighting.shadowStrength : 0.0;
-  return lighting.enabled ? (1 - lighting.ambient) * lighting.intensity / (1 - strength / 2) : 0.0;
+  return lighting.enabled ? 1.5 * (1 - lighting.ambient) * lighting.intensity : 0.0;
 }
 
 /// Largest phase function over that in the middle that the scenes of these tests have: a few.
@@ -44,19 +45,22 @@ inline Tolerance StoredGradient(const Lighting& lighting)
   const double lobe = truth::highlightShare * truth::LobeNormalization(power);
   const double component = std::sqrt(3.0) / 65534 * lighting.surface;
   const double scattering = (1 - truth::highlightShare) / truth::pi + lobe * (1 + power);
-  return { DirectLight(lighting) * component * (truth::pi * scattering + mostScattered),
+  const double unit = truth::ReflectedByFacing(power, truth::leastTowards); // the least there is
+  return { DirectLight(lighting) * component * (scattering / unit + mostScattered),
     "16-bit gradient" };
 }
 
 /// What 16 bits of change and light cost: half a unit of 1/32767 each, of what is kept and what is
-/// added in units of the majorant over the whole way through the box, and of the light.
+/// added in units of the majorant over the whole way through the box, and of the light, of which
+/// so little makes a shadow.
 inline Tolerance StoredMedium(const RenderScene& scene)
 {
   const double majorant =
     *std::max_element(scene.functions.extinction.begin(), scene.functions.extinction.end());
   const double change =
     scene.extinction.empty() ? 0.0 : 2 * majorant * 2 * scene.grid.Radius() / 65534;
-  return { change + DirectLight(scene.lighting) * mostScattered / 65534,
+  const double light = scene.lighting.shadowStrength * std::exp(truth::mostOwnDepth);
+  return { change + DirectLight(scene.lighting) * mostScattered * light / 65534,
     "16-bit change and light" };
 }
 
@@ -65,10 +69,13 @@ inline double Channel(const Picture& picture, std::size_t pixel, int channel)
   return picture.rgba[4 * pixel + std::size_t(channel)] / 255.0;
 }
 
-/// What the picture can hold of a channel.
+/// What the picture shows of a channel: colours brighter than their alpha are toned down alike.
 inline double Shown(const truth::Color& color, int channel)
 {
-  return std::min(1.0, std::max(0.0, color.rgba[std::size_t(channel)]));
+  const std::array<double, 4>& rgba = color.rgba;
+  const double brightest = std::max({ rgba[0], rgba[1], rgba[2] });
+  const double tone = channel < 3 && brightest > rgba[3] ? rgba[3] / brightest : 1.0;
+  return tone * rgba[std::size_t(channel)];
 }
 
 /// Whether every channel of every pixel is within the tolerance plus the second-order bound of the

@@ -11,6 +11,7 @@
 
 #include "render/Renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -241,7 +242,7 @@ struct RenderScene
     light.surface = lighting.surface;
     light.specularPower = lighting.specularPower;
     light.shadowStrength = lighting.shadows ? lighting.shadowStrength : 0.0;
-    std::copy_n(lighting.color.begin(), 3, light.color.begin());
+    light.cell = std::max({ grid.spacing.x, grid.spacing.y, grid.spacing.z });
     return medium;
   }
 

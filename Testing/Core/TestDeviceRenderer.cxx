@@ -101,7 +101,6 @@ std::ostream& operator<<(std::ostream& stream, const Case& one)
 void Illuminate(RenderScene& scene)
 {
   scene.lighting.enabled = true;
-  scene.lighting.color = { { 1.0f, 0.8f, 0.6f } };
 }
 
 void IlluminateFromFarAway(RenderScene& scene)

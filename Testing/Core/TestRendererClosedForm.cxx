@@ -371,12 +371,13 @@ TEST(HomogeneousBoxInPointLight, ScattersByHenyeyAndGreenstein)
     EightBits());
 }
 
-TEST(HomogeneousBoxLitAlongTheView, SendsHalfOfTheLightThatEntersBack)
+TEST(HomogeneousBoxLitAlongTheView, IsDarkerOnlyWhereHardlyAnyLightArrives)
 {
-  // T_L = T_V along the ray, and a full shadow doubles the exposure:
-  // L = ambient (1 - T) + (1 - ambient) (1 - T^2).
+  // T_L = T_V = e^-t along the ray: all of the light counts as arriving down to the optical depth t
+  // of four cells (along the coarsest axis), 3, then the share y = e^(3 - t), of which the
+  // tone is 1 - (1 - y)^(3/2).
   RenderScene scene = RenderScene::Homogeneous(
-    MakeGrid({ 9, 9, 33 }, { -1, -1, -1 }, { 0.25, 0.25, 0.0625 }), 1.1, { { 1, 1, 1 } });
+    MakeGrid({ 9, 9, 65 }, { -1, -1, -1 }, { 0.25, 0.25, 0.03125 }), 3, { { 1, 1, 1 } });
   scene.view.width = scene.view.height = 9;
   scene.view.opaqueBelow = 0;
   scene.view.clipToWorld = Parallel(LookAt({ 0, 0, -5 }, { 0, 0, 0 }, { 0, 1, 0 }), 1, 1, 1, 10);
@@ -384,16 +385,21 @@ TEST(HomogeneousBoxLitAlongTheView, SendsHalfOfTheLightThatEntersBack)
   scene.lighting.light.type = LightType::Directional;
   scene.lighting.light.position = { 0, 0, -1 };
   scene.lighting.light.focalPoint = { 0, 0, 0 };
-  scene.lighting.ambient = 0.3;
+  scene.lighting.ambient = 0.1;
   scene.lighting.shadowStrength = 1;
 
   const Picture picture = scene.Render();
 
-  const double mu = 1.1;
-  const double radiance = 0.3 * -std::expm1(-2 * mu) + 0.7 * -std::expm1(-4 * mu);
-  // T_L is linear between slices 1/16 apart, and the light between samples: h^2/8 mu^2 each.
+  const double depth = 2 * 3;
+  const double own = 3 * 4 * 0.25;
+  // The integral of e^-t (1 - (1 - y)^(3/2)) from there on, with u = 1 - y.
+  const double end = 1 - std::exp(own - depth);
+  const double shadowed = std::exp(-own) * (end - 0.4 * std::pow(end, 2.5));
+  const double radiance = 0.1 * -std::expm1(-depth) + 0.9 * (-std::expm1(-own) + shadowed);
+  // T_L is linear between slices 1/32 apart, and the light between samples: h^2/8 mu^2 each, of
+  // what e^-3 of the light sees.
   const Tolerance tolerance = EightBits() +
-    Tolerance{ 0.7 * 2 * 2 * std::pow(mu * 0.0625, 2) / 8,
+    Tolerance{ 0.9 * 1.5 * 2 * std::pow(3 * 0.03125, 2) / 8 * std::exp(-own),
       "T_L linear between slices and samples" };
   for (std::size_t pixel = 0; pixel < 81; ++pixel)
   {

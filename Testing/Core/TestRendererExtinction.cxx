@@ -342,9 +342,7 @@ TEST(RendererExtinction, ForTheLightIsWhatCastsTheShadows)
   const Vec3 inside = scene.grid.PointToWorld({ 6.2, 4.1, 5.7 });
 
   EXPECT_WITHIN(renderer.LightTransmittanceAt(inside), 1, Roundoff<float>(10, 1));
-  // Without a shadow anywhere, only the exposure tells that shadows are on.
   const Picture unshadowed = Drawn(renderer, scene);
   scene.lighting.shadows = false;
-  scene.lighting.intensity /= 1 - 0.5 * scene.lighting.shadowStrength;
   EXPECT_EQ(unshadowed.rgba, scene.Render().rgba);
 }

@@ -172,6 +172,13 @@ RenderScene Balls()
   return scene;
 }
 
+/// What of the hidden a segment of importance `g` that is there leaves to the paint over it, where
+/// `possible` could be seen.
+double LeftBy(double g, double possible)
+{
+  return std::pow(std::max(0.0, 1 - g / possible), 2);
+}
+
 /// Where sample `k` of a ray is [index].
 Vec3 PlaceOf(const Ray& ray, int k)
 {
@@ -260,6 +267,38 @@ TEST(RayImportance, CouldShowWhatTheBestChoiceOfSegmentsShows)
   }
 }
 
+// Important matter that is seen is not painted for what lies behind it; what is less important is.
+TEST(RayImportance, IsPaintedOverWhatHidesAndNotOverWhatIsSeen)
+{
+  const double opaque = 12;
+  const Stretch hidden{ 1, opaque, opaque };
+  const auto missedBehind = [&](double importance) {
+    return double(Gathered({ { importance, opaque, opaque }, hidden }).Missed());
+  };
+
+  EXPECT_WITHIN(
+    missedBehind(0), 1, (RoundingOfARay() + Tolerance{ 2 * std::exp(-opaque), "opaque" }));
+  EXPECT_LT(missedBehind(0.5), 0.15); // one half is hidden
+  EXPECT_LT(missedBehind(0.8), 0.02);
+  EXPECT_WITHIN(missedBehind(1), 0, RoundingOfARay());
+
+  // Context hides something; whatever is important and seen in front of both stays as it is.
+  const Stretch context{ 0, opaque, opaque };
+  const Stretch seen{ 0.7, opaque, opaque };
+  EXPECT_LT(double(Gathered({ seen, context, hidden }).Missed()), 0.1);
+  EXPECT_GT(double(Gathered({ context, seen, context, hidden }).Missed()), 0.6);
+}
+
+// What was removed is missed where it was, whatever it was next to.
+TEST(RayImportance, IsPaintedWhereItWasRemoved)
+{
+  const RayImportance gathered = Gathered({ { 0.5, 3, 0 }, { 1, 3, 3 } });
+  const RayImportance behind = Gathered({ { 1, 12, 12 }, { 0.5, 3, 0 } });
+
+  EXPECT_WITHIN(gathered.Missed(), -std::expm1(-1.5), RoundingOfARay());
+  EXPECT_WITHIN(behind.Missed(), 0, (RoundingOfARay() + Tolerance{ 2 * std::exp(-12), "opaque" }));
+}
+
 TEST(RayImportance, MissesNothingOfASolidThingThatIsSeen)
 {
   std::vector<Stretch> ray(10, { 0.4, 1.5, 1.5 });
@@ -269,7 +308,8 @@ TEST(RayImportance, MissesNothingOfASolidThingThatIsSeen)
 
 // With N cells in front, one in which the importance rises, and M that are important, all of depth
 // a: V = 1 - exp(-M a) behind, if that is more than the half of the one between, could be seen, and
-// exp(-N a) (1/2 (1 - exp(-a)) + exp(-a) V) is.
+// exp(-N a) (1/2 (1 - exp(-a)) + exp(-a) V) is. The one between hides V - S of it, and is covered
+// with its share of that.
 TEST(RendererMissed, PaintsAnImportantSlabBehindAnother)
 {
   Column column;
@@ -279,7 +319,10 @@ TEST(RendererMissed, PaintsAnImportantSlabBehindAnother)
   const double possible = -std::expm1(-a * (Column::cells - inFront - 1));
   const double shown = std::exp(-a * inFront) * (-0.5 * std::expm1(-a) + std::exp(-a) * possible);
 
-  column.ExpectMissed(possible - shown, a * Column::cells);
+  const double between = -0.5 * std::expm1(-a) + std::exp(-a) * possible;
+  const double hiddenThere = possible - between;
+
+  column.ExpectMissed(between - shown + LeftBy(0.5, possible) * hiddenThere, a * Column::cells);
 }
 
 TEST(RendererMissed, PaintsNothingWhereTheImportantSlabIsInFront)
@@ -303,10 +346,12 @@ TEST(RendererMissed, PaintsWhatWasRemoved)
   column.Keep(column.Field([&](int k) { return k > cleared ? 1 : 0; }));
   column.scene.missedColor = { { 0.9f, 0.1f, 0.3f } };
   const double left = a * (Column::cells - cleared - 0.5);
-  const double hidden = std::exp(-left) - std::exp(-a * Column::cells);
+  // The half cell is there by half, and covers as much of what is hidden with it.
+  const double inHalf = std::exp(-left) - std::exp(-a * (Column::cells - cleared));
+  const double inCleared = std::exp(-a * (Column::cells - cleared)) - std::exp(-a * Column::cells);
   const double removed = a * cleared - std::expm1(-0.5 * a);
 
-  column.ExpectMissed(1 - (1 - hidden) * std::exp(-removed), left);
+  column.ExpectMissed(1 - (1 - 0.5 * inHalf - inCleared) * std::exp(-removed), left);
 }
 
 TEST(RendererMissed, EndsWithTheRays)

@@ -111,7 +111,6 @@ TEST_P(RandomPicture, LitWithShadowsIsTheIntegralOfScatteredLight)
 {
   RenderScene scene = RandomScene(GetParam());
   scene.lighting.enabled = true;
-  scene.lighting.color = { { 1.0f, 0.8f, 0.6f } };
   scene.lighting.shadowStrength = 0.9;
 
   ExpectTruth(scene);

@@ -5,6 +5,7 @@
 # with other things in the view, in several views.
 
 import os
+import tempfile
 
 import numpy as np
 from paraview import simple
@@ -289,6 +290,23 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         self.assertGreater(rows.min(), 150)
         self.assertLess(columns.min(), 10)
         self.assertGreater(changed.sum(), 500)
+        np.testing.assert_array_equal(pictures.take(self.view), without)
+
+    def test_what_is_missed_has_a_legend_in_its_color(self):
+        display = displays.show_head(self.view, Method="Ordinary")
+        without = pictures.take(self.view)
+        display.ShowMissed = 1
+        display.MissedColor = [0.2, 1.0, 0.3]
+        picture = pictures.take(self.view)
+        pictures.write(os.path.join(os.environ.get("LIMPID_TEST_OUTPUT", tempfile.gettempdir()),
+                                    "missed-legend.png"), picture)
+        corner = picture[170:]  # rows from the bottom; the head is lower
+        green = np.abs(corner - 255 * np.array([0.2, 1.0, 0.3])).max(axis=2) < 40
+        self.assertGreater(green.sum(), 20)
+        props = self.view.GetRenderer().GetViewProps()
+        legends = [str(prop) for prop in props if prop.IsA("vtkScoreAnnotation")]
+        self.assertIn("Legend: This color: removed or hidden", legends[0])
+        display.ShowMissed = 0
         np.testing.assert_array_equal(pictures.take(self.view), without)
 
     def score_texts(self):

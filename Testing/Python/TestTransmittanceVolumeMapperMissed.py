@@ -49,7 +49,9 @@ def missed(in_front=4, behind=3, between=True):
     possible = 1 - math.exp(-behind * DEPTH)
     passed = math.exp(-DEPTH)
     seen = 0.5 * (1 - passed) + passed * possible if between else possible
-    return possible - math.exp(-in_front * DEPTH) * seen
+    # The half important cell covers what it hides itself, but for the square of what it lacks.
+    left = max(0, 1 - 0.5 / possible)**2 * (possible - seen)
+    return (1 - math.exp(-in_front * DEPTH)) * seen + left
 
 
 def opacity(share):

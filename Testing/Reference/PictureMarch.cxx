@@ -244,11 +244,12 @@ Sample PictureMarch::SampleAt(const Vector& position, const Line& line) const
     const Vector toViewer = Along({}, -1, line.direction);
     const double transmittance =
       light.shadowStrength > 0 ? this->LightTransmittanceAt(position) : 1.0;
-    const double brightness = Brightness(
-      light, { position, toViewer, this->Slopes(position), transmittance }, line.middlePhase);
+    const double brightness = Brightness(light,
+      { position, toViewer, this->Slopes(position), transmittance, sample.extinction },
+      line.middlePhase);
     for (int channel = 0; channel < 3; ++channel)
     {
-      sample.color[channel] *= light.color[channel] * brightness;
+      sample.color[channel] *= brightness;
     }
   }
   return sample;

@@ -8,7 +8,7 @@
 
 #include "Rays.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace truth
@@ -45,6 +45,24 @@ inline double SurfaceScattering(
   return (1 - highlightShare) / pi + highlightShare * lobe;
 }
 
+/// Least cosine between the ways to the light and to the viewer at which a surface that faces the
+/// viewer has its own colour.
+const double leastTowards = 0.5;
+
+/// What takes light within so many cells of a sample is no shadow, up to this optical depth.
+const double ownCells = 4;
+const double mostOwnDepth = 4.5;
+
+/// What a surface that faces the viewer reflects, for the cosine between the ways to the light and
+/// to the viewer [1/steradian].
+inline double ReflectedByFacing(double power, double towards)
+{
+  const double cosine = std::max(leastTowards, towards);
+  const double halfAngle = std::acos(std::min(1.0, cosine)) / 2;
+  const double lobe = LobeNormalization(power) * std::pow(std::cos(halfAngle), power);
+  return cosine * ((1 - highlightShare) / pi + highlightShare * lobe);
+}
+
 /// How the medium is lit; `enabled` off: every sample has its own colour.
 struct Illumination
 {
@@ -56,7 +74,7 @@ struct Illumination
   double surface = 2; ///< k_s where the extinction is steepest
   double specularPower = 20;
   double shadowStrength = 0.7; ///< 0: no shadows
-  std::array<double, 3> color{ { 1, 1, 1 } };
+  double cell = 0;             ///< largest spacing of the nodes [length]
 
   /// Where the light travels at a position, unit length.
   Vector TravelAt(const Vector& position) const
@@ -72,6 +90,7 @@ struct Place
   Vector toViewer;           ///< unit length
   Vector gradient;           ///< of the base extinction, over its largest length
   double lightTransmittance; ///< T_L
+  double extinction;         ///< [1/length]
 };
 
 /// What of the colour reaches the viewer. `middlePhase`: f_v in the middle of the volume.
@@ -88,14 +107,16 @@ inline double Brightness(const Illumination& light, const Place& place, double m
     const Vector outward{ { -inward[0], -inward[1], -inward[2] } };
     const Vector toLight{ { -travel[0], -travel[1], -travel[2] } };
     surfaceShare = light.surface * steepness;
-    reflected = surfaceShare * pi * std::max(0.0, Dot(travel, inward)) *
-      SurfaceScattering(light.specularPower, outward, toLight, place.toViewer);
+    reflected = surfaceShare * std::max(0.0, Dot(travel, inward)) *
+      SurfaceScattering(light.specularPower, outward, toLight, place.toViewer) /
+      ReflectedByFacing(light.specularPower, Dot(toLight, place.toViewer));
   }
-  const double exposure = light.intensity / (1 - light.shadowStrength / 2);
-  const double arriving = 1 - light.shadowStrength * (1 - place.lightTransmittance);
-  return light.ambient +
-    (1 - light.ambient) * exposure * arriving * (phase / middlePhase + reflected) /
-    (1 + surfaceShare);
+  const double own = std::min(mostOwnDepth, place.extinction * ownCells * light.cell);
+  const double lit = std::min(1.0, std::exp(own) * place.lightTransmittance);
+  const double arriving = 1 - light.shadowStrength * (1 - lit);
+  const double reaching = arriving * (phase / middlePhase + reflected) / (1 + surfaceShare);
+  const double tone = 1 - std::pow(1 - std::min(1.0, reaching), 1.5);
+  return light.ambient + (1 - light.ambient) * light.intensity * tone;
 }
 }
 

@@ -24,6 +24,7 @@ struct Score
   double visibility = 0; ///< S of Eq. (32) [length^2]
   double fraction = 0;   ///< whose light reaches the eye: integral of g min(mu, mu-bar) T [0, 1]
   double sacrificed = 0; ///< that was removed: 1 less the integral of g min(mu, mu-bar) [0, 1]
+  double important = 0;  ///< what the fractions are of, the integral of g mu-bar [length^2]
 };
 
 /**
@@ -64,6 +65,7 @@ inline Score ScoreOf(const Seen& seen, double important)
 {
   Score score;
   score.visibility = seen.all.visible;
+  score.important = important;
   if (important > 0)
   {
     // Of thin media these differ by rounding only.
@@ -82,9 +84,25 @@ inline Score MeanOf(const std::vector<Score>& scores)
     mean.visibility += score.visibility;
     mean.fraction += score.fraction;
     mean.sacrificed += score.sacrificed;
+    mean.important += score.important;
   }
   const auto count = static_cast<double>(scores.size());
-  return { mean.visibility / count, mean.fraction / count, mean.sacrificed / count };
+  return { mean.visibility / count, mean.fraction / count, mean.sacrificed / count,
+    mean.important / count };
+}
+
+/// Of the important matter of `all`, the share that is in front of opaque geometry, of which
+/// `inFront` is a score.
+inline double ShareInFront(const Score& inFront, const Score& all)
+{
+  return all.important > 0 ? inFront.important / all.important : 0.0;
+}
+
+/// What is seen in front of opaque geometry, as shares of all that the data have.
+inline Score OfAll(const Score& inFront, const Score& all)
+{
+  return { inFront.visibility, inFront.fraction * ShareInFront(inFront, all), all.sacrificed,
+    all.important };
 }
 
 /// Of the base extinction itself.

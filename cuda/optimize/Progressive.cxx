@@ -8,6 +8,7 @@
 #include "optimize/Levels.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/PreviewPass.h"
+#include "optimize/ProblemInFront.h"
 #include "optimize/SceneCeiling.h"
 
 #include <algorithm>
@@ -511,12 +512,14 @@ const Scores& Progressive::KeptScores() const
   return *state.keptScores;
 }
 
-Scores Progressive::ScoresFrom(const Camera& camera) const
+Scores Progressive::ScoresFrom(const Camera& camera, const OpaqueGeometry* opaque) const
 {
   const Internals& state = *this->State;
   Settings settings = state.Wanted();
   settings.otherCameras.clear();
-  const Problem problem = state.ShownScene().ProblemForScores(camera, state.light, settings);
+  const ProblemInFront seen(
+    state.ShownScene().ProblemForScores(camera, state.light, settings), opaque);
+  const Problem& problem = seen.Get();
   ChosenBackend backend;
   backend.Choose(settings, problem.grid);
   const auto score = [&]() -> Scores
@@ -527,7 +530,7 @@ Scores Progressive::ScoresFrom(const Camera& camera) const
   return backend.Do(score, [] {});
 }
 
-Ceiling Progressive::CeilingFrom(const Camera& camera) const
+Ceiling Progressive::CeilingFrom(const Camera& camera, const OpaqueGeometry* opaque) const
 {
   const Internals& state = *this->State;
   Settings settings = state.Wanted();
@@ -538,8 +541,9 @@ Ceiling Progressive::CeilingFrom(const Camera& camera) const
   settings.otherCameras.clear();
   ChosenBackend backend;
   backend.Choose(settings, state.scene->Nodes());
-  return backend.Do(
-    [&] { return CeilingOfScores(*state.scene, backend, camera, state.light, settings); }, [] {});
+  return backend.Do([&]
+    { return CeilingOfScores(*state.scene, backend, camera, state.light, settings, opaque); },
+    [] {});
 }
 
 int Progressive::Iterations() const

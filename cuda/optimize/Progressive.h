@@ -7,6 +7,7 @@
 #include "optimize/CarriedChange.h"
 #include "optimize/PassTime.h"
 #include "optimize/Solver.h"
+#include "scene/OpaqueGeometry.h"
 
 #include <memory>
 
@@ -91,13 +92,14 @@ public:
   Score BestScore() const;
 
   /// What another camera sees of the base extinction and of what is shown: a sweep each. Valid
-  /// after Preview or Refine.
-  Scores ScoresFrom(const Camera& camera) const;
+  /// after Preview or Refine. `opaque`: ends its rays, and the scores are those of what is in
+  /// front; null: nothing does.
+  Scores ScoresFrom(const Camera& camera, const OpaqueGeometry* opaque = nullptr) const;
 
   /// What a camera could see at most within the bounds of the present settings, see Ceiling: a
   /// sweep, and another one of the light. Valid after SetView. Zeros for a method that does not
-  /// iterate.
-  Ceiling CeilingFrom(const Camera& camera) const;
+  /// iterate. `opaque`: likewise.
+  Ceiling CeilingFrom(const Camera& camera, const OpaqueGeometry* opaque = nullptr) const;
 
   int Iterations() const; ///< at full resolution, for the present view
   std::string BackendName() const;

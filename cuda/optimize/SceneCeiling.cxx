@@ -4,38 +4,41 @@
 #include "optimize/SceneCeiling.h"
 
 #include "optimize/ExtinctionBounds.h"
+#include "optimize/ProblemInFront.h"
 
 namespace limpid
 {
 namespace
 {
-/// What the sources of `seen` could see within the bounds of `bounded`.
-Ceiling CeilingOf(const Problem& seen, const Problem& bounded, const ChosenBackend& backend)
+/// What the cameras of `seen` and the light of `lit` could see within the bounds of `bounded`.
+Ceiling CeilingOf(
+  const Problem& seen, const Problem& lit, const Problem& bounded, const ChosenBackend& backend)
 {
   const NodeValues least = bounded.LeastExtinction();
   const MostExtinction<float> most = MostOf(bounded);
   Ceiling ceiling = backend->SweepsFromCameras(seen)->CeilingOf(least.Data(), most);
-  if (seen.settings.weights.light > 0)
+  if (lit.settings.weights.light > 0)
   {
     ceiling.lightVisibility =
-      backend->SweepsFrom(seen, seen.light)->CeilingOf(least.Data(), most).visibility;
+      backend->SweepsFrom(lit, lit.light)->CeilingOf(least.Data(), most).visibility;
   }
   return ceiling;
 }
 }
 
 Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
-  const Light& light, const Settings& settings)
+  const Light& light, const Settings& settings, const OpaqueGeometry* opaque)
 {
   const Problem bounded = scene.ProblemFor(camera, light, settings);
-  return CeilingOf(scene.ProblemForScores(camera, light, settings), bounded, backend);
+  const Problem scored = scene.ProblemForScores(camera, light, settings);
+  return CeilingOf(ProblemInFront(scored, opaque).Get(), scored, bounded, backend);
 }
 
 double LeastEnergyOf(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
   const Light& light, const Settings& settings)
 {
   const Problem problem = scene.ProblemFor(camera, light, settings);
-  const Ceiling ceiling = CeilingOf(problem, problem, backend);
+  const Ceiling ceiling = CeilingOf(problem, problem, problem, backend);
   const Weights& weights = settings.weights;
   return -weights.view * ceiling.visibility - weights.light * ceiling.lightVisibility;
 }

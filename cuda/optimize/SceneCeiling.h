@@ -6,15 +6,16 @@
 
 #include "optimize/PreparedScene.h"
 #include "optimize/SolverBackend.h"
+#include "scene/OpaqueGeometry.h"
 
 namespace limpid
 {
 /// What no extinction within the bounds of the settings can exceed: one sweep for each camera and,
 /// if it has a weight, one for the light. The importance that counts is the one as given, as in
 /// scores; that of the lower bound is the optimiser's. Ranks that share the scene call this
-/// together.
+/// together. `opaque`: where the rays of the camera end; null: nowhere.
 Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
-  const Light& light, const Settings& settings);
+  const Light& light, const Settings& settings, const OpaqueGeometry* opaque = nullptr);
 
 /// What the energy of Eq. (21) of no extinction within the bounds is below: F >= -q W - r W_L with
 /// the ceilings W of the camera and W_L of the light, as the other terms are not negative

@@ -22,12 +22,16 @@ namespace limpid
  * pixel: along one ray the best one keeps all where g is above what is seen behind, and nothing
  * elsewhere (Documentation/Method.md, section on pictures). Of the removed counts what light passes
  * on its way to the viewer.
+ *
+ * The paint lies where the missed matter would be seen: over what hides it and is less important,
+ * and behind what is important itself and is seen, which the paint would declare missed.
  */
 struct RayImportance
 {
   float shown = 0;    ///< the integral of g kappa T_V dt [0, 1]
   float possible = 0; ///< the largest that it has with any extinction from 0 to mu-bar [0, 1]
   float removed = 0;  ///< the integral of g (mu-bar - kappa) T_V dt
+  float painted = 0;  ///< of possible - shown, what nothing important is seen in front of [0, 1]
 
   /// Puts a segment in front. `importance`: g [0, 1]; `base` and `depth`: its optical depths with
   /// mu-bar and mu, each constant along it.
@@ -40,9 +44,13 @@ struct RayImportance
     const float keptShare = base < depth ? base / depth : 1.0f;
     const float lost = depth < base ? base - depth : 0.0f;
     const float withIt = baseStopped * importance + (1.0f - baseStopped) * this->possible;
+    const float hiddenBehind = this->Hidden();
     this->shown = keptShare * stopped * importance + passed * this->shown;
     this->possible = withIt > this->possible ? withIt : this->possible;
     this->removed = importance * lost * meanPassed + passed * this->removed;
+    const float thicker = AtLeast(base, depth);
+    const float there = thicker > 0.0f ? AtMost(base, depth) / thicker : 0.0f;
+    this->CoverPaint(importance, there, stopped, hiddenBehind);
   }
 
   /// Whether there has been nothing important so far; what is not, changes nothing then.
@@ -54,8 +62,29 @@ struct RayImportance
   /// The share of the pixel that misses something [0, 1]: hidden, removed or both.
   LIMPID_HD LIMPID_INLINE float Missed() const
   {
-    const float hidden = this->possible > this->shown ? this->possible - this->shown : 0.0f;
-    return 1.0f - (1.0f - hidden) * Attenuate(this->removed);
+    return 1.0f - (1.0f - this->painted) * Attenuate(this->removed);
+  }
+
+private:
+  /// The share of the pixel in which something is hidden [0, 1].
+  LIMPID_HD LIMPID_INLINE float Hidden() const
+  {
+    return AtLeast(this->possible - this->shown, 0.0f);
+  }
+
+  /// Puts a segment in front of the paint: it covers that, the more the more important it is next
+  /// to what could be seen. What it hides itself is painted over it, but for that cover.
+  /// `there`: share of its matter that is shown; `hiddenBehind`: what is hidden without it.
+  LIMPID_HD LIMPID_INLINE void CoverPaint(
+    float importance, float there, float stopped, float hiddenBehind)
+  {
+    const float lacking = this->possible > 0.0f ? 1.0f - importance / this->possible : 1.0f;
+    const float less = AtLeast(lacking, 0.0f);
+    const float covering = there * (1.0f - less * less);
+    const float hidden = this->Hidden();
+    const float grown = AtLeast(hidden - hiddenBehind, 0.0f);
+    const float left = (1.0f - covering * stopped) * this->painted;
+    this->painted = AtMost(left + (1.0f - covering) * grown, hidden);
   }
 };
 

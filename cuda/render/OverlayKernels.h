@@ -12,6 +12,22 @@
 
 namespace limpid
 {
+/// Optical depth of a cell that casts shadows, at most. A surface is somewhere between two nodes,
+/// and light that reaches the one behind it through less than half a cell is not to be lost.
+constexpr double mostCasting = 4;
+
+/// An extinction that is not above another one.
+struct LimitedNode
+{
+  float most;
+  float* extinction; ///< in and out
+
+  LIMPID_HD void operator()(Index node) const
+  {
+    this->extinction[node] = AtMost(this->extinction[node], this->most);
+  }
+};
+
 /// A share [0, 1] in units of packedOne.
 LIMPID_HD LIMPID_INLINE std::int16_t PackShare(float value)
 {

@@ -89,8 +89,7 @@ ComposedPixel ComposeOne(const OfRanks<PartialPixel>& parts, std::size_t pixel, 
       received.transmittance *= part.transmittance;
     }
   }
-  constexpr float uncolored[3] = { 1, 1, 1 };
-  return { received.Shown(uncolored), static_cast<std::int32_t>(order.front()) };
+  return { received.Shown(), static_cast<std::int32_t>(order.front()) };
 }
 }
 

@@ -5,6 +5,8 @@
 
 #include "math/Require.h"
 
+#include <algorithm>
+
 namespace limpid
 {
 namespace
@@ -64,13 +66,6 @@ void RequireLighting(const Lighting& lighting)
     "The ambient light is " << lighting.ambient << " and the strength of shadows "
                             << lighting.shadowStrength << " (both are shares). Keep them between 0 "
                             << "and 1.");
-  for (const float channel : lighting.color)
-  {
-    LIMPID_REQUIRE(channel >= 0 && std::isfinite(channel),
-      "A channel of the light's colour is " << channel
-                                            << " (light does not become less than none). Keep it "
-                                               "finite and at or above zero.");
-  }
 }
 
 RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& view)
@@ -81,15 +76,13 @@ RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& vi
   const double middle =
     HenyeyGreenstein(settings.anisotropy, glm::dot(travel, ToViewer(grid, view)));
   light.ambient = static_cast<float>(settings.ambient);
-  // In a dense medium that is lit from the viewer's side, light and view fade alike: what arrives
-  // from optical depth d is exp(-2 d), half of all. That half is to keep its colour.
-  const double shadow = settings.shadows ? settings.shadowStrength : 0.0;
-  const double exposure = settings.intensity / (1 - 0.5 * shadow);
-  light.diffuse = static_cast<float>((1 - settings.ambient) * exposure);
+  light.diffuse = static_cast<float>((1 - settings.ambient) * settings.intensity);
   light.anisotropy = static_cast<float>(settings.anisotropy);
   light.phaseUnit = static_cast<float>(1 / middle);
   light.surface = static_cast<float>(settings.surface);
-  light.shadow = static_cast<float>(shadow);
+  light.shadow = static_cast<float>(settings.shadows ? settings.shadowStrength : 0.0);
+  light.ownLength =
+    static_cast<float>(ownCells * std::max({ grid.spacing.x, grid.spacing.y, grid.spacing.z }));
   light.lobe.factor = static_cast<float>(BlinnPhongNormalization(settings.specularPower));
   light.lobe.power = static_cast<float>(settings.specularPower);
   return light;

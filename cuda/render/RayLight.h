@@ -29,6 +29,25 @@ struct Lobe
   }
 };
 
+/// Least cosine between the ways to the light and to the viewer at which a surface that faces the
+/// viewer is fully lit: one that the light meets at a flatter angle is not.
+constexpr float leastTowards = 0.5f;
+
+/// The layer in which a surface fades into what is seen of it is to keep its colour: what takes
+/// light within so many cells is no shadow, up to this optical depth.
+constexpr double ownCells = 4;
+constexpr float mostOwnDepth = 4.5f;
+
+/// Share of its colour that a sample sends of direct light, for the light that reaches it and is
+/// scattered to the viewer, relative to that on a surface that faces both: 1 there, smoothly less
+/// below, and never more, so that no colour is brighter than that of the transfer function.
+template <class Number>
+LIMPID_HD LIMPID_INLINE Number ToneOf(const Number& light)
+{
+  const Number lacking = AtLeast(1.0f - light, 0.0f);
+  return 1.0f - lacking * SquareRoot(lacking);
+}
+
 /// The light and how it is scattered, for all rays of a picture; directions in the world.
 struct RayLight
 {
@@ -40,7 +59,21 @@ struct RayLight
   float phaseUnit = 0;  ///< 1 / f_v in the middle of the volume [steradian]
   float surface = 0;    ///< k_s
   float shadow = 0;     ///< shadow strength
+  float ownLength = 0;  ///< of ownCells [length]
   Lobe lobe;            ///< of Blinn and Phong, normalised [1/steradian]
+
+  /// Eq. (4): the share of its colour that a sample sends to the viewer, of the light that it
+  /// scatters there (LightOnRay), of the light's transmittance to it [packedOne], and of the
+  /// extinction there [1/length].
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number Sent(
+    const Number& scattered, const Number& transmittance, const Number& extinction) const
+  {
+    const Number own = Attenuate(AtMost(extinction * this->ownLength, mostOwnDepth));
+    const Number lit = AtMost(transmittance * (1 / packedOne) / own, 1.0f);
+    const Number arriving = 1.0f - this->shadow * (1.0f - lit);
+    return this->ambient + this->diffuse * ToneOf(arriving * scattered);
+  }
 };
 
 /// Throws limpid::Error unless a picture can be lit like this.
@@ -75,12 +108,12 @@ struct LightOnRay
   {
   }
 
-  /// Eq. (4) with the phase function of Eq. (5): the share of its colour that the sample at
-  /// `distance` [samples] sends to the viewer (Documentation/Method.md, "Light"; deviation D10).
-  /// Gradient and `shadow`: [packedOne].
+  /// The phase function of Eq. (5): what the sample at `distance` [samples] scatters to the viewer
+  /// of light that arrives, 1 on a surface that faces both (Documentation/Method.md, "Light";
+  /// deviation D10). Gradient: [packedOne].
   template <class Number>
-  LIMPID_HD LIMPID_INLINE Number Sent(const RayLight& light, const Number& distance,
-    const Number& packedX, const Number& packedY, const Number& packedZ, const Number& shadow) const
+  LIMPID_HD LIMPID_INLINE Number Scattered(const RayLight& light, const Number& distance,
+    const Number& packedX, const Number& packedY, const Number& packedZ) const
   {
     // Direction of travel of the light.
     Number x = this->entryX + distance * this->stepX;
@@ -108,13 +141,16 @@ struct LightOnRay
     const Number halfway = across / SquareRoot(squared * halfSquared);
     const Number lobe = light.lobe.At(AtLeast(halfway, 0.0f));
 
+    // The unit of what a surface reflects: what one does that faces the viewer.
+    const Number towards = AtLeast(-cosine, leastTowards);
+    const Number lobeOfFacing = light.lobe.At(SquareRoot(0.5f + 0.5f * towards));
+    const Number ofFacing = towards * SurfaceScattering(lobeOfFacing);
+
     const Number scattered = HenyeyGreenstein(light.anisotropy, cosine) * light.phaseUnit;
     const Number reflected =
-      light.surface * float(pi) * SurfaceScattering(lobe) * AtLeast(facing, 0.0f);
+      light.surface * SurfaceScattering(lobe) * AtLeast(facing, 0.0f) / ofFacing;
     const Number steepness = light.surface * SquareRoot(squared); // k_s, with k_v = 1
-    const Number sent = (scattered + reflected) / (1.0f + steepness);
-    const Number arriving = 1.0f - light.shadow * (1.0f - shadow * (1 / packedOne));
-    return light.ambient + light.diffuse * arriving * sent;
+    return (scattered + reflected) / (1.0f + steepness);
   }
 };
 }

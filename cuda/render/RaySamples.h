@@ -97,7 +97,8 @@ struct RaySamples
   Ends<AnySampler> filled{ 1.0f, 1.0f }; ///< 1, less beside empty nodes
   Ends<AnySampler> kept;                 ///< share of that extinction [packedOne], if Overlaid
   Ends<AnySampler> added;                ///< extinction [packedOne of scene.addedUnit]
-  Ends<AnySampler> light;                ///< share of its colour that a sample sends to the viewer
+  Ends<AnySampler> scattered;            ///< see LightOnRay
+  Ends<AnySampler> transmittance;        ///< of the light [packedOne]
   typename AnySampler::Optics optics;
 
   SegmentMean<Lanes> mean;
@@ -167,10 +168,22 @@ struct RaySamples
     {
       RayPlaces<SingleSampler> there;
       there.Set(scene, ray, before);
-      this->light.rear = LightAt<SingleSampler>(scene, ray, there);
+      float ofGradient[4];
+      this->scattered.rear = ScatteredAt<SingleSampler>(scene, ray, there, ofGradient);
+      this->transmittance.rear = ofGradient[3];
     }
-    this->light.MoveOn(LightAt<AnySampler>(scene, ray, this->place));
+    Lanes ofGradient[4];
+    this->scattered.MoveOn(ScatteredAt<AnySampler>(scene, ray, this->place, ofGradient));
+    this->transmittance.MoveOn(ofGradient[3]);
     this->LitTo = this->last;
+  }
+
+  /// The share of their colour that the segments send to the viewer, taken as a whole, from their
+  /// middles.
+  LIMPID_HD LIMPID_INLINE Lanes SentOnAverage(const RayScene& scene) const
+  {
+    return scene.light.Sent(0.5f * this->scattered.Sum(), 0.5f * this->transmittance.Sum(),
+      this->extinction * scene.majorant);
   }
 
   /// Optical depths of the segments.
@@ -193,11 +206,15 @@ struct RaySamples
   template <bool Lit>
   LIMPID_HD LIMPID_INLINE void AddTo(const RayScene& scene, Pixel<Optical>& pixel) const
   {
-    const auto segment =
-      Segment<Lanes>::template Of<Lit>(this->Depth(scene), this->light.front, this->light.rear);
+    const Segment<Lanes> segment(this->Depth(scene));
+    const Lanes sent = Lit ? segment.absorbed *
+        scene.light.Sent(segment.Mean(this->scattered.front, this->scattered.rear),
+          segment.Mean(this->transmittance.front, this->transmittance.rear),
+          this->extinction * scene.majorant)
+                           : segment.absorbed;
     const Lanes inFront =
       AnySampler::InFront(segment.passed, scene.opaqueBelow, pixel.transmittance);
-    const Lanes given = segment.given * Select(inFront > scene.opaqueBelow, inFront, 0.0f);
+    const Lanes given = sent * Select(inFront > scene.opaqueBelow, inFront, 0.0f);
     const Lanes ofValues = given * this->mean.ofValues;
     const Lanes ofIntegrals = given * this->mean.ofIntegrals;
     Optical sum = pixel.light;
@@ -226,12 +243,11 @@ private:
     return bricks.EmptyAround(brick) == 0;
   }
 
-  /// The light that samples send.
+  /// What samples scatter to the viewer; `gradient`: there, and the transmittance of the light.
   template <class Sampler>
-  LIMPID_HD static LIMPID_INLINE typename Sampler::Lanes LightAt(
-    const RayScene& scene, const Ray& ray, const RayPlaces<Sampler>& place)
+  LIMPID_HD static LIMPID_INLINE typename Sampler::Lanes ScatteredAt(const RayScene& scene,
+    const Ray& ray, const RayPlaces<Sampler>& place, typename Sampler::Lanes (&gradient)[4])
   {
-    typename Sampler::Lanes gradient[4];
     Sampler::InterpolateAll(scene.grid, scene.gradient, place.scalars, gradient);
     if (scene.shadow)
     {
@@ -240,7 +256,7 @@ private:
         scene.overlayGrid, scene.shadow, place.InOverlay(scene, ray, apart));
     }
     return LightOnRay(scene.light, ray)
-      .Sent(scene.light, place.distance, gradient[0], gradient[1], gradient[2], gradient[3]);
+      .Scattered(scene.light, place.distance, gradient[0], gradient[1], gradient[2]);
   }
 
   int LitTo = -1; ///< number of the last sample that was lit

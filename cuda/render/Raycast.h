@@ -22,9 +22,8 @@ struct PictureRays
   RayMaker maker;
   int columns; ///< pixels
   int rows;
-  const float* nearDepth; ///< clip z at which the rays begin; null: -1
-  const float* depth;     ///< clip z at which they end; null: 1
-  float lightColor[3];
+  const float* nearDepth;        ///< clip z at which the rays begin; null: -1
+  const float* depth;            ///< clip z at which they end; null: 1
   Rgba* picture;                 ///< out
   const RayPart* part = nullptr; ///< that is here, on the host; null: all
   PartialPixel* parts = nullptr; ///< out, in place of the picture, if only a part is here
@@ -49,13 +48,11 @@ struct PictureRays
     const Index pixel = this->At(column, row);
     if (this->parts)
     {
-      const float* color = this->lightColor;
-      this->parts[pixel] = { { received.light[1] * color[0], received.light[2] * color[1],
-                               received.light[3] * color[2] },
+      this->parts[pixel] = { { received.light[1], received.light[2], received.light[3] },
         received.transmittance, ray.begin };
       return;
     }
-    this->picture[pixel] = received.Shown(this->lightColor);
+    this->picture[pixel] = received.Shown();
   }
 
   /// Paints over a pixel that was drawn what its ray misses. `trace(ray)` gathers a RayImportance.

@@ -18,8 +18,7 @@ namespace limpid
 struct Casting
 {
   bool lit = false;
-  RayLight light;                                          ///< if lit
-  std::array<float, 3> lightColor{ { 1.0f, 1.0f, 1.0f } }; ///< likewise
+  RayLight light; ///< if lit
   bool skipEmpty = true;
   float opaqueBelow = 0;
   float stepLength = 1;                               ///< between samples [length]

@@ -16,6 +16,7 @@
 #include "render/ScalarField.h"
 #include "render/ShadowVolume.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -255,8 +256,7 @@ public:
     Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
     this->ShadowGradient(casting);
     PictureRays rays{ RayMaker(this->Whole, casting.stepLength, view), view.width, view.height,
-      nearDepth, depth, { casting.lightColor[0], casting.lightColor[1], casting.lightColor[2] },
-      pixels };
+      nearDepth, depth, pixels };
     if (this->Piece)
     {
       this->CastPart(casting, rays, picture);
@@ -398,6 +398,7 @@ private:
   const float* ShadowExtinction(const Grid& grid)
   {
     const Grid& from = this->Shown.Nodes();
+    this->LimitCaster(from, this->Opaque.Data());
     if (grid.nodes == from.nodes)
     {
       return this->Opaque.Data();
@@ -407,10 +408,20 @@ private:
       this->CoarseOpaque = {}; // first, so that there is room for the other one
       Field coarse(this->Device, std::size_t(grid.NodeCount()), "a coarser extinction");
       Resample(this->Device, from, this->Opaque.Data(), grid, coarse.Data());
+      this->LimitCaster(grid, coarse.Data());
       this->CoarseOpaque = std::move(coarse);
       this->CoarseNodes = grid.nodes;
     }
     return this->CoarseOpaque.Data();
+  }
+
+  /// Limits what casts shadows to what they resolve, see mostCasting.
+  void LimitCaster(const Grid& grid, float* extinction)
+  {
+    const Vec3& spacing = grid.spacing;
+    const double cell = std::max({ spacing.x, spacing.y, spacing.z });
+    this->Device->ForIndices("limit what casts the shadows", grid.NodeCount(),
+      LimitedNode{ float(mostCasting / cell), extinction });
   }
 
   /// Whether the shadows are on the nodes of the gradient.

@@ -36,7 +36,7 @@ bool operator==(const Lighting& one, const Lighting& other)
     one.intensity == other.intensity && one.ambient == other.ambient &&
     one.anisotropy == other.anisotropy && one.surface == other.surface &&
     one.specularPower == other.specularPower && one.shadows == other.shadows &&
-    one.shadowStrength == other.shadowStrength && one.color == other.color;
+    one.shadowStrength == other.shadowStrength;
 }
 
 struct Renderer::Internals
@@ -214,7 +214,6 @@ struct Renderer::Internals
     if (casting.lit)
     {
       casting.light = MakeRayLight(this->lighting, this->whole, view);
-      casting.lightColor = this->lighting.color;
     }
     if (this->hasImportance)
     {

@@ -41,14 +41,13 @@ struct Lighting
 {
   bool enabled = false;
   Light light;                 ///< in world coordinates
-  double intensity = 1;        ///< 1: what faces light and viewer keeps its colour, >= 0
+  double intensity = 1;        ///< 1: what faces light and viewer has its own colour, >= 0
   double ambient = 0.35;       ///< share of the light that comes from everywhere [0, 1]
   double anisotropy = 0.6;     ///< a of the Henyey-Greenstein function (-1, 1)
   double surface = 2;          ///< k_s where the base extinction is steepest, >= 0
   double specularPower = 20;   ///< exponent of the Blinn-Phong lobe, >= 0
   bool shadows = true;         ///< T_L of Eq. (4); off: 1
   double shadowStrength = 0.7; ///< share of the shadow that is drawn [0, 1]
-  std::array<float, 3> color{ { 1.0f, 1.0f, 1.0f } };
 };
 
 bool operator==(const Lighting& one, const Lighting& other);

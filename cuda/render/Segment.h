@@ -32,30 +32,36 @@ struct SegmentEnds
   }
 };
 
-/// The integral of Eq. (1) over a segment with extinction and colour constant and the light linear
-/// in optical depth along it.
+/// The integral of Eq. (1) over a segment with extinction and colour constant and what lights it
+/// linear in optical depth along it.
 template <class Number>
 struct Segment
 {
-  Number passed; ///< share of the light from behind
-  Number given;  ///< share of its colour that it sends
+  Number depth;    ///< optical
+  Number passed;   ///< share of the light from behind
+  Number absorbed; ///< 1 less that
 
-  /// `depth`: optical depth; front and rear: the light that the samples send, see LightOnRay.
-  template <bool Lit>
-  LIMPID_HD static LIMPID_INLINE Segment Of(
-    const Number& depth, const Number& front, const Number& rear)
+  LIMPID_HD LIMPID_INLINE explicit Segment(const Number& opticalDepth)
+    : depth(opticalDepth)
+    , passed(Attenuate(opticalDepth))
+    , absorbed(1.0f - this->passed)
   {
-    const Number passed = Attenuate(depth);
-    const Number absorbed = 1.0f - passed;
-    if (!Lit)
-    {
-      return { passed, absorbed };
-    }
-    // Weight of the rear end: (1 - exp(-d) (1 + d)) / d, or its series.
-    const Number series = depth * (0.5f - depth * (1.0f / 3.0f - depth * 0.125f));
-    const Number exact = (absorbed - passed * depth) / (depth + 1e-30f);
-    const Number weight = Select(depth > 0.05f, exact, series);
-    return { passed, (absorbed - weight) * front + weight * rear };
+  }
+
+  /// The mean along it, as it is seen, of what is linear: its value where the viewer sees the
+  /// segment on average. Where little is absorbed, that is the middle.
+  LIMPID_HD LIMPID_INLINE Number Mean(const Number& front, const Number& rear) const
+  {
+    return front + this->WeightOfRear() * (rear - front);
+  }
+
+private:
+  /// 1 / d - exp(-d) / (1 - exp(-d)), or its series.
+  LIMPID_HD LIMPID_INLINE Number WeightOfRear() const
+  {
+    const Number series = 0.5f - this->depth * (1.0f / 12.0f);
+    const Number exact = 1.0f / (this->depth + 1e-30f) - this->passed / (this->absorbed + 1e-30f);
+    return Select(this->depth > 0.05f, exact, series);
   }
 };
 
@@ -72,11 +78,16 @@ struct Pixel
   Optical light = { 0, 0, 0, 0 }; ///< second to fourth: red, green, blue
   float transmittance = 1;
 
-  /// In 8 bits.
-  LIMPID_HD LIMPID_INLINE Rgba Shown(const float* lightColor) const
+  /// In 8 bits. Strong light is toned down where its brightest channel would not fit over what is
+  /// behind the pixel, all channels alike, so that the hue stays.
+  LIMPID_HD LIMPID_INLINE Rgba Shown() const
   {
-    return { { ToByte(this->light[1] * lightColor[0]), ToByte(this->light[2] * lightColor[1]),
-      ToByte(this->light[3] * lightColor[2]), ToByte(1.0f - this->transmittance) } };
+    const float alpha = 1.0f - this->transmittance;
+    const float ofTwo = AtLeast(this->light[1], this->light[2]);
+    const float brightest = AtLeast(this->light[3], ofTwo);
+    const float tone = brightest > alpha ? alpha / brightest : 1.0f;
+    return { { ToByte(this->light[1] * tone), ToByte(this->light[2] * tone),
+      ToByte(this->light[3] * tone), ToByte(alpha) } };
   }
 
 private:

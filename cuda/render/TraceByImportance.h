@@ -99,7 +99,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
     {
       samples.Light(scene, ray);
     }
-    const auto sent = Lit ? 0.5f * samples.light.Sum() : typename AnySampler::Lanes(1.0f);
+    const auto sent = Lit ? samples.SentOnAverage(scene) : typename AnySampler::Lanes(1.0f);
     for (int i = 0; i < AnySampler::count; ++i)
     {
       mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), LaneOf(sent, i), samples.Color(i));
