@@ -91,6 +91,19 @@ bool ViewOptimization::Refine(const std::function<bool()>& isAborted)
   return this->Optimizer->Refine();
 }
 
+// Whether a change of the picture may begin at what was carried over from the last scene: not if
+// that shows less of this one than its base extinction does. Moving frames have no time to find
+// out.
+bool ViewOptimization::EasesFromCarried(const FrameSettings& frame)
+{
+  if (!frame.still || !frame.stepwise || frame.easeTime == 0)
+  {
+    return false;
+  }
+  this->Optimizer->ShowNoLessThanBase();
+  return this->Optimizer->ShowsFound();
+}
+
 // Lets the optimiser work for as long as the frame allows. Returns whether it has.
 bool ViewOptimization::Work(
   const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted)
@@ -115,14 +128,15 @@ bool ViewOptimization::Work(
   return true;
 }
 
-// Brings what the optimiser has found into the picture. `seconds`: since the last frame.
-void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool changed)
+// Brings what the optimiser shows into the picture, at once or bit by bit. `seconds`: since the
+// last frame.
+void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase)
 {
   if (!changed && !this->ShowsBase && this->Remaining == 0)
   {
     return;
   }
-  const bool eases = frame.easeTime > 0 && (frame.stepwise || !frame.still);
+  const bool eases = mayEase && frame.easeTime > 0 && (frame.stepwise || !frame.still);
   // At least a little: a clock may stand still between two frames.
   double share = eases ? std::max(1 - std::exp(-seconds / frame.easeTime), 0.01) : 1;
   this->Remaining = (1 - share) * (changed || this->ShowsBase ? 1 : this->Remaining);
@@ -203,12 +217,13 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     this->ShowBase(frame, data);
     return;
   }
-  bool changed = false;
-  if (!this->Optimizer || this->SceneVersion != data.SceneVersion())
+  const bool isNew = !this->Optimizer || this->SceneVersion != data.SceneVersion();
+  const bool carries = isNew && !this->ShowsBase;
+  if (isNew)
   {
     this->TakeScene(frame, data);
-    changed = true;
   }
+  bool changed = isNew;
   // What has been found stays, for when optimization is on again.
   const bool found =
     this->HasView && !this->IsBaseView && !changed && frame.solver == this->ViewSettings;
@@ -220,9 +235,16 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     result.converged = false;
     return;
   }
-  changed = (!frozen && this->Work(frame, clock, isAborted)) || changed;
-  frame.ShowsExtinction() ? this->Show(frame, frame.Largest(clock.SecondsSinceLast()), changed)
-                          : this->ShowBase(frame, data);
+  const bool goesOn = !carries || this->EasesFromCarried(frame);
+  if (!frozen)
+  {
+    changed = this->Work(frame, clock, isAborted) || changed;
+    this->Optimizer->ShowNoLessThanBase();
+  }
+  const bool eases = goesOn && this->Optimizer->ShowsFound();
+  frame.ShowsExtinction()
+    ? this->Show(frame, frame.Largest(clock.SecondsSinceLast()), changed, eases)
+    : this->ShowBase(frame, data);
 
   const Scores scores = this->Measure(frame, camera, changed);
   result.score = frame.optimize ? scores.best : scores.base;

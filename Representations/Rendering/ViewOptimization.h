@@ -57,9 +57,10 @@ private:
   void TakeScene(const FrameSettings& frame, const VolumeData& data);
   bool TakeView(const FrameSettings& frame, const Camera& camera);
   bool Refine(const std::function<bool()>& isAborted);
+  bool EasesFromCarried(const FrameSettings& frame);
   bool Work(
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
-  void Show(const FrameSettings& frame, double seconds, bool changed);
+  void Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
   Ceiling FindCeiling(const FrameSettings& frame, const Camera& camera, const Score& found);
   void ShowBase(const FrameSettings& frame, const VolumeData& data);
