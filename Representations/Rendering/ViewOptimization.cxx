@@ -29,7 +29,7 @@ constexpr double LeastChangeAtRest = 1.0 / 32;
 void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& data)
 {
   CarriedChange shown =
-    this->Optimizer && !this->ShowsBase ? this->Optimizer->Change() : CarriedChange();
+    this->Optimizer && this->HasShownFound() ? this->Optimizer->Change() : CarriedChange();
   // Who edits anything gets what it makes, as if nothing else had been shown.
   shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? likenessInTime : 0;
   this->Optimizer.reset();
@@ -136,7 +136,8 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
   {
     return;
   }
-  const bool eases = mayEase && frame.easeTime > 0 && (frame.stepwise || !frame.still);
+  const bool eases =
+    mayEase && !this->HidesFound && frame.easeTime > 0 && (frame.stepwise || !frame.still);
   // At least a little: a clock may stand still between two frames.
   double share = eases ? std::max(1 - std::exp(-seconds / frame.easeTime), 0.01) : 1;
   this->Remaining = (1 - share) * (changed || this->ShowsBase ? 1 : this->Remaining);
@@ -162,6 +163,7 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
       share, separate ? this->Optimizer->LightExtinction() : nullptr);
   }
   this->ShowsBase = false;
+  this->HidesFound = false;
 }
 
 // What the frame's camera sees, which is not the one that the optimiser works for while the
@@ -218,7 +220,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     return;
   }
   const bool isNew = !this->Optimizer || this->SceneVersion != data.SceneVersion();
-  const bool carries = isNew && !this->ShowsBase;
+  const bool carries = isNew && this->HasShownFound();
   if (isNew)
   {
     this->TakeScene(frame, data);
@@ -227,7 +229,8 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   // What has been found stays, for when optimization is on again.
   const bool found =
     this->HasView && !this->IsBaseView && !changed && frame.solver == this->ViewSettings;
-  const bool pauses = frame.paused && !changed && (!this->ShowsBase || !frame.ShowsExtinction());
+  const bool pauses =
+    frame.paused && !changed && (this->HasShownFound() || !frame.ShowsExtinction());
   const bool frozen = frame.optimize ? pauses && this->HasView : found;
   if (!frozen && !this->TakeView(frame, camera))
   {
@@ -241,6 +244,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     changed = this->Work(frame, clock, isAborted) || changed;
     this->Optimizer->ShowNoLessThanBase();
   }
+  this->Changes += changed ? 1 : 0;
   const bool eases = goesOn && this->Optimizer->ShowsFound();
   frame.ShowsExtinction()
     ? this->Show(frame, frame.Largest(clock.SecondsSinceLast()), changed, eases)
@@ -267,6 +271,7 @@ void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& da
   if (!this->ShowsBase || version != this->CasterVersion)
   {
     this->Pictures.SetExtinction(caster ? data.Nodes() : Grid(), caster, caster);
+    this->HidesFound = this->HasShownFound();
     this->ShowsBase = true;
     this->CasterVersion = version;
   }
@@ -279,6 +284,8 @@ void ViewOptimization::Release()
   this->Most.reset();
   this->Base = nullptr;
   this->ShowsBase = true;
+  this->HidesFound = false;
+  ++this->Changes;
   this->CasterVersion = 0;
   this->Remaining = 0;
 }
