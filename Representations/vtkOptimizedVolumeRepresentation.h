@@ -164,6 +164,12 @@ public:
   void SetDeferStill(int);
 
   /**
+   * Makes a part of the picture without optimization while a client shows the finished one with it;
+   * likewise. Returns whether something is left to be done.
+   */
+  int PrepareOriginal();
+
+  /**
    * Whether the view shows how much of what is important can be seen. Default is on.
    */
   void SetShowScore(int);

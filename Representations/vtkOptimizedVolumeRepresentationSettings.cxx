@@ -96,6 +96,11 @@ void vtkOptimizedVolumeRepresentation::SetSourceName(const char* name)
   this->State->SourceName = name ? name : "";
 }
 
+int vtkOptimizedVolumeRepresentation::PrepareOriginal()
+{
+  return this->State->Mapper->HasDrawn && this->State->Mapper->PrepareOriginal() ? 1 : 0;
+}
+
 int vtkOptimizedVolumeRepresentation::GetConverged()
 {
   // A frame without the volume has left nothing to do.

@@ -6,6 +6,7 @@
 #include "DisplayColoring.h"
 #include "FoundExtinction.h"
 #include "ImportancePoints.h"
+#include "RestoredFunction.h"
 
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
@@ -42,7 +43,13 @@ std::vector<double> PointsOf(vtkSMProxy* function)
 
 vtkSMOptimizedVolumeRepresentationProxy::vtkSMOptimizedVolumeRepresentationProxy() = default;
 
-vtkSMOptimizedVolumeRepresentationProxy::~vtkSMOptimizedVolumeRepresentationProxy() = default;
+vtkSMOptimizedVolumeRepresentationProxy::~vtkSMOptimizedVolumeRepresentationProxy()
+{
+  if (this->Registry)
+  {
+    this->Registry->RemoveObserver(this->RegistryTag);
+  }
+}
 
 void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
 {
@@ -55,6 +62,12 @@ void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
       this->GetProperty(name)->AddObserver(vtkCommand::ModifiedEvent, this,
         &vtkSMOptimizedVolumeRepresentationProxy::OnImportanceChosen);
     }
+  }
+  if (!this->Registry)
+  {
+    this->Registry = this->GetSessionProxyManager();
+    this->RegistryTag = this->Registry->AddObserver(
+      vtkCommand::RegisterEvent, this, &vtkSMOptimizedVolumeRepresentationProxy::OnRegistered);
   }
   vtkSMProxy* display = this->GetParentProxy();
   vtkSMProperty* type = display ? display->GetProperty("Representation") : nullptr;
@@ -190,6 +203,22 @@ void vtkSMOptimizedVolumeRepresentationProxy::RemoveConsumer(
   }
 }
 
+// Undo registers what belongs to a display after the display itself.
+void vtkSMOptimizedVolumeRepresentationProxy::OnRegistered(vtkObject*, unsigned long, void*)
+{
+  this->RestoreFunction(limpid::MissingFunction::Waits);
+}
+
+void vtkSMOptimizedVolumeRepresentationProxy::RestoreFunction(limpid::MissingFunction missing)
+{
+  vtkSMProxy* display = this->GetParentProxy();
+  const bool isShown = !this->Views.empty(); // until then, it is being set up
+  if (display && isShown && this->ObjectsCreated && this->IsActive())
+  {
+    limpid::RestoreImportanceFunction(this, display, missing);
+  }
+}
+
 // The name may change at any time, and nothing is rendered for that.
 void vtkSMOptimizedVolumeRepresentationProxy::TellSourceName(vtkObject*, unsigned long, void*)
 {
@@ -197,6 +226,7 @@ void vtkSMOptimizedVolumeRepresentationProxy::TellSourceName(vtkObject*, unsigne
   {
     return;
   }
+  this->RestoreFunction(limpid::MissingFunction::TakesDefault);
   vtkSMProxy* source = vtkSMPropertyHelper(this->GetParentProxy(), "Input").GetAsProxy();
   const char* registered = this->GetSessionProxyManager()->GetProxyName("sources", source);
   const std::string name = registered ? registered : "";

@@ -19,6 +19,9 @@
  * picture, with what was assumed for that; and as long as nobody has changed its points, they
  * follow the importance array (SuggestedImportance).
  *
+ * Where Undo brings back a display that was deleted, ParaView leaves the importance function out:
+ * the volume takes it again (RestoredFunction.h).
+ *
  * Before every render the process that draws is told what the source is called in the pipeline
  * browser (SetSourceName).
  */
@@ -28,11 +31,17 @@
 
 #include "vtkLimpidRepresentationsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
+#include "vtkWeakPointer.h" // for a member
 
 #include <array>  // for observers
 #include <map>    // for the views
 #include <string> // for a name
 #include <vector> // for points
+
+namespace limpid
+{
+enum class MissingFunction;
+}
 
 class VTKLIMPIDREPRESENTATIONS_EXPORT vtkSMOptimizedVolumeRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -62,11 +71,15 @@ private:
   bool TakeSuggestion();
   void Start();
   void UseFunction(bool use);
+  void OnRegistered(vtkObject* manager, unsigned long event, void* information);
+  void RestoreFunction(limpid::MissingFunction missing);
   void TellSourceName(vtkObject* view, unsigned long event, void* interactive);
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 
   bool WatchesType = false;
-  bool WatchesOwn = false;   // properties
+  bool WatchesOwn = false;            // properties
+  vtkWeakPointer<vtkObject> Registry; // that tells what is registered
+  unsigned long RegistryTag = 0;      // of the observer there
   bool Starts = false;       // with what is assumed to be important, after the first picture
   bool FunctionIsOn = false; // because of what was suggested
   bool IsTaking = false;

@@ -59,14 +59,29 @@ void SetStillRenders(vtkSMProxy* volume, StillRenders how)
   volume->GetSession()->ExecuteStream(volume->GetLocation(), stream);
 }
 
-bool IsConverged(vtkSMProxy* volume)
+namespace
+{
+// What a method without arguments returns on the process that draws. `location`: where it is
+// called.
+bool Ask(vtkSMProxy* volume, const char* method, vtkTypeUInt32 location, bool otherwise)
 {
   vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(volume) << "GetConverged"
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(volume) << method
          << vtkClientServerStream::End;
   vtkSMSession* session = volume->GetSession();
-  session->ExecuteStream(vtkPVSession::RENDER_SERVER_ROOT, stream);
-  int converged = 1;
-  session->GetLastResult(vtkPVSession::RENDER_SERVER_ROOT).GetArgument(0, 0, &converged);
-  return converged != 0;
+  session->ExecuteStream(location, stream);
+  int answer = otherwise ? 1 : 0;
+  session->GetLastResult(vtkPVSession::RENDER_SERVER_ROOT).GetArgument(0, 0, &answer);
+  return answer != 0;
+}
+}
+
+bool IsConverged(vtkSMProxy* volume)
+{
+  return Ask(volume, "GetConverged", vtkPVSession::RENDER_SERVER_ROOT, true);
+}
+
+bool PrepareOriginal(vtkSMProxy* volume)
+{
+  return Ask(volume, "PrepareOriginal", vtkPVSession::RENDER_SERVER, false);
 }

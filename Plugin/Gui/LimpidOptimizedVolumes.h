@@ -40,4 +40,8 @@ void SetStillRenders(vtkSMProxy* volume, StillRenders how);
 /// Whether the last frame left nothing to do, as the process that made the picture knows it.
 bool IsConverged(vtkSMProxy* volume);
 
+/// Makes a part of the picture without optimization beside a finished one, on all processes.
+/// Returns whether something is left to be done.
+bool PrepareOriginal(vtkSMProxy* volume);
+
 #endif

@@ -23,6 +23,9 @@ const int RETRY_INTERVAL = 50;
 // Milliseconds after a notch and its pictures, after which the mouse wheel is at rest.
 const int WHEEL_REST = 400;
 
+// Milliseconds after the last picture of a view at rest until those without optimization are made.
+const int REST = 1000;
+
 // Reads a state that views keep protected; there is never an object of this type.
 struct CaptureState : public vtkPVView
 {
@@ -42,6 +45,10 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
 {
   this->NextStep.setSingleShot(true);
   this->connect(&this->NextStep, &QTimer::timeout, this, &LimpidProgressiveView::step);
+
+  this->Preparation.setSingleShot(true);
+  this->connect(
+    &this->Preparation, &QTimer::timeout, this, &LimpidProgressiveView::prepareOriginals);
 
   this->WheelRest.setSingleShot(true);
   this->connect(&this->WheelRest, &QTimer::timeout, this, &LimpidProgressiveView::scheduleStep);
@@ -76,6 +83,7 @@ void LimpidProgressiveView::setPaused(bool paused)
 void LimpidProgressiveView::beginRender(vtkObject*, unsigned long, void*, void* interactive)
 {
   this->NextStep.stop();
+  this->Preparation.stop();
   if (IsSet(interactive))
   {
     return;
@@ -110,6 +118,7 @@ void LimpidProgressiveView::endRender(vtkObject*, unsigned long, void*, void* in
       {
         volume->UpdatePropertyInformation(); // the results in the properties panel
       }
+      this->Preparation.start(REST);
     }
   }
   this->scheduleStep();
@@ -119,6 +128,7 @@ void LimpidProgressiveView::beginInteraction()
 {
   this->Interacting = true;
   this->NextStep.stop();
+  this->Preparation.stop();
 }
 
 void LimpidProgressiveView::endInteraction()
@@ -151,10 +161,38 @@ void LimpidProgressiveView::scheduleStep()
   }
 }
 
+// Whether ParaView is at work on something else.
+bool LimpidProgressiveView::isBusy() const
+{
+  return this->Proxy->GetSession()->GetPendingProgress() ||
+    this->View->getServer()->isProcessingPending();
+}
+
+void LimpidProgressiveView::prepareOriginals()
+{
+  if (this->Interacting || this->Paused || this->WheelRest.isActive())
+  {
+    return;
+  }
+  if (this->isBusy())
+  {
+    this->Preparation.start(REST);
+    return;
+  }
+  bool isLeft = false;
+  for (vtkSMProxy* volume : VisibleOptimizedVolumes(this->Proxy))
+  {
+    isLeft = PrepareOriginal(volume) || isLeft;
+  }
+  if (isLeft)
+  {
+    this->Preparation.start(0); // no time, but after the events that wait
+  }
+}
+
 void LimpidProgressiveView::step()
 {
-  if (this->Proxy->GetSession()->GetPendingProgress() ||
-    this->View->getServer()->isProcessingPending())
+  if (this->isBusy())
   {
     this->NextStep.start(RETRY_INTERVAL);
     return;

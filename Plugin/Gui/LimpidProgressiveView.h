@@ -10,6 +10,8 @@
  * user interacts, or while an animation plays. Between notches of the mouse wheel, ParaView's still
  * renders are made like interactive ones, and no step is made until the wheel has rested. Pictures
  * that are captured (screenshots, frames of a saved animation) are made whole in one render.
+ * When all is done and nothing has happened for a second, the pictures without optimisation are
+ * made, so that Show Original shows them at once.
  */
 
 #ifndef LimpidProgressiveView_h
@@ -45,15 +47,18 @@ private Q_SLOTS:
   void endInteraction();
   void wheelTurned();
   void step();
+  void prepareOriginals();
 
 private:
   bool isCapturing() const;
   void scheduleStep();
+  bool isBusy() const;
 
   pqRenderView* View; // the parent
   vtkSMRenderViewProxy* Proxy;
   vtkNew<vtkEventQtSlotConnect> Events;
   QTimer NextStep;
+  QTimer Preparation;      // active: all is done, and what Show Original shows is made next
   QTimer WheelRest;        // active: the wheel has just been turned
   bool Unfinished = false; // the last render left something to do
   bool Interacting = false;

@@ -3,6 +3,7 @@
 
 #include "SlicedPicture.h"
 
+#include "KeptPictures.h"
 #include "OpaqueDepth.h"
 
 #include <algorithm>
@@ -10,19 +11,9 @@
 
 namespace limpid
 {
-namespace
-{
-// Of what VolumeView sets for a frame, but for depths.
-bool AreSame(const View& a, const View& b)
-{
-  return a.width == b.width && a.height == b.height && a.clipToWorld == b.clipToWorld &&
-    a.planes == b.planes && a.sampleDistance == b.sampleDistance && a.jitter == b.jitter;
-}
-}
-
 bool SlicedPicture::Shows(const Wanted& wanted) const
 {
-  return AreSame(wanted.view, this->Goal.view) && wanted.depth == this->Goal.depth &&
+  return AreSameRays(wanted.view, this->Goal.view) && wanted.depth == this->Goal.depth &&
     wanted.changes == this->Goal.changes;
 }
 

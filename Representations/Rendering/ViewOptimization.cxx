@@ -29,7 +29,7 @@ constexpr double LeastChangeAtRest = 1.0 / 32;
 void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& data)
 {
   CarriedChange shown =
-    this->Optimizer && !this->ShowsBase ? this->Optimizer->Change() : CarriedChange();
+    this->Optimizer && this->HasShownFound() ? this->Optimizer->Change() : CarriedChange();
   // Who edits anything gets what it makes, as if nothing else had been shown.
   shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? likenessInTime : 0;
   this->Optimizer.reset();
@@ -92,6 +92,19 @@ bool ViewOptimization::Refine(const std::function<bool()>& isAborted)
   return this->Optimizer->Refine();
 }
 
+// Whether a change of the picture may begin at what was carried over from the last scene: not if
+// that shows less of this one than its base extinction does. Moving frames have no time to find
+// out.
+bool ViewOptimization::EasesFromCarried(const FrameSettings& frame)
+{
+  if (!frame.still || !frame.stepwise || frame.easeTime == 0)
+  {
+    return false;
+  }
+  this->Optimizer->ShowNoLessThanBase();
+  return this->Optimizer->ShowsFound();
+}
+
 // Lets the optimiser work for as long as the frame allows. Returns whether it has.
 bool ViewOptimization::Work(
   const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted)
@@ -116,14 +129,16 @@ bool ViewOptimization::Work(
   return true;
 }
 
-// Brings what the optimiser has found into the picture. `seconds`: since the last frame.
-void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool changed)
+// Brings what the optimiser shows into the picture, at once or bit by bit. `seconds`: since the
+// last frame.
+void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase)
 {
   if (!changed && !this->ShowsBase && this->Remaining == 0)
   {
     return;
   }
-  const bool eases = frame.easeTime > 0 && (frame.stepwise || !frame.still);
+  const bool eases =
+    mayEase && !this->HidesFound && frame.easeTime > 0 && (frame.stepwise || !frame.still);
   // At least a little: a clock may stand still between two frames.
   double share = eases ? std::max(1 - std::exp(-seconds / frame.easeTime), 0.01) : 1;
   this->Remaining = (1 - share) * (changed || this->ShowsBase ? 1 : this->Remaining);
@@ -149,6 +164,7 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
       share, separate ? this->Optimizer->LightExtinction() : nullptr);
   }
   this->ShowsBase = false;
+  this->HidesFound = false;
 }
 
 // What the frame's camera sees, which is not the one that the optimiser works for while the
@@ -227,16 +243,18 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     this->ShowBase(frame, data);
     return;
   }
-  bool changed = false;
-  if (!this->Optimizer || this->SceneVersion != data.SceneVersion())
+  const bool isNew = !this->Optimizer || this->SceneVersion != data.SceneVersion();
+  const bool carries = isNew && this->HasShownFound();
+  if (isNew)
   {
     this->TakeScene(frame, data);
-    changed = true;
   }
+  bool changed = isNew;
   // What has been found stays, for when optimization is on again.
   const bool found =
     this->HasView && !this->IsBaseView && !changed && frame.solver == this->ViewSettings;
-  const bool pauses = frame.paused && !changed && (!this->ShowsBase || !frame.ShowsExtinction());
+  const bool pauses =
+    frame.paused && !changed && (this->HasShownFound() || !frame.ShowsExtinction());
   const bool frozen = frame.optimize ? pauses && this->HasView : found;
   if (!frozen && !this->TakeView(frame, camera))
   {
@@ -244,9 +262,17 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     result.converged = false;
     return;
   }
-  changed = (!frozen && this->Work(frame, clock, isAborted)) || changed;
-  frame.ShowsExtinction() ? this->Show(frame, frame.Largest(clock.SecondsSinceLast()), changed)
-                          : this->ShowBase(frame, data);
+  const bool goesOn = !carries || this->EasesFromCarried(frame);
+  if (!frozen)
+  {
+    changed = this->Work(frame, clock, isAborted) || changed;
+    this->Optimizer->ShowNoLessThanBase();
+  }
+  this->Changes += changed ? 1 : 0;
+  const bool eases = goesOn && this->Optimizer->ShowsFound();
+  frame.ShowsExtinction()
+    ? this->Show(frame, frame.Largest(clock.SecondsSinceLast()), changed, eases)
+    : this->ShowBase(frame, data);
 
   const Scores scores =
     this->InFront(frame, camera, opaque, this->Measure(frame, camera, changed), changed);
@@ -270,6 +296,7 @@ void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& da
   if (!this->ShowsBase || version != this->CasterVersion)
   {
     this->Pictures.SetExtinction(caster ? data.Nodes() : Grid(), caster, caster);
+    this->HidesFound = this->HasShownFound();
     this->ShowsBase = true;
     this->CasterVersion = version;
   }
@@ -283,6 +310,8 @@ void ViewOptimization::Release()
   this->Front.reset();
   this->Base = nullptr;
   this->ShowsBase = true;
+  this->HidesFound = false;
+  ++this->Changes;
   this->CasterVersion = 0;
   this->Remaining = 0;
 }

@@ -40,6 +40,13 @@ public:
     const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
     const std::function<bool()>& isAborted, FrameResult& result);
 
+  /// Shows the extinction of the transfer functions. What has been found stays, and is shown again
+  /// by the next frame that shows it, at once.
+  void ShowBase(const FrameSettings& frame, const VolumeData& data);
+
+  /// Grows with every change of what was found.
+  std::uint64_t Version() const { return this->Changes; }
+
   /// Forgets what has been found, and shows the extinction of the transfer functions.
   void Stop();
 
@@ -56,18 +63,19 @@ public:
   bool ShowsPiece(const FrameSettings& frame) const;
 
 private:
+  bool HasShownFound() const { return !this->ShowsBase || this->HidesFound; }
   void TakeScene(const FrameSettings& frame, const VolumeData& data);
   bool TakeView(const FrameSettings& frame, const Camera& camera);
   bool Refine(const std::function<bool()>& isAborted);
+  bool EasesFromCarried(const FrameSettings& frame);
   bool Work(
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
-  void Show(const FrameSettings& frame, double seconds, bool changed);
+  void Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
   Scores InFront(const FrameSettings& frame, const Camera& camera,
     const std::optional<OpaqueGeometry>& opaque, const Scores& all, bool changed);
   Ceiling FindCeiling(const FrameSettings& frame, const Camera& camera,
     const std::optional<OpaqueGeometry>& opaque, const Score& found);
-  void ShowBase(const FrameSettings& frame, const VolumeData& data);
 
   Renderer& Pictures;
   std::unique_ptr<Progressive> Optimizer;
@@ -104,6 +112,8 @@ private:
   };
   std::optional<KnownCeiling> Most;
   bool ShowsBase = true;
+  bool HidesFound = false;   ///< whether that stands in place of something that was shown before
+  std::uint64_t Changes = 1; ///< of what was found
   std::uint64_t CasterVersion = 0; ///< of what casts shadows with the base; 0: the base does
   double Remaining = 0;            ///< share of the last change that has not eased in yet
 };

@@ -170,18 +170,25 @@ double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geo
   return frame.Largest(this->Budget.PixelSize(pixels, left));
 }
 
+View VolumeView::RaysOf(const FrameSettings& frame, const ViewGeometry& geometry,
+  const std::vector<glm::dvec4>& planes, const PictureFrame& picture)
+{
+  View rays;
+  rays.width = picture.size[0];
+  rays.height = picture.size[1];
+  rays.clipToWorld = ClipToData(geometry, picture);
+  rays.planes = planes;
+  rays.sampleDistance = frame.sampleDistance;
+  rays.jitter = frame.jitter;
+  return rays;
+}
+
 void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
   const std::vector<glm::dvec4>& planes, double pixelSize)
 {
   this->Geometry = geometry;
   this->Frame = FrameOf(geometry, pixelSize);
-  this->Rays = View();
-  this->Rays.width = this->Frame.size[0];
-  this->Rays.height = this->Frame.size[1];
-  this->Rays.clipToWorld = ClipToData(geometry, this->Frame);
-  this->Rays.planes = planes;
-  this->Rays.sampleDistance = frame.sampleDistance;
-  this->Rays.jitter = frame.jitter;
+  this->Rays = RaysOf(frame, geometry, planes, this->Frame);
 }
 
 void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
@@ -219,11 +226,12 @@ std::function<bool()> VolumeView::AbortCheck() const
   { return !this->OnRanks && this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
 }
 
-// Leaves the result in LastResult.
-void VolumeView::PrepareNow(
+// How the frame's renderer sees the volume, and what is in front of it; none: it does not.
+std::optional<ViewGeometry> VolumeView::BeginFrame(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   messages = FrameMessages();
+  this->RestsOptimized = false;
   this->OnRanks = frame.ranks != nullptr;
   this->Clock.Begin(this->GoesOn);
   if (this->CastSeconds > 0)
@@ -248,7 +256,7 @@ void VolumeView::PrepareNow(
   if (!geometry.IsVisible())
   {
     this->LastResult.converged = true;
-    return;
+    return std::nullopt;
   }
   if (!frame.light.found && (frame.lit || frame.optimize))
   {
@@ -256,6 +264,14 @@ void VolumeView::PrepareNow(
       "No light of the view is switched on (nothing can be lit, and nothing casts a shadow): the "
       "volume is drawn without light. Switch a light on, or set LightSource to Own.");
   }
+  this->Opaque = this->OpaqueOf(frame, geometry);
+  return geometry;
+}
+
+// Makes all that the frame's rays need. Leaves the result in LastResult.
+void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data,
+  const ViewGeometry& geometry, FrameMessages& messages)
+{
   this->UpdateRenderer(frame, data);
   if (!this->Backend.Warning().empty())
   {
@@ -268,7 +284,6 @@ void VolumeView::PrepareNow(
   const std::function<bool()> isAborted = this->AbortCheck();
   try
   {
-    this->Opaque = this->OpaqueOf(frame, geometry);
     this->Optimize(frame, data, geometry, isAborted, messages, result);
     // While there is something left to do, the next picture follows at once.
     this->GoesOn = frame.still && frame.stepwise && !result.converged;
@@ -287,6 +302,15 @@ void VolumeView::PrepareNow(
     result.converged = false;
   }
   this->LastResult = result;
+}
+
+void VolumeView::PrepareNow(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  if (const std::optional<ViewGeometry> geometry = this->BeginFrame(frame, data, messages))
+  {
+    this->PrepareFrame(frame, data, *geometry, messages);
+  }
 }
 
 void VolumeView::Reset()
@@ -323,6 +347,8 @@ void VolumeView::ReleaseNow()
   this->Part = Picture();
   this->Fine.Clear();
   this->Sharpening.Clear();
+  this->Original.Clear();
+  this->Pictures.Clear();
 }
 
 void VolumeView::ReleaseGraphicsResources(vtkWindow* window)

@@ -9,6 +9,7 @@
 #include "DepthPeeling.h"
 #include "Frame.h"
 #include "FrameBudget.h"
+#include "KeptPictures.h"
 #include "Memory.h"
 #include "OpaqueDepth.h"
 #include "PictureBackend.h"
@@ -61,6 +62,11 @@ public:
   FrameResult Prepare(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void DrawPart(const RayParts& parts, std::size_t part);
 
+  /// Makes a part of the picture without optimisation beside the finished one that was shown last,
+  /// so that it is shown at once where it is asked for. Takes about as long as a moving frame, but
+  /// for shadows. Returns whether something is left to be done. Throws as Draw does.
+  bool PrepareOriginal(const VolumeData& data);
+
   /// Draws the last frame's visible pixels in one colour, for a selection.
   void DrawMask(const float color[3]);
 
@@ -85,11 +91,22 @@ public:
   std::vector<vtkWeakPointer<vtkVolume>> Peeled;
 
 private:
-  template <class Action, class Again>
-  void WhileDrawing(const Action& action, const Again& again);
-  template <class Action>
-  void WhileDrawing(const Action& action);
+  using Action = std::function<void()>;
+  void WhileDrawing(const Action& action, const Action& again);
+  void WhileDrawing(const Action& action) { this->WhileDrawing(action, action); }
+  std::optional<ViewGeometry> BeginFrame(
+    const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void PrepareFrame(const FrameSettings& frame, const VolumeData& data,
+    const ViewGeometry& geometry, FrameMessages& messages);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void DrawNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  PictureSubject SubjectOf(const FrameSettings& frame, const VolumeData& data,
+    const ViewGeometry& geometry, const OpaqueDepth& opaque) const;
+  bool ShowKept(const FrameSettings& frame, const PictureSubject& subject,
+    const OpaqueDepth& opaque, FrameMessages& messages);
+  void Keep(PictureSubject subject, const FrameMessages& messages);
+  bool MakeOriginal(const VolumeData& data);
+  bool AdvanceOriginal(double seconds);
   bool MakePicture(const View& view);
   OpaqueDepth OpaqueOf(const FrameSettings& frame, const ViewGeometry& geometry) const;
   bool DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque);
@@ -107,6 +124,8 @@ private:
   void Optimize(const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
+  static View RaysOf(const FrameSettings& frame, const ViewGeometry& geometry,
+    const std::vector<glm::dvec4>& planes, const PictureFrame& picture);
   void PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
     const std::vector<glm::dvec4>& planes, double pixelSize);
   std::function<bool()> AbortCheck() const;
@@ -144,6 +163,9 @@ private:
   Picture Part;
   SlicedPicture Fine;          ///< at rest, in full resolution
   SharpenedPicture Sharpening; ///< the way there, in frames that follow each other
+  SlicedPicture Original;      ///< the finished one without optimisation, in the making
+  KeptPictures Pictures;
+  bool RestsOptimized = false; ///< whether the last frame showed a kept one with optimisation
   double CastSeconds = 0;      ///< what the pictures of the frame took
   PictureQuad Quad;
 };

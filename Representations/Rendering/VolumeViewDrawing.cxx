@@ -61,8 +61,7 @@ bool VolumeView::MakePicture(const View& view)
 
 // What is asked of the view by observers meanwhile is done afterwards. `again`: what the processor
 // does where a GPU fails.
-template <class Action, class Again>
-void VolumeView::WhileDrawing(const Action& action, const Again& again)
+void VolumeView::WhileDrawing(const Action& action, const Action& again)
 {
   this->IsDrawing = true;
   try
@@ -89,12 +88,6 @@ void VolumeView::WhileDrawing(const Action& action, const Again& again)
   this->EndDrawing();
 }
 
-template <class Action>
-void VolumeView::WhileDrawing(const Action& action)
-{
-  this->WhileDrawing(action, action);
-}
-
 FrameResult VolumeView::Prepare(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
@@ -110,24 +103,42 @@ FrameResult VolumeView::Prepare(
 FrameResult VolumeView::Draw(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
-  this->WhileDrawing(
-    [&]()
-    {
-      this->PrepareNow(frame, data, messages);
-      if (!this->Geometry)
-      {
-        return;
-      }
-      // The pictures of two eyes would begin each other anew.
-      const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
-      const bool inSlices = frame.still && frame.stepwise && !this->GoesOn && !stereo;
-      const OpaqueDepth& opaque = *this->Opaque;
-      if (!(inSlices ? this->DrawInSlices(frame, opaque) : this->DrawWhole(frame, opaque)))
-      {
-        this->LastResult.converged = false;
-      }
-    });
+  this->WhileDrawing([&]() { this->DrawNow(frame, data, messages); });
   return this->LastResult;
+}
+
+void VolumeView::DrawNow(
+  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+{
+  const std::optional<ViewGeometry> geometry = this->BeginFrame(frame, data, messages);
+  if (!geometry)
+  {
+    return;
+  }
+  const OpaqueDepth& opaque = *this->Opaque;
+  // The pictures of two eyes would begin each other anew.
+  const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
+  const bool inSteps = frame.still && frame.stepwise && !stereo;
+  PictureSubject subject =
+    inSteps ? this->SubjectOf(frame, data, *geometry, opaque) : PictureSubject();
+  if (inSteps && this->ShowKept(frame, subject, opaque, messages))
+  {
+    return;
+  }
+  this->PrepareFrame(frame, data, *geometry, messages);
+  if (!this->Geometry)
+  {
+    return;
+  }
+  const bool inSlices = inSteps && !this->GoesOn;
+  if (!(inSlices ? this->DrawInSlices(frame, opaque) : this->DrawWhole(frame, opaque)))
+  {
+    this->LastResult.converged = false;
+  }
+  if (inSlices)
+  {
+    this->Keep(std::move(subject), messages);
+  }
 }
 
 OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame, const ViewGeometry& geometry) const

@@ -221,6 +221,11 @@ void vtkTransmittanceVolumeMapper::ReleaseMemory()
   this->State->ReleaseMemory();
 }
 
+bool vtkTransmittanceVolumeMapper::PrepareOriginal()
+{
+  return this->State->PrepareOriginals();
+}
+
 void vtkTransmittanceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   // An observer may take this mapper off the volume, which may be all that holds it.

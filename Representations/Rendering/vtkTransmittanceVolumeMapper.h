@@ -379,6 +379,15 @@ public:
   vtkBooleanMacro(DeferStill, vtkTypeBool);
   ///@}
 
+  /**
+   * Makes a part of the picture without optimization of what the last frames showed, once they have
+   * converged with ProgressiveStill, so that the first frame of the method ORDINARY shows it. For
+   * such a program while nothing else happens: a call takes about InteractiveFrameTime, and once
+   * per picture the time of a shadow. Returns whether something is left to be done; false also
+   * where there is nothing to prepare. The picture with optimization is kept by itself.
+   */
+  bool PrepareOriginal();
+
   ///@{
   /**
    * Whether all processes of the global controller draw the volume together, each of which has a

@@ -269,6 +269,24 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   this->Log.End(&view);
 }
 
+// Of all views. What goes wrong is said by the frame that shows it.
+bool vtkTransmittanceVolumeMapper::Internals::PrepareOriginals()
+{
+  bool isLeft = false;
+  try
+  {
+    for (const auto& view : this->Views)
+    {
+      isLeft = view->PrepareOriginal(this->Data) || isLeft;
+    }
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
+  return isLeft;
+}
+
 bool vtkTransmittanceVolumeMapper::Internals::IsShared() const
 {
   return this->Self->SharesImage && limpid::AreSeveral();

@@ -51,6 +51,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   void RenderInTurn(vtkRenderer* renderer, vtkVolume* volume);
   void RenderParts(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSelection(vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector);
+  bool PrepareOriginals();
   void ReleaseMemory();
   void ReleaseData();
   limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);

@@ -246,12 +246,14 @@ TEST(Progressive, KeepsShowingTheLastViewUntilThereIsSomethingNew)
   Progressive progressive = MakeProgressive(scene);
   RefineAll(progressive);
   const std::vector<float> shown = Copy(progressive, progressive.Extinction());
-  const Score score = progressive.BestScore();
+  const Camera turned = Turned(scene, 40);
 
-  progressive.SetView(Turned(scene, 40), scene.light, scene.settings);
+  progressive.SetView(turned, scene.light, scene.settings);
   EXPECT_FALSE(progressive.Converged());
   EXPECT_EQ(Copy(progressive, progressive.Extinction()), shown);
-  EXPECT_EQ(progressive.BestScore().visibility, score.visibility);
+  const Scores seen = progressive.ScoresFrom(turned);
+  EXPECT_EQ(progressive.BestScore().visibility, seen.best.visibility);
+  EXPECT_EQ(progressive.BaseScore().visibility, seen.base.visibility);
   progressive.Refine();
   EXPECT_EQ(Copy(progressive, progressive.Extinction()), shown);
   progressive.Refine();

@@ -17,18 +17,6 @@ PATIENCE = 60.0
 VISIBLE = 0.3  # mean change of a frame, of 255, that is one
 
 
-class Recorder:
-    """The pictures of all renders of a view since the last call of `clear`."""
-
-    def __init__(self, view):
-        self._view = view
-        self.clear()
-        view.SMProxy.AddObserver("EndEvent", lambda *_: self.pictures.append(story.shown(view)))
-
-    def clear(self):
-        self.pictures = []
-
-
 def apart(one, other):
     return float(np.abs(one - other).mean())
 
@@ -62,7 +50,7 @@ def tell():
     display.ExtinctionSource = "Array"
     display.ExtinctionArray = ["POINTS", "BaseExtinction"]
     simple.ResetCamera(view)
-    frames, recorder = story.Frames(view), Recorder(view)
+    frames, recorder = story.Frames(view), story.Recorder(view)
     simple.Render(view)
     settled(frames, display, "shown")
 

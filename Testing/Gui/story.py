@@ -166,6 +166,17 @@ class Frames:
         return count == self.all()
 
 
+class Recorder:
+    """The pictures of all renders of a view since the last call of `clear`."""
+
+    def __init__(self, view):
+        self.clear()
+        view.SMProxy.AddObserver("EndEvent", lambda *_: self.pictures.append(shown(view)))
+
+    def clear(self):
+        self.pictures = []
+
+
 def begin(generator):
     global _story
     _story = generator

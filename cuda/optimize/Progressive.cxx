@@ -106,7 +106,8 @@ struct Progressive::Internals
   bool hasView = false;
 
   Shown shown = Shown::Nothing;
-  Camera shownCamera; ///< for which that was found
+  bool showsBase = false; ///< whether that shows less than the base extinction, which is shown
+  Camera shownCamera;     ///< for which that was found
   Light shownLight;
   Settings shownSettings;
   double shownLikeness = 1;
@@ -216,6 +217,7 @@ struct Progressive::Internals
   void Show(Shown what)
   {
     this->shown = what;
+    this->showsBase = false;
     if (what != Shown::Kept)
     {
       this->kept = {};
@@ -278,16 +280,17 @@ CarriedChange Progressive::Change() const
 {
   const Internals& state = *this->State;
   const bool isForAll = state.Ranks() && state.shown == Shown::Preview;
-  return isForAll ? OnPiece(this->ShownChange(), state.scene->Nodes(), state.scene->Arrays().piece)
-                  : this->ShownChange();
+  return isForAll ? OnPiece(this->FoundChange(), state.scene->Nodes(), state.scene->Arrays().piece)
+                  : this->FoundChange();
 }
 
-/// On the grid of what is shown.
-CarriedChange Progressive::ShownChange() const
+/// On the grid on which it was found.
+CarriedChange Progressive::FoundChange() const
 {
   const Internals& state = *this->State;
   CarriedChange change;
-  if (state.shown == Shown::Nothing)
+  const bool isBeginning = state.shown == Shown::Solver && !state.solver->HasResult();
+  if (state.shown == Shown::Nothing || isBeginning)
   {
     return change;
   }
@@ -300,10 +303,10 @@ CarriedChange Progressive::ShownChange() const
   const float majorant = state.ShownScene().Majorant();
   const auto changeOf = [&](const float* extinction)
   { return ChangeOf(change.ValueCount(), this->BaseExtinction(), extinction, majorant); };
-  change.ofExtinction = changeOf(this->Extinction());
+  change.ofExtinction = changeOf(this->FoundForCamera());
   if (state.KeepsLight())
   {
-    change.ofLight = changeOf(this->LightExtinction());
+    change.ofLight = changeOf(this->FoundForLight());
   }
   return change;
 }
@@ -318,6 +321,13 @@ void Progressive::SetView(const Camera& camera, const Light& light, const Settin
   RequireSettings(settings);
   RequireView(camera, light, settings, state.scene->Nodes());
   state.EndView();
+  const bool sameView =
+    state.hasView && camera == state.camera && settings.otherCameras == state.settings.otherCameras;
+  if (!sameView)
+  {
+    state.keptScores.reset(); // they were what another camera saw
+  }
+  state.showsBase = false;
   state.camera = camera;
   state.light = light;
   state.settings = settings;
@@ -339,7 +349,7 @@ void Progressive::Preview(double seconds)
     return;
   }
   PreviewPass& preview = state.PreviewOn(level);
-  CarriedChange previous = this->StaysNear() ? this->ShownChange() : CarriedChange();
+  CarriedChange previous = this->StaysNear() ? this->FoundChange() : CarriedChange();
   if (previous.piece)
   {
     previous = ForAllRanks(std::move(previous), state.grids[level]);
@@ -414,7 +424,40 @@ const float* Progressive::BaseExtinction() const
   return this->State->ShownScene().Arrays().baseExtinction;
 }
 
+void Progressive::ShowNoLessThanBase()
+{
+  Internals& state = *this->State;
+  state.showsBase = this->IsJudged() && this->FoundScore().fraction < this->BaseScore().fraction;
+}
+
+/// Whether what is shown is to show no less than the base extinction. What only adds, or is for the
+/// light alone, or what another method does, may show less when it is finished; but what was found
+/// at another time is none of these.
+bool Progressive::IsJudged() const
+{
+  const Internals& state = *this->State;
+  const Settings& of = state.settings;
+  const bool isForView = InfoOf(of.method).iterates && of.weights.view > 0;
+  const bool isAdded = of.emphasis > 0 && !state.shownOfOther;
+  return state.shown != Shown::Nothing && isForView && !isAdded && !this->Converged();
+}
+
+bool Progressive::ShowsFound() const
+{
+  return this->State->shown != Shown::Nothing && !this->State->showsBase;
+}
+
 const float* Progressive::Extinction() const
+{
+  return this->State->showsBase ? this->BaseExtinction() : this->FoundForCamera();
+}
+
+const float* Progressive::LightExtinction() const
+{
+  return this->State->showsBase ? this->BaseExtinction() : this->FoundForLight();
+}
+
+const float* Progressive::FoundForCamera() const
 {
   const Internals& state = *this->State;
   switch (state.shown)
@@ -431,7 +474,7 @@ const float* Progressive::Extinction() const
   return this->BaseExtinction();
 }
 
-const float* Progressive::LightExtinction() const
+const float* Progressive::FoundForLight() const
 {
   const Internals& state = *this->State;
   switch (state.shown)
@@ -440,9 +483,9 @@ const float* Progressive::LightExtinction() const
       return state.LastPreview().LightExtinction();
     case Shown::Solver:
       return HasLightExtinction(state.settings) ? state.solver->LightExtinction().data()
-                                                : this->Extinction();
+                                                : this->FoundForCamera();
     case Shown::Kept:
-      return state.keptForLight ? state.kept[1].OnHost().data() : this->Extinction();
+      return state.keptForLight ? state.kept[1].OnHost().data() : this->FoundForCamera();
     case Shown::Nothing:
       break;
   }
@@ -455,6 +498,10 @@ ShownOnDevice Progressive::OnDevice() const
   const bool forLight = HasLightExtinction(state.settings);
   ExtinctionOnDevice found;
   ExtinctionOnDevice ofLight;
+  if (state.showsBase)
+  {
+    return {};
+  }
   if (state.shown == Shown::Solver)
   {
     found = state.solver->OnDevice();
@@ -487,6 +534,11 @@ Score Progressive::BaseScore() const
 
 Score Progressive::BestScore() const
 {
+  return this->State->showsBase ? this->BaseScore() : this->FoundScore();
+}
+
+Score Progressive::FoundScore() const
+{
   const Internals& state = *this->State;
   switch (state.shown)
   {
@@ -502,21 +554,31 @@ Score Progressive::BestScore() const
   return {};
 }
 
+/// Of what was kept, as all cameras of the present view see it.
 const Scores& Progressive::KeptScores() const
 {
   Internals& state = *this->State;
   if (!state.keptScores)
   {
-    state.keptScores = this->ScoresFrom(state.camera);
+    state.keptScores = this->ScoresWith(state.camera, state.Wanted());
   }
   return *state.keptScores;
 }
 
 Scores Progressive::ScoresFrom(const Camera& camera, const OpaqueGeometry* opaque) const
 {
-  const Internals& state = *this->State;
-  Settings settings = state.Wanted();
+  Settings settings = this->State->Wanted();
   settings.otherCameras.clear();
+  Scores scores = this->ScoresWith(camera, settings, opaque);
+  scores.best = this->State->showsBase ? scores.base : scores.best;
+  return scores;
+}
+
+/// What all cameras of some settings see of the base extinction and of what was found.
+Scores Progressive::ScoresWith(
+  const Camera& camera, const Settings& settings, const OpaqueGeometry* opaque) const
+{
+  const Internals& state = *this->State;
   const ProblemInFront seen(
     state.ShownScene().ProblemForScores(camera, state.light, settings), opaque);
   const Problem& problem = seen.Get();
@@ -524,8 +586,8 @@ Scores Progressive::ScoresFrom(const Camera& camera, const OpaqueGeometry* opaqu
   backend.Choose(settings, problem.grid);
   const auto score = [&]() -> Scores
   {
-    const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFrom(problem, problem.camera);
-    return { sweeps->ScoreOf(this->BaseExtinction()), sweeps->ScoreOf(this->Extinction()) };
+    const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFromCameras(problem);
+    return { sweeps->ScoreOf(this->BaseExtinction()), sweeps->ScoreOf(this->FoundForCamera()) };
   };
   return backend.Do(score, [] {});
 }

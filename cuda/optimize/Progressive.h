@@ -49,11 +49,11 @@ public:
   /// Another stopwatch for previews; for tests.
   void SetStopwatch(Stopwatch stopwatch);
 
-  /// Shows what another scene over the same box showed, until there is something new. Does nothing
+  /// Shows what another scene over the same box found, until there is something new. Does nothing
   /// for a change that is empty or of another box. Nothing may have been shown yet.
   void GoOnFrom(const CarriedChange& change);
 
-  /// What is shown, for another scene; empty: the base extinction is.
+  /// What was found last, for another scene; empty: nothing yet.
   CarriedChange Change() const;
 
   /// A new camera, light or new settings. What was found before stays shown until there is
@@ -71,6 +71,16 @@ public:
   /// from the first call changes nothing; after one from another call or from Preview, this object
   /// is of no more use.
   bool Refine();
+
+  /// Shows the base extinction in place of what shows less of the important structures than that
+  /// does, until there is something new: what was kept from another view or scene, a preview, an
+  /// iterate that is on its way. What the solver ends at stays. To be called once per frame; takes
+  /// no sweeps that the scores of the frame do not take anyway. What was found is not lost: the
+  /// next extinction stays near it, and another scene goes on from it.
+  void ShowNoLessThanBase();
+
+  /// Whether anything is shown that was found, for this scene or another one; else the base is.
+  bool ShowsFound() const;
 
   bool HasBegun() const;  ///< whether Refine was called for the present view
   bool Converged() const; ///< whether Refine has nothing left to do for the present view
@@ -105,9 +115,15 @@ public:
   std::string BackendName() const;
 
 private:
-  CarriedChange ShownChange() const;
+  CarriedChange FoundChange() const;
+  const float* FoundForCamera() const;
+  const float* FoundForLight() const;
+  Score FoundScore() const;
+  bool IsJudged() const;
   bool StaysNear() const;
   const Scores& KeptScores() const;
+  Scores ScoresWith(
+    const Camera& camera, const Settings& settings, const OpaqueGeometry* opaque = nullptr) const;
 
   struct Internals;
   std::unique_ptr<Internals> State;

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Finished pictures of a view at rest, which are shown again where nothing that they depend on has
+// changed.
+
+#include "OpaqueDepth.h"
+#include "VolumeView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limpid
+{
+namespace
+{
+constexpr float endOfRange = 1; // in clip coordinates
+
+// Each takes some time beside its rays.
+constexpr double MostSlicesOfOriginal = 64;
+}
+
+PictureSubject VolumeView::SubjectOf(const FrameSettings& frame, const VolumeData& data,
+  const ViewGeometry& geometry, const OpaqueDepth& opaque) const
+{
+  PictureSubject subject;
+  subject.frame = frame;
+  subject.geometry = geometry;
+  const PictureFrame whole = FrameOf(geometry, 1);
+  subject.rays = RaysOf(frame, geometry, data.Cropped().planes, whole);
+  subject.depth = opaque.IsEmpty() ? std::vector<float>() : opaque.InMiddles(whole);
+  subject.data = { { data.ScalarsVersion(), data.FunctionsVersion(), data.ImportanceVersion(),
+    data.SceneVersion() } };
+  subject.found = frame.optimize ? this->Optimization.Version() : 0;
+  return subject;
+}
+
+// Returns whether the frame is over.
+bool VolumeView::ShowKept(const FrameSettings& frame, const PictureSubject& subject,
+  const OpaqueDepth& opaque, FrameMessages& messages)
+{
+  const KeptPicture* kept = this->Pictures.Find(subject);
+  if (frame.AnyRank(!kept))
+  {
+    return false;
+  }
+  this->Geometry = subject.geometry;
+  this->Frame = FrameOf(subject.geometry, 1);
+  this->Rays = subject.rays;
+  this->Image = kept->picture;
+  this->LastResult = kept->result;
+  this->GoesOn = false;
+  this->RestsOptimized = frame.optimize;
+  messages = kept->messages;
+  this->Show(frame, opaque);
+  return true;
+}
+
+// Of a frame that has come to its end.
+void VolumeView::Keep(PictureSubject subject, const FrameMessages& messages)
+{
+  if (!this->LastResult.converged || !messages.errors.empty())
+  {
+    return;
+  }
+  this->RestsOptimized = subject.frame.optimize;
+  subject.found = this->RestsOptimized ? this->Optimization.Version() : 0;
+  this->Pictures.Keep({ std::move(subject), this->Image, this->LastResult, messages });
+  this->Fine.Clear();
+}
+
+bool VolumeView::PrepareOriginal(const VolumeData& data)
+{
+  bool goesOn = false;
+  if (!this->IsDrawing && !this->IsHidden())
+  {
+    this->WhileDrawing([&]() { goesOn = this->MakeOriginal(data); });
+  }
+  return goesOn;
+}
+
+// A part of the picture. Returns whether something is left.
+bool VolumeView::MakeOriginal(const VolumeData& data)
+{
+  const KeptPicture* optimized = this->Pictures.Optimized();
+  if (!this->RestsOptimized || !optimized || optimized->subject.frame.ranks)
+  {
+    return false;
+  }
+  const PictureSubject& shown = optimized->subject;
+  const bool isCurrent = shown.data[0] == this->ScalarsVersion &&
+    shown.data[0] == data.ScalarsVersion() && shown.data[1] == data.FunctionsVersion() &&
+    shown.data[2] == data.ImportanceVersion() && shown.found == this->Optimization.Version();
+  PictureSubject original = shown.WithoutOptimization();
+  if (!isCurrent || this->Pictures.Find(original))
+  {
+    return false;
+  }
+  const FrameSettings& frame = original.frame;
+  FrameMessages messages = optimized->messages;
+  FrameResult result = optimized->result;
+  result.score = result.baseScore;
+  result.ceiling = Ceiling();
+  this->UpdateRenderer(frame, data);
+  this->UseImportance(frame, data, messages);
+  this->Optimization.ShowBase(frame, data);
+  this->Shadows.MakeFine(true);
+  this->Caster.Prepare();
+  const double rays = double(original.rays.width) * original.rays.height;
+  SlicedPicture::Wanted wanted{ original.rays,
+    original.depth.empty() ? std::vector<float>(std::size_t(rays), endOfRange) : original.depth,
+    this->Caster.Changes() };
+  if (!this->Original.Shows(wanted))
+  {
+    const double slices = std::ceil(this->Budget.SecondsOf(rays) / frame.frameTime);
+    this->Original.Begin(
+      std::move(wanted), static_cast<int>(std::clamp(slices, 1.0, MostSlicesOfOriginal)));
+    return true; // that took its time
+  }
+  if (!messages.errors.empty() || !this->AdvanceOriginal(frame.frameTime))
+  {
+    return false;
+  }
+  if (!this->Original.IsComplete())
+  {
+    return true;
+  }
+  this->Pictures.Keep({ std::move(original), this->Original.Whole(), result, messages });
+  this->Original.Clear();
+  return false;
+}
+
+// Returns whether it was not aborted.
+bool VolumeView::AdvanceOriginal(double seconds)
+{
+  const auto start = FrameClock::SteadyClock::now();
+  const auto isOutOfTime = [&]() { return FrameClock::SecondsSince(start) > seconds; };
+  const bool goesOn = this->Original.Advance(isOutOfTime,
+    [this](const View& view) { return this->MakePicture(view) ? &this->Part : nullptr; });
+  this->CastSeconds = 0; // not of a whole picture
+  return goesOn;
+}
+}
