@@ -225,6 +225,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
                           : this->ShowBase(frame, data);
 
   const Scores scores = this->Measure(frame, camera, changed);
+  result.measured = true;
   result.score = frame.optimize ? scores.best : scores.base;
   result.baseScore = scores.base;
   result.iterations = this->Optimizer->Iterations();
