@@ -12,6 +12,8 @@
 
 #include "math/Vec.h"
 
+#include <vector>
+
 namespace limpid
 {
 /// Adds an array with one tuple.
@@ -31,6 +33,16 @@ inline void AddVector(const char* name, const Vec3& vector, vtkFieldData* output
   array->SetName(name);
   array->SetNumberOfComponents(3);
   array->InsertNextTuple3(vector.x, vector.y, vector.z);
+  output->AddArray(array);
+}
+
+/// Adds an array with one tuple that has the components of all vectors.
+inline void AddTuple(const char* name, const std::vector<Vec3>& vectors, vtkFieldData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(3 * vectors.size()));
+  array->InsertNextTuple(&vectors.front().x);
   output->AddArray(array);
 }
 }

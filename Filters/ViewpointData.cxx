@@ -35,29 +35,30 @@ std::vector<ScoredView> ValidOf(const std::vector<ScoredView>& views)
   return valid;
 }
 
-template <class Value>
+// One number per item, a view or a camera.
+template <class Item, class Value>
 void AddNumbers(
-  const char* name, const std::vector<ScoredView>& views, const Value& value, vtkPolyData* output)
+  const char* name, const std::vector<Item>& items, const Value& value, vtkPolyData* output)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
-  for (const ScoredView& view : views)
+  for (const Item& item : items)
   {
-    array->InsertNextValue(value(view));
+    array->InsertNextValue(value(item));
   }
   output->GetPointData()->AddArray(array);
 }
 
-template <class Value>
+template <class Item, class Value>
 void AddVectors(
-  const char* name, const std::vector<ScoredView>& views, const Value& value, vtkPolyData* output)
+  const char* name, const std::vector<Item>& items, const Value& value, vtkPolyData* output)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  for (const ScoredView& view : views)
+  for (const Item& item : items)
   {
-    const Vec3 vector = value(view);
+    const Vec3 vector = value(item);
     array->InsertNextTuple3(vector.x, vector.y, vector.z);
   }
   output->GetPointData()->AddArray(array);
@@ -88,22 +89,32 @@ double PolarOf(const ScoredView& view)
   return vtkMath::DegreesFromRadians(AnglesOf(view.direction).polar);
 }
 
-// The angles of Eq. (10), where the camera stands and what is up in its picture.
-void AddCameras(const Orbit& orbit, const std::vector<ScoredView>& views, vtkPolyData* output)
+// The angles of Eq. (10), and cameras: one per view.
+void AddCameras(
+  const std::vector<ScoredView>& views, const std::vector<Camera>& cameras, vtkPolyData* output)
 {
   AddNumbers("Azimuth", views, AzimuthOf, output);
   AddNumbers("Polar", views, PolarOf, output);
   AddVectors(
     "ViewDirection", views, [](const ScoredView& view) { return view.direction; }, output);
   AddVectors(
-    "CameraPosition", views,
-    [&orbit](const ScoredView& view) { return orbit.At(view.direction).position; }, output);
+    "CameraPosition", cameras, [](const Camera& camera) { return camera.position; }, output);
   AddVectors(
-    "CameraFocalPoint", views,
-    [&orbit](const ScoredView& view) { return orbit.At(view.direction).focalPoint; }, output);
+    "CameraFocalPoint", cameras, [](const Camera& camera) { return camera.focalPoint; }, output);
   AddVectors(
-    "CameraViewUp", views,
-    [&orbit](const ScoredView& view) { return orbit.At(view.direction).viewUp; }, output);
+    "CameraViewUp", cameras, [](const Camera& camera) { return camera.viewUp; }, output);
+  AddNumbers(
+    "CameraParallelScale", cameras, [](const Camera& camera) { return camera.parallelScale; },
+    output);
+}
+
+// The cameras by which views were scored.
+std::vector<Camera> ScoringCameras(const Orbit& orbit, const std::vector<ScoredView>& views)
+{
+  std::vector<Camera> cameras(views.size());
+  std::transform(views.begin(), views.end(), cameras.begin(),
+    [&orbit](const ScoredView& view) { return orbit.At(view.direction); });
+  return cameras;
 }
 
 // 1 for the best of the views that were evaluated, and so on; 0 for the others.
@@ -150,12 +161,12 @@ void AddNormalizedScores(const std::vector<ScoredView>& views, vtkPolyData* outp
 }
 
 void AddView(
-  const std::string& prefix, const ScoredView& view, const Orbit& orbit, vtkFieldData* output)
+  const std::string& prefix, const ScoredView& view, const Camera& camera, vtkFieldData* output)
 {
-  const Camera camera = orbit.At(view.direction);
   AddValue<vtkDoubleArray>((prefix + "VisibilityScore").c_str(), view.score.visibility, output);
   AddValue<vtkDoubleArray>((prefix + "VisibleFraction").c_str(), view.score.fraction, output);
   AddVector((prefix + "CameraPosition").c_str(), camera.position, output);
+  AddVector((prefix + "CameraFocalPoint").c_str(), camera.focalPoint, output);
   AddVector((prefix + "CameraViewUp").c_str(), camera.viewUp, output);
   AddValue<vtkDoubleArray>((prefix + "Azimuth").c_str(), AzimuthOf(view), output);
   AddValue<vtkDoubleArray>((prefix + "Polar").c_str(), PolarOf(view), output);
@@ -175,7 +186,7 @@ void FillSphere(const FoundViews& found, vtkPolyData* output)
   output->SetPolys(found.sphere.triangles);
   AddScores(found, found.samples, output);
   AddNormalizedScores(found.samples, output);
-  AddCameras(found.orbit, found.samples, output);
+  AddCameras(found.samples, ScoringCameras(found.orbit, found.samples), output);
   AddRanks(found.samples, output);
   output->GetPointData()->SetActiveNormals("ViewDirection");
 }
@@ -185,16 +196,17 @@ void FillViewpoints(const FoundViews& found, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
+  std::vector<Camera> cameras;
   for (const ScoredView& view : found.search.viewpoints)
   {
-    const Vec3 position = found.orbit.At(view.direction).position;
-    const vtkIdType id = points->InsertNextPoint(&position.x);
+    cameras.push_back(found.CameraOf(view));
+    const vtkIdType id = points->InsertNextPoint(&cameras.back().position.x);
     vertices->InsertNextCell(1, &id);
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
   AddScores(found, found.search.viewpoints, output);
-  AddCameras(found.orbit, found.search.viewpoints, output);
+  AddCameras(found.search.viewpoints, cameras, output);
   AddRanks(found.search.viewpoints, output);
 }
 
@@ -221,7 +233,7 @@ void FillPaths(const FoundViews& found, vtkPolyData* output)
   output->SetPoints(points);
   output->SetLines(lines);
   AddScores(found, views, output);
-  AddCameras(found.orbit, views, output);
+  AddCameras(views, ScoringCameras(found.orbit, views), output);
 }
 
 void AddSearchSummary(const FoundViews& found, vtkFieldData* output)
@@ -229,14 +241,18 @@ void AddSearchSummary(const FoundViews& found, vtkFieldData* output)
   const std::vector<ScoredView> valid = ValidOf(found.samples);
   if (!found.search.viewpoints.empty() && !valid.empty())
   {
-    AddView("Best", found.search.viewpoints.front(), found.orbit, output);
-    AddView("Worst", *std::min_element(valid.begin(), valid.end(), IsWorse), found.orbit, output);
+    const ScoredView& best = found.search.viewpoints.front();
+    AddView("Best", best, found.CameraOf(best), output);
+    const ScoredView& worst = *std::min_element(valid.begin(), valid.end(), IsWorse);
+    AddView("Worst", worst, found.orbit.At(worst.direction), output);
   }
   AddVector("CameraFocalPoint", found.orbit.centre, output);
   AddVector("CameraUpAxis", found.orbit.up, output);
   AddValue<vtkDoubleArray>("CameraViewAngle", found.orbit.viewAngle, output);
   AddValue<vtkIntArray>("CameraParallelProjection", found.orbit.parallel ? 1 : 0, output);
   AddValue<vtkDoubleArray>("CameraParallelScale", found.orbit.parallelScale, output);
+  AddValue<vtkDoubleArray>("CameraAspectRatio", found.orbit.aspect, output);
+  AddTuple("ImageCorners", found.corners, output);
   AddValue<vtkIntArray>("Evaluations", static_cast<int>(found.search.evaluations), output);
   AddValue<vtkDoubleArray>("Seconds", found.seconds, output);
   AddValue<vtkDoubleArray>("ScalarOpacityUnitDistance", found.unitDistance, output);

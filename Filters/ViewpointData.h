@@ -8,6 +8,7 @@
 
 #include "DirectionSphere.h"
 
+#include "viewpoint/FittedCamera.h"
 #include "viewpoint/Search.h"
 
 #include <string>
@@ -22,14 +23,22 @@ struct FoundViews
 {
   DirectionSphere sphere;
   Vec3 sphereCentre{ 0.0 };
-  double sphereRadius = 1; ///< [length]
-  Orbit orbit;
+  double sphereRadius = 1;   ///< [length]
+  Orbit orbit;               ///< where views are scored
+  std::vector<Vec3> corners; ///< of the image's box
+  Aim aim = Aim::Box;
   std::vector<ScoredView> samples; ///< one per direction of the sphere
   SearchResult search;
   bool isAttainable = false; ///< whether scores are ceilings
   double seconds = 0;
   double unitDistance = 1; ///< of opacities [length]
   std::string backend;
+
+  /// The camera to look through.
+  Camera CameraOf(const ScoredView& view) const
+  {
+    return FittedCamera(this->orbit, this->corners, view.direction, this->aim);
+  }
 };
 
 /// The S-sphere: the score of every direction on a closed surface round the data.
@@ -38,7 +47,7 @@ void FillSphere(const FoundViews& found, vtkPolyData* output);
 /// One vertex per ranked viewpoint, best first, where its camera stands.
 void FillViewpoints(const FoundViews& found, vtkPolyData* output);
 
-/// The ways from samples up to better views, where their cameras stand.
+/// The ways from samples up to better views, where they were scored.
 void FillPaths(const FoundViews& found, vtkPolyData* output);
 
 /// Best and worst view, what they have in common, and the effort.

@@ -5,7 +5,10 @@
 
 #include "Abort.h"
 #include "Choices.h"
+#include "ControllerRanks.h"
+#include "FieldValues.h"
 #include "PropertyPrinter.h"
+#include "UpstreamErrors.h"
 #include "Vectors.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -23,12 +26,15 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include "backend/Communicator.h"
 #include "math/Require.h"
 #include "viewpoint/CameraPath.h"
+#include "viewpoint/FittedCamera.h"
 #include "viewpoint/Search.h"
 
 #include <cstddef>
 #include <exception>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -91,7 +97,13 @@ std::vector<double> ScoresOf(vtkPolyData* sphere)
   return scores;
 }
 
-// The cameras of a search.
+double NumberOf(vtkPolyData* sphere, const char* name, double otherwise)
+{
+  vtkDataArray* array = sphere->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
+}
+
+// By which a search scored its views.
 limpid::Orbit OrbitOf(vtkPolyData* sphere)
 {
   limpid::Orbit orbit;
@@ -100,8 +112,36 @@ limpid::Orbit OrbitOf(vtkPolyData* sphere)
   orbit.distance = glm::distance(position, orbit.centre);
   vtkDataArray* up = sphere->GetFieldData()->GetArray("CameraUpAxis");
   orbit.up = up ? VectorOf(up, 0) : orbit.up;
+  orbit.viewAngle = NumberOf(sphere, "CameraViewAngle", orbit.viewAngle);
+  orbit.aspect = NumberOf(sphere, "CameraAspectRatio", orbit.aspect);
+  orbit.parallel = NumberOf(sphere, "CameraParallelProjection", 0) != 0;
+  orbit.parallelScale = NumberOf(sphere, "CameraParallelScale", orbit.parallelScale);
   return orbit;
 }
+
+// Of the image that was searched.
+std::vector<limpid::Vec3> CornersOf(vtkPolyData* sphere)
+{
+  vtkDataArray* numbers = sphere->GetFieldData()->GetArray("ImageCorners");
+  LIMPID_REQUIRE(numbers && numbers->GetNumberOfTuples() == 1,
+    "The input has no field data \"ImageCorners\" (it is not known what has to be in the "
+    "pictures). Connect the first output of a viewpoint search.");
+  std::vector<limpid::Vec3> corners;
+  for (int i = 0; i + 2 < numbers->GetNumberOfComponents(); i += 3)
+  {
+    corners.emplace_back(numbers->GetComponent(0, i), numbers->GetComponent(0, i + 1),
+      numbers->GetComponent(0, i + 2));
+  }
+  return corners;
+}
+
+// What a search found at one time step, or at several.
+struct Found
+{
+  limpid::DirectionMesh mesh;
+  std::vector<std::vector<double>> scores; // per time step, one per direction
+  std::vector<limpid::Vec3> corners;       // of the images of all time steps
+};
 }
 
 struct vtkCameraPath::Internals
@@ -121,12 +161,12 @@ struct vtkCameraPath::Internals
   bool GoesThroughTime() const { return this->Self->Way == THROUGH_TIME; }
   std::size_t StepCount() const { return this->GoesThroughTime() ? this->Times.size() : 1; }
 
-  void Update(std::size_t step) const;
-  bool Read(vtkInformation* input, limpid::DirectionMesh& mesh,
-    std::vector<std::vector<double>>& scores) const;
+  bool Update(std::size_t step) const;
+  bool Read(const limpid::Communicator* ranks, vtkInformation* input, Found& found) const;
+  void ReadStep(std::size_t step, vtkInformation* input, Found& found) const;
+  void RequireStep(std::size_t step, bool isThere, const std::string& why) const;
   void RequireSettings() const;
-  limpid::CameraPath Find(const limpid::DirectionMesh& mesh,
-    const std::vector<std::vector<double>>& scores, const limpid::Orbit& orbit) const;
+  limpid::CameraPath Find(const Found& found, const limpid::Vec3& up) const;
   void Fill(const limpid::CameraPath& path, const limpid::Orbit& orbit, vtkPolyData* output) const;
 };
 
@@ -142,52 +182,72 @@ void vtkCameraPath::Internals::RequireSettings() const
     "or set Way to Round Trip.");
 }
 
-// Brings the input to a time step. The pipeline's own way of doing this, CONTINUE_EXECUTING, never
-// ends where the input fails, because it ends in RequestData alone, which is not called then.
-void vtkCameraPath::Internals::Update(std::size_t step) const
+// Brings the input to a time step, if that can be done. The pipeline's own way of doing this,
+// CONTINUE_EXECUTING, never ends where the input fails, because it ends in RequestData alone, which
+// is not called then.
+bool vtkCameraPath::Internals::Update(std::size_t step) const
 {
   vtkAlgorithmOutput* connection = this->Self->GetInputConnection(0, 0);
   auto* producer = Pipeline::SafeDownCast(connection->GetProducer()->GetExecutive());
   producer->GetOutputInformation(connection->GetIndex())
     ->Set(Pipeline::UPDATE_TIME_STEP(), this->Times[step]);
-  LIMPID_REQUIRE(producer->Update(connection->GetIndex()),
-    "The input cannot be computed at time step "
-      << step << " of 0.." << (this->Times.size() - 1) << ", time " << this->Times[step]
-      << " (a way through time needs the scores of all of them). See what the input says, or take "
-         "this time step out of the data.");
+  return producer->Update(connection->GetIndex());
 }
 
-// The sphere and its scores at all time steps; the input is at the first one. Returns false if the
-// user wants to stop.
-bool vtkCameraPath::Internals::Read(vtkInformation* input, limpid::DirectionMesh& mesh,
-  std::vector<std::vector<double>>& scores) const
+// `why`: what the input says.
+void vtkCameraPath::Internals::RequireStep(
+  std::size_t step, bool isThere, const std::string& why) const
+{
+  LIMPID_REQUIRE(isThere,
+    "The input cannot be computed at time step "
+      << step << " of 0.." << (this->Times.size() - 1) << ", time " << this->Times[step]
+      << " (a way through time needs the scores of all of them). Mend it, or take this time step "
+         "out of the data. The input says: "
+      << (why.empty() ? "nothing" : why));
+}
+
+// Adds what the input has at a time step. With several processes the first one has the sphere; the
+// others help to compute it.
+void vtkCameraPath::Internals::ReadStep(std::size_t step, vtkInformation* input, Found& found) const
+{
+  vtkPolyData* sphere = vtkPolyData::GetData(input);
+  if (this->IsLaterPiece() && sphere->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  limpid::DirectionMesh present = MeshOf(sphere);
+  LIMPID_REQUIRE(found.scores.empty() || present.directions == found.mesh.directions,
+    "The directions of time step " << step
+                                   << " are others than before (a way has one sphere). Leave "
+                                      "Sampling and NumberOfDirections as they are.");
+  found.mesh = std::move(present);
+  found.scores.push_back(ScoresOf(sphere));
+  const std::vector<limpid::Vec3> corners = CornersOf(sphere);
+  found.corners.insert(found.corners.end(), corners.begin(), corners.end());
+}
+
+// The input is at the first time step. Returns false if the user wants to stop. Ranks go on to the
+// next step together or not at all, since the search waits for all of them.
+bool vtkCameraPath::Internals::Read(
+  const limpid::Communicator* ranks, vtkInformation* input, Found& found) const
 {
   const std::size_t steps = this->StepCount();
   for (std::size_t step = 0; step < steps; ++step)
   {
-    if (step > 0)
-    {
-      this->Update(step);
-    }
-    if (limpid::IsAborted(this->Self))
+    limpid::UpstreamErrors errors(this->Self);
+    const bool isThere = step == 0 || this->Update(step);
+    if (limpid::AnyRank(ranks, limpid::IsAborted(this->Self)))
     {
       return false;
     }
-    vtkPolyData* sphere = vtkPolyData::GetData(input);
-    // With several processes the first one has the sphere; the others help to compute it.
-    if (this->IsLaterPiece() && sphere->GetNumberOfPoints() == 0)
-    {
-      continue;
-    }
-    limpid::DirectionMesh present = MeshOf(sphere);
-    LIMPID_REQUIRE(scores.empty() || present.directions == mesh.directions,
-      "The directions of time step " << step
-                                     << " are others than before (a way has one sphere). Leave "
-                                        "Sampling and NumberOfDirections as they are.");
-    mesh = std::move(present);
-    scores.push_back(ScoresOf(sphere));
+    limpid::Jointly(ranks,
+      [&]
+      {
+        this->RequireStep(step, isThere, errors.First());
+        this->ReadStep(step, input, found);
+      });
     this->Self->UpdateProgress(double(step + 1) / double(steps));
-    if (limpid::IsAborted(this->Self))
+    if (limpid::AnyRank(ranks, limpid::IsAborted(this->Self)))
     {
       return false;
     }
@@ -195,20 +255,19 @@ bool vtkCameraPath::Internals::Read(vtkInformation* input, limpid::DirectionMesh
   return true;
 }
 
-limpid::CameraPath vtkCameraPath::Internals::Find(const limpid::DirectionMesh& mesh,
-  const std::vector<std::vector<double>>& scores, const limpid::Orbit& orbit) const
+limpid::CameraPath vtkCameraPath::Internals::Find(const Found& found, const limpid::Vec3& up) const
 {
   limpid::CameraPathSettings settings;
   settings.keyViews = this->Self->NumberOfKeyViews;
   settings.separation = vtkMath::RadiansFromDegrees(this->Self->SeparationAngle);
   settings.frames = this->Self->NumberOfFrames;
   settings.leastShare = this->Self->LeastShare;
-  settings.allowed.up = orbit.up;
+  settings.allowed.up = up;
   settings.allowed.lowest = vtkMath::RadiansFromDegrees(this->Self->ElevationRange[0]);
   settings.allowed.highest = vtkMath::RadiansFromDegrees(this->Self->ElevationRange[1]);
   limpid::CameraPath path = this->GoesThroughTime()
-    ? limpid::PathThroughTime(mesh, scores, settings)
-    : limpid::RoundTrip(mesh, scores.back(), settings);
+    ? limpid::PathThroughTime(found.mesh, found.scores, settings)
+    : limpid::RoundTrip(found.mesh, found.scores.back(), settings);
   LIMPID_REQUIRE(!path.directions.empty(),
     "No direction of the sphere is within ElevationRange (there is nowhere to go). Widen it, or "
     "raise NumberOfDirections of the search.");
@@ -317,25 +376,33 @@ int vtkCameraPath::RequestData(
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const Internals& state = *this->State;
+  const auto ranks =
+    limpid::AllAreAsked(outputVector->GetInformationObject(0)) ? limpid::MakeRanks() : nullptr;
   try
   {
     state.RequireSettings();
-    limpid::DirectionMesh mesh;
-    std::vector<std::vector<double>> scores;
-    const bool isWhole = state.Read(input, mesh, scores);
+    Found found;
+    const bool isWhole = state.Read(ranks.get(), input, found);
     output->Initialize();
-    if (isWhole && !scores.empty())
+    if (isWhole && !found.scores.empty())
     {
       vtkPolyData* sphere = vtkPolyData::GetData(input);
-      const limpid::Orbit orbit = OrbitOf(sphere);
-      state.Fill(state.Find(mesh, scores, orbit), orbit, output);
+      const limpid::Orbit scoring = OrbitOf(sphere);
+      const limpid::CameraPath path = state.Find(found, scoring.up);
+      const limpid::Orbit orbit = limpid::FittedOrbit(scoring, found.corners, path.directions);
+      state.Fill(path, orbit, output);
       output->GetFieldData()->ShallowCopy(sphere->GetFieldData());
+      limpid::AddValue<vtkDoubleArray>(
+        "CameraParallelScale", orbit.parallelScale, output->GetFieldData());
     }
     return 1;
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    if (!ranks || ranks->Rank() == 0)
+    {
+      vtkErrorMacro(<< error.what());
+    }
     output->Initialize();
     return 0;
   }

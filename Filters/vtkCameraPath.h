@@ -6,8 +6,9 @@
  * @brief   an even way of a camera through views that show much
  *
  * Takes the sphere of vtkViewpointSearch, its first output, and makes a polyline of where a camera
- * stands, frame by frame, on the sphere that the search has scored. It goes along ridges of the
- * score, turns evenly, and the pictures stay upright.
+ * stands, frame by frame, in directions that the search has scored. It goes along ridges of the
+ * score, turns evenly, and the pictures stay upright. All frames look at the centre from the same
+ * distance, the least from which every one of them shows all of the image's box.
  *
  * Point arrays of the output, one value per frame:
  *   "CameraPosition", "CameraFocalPoint", "CameraViewUp"  the camera,
@@ -19,7 +20,8 @@
  *
  * ROUND_TRIP goes through the best views and back to the first one. THROUGH_TIME has one frame per
  * time step of the input, which is updated for each of them, and follows what can be seen. Where
- * the input fails at a time step, there is no path, and one error that names this time step.
+ * the input fails at a time step, there is no path, and one error that names this time step and
+ * repeats what the input says.
  *
  * @sa vtkViewpointSearch
  */

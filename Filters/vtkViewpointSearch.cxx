@@ -179,6 +179,7 @@ void vtkViewpointSearch::PrintSelf(ostream& os, vtkIndent indent)
   print("CameraDistance", this->CameraDistance);
   print("CameraViewAngle", this->CameraViewAngle);
   print("CameraParallelProjection", this->CameraParallelProjection);
+  print("CameraAspectRatio", this->CameraAspectRatio);
   print("CameraViewUp", this->CameraViewUp);
   print("ElevationRange", this->ElevationRange);
   print("AvoidedDirections", this->GetNumberOfAvoidedDirections());

@@ -6,9 +6,11 @@
  * @brief   find from where important regions of an image can be seen best
  *
  * Scores views from all around an image by S of Eq. (32) in [HG24], climbs from the best of them
- * along its derivative (Eqs. (29)-(31)), and ranks what is reached. The cameras stand on a sphere
- * round the centre of the image, or round another point, and look at it, upright by Eq. (10). All
- * of the image counts, whatever part of it a picture would show; light plays no part.
+ * along its derivative (Eqs. (29)-(31)), and ranks what is reached. Views are scored from a sphere
+ * round the centre of the image, or round another point, upright by Eq. (10). All of the image
+ * counts, whatever part of it a picture would show; light plays no part. The cameras of the ranked
+ * viewpoints stand in the directions found, at the distance from which all of the image's box is in
+ * the picture and fills 95 % of its width or height.
  *
  * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; array 2, an extinction, with
  * ExtinctionSource ARRAY or Field EXTINCTION_ARRAY.
@@ -21,21 +23,24 @@
  *                     show of it, which "VisibleFraction" is then, too [0, 1],
  *   "NormalizedScore" 0 worst, 1 best of the directions (all the same: 1, or 0 if S is 0),
  *   "Azimuth", "Polar" the angles of Eq. (10) [degrees],
- *   "ViewDirection"   unit vector from the focal point to the camera, R (0, 0, 1) of Eq. (10),
- *   "CameraPosition", "CameraFocalPoint", "CameraViewUp",
+ *   "ViewDirection"   unit vector from the centre to the camera, R (0, 0, 1) of Eq. (10),
+ *   "CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraParallelScale" by which it was
+ *                     scored,
  *   "Rank"            1 is the best direction,
  *   "Valid"           1: it was scored; 0: there was an abort before; its scores and rank are 0.
  * Output port 1: vtkPolyData, Viewpoints: one vertex per ranked viewpoint, at the position of its
- * camera, best first, with the same point arrays but NormalizedScore.
+ * camera, best first, with the same point arrays but NormalizedScore; cameras show the whole box.
  * Output port 2: vtkPolyData, Paths: one polyline per ascent, from the sample to the better view,
  * through the positions of its cameras, with the same point arrays but NormalizedScore, Rank and
  * Valid.
  *
  * Every output has field data with one tuple each: "BestVisibilityScore", "BestVisibleFraction",
- * "BestCameraPosition", "BestCameraViewUp", "BestAzimuth", "BestPolar" of the first viewpoint; the
- * same with "Worst" of the worst direction (neither if nothing was scored before an abort);
- * "CameraFocalPoint", "CameraUpAxis", "CameraViewAngle", "CameraParallelProjection" and
- * "CameraParallelScale" of all views; "Evaluations" (scores and derivatives), "Seconds",
+ * "BestCameraPosition", "BestCameraFocalPoint", "BestCameraViewUp", "BestAzimuth", "BestPolar" of
+ * the first viewpoint; the same with "Worst" of the worst direction of the sphere (neither if
+ * nothing was scored before an abort); "CameraFocalPoint" (the centre of the sphere of cameras),
+ * "CameraUpAxis", "CameraViewAngle", "CameraAspectRatio", "CameraParallelProjection" and
+ * "CameraParallelScale" of all views; "ImageCorners" (x, y and z of the eight corners of the box);
+ * "Evaluations" (scores and derivatives), "Seconds",
  * "ScalarOpacityUnitDistance", "Backend".
  *
  * After an error the outputs are empty. With several processes of MPI each scores some of the
@@ -148,8 +153,9 @@ public:
 
   ///@{
   /**
-   * Distance of the cameras from what they look at, in radii of the sphere round the image's box;
-   * not below 1, and so that all of them stand outside that sphere. Default is 3.
+   * From where views are scored: distance from what they look at, in radii of the sphere round the
+   * image's box; not below 1, and so that all of them are outside that sphere. The cameras of
+   * viewpoints stand where the box fills their pictures. Default is 3.
    */
   LIMPID_SET_CLAMPED(CameraDistance, double, 1, VTK_DOUBLE_MAX);
   vtkGetMacro(CameraDistance, double);
@@ -162,6 +168,15 @@ public:
    */
   vtkSetMacro(CameraViewAngle, double);
   vtkGetMacro(CameraViewAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width over height of the pictures that the viewpoints' cameras are for. It has no influence on
+   * scores. Default is 1.
+   */
+  vtkSetMacro(CameraAspectRatio, double);
+  vtkGetMacro(CameraAspectRatio, double);
   ///@}
 
   ///@{
@@ -261,6 +276,7 @@ private:
   double CameraFocalPoint[3] = { 0, 0, 0 };
   double CameraDistance = 3;
   double CameraViewAngle = 30;
+  double CameraAspectRatio = 1;
   vtkTypeBool CameraParallelProjection = 0;
   double CameraViewUp[3] = { 0, 1, 0 };
   double ElevationRange[2] = { -90, 90 };

@@ -23,6 +23,7 @@
 #include "backend/Interruption.h"
 #include "math/Require.h"
 #include "optimize/PreparedScene.h"
+#include "scene/GridCorners.h"
 #include "viewpoint/Search.h"
 
 #include <algorithm>
@@ -158,6 +159,8 @@ void vtkViewpointSearch::Internals::Search(
 
   limpid::FoundViews found;
   found.orbit = this->MakeOrbit(image.grid);
+  found.corners = limpid::CornersOf(image.grid);
+  found.aim = this->Self->UseFocalPoint ? limpid::Aim::Centre : limpid::Aim::Box;
   found.sphere = limpid::MakeDirectionSphere(
     static_cast<limpid::Sampling>(this->Self->Sampling), this->Self->NumberOfDirections);
   found.sphereCentre = image.grid.Centre();
@@ -344,6 +347,10 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
     "CameraViewAngle is "
       << self->CameraViewAngle
       << " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
+  LIMPID_REQUIRE(self->CameraAspectRatio > 0 && std::isfinite(self->CameraAspectRatio),
+    "CameraAspectRatio is "
+      << self->CameraAspectRatio
+      << " (a picture without a width shows nothing). Set it to width over height of the picture.");
   this->RequireAllowedViews();
   limpid::RequireAngle("SeparationAngle", self->SeparationAngle);
   LIMPID_REQUIRE(self->SphereRadius > 0 && std::isfinite(self->SphereRadius),
@@ -433,6 +440,7 @@ limpid::Orbit vtkViewpointSearch::Internals::MakeOrbit(const limpid::Grid& grid)
   orbit.viewAngle = this->Self->CameraViewAngle;
   orbit.parallel = this->Self->CameraParallelProjection != 0;
   orbit.parallelScale = grid.Radius();
+  orbit.aspect = this->Self->CameraAspectRatio;
   orbit.up = this->UpAxis();
 
   const limpid::Camera any = orbit.At({ 0.0, 0.0, 1.0 });

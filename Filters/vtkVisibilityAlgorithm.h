@@ -3,7 +3,7 @@
 
 /**
  * @class   vtkVisibilityAlgorithm
- * @brief   a filter that asks how much of what is important in an image can be seen
+ * @brief   a filter that asks how much of the important structures in an image can be seen
  *
  * What such filters have in common: the scene, that is an image with extinction and importance,
  * the weights of Eq. (21) in [HG24], and what computes.

@@ -332,7 +332,7 @@ public:
    * For which cameras one extinction is found: the mean of their view terms takes the place of Eq.
    * (23), and scores are means. SINGLE_VIEW: the camera. STEREO_PAIR: the two eyes of a viewer,
    * EyeAngle apart about its focal point. ORBIT: NumberOfViews cameras, equally spaced about the
-   * axis of the world that is most nearly upwards for the camera, through its focal point, as high
+   * axis of the world that is upwards in the camera's picture, through its focal point, as high
    * and as far away as the camera; vtkExtinctionOptimizer has one at the camera,
    * vtkTransmittanceVolumeMapper in a fixed direction, so that nothing changes while a camera goes
    * round, and leaves a light out that goes with it. One iteration sweeps one camera, and there are
@@ -361,10 +361,10 @@ public:
 
   ///@{
   /**
-   * How much of what is important stays where it is: a voxel of importance g keeps at least this
-   * share of g times its base extinction, 0 to 1. 0: what is important may be removed to show what
-   * is behind it, as in [HG24], which tears holes into it; 1: what has importance 1 stays whole.
-   * Default is 1.
+   * How much of the important structures stays where it is: a voxel of importance g keeps at least
+   * this share of g times its base extinction, 0 to 1. 0: what is important may be removed to show
+   * what is behind it, as in [HG24], which tears holes into it; 1: what has importance 1 stays
+   * whole. Default is 1.
    */
   LIMPID_SET_CLAMPED(ProtectImportance, double, 0, 1);
   vtkGetMacro(ProtectImportance, double);

@@ -53,19 +53,24 @@ std::string Progress(vtkTransmittanceVolumeMapper* mapper)
 }
 }
 
-std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& name)
+std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const std::string& name)
 {
-  // Of what is important, some is visible at least through a haze: zero stands for no importance.
-  const double before = mapper->GetBaseVisibleFraction();
-  const double now = mapper->GetVisibleFraction();
-  if (!(before > 0 || now > 0))
+  if (isInView && !mapper->GetMeasured())
   {
     return {};
+  }
+  // Of important structures, some is visible at least through a haze: zero stands for no
+  // importance.
+  const double before = mapper->GetBaseVisibleFraction();
+  const double now = mapper->GetVisibleFraction();
+  if (!isInView || !(before > 0 || now > 0))
+  {
+    return (name.empty() ? "Nothing" : name + ": nothing") + " important is in view";
   }
   const double most = mapper->GetAttainableFraction();
   std::string text =
     name.empty() ? "Visible " + Percent(now) : name + ": " + Percent(now) + " visible";
-  text += most > 0 ? " of at most " + Percent(most) + " from here" : " of what is important";
+  text += most > 0 ? " of at most " + Percent(most) + " from here" : " of the important structures";
   text += Where(mapper);
   if (IsOptimizing(mapper))
   {

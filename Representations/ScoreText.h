@@ -12,10 +12,11 @@ class vtkTransmittanceVolumeMapper;
 
 namespace limpid
 {
-/// How much of what is important can be seen, how much of it could be at most, how much was before
-/// the optimisation, and how far the optimisation is; empty when the last picture knew no
-/// importance. `name`: of the volume; empty: the text has none.
-std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, const std::string& name);
+/// How much of the important structures can be seen, how much of them could be at most, how much
+/// was before the optimisation, and how far the optimisation is; or that nothing important is in
+/// view; empty where nobody knows. `isInView`: whether the last picture shows any of the volume.
+/// `name`: of the volume; empty: the text has none.
+std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const std::string& name);
 
 /// What the paint over the picture means; empty where there is none.
 std::string MissedText(vtkTransmittanceVolumeMapper* mapper);

@@ -38,6 +38,17 @@ void GetBounds(vtkDataObject* input, double bounds[6])
   }
 }
 
+// A view tells only its own class whether its picture is going to be saved.
+struct CaptureOfView : vtkPVRenderView
+{
+  using vtkPVRenderView::GetInCaptureScreenshot;
+};
+
+bool IsCaptured(vtkPVRenderView* view)
+{
+  return (view->*&CaptureOfView::GetInCaptureScreenshot)();
+}
+
 bool HasSeveralOptimizedVolumes(vtkRenderer* renderer)
 {
   int count = 0;
@@ -66,8 +77,10 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
       const Internals& state = *this->State;
       const std::string name = state.TellsName ? state.SourceName : std::string();
       const bool speaks = !this->Others() || this->Others()->GetLocalProcessId() == 0;
-      return speaks && state.ShowScore && state.Mapper->HasDrawn
-        ? limpid::ScoreText(state.Mapper, name)
+      const bool isSaved = state.View && IsCaptured(state.View);
+      const bool isWanted = state.ShowScore && (!isSaved || state.ScoreInScreenshots);
+      return speaks && isWanted && (state.Mapper->HasDrawn || this->HasSomethingToDraw())
+        ? limpid::ScoreText(state.Mapper, state.Mapper->HasDrawn, name)
         : std::string();
     });
   this->State->Annotation->SetLegendSource(
@@ -77,6 +90,14 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
       state.Annotation->SetLegendColor(state.Mapper->GetMissedColor());
       return state.Mapper->HasDrawn ? limpid::MissedText(state.Mapper) : std::string();
     });
+}
+
+// The renderer leaves out what is not in view. A client whose server draws has no data.
+bool vtkOptimizedVolumeRepresentation::HasSomethingToDraw()
+{
+  vtkDataSet* input = this->State->Mapper->GetDataSetInput();
+  return this->State->Refusal.empty() && this->Actor->GetVisibility() && input &&
+    input->GetNumberOfPoints() > 0;
 }
 
 vtkOptimizedVolumeRepresentation::~vtkOptimizedVolumeRepresentation()
@@ -146,6 +167,7 @@ bool vtkOptimizedVolumeRepresentation::AddToView(vtkView* view)
     return false;
   }
   vtkRenderer* renderer = renderView->GetRenderer();
+  this->State->View = renderView;
   renderer->AddViewProp(this->State->Annotation);
   this->State->Observers = { renderer->AddObserver(vtkCommand::StartEvent, this,
                                &vtkOptimizedVolumeRepresentation::BeginFrame),
@@ -175,6 +197,7 @@ void vtkOptimizedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ImportanceArray: " << this->State->ImportanceArray << "\n";
   os << indent << "ShowScore: " << this->State->ShowScore << "\n";
+  os << indent << "ScoreInScreenshots: " << this->State->ScoreInScreenshots << "\n";
   os << indent << "SourceName: " << this->State->SourceName << "\n";
   os << indent << "Messages: " << this->GetMessages() << "\n";
 }

@@ -7,7 +7,7 @@
  *
  * The representation type "Optimized Volume" of ParaView: a vtkTransmittanceVolumeMapper with the
  * display's color map, opacity function, unit distance, transformation and cropping, and a text in
- * the view that says how much of what is important can be seen.
+ * the view that says how much of the important structures can be seen.
  *
  * Each view has its own representation of a data set, so each has an optimisation of its own.
  *
@@ -170,9 +170,14 @@ public:
   int PrepareOriginal();
 
   /**
-   * Whether the view shows how much of what is important can be seen. Default is on.
+   * Whether the view shows how much of the important structures can be seen. Default is on.
    */
   void SetShowScore(int);
+
+  /**
+   * Whether saved pictures show it, too. Default is off.
+   */
+  void SetScoreInScreenshots(int);
 
   /**
    * What the score is called where a view shows several optimised volumes. Set for each render by
@@ -215,6 +220,7 @@ protected:
   bool RemoveFromView(vtkView* view) override;
 
 private:
+  bool HasSomethingToDraw();
   void BeginFrame(vtkObject* renderer, unsigned long event, void* data);
   void EndFrame(vtkObject* renderer, unsigned long event, void* data);
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);

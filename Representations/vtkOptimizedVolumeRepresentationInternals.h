@@ -12,7 +12,9 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
+#include "vtkPVRenderView.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkWeakPointer.h"
 
 #include "scene/StartingImportance.h"
 
@@ -47,6 +49,8 @@ struct vtkOptimizedVolumeRepresentation::Internals
   std::string SourceName;
   bool TellsName = false; // in the present frame
   bool ShowScore = true;
+  bool ScoreInScreenshots = false;
+  vtkWeakPointer<vtkPVRenderView> View; // that it is in
 
   std::string ImportanceArray = "Importance";
   bool ImportanceGiven = false; // off: colours stand in where there is no such array

@@ -91,6 +91,11 @@ void vtkOptimizedVolumeRepresentation::SetShowScore(int show)
   this->State->ShowScore = show != 0;
 }
 
+void vtkOptimizedVolumeRepresentation::SetScoreInScreenshots(int show)
+{
+  this->State->ScoreInScreenshots = show != 0;
+}
+
 void vtkOptimizedVolumeRepresentation::SetSourceName(const char* name)
 {
   this->State->SourceName = name ? name : "";

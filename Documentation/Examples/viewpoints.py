@@ -56,6 +56,16 @@ def worst_of(search):
     return _viewpoint(fields, fields, "Worst", 0)
 
 
+def as_scored(viewpoint, worst):
+    """A viewpoint's camera where it was scored, as far from the centre as that of the worst view, so
+    that pictures of both compare."""
+    centre = np.array(worst["CameraFocalPoint"])
+    away = np.subtract(viewpoint["CameraPosition"], centre)
+    distance = np.linalg.norm(worst["CameraPosition"] - centre)
+    return dict(viewpoint, CameraFocalPoint=list(centre),
+                CameraPosition=list(centre + distance / np.linalg.norm(away) * away))
+
+
 def best_view(source, **properties):
     """The best viewpoint, likewise. Properties are those of ViewpointSearch, above all
     ImportanceArray."""
@@ -78,7 +88,7 @@ def _viewpoint(common, arrays, prefix, row):
 
     return {
         "CameraPosition": numbers(arrays, prefix + "CameraPosition", row),
-        "CameraFocalPoint": numbers(common, "CameraFocalPoint", 0),
+        "CameraFocalPoint": numbers(arrays, prefix + "CameraFocalPoint", row),
         "CameraViewUp": numbers(arrays, prefix + "CameraViewUp", row),
         "CameraViewAngle": numbers(common, "CameraViewAngle", 0)[0],
         "CameraParallelProjection": int(numbers(common, "CameraParallelProjection", 0)[0]),
@@ -225,8 +235,8 @@ def explore(scene, directions, folder):
         return os.path.join(folder, name)
 
     search = search_scene(scene, directions)
-    ranked = [upright(view, scene.view_up) for view in viewpoints_of(search)]
     worst = upright(worst_of(search), scene.view_up)
+    ranked = [upright(as_scored(view, worst), scene.view_up) for view in viewpoints_of(search)]
     named = [("viewpoint {}".format(rank + 1), view) for rank, view in enumerate(ranked)]
     named.append(("worst view", worst))
     write_polydata(search, output("s-sphere.vtp"))

@@ -24,15 +24,16 @@ namespace
 const unsigned int VIEWPOINTS = 1; // output port
 
 // The rank, from 0, of the viewpoint that a view looks from, or -1.
-int RankOf(vtkSMProxy* view, const std::vector<LimpidViewpoint>& ranked)
+int RankOf(vtkSMRenderViewProxy* view, const std::vector<LimpidViewpoint>& ranked)
 {
-  std::array<double, 3> position{};
-  std::array<double, 3> focalPoint{};
-  vtkSMPropertyHelper(view, "CameraPosition").Get(position.data(), 3);
-  vtkSMPropertyHelper(view, "CameraFocalPoint").Get(focalPoint.data(), 3);
+  limpid::Vec3 position;
+  limpid::Vec3 focalPoint;
+  vtkSMPropertyHelper(view, "CameraPosition").Get(&position.x, 3);
+  vtkSMPropertyHelper(view, "CameraFocalPoint").Get(&focalPoint.x, 3);
   for (std::size_t rank = 0; rank < ranked.size(); ++rank)
   {
-    if (ranked[rank].Position == position && ranked[rank].FocalPoint == focalPoint)
+    const limpid::Camera camera = CameraOf(ranked[rank], view);
+    if (camera.position == position && camera.focalPoint == focalPoint)
     {
       return static_cast<int>(rank);
     }
@@ -46,10 +47,10 @@ LimpidGoToView::LimpidGoToView(vtkSMProxy* proxy, vtkSMProperty* number, QWidget
   , Search(vtkSMSourceProxy::SafeDownCast(proxy))
   , Row(new pqIntVectorPropertyWidget(number, proxy, this))
   , Best(this->addButton("GoToBest", tr("Go to Best View"),
-      tr("Look from the viewpoint that shows most of what is important.")))
+      tr("Look from the viewpoint that shows most of the important structures.")))
   , Next(this->addButton("GoToNext", tr("Next"), tr("Look from the next best viewpoint.")))
   , Worst(this->addButton("GoToWorst", tr("Worst"),
-      tr("Look from the direction that shows least of what is important.")))
+      tr("Look from the direction that shows least of the important structures.")))
   , Selected(this->addButton("LookFromSelected", tr("Look from Selected Point"),
       tr("Look from the selected point of the sphere, or the best of them. Select Points On, or "
          "the key D, selects.")))
@@ -141,7 +142,7 @@ void LimpidGoToView::goToNext()
   if (!found.Ranked.empty())
   {
     // The view may have got there by another way, as for instance by "Camera Undo".
-    const int here = RankOf(this->view()->getProxy(), found.Ranked);
+    const int here = RankOf(this->view()->getRenderViewProxy(), found.Ranked);
     const int last = here < 0 ? this->Rank : here;
     this->goToRanked(found, (last + 1) % static_cast<int>(found.Ranked.size()));
   }

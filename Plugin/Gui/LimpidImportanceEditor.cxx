@@ -45,6 +45,13 @@ pqLineEdit* NewField(const char* name, const QString& toolTip, QWidget* parent)
   field->setValidator(new QDoubleValidator(field));
   return field;
 }
+
+// A narrow field would else show the end of a number, 521.64 of 1521.64.
+void Fill(QLineEdit* field, const QString& text)
+{
+  field->setText(text);
+  field->setCursorPosition(0);
+}
 }
 
 LimpidImportanceEditor::LimpidImportanceEditor(pqPropertyWidget* row, vtkSMProxy* function)
@@ -165,7 +172,7 @@ void LimpidImportanceEditor::follow()
   {
     if (auto* field = this->Row->findChild<QLineEdit*>(names[end]))
     {
-      field->setText(QString::number(range[end]));
+      Fill(field, QString::number(range[end]));
     }
   }
   if (range != this->Range) // the histogram is the same for all curves over it
@@ -182,8 +189,8 @@ void LimpidImportanceEditor::followPoint()
   const std::size_t begin = POINT_SIZE * static_cast<std::size_t>(std::max<vtkIdType>(current, 0));
   const bool isThere = current >= 0 && begin < points.size();
   const bool isEnd = begin == 0 || begin + POINT_SIZE >= points.size();
-  this->Value->setText(isThere ? QString::number(points[begin]) : QString());
-  this->Importance->setText(isThere ? QString::number(points[begin + 1]) : QString());
+  Fill(this->Value, isThere ? QString::number(points[begin]) : QString());
+  Fill(this->Importance, isThere ? QString::number(points[begin + 1]) : QString());
   this->Value->setEnabled(isThere && !isEnd); // the ends have fields of their own
   this->Importance->setEnabled(isThere);
 }

@@ -3,6 +3,7 @@
 #include "LimpidReveal.h"
 
 #include "LimpidBestView.h"
+#include "LimpidMovie.h"
 
 #include "pqCoreUtilities.h"
 #include "pqDoubleVectorPropertyWidget.h"
@@ -97,7 +98,12 @@ LimpidReveal::LimpidReveal(vtkSMProxy* display, vtkSMProperty* threshold, QWidge
   this->Grid->addLayout(ends, 1, 0, 1, 2);
   this->Grid->addWidget(this->RowLabel, 2, 0);
   this->Grid->addWidget(this->Row, 2, 1);
-  this->Grid->addWidget(this->newBestView(), 3, 0, 1, 2);
+  this->Grid->addWidget(this->newButton("FindBestView", BestViewIcon(), tr("Find Best View"),
+                          BestViewToolTip(), &FindBestView),
+    3, 0, 1, 2);
+  this->Grid->addWidget(
+    this->newButton("MakeMovie", MovieIcon(), tr("Make Movie"), MovieToolTip(), &MakeMovie), 4, 0,
+    1, 2);
 
   this->connect(
     this->Row, &pqPropertyWidget::changeAvailable, this, &pqPropertyWidget::changeAvailable);
@@ -141,12 +147,13 @@ void LimpidReveal::createSlider()
   this->connect(this->Slider, &QSlider::sliderReleased, this, &LimpidReveal::endDrag);
 }
 
-QPushButton* LimpidReveal::newBestView()
+QPushButton* LimpidReveal::newButton(
+  const char* name, const QIcon& icon, const QString& text, const QString& toolTip, void (*act)())
 {
-  auto* button = new QPushButton(BestViewIcon(), tr("Find Best View"), this);
-  button->setObjectName("FindBestView");
-  button->setToolTip(BestViewToolTip());
-  this->connect(button, &QPushButton::clicked, this, [] { FindBestView(); });
+  auto* button = new QPushButton(icon, text, this);
+  button->setObjectName(name);
+  button->setToolTip(toolTip);
+  this->connect(button, &QPushButton::clicked, this, [act] { act(); });
   return button;
 }
 

@@ -3,8 +3,8 @@
 
 /**
  * @class   LimpidReveal
- * @brief   presets of an Optimized Volume, a slider from keeping context to revealing, and a button
- *          that looks from the best view
+ * @brief   presets of an Optimized Volume, a slider from keeping context to revealing, and buttons
+ *          that look from the best view and make a movie of it and others
  *
  * For the property ClearingThreshold of a display, with panel_widget="LimpidReveal". The slider is
  * logarithmic: it sets the threshold from 1 down to a ten-thousandth. Presets (Presets.h) and
@@ -21,6 +21,7 @@
 
 class QComboBox;
 class QGridLayout;
+class QIcon;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -50,7 +51,8 @@ private Q_SLOTS:
 private:
   void createPresets();
   void createSlider();
-  QPushButton* newBestView();
+  QPushButton* newButton(const char* name, const QIcon& icon, const QString& text,
+    const QString& toolTip, void (*act)());
   void followPreset();
   void followThreshold();
   double chosenThreshold() const; // for the slider's position

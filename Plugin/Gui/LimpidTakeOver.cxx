@@ -3,6 +3,7 @@
 #include "LimpidTakeOver.h"
 
 #include "ImportancePoints.h"
+#include "LimpidBestView.h"
 #include "LimpidDataArray.h"
 #include "LimpidOptimizedVolumes.h"
 #include "LimpidProperties.h"
@@ -12,6 +13,8 @@
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
 #include "vtkScalarsToColors.h"
+
+#include "scene/UprightAxis.h"
 
 namespace
 {
@@ -72,6 +75,12 @@ void TakeCamera(vtkSMProxy* filter, vtkSMRenderViewProxy* view)
     });
   vtkSMPropertyHelper(filter, "CameraAspectRatio", /*quiet=*/true)
     .Set(view->GetRenderer()->GetTiledAspectRatio());
+  if (!filter->GetProperty("CameraPosition"))
+  {
+    // It looks from everywhere: what is upwards now stays so.
+    const limpid::Vec3 up = limpid::UprightAxis(PresentCamera(view));
+    vtkSMPropertyHelper(filter, "CameraViewUp").Set(&up.x, 3);
+  }
 }
 
 // The points of the importance function for an array that nobody has said anything about.

@@ -3,6 +3,7 @@
 #include "LimpidToolbar.h"
 
 #include "LimpidBestView.h"
+#include "LimpidMovie.h"
 #include "LimpidOptimizedVolumes.h"
 #include "LimpidShowOriginal.h"
 #include "pqActiveObjects.h"
@@ -17,6 +18,9 @@ LimpidToolbar::LimpidToolbar(QWidget* parentWidget)
   QAction* best = this->addAction(BestViewIcon(), tr("Find Best View"), &FindBestView);
   best->setObjectName("FindBestView");
   best->setToolTip(BestViewToolTip());
+  QAction* movie = this->addAction(MovieIcon(), tr("Make Movie"), &MakeMovie);
+  movie->setObjectName("MakeMovie");
+  movie->setToolTip(MovieToolTip());
 
   pqActiveObjects& active = pqActiveObjects::instance();
   this->connect(&active, &pqActiveObjects::viewChanged, this, &LimpidToolbar::watch);

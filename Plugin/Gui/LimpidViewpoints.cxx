@@ -8,6 +8,9 @@
 #include "vtkDataSet.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
 
@@ -31,14 +34,22 @@ public:
   {
   }
 
-  std::array<double, 3> Vector(vtkIdType tuple) const
+  std::vector<limpid::Vec3> Vectors(vtkIdType tuple) const
   {
-    std::array<double, 3> vector{};
-    if (this->Array && this->Array->GetNumberOfComponents() == 3 && this->Has(tuple))
+    std::vector<limpid::Vec3> vectors;
+    const int count = this->Array && this->Has(tuple) ? this->Array->GetNumberOfComponents() : 0;
+    for (int i = 0; i + 2 < count; i += 3)
     {
-      this->Array->GetTuple(tuple, vector.data());
+      vectors.emplace_back(this->Array->GetComponent(tuple, i),
+        this->Array->GetComponent(tuple, i + 1), this->Array->GetComponent(tuple, i + 2));
     }
-    return vector;
+    return vectors;
+  }
+
+  limpid::Vec3 Vector(vtkIdType tuple) const
+  {
+    const std::vector<limpid::Vec3> vectors = this->Vectors(tuple);
+    return vectors.empty() ? limpid::Vec3(0.0) : vectors.front();
   }
 
   double Number(vtkIdType tuple) const
@@ -52,25 +63,38 @@ private:
   vtkDataArray* Array;
 };
 
-// What all views of a search have in common.
-LimpidViewpoint CommonOf(vtkFieldData* fields)
+// What all views of a search have in common; in a parallel projection, also how far away they are.
+LimpidViewpoint CommonOf(vtkSMSourceProxy* search, vtkDataSet* viewpoints)
 {
-  LimpidViewpoint view{};
-  view.FocalPoint = Tuples(fields, "CameraFocalPoint").Vector(0);
-  view.ViewAngle = Tuples(fields, "CameraViewAngle").Number(0);
-  view.ParallelProjection = Tuples(fields, "CameraParallelProjection").Number(0) != 0;
-  view.ParallelScale = Tuples(fields, "CameraParallelScale").Number(0);
+  vtkFieldData* fields = viewpoints->GetFieldData();
+  LimpidViewpoint view;
+  view.Orbit.centre = Tuples(fields, "CameraFocalPoint").Vector(0);
+  view.Orbit.up = Tuples(fields, "CameraUpAxis").Vector(0);
+  view.Orbit.viewAngle = Tuples(fields, "CameraViewAngle").Number(0);
+  view.Orbit.parallel = Tuples(fields, "CameraParallelProjection").Number(0) != 0;
+  const limpid::Vec3 position = Tuples(viewpoints->GetPointData(), "CameraPosition").Vector(0);
+  view.Orbit.distance = glm::distance(position, view.Orbit.centre);
+  view.Corners = Tuples(fields, "ImageCorners").Vectors(0);
+  const bool aimsAtCentre = vtkSMPropertyHelper(search, "UseFocalPoint").GetAsInt() != 0;
+  view.Aim = aimsAtCentre ? limpid::Aim::Centre : limpid::Aim::Box;
   return view;
 }
 
-// A tuple of point data, or with a prefix, of field data, on top of what is common.
-LimpidViewpoint ViewOf(
-  const LimpidViewpoint& common, vtkFieldData* arrays, const std::string& prefix, vtkIdType tuple)
+// A point, on top of what is common.
+LimpidViewpoint ViewOf(const LimpidViewpoint& common, vtkFieldData* arrays, vtkIdType point)
 {
   LimpidViewpoint view = common;
-  view.Position = Tuples(arrays, prefix + "CameraPosition").Vector(tuple);
-  view.ViewUp = Tuples(arrays, prefix + "CameraViewUp").Vector(tuple);
-  view.VisibleFraction = Tuples(arrays, prefix + "VisibleFraction").Number(tuple);
+  view.Direction = Tuples(arrays, "ViewDirection").Vector(point);
+  view.VisibleFraction = Tuples(arrays, "VisibleFraction").Number(point);
+  return view;
+}
+
+LimpidViewpoint WorstOf(const LimpidViewpoint& common, vtkFieldData* fields)
+{
+  LimpidViewpoint view = common;
+  view.Direction =
+    glm::normalize(Tuples(fields, "WorstCameraPosition").Vector(0) - common.Orbit.centre);
+  view.VisibleFraction = Tuples(fields, "WorstVisibleFraction").Number(0);
   return view;
 }
 }
@@ -83,17 +107,23 @@ LimpidViewpoints FindViewpoints(vtkSMSourceProxy* search, double time)
   {
     return found;
   }
-  vtkFieldData* fields = data->GetFieldData();
-  const LimpidViewpoint common = CommonOf(fields);
+  const LimpidViewpoint common = CommonOf(search, data);
   for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
   {
-    found.Ranked.push_back(ViewOf(common, data->GetPointData(), "", point));
+    found.Ranked.push_back(ViewOf(common, data->GetPointData(), point));
   }
-  if (fields->GetArray("WorstCameraPosition"))
+  if (data->GetFieldData()->GetArray("WorstCameraPosition"))
   {
-    found.Worst = ViewOf(common, fields, "Worst", 0);
+    found.Worst = WorstOf(common, data->GetFieldData());
   }
   return found;
+}
+
+limpid::Camera CameraOf(const LimpidViewpoint& viewpoint, vtkSMRenderViewProxy* view)
+{
+  limpid::Orbit orbit = viewpoint.Orbit;
+  orbit.aspect = view->GetRenderer()->GetTiledAspectRatio();
+  return limpid::FittedCamera(orbit, viewpoint.Corners, viewpoint.Direction, viewpoint.Aim);
 }
 
 bool HasSelection(vtkSMSourceProxy* search)
@@ -112,8 +142,8 @@ std::optional<LimpidViewpoint> FindBestSelected(vtkSMSourceProxy* search, double
 {
   std::optional<LimpidViewpoint> best;
   double bestScore = 0;
-  const auto summary = Bring(search, VIEWPOINTS, time);
-  for (unsigned int port = 0; summary && port < search->GetNumberOfOutputPorts(); ++port)
+  const auto viewpoints = Bring(search, VIEWPOINTS, time);
+  for (unsigned int port = 0; viewpoints && port < search->GetNumberOfOutputPorts(); ++port)
   {
     vtkSMSourceProxy* selected =
       search->GetSelectionInput(port) ? search->GetSelectionOutput(port) : nullptr;
@@ -128,7 +158,7 @@ std::optional<LimpidViewpoint> FindBestSelected(vtkSMSourceProxy* search, double
       const double score = Tuples(data->GetPointData(), "VisibilityScore").Number(point);
       if (!best || score > bestScore)
       {
-        best = ViewOf(CommonOf(summary->GetFieldData()), data->GetPointData(), "", point);
+        best = ViewOf(CommonOf(search, viewpoints), data->GetPointData(), point);
         bestScore = score;
       }
     }

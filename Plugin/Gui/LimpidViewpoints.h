@@ -2,27 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The cameras that a ViewpointSearch found, brought from wherever it runs to the client.
+ * What a ViewpointSearch found, brought from wherever it runs to the client, and cameras for it.
  */
 
 #ifndef LimpidViewpoints_h
 #define LimpidViewpoints_h
 
-#include <array>
+#include "viewpoint/FittedCamera.h"
+
 #include <optional>
 #include <vector>
 
+class vtkSMRenderViewProxy;
 class vtkSMSourceProxy;
 
 struct LimpidViewpoint
 {
-  std::array<double, 3> Position;
-  std::array<double, 3> FocalPoint;
-  std::array<double, 3> ViewUp;
-  double ViewAngle; // degrees
-  bool ParallelProjection;
-  double ParallelScale;
-  double VisibleFraction; // of what is important, in [0, 1]
+  limpid::Orbit Orbit;               // of the search
+  std::vector<limpid::Vec3> Corners; // of the image's box
+  limpid::Aim Aim = limpid::Aim::Box;
+  limpid::Vec3 Direction{ 0.0, 0.0, 1.0 }; // unit vector from the orbit's centre
+  double VisibleFraction = 0;              // of the important structures, in [0, 1]
 };
 
 struct LimpidViewpoints
@@ -35,6 +35,12 @@ struct LimpidViewpoints
  * The viewpoints of a search that was executed; none if there was an error.
  */
 LimpidViewpoints FindViewpoints(vtkSMSourceProxy* search, double time);
+
+/**
+ * The camera that shows the whole image in a view, whatever the shape of its window, from a
+ * viewpoint's direction.
+ */
+limpid::Camera CameraOf(const LimpidViewpoint& viewpoint, vtkSMRenderViewProxy* view);
 
 /**
  * Whether points or cells of any output of the search are selected.

@@ -6,6 +6,8 @@
 #include "Computing.h"
 
 #include "optimize/PreparedScene.h"
+#include "scene/GridCorners.h"
+#include "viewpoint/FittedCamera.h"
 #include "viewpoint/Search.h"
 
 #include <nanobind/stl/array.h>
@@ -75,20 +77,28 @@ double ShareOfSamples(double samples, const SearchSettings& search)
   return samples / (samples + (search.refine ? 15.0 * search.viewpoints : 0.0));
 }
 
-// Direction, position and view up of the camera, score and fraction, and whether it has them.
-nb::tuple RowOf(const ScoredView& view, const Orbit& orbit)
-{
-  const Camera camera = orbit.At(view.direction);
-  return nb::make_tuple(ToTriple(view.direction), ToTriple(camera.position),
-    ToTriple(camera.viewUp), view.score.visibility, view.score.fraction, view.valid);
-}
-
-nb::list RowsOf(const std::vector<ScoredView>& views, const Orbit& orbit)
+// Score and fraction, and whether a sample has them.
+nb::list SamplesOf(const std::vector<ScoredView>& views)
 {
   nb::list rows;
   for (const ScoredView& view : views)
   {
-    rows.append(RowOf(view, orbit));
+    rows.append(nb::make_tuple(view.score.visibility, view.score.fraction, view.valid));
+  }
+  return rows;
+}
+
+// Direction, camera to look through, score and fraction.
+nb::list ViewpointsOf(
+  const std::vector<ScoredView>& views, const Orbit& orbit, const Grid& grid, Aim aim)
+{
+  nb::list rows;
+  for (const ScoredView& view : views)
+  {
+    const Camera camera = FittedCamera(orbit, CornersOf(grid), view.direction, aim);
+    rows.append(nb::make_tuple(ToTriple(view.direction), ToTriple(camera.position),
+      ToTriple(camera.focalPoint), ToTriple(camera.viewUp), camera.parallelScale,
+      view.score.visibility, view.score.fraction));
   }
   return rows;
 }
@@ -101,10 +111,11 @@ NodeValues LeastExtinction(const SceneFields& fields, const Orbit& orbit, const 
 }
 
 // `proxy`: the extinction that is looked at; null: the base extinction. `attainable`: every ray has
-// its own, within the bounds of the settings.
+// its own, within the bounds of the settings. `aimsAtCentre`: cameras of viewpoints look at the
+// orbit's centre, whatever the middle of the box is.
 nb::dict SearchViewpoints(const Grid& grid, const Field& base, const Field& importance,
   float majorant, const OptionalField& proxy, bool attainable, const Orbit& orbit,
-  const Table<double, 3>& directions, const SearchSettings& settingsOfSearch,
+  bool aimsAtCentre, const Table<double, 3>& directions, const SearchSettings& settingsOfSearch,
   const Settings& settings, const nb::object& progress)
 {
   RequireOrbit(orbit, settings, grid);
@@ -133,8 +144,9 @@ nb::dict SearchViewpoints(const Grid& grid, const Field& base, const Field& impo
     });
 
   nb::dict results;
-  results["samples"] = RowsOf(samples, orbit);
-  results["viewpoints"] = RowsOf(found.viewpoints, orbit);
+  results["samples"] = SamplesOf(samples);
+  results["viewpoints"] =
+    ViewpointsOf(found.viewpoints, orbit, grid, aimsAtCentre ? Aim::Centre : Aim::Box);
   results["evaluations"] = found.evaluations;
   results["backend"] = backend;
   return results;
@@ -147,13 +159,13 @@ void BindViewpoints(nb::module_& module)
     .def(
       "__init__",
       [](Orbit* orbit, const Triple& centre, double distance, double viewAngle, bool parallel,
-        double parallelScale, const Triple& up)
+        double parallelScale, double aspect, const Triple& up)
       {
         new (orbit)
-          Orbit{ ToVec3(centre), distance, viewAngle, parallel, parallelScale, 1, ToVec3(up) };
+          Orbit{ ToVec3(centre), distance, viewAngle, parallel, parallelScale, aspect, ToVec3(up) };
       },
       "centre"_a, "distance"_a, "view_angle"_a, "parallel_projection"_a, "parallel_scale"_a,
-      "up"_a);
+      "aspect_ratio"_a, "up"_a);
   nb::class_<AllowedViews>(module, "AllowedViews")
     .def(
       "__init__",
@@ -173,6 +185,6 @@ void BindViewpoints(nb::module_& module)
     .def_rw("allowed", &SearchSettings::allowed);
   module.def("search_viewpoints", SearchViewpoints, "grid"_a, "base"_a.noconvert(),
     "importance"_a.noconvert(), "majorant"_a, "proxy"_a.noconvert().none(), "attainable"_a,
-    "orbit"_a, "directions"_a, "search"_a, "settings"_a, "progress"_a.none());
+    "orbit"_a, "aims_at_centre"_a, "directions"_a, "search"_a, "settings"_a, "progress"_a.none());
 }
 }

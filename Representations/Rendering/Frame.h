@@ -69,6 +69,7 @@ struct FrameSettings
 /// What a frame showed.
 struct FrameResult
 {
+  bool measured = false; ///< whether scores are those of this frame; else they are 0
   Score score;
   Score baseScore;
   Ceiling ceiling; ///< 0 where it is not known: while the view moves, and before it converged

@@ -13,6 +13,7 @@
 #include "vtkVolume.h"
 
 #include "math/Require.h"
+#include "scene/GridCorners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -220,21 +221,6 @@ glm::dmat4 DataToWorld(vtkVolume* volume)
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetModelToWorldMatrix(matrix); // honours the coordinate system of the prop
   return ToMatrix(matrix);
-}
-
-std::array<Vec3, 8> CornersOf(const Grid& grid)
-{
-  std::array<Vec3, 8> corners;
-  for (std::size_t corner = 0; corner < corners.size(); ++corner)
-  {
-    Vec3 index(0.0);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      index[axis] = (corner >> axis & 1) != 0 ? grid.nodes[axis] - 1 : 0;
-    }
-    corners[corner] = grid.PointToWorld(index);
-  }
-  return corners;
 }
 
 Vec3 TransformPoint(const glm::dmat4& matrix, const Vec3& point)

@@ -25,9 +25,6 @@ glm::dmat4 DataToWorld(vtkVolume* volume);
 /// As VTK has it, row by row.
 glm::dmat4 ToMatrix(vtkMatrix4x4* matrix);
 
-/// The corners of the box of a grid's nodes.
-std::array<Vec3, 8> CornersOf(const Grid& grid);
-
 Vec3 TransformPoint(const glm::dmat4& matrix, const Vec3& point);
 
 /// How a renderer sees the box of a grid. Lengths of pictures in pixels, from the left and bottom.

@@ -276,6 +276,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
 
   const Scores scores =
     this->InFront(frame, camera, opaque, this->Measure(frame, camera, changed), changed);
+  result.measured = true;
   result.score = frame.optimize ? scores.best : scores.base;
   result.baseScore = scores.base;
   result.iterations = this->Optimizer->Iterations();

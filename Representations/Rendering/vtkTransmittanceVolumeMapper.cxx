@@ -166,6 +166,11 @@ bool vtkTransmittanceVolumeMapper::GetConverged() const
   return this->State->Last.converged;
 }
 
+bool vtkTransmittanceVolumeMapper::GetMeasured() const
+{
+  return this->State->Last.measured;
+}
+
 bool vtkTransmittanceVolumeMapper::GetSettled() const
 {
   return this->State->Last.settled;

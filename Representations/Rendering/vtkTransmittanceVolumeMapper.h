@@ -415,6 +415,12 @@ public:
   double GetBaseVisibilityScore() const;
   ///@}
 
+  /**
+   * Whether scores and fractions were measured in the last frame: zero then says that nothing
+   * important is in view. Else they are zero because nobody knows.
+   */
+  bool GetMeasured() const;
+
   ///@{
   /**
    * Of the important matter in the data, the integral of importance times base extinction, the

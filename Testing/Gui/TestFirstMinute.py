@@ -34,10 +34,12 @@ def setup_of(proxy, names):
     return values
 
 
-def expect_setup(display, view, what):
+def expect_setup(display, view, what, up=None):
+    """`up`: what is upwards for a filter that looks from everywhere; None: it has the camera."""
     source = simple.GetActiveSource()
     wanted = setup_of(display, SETTINGS)
     wanted.update({name: value_of(view, name) for name in CAMERA})
+    wanted["CameraViewUp"] = up or wanted["CameraViewUp"]
     got = setup_of(source, SETTINGS + CAMERA)
     different = [f"{name} is {got[name]}, not {wanted[name]}" for name in got
                  if got[name] != wanted[name]]
@@ -75,7 +77,10 @@ def tell():
     expect(display.VisibleFraction > 1.2 * first,
            f"from the best view {100 * display.VisibleFraction:.1f} %")
     expect(len(simple.GetSources()) == 1, "the search left nothing in the pipeline browser")
-    expect(list(view.CameraPosition)[:2] != [0, 0] and view.CameraViewUp, "the camera moved")
+    expect(list(view.CameraPosition)[:2] != [0, 0], "the camera moved")
+    ahead = [b - a for a, b in zip(view.CameraPosition, view.CameraFocalPoint)]
+    expect(abs(ahead[2] * view.CameraViewUp[0] - ahead[0] * view.CameraViewUp[2]) < 1e-6,
+           "upwards is what was upwards before")
     story.screenshot("window-best.png")
     yield
 
@@ -98,7 +103,7 @@ def tell():
     simple.SetActiveSource(reader)
     yield
 
-    expect_setup(display, view, "the Viewpoint Search")
+    expect_setup(display, view, "the Viewpoint Search", up=[0, 1, 0])
     with open("taken.json", "w", encoding="utf-8") as file:
         json.dump(taken, file)
     with open("trace.py", "w", encoding="utf-8") as file:

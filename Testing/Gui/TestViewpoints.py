@@ -8,6 +8,7 @@
 import json
 import sys
 
+import numpy as np
 import story
 from paraview import servermanager, simple, smtrace
 from story import expect
@@ -21,15 +22,27 @@ def camera_of(view):
     return {name: list(view.GetProperty(name)) for name in CAMERA}
 
 
-def wanted(search, arrays, tuple_id, prefix=""):
-    """The camera that a tuple of the search's results describes."""
-    fields = search.GetFieldData()
-    return {
-        "CameraPosition": list(arrays.GetArray(prefix + "CameraPosition").GetTuple3(tuple_id)),
-        "CameraFocalPoint": list(fields.GetArray("CameraFocalPoint").GetTuple3(0)),
-        "CameraViewUp": list(arrays.GetArray(prefix + "CameraViewUp").GetTuple3(tuple_id)),
-        "CameraViewAngle": [fields.GetArray("CameraViewAngle").GetValue(0)],
-        "CameraParallelProjection": [fields.GetArray("CameraParallelProjection").GetValue(0)]}
+def direction_of(fields, position):
+    away = np.subtract(position, fields.GetArray("CameraFocalPoint").GetTuple3(0))
+    return away / np.linalg.norm(away)
+
+
+def expect_fitted(view, fields, direction, what):
+    """The view looks from a direction, upright, and the image's box fills its window."""
+    position, focal_point, up = (np.array(view.GetProperty(name)) for name in CAMERA[:3])
+    expect(np.allclose(direction_of(fields, position), direction, atol=1e-9),
+           f"{what}: the camera is in direction {direction}")
+    ahead = (focal_point - position) / np.linalg.norm(focal_point - position)
+    right = np.cross(ahead, up)
+    sideways = right @ fields.GetArray("CameraUpAxis").GetTuple3(0)
+    expect(abs(sideways) < 1e-9, f"{what}: upright, {sideways:.1g}")
+    corners = np.reshape(fields.GetArray("ImageCorners").GetTuple(0), (8, 3)) - position
+    half = np.tan(np.radians(view.CameraViewAngle / 2)) * (corners @ ahead)
+    aspect = view.ViewSize[0] / view.ViewSize[1]
+    at = np.stack([corners @ right / (half * aspect), corners @ up / half])
+    expect(abs(at).max() < 1, f"{what}: all of the box is in the window, {abs(at).max():.3f}")
+    expect(np.ptp(at, axis=1).max() > 2 * 0.85, f"{what}: it fills the window to "
+           f"{np.ptp(at, axis=1).max() / 2:.3f}")
 
 
 def differ(first, second):
@@ -71,16 +84,19 @@ def tell():
     yield
 
     expect(frames.all() > 0, "going to the best view renders")
-    expect_camera(view, wanted(ranked, ranked.GetPointData(), 0), "the best view")
+    fields = ranked.GetFieldData()
+    directions = ranked.GetPointData().GetArray("ViewDirection")
+    expect_fitted(view, fields, directions.GetTuple3(0), "the best view")
     story.live(0.3)
     story.screenshot("window-best.png")
     yield
 
-    second = wanted(ranked, ranked.GetPointData(), 1)
-    expect_camera(view, second, "the next view")
+    expect_fitted(view, fields, directions.GetTuple3(1), "the next view")
+    second = camera_of(view)
     yield
 
-    expect_camera(view, wanted(ranked, ranked.GetFieldData(), 0, "Worst"), "the worst view")
+    worst = direction_of(fields, fields.GetArray("WorstCameraPosition").GetTuple3(0))
+    expect_fitted(view, fields, worst, "the worst view")
     story.live(0.3)
     story.screenshot("window-worst.png")
     yield
@@ -94,7 +110,8 @@ def tell():
     yield
 
     sphere = servermanager.Fetch(search)
-    expect_camera(view, wanted(ranked, sphere.GetPointData(), POINT), "the view of a point")
+    expect_fitted(view, fields, sphere.GetPointData().GetArray("ViewDirection").GetTuple3(POINT),
+                  "the view of a point")
     story.live(0.3)
     story.screenshot("window-selected.png")
     with open("trace.py", "w", encoding="utf-8") as file:

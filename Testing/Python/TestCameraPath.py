@@ -3,9 +3,11 @@
 
 # The way of a camera over the sphere of a search: cameras, evenness, time.
 
+import re
 import unittest
 
 import numpy as np
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
@@ -102,10 +104,8 @@ class TestCameraPath(FilterTest):
         np.testing.assert_allclose((ups * directions).sum(axis=1), 0, atol=1e-9)
         sideways = np.cross((0, 0, 1), directions)  # no roll: up is above
         np.testing.assert_allclose((ups * sideways).sum(axis=1), 0, atol=1e-9)
-        positions = values(output, "CameraPosition")
-        searched_positions = values(searched.GetOutput(), "CameraPosition")
-        np.testing.assert_allclose(np.linalg.norm(positions, axis=1),
-                                   np.linalg.norm(searched_positions[0]))
+        positions = values(output, "CameraPosition")  # at one distance, whatever the direction
+        np.testing.assert_allclose(positions, np.linalg.norm(positions[0]) * directions)
         scores = values(searched.GetOutput(), "VisibilityScore")
         found = values(output, "VisibilityScore")
         keys = values(output, "KeyView") == 1
@@ -153,6 +153,49 @@ class TestCameraPath(FilterTest):
                 self.assertEqual(source.asked, [0, 1, 2, 3])
                 self.assertEqual(path.GetOutput().GetNumberOfPoints(), 4)
                 self.assertEqual(len(path.messages["ErrorEvent"]), 1)  # that of before
+
+    def test_a_time_step_that_fails_has_one_message_with_the_reason(self):
+        searched = vtkViewpointSearch()
+        source = Moving(4, without=(2,))
+        searched.SetInputConnection(source.GetOutputPort())
+        searched.SetNumberOfDirections(42)
+        searched.SetExtinctionSource(vtkViewpointSearch.ARRAY)
+        path = vtkCameraPath()
+        path.SetWay(vtkCameraPath.THROUGH_TIME)
+        path.SetInputConnection(searched.GetOutputPort())
+        before, window = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(window)
+        try:
+            path.Update()
+        finally:
+            vtkOutputWindow.SetInstance(before)
+        said = re.findall(r"^(vtk\w+) \(0x\w+\): (.*)", window.GetOutput(), re.MULTILINE)
+        said = [(name, text) for name, text in said if not text.startswith("Algorithm ")]
+        self.assertEqual([name for name, _ in said], ["vtkCameraPath"], window.GetOutput())
+        for part in ("time step 2 of 0..3", '"Importance"'):
+            self.assertIn(part, said[0][1])
+
+    def test_every_frame_shows_the_whole_box(self):
+        for angle, aspect, parallel in ((30, 1, 0), (20, 1.7, 0), (60, 0.6, 0), (30, 1.7, 1)):
+            with self.subTest(angle=angle, aspect=aspect, parallel=parallel):
+                path = path_of(search(phantom(12), CameraViewUp=(0, 0, 1), CameraViewAngle=angle,
+                                      CameraAspectRatio=aspect,
+                                      CameraParallelProjection=parallel), NumberOfFrames=60)
+                path.Update()
+                output = path.GetOutput()
+                corners = np.indices((2, 2, 2)).reshape(3, -1).T * 2 - 1.0
+                scale = output.GetFieldData().GetArray("CameraParallelScale").GetValue(0)
+                most = []
+                for position, up in zip(values(output, "CameraPosition"),
+                                        values(output, "CameraViewUp")):
+                    ahead = -position / np.linalg.norm(position)
+                    offsets = corners - position
+                    half = (np.full(8, scale) if parallel
+                            else np.tan(np.radians(angle / 2)) * (offsets @ ahead))
+                    at = [offsets @ np.cross(ahead, up) / (half * aspect), offsets @ up / half]
+                    most.append(np.abs(at).max())
+                self.assertLess(max(most), 1)
+                self.assertGreater(max(most), 0.9)  # no farther away than it must be
 
     def test_through_time_it_ends_at_a_first_step_that_fails(self):
         searched = search_through_time(Moving(3, without=(0,)))

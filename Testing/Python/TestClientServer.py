@@ -51,7 +51,7 @@ def optimized(view):
 
 
 def with_score(view):
-    return Shown(view, displays.show_head(view, ShowScore=1))
+    return Shown(view, displays.show_head(view, ShowScore=1, ScoreInScreenshots=1))
 
 
 def two_with_scores(view):
@@ -59,7 +59,7 @@ def two_with_scores(view):
         source = OcclusionPhantom(Resolution=24, registrationName=name)
         display = displays.show(source, view)
         displays.move(display, [x, 0, 0])
-        display.ShowScore = 1
+        display.ShowScore = display.ScoreInScreenshots = 1
     return Shown(view, display)
 
 

@@ -81,7 +81,7 @@ class TestOptimizedVolume(displays.DisplayTest):
              "Backend",
              "ImportanceSmoothing", "Smoothness",
              "Optimization", "Preset", "Shadows", "ShadowStrength", "Ambient", "Anisotropy",
-             "SpecularPower", "LightIntensity", "Method", "ShowScore", "ShowMissed",
+             "SpecularPower", "LightIntensity", "Method", "ShowScore", "ScoreInScreenshots", "ShowMissed",
              "VisibilityScore", "VisibleFraction", "AttainableFraction", "AttainableScore",
              "AttainableLightScore", "Converged"},
             set(display.ListProperties()))

@@ -280,7 +280,7 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
             np.testing.assert_array_equal(pictures.take(self.view), without)
 
     def test_the_score_is_drawn_in_the_upper_left_corner(self):
-        display = displays.show_head(self.view)
+        display = displays.show_head(self.view, ScoreInScreenshots=1)
         without = pictures.take(self.view)
         display.ShowScore = 1
         changed = np.abs(pictures.take(self.view) - without).max(axis=2) > 0
@@ -308,6 +308,31 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         self.assertIn("Legend: This color: removed or hidden", legends[0])
         display.ShowMissed = 0
         np.testing.assert_array_equal(pictures.take(self.view), without)
+
+    def test_saved_pictures_have_the_score_if_that_is_asked_for(self):
+        display = displays.show_head(self.view)
+        without = pictures.take(self.view)
+        display.ShowScore = 1
+        np.testing.assert_array_equal(pictures.take(self.view), without)
+        self.assertRegex(self.score_texts()[0], "^Visible ")
+        display.ScoreInScreenshots = 1
+        self.assertGreater(np.abs(pictures.take(self.view) - without).max(), 50)
+
+    def test_says_that_nothing_important_is_in_view(self):
+        display = displays.show_head(self.view, ShowScore=1)
+        nothing = "Nothing important is in view"
+        self.view.CameraPosition, self.view.CameraFocalPoint = [0, -50, 0], [0, -100, 0]
+        simple.Render(self.view)
+        self.assertEqual(self.score_texts(), [nothing])  # nor anything else
+        displays.look(self.view, displays.POSITIONS[0])
+        simple.Render(self.view)
+        self.assertRegex(self.score_texts()[0], "^Visible ")
+        for method in ("Optimized", "Ordinary"):
+            display.Method = method
+            display.UseImportanceFunction = 1
+            display.ImportanceFunction.Points = [-1e3, 0, 0.5, 0, 1e3, 0, 0.5, 0]
+            simple.Render(self.view)
+            self.assertEqual(self.score_texts(), [nothing])
 
     def score_texts(self):
         props = self.view.GetRenderer().GetViewProps()
@@ -340,7 +365,7 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         self.assertTrue(self.score_texts()[0].startswith("Visible "))
 
     def test_the_score_can_be_read_on_any_background(self):
-        display = displays.show_head(self.view)
+        display = displays.show_head(self.view, ScoreInScreenshots=1)
         display.ShowScore = 1
         for background in ([0, 0, 0], [1, 1, 1], [0.5, 0.5, 0.5]):
             with self.subTest(background=background):
@@ -354,7 +379,7 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         empty = pictures.take(self.view)
         source = OcclusionPhantom(Resolution=24)
         display = displays.show(source, self.view)
-        display.ShowScore = 1
+        display.ShowScore = display.ScoreInScreenshots = 1
         simple.Render(self.view)
         simple.Hide(source, self.view)
         np.testing.assert_array_equal(pictures.take(self.view), empty)

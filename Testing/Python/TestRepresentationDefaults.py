@@ -14,7 +14,7 @@ from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 XML = os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml")
 # Of the representation itself; and the arrays, whose choice is ParaView's.
-NOT_OF_THE_MAPPER = {"ShowScore", "ImportanceArray", "ExtinctionArray"}
+NOT_OF_THE_MAPPER = {"ShowScore", "ScoreInScreenshots", "ImportanceArray", "ExtinctionArray"}
 
 
 def properties():

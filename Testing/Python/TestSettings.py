@@ -12,7 +12,7 @@ import displays
 import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
-NAMES = ["Backend", "InteractiveFrameTime", "ShowScore"]
+NAMES = ["Backend", "InteractiveFrameTime", "ShowScore", "ScoreInScreenshots"]
 
 
 class TestSettings(displays.DisplayTest):

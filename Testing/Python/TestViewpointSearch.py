@@ -29,9 +29,10 @@ DOUBLE = float(np.finfo(float).eps)
 SPHERE_ARRAYS = {"VisibilityScore", "VisibleFraction", "NormalizedScore", "Azimuth", "Polar",
                  "ViewDirection", "CameraPosition", "CameraFocalPoint", "CameraViewUp", "Rank",
                  "Valid"}
-VIEW = ("VisibilityScore", "VisibleFraction", "CameraPosition", "CameraViewUp", "Azimuth", "Polar")
-SUMMARY = {"CameraFocalPoint", "CameraViewAngle", "CameraParallelProjection",
-           "CameraParallelScale", "Evaluations", "Seconds", "ScalarOpacityUnitDistance",
+VIEW = ("VisibilityScore", "VisibleFraction", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
+        "Azimuth", "Polar")
+SUMMARY = {"CameraFocalPoint", "CameraViewAngle", "CameraAspectRatio", "CameraParallelProjection",
+           "CameraParallelScale", "ImageCorners", "Evaluations", "Seconds", "ScalarOpacityUnitDistance",
            "Backend"} | {which + name for which in ("Best", "Worst") for name in VIEW}
 
 
@@ -193,7 +194,7 @@ class TestArrays(SearchTest):
 
             self.assertLessEqual(SPHERE_ARRAYS, names_of(result.GetOutput().GetPointData()))
             for port in (VIEWPOINTS, PATHS):
-                self.assertLessEqual(set(VIEW) | {"CameraFocalPoint"},
+                self.assertLessEqual({*VIEW, "CameraParallelScale"},
                                      names_of(result.GetOutput(port).GetPointData()))
             for port in range(3):
                 fields = result.GetOutput(port).GetFieldData()
@@ -240,7 +241,7 @@ class TestArrays(SearchTest):
         scores = values(output, "VisibilityScore")
         worst = scores.argmin()
         self.assertEqual(field(output, "WorstVisibilityScore"), scores[worst])
-        for name in ("CameraPosition", "CameraViewUp", "Azimuth", "Polar"):
+        for name in ("CameraPosition", "CameraFocalPoint", "CameraViewUp", "Azimuth", "Polar"):
             np.testing.assert_array_equal(field(output, "Worst" + name),
                                           values(output, name)[worst])
             np.testing.assert_array_equal(field(output, "Best" + name), values(best, name)[0])
@@ -440,6 +441,56 @@ class TestViewpoints(SearchTest):
 
         np.testing.assert_array_equal(points_of(output), values(output, "CameraPosition"))
 
+    def test_show_the_whole_box_and_fill_their_pictures(self):
+        wide = image_of((20, 8, 12), (0.1, 0.2, 0.4), (3, -2, 9),
+                        Importance=np.ones(1920, dtype=np.float32),
+                        BaseExtinction=np.ones(1920, dtype=np.float32))
+        tilted = image_of((20, 8, 12), (0.1, 0.2, 0.4), (3, -2, 9),
+                          Importance=np.ones(1920, dtype=np.float32),
+                          BaseExtinction=np.ones(1920, dtype=np.float32))
+        tilted.SetDirectionMatrix(*rounded_rotation(12).ravel())
+        pictures = ((1, 30), (1.5, 30), (0.6, 30), (2.4, 30), (1, 10), (1.78, 20), (1.33, 45),
+                    (0.75, 60), (1.78, 60), (3, 75))
+        for image in (wide, tilted):
+            bounds = np.zeros(3)
+            corners = []
+            for corner in np.indices((2, 2, 2)).reshape(3, -1).T:
+                image.TransformContinuousIndexToPhysicalPoint(corner * (19, 7, 11), bounds)
+                corners.append(bounds.copy())
+            for aspect, angle in pictures:
+                for parallel in (0, 1):
+                    with self.subTest(aspect=aspect, angle=angle, parallel=parallel):
+                        output = self.run_filter(
+                            image, CameraAspectRatio=aspect, CameraViewAngle=angle,
+                            CameraParallelProjection=parallel, CameraViewUp=(0, 0, 1), Refine=0,
+                            NumberOfViewpoints=12).GetViewpoints()
+                        self.assertGreater(output.GetNumberOfPoints(), 8)
+                        for i in range(output.GetNumberOfPoints()):
+                            self.assert_filled(output, i, np.array(corners), aspect,
+                                               None if parallel else angle)
+
+    def assert_filled(self, output, i, corners, aspect, angle):
+        """The box is inside the picture, and fills 85 % of one side; the picture is upright."""
+        position, focal_point, up = (values(output, "Camera" + name)[i]
+                                     for name in ("Position", "FocalPoint", "ViewUp"))
+        ahead = (focal_point - position) / np.linalg.norm(focal_point - position)
+        right = np.cross(ahead, up)
+        self.assertLess(abs(right[2]), 1e-9)  # z is upwards
+        offsets = corners - position
+        half = (np.tan(np.radians(angle / 2)) * (offsets @ ahead) if angle
+                else np.full(8, values(output, "CameraParallelScale")[i]))
+        at = np.stack([offsets @ right / (half * aspect), offsets @ up / half])
+        self.assertLess(abs(at).max(), 1)
+        self.assertGreater(np.ptp(at, axis=1).max(), 2 * 0.85)
+
+    def test_look_at_the_focal_point_that_is_asked_for(self):
+        point = (0.3, -0.4, 0.2)
+        output = self.run_filter(phantom(), UseFocalPoint=1,
+                                 CameraFocalPoint=point).GetViewpoints()
+
+        for focal_point in values(output, "CameraFocalPoint"):
+            np.testing.assert_allclose(focal_point, point, atol=1e-12)
+
     def test_the_refined_best_is_never_below_the_best_direction(self):
         for field_ in FIELDS:
             # Scores of extinctions that differ do not compare; the shares that are visible do.
@@ -470,9 +521,10 @@ class TestAllowedViews(SearchTest):
         for up in ((0, 0, 1), (0, -2, 0), (1, 2, 3)):
             result = self.run_filter(hidden_blob((0, 0, 1), 16), NumberOfDirections=42, CameraViewUp=up)
             for output in (result.GetOutput(), result.GetViewpoints()):
-                directions = values(output, "ViewDirection")
+                away = values(output, "CameraPosition") - values(output, "CameraFocalPoint")
+                away /= np.linalg.norm(away, axis=1)[:, np.newaxis]
                 view_ups = values(output, "CameraViewUp")
-                sides = np.cross(directions, view_ups)
+                sides = np.cross(away, view_ups)
                 np.testing.assert_allclose(np.linalg.norm(view_ups, axis=1), 1, atol=20 * DOUBLE)
                 np.testing.assert_allclose(sides @ np.array(up), 0, atol=100 * DOUBLE)
                 self.assertTrue((view_ups @ np.array(up) > -100 * DOUBLE).all())
@@ -669,9 +721,10 @@ class TestRuns(SearchTest):
 class TestDegenerateInput(SearchTest):
     def test_settings_that_make_no_sense_are_named(self):
         nan = np.nan  # the setters move other numbers into closed ranges
-        cases = dict(CameraDistance=(nan,), CameraViewAngle=(0, 180, nan), SeparationAngle=(nan,),
-                     AvoidanceAngle=(nan,), SphereRadius=(0, -2), RayDensity=(nan,),
-                     ScalarOpacityUnitDistance=(-1,), ViewWeight=(nan,))
+        cases = dict(CameraAspectRatio=(0, -1, np.inf, nan), CameraDistance=(nan,),
+                     CameraViewAngle=(0, 180, nan), SeparationAngle=(nan,), AvoidanceAngle=(nan,),
+                     SphereRadius=(0, -2), RayDensity=(nan,), ScalarOpacityUnitDistance=(-1,),
+                     ViewWeight=(nan,))
         for name, wrong in cases.items():
             for value in wrong:
                 with self.subTest(name=name, value=value):

@@ -51,7 +51,7 @@ class TestAgainstFilter(unittest.TestCase):
         arguments = {name: argument.default for name, argument in inspect.signature(
             limpid.viewpoints).parameters.items() if name in (
                 "sampling", "number_of_directions", "camera_distance", "camera_view_angle",
-                "camera_parallel_projection", "camera_view_up", "elevation_range",
+                "camera_parallel_projection", "camera_aspect_ratio", "camera_view_up", "elevation_range",
                 "avoidance_angle", "number_of_viewpoints", "separation_angle", "refine")}
         self.compare_defaults("vtkViewpointSearch", {**own, **arguments})
 

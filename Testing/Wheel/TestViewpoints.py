@@ -67,15 +67,30 @@ class TestSearch(unittest.TestCase):
         self.assertEqual(len(found), 4)
         self.assertIn("4 ranked", repr(found))
 
-    def test_cameras_stand_round_the_volume_and_look_at_its_centre(self):
-        found = search(camera_distance=2.5, refine=False)
-
+    def test_cameras_show_the_whole_volume_from_their_directions(self):
         box = np.multiply(phantom.SPACING, np.subtract(phantom.SHAPE, 1))
         centre = phantom.ORIGIN + box / 2
-        for view in found:
-            np.testing.assert_allclose(view.focal_point, centre)
-            np.testing.assert_allclose(
-                view.position, centre + 1.25 * np.linalg.norm(box) * np.array(view.direction))
+        corners = centre + box * (np.indices((2, 2, 2)).reshape(3, -1).T - 0.5)
+        for angle, aspect, parallel in ((30, 1, False), (20, 1.7, False), (60, 0.6, False),
+                                        (30, 1.7, True)):
+            for view in search(refine=False, camera_view_angle=angle, camera_aspect_ratio=aspect,
+                               camera_parallel_projection=parallel):
+                away = np.subtract(view.position, centre)
+                np.testing.assert_allclose(away / np.linalg.norm(away), view.direction, atol=1e-12)
+                ahead = np.subtract(view.focal_point, view.position)
+                ahead /= np.linalg.norm(ahead)
+                right = np.cross(ahead, view.view_up)
+                offsets = corners - view.position
+                half = (np.full(8, view.parallel_scale) if parallel
+                        else np.tan(np.radians(angle / 2)) * (offsets @ ahead))
+                at = np.stack([offsets @ right / (half * aspect), offsets @ view.view_up / half])
+                self.assertLess(abs(at).max(), 1)
+                self.assertGreater(np.ptp(at, axis=1).max(), 2 * 0.85)
+
+    def test_cameras_look_at_a_given_point(self):
+        point = tuple(phantom.ORIGIN + 0.4 * np.multiply(phantom.SPACING, phantom.SHAPE))
+        for view in search(refine=False, camera_focal_point=point):
+            np.testing.assert_allclose(view.focal_point, point)
 
     def test_every_order_of_axes_has_the_same_scores(self):
         fortran, c = (search(order, refine=False) for order in "FC")

@@ -5,6 +5,7 @@
 
 #include "math/Number.h"
 #include "math/Require.h"
+#include "scene/UprightAxis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,6 @@ Vec3 Turned(const Vec3& vector, const Vec3& axis, double angle)
 {
   return std::cos(angle) * vector + std::sin(angle) * glm::cross(axis, vector) +
     (1 - std::cos(angle)) * glm::dot(axis, vector) * axis;
-}
-
-/// The axis of the world that is most nearly `up`.
-Vec3 NearestAxis(const Vec3& up)
-{
-  const Vec3 size = glm::abs(up);
-  const int yOrX = size.y >= size.x ? 1 : 0;
-  const int axis = size.z > size[yOrX] ? 2 : yOrX;
-  Vec3 nearest(0.0);
-  nearest[axis] = up[axis] < 0 ? -1 : 1;
-  return nearest;
 }
 
 /// A camera turned about an axis of unit length through its focal point, with its picture
@@ -60,7 +50,7 @@ std::vector<Camera> EyesOf(const Camera& camera, double angle)
 
 std::vector<Camera> OrbitOf(const Camera& camera, int count, OrbitStart start)
 {
-  const Vec3 axis = NearestAxis(camera.viewUp);
+  const Vec3 axis = UprightAxis(camera);
   double first = 0;
   if (start == OrbitStart::Fixed)
   {

@@ -39,8 +39,8 @@ enum class OrbitStart
  * The cameras of a set, one at least, that look at the focal point of a camera as it does.
  *
  * Eyes are left and right of it about its focal point. An orbit is about the axis of the world that
- * is most nearly upwards for the camera, through its focal point, as high above that and as far
- * away as the camera; its cameras are equally spaced.
+ * is upwards in the camera's picture (UprightAxis), through its focal point, as high above that and
+ * as far away as the camera; its cameras are equally spaced.
  */
 std::vector<Camera> CamerasOf(const ViewSet& views, const Camera& camera, OrbitStart start);
 }

@@ -28,7 +28,7 @@ class Viewpoint(CameraPosition):
     view_angle: float  #: [degrees]
     parallel_projection: bool
     parallel_scale: float  #: [length]
-    direction: tuple  #: unit vector from the focal point to the camera
+    direction: tuple  #: unit vector from the centre to the camera
     visibility_score: float  #: S of Eq. (32) [length^2]
     visible_fraction: float  #: share of the important matter whose light reaches the camera [0, 1]
 
@@ -42,7 +42,7 @@ class Viewpoints:
     """
 
     viewpoints: tuple  #: of Viewpoint, best first
-    directions: np.ndarray  #: (n, 3), unit vectors from the focal point to the cameras
+    directions: np.ndarray  #: (n, 3), unit vectors from the centre to the cameras
     triangles: np.ndarray  #: (2n - 4, 3), indices of directions, counterclockwise from outside
     visibility_scores: np.ndarray  #: (n,), S of every direction, NaN if stopped before [length^2]
     visible_fractions: np.ndarray  #: (n,), see Viewpoint [0, 1]
@@ -68,7 +68,7 @@ class Viewpoints:
                 f"{self.seconds:.2f} s on {self.backend}>")
 
 
-def orbit_of(grid, focal_point, distance, view_angle, parallel, up):
+def orbit_of(grid, focal_point, distance, view_angle, parallel, aspect, up):
     """The arguments of the core's orbit, checked, for cameras round a grid; see viewpoints."""
     distance = number_between(
         "camera_distance", distance, 1, math.inf, "below 1 some of the cameras would stand inside "
@@ -77,6 +77,10 @@ def orbit_of(grid, focal_point, distance, view_angle, parallel, up):
     if not 0 < view_angle < 180:
         raise ValueError(f"camera_view_angle is {view_angle} degrees (no picture has it). Give an "
                          "angle between 0 and 180 degrees.")
+    number("camera_aspect_ratio", aspect, "a picture has a shape", "Give width over height.")
+    if not 0 < aspect < math.inf:
+        raise ValueError(f"camera_aspect_ratio is {aspect} (a picture without a width shows "
+                         "nothing). Give width over height of the picture.")
     centre = grid.centre()
     if focal_point is not None:
         focal_point = vector("camera_focal_point", focal_point, "the cameras look there")
@@ -90,7 +94,7 @@ def orbit_of(grid, focal_point, distance, view_angle, parallel, up):
         centre = focal_point
     return {"centre": tuple(centre), "distance": distance * grid.radius(),
             "view_angle": float(view_angle), "parallel_projection": bool(parallel),
-            "parallel_scale": grid.radius(), "up": up}
+            "parallel_scale": grid.radius(), "aspect_ratio": float(aspect), "up": up}
 
 
 def search_settings(number_of_viewpoints, separation_angle, refine, directions, allowed):
@@ -145,8 +149,8 @@ def proxy_of(scene, field):
 
 
 def scores_of(samples, column):
-    """A column of the rows of Viewpoints.cxx, NaN where a view was not scored."""
-    return np.array([sample[column] if sample[5] else math.nan for sample in samples])
+    """A column of the samples of Viewpoints.cxx, NaN where a view was not scored."""
+    return np.array([sample[column] if sample[2] else math.nan for sample in samples])
 
 
 #: What a search takes of limpid.Settings.
@@ -175,14 +179,17 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
                unit_distance=None, spacing=None, origin=None, direction=None,
                importance_component=None, field="attainable", sampling="icosphere",
                number_of_directions=642, camera_focal_point=None, camera_distance=3.0,
-               camera_view_angle=30.0, camera_parallel_projection=False, camera_view_up=(0, 1, 0),
+               camera_view_angle=30.0, camera_parallel_projection=False, camera_aspect_ratio=1.0,
+               camera_view_up=(0, 1, 0),
                elevation_range=(-90, 90), avoided_directions=(), avoidance_angle=30.0,
                number_of_viewpoints=4, separation_angle=30.0, refine=True, progress=None,
                **settings):
     """Scores views from all around a volume by S of Eq. (32), climbs from the best of them along
     its derivative (Eqs. (29)-(31)), and ranks what is reached.
 
-    The cameras stand on a sphere round the volume's centre and look at it, upright by Eq. (10).
+    Views are scored from a sphere round the volume's centre, upright by Eq. (10). The cameras of
+    the ranked viewpoints stand where the volume's box fills 95 % of the width or height of their
+    pictures.
 
     volume ... importance_component: as for optimize.
     field: the extinction that is looked at. "attainable": one of its own for every ray, the best
@@ -195,10 +202,12 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
         "latitude_longitude": rings about the y axis.
     number_of_directions: 1 to 100000, the nearest that the sampling has; that of an icosphere is
         12, 42, 162, 642, 2562 and so on.
-    camera_focal_point: what the cameras look at [length]; None: the centre.
-    camera_distance: from what they look at, in radii of the sphere round the volume, not below 1.
-    camera_view_angle: for whoever looks through them; has no influence on scores [degrees].
-    camera_parallel_projection: whether they look along parallel rays.
+    camera_focal_point: what the cameras look at [length]; None: the volume.
+    camera_distance: from where views are scored: distance from the focal point or the centre, in
+        radii of the sphere round the volume, not below 1.
+    camera_view_angle: height of the pictures; has no influence on scores [degrees].
+    camera_parallel_projection: whether the cameras look along parallel rays.
+    camera_aspect_ratio: width of the pictures over their height, likewise.
     camera_view_up: what is upwards in pictures, and what elevations are above; of any length.
     elevation_range: from which elevations above the plane at right angles to it a viewpoint may
         look: (0, 90) is the hemisphere above. Directions are scored all the same [degrees].
@@ -232,9 +241,10 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
                      extinction_function, opacity_function, unit_distance, spacing, origin,
                      direction, importance_component)
     orbit = orbit_of(scene.grid, camera_focal_point, camera_distance, camera_view_angle,
-                     camera_parallel_projection, up)
+                     camera_parallel_projection, camera_aspect_ratio, up)
     found = _core.search_viewpoints(*scene.in_core(), scene.majorant, proxy_of(scene, field),
-                                    field == "attainable", _core.Orbit(**orbit), directions, search,
+                                    field == "attainable", _core.Orbit(**orbit),
+                                    camera_focal_point is not None, directions, search,
                                     settings.in_core(), report)
     if report:
         report.finish()
@@ -243,14 +253,16 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
              "avoided ones (there are no viewpoints). Widen the range, avoid less, or raise "
              "number_of_directions.")
 
-    camera = {"focal_point": orbit["centre"], **{name: orbit[name] for name in (
-        "view_angle", "parallel_projection", "parallel_scale")}}
-    ranked = tuple(Viewpoint(position=tuple(position), view_up=tuple(view_up), direction=tuple(way),
-                             visibility_score=score, visible_fraction=fraction, **camera)
-                   for way, position, view_up, score, fraction, _ in found["viewpoints"])
+    ranked = tuple(Viewpoint(position=tuple(position), focal_point=tuple(focal_point),
+                             view_up=tuple(view_up), view_angle=orbit["view_angle"],
+                             parallel_projection=orbit["parallel_projection"],
+                             parallel_scale=scale, direction=tuple(way), visibility_score=score,
+                             visible_fraction=fraction)
+                   for way, position, focal_point, view_up, scale, score, fraction
+                   in found["viewpoints"])
     samples = found["samples"]
     return Viewpoints(viewpoints=ranked, directions=directions, triangles=triangles,
-                      visibility_scores=scores_of(samples, 3),
-                      visible_fractions=scores_of(samples, 4),
+                      visibility_scores=scores_of(samples, 0),
+                      visible_fractions=scores_of(samples, 1),
                       evaluations=found["evaluations"], seconds=time.perf_counter() - start,
                       backend=found["backend"])

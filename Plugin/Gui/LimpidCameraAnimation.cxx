@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimpidCameraAnimation.h"
+
+#include "pqUndoStack.h"
+#include "vtkNew.h"
+#include "vtkSMParaViewPipelineController.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMTrace.h"
+#include "vtkSmartPointer.h"
+
+#include <QCoreApplication>
+
+#include <cstring>
+
+namespace
+{
+vtkSmartPointer<vtkSMProxy> NewProxy(vtkSMProxy* scene, const char* group, const char* name)
+{
+  vtkSmartPointer<vtkSMProxy> proxy;
+  proxy.TakeReference(scene->GetSessionProxyManager()->NewProxy(group, name));
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  controller->PreInitializeProxy(proxy);
+  return proxy;
+}
+
+void Register(vtkSMProxy* proxy)
+{
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  controller->PostInitializeProxy(proxy);
+  proxy->UpdateVTKObjects();
+  controller->RegisterAnimationProxy(proxy);
+}
+
+// A view has one track for its camera.
+vtkSmartPointer<vtkSMProxy> CameraTrackOf(vtkSMProxy* view, vtkSMProxy* scene)
+{
+  vtkSMPropertyHelper tracks(scene, "Cues");
+  for (unsigned int i = 0; i < tracks.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* track = tracks.GetAsProxy(i);
+    if (std::strcmp(track->GetXMLName(), "CameraAnimationCue") == 0 &&
+      vtkSMPropertyHelper(track, "AnimatedProxy").GetAsProxy() == view)
+    {
+      return track;
+    }
+  }
+  vtkSmartPointer<vtkSMProxy> track = NewProxy(scene, "animation", "CameraAnimationCue");
+  vtkSMPropertyHelper(track, "AnimatedProxy").Set(view);
+  Register(track);
+  tracks.Add(track);
+  scene->UpdateVTKObjects();
+  return track;
+}
+
+// A way through points, from the beginning on; at the end nothing new begins.
+vtkSmartPointer<vtkSMProxy> KeyFrameAt(
+  double time, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up, vtkSMProxy* scene)
+{
+  std::vector<double> points;
+  for (const limpid::Camera& camera : frames)
+  {
+    points.insert(points.end(), &camera.position.x, &camera.position.x + 3);
+  }
+  vtkSmartPointer<vtkSMProxy> frame = NewProxy(scene, "animation_keyframes", "CameraKeyFrame");
+  vtkSMPropertyHelper(frame, "KeyTime").Set(time);
+  vtkSMPropertyHelper(frame, "PositionPathPoints")
+    .Set(points.data(), static_cast<unsigned int>(points.size()));
+  vtkSMPropertyHelper(frame, "ClosedPositionPath").Set(1);
+  vtkSMPropertyHelper(frame, "FocalPathPoints").Set(&frames.front().focalPoint.x, 3);
+  vtkSMPropertyHelper(frame, "ViewUp").Set(&up.x, 3);
+  vtkSMPropertyHelper(frame, "ViewAngle").Set(frames.front().viewAngle);
+  vtkSMPropertyHelper(frame, "ParallelScale").Set(frames.front().parallelScale);
+  Register(frame);
+  return frame;
+}
+
+void SetKeyFrames(vtkSMProxy* track, const std::vector<limpid::Camera>& frames,
+  const limpid::Vec3& up, vtkSMProxy* scene)
+{
+  vtkSMPropertyHelper keyFrames(track, "KeyFrames");
+  std::vector<vtkSmartPointer<vtkSMProxy>> before;
+  for (unsigned int i = 0; i < keyFrames.GetNumberOfElements(); ++i)
+  {
+    before.emplace_back(keyFrames.GetAsProxy(i));
+  }
+  const vtkSmartPointer<vtkSMProxy> now[] = { KeyFrameAt(0, frames, up, scene),
+    KeyFrameAt(1, frames, up, scene) };
+  keyFrames.RemoveAllValues();
+  for (vtkSMProxy* each : now)
+  {
+    keyFrames.Add(each);
+  }
+  constexpr int pathBased = 1;
+  vtkSMPropertyHelper(track, "Mode").Set(pathBased);
+  track->UpdateVTKObjects();
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  for (vtkSMProxy* each : before)
+  {
+    controller->UnRegisterAnimationProxy(each);
+  }
+}
+}
+
+void AnimateCamera(
+  vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up)
+{
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  vtkSMProxy* scene = controller->GetAnimationScene(view->GetSession());
+  if (!scene || frames.empty())
+  {
+    return;
+  }
+  SCOPED_UNDO_SET(QCoreApplication::translate("LimpidCameraAnimation", "Make Movie"));
+  const vtkSmartPointer<vtkSMProxy> track = CameraTrackOf(view, scene);
+  SetKeyFrames(track, frames, up, scene);
+  {
+    SM_SCOPED_TRACE(CreateAnimationTrack).arg("cue", track);
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", scene);
+  constexpr int sequence = 0;
+  vtkSMPropertyHelper(scene, "PlayMode").Set(sequence);
+  vtkSMPropertyHelper(scene, "NumberOfFrames").Set(static_cast<int>(frames.size()) + 1);
+  scene->UpdateVTKObjects();
+}

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimpidMovie.h"
+
+#include "LimpidBestView.h"
+#include "LimpidCameraAnimation.h"
+#include "LimpidDataArray.h"
+#include "LimpidOptimizedVolumes.h"
+
+#include "pqActiveObjects.h"
+#include "pqCoreUtilities.h"
+#include "pqRenderView.h"
+#include "pqUndoStack.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMParaViewPipelineController.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+
+namespace
+{
+const int FRAMES_PER_SECOND = 25;
+
+limpid::Vec3 VectorOf(vtkFieldData* arrays, const char* name, vtkIdType tuple)
+{
+  limpid::Vec3 vector(0.0);
+  vtkDataArray* array = arrays->GetArray(name);
+  if (array && array->GetNumberOfComponents() == 3 && tuple < array->GetNumberOfTuples())
+  {
+    array->GetTuple(tuple, &vector.x);
+  }
+  return vector;
+}
+
+double NumberOf(vtkFieldData* arrays, const char* name)
+{
+  vtkDataArray* array = arrays->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0;
+}
+
+std::vector<limpid::Camera> CamerasOf(vtkPolyData* path)
+{
+  vtkFieldData* fields = path->GetFieldData();
+  std::vector<limpid::Camera> cameras;
+  for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
+  {
+    limpid::Camera camera;
+    camera.position = VectorOf(path->GetPointData(), "CameraPosition", i);
+    camera.focalPoint = VectorOf(path->GetPointData(), "CameraFocalPoint", i);
+    camera.viewUp = VectorOf(path->GetPointData(), "CameraViewUp", i);
+    camera.viewAngle = NumberOf(fields, "CameraViewAngle");
+    camera.parallel = NumberOf(fields, "CameraParallelProjection") != 0;
+    camera.parallelScale = NumberOf(fields, "CameraParallelScale");
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+vtkSmartPointer<vtkSMSourceProxy> NewPath(vtkSMSourceProxy* search)
+{
+  SCOPED_UNDO_EXCLUDE();
+  vtkSmartPointer<vtkSMSourceProxy> path;
+  path.TakeReference(vtkSMSourceProxy::SafeDownCast(
+    search->GetSessionProxyManager()->NewProxy("filters", "CameraPath")));
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  controller->PreInitializeProxy(path);
+  vtkSMPropertyHelper(path, "Input").Set(search);
+  controller->PostInitializeProxy(path);
+  return path;
+}
+}
+
+LimpidMovie::LimpidMovie(vtkSMSourceProxy* search, pqRenderView* view, QWidget* parentWidget)
+  : QDialog(parentWidget)
+  , Search(search)
+  , Path(NewPath(search))
+  , View(view)
+  , Before(PresentCamera(view->getRenderViewProxy()))
+  , KeyViews(this->addNumber("KeyViews", 1, 20, 4))
+  , FrameCount(this->addNumber("Frames", 2, 1000, 120))
+  , Says(new QLabel(this))
+{
+  this->setObjectName("LimpidMovie");
+  this->setWindowTitle(tr("Make Movie"));
+  this->setAttribute(Qt::WA_DeleteOnClose);
+  this->Says->setObjectName("Says");
+  this->Says->setWordWrap(true);
+  this->createPreview();
+
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  buttons->setObjectName("Buttons");
+  buttons->button(QDialogButtonBox::Cancel)->setObjectName("Cancel");
+  this->Make = buttons->addButton(tr("Make Movie"), QDialogButtonBox::AcceptRole);
+  this->Make->setObjectName("Make");
+  this->connect(buttons, &QDialogButtonBox::accepted, this, &LimpidMovie::accept);
+  this->connect(buttons, &QDialogButtonBox::rejected, this, &LimpidMovie::reject);
+
+  auto* preview = new QHBoxLayout();
+  preview->addWidget(this->Play);
+  preview->addWidget(this->Slider, 1);
+  auto* rows = new QFormLayout(this);
+  rows->addRow(tr("Best Views"), this->KeyViews);
+  rows->addRow(tr("Frames"), this->FrameCount);
+  rows->addRow(tr("Preview"), preview);
+  rows->addRow(this->Says);
+  rows->addRow(buttons);
+  this->findPath();
+}
+
+LimpidMovie::~LimpidMovie() = default;
+
+QSpinBox* LimpidMovie::addNumber(const char* name, int least, int most, int value)
+{
+  auto* box = new QSpinBox(this);
+  box->setObjectName(name);
+  box->setRange(least, most);
+  box->setValue(value);
+  this->connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, &LimpidMovie::findPath);
+  return box;
+}
+
+void LimpidMovie::createPreview()
+{
+  this->Slider = new QSlider(Qt::Horizontal, this);
+  this->Slider->setObjectName("Preview");
+  this->Slider->setToolTip(tr("Looks from a frame of the movie."));
+  this->connect(this->Slider, &QSlider::valueChanged, this, &LimpidMovie::showFrame);
+  this->Play = new QPushButton(tr("Play"), this);
+  this->Play->setObjectName("Play");
+  this->Play->setAutoDefault(false);
+  this->connect(this->Play, &QPushButton::clicked, this, &LimpidMovie::playOrStop);
+  this->Playing.setInterval(1000 / FRAMES_PER_SECOND);
+  this->connect(&this->Playing, &QTimer::timeout, this, &LimpidMovie::playNext);
+}
+
+// The search has scored all directions; a path through them takes no time.
+void LimpidMovie::findPath()
+{
+  if (!this->View)
+  {
+    return;
+  }
+  vtkSMPropertyHelper(this->Path, "NumberOfKeyViews").Set(this->KeyViews->value());
+  vtkSMPropertyHelper(this->Path, "NumberOfFrames").Set(this->FrameCount->value());
+  this->Path->UpdateVTKObjects();
+  const double time = vtkSMPropertyHelper(this->View->getProxy(), "ViewTime").GetAsDouble();
+  const auto output = BringToClient(this->Path, 0, VTK_POLY_DATA, time);
+  auto* path = vtkPolyData::SafeDownCast(output);
+  this->Frames = path ? CamerasOf(path) : std::vector<limpid::Camera>();
+  this->Up = path ? VectorOf(path->GetFieldData(), "CameraUpAxis", 0) : this->Up;
+
+  const int count = static_cast<int>(this->Frames.size());
+  this->Says->setText(count > 0
+      ? tr("%1 frames, %2 s at %3 per second, round the volume and back to the best view. File > "
+           "Save Animation writes them when the movie is made.")
+          .arg(count)
+          .arg(double(count) / FRAMES_PER_SECOND, 0, 'f', 1)
+          .arg(FRAMES_PER_SECOND)
+      : tr("There is no path: see the messages."));
+  this->Make->setEnabled(count > 0);
+  this->Play->setEnabled(count > 0);
+  this->Slider->setEnabled(count > 0);
+  const QSignalBlocker blocker(this->Slider);
+  this->Slider->setRange(0, count > 0 ? count - 1 : 0);
+  this->showFrame(this->Slider->value());
+}
+
+// While it moves as quickly as while a person turns it.
+void LimpidMovie::showFrame(int number)
+{
+  if (!this->View || number >= static_cast<int>(this->Frames.size()))
+  {
+    return;
+  }
+  SetCamera(this->View->getRenderViewProxy(), this->Frames[static_cast<std::size_t>(number)]);
+  if (this->Playing.isActive() || this->Slider->isSliderDown())
+  {
+    this->View->getRenderViewProxy()->InteractiveRender();
+  }
+  else
+  {
+    this->View->render();
+  }
+}
+
+void LimpidMovie::playOrStop()
+{
+  const bool plays = !this->Playing.isActive();
+  this->Play->setText(plays ? tr("Stop") : tr("Play"));
+  if (plays)
+  {
+    this->Playing.start();
+    return;
+  }
+  this->Playing.stop();
+  this->showFrame(this->Slider->value());
+}
+
+void LimpidMovie::playNext()
+{
+  this->Slider->setValue((this->Slider->value() + 1) % (this->Slider->maximum() + 1));
+}
+
+void LimpidMovie::close(const limpid::Camera& camera, int result)
+{
+  this->Playing.stop();
+  if (this->View)
+  {
+    SetCamera(this->View->getRenderViewProxy(), camera);
+    this->View->render();
+  }
+  this->QDialog::done(result);
+}
+
+void LimpidMovie::accept()
+{
+  const limpid::Camera first = this->Frames.empty() ? this->Before : this->Frames.front();
+  if (this->View && !this->Frames.empty())
+  {
+    // "Camera Undo" leads to where the view was, and the animation has an undo of its own.
+    SetCamera(this->View->getRenderViewProxy(), this->Before);
+    LookFrom(first, first.focalPoint, this->View, tr(" first frame of the movie"));
+    AnimateCamera(this->View->getRenderViewProxy(), this->Frames, this->Up);
+  }
+  this->close(first, QDialog::Accepted);
+}
+
+void LimpidMovie::reject()
+{
+  this->close(this->Before, QDialog::Rejected);
+}
+
+void MakeMovie()
+{
+  auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+  if (const vtkSmartPointer<vtkSMSourceProxy> search = SearchActiveVolume())
+  {
+    QWidget* window = pqCoreUtilities::mainWidget();
+    auto* dialog = new LimpidMovie(search, view, window);
+    dialog->setModal(true);
+    dialog->show();
+    // Over the panels, not over what it previews.
+    dialog->move(window->mapToGlobal(QPoint(0, window->height() - dialog->height())));
+  }
+}
+
+QIcon MovieIcon()
+{
+  return QIcon(":/Limpid/Icons/MakeMovie.svg");
+}
+
+QString MovieToolTip()
+{
+  return QCoreApplication::translate(
+    "LimpidMovie", "Move the camera evenly through the best views, as an animation of the view.");
+}
