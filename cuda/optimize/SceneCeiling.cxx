@@ -9,7 +9,7 @@ namespace limpid
 {
 namespace
 {
-/// What the sources of `seen` could see within the bounds of `bounded`.
+/// Returns the ceiling for the sources of `seen` within the bounds of `bounded`.
 Ceiling CeilingOf(const Problem& seen, const Problem& bounded, const ChosenBackend& backend)
 {
   const NodeValues least = bounded.LeastExtinction();
