@@ -39,7 +39,7 @@
 #endif
 
 // Put before a loop whose arrays should become vector registers instead of memory: it is unrolled
-// completely.
+// `times` times.
 #define LIMPID_PRAGMA(text) _Pragma(#text)
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
 #define LIMPID_UNROLL(times) LIMPID_PRAGMA(GCC unroll times)
