@@ -25,8 +25,7 @@ struct SceneSurvey
   FieldRange extinction;
   FieldRange importance;
   NodeValues nodeImportance;                  ///< see NodeImportanceOfFilled
-  std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance; skips
-                                              ///< empty voxels
+  std::shared_ptr<const Occupancy> occupancy; ///< of base and node importance; skips empty voxels
 };
 
 /// Computes all of it in one pass over the fields, as reading them takes longer than the

@@ -22,10 +22,9 @@ namespace limpid
 struct Score
 {
   double visibility = 0; ///< S of Eq. (32) [length^2]
-  double fraction = 0;   ///< fraction of important structures whose light reaches the eye: integral
-                         ///< of g min(mu, mu-bar) T [0, 1]
-  double sacrificed = 0; ///< fraction that was removed: 1 minus the integral of g min(mu, mu-bar)
-                         ///< [0, 1]
+  double fraction = 0;   ///< share whose light reaches the eye: integral of g min(mu, mu-bar) T [0,
+                         ///< 1]
+  double sacrificed = 0; ///< share that was removed: 1 - integral of g min(mu, mu-bar) [0, 1]
 };
 
 /**

@@ -20,8 +20,7 @@ struct TermFields
   const float* extinction;               ///< [1/length]
   const float* importance;               ///< [0, 1]
   const float* nodeImportance = nullptr; ///< for derivatives, see NodeImportance.h [0, 1]
-  const float* base = nullptr; ///< base extinction [1/length]; null if kept base extinction is not
-                               ///< counted
+  const float* base = nullptr; ///< base extinction [1/length]; null: kept part is not counted
 
   Kept CountsKept() const { return this->base ? Kept::Counted : Kept::Ignored; }
 };

@@ -26,8 +26,7 @@ struct WeighedMean
   static constexpr float least = 1e-9f;
 
   Optical important = { 0, 0, 0, 0 }; ///< sum of importance times optical depth times colour
-  Optical plain = { 0, 0, 0, 0 };     ///< sum of optical depth times colour, until any sample is
-                                      ///< important
+  Optical plain = { 0, 0, 0, 0 };     ///< sum of depth times colour, until any is important
   float importance = 0;               ///< sum of importance times optical depth
   float depth = 0;                    ///< sum of optical depth
 

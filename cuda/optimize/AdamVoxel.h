@@ -31,7 +31,7 @@ struct AdamVoxel
   Real* second;           ///< running mean of its square
   Real* extinction;       ///< [1/length]
   Real regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
-  const Real* previous;   ///< extinction to stay near [1/length]; null if there is none
+  const Real* previous;   ///< reference extinction [1/length]; null if none
   Real coherence;         ///< weight of (mu - mu_previous) [length]
   Real step;              ///< learning rate, bias of the first moment removed [1/length]
   Real secondCorrection;  ///< 1 / (1 - beta2^n), removes the bias of the second moment

@@ -41,8 +41,7 @@ struct GridFilter
 {
   Int3 from;
   Int3 to;
-  std::array<std::optional<AxisFilter>, 3> along; ///< empty if the nodes along the axis are the
-                                                  ///< same
+  std::array<std::optional<AxisFilter>, 3> along; ///< empty if the nodes do not change
 
   GridFilter(const Int3& from, const Int3& to);
 

@@ -35,8 +35,7 @@ struct CarriedChange
   Grid grid;
   std::vector<float> ofExtinction; ///< c, ValueCount() values in [-1, 1]; empty: no change
   std::vector<float> ofLight; ///< c of the extinction for the light; empty: same as ofExtinction
-  std::shared_ptr<const ScenePiece> piece; ///< the subdomain of this rank; null if one process has
-                                           ///< all
+  std::shared_ptr<const ScenePiece> piece; ///< this rank's subdomain; null for one process
   Camera camera;                           ///< the camera for which the change was found
   Light light;
   Settings settings;
@@ -50,9 +49,9 @@ struct CarriedChange
     return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
   }
 
-  /// Returns how strongly to stay near this change for another camera and light, in [0, 1]. It is
-  /// the likeness if both directions from the centre of the grid are the same. It falls to 0 at an
-  /// angle of 20 degrees, and is 0 for other settings.
+  /// Returns the weight of this change as a reference for another camera and light, in [0, 1]. It
+  /// is the likeness if all directions from the centre of the grid are the same. It falls to 0 at
+  /// an angle of 20 degrees, and is 0 for other settings.
   double NearnessTo(
     const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const;
 };

@@ -15,8 +15,7 @@ namespace limpid
 class DescentProgress
 {
 public:
-  static constexpr double leastGain = 0.1; ///< smallest gain that counts, as a fraction of the
-                                           ///< energy, per tolerance
+  static constexpr double leastGain = 0.1; ///< smallest gain that counts [energy * tolerance]
 
   explicit DescentProgress(const Problem& problem)
     : LeastGain(leastGain * problem.settings.tolerance)

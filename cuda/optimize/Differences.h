@@ -22,12 +22,12 @@ double SumOfChanges(const float* a, const float* b, Index count);
 double SumOverRows(
   const Slab& slab, const Communicator* ranks, const std::function<double(int y, int z)>& ofRow);
 
-/// Distances of an iterate from the base, the last iterate and the extinction to stay near.
+/// Distances of an iterate from the base, the last iterate and the reference.
 struct Differences
 {
   double squares = 0;             ///< sum of (iterate - base)^2
   double changes = 0;             ///< sum of |iterate - last iterate|
-  double squaresFromPrevious = 0; ///< sum of (iterate - extinction to stay near)^2
+  double squaresFromPrevious = 0; ///< sum of (iterate - reference)^2
 };
 
 /// Differences, accumulated exactly.

@@ -156,7 +156,7 @@ private:
   Grid Nodes; ///< of the original problem
   std::shared_ptr<const PermutedFields> Fields;
   Problem Inside;            ///< the permuted problem
-  std::vector<float> Before; ///< permuted extinction to stay near; empty if none
+  std::vector<float> Before; ///< permuted reference extinction; empty if none
 };
 }
 

@@ -29,7 +29,7 @@ struct PolicyStep
   const float* importance;    ///< [0, 1]; null if nothing is protected
   const float* base;          ///< [1/length]
   const float* last;          ///< last iterate, or the base if not needed [1/length]
-  const float* previous;      ///< extinction to stay near, or the base [1/length]
+  const float* previous;      ///< reference extinction, or the base [1/length]
   const float* lagged;        ///< weighted derivative of the other terms; null if none
   float* next;                ///< out [1/length]
 
@@ -80,7 +80,7 @@ struct PolicyKernel
   Input importance;     ///< [0, 1]
   Input nodeImportance; ///< see NodeImportance.h [0, 1]
   Input last;           ///< the last iterate [1/length]
-  Input previous;       ///< extinction to stay near [1/length]; null if none
+  Input previous;       ///< reference extinction [1/length]; null if none
   Input lagged;         ///< weighted derivative of the other terms; null if none
   Output next;          ///< the next iterate [1/length]
   Input alternative;    ///< alternative to the next iterate, see WeighStep; null if none

@@ -40,7 +40,7 @@ struct PolicySweep
   const float* alternative = nullptr; ///< see WeighStep [1/length]; null if nothing is weighed
   Reach reach = Reach::Unlimited;     ///< initial reach of the rays, if weighing
   double smoothing = 0; ///< sigma of SmoothedChange [length], if `lagged` includes its pull
-  const float* previous = nullptr; ///< extinction to stay near [1/length]; null if none
+  const float* previous = nullptr; ///< reference extinction [1/length]; null if none
   bool emphasises = true; ///< whether extinction may rise above the base, within its bounds
   const TermsOnRanks* ranks = nullptr; ///< of a distributed sweep; null for one process
 };

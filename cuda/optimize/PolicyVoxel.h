@@ -15,7 +15,7 @@ namespace limpid
  *    mu = clamp( mu-bar - (1/p) [ q T_V (V_V - g) + r T_L (V_L - g) ] )
  *
  * from Eqs. (26)-(28) with G = T V, within its bounds. A proximal step (ProximalDescent) adds s/2
- * (mu - mu_last)^2 to the energy. Staying near a previous extinction adds t/2 (mu - mu_previous)^2
+ * (mu - mu_last)^2 to the energy. The pull to a reference extinction adds t/2 (mu - mu_previous)^2
  * (Documentation/Deviations.md, D20). Both merge into the regularisation: p becomes p + s + t and
  * mu-bar becomes (p mu-bar + s mu_last + t mu_previous) / (p + s + t).
  */
@@ -28,8 +28,8 @@ struct PolicyVoxel
   Real coherence; ///< t / (p + s + t) [0, 1]
   ExtinctionBounds<Real> bounds;
 
-  /// `last`: last iterate; `previous`: extinction to stay near; `derivative`: T (V - g) of the
-  /// swept term; `lagged`: weighted derivative of all other terms; `base` and `importance`: see
+  /// `last`: last iterate; `previous`: reference extinction; `derivative`: T (V - g) of the swept
+  /// term; `lagged`: weighted derivative of all other terms; `base` and `importance`: see
   /// ExtinctionBounds.
   LIMPID_HD LIMPID_INLINE Real operator()(
     Real base, Real last, Real previous, Real importance, Real derivative, Real lagged) const

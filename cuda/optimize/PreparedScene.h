@@ -50,8 +50,8 @@ public:
   /// any may be thick.
   Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);
 
-  /// Applies a change to this scene, within the bounds of `problem`, as the extinction to stay
-  /// near. Sets problem.nearness. Returns nothing if temporal coherence has no effect.
+  /// Applies a change to this scene, within the bounds of `problem`, as its reference extinction.
+  /// Sets problem.nearness. Returns nothing if temporal coherence has no effect.
   CarriedExtinction StayedNear(
     const CarriedChange& before, const Camera& camera, const Light& light, Problem& problem) const;
 

@@ -42,12 +42,12 @@ struct Problem
   const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
-  std::shared_ptr<const ScenePiece> piece; ///< this rank's subdomain; null if the fields have all
-                                           ///< nodes
+  std::shared_ptr<const ScenePiece> piece;    ///< this rank's subdomain; null for one process
   std::shared_ptr<FieldsOfRanks> shared; ///< fields of a distributed problem; null for one process
   float majorant = 0;                    ///< upper bound of the extinction [1/length]
   double nearness = 1;                   ///< see CarriedChange::NearnessTo
-  const float* previous = nullptr;       ///< extinction to stay near [1/length]; null if none
+  const float* previous = nullptr; ///< reference extinction, to which coherence pulls [1/length];
+                                   ///< null if none
   RaySource camera;
   std::vector<RaySource> otherCameras; ///< see Settings::otherCameras
   RaySource light;
@@ -55,8 +55,7 @@ struct Problem
     false; ///< whether a method that distinguishes them should compute the extinction for the light
   Settings settings;
   bool fine = false;       ///< whether scores and ceilings resolve layers by FineCuts
-  bool tellsScores = true; ///< whether iterations see the importance of scores, see
-                           ///< SeesWhatScoresAreOf
+  bool tellsScores = true; ///< whether iterations measure scores, see SeesWhatScoresAreOf
 
   double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
 
@@ -70,8 +69,7 @@ struct Problem
   }
 
   /// t of Settings::temporalCoherence in world units [length]. With temporalCoherence 1, a pull
-  /// through the whole range of a voxel balances all visibility. 0 if there is no extinction to
-  /// stay near.
+  /// through the whole range of a voxel balances all visibility. 0 without a reference extinction.
   double CoherenceWeight() const;
 
   /// Uses the fields of a distributed problem.

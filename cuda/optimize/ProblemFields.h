@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-/// Returns a problem's extinction to stay near, in device memory; empty if there is none.
+/// Returns a problem's reference extinction in device memory; empty if there is none.
 template <class AnyDevice>
 BorrowedArray<AnyDevice, float> PreviousOf(
   const std::shared_ptr<AnyDevice>& device, const Problem& problem)

@@ -372,7 +372,7 @@ bool Progressive::Refine()
   return this->Converged();
 }
 
-/// Whether to stay near the shown result, which was found for another view or time. This applies
+/// Whether the shown result, of another view or time, is the reference of the next one. It is
 /// while the view or the data change; at rest only the current view counts.
 bool Progressive::StaysNear() const
 {

@@ -64,8 +64,8 @@ public:
   double Proximity() const { return this->Stiffness; }
 
 private:
-  static constexpr double rounding = 1e-6; ///< relative rounding error of an energy, which is
-                                           ///< summed in float
+  static constexpr double rounding = 1e-6; ///< relative rounding error of an energy, summed in
+                                           ///< float
   static constexpr double stiffening = 4;
   static constexpr double softening = 2;
   static constexpr double stiffest = 1e30; ///< at this value nothing moves any more

@@ -83,10 +83,10 @@ private:
   static constexpr double firstChange = 0.05; ///< length of the first step [majorant]
   static constexpr double mostChange = 0.4;   ///< maximum length of a step [majorant]
   static constexpr double firstDepth = 0.7;   ///< first step as an optical depth between nodes
-  static constexpr double mostDepth = 2; ///< maximum step as an optical depth, which dims nearly
-                                         ///< all behind
-  static constexpr double roundingOfSum = 1e-6; ///< relative to the weights, below which a
-                                                ///< derivative counts as 0
+  static constexpr double mostDepth = 2; ///< maximum step as an optical depth, which hides nearly
+                                         ///< all
+  static constexpr double roundingOfSum = 1e-6; ///< relative to the weights; smaller derivatives
+                                                ///< are 0
 
   /// Returns a step length [1/length], limited by a change [majorant] and by an optical depth
   /// between nodes.

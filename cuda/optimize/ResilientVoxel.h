@@ -24,7 +24,7 @@ struct ResilientVoxel
   const float* gradient;   ///< derivative of the visibility terms
   const float* base;       ///< mu-bar [1/length]
   const float* importance; ///< [0, 1]
-  const float* previous;   ///< extinction to stay near [1/length]; null if none
+  const float* previous;   ///< reference extinction [1/length]; null if none
   float* state;            ///< step length with the sign of the last derivative [1/length]
   float* extinction;       ///< [1/length]
   float regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]

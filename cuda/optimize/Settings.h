@@ -88,17 +88,16 @@ struct Settings
   Mode mode = Mode::Joint;
   SolverKind solver = SolverKind::Policy;
   int maximumIterations = 8;                               ///< of the policy, per camera
-  std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< of Adam: quarter, half, full
+  std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< Adam: at 1/4, 1/2 and full
                                                            ///< resolution
   double learningRate = 0.05;                              ///< of Adam [majorant]
-  double tolerance = 1e-3;   ///< stops when the mean change of an iteration is smaller [majorant];
-                             ///< the policy also stops at 5 times this if the relative change of
-                             ///< energy is below a tenth of it
+  double tolerance = 1e-3;   ///< stops if the mean change of an iteration is below [majorant]; the
+                             ///< policy also if it is below 5 times this and that of the energy
+                             ///< below 0.1
   double maximumSeconds = 0; ///< time limit; 0: none [s]
   Derivative derivative = Derivative::Volume;
-  double rayDensity = 1;    ///< rays per voxel and axis on the farthest slice
-  bool skipUnneeded = true; ///< whether voxels and rays that provably cannot change the result are
-                            ///< skipped
+  double rayDensity = 1;       ///< rays per voxel and axis on the farthest slice
+  bool skipUnneeded = true;    ///< whether to skip what provably cannot change the result
   bool restrictToView = false; ///< whether only what is inside the view counts
 
   /// Share of the base extinction that important structures keep, times their importance [0, 1].
@@ -167,12 +166,12 @@ struct IterationRecord
   int iteration = 0; ///< 0 is the base extinction
   int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
   Energy energy;
-  Score score;           ///< from the cameras; if it would cost an extra sweep: 0, or with
-                         ///< Settings::scoreIterations that of the best so far
+  Score score; ///< from the cameras; if it costs an extra sweep: 0, or with scoreIterations that
+               ///< of the best so far
   double meanChange = 0; ///< mean |change| of voxels that may change [majorant]
   double seconds = 0;    ///< since the start
-  bool isResult = false; ///< the best whatever its energy, because it was smoothed or because the
-                         ///< method minimises something else
+  bool isResult = false; ///< the best whatever its energy: it was smoothed, or the method
+                         ///< minimises something else
 };
 
 /// Called after every iteration with the fraction of work done in [0, 1] and a text for the user.

@@ -57,8 +57,8 @@ class PreparedScene;
 class Solver
 {
 public:
-  /// `previous`: the extinction to stay near with Settings::temporalCoherence; ignored if it has
-  /// another box. Throws limpid::Error if the scene or the settings are invalid.
+  /// `previous`: the reference for Settings::temporalCoherence; ignored if it covers another box.
+  /// Throws limpid::Error if the scene or the settings are invalid.
   Solver(const SceneFields& scene, const Camera& camera, const Light& light,
     const Settings& settings, const CarriedChange& previous = {});
 

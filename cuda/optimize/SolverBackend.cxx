@@ -104,7 +104,7 @@ private:
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Fields;
-  BorrowedArray<AnyDevice, float> Before; ///< extinction to stay near; empty if none
+  BorrowedArray<AnyDevice, float> Before; ///< reference extinction; empty if none
   VisibilityTerm<AnyDevice> Term;
   DeviceArray<AnyDevice, Seen> Sum;
   std::optional<Visible> Base; ///< empty before the first sweep

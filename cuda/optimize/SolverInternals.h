@@ -31,7 +31,7 @@ struct Solver::Internals
   Light light;
   Settings settings;
   StartingExtinction initial;
-  CarriedExtinction previous; ///< the extinction to stay near; empty without coherence
+  CarriedExtinction previous; ///< reference extinctions; empty without coherence
   double nearness = 0;        ///< see CarriedChange::NearnessTo
 
   /// The current run of a minimiser: the joint field, or in separate mode first the camera's
@@ -58,8 +58,7 @@ struct Solver::Internals
     std::unique_ptr<SourceSweeps> sweeps;
   };
   mutable std::unique_ptr<Judge> judge;
-  mutable std::unique_ptr<Judge> judgeOfIterates; ///< with fewer rays, for iterations that do not
-                                                  ///< measure scores
+  mutable std::unique_ptr<Judge> judgeOfIterates; ///< with fewer rays, if iterates have no scores
   mutable std::optional<Ceiling> ceiling;         ///< empty until requested
 
   Energy bestEnergy;

@@ -120,7 +120,7 @@ public:
   /// Redistributes values changed in the slabs to all ranks that need them.
   void ShareSlabs(float* extinction) const;
 
-  /// The extinction to stay near; null if none.
+  /// The reference extinction, see Problem::previous; null if none.
   const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }
   const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
 

@@ -10,7 +10,7 @@
 
 namespace limpid
 {
-/// Number of consecutive slices that share one decomposition of the rows of rays.
+/// Number of slices in a stretch, which has one decomposition of the rows of rays.
 constexpr int slicesPerStretch = 8;
 
 /// Cost of moving a ray to another rank: up to 70 bytes are packed, sent and unpacked [ns].

@@ -138,8 +138,8 @@ struct FaceFrustum : FlatTables
   float frontDepth = 0;    ///< relative depth where rays start that do not enter through a side
   Range<int> frontColumns; ///< columns that enter the box through its front face, not a side
   Range<int> frontRows;
-  /// World volume per unit of ray integral: S = cellMeasure sum_ij share_ij / length_ij integral g
-  /// mu T scale^2 dt.
+  /// World volume per unit of ray integral:
+  /// S = cellMeasure sum_ij share_ij / length_ij integral g mu T scale^2 dt.
   double cellMeasure = 0;
   bool seesAll = true; ///< whether all rays are inside the view
 
@@ -165,19 +165,13 @@ struct FaceFrustum : FlatTables
   /// the box and is covered by rays. It normalises sums over rays (VoxelRow::FindEffect).
   Table<float> columnHatGain;
   Table<float> rowHatGain;       ///< [slice][voxel row]
-  Table<float> voxelColumnEntry; ///< [slice][voxel column]: relative depth where rays through the
-                                 ///< voxel enter
+  Table<float> voxelColumnEntry; ///< [slice][voxel column]: relative depth where its rays enter
   Table<float> voxelRowEntry;    ///< [slice][voxel row]
-  Table<int> firstVoxels; ///< [slice][column]: first voxel whose first ray is this one or a later
-                          ///< one
+  Table<int> firstVoxels;        ///< [slice][column]: first voxel whose first ray is not before it
   Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns that a ray can matter to
   Table<Range<int>> filledVoxels; ///< [slice][voxel row]: columns that may change
 
-  bool HasVoxels() const
-  {
-    return this->voxelRows.index.rowLength > 0;
-  } ///< false for
-    ///< Readers::Rays
+  bool HasVoxels() const { return this->voxelRows.index.rowLength > 0; } ///< see Readers
 
   LIMPID_HD LIMPID_INLINE const Slice& SliceAt(int s) const { return this->Row(this->slices)[s]; }
   int SliceCount() const { return this->lastSlice + 1; }

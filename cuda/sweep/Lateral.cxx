@@ -14,9 +14,8 @@ namespace limpid
 {
 namespace
 {
-/// Minimum number of rays across a side per voxel of its depth. It is limited to `mostPart` per
-/// voxel of a side as deep as the box is wide: along a long box, a side is a small part of the
-/// view.
+/// Minimum number of rays across a side per voxel of its depth, but at most `mostPart` per voxel of
+/// the box's width: in a long box, a side is a small part of the view.
 constexpr double facePart = 0.25;
 constexpr double mostPart = 0.5;
 
@@ -202,8 +201,7 @@ void Lateral::PutBetween(std::vector<double> edges)
 void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placement placement)
 {
   const double last = this->nodes - 1;
-  constexpr double straight = 1e-3; // lateral shift across the box below which rays count as
-                                    // straight [index]
+  constexpr double straight = 1e-3; // largest lateral shift of straight rays in the box [index]
   if (this->parallel && placement == Placement::ForNodes &&
     std::abs(this->shear) * (farDepth - nearDepth) < straight)
   {

@@ -90,8 +90,7 @@ struct OccupiedRays::Memory
 
   std::vector<int> columnNodes; ///< floors of the rays' positions
   std::vector<int> rowNodes;
-  std::vector<int> columnsUpTo; ///< per voxel column, from -3 on: number of rays whose floor is at
-                                ///< most that column
+  std::vector<int> columnsUpTo; ///< per voxel column, from -3 on: rays with floors up to it
   std::vector<Reach> reaches;   ///< per voxel row, from -rowsBefore on
 
   void CountColumns()

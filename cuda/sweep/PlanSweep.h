@@ -41,8 +41,7 @@ struct PlanSettings
 {
   double rayDensity = 1; ///< rays per voxel and axis on the farthest slice
   Placement placement = Placement::ForIntegrals;
-  const Communicator* ranks = nullptr; ///< the communicator of a distributed sweep on processors;
-                                       ///< null for one process
+  const Communicator* ranks = nullptr; ///< of a distributed sweep; null for one process
   Readers readers = Readers::RaysAndVoxels;
   std::array<bool, 3> depthAxes{ { true, true, true } }; ///< frusta along other axes are omitted
 };

@@ -17,15 +17,14 @@ namespace limpid
 class SliceWindow;
 
 /**
- * The decomposition of a frustum among ranks. Each rank owns a band of consecutive rows of rays
- * and, on each slice, the rows of voxels next to them. Each row is computed as by a single
+ * The decomposition of a frustum among ranks. A subdomain is a band of consecutive rows of rays
+ * with, on each slice, the rows of voxels next to them. Each row is computed as by a single
  * process, so results are bit-identical. Ghost rows are exchanged slice by slice
  * (Documentation/Method.md, section on ranks).
  *
  * Ranks wait for each other on every slice, and the active region differs between slices. The
- * decomposition therefore changes from stretch to stretch (EvenBands.h), and rays are
- * redistributed with all values that they carry. Between sweeps they are distributed as on the
- * last slice.
+ * decomposition therefore changes between stretches (EvenBands.h), and rays are redistributed with
+ * all values that they carry. Between sweeps they are distributed as on the last slice.
  */
 class RankBands
 {

@@ -56,8 +56,7 @@ struct RayTiles
 struct VoxelsOfTiles
 {
   RayTiles tiles;
-  const Range<int>* ranges; ///< [slice][tile]: ranges along u of the tiles of a row, then ranges
-                            ///< along v
+  const Range<int>* ranges; ///< [slice][tile]: along u for tiles of a row, then along v
 
   LIMPID_HD LIMPID_INLINE const Range<int>& AlongU(int s, int number) const
   {

@@ -214,8 +214,7 @@ struct ResolveLit
   }
 };
 
-constexpr int mostPartsOfLayer = 16; ///< maximum number of parts of a layer, each with its own
-                                     ///< Gauss points
+constexpr int mostPartsOfLayer = 16; ///< each with its own Gauss points
 constexpr int piecesOfPart = 4;      ///< number of equal segments of a part
 
 /// Returns the number of parts into which a layer of optical depth `depth` is divided.
@@ -450,8 +449,7 @@ private:
     const LayerLight halves = this->plain.Light();
     light.passed = halves.passed;
     light.opticalDepth = halves.opticalDepth;
-    if (!(transmittance > nothing) || this->IsWhole()) // segments are skipped where no light is
-                                                       // left
+    if (!(transmittance > nothing) || this->IsWhole()) // no segments in the dark
     {
       light.unattenuated = halves.unattenuated;
       light.keptUnattenuated = halves.keptUnattenuated;

@@ -13,9 +13,8 @@
 namespace limpid
 {
 constexpr int slicesCopied = 16;     ///< floats in a cache line of 64 bytes
-constexpr int mostSlicesBehind = 2;  ///< slices behind the current one that sweeps read, at most
-constexpr int mostSlicesInFront = 1; ///< slices in front of the current one that sweeps read, at
-                                     ///< most
+constexpr int mostSlicesBehind = 2;  ///< maximum number of slices behind that sweeps read
+constexpr int mostSlicesInFront = 1; ///< maximum number of slices in front that sweeps read
 
 /// Returns the slabs of a frustum, front to back. With `copied`, a slab has so many slices that a
 /// transposed read uses whole cache lines; otherwise all slices are one slab.

@@ -26,8 +26,7 @@ enum class Guide
 /// The result of a concurrent optimisation on a sphere of cameras.
 struct ConcurrentResult
 {
-  std::unique_ptr<Solver> solver; ///< at the last camera; null if stopped before the first one was
-                                  ///< done
+  std::unique_ptr<Solver> solver; ///< at the last camera; null if stopped before that of the first
   Camera camera;                  ///< the last one
   std::vector<Vec3> path;         ///< positions of all accepted cameras, starting with the first
 

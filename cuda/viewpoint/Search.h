@@ -16,8 +16,7 @@ namespace limpid
 struct ViewAngles
 {
   double azimuth = 0; ///< alpha 1
-  double polar = 0;   ///< alpha 2, positive if the camera is below the plane of the first and third
-                      ///< axis
+  double polar = 0;   ///< alpha 2, positive if the camera is below axes 1 and 3
 };
 
 /// Returns the angles of the rotation that turns (0, 0, 1) to a unit vector. At the poles the

@@ -46,8 +46,7 @@ private:
 
   const ViewDerivativePlan* Sampled = nullptr;
   int Part = 0;
-  float* Values[4][2]; ///< importance, extinction, slopes across and down, each at both Gauss
-                       ///< points
+  float* Values[4][2]; ///< importance, extinction, slopes across and down; Gauss points
   float* Edges;        ///< values at the edges between rays
   float* Blended;      ///< a row of voxels
   RaySlopes Differences{};

@@ -34,8 +34,7 @@ struct ViewDerivativePlan : FlatTables
   MapTable rows;              ///< [plane][row]
   MapTable columnEdges;       ///< [plane][edge]: voxel column of an edge; two are before ray 0
   MapTable rowEdges;          ///< [plane][row]
-  Table<float> columnStencil; ///< [4][column]: weights of the values at the edges column, ...,
-                              ///< column + 3
+  Table<float> columnStencil; ///< [4][column]: weights of the edges column, ..., column + 3
   Table<float> rowStencil;    ///< [4][row]
 
   Table<float> columnSlope; ///< [column]: a, index step along the columns per unit of depth
@@ -46,11 +45,10 @@ struct ViewDerivativePlan : FlatTables
 
   float moveAcross[2] = { 0, 0 }; ///< [move]: component of e along the columns [index]
   float moveDepth[2] = { 0, 0 };  ///< [move]: component of e along the depth axis [index]
-  float moveFront[2] = { 0, 0 };  ///< [move]: P of a unit step through the front, divided by the
-                                  ///< length per depth
+  float moveFront[2] = { 0, 0 };  ///< [move]: P of a unit step through the front over length per
+                                  ///< depth
   Table<float> moveDown;          ///< [move][row]: e' along the rows [index]
-  Table<float> moveRow;   ///< [move][row]: P through sides that face v, divided by the length per
-                          ///< depth
+  Table<float> moveRow;   ///< [move][row]: P through sides that face v over length per depth
   Table<float> moveSide;  ///< [move][ray]: P of a unit step through the sides that face u
   Table<float> moveAlong; ///< [move][ray]: c
 

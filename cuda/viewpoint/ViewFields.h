@@ -21,8 +21,7 @@ struct ViewedFields
   const float* extinction;     ///< >= 0 [1/length]
   const float* importance;     ///< [0, 1]
   const float* base = nullptr; ///< base extinction [1/length]; null if `extinction` is the base
-  std::shared_ptr<const ScenePiece> piece = nullptr; ///< this rank's subdomain; null if the fields
-                                                     ///< have all nodes
+  std::shared_ptr<const ScenePiece> piece = nullptr; ///< subdomain; null for one process
 
   /// Whether every ray chooses its own extinction between `least` and `extinction`, see
   /// CeilingKernel.

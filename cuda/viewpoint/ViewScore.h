@@ -16,8 +16,7 @@ namespace limpid
 struct ViewSlope
 {
   double score = 0;  ///< S [length^2]
-  Vec3 slope{ 0.0 }; ///< dS / d position, perpendicular to the direction to the focal point
-                     ///< [length]
+  Vec3 slope{ 0.0 }; ///< dS / d position, perpendicular to the line of sight [length]
 };
 
 /**
