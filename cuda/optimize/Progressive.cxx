@@ -79,7 +79,7 @@ struct Level
   std::unique_ptr<PreviewPass> preview; ///< created on first use
 };
 
-/// What is shown.
+/// Which result is shown.
 enum class Shown
 {
   Nothing,

@@ -130,7 +130,7 @@ public:
   double Seconds() const;
   const std::vector<IterationRecord>& History() const; ///< all iterations, starting with the base
 
-  /// What computes: "CPU, 2 threads", or in distributed runs "…, on each of 4 ranks".
+  /// Describes the backend: "CPU, 2 threads", or in distributed runs "…, on each of 4 ranks".
   std::string BackendName() const;
 
   /// Computes the transmittance from the camera to every voxel through Extinction(), Eq. (15).

@@ -123,7 +123,7 @@ struct Outside
   float depth;
 };
 
-/// Extends `needed` by the carried spans, where rays are still outside the box.
+/// Extends `needed` by the carried spans, then restricts these to rays still outside the box.
 LIMPID_MULTIVERSION
 void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans& carried,
   Range<int>* __restrict needed)

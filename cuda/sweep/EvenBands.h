@@ -21,8 +21,8 @@ constexpr Index timeOfPassing = 20;
 std::vector<Index> WorkOfRows(const FaceFrustum& frustum, int s);
 
 /**
- * Decomposes the rows of rays of a frustum into consecutive bands of about equal work, because
- * ranks wait for each other on every slice. Each stretch of slices has its own bands.
+ * Decomposes the rows of rays of a frustum into subdomains, bands of consecutive rows, of about
+ * equal work, because ranks wait for each other on every slice. Each stretch has its own bands.
  *
  * Between stretches, rows change bands together with all values that their rays carry, which has a
  * cost. For each border between two bands, the function picks the positions that minimise

@@ -29,7 +29,7 @@ struct PlannedFrustum : OwnedTables<FaceFrustum>
   Vec3 spacing{ 1.0 }; ///< world length of an index step along u, v, w
 };
 
-/// What reads a plan.
+/// The readers of a plan.
 enum class Readers
 {
   Rays, ///< tables for voxels are omitted

@@ -52,7 +52,7 @@ struct LayerLight
   float visible;          ///< visible importance times scale^2, for T = 1 at the front [1]
   float unattenuated;     ///< visible importance without attenuation
   float keptVisible;      ///< visible importance of the kept base extinction, see Kept
-  float keptUnattenuated; ///< that without attenuation
+  float keptUnattenuated; ///< keptVisible without attenuation
   float opticalDepth;     ///< counted from the entry into the box, see RayInLayer::DepthFromEntry
 };
 

@@ -158,9 +158,9 @@ public:
   /// Samples a lower bound of the extinction in place of the kept one; null stands for 0.
   void SampleLeast(Field extinction);
 
-  /// Selects instead the rays that voxels of slice `s` read by cubics, if they have met anything.
-  /// These are the `dimmed` ones, met before, and others if they entered the layer (`entered`),
-  /// else samples are 0. Returns whether any ray is selected.
+  /// Selects instead the rays that voxels of slice `s` read by cubics and that have met anything,
+  /// in front of the slice (`dimmed`) or in the layer. `entered`: whether EnterLayer selected any
+  /// ray; if not, samples are 0. Returns whether any ray is selected.
   bool SelectReadBySlice(int s, bool entered, const Range<int>& dimmed);
 
   /// Selects instead the rays to visit in a layer on either side of the slice behind slice `s`.

@@ -184,7 +184,7 @@ double SumOfRays(
   }
 }
 
-/// What all rays have seen, for the host: waits.
+/// Returns what all rays have seen to the host; waits for the device.
 template <class AnyDevice>
 Visible SumRays(
   const std::shared_ptr<AnyDevice>& device, std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept)

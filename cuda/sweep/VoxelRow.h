@@ -65,8 +65,7 @@ public:
 
   const float* EffectHere() const { return this->Means.behind; }
 
-  /// Returns the importance of the nodes, times the visible part of the view, in the active
-  /// columns.
+  /// Returns the importance of the nodes inside the view, in the active columns.
   const float* ImportanceInView(Field nodeImportance);
 
   /// Calls step(column) for the active columns.

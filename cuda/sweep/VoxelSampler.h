@@ -58,7 +58,7 @@ public:
     return field + this->Own;
   }
 
-  /// Only whole rows are prefetched.
+  /// Does nothing: only whole rows are prefetched.
   LIMPID_HD LIMPID_INLINE void Prefetch(const float*) const {}
 
   /// Prefetches, on a device, the values two slices in front, which the next phase reads.

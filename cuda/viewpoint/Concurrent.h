@@ -15,7 +15,7 @@
 
 namespace limpid
 {
-/// What guides the movement of the camera, Section 3.4.
+/// The quantity that guides the movement of the camera, Section 3.4.
 enum class Guide
 {
   Proxy,      ///< majorant times importance, ignoring occlusion: stable

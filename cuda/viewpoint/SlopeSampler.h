@@ -46,7 +46,7 @@ private:
 
   const ViewDerivativePlan* Sampled = nullptr;
   int Part = 0;
-  float* Values[4][2]; ///< importance, extinction, slopes across and down; Gauss points
+  float* Values[4][2]; ///< [importance, extinction, slope across, down][Gauss point]
   float* Edges;        ///< values at the edges between rays
   float* Blended;      ///< a row of voxels
   RaySlopes Differences{};

@@ -40,7 +40,7 @@ public:
   ViewScore(const Grid& grid, const ViewedFields& viewed, double rayDensity,
     BackendKind backend = BackendKind::Cpu);
 
-  /// What computes, for the user.
+  /// Describes the backend for the user.
   const std::string& BackendName() const { return this->Name; }
 
   /// The communicator of a distributed run; null for one process.
