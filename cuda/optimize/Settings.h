@@ -91,8 +91,8 @@ struct Settings
   std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< Adam: at 1/4, 1/2 and full
                                                            ///< resolution
   double learningRate = 0.05;                              ///< of Adam [majorant]
-  double tolerance = 1e-3;   ///< stops when the mean change of an iteration is below [majorant]; policy:
-                             ///< also below 5 times this, if the energy's is below 0.1 times this
+  double tolerance = 1e-3;   ///< stops when the mean change is below [majorant]; policy: also below
+                             ///< 5 times this, if the energy's change is below 0.1 times this
   double maximumSeconds = 0; ///< time limit; 0: none [s]
   Derivative derivative = Derivative::Volume;
   double rayDensity = 1;       ///< rays per voxel and axis on the farthest slice

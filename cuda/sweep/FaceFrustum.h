@@ -164,10 +164,10 @@ struct FaceFrustum : FlatTables
   /// [slice][voxel column]: reciprocal of the part of the voxel's hat function that lies inside
   /// the box and is covered by rays. It normalises sums over rays (VoxelRow::FindEffect).
   Table<float> columnHatGain;
-  Table<float> rowHatGain;       ///< [slice][voxel row]
-  Table<float> voxelColumnEntry; ///< [slice][voxel column]: relative depth where its rays enter
-  Table<float> voxelRowEntry;    ///< [slice][voxel row]
-  Table<int> firstVoxels;        ///< [slice][column]: first voxel whose first ray is not before it
+  Table<float> rowHatGain;        ///< [slice][voxel row]
+  Table<float> voxelColumnEntry;  ///< [slice][voxel column]: relative depth where its rays enter
+  Table<float> voxelRowEntry;     ///< [slice][voxel row]
+  Table<int> firstVoxels;         ///< [slice][column]: first voxel whose first ray is not before it
   Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns that a ray can matter to
   Table<Range<int>> filledVoxels; ///< [slice][voxel row]: columns that may change
 
