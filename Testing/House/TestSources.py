@@ -9,10 +9,32 @@ import unittest
 import house
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"(\w+)/')
+COMMENT = re.compile(r"//+<?\s*(.*)|^\s*/?\*+(?!/)\s*(.*)")
+FRAGMENT = re.compile(r"(Of|The same|Whatever|Whoever)\b|\.\.\.")
+
+# Comments that begin as fragments. The numbers may only go down.
+MOST_FRAGMENTS = {"Filters": 21, "Plugin": 3, "Representations": 17, "Testing": 38,
+                  "cuda/backend": 0, "cuda/compute": 0, "cuda/energy": 0, "cuda/math": 0,
+                  "cuda/methods": 0, "cuda/optimize": 1, "cuda/render": 14, "cuda/scene": 4,
+                  "cuda/sweep": 0, "cuda/viewpoint": 0}
 
 
 def core(*patterns):
     return house.files(*patterns, under=["cuda"])
+
+
+def fragments(path):
+    """Numbers and texts of the lines on which a comment begins as a fragment."""
+    found = []
+    inside = False
+    for number, line in house.lines(path):
+        comment = COMMENT.search(line)
+        words = (comment.group(1) or comment.group(2) or "") if comment else ""
+        begins = comment and not (inside and not line[:comment.start()].strip())
+        if begins and FRAGMENT.match(words):
+            found.append(f"{path}:{number}: {line.strip()}")
+        inside = bool(comment) and (bool(words) or inside and "/**" not in line)
+    return found
 
 
 def folder_of(path):
@@ -65,6 +87,14 @@ class TestSources(unittest.TestCase):
                     r"#\s*pragma\s+omp|\w\s*<<<|\bcuda[A-Z]\w*\(|\b__(global|shared|syncthreads)\b",
                     core("*.h", "*.cxx"), "Threads, streams and device memory are cuda/backend's.",
                     lambda path: folder_of(path) == "backend")
+
+    def test_comments_begin_as_sentences(self):
+        for folder, most in MOST_FRAGMENTS.items():
+            found = [line for path in house.files("*.h", "*.cxx", under=[folder])
+                     for line in fragments(path)]
+            self.assertLessEqual(len(found), most, "\n".join(
+                [f"{folder}: say what the subject is, instead of Of, The same, Whatever, Whoever."]
+                + found))
 
     def test_every_source_has_its_licence(self):
         kinds = ("*.h", "*.cxx", "*.py", "*.sh", "*.cmake", "CMakeLists.txt", "*.xml", "*.module",

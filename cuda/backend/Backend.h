@@ -12,13 +12,13 @@
 
 namespace limpid
 {
-/// Number of threads that ParallelFor uses here and now.
+/// Returns the number of threads that ParallelFor uses in the calling thread.
 int ThreadCount();
 
-/// What computes, for the user: "CPU, 2 threads".
+/// Describes the processor for the user: "CPU, 2 threads".
 std::string CpuName();
 
-/// While alive, ParallelFor uses at most so many threads. For tests and benchmarks.
+/// While alive, limits the number of threads of ParallelFor. For tests and benchmarks.
 class ThreadLimit
 {
 public:
@@ -32,7 +32,7 @@ private:
   std::unique_ptr<Control> Holder;
 };
 
-/// `count` floats of memory that belong to the calling thread until its next call.
+/// Returns `count` floats of scratch memory, valid until the calling thread's next call.
 float* ThreadScratch(std::size_t count);
 
 namespace detail
@@ -44,8 +44,8 @@ void ParallelRanges(Index count, Index grain, RangeFunction function, const void
 /**
  * Calls body(index) for every index in [0, count), in parallel and in any order.
  *
- * A body owns what it writes: the result does not depend on the number of threads. `grain` is the
- * least number of indices worth a task of their own.
+ * Each index must write its own data, so that the result does not depend on the number of threads.
+ * `grain`: smallest number of indices per task.
  */
 template <class Body>
 void ParallelFor(Index count, Index grain, const Body& body)
@@ -68,8 +68,8 @@ void ParallelFor(Index count, const Body& body)
 }
 
 /**
- * Sum of body(begin, end) over blocks of indices, in double precision and in a fixed order,
- * whatever the number of threads.
+ * Sums body(begin, end) over blocks of indices, in double precision and in a fixed order. The
+ * result does not depend on the number of threads.
  */
 template <class Body>
 double ParallelBlockSum(Index count, const Body& body)

@@ -8,7 +8,7 @@
 
 namespace limpid
 {
-/// The thread that makes this object: the one that may talk to whoever called.
+/// Remembers the thread that created it: the only one that may use the caller's callbacks.
 class CallingThread
 {
 public:

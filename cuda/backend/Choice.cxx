@@ -14,7 +14,7 @@ namespace limpid
 {
 namespace
 {
-/// Why CUDA cannot be used; empty: it can.
+/// Returns the reason why CUDA cannot be used; empty if it can.
 std::string Obstacle(const GpuNeed& need)
 {
   const CudaState& cuda = FindCuda();
@@ -22,7 +22,8 @@ std::string Obstacle(const GpuNeed& need)
   {
     return cuda.reason;
   }
-  constexpr Index mostNodes = std::numeric_limits<std::int32_t>::max(); // kernels count so far
+  constexpr Index mostNodes = std::numeric_limits<std::int32_t>::max(); // kernels use 32-bit
+                                                                        // indices
   std::ostringstream text;
   if (need.nodes > mostNodes)
   {

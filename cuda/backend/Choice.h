@@ -11,48 +11,48 @@
 
 namespace limpid
 {
-/// What the user wants to compute with.
+/// The user's choice of backend.
 enum class BackendKind
 {
   Auto, ///< the fastest that works
   Cpu,
-  Cuda ///< this or an error
+  Cuda ///< CUDA, or an error
 };
 
-/// The GPU of this process, or why there is none.
+/// The GPU of this process, or the reason why there is none.
 struct CudaState
 {
   bool usable = false;
-  int device = 0;     ///< as CUDA counts them
-  std::string name;   ///< of the GPU
+  int device = 0;     ///< index of the CUDA device
+  std::string name;   ///< name of the GPU
   std::string reason; ///< why it is not usable: "there is no NVIDIA driver"
 };
 
-/// Looks once. With several devices, processes on a machine take turns by their local rank, as the
-/// launchers of MPI tell it.
+/// Detects the GPU once. If there are several, the processes on a machine take them in turn by
+/// their local rank, as set by MPI launchers.
 const CudaState& FindCuda();
 
-/// Bytes that are free on the GPU; 0 if there is none.
+/// Returns the free bytes on the GPU; 0 if there is none.
 std::size_t FreeCudaBytes();
 
-/// What is needed of a GPU.
+/// Requirements for a GPU.
 struct GpuNeed
 {
   Index nodes = 0; ///< of the largest grid
   std::size_t bytes = 0;
 };
 
-/// What a wish comes to.
+/// The backend that is used.
 struct BackendChoice
 {
   bool cuda = false;
-  std::string name; ///< one line for the user: what it is and, for Auto, why
+  std::string name; ///< one line for the user: the backend and, for Auto, the reason
 };
 
-/// One line for the user: the processor, and why it is not CUDA.
+/// Returns one line for the user: the processor, and the reason why CUDA is not used.
 std::string CpuWithoutCuda(const std::string& reason);
 
-/// Throws limpid::Error if CUDA was asked for and cannot be had, or not for such a need.
+/// Throws limpid::Error if CUDA was requested but is not available or does not meet `need`.
 BackendChoice ChooseBackend(BackendKind wish, const GpuNeed& need);
 }
 

@@ -12,7 +12,7 @@ namespace limpid
 {
 namespace
 {
-/// Combines what all ranks have: up a tree of ranks to the first one, and back.
+/// Combines the values of all ranks: up a tree of ranks to the first one, and back.
 template <class Value, class Combine>
 void Reduce(const Communicator& ranks, Value* values, std::size_t count, const Combine& combine)
 {
@@ -44,7 +44,7 @@ void Reduce(const Communicator& ranks, Value* values, std::size_t count, const C
   ranks.Exchange(told, {});
 }
 
-/// A text that one of the ranks has, for all.
+/// Broadcasts a text from rank `teller`.
 std::string Told(const Communicator& ranks, int teller, const std::string& text)
 {
   const bool tells = ranks.Rank() == teller;
@@ -81,7 +81,7 @@ void Communicator::TakeFirst(double* numbers, std::size_t count) const
 
 float Communicator::LargestOf(float here) const
 {
-  std::int32_t bits; // numbers that are not below zero are ordered as these are
+  std::int32_t bits; // the bit patterns of non-negative floats have the same order
   std::memcpy(&bits, &here, sizeof(bits));
   bits = -bits;
   this->TakeLeast(&bits, 1);
@@ -94,7 +94,7 @@ void Communicator::Gather(double* numbers, std::size_t count) const
 {
   std::vector<std::int64_t> bits(count);
   std::memcpy(bits.data(), numbers, count * sizeof(double));
-  this->Sum(bits.data(), count); // 0 has no bit that is set
+  this->Sum(bits.data(), count); // the bits of 0 are all 0
   std::memcpy(numbers, bits.data(), count * sizeof(double));
 }
 

@@ -17,20 +17,20 @@
 namespace limpid
 {
 /**
- * The processes, called ranks, that work on one problem together: each has a part of the fields,
- * and all do the same steps in the same order. This is all that the core knows of them.
+ * The processes, called ranks, that work on one problem together. Each holds a part of the fields,
+ * and all perform the same steps in the same order. The core uses no other interface to them.
  *
- * Every rank has to come to every call.
+ * Every call is collective.
  */
 class Communicator
 {
 public:
   virtual ~Communicator() = default;
 
-  virtual int Rank() const = 0; ///< of this process, from 0
+  virtual int Rank() const = 0; ///< index of this process, starting at 0
   virtual int Size() const = 0; ///< number of ranks
 
-  /// Bytes for another rank, or room for so many from it.
+  /// A message to another rank, or a buffer for one from it.
   struct Message
   {
     int rank;
@@ -38,32 +38,33 @@ public:
     std::size_t bytes;
   };
 
-  /// Sends and receives, and returns when all has come. What one rank sends to another arrives in
-  /// the order in which it was sent, one message for one room of the same size.
+  /// Sends and receives, and returns when all messages have arrived. Messages between two ranks
+  /// arrive in order; each buffer must have the size of its message.
   virtual void Exchange(
     const std::vector<Message>& sent, const std::vector<Message>& received) const = 0;
 
-  /// Tells all other ranks that this one comes to no further call: what waits for it there throws
-  /// Interrupted or JointError with these words. For a failure that others do not know of; the
-  /// first call counts.
+  /// Tells all other ranks that this one will make no further calls. Their pending calls throw
+  /// Interrupted or JointError with this message. Use it for a failure that others do not know of;
+  /// only the first call has an effect.
   virtual void GiveUp(const std::string& why, bool interrupted) const noexcept = 0;
 
-  /// Makes every number the sum of those of all ranks.
+  /// Replaces every number by its sum over all ranks.
   void Sum(std::int64_t* numbers, std::size_t count) const;
 
-  /// Makes every number the least of those of all ranks.
+  /// Replaces every number by its minimum over all ranks.
   void TakeLeast(std::int32_t* numbers, std::size_t count) const;
 
-  /// The largest of all ranks' numbers, none of which is below zero.
+  /// Returns the maximum over all ranks of a non-negative number.
   float LargestOf(float here) const;
 
-  /// Brings numbers, of which each is one rank's, to all: bit by bit. The others have 0 there.
+  /// Gathers numbers, each set on one rank and 0 on the others, on all ranks, bit by bit.
   void Gather(double* numbers, std::size_t count) const;
 
-  /// Makes every number that of the first rank: what ranks compute alike may differ by rounding.
+  /// Broadcasts the numbers of the first rank. Values computed on each rank may differ by
+  /// rounding.
   void TakeFirst(double* numbers, std::size_t count) const;
 
-  /// Makes every sum that of all ranks.
+  /// Replaces every sum by its sum over all ranks.
   void Sum(ExactSum* sums, std::size_t count) const
   {
     static_assert(sizeof(ExactSum) % sizeof(std::int64_t) == 0, "integers and nothing else");
@@ -71,7 +72,7 @@ public:
       reinterpret_cast<std::int64_t*>(sums), count * sizeof(ExactSum) / sizeof(std::int64_t));
   }
 
-  /// Whether any rank says so.
+  /// Returns whether the condition holds on any rank.
   bool AnyOf(bool here) const
   {
     std::int32_t least = here ? 0 : 1;
@@ -80,32 +81,32 @@ public:
   }
 };
 
-/// Whether any rank says so; null: there is one.
+/// Returns whether the condition holds on any rank; `ranks` is null for one process.
 inline bool AnyRank(const Communicator* ranks, bool here)
 {
   return ranks ? ranks->AnyOf(here) : here;
 }
 
-/// The largest of the ranks' numbers, none of which is below zero, so that they decide alike; null:
-/// there is one.
+/// Returns the maximum over all ranks of a non-negative number, so that all decide alike; `ranks`
+/// is null for one process.
 inline double LargestOfRanks(const Communicator* ranks, double here)
 {
   return ranks ? double(ranks->LargestOf(static_cast<float>(here))) : here;
 }
 
-/// What computes on each of the ranks, for the user: "CPU, 2 threads, on each of 4 ranks"; null:
-/// there is one.
+/// Describes the backend of all ranks for the user: "CPU, 2 threads, on each of 4 ranks". `ranks`
+/// is null for one process.
 std::string NameOnRanks(const std::string& backend, const Communicator* ranks);
 
-/// What all ranks throw alike.
+/// An error that all ranks throw.
 class JointError : public Error
 {
 public:
   using Error::Error;
 };
 
-/// Does what ranks do together, and waits for each other within: if it fails here, the others learn
-/// of it (Communicator::GiveUp). Null: there is one rank.
+/// Runs collective work. If it fails on this rank, the others are notified (Communicator::GiveUp).
+/// `ranks` is null for one process.
 template <class Work>
 decltype(auto) TellingRanks(const Communicator* ranks, const Work& work)
 {
@@ -136,9 +137,9 @@ decltype(auto) TellingRanks(const Communicator* ranks, const Work& work)
   }
 }
 
-/// Does what all ranks have to do, or none. Where any of them fails, all throw JointError with the
-/// message of the first that did. Within the work nobody may wait for others. Null: there is
-/// one rank, which throws what it throws.
+/// Runs work that must succeed on all ranks. If it fails on any, all ranks throw JointError with
+/// the message of the first that failed. The work itself must not communicate. If `ranks` is null,
+/// exceptions are passed on unchanged.
 void Jointly(const Communicator* ranks, const std::function<void()>& work);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The devices that the present compiler writes for. Files that launch are compiled twice: by the
-// C++ compiler for the processor, by the CUDA compiler for CudaDevice.
+// The devices that the current compiler supports. Files with kernel launches are compiled twice:
+// by the C++ compiler for the processor, by the CUDA compiler for CudaDevice.
 
 #ifndef limpid_backend_CompiledDevice_h
 #define limpid_backend_CompiledDevice_h
@@ -17,7 +17,7 @@
 
 namespace limpid
 {
-/// The device for which this compiler's code is tested as that of a GPU.
+/// The device on which this compiler tests the GPU code path; the C++ compiler simulates one.
 #ifdef __CUDACC__
 using CompiledDevice = CudaDevice;
 #else
@@ -25,7 +25,7 @@ using CompiledDevice = SimulatedDevice;
 #endif
 }
 
-/// Calls a macro with each of the devices that this compiler writes for.
+/// Expands a macro for each device that this compiler supports.
 #ifdef __CUDACC__
 #define LIMPID_FOR_EACH_COMPILED_DEVICE(use) use(CudaDevice)
 #else

@@ -13,8 +13,8 @@ class ScoreSweep;
 class SolverBackend;
 class ViewFields;
 
-/// Makes the parts of the core that compute, for the processor or for a GPU. The steps of the
-/// computation ask here, and know neither.
+/// Creates the parts of the core that compute, for the processor or a GPU. The steps of the
+/// computation use it and know neither.
 class ComputeBackend
 {
 public:
@@ -24,17 +24,17 @@ public:
 
   virtual std::unique_ptr<RenderBackend> MakeRenderBackend() const = 0;
 
-  /// For parts of these fields, which stay with the caller.
+  /// For parts of these fields, which must outlive the result.
   virtual std::unique_ptr<ScoreSweep> MakeScoreSweep(const ViewFields& fields) const = 0;
 };
 
-/// The processor.
+/// The backend of the processor.
 const ComputeBackend& ProcessorBackend();
 
-/// The GPU. Throws limpid::Error if there is none.
+/// The backend of the GPU. Throws limpid::Error if there is none.
 const ComputeBackend& CudaBackend();
 
-/// The one or the other.
+/// Returns one of both backends.
 inline const ComputeBackend& BackendOf(bool cuda)
 {
   return cuda ? CudaBackend() : ProcessorBackend();

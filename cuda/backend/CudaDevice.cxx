@@ -18,7 +18,7 @@ void detail::RequireCuda(cudaError_t status, const char* call)
   {
     return;
   }
-  cudaGetLastError(); // it is told here, once
+  cudaGetLastError(); // clears the error, which is reported here
   throw DeviceError(std::string("CUDA says \"") + cudaGetErrorString(status) + "\" (" + call +
     "; the result would be wrong). Use the backend CPU, and report this if it happens again.");
 }
@@ -49,7 +49,7 @@ CudaDevice::CudaDevice(int number)
   LIMPID_CUDA(cudaStreamCreateWithFlags(&this->Stream, cudaStreamNonBlocking));
   cudaMemPool_t pool{};
   LIMPID_CUDA(cudaDeviceGetDefaultMemPool(&pool, number));
-  std::uint64_t keep = UINT64_MAX; // until the device is given up
+  std::uint64_t keep = UINT64_MAX; // keep freed memory until the device is destroyed
   LIMPID_CUDA(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &keep));
 }
 

@@ -23,22 +23,22 @@ namespace limpid
 {
 namespace detail
 {
-/// Throws limpid::Error unless a call of the CUDA runtime has succeeded.
+/// Throws limpid::Error if a call of the CUDA runtime has failed.
 void RequireCuda(cudaError_t status, const char* call);
 
-// A body stays where launches put it (__grid_constant__): whoever took its address would else have
-// a copy in each thread's own memory.
+// Bodies stay in constant memory (__grid_constant__). Otherwise taking the address of one would
+// copy it to each thread's local memory.
 
-/// Threads of a block that visits columns and rows.
+/// Shape of a block of threads for columns and rows.
 constexpr int blockColumns = 32;
 constexpr int blockRows = 4;
 constexpr int blockThreads = blockColumns * blockRows;
 
-/// Threads on a multiprocessor of a launch whose blocks wait for each other: enough to hide what
-/// memory takes, so few that each has 80 registers.
+/// Threads per multiprocessor in launches whose blocks synchronise: enough to hide memory latency,
+/// and few enough for 80 registers per thread.
 constexpr int residentThreads = 768;
 
-/// Fewer in a launch of tiles, whose longer work gets 128 registers a thread.
+/// Fewer threads for launches of tiles, whose longer kernels use 128 registers per thread.
 constexpr int residentTileThreads = 512;
 
 template <class Body>
@@ -125,7 +125,7 @@ __global__ void __launch_bounds__(Body::tileThreads, residentTileThreads / Body:
     }
     if (phase + 1 < phases)
     {
-      tiles = body.TilesOf(phase + 1); // is there by the time it is needed
+      tiles = body.TilesOf(phase + 1); // prefetched before it is needed
     }
     for (int number = static_cast<int>(blockIdx.x); number < now.count;
          number += static_cast<int>(gridDim.x))
@@ -151,22 +151,22 @@ __global__ void __launch_bounds__(Body::tileThreads, residentTileThreads / Body:
 
 #define LIMPID_CUDA(call) ::limpid::detail::RequireCuda((call), #call)
 
-/// A GPU and one stream of work for it. Everything happens in order; nothing but Download waits.
+/// A GPU with one stream. All operations are executed in order; only Download and Wait block.
 class CudaDevice
 {
 public:
-  /// Bodies may not use the addresses of the host's memory, see BorrowedArray.
+  /// Whether kernels can read host memory, see BorrowedArray.
   static constexpr bool readsHostMemory = false;
 
-  /// A GPU's threads need not be kept awake, see HostDevice.
+  /// GPU threads need not be kept awake, see HostDevice.
   struct Team
   {
   };
 
-  /// The GPU of this process (FindCuda) for all who want it at a time.
+  /// Returns the GPU of this process (FindCuda), shared by all current users.
   static std::shared_ptr<CudaDevice> Shared();
 
-  /// Throws limpid::Error if there is no such device. `number`: as CUDA counts them.
+  /// Throws limpid::Error if there is no such device. `number`: its CUDA index.
   explicit CudaDevice(int number);
   ~CudaDevice();
   CudaDevice(const CudaDevice&) = delete;
@@ -174,11 +174,11 @@ public:
 
   std::string Name() const { return this->Title; }
 
-  /// Throws limpid::Error if there is not enough memory. `what`: for the message. This and all that
-  /// follows may be called by several threads.
+  /// Throws limpid::Error if there is not enough memory. `what`: for the message. This and all
+  /// following members are thread-safe.
   void* Allocate(std::size_t bytes, const char* what);
 
-  /// Memory whose bytes are 0.
+  /// Allocates memory that is filled with 0.
   void* AllocateZeros(std::size_t bytes, const char* what);
   void Free(void* memory, std::size_t bytes) noexcept;
 
@@ -187,20 +187,20 @@ public:
   void Copy(void* to, const void* from, std::size_t bytes);
   void SetZero(void* memory, std::size_t bytes);
 
-  /// Waits until all work is done.
+  /// Waits until all operations are finished.
   void Wait();
 
-  /// From now on adds up what everything takes on the GPU; null: no longer, and what was added up
-  /// is there when it returns. For one thread.
+  /// Starts adding up the GPU times of all operations in `times`; null: stops, after which the
+  /// times are complete. For one thread.
   void Time(LaunchTimes* times);
 
-  /// Bytes that are allocated now.
+  /// Bytes that are currently allocated.
   std::size_t Bytes() const { return this->Memory.Bytes(); }
 
-  /// Most bytes that were allocated at a time.
+  /// Largest number of bytes allocated at any time.
   std::size_t PeakBytes() const { return this->Memory.Peak(); }
 
-  /// body(column, row) for every element of an extent, in any order. `label`: for profilers.
+  /// Calls body(column, row) for every element of an extent, in any order. `label`: for profilers.
   template <class Body>
   void ForEach(const char* label, const Extent& extent, const Body& body)
   {
@@ -210,7 +210,8 @@ public:
     }
     this->Use();
     const dim3 block = BlockOf();
-    constexpr unsigned mostRows = 65535; // of blocks; those that are more take turns
+    constexpr unsigned mostRows = 65535; // limit of the number of blocks along y; rows beyond it
+                                         // are visited in a loop
     const unsigned down = (extent.rows + block.y - 1) / block.y;
     const dim3 grid((extent.columns + block.x - 1) / block.x, down < mostRows ? down : mostRows);
     const Timed timed(*this, { label });
@@ -218,7 +219,7 @@ public:
     detail::RequireCuda(cudaGetLastError(), label);
   }
 
-  /// body(index) for every index in [0, count), in any order.
+  /// Calls body(index) for every index in [0, count), in any order.
   template <class Body>
   void ForIndices(const char* label, Index count, const Body& body)
   {
@@ -232,7 +233,7 @@ public:
     detail::RequireCuda(cudaGetLastError(), label);
   }
 
-  /// body(node, i, j, k) for every node of a grid, in any order.
+  /// Calls body(node, i, j, k) for every node of a grid, in any order.
   template <class Body>
   void ForNodes(const char* label, const Int3& nodes, const Body& body)
   {
@@ -248,9 +249,9 @@ public:
     detail::RequireCuda(cudaGetLastError(), label);
   }
 
-  /// Phases in order, each like ForEach over body.ExtentOf(phase) of body(phase, column, row). A
-  /// phase sees all that the phases before it have written. One launch: a grid that is resident as
-  /// a whole waits for itself between phases.
+  /// Runs phases in order; each is like ForEach over body.ExtentOf(phase) with body(phase, column,
+  /// row). A phase sees everything written by earlier phases. Uses one cooperative launch, which
+  /// synchronises all blocks between phases.
   template <class Body>
   void ForPhases(const char* label, int phases, const Body& body)
   {
@@ -258,11 +259,11 @@ public:
       { label, 0, phases - 1 }, &detail::VisitPhases<Body>, BlockOf(), phases, body);
   }
 
-  /// All phases of a body in order, tile by tile, in any order: of each, its steps in order, like
-  /// ForEach over tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is
-  /// body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A step sees what the tile's steps
-  /// before and all phases before have written. Tiles of a phase may write the same to the same
-  /// place. One launch.
+  /// Runs all phases of a body in order, and the tiles of a phase in any order. The steps of a
+  /// tile run in order, each like ForEach over tile.ExtentOf(step) with body.Visit(tile, step,
+  /// column, row). Here tile is body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A
+  /// step sees what earlier steps of the tile and earlier phases have written. Tiles of a phase
+  /// may write equal values to the same address. Uses one launch.
   template <class Body>
   void ForTiles(const char* label, const Body& body)
   {
@@ -275,12 +276,12 @@ public:
   }
 
 private:
-  /// Makes it the device of the calling thread.
+  /// Makes it the current device of the calling thread.
   void Use() const;
 
   static dim3 BlockOf() { return dim3(detail::blockColumns, detail::blockRows); }
 
-  /// Launches as many blocks as can wait for each other, `mostBlocks` at most.
+  /// Launches as many blocks as can be resident at the same time, at most `mostBlocks`.
   template <class Body>
   void LaunchResident(const Launch& launch, void (*kernel)(int, Body), const dim3& block,
     int phases, Body body, int mostBlocks = std::numeric_limits<int>::max())
@@ -298,7 +299,7 @@ private:
       launch.label);
   }
 
-  /// Blocks of a launch whose threads take turns if there are more indices than that.
+  /// Returns the number of blocks for `count` indices; threads loop if there are more indices.
   unsigned BlocksFor(Index count) const
   {
     const Index wanted = (count + Threads - 1) / Threads;
@@ -307,7 +308,7 @@ private:
 
   static constexpr unsigned Threads = 256;
 
-  /// What is started while it lives is timed if that is wanted.
+  /// Times everything that is launched during its lifetime, if timing is on.
   class Timed
   {
   public:
@@ -337,7 +338,7 @@ private:
 
   std::string Title;
   cudaStream_t Stream = nullptr;
-  std::unique_ptr<LaunchEvents> Events; ///< null: nobody wants to know
+  std::unique_ptr<LaunchEvents> Events; ///< null if timing is off
   int Number = 0;
   int Processors = 1;
   Index MostBlocks = 1;

@@ -12,7 +12,7 @@
 
 namespace limpid
 {
-/// Values in the memory of a device, which lives at least as long.
+/// An array in the memory of a device, which it keeps alive.
 template <class AnyDevice, class Value>
 class DeviceArray
 {
@@ -21,7 +21,7 @@ class DeviceArray
 public:
   DeviceArray() = default;
 
-  /// Room for `count` values, not set. `what`: for the message if a GPU has not enough memory.
+  /// Allocates `count` uninitialised values. `what`: for the message if a GPU is out of memory.
   DeviceArray(std::shared_ptr<AnyDevice> device, std::size_t count, const char* what)
     : Device(std::move(device))
     , Memory(static_cast<Value*>(this->Device->Allocate(count * sizeof(Value), what)))
@@ -41,7 +41,7 @@ public:
   {
   }
 
-  /// Room for `count` values that are 0.
+  /// Allocates `count` zeros.
   static DeviceArray Zeros(std::shared_ptr<AnyDevice> device, std::size_t count, const char* what)
   {
     DeviceArray array;
@@ -77,7 +77,7 @@ public:
     this->Device->Download(values, this->Memory, this->Count * sizeof(Value));
   }
 
-  /// Of the same size.
+  /// Copies from an array of the same size.
   void CopyFrom(const DeviceArray& other)
   {
     this->Device->Copy(this->Memory, other.Memory, this->Count * sizeof(Value));
@@ -85,12 +85,12 @@ public:
 
   void SetZero() { this->Device->SetZero(this->Memory, this->Count * sizeof(Value)); }
 
-  /// Makes room for at least `count` values, whose content is lost if there has not been enough.
+  /// Ensures space for at least `count` values. The content is lost if memory is reallocated.
   Value* RoomFor(const std::shared_ptr<AnyDevice>& device, std::size_t count, const char* what)
   {
     if (this->Count < count)
     {
-      *this = DeviceArray(); // first, so that the memory of both is not needed at a time
+      *this = DeviceArray(); // freed first, so that not both are allocated at once
       *this = DeviceArray(device, count, what);
     }
     return this->Memory;
@@ -118,8 +118,8 @@ private:
 };
 
 /**
- * Values of a caller, who keeps them as long as they are read here. A device that reads the host's
- * memory reads them in place; others get a copy.
+ * Values that a caller owns and keeps alive. A device that reads host memory uses them in place;
+ * other devices get a copy.
  */
 template <class AnyDevice, class Value>
 class BorrowedArray
@@ -133,7 +133,7 @@ public:
     this->Borrow(device, values, count, what);
   }
 
-  /// Takes these values instead of those before. A copy stays in the room that it has if it fits.
+  /// Replaces the values. A copy reuses its memory if that is large enough.
   void Borrow(const std::shared_ptr<AnyDevice>& device, const Value* values, std::size_t count,
     const char* what)
   {

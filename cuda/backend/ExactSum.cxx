@@ -14,9 +14,9 @@ namespace
 constexpr int bitsPerDigit = 32;
 constexpr std::int64_t digitBase = std::int64_t(1) << bitsPerDigit;
 constexpr int fractionBits = 52;
-constexpr int leastExponent = -1074; ///< of the last bit of a double
+constexpr int leastExponent = -1074; ///< exponent of the last bit of a double
 
-/// Makes all digits but the last one at least 0 and less than their base.
+/// Normalises all digits but the last one to [0, base).
 void Carry(ExactSum::Digits& digits)
 {
   for (std::size_t i = 0; i + 1 < digits.size(); ++i)
@@ -39,14 +39,15 @@ void ExactSum::Add(double number)
     ++(std::isnan(number) ? this->Sum.undefined : this->Sum.infinite[std::signbit(number)]);
     return;
   }
-  // Numbers next to 0 have the exponent of the least others and no leading 1.
+  // Subnormal numbers have the smallest exponent and no leading 1.
   const std::uint64_t integer =
     exponent > 0 ? fraction | std::uint64_t(1) << fractionBits : fraction;
   const int shift = exponent > 0 ? exponent - 1 : 0;
   const int inDigit = shift % bitsPerDigit;
   const auto first = static_cast<std::size_t>(shift / bitsPerDigit);
   const std::uint64_t low = (integer & (digitBase - 1)) << inDigit;
-  const std::uint64_t high = (integer >> bitsPerDigit) << inDigit; // of 21 bits and fewer than 32
+  const std::uint64_t high = (integer >> bitsPerDigit) << inDigit; // at most 21 bits, shifted by
+                                                                   // less than 32
   const std::uint64_t middle = (low >> bitsPerDigit) + (high & (digitBase - 1));
   const std::int64_t sign = std::signbit(number) ? -1 : 1;
   this->Sum.digits[first] += sign * static_cast<std::int64_t>(low & (digitBase - 1));
@@ -96,8 +97,8 @@ double ExactSum::Value() const
   }
   const auto digitAt = [&digits, top](std::size_t behindTop)
   { return behindTop <= top ? static_cast<std::uint64_t>(digits[top - behindTop]) : 0; };
-  // The 64 leading bits, of which the last one also stands for all that is behind: more than a
-  // double has, so that the conversion rounds as if it saw everything.
+  // The 64 leading bits; the last one also represents all remaining bits. That is more than a
+  // double holds, so the conversion rounds correctly.
   std::uint64_t leading = digitAt(0) << bitsPerDigit | digitAt(1);
   std::uint64_t behind = digitAt(2);
   int exponent = leastExponent + (static_cast<int>(top) - 1) * bitsPerDigit;

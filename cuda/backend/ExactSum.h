@@ -11,11 +11,12 @@
 namespace limpid
 {
 /**
- * A sum of numbers without any rounding but that of the result: the same bits in whatever order the
- * numbers come, and whoever adds which of them. Takes 2^31 numbers at least.
+ * An exact sum, rounded only in the result. The bits of the result do not depend on the order of
+ * the numbers or on how they are distributed. At least 2^31 numbers can be added.
  *
- * A number is an integer times 2^-1074; the sum is that integer in digits of 32 bits, each in 64,
- * which leaves room for carries until somebody asks (the small superaccumulator of [Nea15]).
+ * A number is an integer times 2^-1074. The sum is this integer in digits of 32 bits, each stored
+ * in 64 bits, which defers carries until the result is requested (the small superaccumulator of
+ * [Nea15]).
  */
 class ExactSum
 {
@@ -23,21 +24,21 @@ public:
   static constexpr std::size_t digitCount = 67;
   using Digits = std::array<std::int64_t, digitCount>; ///< least digit first, with carries
 
-  /// A number that is not finite makes the result that, or not a number.
+  /// Adds a number. Infinity or NaN makes the result infinite or NaN.
   void Add(double number);
 
   ExactSum& operator+=(const ExactSum& other);
 
-  /// The double that is nearest to the sum; of two, the even one.
+  /// Returns the double nearest to the sum; ties to even.
   double Value() const;
 
 private:
-  /// Integers that say all: sums of them are those of sums.
+  /// All state as integers: adding these integers adds the sums.
   struct Parts
   {
     Digits digits{};
-    std::int64_t infinite[2] = { 0, 0 }; ///< how many numbers were infinite, above and below zero
-    std::int64_t undefined = 0;          ///< how many were none
+    std::int64_t infinite[2] = { 0, 0 }; ///< counts of positive and of negative infinity
+    std::int64_t undefined = 0;          ///< count of NaN
   };
 
   Parts Sum;

@@ -6,10 +6,10 @@
 
 namespace limpid
 {
-/// How many elements a launch visits; none if one of the numbers is 0.
+/// The number of elements that a launch visits; empty if either number is 0.
 struct Extent
 {
-  int columns = 0; ///< neighbours here are neighbours in a warp
+  int columns = 0; ///< neighbouring columns are neighbouring threads in a warp
   int rows = 0;
 };
 }

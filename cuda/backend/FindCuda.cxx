@@ -12,7 +12,7 @@ namespace limpid
 {
 namespace
 {
-/// Number of this process among those on the same machine; 0 if no launcher tells.
+/// Index of this process among those on the same machine; 0 without an MPI launcher.
 int LocalRank()
 {
   for (const char* name : { "OMPI_COMM_WORLD_LOCAL_RANK", "MPI_LOCALRANKID",
@@ -101,7 +101,7 @@ std::size_t FreeCudaBytes()
     cudaGetLastError();
     return 0;
   }
-  // What our pool holds back is ours to use again.
+  // Memory reserved by this process's own pool can be reused.
   cudaMemPool_t pool{};
   std::uint64_t reserved = 0;
   std::uint64_t used = 0;

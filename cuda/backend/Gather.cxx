@@ -26,7 +26,7 @@ void InterpolateScalar(const float* __restrict source, const int* __restrict ind
 }
 
 #ifdef LIMPID_X86
-/// 16 targets at a time whose sources lie in two registers.
+/// Interpolates 16 targets at a time whose sources are in two registers.
 __attribute__((target("avx512f"))) void InterpolateAvx512(
   const float* source, const int* index, const float* weight, int count, float* out)
 {
@@ -48,7 +48,7 @@ __attribute__((target("avx512f"))) void InterpolateAvx512(
     }
     else
     {
-      const __m512 zero = _mm512_setzero_ps(); // the unmasked form trips GCC 12's warnings
+      const __m512 zero = _mm512_setzero_ps(); // the unmasked form triggers warnings of GCC 12
       a = _mm512_mask_i32gather_ps(zero, mask, at, source + first, 4);
       b = _mm512_mask_i32gather_ps(zero, mask, at, source + first + 1, 4);
     }
@@ -57,7 +57,7 @@ __attribute__((target("avx512f"))) void InterpolateAvx512(
   }
 }
 
-/// 8 targets at a time whose sources lie in two registers.
+/// Interpolates 8 targets at a time whose sources are in two registers.
 __attribute__((target("avx2,fma"))) void InterpolateAvx2(
   const float* source, const int* index, const float* weight, int count, float* out)
 {

@@ -9,7 +9,7 @@ namespace limpid
 /**
  * out[i] = source[index[i]] + weight[i] (source[index[i] + 1] - source[index[i]]), i < count.
  *
- * The indices must ascend: then neighbouring targets read neighbouring sources, and a vector unit
+ * The indices must ascend. Neighbouring targets then read neighbouring sources, and a vector unit
  * can permute registers instead of gathering from memory. `source` must be readable up to 32
  * values beyond the last index.
  */

@@ -45,7 +45,7 @@ void SimulatedDevice::MayFail(const char* what)
 
 namespace
 {
-/// Of no bytes, addresses may be null.
+/// Copies bytes; the addresses may be null if there are none.
 void CopyBytes(void* to, const void* from, std::size_t bytes)
 {
   if (bytes > 0)

@@ -18,23 +18,23 @@
 
 namespace limpid
 {
-/// The processor as a device. Has the interface of CudaDevice, so that what launches is written
-/// once.
+/// The processor as a device. It has the interface of CudaDevice, so that launching code is
+/// written only once.
 class HostDevice
 {
 public:
-  /// What keeps threads awake between the launches of a sweep.
+  /// Keeps threads awake between the launches of a sweep.
   using Team = ThreadTeam;
 
-  /// Bodies may use the addresses of the host's memory, see BorrowedArray.
+  /// Whether kernels can read host memory, see BorrowedArray.
   static constexpr bool readsHostMemory = true;
 
   HostDevice() = default;
 
-  /// The processor for all who want it at a time.
+  /// Returns the processor, shared by all current users.
   static std::shared_ptr<HostDevice> Shared();
 
-  /// As CudaDevice is made; there is one processor.
+  /// For compatibility with CudaDevice; there is only one processor.
   explicit HostDevice(int) {}
 
   HostDevice(const HostDevice&) = delete;
@@ -42,11 +42,11 @@ public:
 
   std::string Name() const { return CpuName(); }
 
-  /// Throws std::bad_alloc if there is not enough memory, as all that is not on a device does. This
-  /// and all that follows may be called by several threads.
+  /// Throws std::bad_alloc if there is not enough memory, like host code without a device. This
+  /// and all following members are thread-safe.
   void* Allocate(std::size_t bytes, const char* what);
 
-  /// Memory whose bytes are 0. What stays 0 takes no memory and no time where it is large.
+  /// Allocates memory filled with 0. Large parts that stay 0 take neither memory nor time.
   void* AllocateZeros(std::size_t bytes, const char* what);
   void Free(void* memory, std::size_t bytes) noexcept;
 
@@ -55,19 +55,19 @@ public:
   void Copy(void* to, const void* from, std::size_t bytes);
   void SetZero(void* memory, std::size_t bytes);
 
-  /// Waits until all work is done.
+  /// Waits until all operations are finished.
   void Wait() {}
 
-  /// From now on adds up what everything takes; null: no longer. For one thread.
+  /// Starts adding up the times of all operations in `times`; null: stops. For one thread.
   void Time(LaunchTimes* times) { this->Times = times; }
 
-  /// Bytes that are allocated now.
+  /// Bytes that are currently allocated.
   std::size_t Bytes() const { return this->Memory.Bytes(); }
 
-  /// Most bytes that were allocated at a time.
+  /// Largest number of bytes allocated at any time.
   std::size_t PeakBytes() const { return this->Memory.Peak(); }
 
-  /// body(column, row) for every element of an extent, in any order. `label`: for profilers.
+  /// Calls body(column, row) for every element of an extent, in any order. `label`: for profilers.
   template <class Body>
   void ForEach(const char* label, const Extent& extent, const Body& body)
   {
@@ -75,7 +75,7 @@ public:
     Visit(extent, body);
   }
 
-  /// body(index) for every index in [0, count), in any order.
+  /// Calls body(index) for every index in [0, count), in any order.
   template <class Body>
   void ForIndices(const char* label, Index count, const Body& body)
   {
@@ -83,7 +83,7 @@ public:
     constexpr Index grain = 4096;
     const auto range = [](const void* typeless, Index begin, Index end)
     {
-      const Body own = *static_cast<const Body*>(typeless); // nothing that is written is part of it
+      const Body own = *static_cast<const Body*>(typeless); // local copy: writes cannot alias it
       for (Index index = begin; index < end; ++index)
       {
         own(index);
@@ -92,14 +92,14 @@ public:
     detail::ParallelRanges(count, grain, range, &body);
   }
 
-  /// body(node, i, j, k) for every node of a grid, in any order.
+  /// Calls body(node, i, j, k) for every node of a grid, in any order.
   template <class Body>
   void ForNodes(const char* label, const Int3& nodes, const Body& body)
   {
     this->ForRows(label, nodes,
       [&](Index first, int j, int k)
       {
-        const Body own = body; // a copy: nothing that is written below can be part of it
+        const Body own = body; // local copy: writes below cannot alias it
         for (int i = 0; i < nodes.x; ++i)
         {
           own(first + i, i, j, k);
@@ -107,7 +107,7 @@ public:
       });
   }
 
-  /// body(node, j, k) for the first node of every row of a grid, in any order.
+  /// Calls body(node, j, k) for the first node of every row of a grid, in any order.
   template <class Body>
   void ForRows(const char* label, const Int3& nodes, const Body& body)
   {
@@ -118,8 +118,8 @@ public:
       { body(row * nodes.x, static_cast<int>(row % nodes.y), static_cast<int>(row / nodes.y)); });
   }
 
-  /// Phases in order, each like ForEach over body.ExtentOf(phase) of body(phase, column, row). A
-  /// phase sees all that the phases before it have written.
+  /// Runs phases in order; each is like ForEach over body.ExtentOf(phase) with body(phase, column,
+  /// row). A phase sees everything written by earlier phases.
   template <class Body>
   void ForPhases(const char* label, int phases, const Body& body)
   {
@@ -130,11 +130,12 @@ public:
     }
   }
 
-  /// All phases of a body in order, tile by tile, in any order: of each, its steps in order, like
-  /// ForEach over tile.ExtentOf(step) of body.Visit(tile, step, column, row), where tile is
-  /// body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A step sees what the tile's steps
-  /// before and all phases before have written. Tiles of a phase may write the same to the same
-  /// place, so that they take turns here, now in this order and now in that.
+  /// Runs all phases of a body in order, and the tiles of a phase in any order. The steps of a
+  /// tile run in order, each like ForEach over tile.ExtentOf(step) with body.Visit(tile, step,
+  /// column, row). Here tile is body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A
+  /// step sees what earlier steps of the tile and earlier phases have written. Tiles of a phase
+  /// may write equal values to the same address. Here they therefore run one by one, in
+  /// alternating order.
   template <class Body>
   void ForTiles(const char* label, const Body& body)
   {
@@ -156,7 +157,7 @@ public:
   }
 
 private:
-  /// Adds its own lifetime.
+  /// Records its own lifetime.
   class Timed
   {
   public:
@@ -185,7 +186,7 @@ private:
     Clock::time_point Start = Clock::now();
   };
 
-  /// What was allocated, or not.
+  /// Counts allocated memory; throws if the allocation failed.
   void* Take(void* memory, std::size_t bytes);
 
   template <class Body>
@@ -202,12 +203,12 @@ private:
       });
   }
 
-  LaunchTimes* Times = nullptr; ///< null: nobody wants to know
+  LaunchTimes* Times = nullptr; ///< null if timing is off
   MemoryCount Memory;
 };
 
-/// The processor in the role of a GPU, for tests: it runs what is written for all devices also
-/// where HostDevice has a form of its own, and fails when it is told to.
+/// The processor simulating a GPU, for tests. It runs the code for general devices even where
+/// HostDevice has its own version, and can be told to fail.
 class SimulatedDevice : public HostDevice
 {
 public:
@@ -216,15 +217,15 @@ public:
 
   static std::shared_ptr<SimulatedDevice> Shared();
 
-  /// Allocation, copy or launch number `operation` from now on throws DeviceError, and so do all
-  /// that follow if `forGood`. Negative: none does.
+  /// Makes allocation, copy or launch number `operation` from now on throw DeviceError, and with
+  /// `forGood` all later ones. Negative: none fails.
   void FailAt(Index operation, bool forGood)
   {
     this->UntilFailure = operation;
     this->FailsForGood = forGood;
   }
 
-  /// Whether it has failed since then.
+  /// Whether an operation has failed since then.
   bool HasFailed() const { return this->UntilFailure == Failed; }
 
   void* Allocate(std::size_t bytes, const char* what)
@@ -302,7 +303,7 @@ private:
   static constexpr Index Never = -1;
   static constexpr Index Failed = -2;
 
-  /// Throws if it is time.
+  /// Throws if this operation should fail.
   void MayFail(const char* what);
 
   std::atomic<Index> UntilFailure{ Never };

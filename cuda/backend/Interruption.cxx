@@ -21,7 +21,7 @@ Interruptible::~Interruptible()
   Innermost = this->Outer;
 }
 
-/// Whatever is computed by the one who is asked is not part of what asks.
+/// Suspends interruption while the callback runs: the callback itself cannot be interrupted.
 class Interruptible::Pause
 {
 public:

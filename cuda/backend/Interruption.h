@@ -9,27 +9,27 @@
 
 namespace limpid
 {
-/// Thrown by a computation that is to go no further. Not an error: who interrupts knows why.
+/// Thrown by a computation that is interrupted. It is not an error: the caller asked for it.
 struct Interrupted
 {
 };
 
 /**
- * While alive, parallel loops of the thread that made it ask now and then whether to go on, and
- * throw Interrupted if not: whatever the computation is busy with, it ends with the present loop.
- * Nothing is kept of what has been begun. The innermost one is asked.
+ * While alive, parallel loops of the thread that created it regularly ask whether to continue, and
+ * throw Interrupted if not. The current loop is completed; incomplete results are discarded. If
+ * objects are nested, the innermost one is asked.
  */
 class Interruptible
 {
 public:
-  /// `goOn` is called by this thread, every so many seconds at most; it may do anything.
+  /// `goOn` is called by this thread, at most once per `seconds`; it may do anything.
   explicit Interruptible(std::function<bool()> goOn, double seconds = 0.03);
   ~Interruptible();
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /// Asks if it is time to, and throws Interrupted. For loops with long bodies; free where nothing
-  /// can be interrupted.
+  /// Asks if it is time, and may throw Interrupted. For loops with long bodies; costs nothing if
+  /// no Interruptible is alive.
   static void Check()
   {
     if (Innermost)
@@ -49,7 +49,7 @@ private:
 
   std::function<bool()> GoOn;
   Clock::duration Interval;
-  Clock::time_point Next; ///< when to ask again
+  Clock::time_point Next; ///< time of the next question
   bool Stopped = false;
   Interruptible* Outer;
 };

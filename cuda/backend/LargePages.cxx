@@ -41,11 +41,11 @@ void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t b
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   if (std::align(page, page, memory, bytes))
   {
-    // A wish: where it is not granted, the memory is there all the same.
+    // This is only a hint; the memory is valid even if it is ignored.
     madvise(memory, bytes / page * page, smallPages ? MADV_NOHUGEPAGE : MADV_HUGEPAGE);
     if (smallPages)
     {
-      madvise(memory, bytes / page * page, MADV_DONTNEED); // what malloc() gives a second time
+      madvise(memory, bytes / page * page, MADV_DONTNEED); // malloc() may reuse pages
     }
   }
 #endif
@@ -57,7 +57,7 @@ void* AllocateZeroPages(std::size_t bytes)
   constexpr std::size_t leastBytes = std::size_t(1) << 16;
   if (smallPages && bytes >= leastBytes)
   {
-    // What malloc() gives a second time it has to clear; a page that is given back is 0 again.
+    // Reused memory of malloc() is not zero, but pages returned to the system read as zero again.
     void* const memory = std::malloc(bytes);
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     void* first = memory;

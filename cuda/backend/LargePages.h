@@ -12,19 +12,19 @@
 namespace limpid
 {
 /**
- * Asks the system to back memory that nobody has touched yet with large pages, where it has them.
+ * Asks the system to back memory that was not touched yet with large pages, if available.
  *
- * Of small ones it takes several times longer to get the memory of a large field than to write it.
- * Does nothing for what is small. Its values are not kept, unless they are 0.
+ * With small pages, obtaining the memory of a large field takes several times longer than writing
+ * it. Small allocations are ignored. Values other than 0 may be lost.
  */
 void UseLargePages(void* memory, std::size_t bytes);
 
-/// Memory for free() whose bytes are 0, in large pages; null: there is not enough.
+/// Allocates zeroed memory for free(), in large pages; returns null if there is not enough.
 void* AllocateZeroPages(std::size_t bytes);
 
 /**
- * While alive, memory that its thread gets is in small pages: of a field that is large but written
- * in few places only those take memory.
+ * While alive, the calling thread's allocations use small pages. A large field that is written in
+ * few places then takes memory only for these.
  */
 class SmallPages
 {
@@ -38,7 +38,7 @@ private:
   bool Before;
 };
 
-/// An empty array with room for so many values, in large pages.
+/// Returns an empty vector with capacity for `count` values, in large pages.
 std::vector<float> RoomFor(Index count);
 }
 

@@ -34,7 +34,7 @@ void LaunchEvents::Begin(const Launch& launch)
 
 void LaunchEvents::End()
 {
-  cudaEventRecord(this->Spans.back().end, this->Stream); // a failure shows in Collect
+  cudaEventRecord(this->Spans.back().end, this->Stream); // Collect reports failures
 }
 
 void LaunchEvents::Collect()

@@ -15,11 +15,11 @@
 
 namespace limpid
 {
-/// Marks in a stream of work for a GPU, before and after everything that is timed.
+/// Events in a GPU stream, before and after every timed operation.
 class LaunchEvents
 {
 public:
-  /// Both live at least as long.
+  /// `times` and `stream` must outlive it.
   LaunchEvents(LaunchTimes& times, cudaStream_t stream)
     : Times(&times)
     , Stream(stream)
@@ -32,7 +32,7 @@ public:
   void Begin(const Launch& launch);
   void End();
 
-  /// Adds up what lies between the marks. All work in the stream has to be done.
+  /// Adds up the times between the events. All work in the stream must be finished.
   void Collect();
 
 private:

@@ -10,26 +10,26 @@
 
 namespace limpid
 {
-/// What a device is told to do.
+/// A description of a device operation.
 struct Launch
 {
-  const char* label; ///< lives for ever
-  double bytes = 0;  ///< that are copied
-  int waits = 0;     ///< of all threads for each other
+  const char* label; ///< a string of static lifetime
+  double bytes = 0;  ///< number of bytes copied
+  int waits = 0;     ///< number of synchronisations of all threads
 };
 
-/// How long what a device did took, label by label, while it was told to keep the time
-/// (HostDevice::Time, CudaDevice::Time). For benchmarks.
+/// Durations of device operations by label, recorded while timing was on (HostDevice::Time,
+/// CudaDevice::Time). For benchmarks.
 class LaunchTimes
 {
 public:
   struct Entry
   {
     std::string label;
-    int count = 0;      ///< launches, or copies
-    double seconds = 0; ///< of all of them
-    double bytes = 0;   ///< that were copied
-    double waits = 0;   ///< of all threads of a launch for each other
+    int count = 0;      ///< number of launches or copies
+    double seconds = 0; ///< total duration
+    double bytes = 0;   ///< total bytes copied
+    double waits = 0;   ///< total synchronisations of all threads
   };
 
   void Add(const Launch& launch, double seconds)
@@ -44,7 +44,7 @@ public:
     entry.waits += launch.waits;
   }
 
-  /// In the order in which they came first.
+  /// In the order of first occurrence.
   const std::vector<Entry>& Entries() const { return this->Labels; }
 
 private:

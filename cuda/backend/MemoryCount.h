@@ -9,7 +9,7 @@
 
 namespace limpid
 {
-/// How many bytes are allocated, and were at most. For several threads.
+/// Counts allocated bytes and their maximum. Thread-safe.
 class MemoryCount
 {
 public:

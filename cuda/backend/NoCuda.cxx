@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// In place of FindCuda.cxx and CudaBackend.cxx where there is no CUDA compiler.
+// Replaces FindCuda.cxx and CudaBackend.cxx in builds without CUDA.
 
 #include "backend/Choice.h"
 #include "backend/ComputeBackend.h"
@@ -21,7 +21,7 @@ std::size_t FreeCudaBytes()
 
 const ComputeBackend& CudaBackend()
 {
-  ChooseBackend(BackendKind::Cuda, {}); // says why not
+  ChooseBackend(BackendKind::Cuda, {}); // throws the reason
   return ProcessorBackend();
 }
 }

@@ -8,7 +8,7 @@
 
 namespace limpid
 {
-/// Brings a GPU's memory into its second-level cache; nobody waits for it.
+/// Prefetches GPU memory into the L2 cache, asynchronously.
 LIMPID_HD LIMPID_INLINE void PrefetchOnDevice([[maybe_unused]] const void* address)
 {
 #ifdef __CUDA_ARCH__

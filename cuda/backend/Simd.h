@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the CPU backend reaches vector units without tying a binary to one machine: what is marked
-// LIMPID_MULTIVERSION, or called by RunMultiversioned, is compiled for several instruction sets, of
-// which the processor's is chosen at run time. What it calls must be LIMPID_INLINE, or it would be
-// compiled for the base set only. No file is compiled for a set as a whole: its inline functions
-// would have the names of those in other files, and the linker could take them for all processors.
+// Vector instructions in the CPU backend of a portable binary. Functions marked
+// LIMPID_MULTIVERSION, and bodies passed to RunMultiversioned, are compiled for several
+// instruction sets. The best one for the processor is chosen at run time. Functions called from
+// them must be LIMPID_INLINE; otherwise they are compiled for the base set only. No file as a
+// whole is compiled for one set: its inline functions would share names with those of other files,
+// and the linker could use them on all processors.
 
 #ifndef limpid_backend_Simd_h
 #define limpid_backend_Simd_h
 
 #include "math/Macros.h"
 
-// Sanitizers are not ready yet when the loader asks which version to take.
+// Sanitizers are not initialised yet when the loader selects a version.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define LIMPID_SANITIZED
 #elif defined(__clang__)
@@ -27,9 +28,9 @@
 #define LIMPID_HAS_VERSIONS
 #endif
 
-/// Marks a function of several versions; it is no template. The loader chooses. Not with clang:
-/// before version 18 it takes no names of instruction sets, and what calls a version in another
-/// file calls nothing; later ones leave out functions that versions alone call.
+/// Marks a function, not a template, of which the loader selects a version. Not used with clang:
+/// before version 18 it does not accept names of instruction sets, and calls of a version from
+/// another file have no effect. Later versions omit functions that only versions call.
 #if defined(LIMPID_HAS_VERSIONS) && !defined(__clang__)
 #define LIMPID_MULTIVERSION                                                                        \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
@@ -37,8 +38,8 @@
 #define LIMPID_MULTIVERSION
 #endif
 
-// Before a loop whose numbers are to be lanes of registers rather than places in memory: it is
-// unrolled so many times.
+// Put before a loop whose arrays should become vector registers instead of memory: it is unrolled
+// `times` times.
 #define LIMPID_PRAGMA(text) _Pragma(#text)
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
 #define LIMPID_UNROLL(times) LIMPID_PRAGMA(GCC unroll times)
@@ -46,8 +47,8 @@
 #define LIMPID_UNROLL(times)
 #endif
 
-// Before a loop no step of which reads what another one writes: it needs no look at addresses.
-// Clang warns where it cannot use this, which is so where a sanitizer checks every step.
+// Put before a loop whose iterations are independent, to skip checks for aliasing. Clang warns if
+// it cannot use this, which happens with sanitizers.
 #if defined(__clang__) && defined(LIMPID_SANITIZED)
 #define LIMPID_IVDEP
 #elif defined(__clang__)
@@ -60,9 +61,9 @@
 
 namespace limpid
 {
-/// Brings the cache lines of values that will be read soon. Rows of voxels are short, and one lies
-/// far from the next: the processor does not foresee them. Callers must be LIMPID_INLINE, too, or
-/// GCC takes a function that only prefetches for one without effect.
+/// Prefetches the cache lines of values that are read soon. Rows of voxels are short and far
+/// apart, so the processor cannot predict them. Callers must be LIMPID_INLINE, too; otherwise GCC
+/// assumes that a function that only prefetches has no effect.
 LIMPID_INLINE void Prefetch(const float* begin, const float* end)
 {
 #if defined(__GNUC__) && !defined(__CUDACC__)
@@ -78,7 +79,7 @@ LIMPID_INLINE void Prefetch(const float* begin, const float* end)
 }
 
 #if defined(LIMPID_HAS_VERSIONS) && defined(__clang__)
-// Clang has no templates of several versions; these have a name of their own for each.
+// Clang does not support templates with several versions; these functions have separate names.
 namespace detail
 {
 template <class Body>
@@ -95,8 +96,8 @@ __attribute__((target("avx2,fma"))) auto RunByAvx2(const Body& body)
 }
 }
 
-/// Returns body() by the version for the processor. The body is LIMPID_INLINE, or a lambda that is
-/// LIMPID_INLINE_LAMBDA.
+/// Returns body() compiled for the current processor. The body must be LIMPID_INLINE, or a lambda
+/// with LIMPID_INLINE_LAMBDA.
 template <class Body>
 auto RunMultiversioned(const Body& body)
 {
@@ -110,8 +111,8 @@ auto RunMultiversioned(const Body& body)
   return avx2 ? detail::RunByAvx2(body) : body();
 }
 #else
-/// Returns body() by the version for the processor. The body is LIMPID_INLINE, or a lambda that is
-/// LIMPID_INLINE_LAMBDA.
+/// Returns body() compiled for the current processor. The body must be LIMPID_INLINE, or a lambda
+/// with LIMPID_INLINE_LAMBDA.
 template <class Body>
 LIMPID_MULTIVERSION auto RunMultiversioned(const Body& body)
 {

@@ -11,23 +11,23 @@
 
 namespace limpid
 {
-/// Where the window below keeps what belongs to row `y` >= -1: three rows are there at a time.
+/// Index in the sliding window for row `y` >= -1; the window holds three rows.
 inline int PlaceOfRow(int y)
 {
   return (y + 3) % 3;
 }
 
 /**
- * Visits all rows of some slices of a grid in parallel, with what was made of the rows beside them.
- * A slice is visited in runs of rows: makeWindow(slice) begins one, window.Enter(y) makes what
- * belongs to row `y`, which may lie one beyond the grid, and window.Visit(y) visits a row when it
- * and those beside it were entered last.
+ * Visits all rows of some slices of a grid in parallel, with data computed from neighbouring rows.
+ * A slice is visited in runs of rows: makeWindow(slice) starts a run and window.Enter(y) computes
+ * the data of row `y`, which may be one row outside of the grid. window.Visit(y) visits a row
+ * after it and its neighbours have been entered.
  */
 template <class MakeWindow>
 void ForSlidingRows(int rows, const Range<int>& slices, const MakeWindow& makeWindow)
 {
   constexpr int rowsPerRun = 32;
-  const Index runs = (rows + rowsPerRun - 1) / rowsPerRun; // of a slice
+  const Index runs = (rows + rowsPerRun - 1) / rowsPerRun; // runs per slice
   ParallelFor(runs * slices.Length(),
     [&](Index run)
     {

@@ -13,7 +13,7 @@
 
 namespace limpid
 {
-/// One of several sums: value(index) over [0, count), into `result` on the device; null: none.
+/// One of several sums: value(index) over [0, count) goes to `result` on the device; null: unused.
 template <class Value>
 struct Summand
 {
@@ -24,7 +24,7 @@ struct Summand
 
 namespace detail
 {
-/// Sums of several kinds, by number.
+/// A list of summands of different types, by number.
 template <class... Values>
 struct Summands
 {
@@ -38,7 +38,7 @@ struct Summands<First, Rest...>
   Summand<First> first;
   Summands<Rest...> rest;
 
-  /// Sum of every `lanes`-th value from number `lane` on.
+  /// Sum of every `lanes`-th value, starting at number `lane`.
   LIMPID_HD double OfLane(int number, Index lane, Index lanes) const
   {
     if (number > 0)
@@ -70,8 +70,8 @@ Summands<First, Rest...> Listed(const Summand<First>& first, const Summand<Rest>
   return { first, Listed(rest...) };
 }
 
-/// Many lanes add up values, fewer add up those, and one of them the rest: three phases, so that
-/// the order is the same on every device.
+/// Adds values in three phases: many lanes add up values, fewer lanes add up these sums, and one
+/// lane adds the rest. The order is the same on every device.
 template <class... Values>
 struct SumPhases
 {
@@ -135,7 +135,7 @@ public:
   {
   }
 
-  /// All of them in one launch. Does not wait.
+  /// Computes all sums in one launch. Asynchronous.
   template <class... Values>
   void operator()(const char* label, const Summand<Values>&... summands)
   {

@@ -19,7 +19,7 @@ namespace limpid
 {
 namespace
 {
-/// Passes a moment of waiting; after many of them others may have the processor.
+/// Waits for a moment; after many calls it yields the processor.
 class Patience
 {
 public:
@@ -40,7 +40,7 @@ private:
   int Moments = 0;
 };
 
-/// Indices of a loop that nobody has taken yet, [begin, end), in one word.
+/// The remaining indices [begin, end) of a share of a loop, in one word.
 struct Rest
 {
   std::uint32_t begin;
@@ -63,10 +63,10 @@ struct Rest
 
 constexpr std::size_t cacheLine = 64;
 
-/// The team whose owner this thread is.
+/// The team that this thread owns.
 thread_local ThreadTeam* ownTeam = nullptr;
 
-/// Whether this thread works on a loop of a team, its own or another's.
+/// Whether this thread is working on a loop of any team.
 thread_local bool working = false;
 }
 
@@ -85,7 +85,7 @@ public:
     }
     catch (...)
     {
-      this->End(); // what has begun uses this object
+      this->End(); // tasks that have started use this object
       throw;
     }
   }
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  /// A thread's part of a loop.
+  /// One thread's share of a loop.
   struct alignas(cacheLine) Share
   {
     std::atomic<std::uint64_t> open{ 0 };
@@ -137,8 +137,8 @@ private:
     this->Helpers.wait();
   }
 
-  /// What another thread does as long as the team lives. One that comes here while it waits for
-  /// something else would never get it: for what the team's owner waits for, say.
+  /// The main function of a helper thread while the team lives. A thread that comes here while it
+  /// waits for something else must not stay: the owner of the team might be waiting for that.
   void Help(std::size_t own)
   {
     if (ownTeam || working)
@@ -163,9 +163,10 @@ private:
     working = false;
   }
 
-  /// Does a thread's own share, then what is left of others. From loop to loop a thread comes to
-  /// the same rows, which its cache still holds: shares 0 and 1 are worked on from their outer
-  /// ends, and what one thread takes off the other is next to its own; so are 2 and 3, and so on.
+  /// Works on a thread's own share, then on what is left of others. From loop to loop a thread
+  /// gets the same rows, which are still in its cache. Shares 0 and 1 are therefore worked on from
+  /// their outer ends, so that ranges taken from the other share are next to its own; likewise
+  /// shares 2 and 3, and so on.
   void Work(std::size_t own)
   {
     const std::size_t shares = this->Shares.size();
@@ -178,7 +179,7 @@ private:
   }
 
   /// Takes ranges of a share until none is left, large ones first. A loop cannot end before all
-  /// that was taken from it is finished, so that what describes it does not change meanwhile.
+  /// ranges taken from it are finished, so its description cannot change meanwhile.
   void WorkOn(std::atomic<std::uint64_t>& share, bool own, bool fromBegin)
   {
     const std::uint32_t parts = own ? 4 : 8;
@@ -214,7 +215,7 @@ private:
     }
   }
 
-  // What helpers look at while they wait, and what they read next, in one cache line.
+  // The fields that helpers poll, and those that they read next, are in one cache line.
   alignas(cacheLine) std::atomic<std::uint64_t> Loops{ 0 };
   std::atomic<bool> Over{ false };
   std::atomic<std::uint32_t> Least{ 1 };

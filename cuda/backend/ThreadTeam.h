@@ -11,16 +11,16 @@
 namespace limpid
 {
 /**
- * While alive, the parallel loops of the thread that made it are shared with the same threads,
- * which stay awake from one loop to the next.
+ * While alive, the parallel loops of the thread that created it are shared by the same threads,
+ * which stay awake between loops.
  *
- * A sweep is a thousand loops of some 50 microseconds each, one after the other; a thread that
- * falls asleep after each comes several microseconds late to the next. Threads that find nothing to
- * do for long let others have the processor, but do not sleep: a team is for as long as there is
- * work, not for the life of an object.
+ * A sweep consists of about a thousand consecutive loops of some 50 microseconds each. A thread
+ * that sleeps after each loop joins the next one several microseconds late. Threads without work
+ * for long yield the processor but do not sleep. A team should therefore live only as long as
+ * there is work.
  *
- * No loop needs more than its own thread: those that are busy elsewhere are not waited for. A loop
- * inside a loop of a team is not shared, and a team inside another, or inside its loops, is none.
+ * A loop only needs its own thread and does not wait for busy ones. A loop nested in a loop of a
+ * team is not shared. A team nested in another team or its loops has no effect.
  */
 class ThreadTeam
 {
@@ -30,7 +30,8 @@ public:
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-  /// Runs a loop of the calling thread, or says that it has no team. Throws what a body throws.
+  /// Runs a loop of the calling thread; returns false if it has no team. Rethrows exceptions of a
+  /// body.
   static bool Run(Index count, Index grain, detail::RangeFunction function, const void* body);
 
 private:

@@ -14,7 +14,7 @@
 
 namespace limpid
 {
-/// All that computes, put together for one device.
+/// The parts of the core that compute, created for one device.
 template <class AnyDevice>
 class BackendOn : public ComputeBackend
 {

@@ -29,10 +29,10 @@ struct ResolveImportant
   }
 };
 
-/// A piece of a ray whose extinction may be chosen.
+/// A segment of a ray whose extinction may be chosen.
 struct ChosenPiece
 {
-  /// An extinction that it may have, see RayPiece.
+  /// A possible extinction of the segment, see RayPiece.
   struct Matter
   {
     float opticalDepth;
@@ -46,8 +46,8 @@ struct ChosenPiece
 
   RayPiece piece;
 
-  /// The most that it can show with the ceiling W behind: with the densest matter where g > W, and
-  /// with the thinnest elsewhere.
+  /// Returns the most that the segment can show with the ceiling W behind it: with maximum
+  /// extinction where g > W and minimum extinction elsewhere.
   LIMPID_HD LIMPID_INLINE float Best(const Matter& least, const Matter& most, float behind) const
   {
     const float front = this->piece.front;
@@ -59,7 +59,7 @@ struct ChosenPiece
     {
       return best;
     }
-    const float at = Quotient(behind - front, back - front); // where g = W
+    const float at = Quotient(behind - front, back - front); // the position where g = W
     const bool first = front > behind;
     const Matter& inFront = first ? most : least;
     const Matter& inRear = first ? least : most;
@@ -69,7 +69,8 @@ struct ChosenPiece
   }
 
 private:
-  /// What shows in front of matter whose importance goes from `front` to `back`.
+  /// Returns what shows if the importance changes from `front` to `back`, including what is
+  /// behind.
   LIMPID_HD LIMPID_INLINE float Shown(
     const Matter& matter, float front, float back, float behind) const
   {
@@ -83,20 +84,20 @@ private:
 };
 
 /**
- * Back to front: the most that a ray can still show if it chooses its own extinction
+ * Back to front: the most that a ray can show if it chooses its own extinction
  * (Documentation/Method.md, section on the ceiling).
  *
- * In half a layer of importance g, with the ceiling W behind it and the optical depth x, the ray
- * shows g A(x) (1 - e^-x) + W e^-x, where A is the mean of scale^2 where light is stopped. As
+ * In a half layer of importance g and optical depth x, with the ceiling W behind it, the ray shows
+ * g A(x) (1 - e^-x) + W e^-x. A is the mean of scale^2, weighted by where light is stopped. As
  *
- *   g A (1 - e^-x) + W e^-x  =  W + (1 - e^-x) (g A(x) - W)
+ *    g A (1 - e^-x) + W e^-x = W + (1 - e^-x) (g A(x) - W)
  *
- * and A falls with x, this is largest for the least x if g A(least) <= W, and for the largest x
- * where rays do not widen. Where they do, the maximum may lie between, if g A(0) exceeds W by
- * little; then the step also tries the x of TurningPoint.
+ * and A decreases with x, the smallest x is best if g A(least) <= W, and the largest x where rays
+ * do not widen. Where they do, the maximum may lie between if g A(0) exceeds W by little; the step
+ * then also tries the x of TurningPoint.
  *
- * `behind` becomes the ceiling of S: extinction up to `most`. `keptBehind` becomes that of what is
- * kept of the base extinction (Kept): up to the base extinction, since more of it only takes light.
+ * `behind` becomes the ceiling of S: extinction up to `most`. `keptBehind` becomes that of the
+ * kept base extinction (Kept): up to the base extinction, as more of it only attenuates.
  * `unattenuated` becomes the integral of g mu-bar.
  */
 template <Kept kept>
@@ -113,8 +114,8 @@ struct CeilingStep
     this->Through(here, 0, i);
   }
 
-  /// What is kept is cut as a score of the base extinction cuts it, so that no rounding of pieces
-  /// puts the one below the other.
+  /// The ceiling of kept base extinction uses the same segments as a score of the base extinction,
+  /// so that rounding cannot put the ceiling below the score.
   template <class Sampler, class Cuts>
   LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
   {
@@ -178,7 +179,7 @@ private:
       Best(here, half, { least, base }, baseHalf, this->rays.keptBehind[i]);
   }
 
-  /// What is inside the box of a half, if its extinction were another one [1/length].
+  /// The part of a half inside the box, with another extinction [1/length].
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE static HalfLayer<float> HalfOf(
     const RayInLayer<passage>& here, int half, float extinction)
@@ -190,8 +191,8 @@ private:
           here.layer, half, here.length, extinction, here.importance[half], here.column, here.row);
   }
 
-  /// The ceiling in front of a half, whose extinction is in `bounds` [1/length]; `most`: the half
-  /// at the upper one.
+  /// Returns the ceiling in front of a half whose extinction is in `bounds` [1/length]. `most`:
+  /// the half at the upper bound.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE static float Best(const RayInLayer<passage>& here, int half,
     const Range<float>& bounds, const HalfLayer<float>& most, float behind)
@@ -204,14 +205,14 @@ private:
     return atMost > other ? atMost : other;
   }
 
-  /// The extinction at which (1 - e^-x) (g A(x) - W) is largest, or 0 [1/length]. To first order in
-  /// the widening, x depends only on r = (g A(0) - W) / (g (back^2 - front^2)): as 6 r for small r,
-  /// and on the whole within 3 % as
+  /// Returns the extinction that maximises (1 - e^-x) (g A(x) - W), or 0 [1/length]. To first
+  /// order in the widening, x depends only on r = (g A(0) - W) / (g (back^2 - front^2)): x = 6 r
+  /// for small r, and within 3 % for all r
   ///
-  ///   x = 6 r (1 + 0.54 r) / (1 + 2.04 r + 0.432 r^2),
+  ///    x = 6 r (1 + 0.54 r) / (1 + 2.04 r + 0.432 r^2).
   ///
-  /// which changes the maximum by the square of that. Large x, where the maximum is flat, are left
-  /// to the upper bound.
+  /// The error of the maximum is of second order in that. For large x, where the maximum is flat,
+  /// the upper bound is used.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE static float TurningPoint(
     const RayInLayer<passage>& here, int half, float behind)
@@ -231,9 +232,9 @@ private:
 };
 
 /**
- * The most that a source could see, whatever the extinction of the nodes is within its bounds: the
- * sum of what all rays could show if each chose for itself. For SweepRaysBackward;
- * RayStates::visible and keptVisible tell it in the end. `Cuts`: how layers are resolved.
+ * An upper bound of what a source sees for any extinction of the nodes within its bounds: the sum
+ * over rays, each with its own best extinction. For SweepRaysBackward; the results are in
+ * RayStates::visible and keptVisible. `Cuts`: how layers are resolved.
  */
 template <class Field, class Cuts>
 struct CeilingKernel
@@ -242,9 +243,9 @@ struct CeilingKernel
 
   Field base;       ///< base extinction [1/length]
   Field importance; ///< [0, 1]
-  Field least;      ///< lower bound of the extinction [1/length]; null: 0
+  Field least;      ///< lower bound of the extinction [1/length]; null stands for 0
   MostExtinction<float> most;
-  Kept kept; ///< whether the ceiling of what is kept is wanted, too
+  Kept kept; ///< whether the ceiling of kept base extinction is computed, too
 
   template <class Windows>
   CeilingKernel<SliceWindow*, Cuts> With(Windows& windows) const
@@ -253,13 +254,13 @@ struct CeilingKernel
       windows(this->least, FieldUse{ 1 }), this->most, this->kept };
   }
 
-  /// What its rays carry.
+  /// Returns the values that the rays carry.
   std::vector<RayValues> Carried(const RayStates& rays) const
   {
     return { rays.behind, rays.visible, rays.unattenuated, rays.keptBehind, rays.keptVisible };
   }
 
-  /// From the slice behind to slice `s`.
+  /// Moves rays from the slice behind to slice `s`.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {

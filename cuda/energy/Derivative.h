@@ -6,11 +6,11 @@
 
 namespace limpid
 {
-/// What the derivative of a visibility term takes for the importance behind a sample.
+/// The importance behind a sample that the derivative of a visibility term uses.
 enum class Derivative
 {
   Volume, ///< exact derivative of the volume integral
-  Ray     ///< Eqs. (19)-(20) as printed: without the weight of the widening rays
+  Ray     ///< Eqs. (19)-(20) as printed, without the weight of widening rays
 };
 }
 

@@ -13,12 +13,12 @@ namespace limpid
 {
 namespace
 {
-constexpr int needed = 8;     // neighbours on either side that let a value stay
-constexpr int lanes = 16;     // nodes at a time
-constexpr int rowsAround = 9; // the row itself and those beside it
+constexpr int needed = 8;     // neighbours on either side for a value to stay
+constexpr int lanes = 16;     // nodes per block
+constexpr int rowsAround = 9; // the row itself and its neighbours
 constexpr int ownRow = rowsAround / 2;
 
-/// Rows with a node more before them and `lanes` more behind, so that whole blocks can be read.
+/// Rows padded by one node in front and `lanes` behind, so that whole blocks can be read.
 using RowsAround = std::array<const float*, rowsAround>;
 
 Index PaddedLength(int count)
@@ -26,7 +26,7 @@ Index PaddedLength(int count)
   return Index(count) + 1 + lanes;
 }
 
-/// Copies a row and repeats its ends. Returns whether it has anything but zeros.
+/// Copies a row and repeats its ends. Returns whether it has any nonzero value.
 LIMPID_MULTIVERSION
 bool Pad(const float* __restrict row, int count, float* __restrict padded)
 {
@@ -44,14 +44,14 @@ bool Pad(const float* __restrict row, int count, float* __restrict padded)
   return other != 0;
 }
 
-/// The larger or the smaller of two values.
+/// Returns the larger or the smaller of two values.
 template <bool larger>
 LIMPID_INLINE float Outer(float a, float b)
 {
   return larger == (a > b) ? a : b;
 }
 
-/// The eighth largest or smallest neighbour of the nodes of a block.
+/// Finds the eighth largest or smallest neighbour of the nodes of a block.
 template <bool largest>
 LIMPID_INLINE void FindEighth(const RowsAround& rows, int x, float* __restrict eighth)
 {
@@ -92,7 +92,7 @@ void DespeckleRow(
   for (int x = 0; x < count; x += lanes)
   {
     const float* own = rows[ownRow] + x + 1;
-    int asLarge[lanes] = {}; // how many are, the node itself among them
+    int asLarge[lanes] = {}; // number of such nodes, including the node itself
     int asSmall[lanes] = {};
     for (const float* row : rows)
     {
@@ -156,7 +156,7 @@ public:
   {
   }
 
-  /// Pads a row of this slice and of the slices beside it.
+  /// Pads a row of this slice and of its two neighbours.
   void Enter(int y)
   {
     for (int dz = -1; dz <= 1; ++dz)
@@ -169,7 +169,7 @@ public:
     }
   }
 
-  /// What has nothing but zeros around it is not written.
+  /// Rows with only zeros around them are not written.
   void Visit(int y) const
   {
     if (std::any_of(this->Filled.begin(), this->Filled.end(), [](bool filled) { return filled; }))
@@ -207,7 +207,7 @@ private:
   float* Out;
   int Slice;
   float* Memory;
-  std::array<bool, rowsAround> Filled{}; ///< whether the row there is not all zeros
+  std::array<bool, rowsAround> Filled{}; ///< whether the row has any nonzero value
 };
 }
 

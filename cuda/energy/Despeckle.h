@@ -9,14 +9,14 @@
 namespace limpid
 {
 /**
- * Importance without its specks (Documentation/Deviations.md, D17): a centre-weighted median of
- * 3 x 3 x 3 nodes in which the centre counts eleven times. A value stays if eight of its 26
- * neighbours are as large or larger, and eight as small or smaller; else it becomes the eighth of
- * them. So vessels that are two nodes wide stay, and what one to three nodes have alone goes. On
- * the border, the nodes of the border stand for those beyond.
+ * Removes specks from the importance (Documentation/Deviations.md, D17) by a centre-weighted
+ * median over 3 x 3 x 3 nodes in which the centre counts eleven times. A value stays if at least
+ * eight of its 26 neighbours are as large or larger, and eight as small or smaller. Otherwise it
+ * becomes the eighth of them. Vessels two nodes wide therefore stay, and isolated groups of one to
+ * three nodes vanish. Nodes on the border are repeated beyond it.
  *
- * A node that has neither extinction nor importance stays without importance. `importance`:
- * grid.NodeCount() finite values; `zeros`: room for as many, all 0: what is 0 is not written.
+ * A node without extinction and importance stays without importance. `importance`:
+ * grid.NodeCount() finite values; `zeros`: grid.NodeCount() zeros; only other values are written.
  */
 void Despeckle(
   const Grid& grid, const float* baseExtinction, const float* importance, float* zeros);

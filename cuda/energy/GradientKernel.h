@@ -9,21 +9,21 @@
 
 namespace limpid
 {
-/// Where derivatives go: field = kept field + weight derivative.
+/// How derivatives are stored: field = kept * field + weight * derivative.
 struct GradientTarget
 {
   float kept;
   float weight;
 };
 
-/// The derivative at a voxel that reads rays. Where nothing of importance is about it, more
-/// extinction shows nothing; an empty voxel, which has no importance of a node, stays empty
-/// (deviation D8).
+/// Computes the derivative at a voxel that reads rays. If no importance is near, more extinction
+/// cannot show anything, so the derivative is at least 0. Empty voxels, whose node importance is
+/// 0, stay empty (deviation D8).
 struct GradientStep
 {
   const float* effect;         ///< see VoxelRow::FindEffect
   const float* nodeImportance; ///< [0, 1]
-  float area;                  ///< what brings the effect to one area on all slices
+  float area;                  ///< normalises the effect to the same area on all slices
   GradientTarget target;
   float* gradient; ///< in and out
 
@@ -37,25 +37,25 @@ struct GradientStep
 };
 
 /**
- * The derivative of a visibility term by a fixed extinction, Eqs. (26)-(28), that of the score as
- * it is summed: back to front, the optical depths unwind, visible importance is carried along, and
- * rays find what extinction at the ends of each layer does to it (EffectStep). The voxels of a
- * slice gather that of the rays which read them, with the weights of that interpolation. Rays start
+ * The derivative of a visibility term by the extinction, Eqs. (26)-(28), with the quadrature of
+ * the score. Back to front, optical depths are unwound and visible importance is carried along.
+ * Rays compute the effect of the extinction at both ends of each layer (EffectStep). The voxels of
+ * a slice gather the effects of the rays that interpolate them, with the same weights. Rays start
  * with the optical depths of the extinction.
  *
- * Deviation D1: rays carry the weight t'^2 / t^2 of the widening rays, so that this is the
- * derivative of the volume integral, unless the sweep is made with Derivative::Ray.
+ * Deviation D1: rays carry the weight t'^2 / t^2 of widening rays, so that this is the derivative
+ * of the volume integral, unless Derivative::Ray is used.
  */
 template <class Input, class Output>
 struct GradientKernel
 {
   static constexpr const char* label = "derivative";
-  static constexpr auto seenBehind = &RayStates::effect; ///< what voxels read
+  static constexpr auto seenBehind = &RayStates::effect; ///< the value that voxels read
 
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]
   Input nodeImportance; ///< see NodeImportance.h [0, 1]
-  Input base;           ///< [1/length]; null: what is kept is not counted
+  Input base;           ///< [1/length]; null if kept base extinction is not counted
   Output gradient;
   GradientTarget target;
   bool areaWeighted; ///< whether rays carry the weight of Deviation D1
@@ -70,7 +70,7 @@ struct GradientKernel
       this->areaWeighted };
   }
 
-  /// What its rays carry.
+  /// Returns the values that the rays carry.
   std::vector<RayValues> Carried(const RayStates& rays) const
   {
     std::vector<RayValues> carried{ rays.opticalDepth, rays.behind, rays.visible, rays.unattenuated,
@@ -82,11 +82,12 @@ struct GradientKernel
     return carried;
   }
 
-  /// From slice `s` to the next one in front, so that the effect of slice `s` is known.
+  /// Moves rays from slice `s` to the next slice in front, which completes the effect of slice
+  /// `s`.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {
-    // Rays that had an effect on the slice behind, or have one through the layer behind this one.
+    // Rays with an effect on the slice behind, or through the layer behind this slice.
     if (rays.SelectBeside(s))
     {
       rays.ForEach(BeginEffectStep{ rays.States() });
@@ -97,7 +98,7 @@ struct GradientKernel
     }
   }
 
-  /// Rays have come out of the volume with the effect of the first slice.
+  /// Nothing to do: rays leave the volume with the effect of the first slice.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void LeaveStep(Rays&) const
   {

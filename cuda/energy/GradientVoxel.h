@@ -11,20 +11,20 @@ namespace limpid
 /**
  * Derivative of a visibility term at one voxel, Eq. (27) or (28) without its weight:
  *
- *   T (V - g) = G - g T,   V = G / T the visible importance behind per unit of transmittance.
+ *    T (V - g) = G - g T, V = G / T the visible importance behind per unit of transmittance.
  *
  * The extinction of a voxel acts on its neighbourhood: G, T and g are means over its hat function
- * (deviation D8), G and T of the rays that pass there.
+ * (deviation D8), G and T over the rays that pass there.
  *
- * Deviation D1: V carries the weight t'^2 / t^2 of the widening rays, so that this is the
- * derivative of the volume integral, unless the sweep was made with Derivative::Ray.
+ * Deviation D1: V carries the weight t'^2 / t^2 of widening rays, so that this is the derivative
+ * of the volume integral, unless Derivative::Ray is used.
  */
 template <class Real>
 struct GradientVoxel
 {
   Real inverseArea; ///< 1 / scale^2 of the slice
 
-  /// On a slice to which rays carry the weight of Deviation D1, or do not.
+  /// For voxels of a slice. `areaWeighted`: whether rays carry the weight of Deviation D1.
   LIMPID_HD static LIMPID_INLINE GradientVoxel On(const Slice& slice, bool areaWeighted)
   {
     const Real scale = areaWeighted ? slice.scale : Real(1);

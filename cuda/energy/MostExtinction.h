@@ -10,9 +10,9 @@ namespace limpid
 {
 /**
  * The upper bound of the extinction: mu-bar + epsilon (majorant - mu-bar) with the base extinction
- * mu-bar. It is exact at both ends, the base with epsilon = 0 and the majorant with 1, and in
- * between rounding takes it neither below the base nor above the majorant. Linear but for that, so
- * that samples of it follow from samples of the base extinction.
+ * mu-bar. It equals the base exactly for epsilon = 0 and the majorant for 1. In between, rounding
+ * puts it neither below the base nor above the majorant. Otherwise it is linear, so its samples
+ * follow from samples of the base extinction.
  */
 template <class Real>
 struct MostExtinction

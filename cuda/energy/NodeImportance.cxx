@@ -15,8 +15,8 @@ namespace limpid
 {
 namespace
 {
-/// Weights of the neighbours of node `k` along an axis of `nodes` nodes: the integrals of the
-/// node's hat times those of its neighbours, divided by the integral of its own.
+/// Weights of node `k` and its neighbours along an axis of `nodes` nodes: integrals of the node's
+/// hat times each hat, divided by the integral of its own hat.
 struct Taps
 {
   float below;
@@ -37,7 +37,7 @@ Taps TapsOf(int k, int nodes)
   return k == nodes - 1 ? Taps{ 1.0f / 3, 2.0f / 3, 0.0f } : Taps{ 1.0f / 6, 2.0f / 3, 1.0f / 6 };
 }
 
-/// A row and its neighbours along one axis; on the border the row itself stands in.
+/// Averages a row and its neighbours along one axis; on the border the row itself is repeated.
 LIMPID_MULTIVERSION
 void WeighRows(const float* below, const float* own, const float* above, const Taps& taps,
   int count, float* __restrict out)
@@ -62,7 +62,7 @@ void WeighAlongRow(const float* __restrict row, int count, float* __restrict out
   out[count - 1] = count > 1 ? last.own * row[count - 1] + last.below * row[count - 2] : out[0];
 }
 
-/// Clears what belongs to nodes that have neither extinction nor importance.
+/// Clears the mean at nodes without extinction and importance.
 LIMPID_MULTIVERSION
 void ClearEmpty(const float* __restrict baseExtinction, const float* __restrict importance,
   int count, float* __restrict mean)
@@ -88,7 +88,7 @@ bool IsZero(const float* __restrict row, int count)
 constexpr int rowsPerTile = 32;
 constexpr int slicesPerTile = 16;
 
-/// A part of the grid whose slices stay in a near cache.
+/// A part of the grid whose slices fit into a small cache.
 struct Tile
 {
   Range<int> rows;
@@ -99,7 +99,7 @@ struct Tile
 struct SliceMean
 {
   float* values = nullptr;
-  std::array<bool, rowsPerTile> zero{}; ///< per row: nothing but zeros
+  std::array<bool, rowsPerTile> zero{}; ///< [row]: whether all values are 0
 };
 
 class TileMean
@@ -140,7 +140,7 @@ public:
 private:
   Index RowAt(int y, int z) const { return (Index(z) * this->Nodes.y + y) * this->Nodes.x; }
 
-  /// The mean along x and y. `blended`: memory for a row.
+  /// Computes means along x and y. `blended`: scratch memory for a row.
   void FindMeanAcross(int z, const Range<int>& rows, float* blended, SliceMean& mean) const
   {
     const int nx = this->Nodes.x;
@@ -169,7 +169,7 @@ private:
     }
   }
 
-  /// The mean along z of those of a slice and its neighbours.
+  /// Computes means along z from the means of a slice and its neighbours.
   void FindMean(int z, const Range<int>& rows, const SliceMean& below, const SliceMean& own,
     const SliceMean& above) const
   {

@@ -14,36 +14,37 @@ namespace limpid
 {
 /**
  * The importance that a node's extinction can show: the mean of the trilinear field g, weighted by
- * the node's own trilinear hat function phi,
+ * the node's trilinear hat function phi,
  *
- *   g_i = integral phi_i g dx / integral phi_i dx.
+ *    g_i = integral phi_i g dx / integral phi_i dx.
  *
- * The extinction of a node acts on its whole neighbourhood with weight phi_i, so this, not g at the
- * node, stands in the derivative of Eqs. (23) and (24) with respect to the node's extinction
- * (deviation D8). It is 0 at nodes that have neither extinction nor importance: they are no one's
- * concern. `importance`: grid.NodeCount() values in [0, 1]; so is the result.
+ * The extinction of a node acts on its whole neighbourhood with weight phi_i. The derivative of
+ * Eqs. (23) and (24) by the node's extinction therefore contains g_i instead of g at the node
+ * (deviation D8). g_i is set to 0 at nodes without extinction and importance, which do not matter.
+ * `importance`: grid.NodeCount() values in [0, 1]; the result likewise.
  */
 std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance);
 
-/// The integral of importance times base extinction, both trilinear between the nodes, over their
-/// box: all that there is to be seen [length^2]. The same for any number of threads.
+/// Returns the integral of importance times base extinction, both trilinear, over the box of the
+/// nodes: all that can be seen [length^2]. It does not depend on the number of threads.
 double ImportantExtinction(const Grid& grid, const float* baseExtinction, const float* importance);
 
-/// The integrals over the nodes of rows along x, without the volume of a cell, of which that is the
-/// sum: of `slices`, from fields of the slices `given`, which have one more on either side where
-/// there is one. `rows`: grid.nodes.y * grid.nodes.z, row by row [1/length].
+/// Computes the contributions of rows of nodes along x to that integral, without the volume of a
+/// cell, for the range `slices`. The fields start at the first of the slices `given`, which
+/// include one more slice on either side if there is one. `rows`: grid.nodes.y * grid.nodes.z
+/// values, row by row [1/length].
 void FillRowsOfImportantExtinction(const Grid& grid, const Range<int>& given,
   const Range<int>& slices, const float* baseExtinction, const float* importance, double* rows);
 
-/// The integral from those of all rows [length^2].
+/// Returns the integral from the contributions of all rows [length^2].
 double SumOfRows(const Grid& grid, const std::vector<double>& rows);
 
-/// Is told that some rows of a slice are complete.
+/// Called when rows of a slice are complete.
 using MeanRows = std::function<void(int slice, const Range<int>& rows)>;
 
-/// The same, in place of grid.NodeCount() zeros. What is not important is not written. Tells `done`
-/// of all rows: of slices in parallel, of the rows of one in order.
+/// Writes NodeImportanceOfFilled into grid.NodeCount() zeros; zero results are not written. Calls
+/// `done` for all rows: for slices concurrently, for the rows of one slice in order.
 void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
   const float* importance, float* zeros, const MeanRows& done);
 }

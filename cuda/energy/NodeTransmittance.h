@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The transmittance of single nodes, each by a ray of its own.
+// The transmittance of single nodes, each computed along its own ray.
 
 #ifndef limpid_energy_NodeTransmittance_h
 #define limpid_energy_NodeTransmittance_h
@@ -17,23 +17,23 @@
 
 namespace limpid
 {
-/// Where the transmittance of neighbouring nodes, `least` to `most`, differs so much, it may jump
-/// between the rays of a sweep: by 0.1 where it is bright, by less in the dark, where light comes
-/// through gaps. With this limit opaque blocks, shells, sheets and waves are within 1e-3 rms of a
-/// march (TransmittanceAtNodes tests).
+/// Whether the transmittance of neighbouring nodes, from `least` to `most`, varies so much that it
+/// may jump between the rays of a sweep: by 0.1 where it is bright, by less where light shines
+/// through gaps. With this limit the error at opaque blocks, shells, sheets and waves is within
+/// 1e-3 rms of a march (TransmittanceAtNodes tests).
 LIMPID_HD LIMPID_INLINE bool IsSteep(float least, float most)
 {
   return (most - least) * (most - least) > 0.01f * most;
 }
 
-/// An optical depth in whole units, so that a sum does not depend on its order.
+/// An optical depth as an integer, so that sums do not depend on their order.
 using WholeDepth = std::int64_t;
 constexpr double unitsOfDepth = 1LL << 40;
 
-/// Behind an optical depth of 24 nothing is left of 1 in single precision.
+/// At an optical depth of 24, transmittance is negligible compared to 1 in single precision.
 constexpr WholeDepth darkWholeDepth = 24 * (1LL << 40);
 
-/// exp(-depth), 0 where it is dark.
+/// Returns exp(-depth), or 0 beyond darkWholeDepth.
 LIMPID_HD inline float TransmittanceOf(WholeDepth depth)
 {
   return depth >= darkWholeDepth
@@ -41,8 +41,8 @@ LIMPID_HD inline float TransmittanceOf(WholeDepth depth)
     : static_cast<float>(std::exp(-static_cast<double>(depth) / unitsOfDepth));
 }
 
-/// Nodes of a grid, as bodies on a device have them; with `begin` the first and `end` behind the
-/// last one along each axis.
+/// A box of nodes of a grid, for kernels: `begin` is the first node and `end` one past the last
+/// along each axis.
 struct NodesWithin
 {
   Int3 begin;
@@ -64,7 +64,7 @@ struct NodesWithin
   }
 };
 
-/// A field's values of the nodes of a box, first axis fastest.
+/// The values of a field at the nodes of a box, first axis fastest.
 struct FieldWithin
 {
   const float* values;
@@ -79,7 +79,7 @@ struct FieldWithin
 
   LIMPID_HD float operator[](const Int3& node) const { return this->values[this->At(node)]; }
 
-  /// Whether what is about a node IsSteep.
+  /// Whether the neighbourhood of a node is steep, see IsSteep.
   LIMPID_HD bool IsSteepAt(const Int3& node) const
   {
     const Int3 last = this->box.end - 1;
@@ -102,15 +102,15 @@ struct FieldWithin
 };
 
 /**
- * The optical depth between a node and a source of rays, Eq. (15), to rounding: a trilinear
- * extinction is cubic along a ray in a cell, for which two Gauss points are exact.
+ * The optical depth between a node and a source of rays, Eq. (15), exact up to rounding: within a
+ * cell a trilinear extinction is cubic along a ray, and two Gauss points integrate it exactly.
  */
 class NodeRays
 {
 public:
   NodeRays(const Grid& grid, const RaySource& source);
 
-  /// Whether a source has a ray to a node.
+  /// Whether the source has a ray to a node.
   LIMPID_HD bool See(const Int3& node) const
   {
     const Vec3 ray = this->Parallel ? Vec3(node) : Vec3(node) - this->Origin;
@@ -123,8 +123,9 @@ public:
     return inView;
   }
 
-  /// The depth of some cells, given by their first nodes; what is dark may be less deep than it is.
-  /// `counts(cell)`: whether one of them counts. The field has the nodes of all that do.
+  /// Returns the optical depth of some cells, given by their first nodes; values beyond
+  /// darkWholeDepth may be too small. `counts(cell)`: whether a cell is included. The field must
+  /// contain the nodes of all included cells.
   template <class Counts>
   LIMPID_HD WholeDepth DepthTo(const Int3& node, const FieldWithin& extinction,
     const NodesWithin& cells, const Counts& counts) const
@@ -142,7 +143,7 @@ public:
       {
         const double here = MeanAlong(extinction, walk, at, next) * (next - at) * length;
         depth += static_cast<WholeDepth>(
-          glm::min(double(darkWholeDepth), here * unitsOfDepth + 0.5)); // also of what overflows
+          glm::min(double(darkWholeDepth), here * unitsOfDepth + 0.5)); // limits overflow, too
       }
       walk.Cross(axis);
       at = next;
@@ -151,15 +152,15 @@ public:
   }
 
 private:
-  /// A way from a node through the cells of the grid: node + t way.
+  /// A path from a node through the cells of the grid: node + t way.
   struct Walk
   {
     Vec3 node;
     Vec3 way;
     Vec3 slowness; ///< 1 / way
-    Int3 onward;   ///< from cell to cell along an axis: 1, -1 or 0
+    Int3 onward;   ///< step from cell to cell along each axis: 1, -1 or 0
     Int3 cell;
-    double face[3]; ///< t where it leaves the cell along an axis
+    double face[3]; ///< t at which the path leaves the cell along each axis
 
     LIMPID_HD Walk(const Int3& from, const Vec3& along, const Int3& lastCell)
       : node(from)
@@ -171,19 +172,19 @@ private:
     {
     }
 
-    /// t of a plane of nodes.
+    /// t at which the path meets a plane of nodes.
     LIMPID_HD double At(int axis, int plane) const
     {
       return (double(plane) - this->node[axis]) * this->slowness[axis];
     }
 
-    /// t where it leaves a cell along an axis.
+    /// t at which the path leaves a cell along an axis.
     LIMPID_HD double FaceOf(int axis, int cellThere) const
     {
       return this->At(axis, cellThere + (this->onward[axis] > 0 ? 1 : 0));
     }
 
-    /// t where it leaves cells, given by their first nodes, but not beyond `last`.
+    /// t at which the path leaves a box of cells, given by their first nodes, but at most `last`.
     LIMPID_HD double EndOf(const NodesWithin& cells, double last) const
     {
       double end = last;
@@ -202,7 +203,7 @@ private:
       return end;
     }
 
-    /// Goes to where it enters these cells, and returns t there.
+    /// Moves to where the path enters a box of cells, and returns t there.
     LIMPID_HD double Enter(const NodesWithin& cells)
     {
       double at = 0;
@@ -221,7 +222,7 @@ private:
       return at;
     }
 
-    /// Finds the cell along an axis that it is in behind `at`, as Cross would have.
+    /// Finds the cell along an axis just behind `at`, consistently with Cross.
     LIMPID_HD void Locate(int axis, double at)
     {
       int& here = this->cell[axis];
@@ -241,7 +242,7 @@ private:
       this->face[axis] = this->FaceOf(axis, here);
     }
 
-    /// Along which it comes to a face next.
+    /// The axis along which the path meets a face next.
     LIMPID_HD int NextAxis() const
     {
       const int first = this->face[0] <= this->face[1] ? 0 : 1;
@@ -255,7 +256,7 @@ private:
     }
   };
 
-  /// The mean extinction between two places in a cell [1/length].
+  /// Returns the mean extinction between two points of the path in a cell [1/length].
   LIMPID_HD static double MeanAlong(
     const FieldWithin& extinction, const Walk& walk, double begin, double end)
   {
@@ -286,15 +287,15 @@ private:
   }
 
   bool Parallel;
-  Vec3 Origin; ///< of a parallel source its direction of travel
+  Vec3 Origin; ///< for a parallel source, its direction of travel
   Vec3 Spacing;
   Int3 LastCell;
   int PlaneCount = 0;
   RaySource::Plane Planes[4];
 };
 
-/// The transmittance that a sweep has found, and of nodes where that is steep what rays of their
-/// own find. Values of all nodes on a device.
+/// Copies the transmittance that a sweep has computed, but recomputes it at nodes where it is
+/// steep, along their own rays. All arrays hold one value per node on the device.
 template <class AnyDevice>
 void RefineTransmittance(AnyDevice& device, const Grid& grid, const RaySource& source,
   const float* extinction, const float* swept, float* transmittance);

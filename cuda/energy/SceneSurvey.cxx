@@ -13,11 +13,11 @@ namespace limpid
 {
 namespace
 {
-/// Extends a range by those of `count` values.
+/// Extends a range by `count` values.
 LIMPID_MULTIVERSION
 void ExtendRange(const float* __restrict values, Index count, float most, FieldRange& range)
 {
-  constexpr int lanes = 32; // apart from each other: the compiler may not reorder a maximum
+  constexpr int lanes = 32; // independent maxima, as the compiler may not reorder one
   float largest[lanes] = {};
   int invalid[lanes] = {};
   Index first = 0;

@@ -12,25 +12,25 @@
 
 namespace limpid
 {
-/// What the values of a field are.
+/// The range of a field's values.
 struct FieldRange
 {
-  float largest = 0; ///< 0 if none is above
-  bool valid = true; ///< whether all are in [0, most], see SurveyScene
+  float largest = 0; ///< at least 0
+  bool valid = true; ///< whether all values are in [0, most], see SurveyScene
 };
 
-/// What the fields of a scene alone decide.
+/// Data of a scene that depend on its fields only.
 struct SceneSurvey
 {
   FieldRange extinction;
   FieldRange importance;
   NodeValues nodeImportance;                  ///< see NodeImportanceOfFilled
-  std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance; skips
+  std::shared_ptr<const Occupancy> occupancy; ///< of base and node importance; skips empty voxels
 };
 
-/// Finds all of it in one pass over the fields, which takes longer to read them than to work on
-/// them. `mostExtinction`, `mostImportance`: what values are valid. If there are others, only the
-/// ranges mean something.
+/// Computes all of it in one pass over the fields, as reading them takes longer than the
+/// computation. `mostExtinction`, `mostImportance`: largest valid values. If a value is invalid,
+/// only the ranges are meaningful.
 SceneSurvey SurveyScene(const Grid& grid, const float* baseExtinction, float mostExtinction,
   const float* importance, float mostImportance);
 }

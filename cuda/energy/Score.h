@@ -14,32 +14,34 @@ namespace limpid
 /**
  * What a camera sees of importance g through an extinction mu.
  *
- * The fractions are shares of the important matter that the data has, the integral of g mu-bar with
- * the base extinction mu-bar. What was removed counts as not seen; what is thicker than the base
- * attenuates, but does not show the same matter twice (Documentation/Method.md, section on what is
- * visible).
+ * The fractions are relative to the important structures in the data, the integral of g mu-bar
+ * with the base extinction mu-bar. Removed extinction counts as not seen. Extinction above the
+ * base attenuates, but does not show the same structure twice (Documentation/Method.md, section on
+ * what is visible).
  */
 struct Score
 {
   double visibility = 0; ///< S of Eq. (32) [length^2]
-  double fraction = 0;   ///< whose light reaches the eye: integral of g min(mu, mu-bar) T [0, 1]
-  double sacrificed = 0; ///< that was removed: 1 less the integral of g min(mu, mu-bar) [0, 1]
-  double important = 0;  ///< what the fractions are of, the integral of g mu-bar [length^2]
+  double fraction = 0;   ///< share whose light reaches the eye: integral of g min(mu, mu-bar) T [0,
+                         ///< 1]
+  double sacrificed = 0; ///< share that was removed: 1 - integral of g min(mu, mu-bar) [0, 1]
+  double important = 0;  ///< reference of the shares: integral of g mu-bar [length^2]
 };
 
 /**
- * What no extinction within its bounds can exceed (Documentation/Method.md, section on the
- * ceiling): as if every ray of the camera, and every ray of the light, had an extinction of its
- * own.
+ * An upper bound of scores over all extinctions within their bounds (Documentation/Method.md,
+ * section on the ceiling): every ray of the camera, and every ray of the light, may have its own
+ * extinction.
  */
 struct Ceiling
 {
-  double visibility = 0;      ///< of Score::visibility [length^2]
-  double fraction = 0;        ///< of Score::fraction [0, 1]
-  double lightVisibility = 0; ///< of Score::visibility as seen from the light [length^2]
+  double visibility = 0;      ///< bound of Score::visibility [length^2]
+  double fraction = 0;        ///< bound of Score::fraction [0, 1]
+  double lightVisibility = 0; ///< bound of Score::visibility as seen from the light [length^2]
 };
 
-/// `most`: what a source sees at most; `kept`: whether Seen::kept was counted. Without the light.
+/// `most`: the maximum that a source sees; `kept`: whether Seen::kept was counted. Ignores the
+/// light.
 inline Ceiling CeilingOf(const Seen& most, Kept kept)
 {
   const Visible& fraction = kept == Kept::Counted ? most.kept : most.all;
@@ -47,7 +49,7 @@ inline Ceiling CeilingOf(const Seen& most, Kept kept)
   return { most.all.visible, important > 0 ? std::min(fraction.visible / important, 1.0) : 0.0, 0 };
 }
 
-/// The mean of what several cameras see at most; there is one at least.
+/// The mean of the ceilings of several cameras, at least one.
 inline Ceiling MeanOf(const std::vector<Ceiling>& ceilings)
 {
   Ceiling mean;
@@ -60,7 +62,7 @@ inline Ceiling MeanOf(const std::vector<Ceiling>& ceilings)
   return { mean.visibility / count, mean.fraction / count, 0 };
 }
 
-/// `important`: the integral of g mu-bar [length^2]; 0: there is nothing to be seen.
+/// `important`: the integral of g mu-bar [length^2]; 0 if nothing can be seen.
 inline Score ScoreOf(const Seen& seen, double important)
 {
   Score score;
@@ -68,14 +70,14 @@ inline Score ScoreOf(const Seen& seen, double important)
   score.important = important;
   if (important > 0)
   {
-    // Of thin media these differ by rounding only.
+    // In thin media these differ by rounding only.
     score.fraction = std::min(seen.kept.visible / important, 1.0);
     score.sacrificed = std::clamp(1 - seen.kept.unattenuated / important, 0.0, 1.0);
   }
   return score;
 }
 
-/// The mean of what several cameras see; there is one at least.
+/// The mean of the scores of several cameras, at least one.
 inline Score MeanOf(const std::vector<Score>& scores)
 {
   Score mean;
@@ -105,7 +107,7 @@ inline Score OfAll(const Score& inFront, const Score& all)
     all.important };
 }
 
-/// Of the base extinction itself.
+/// The score of the base extinction itself.
 inline Score ScoreOfBase(const Visible& base)
 {
   return ScoreOf({ base, base }, base.unattenuated);

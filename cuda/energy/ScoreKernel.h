@@ -10,9 +10,9 @@
 namespace limpid
 {
 /**
- * What a source sees, Eqs. (23), (24) and (32): the integral of importance g, extinction mu and
- * transmittance T along every ray, and the same without transmittance; with a base, both also of
- * what is kept of it (Kept). Leaves the optical depths. `Cuts`: how layers are resolved.
+ * What a source sees, Eqs. (23), (24) and (32): the integrals along every ray of importance g
+ * times extinction mu, with and without transmittance T. With `base`, also those of the kept base
+ * extinction (Kept). Leaves the optical depths. `Cuts`: how layers are resolved.
  */
 template <class Field, class Cuts>
 struct ScoreKernel
@@ -21,7 +21,7 @@ struct ScoreKernel
 
   Field extinction; ///< [1/length]
   Field importance; ///< [0, 1]
-  Field base;       ///< [1/length]; null: what is kept is not counted
+  Field base;       ///< [1/length]; null if kept base extinction is not counted
 
   template <class Windows>
   ScoreKernel<SliceWindow*, Cuts> With(Windows& windows) const
@@ -30,7 +30,7 @@ struct ScoreKernel
       windows(this->base, FieldUse{ 1 }) };
   }
 
-  /// From slice `s` to the next one.
+  /// Moves rays from slice `s` to the next one.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {
@@ -52,7 +52,7 @@ struct ScoreKernel
   }
 };
 
-/// The optical depths of all rays, Eqs. (15) and (16).
+/// Computes the optical depths of all rays, Eqs. (15) and (16).
 template <class Field>
 struct DepthKernel
 {

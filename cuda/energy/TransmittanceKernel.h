@@ -10,13 +10,13 @@
 
 namespace limpid
 {
-/// The transmittance from a source to every voxel, Eqs. (15) and (16): front to back, the optical
-/// depths grow, and on every slice the voxels read them.
+/// The transmittance from a source to every voxel, Eqs. (15) and (16). Front to back, optical
+/// depths grow, and the voxels of every slice read them.
 template <class Input, class Output>
 struct TransmittanceKernel
 {
   static constexpr const char* label = "transmittance";
-  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
+  static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
 
   Input extinction;     ///< [1/length]
   Output transmittance; ///< [0, 1]
@@ -28,8 +28,8 @@ struct TransmittanceKernel
       windows(this->transmittance, FieldUse{ 0, true }) };
   }
 
-  /// What rays have met on their way to slice `s`, and what they meet in the layer behind.
-  /// `dimmed`: columns that have met something.
+  /// Computes what voxels of slice `s` read, then moves rays through the layer behind it.
+  /// `dimmed`: columns of rays that have met anything.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s, const Range<int>& dimmed) const
   {

@@ -75,7 +75,7 @@ template <class AnyDevice>
 void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivative derivative,
   const GradientTarget& target, float* gradient, Seen* sum)
 {
-  // Without the weight of the rays, what they carry is not the score.
+  // Without the weight of widening rays, they do not carry the score.
   const bool areaWeighted = derivative == Derivative::Volume;
   if (!areaWeighted)
   {

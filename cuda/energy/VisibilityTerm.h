@@ -14,30 +14,30 @@
 
 namespace limpid
 {
-/// What a derivative is taken of; addresses on the device, one value per node each.
+/// The fields of a visibility term: device addresses, one value per node each.
 struct TermFields
 {
   const float* extinction;               ///< [1/length]
   const float* importance;               ///< [0, 1]
   const float* nodeImportance = nullptr; ///< for derivatives, see NodeImportance.h [0, 1]
-  const float* base = nullptr; ///< base extinction [1/length]; null: what is kept is not counted
+  const float* base = nullptr; ///< base extinction [1/length]; null: kept part is not counted
 
   Kept CountsKept() const { return this->base ? Kept::Counted : Kept::Ignored; }
 };
 
-/// What the ceiling of a source follows from; addresses on the device, one value per node each.
+/// The fields of a ceiling: device addresses, one value per node each.
 struct CeilingFields
 {
   const float* base;       ///< base extinction [1/length]
   const float* importance; ///< [0, 1]
-  const float* least;      ///< lower bound of the extinction [1/length]; null: 0
+  const float* least;      ///< lower bound of the extinction [1/length]; null stands for 0
   MostExtinction<float> most;
 
-  /// Without emphasis, what is kept is all.
+  /// Without emphasis, all extinction is kept base extinction.
   Kept CountsKept() const { return this->most.emphasis > 0 ? Kept::Counted : Kept::Ignored; }
 };
 
-/// The sums of what all rays of a source have seen.
+/// The sums over all rays of a source.
 struct SumsOfSeen
 {
   SumsOfRays all;
@@ -45,46 +45,48 @@ struct SumsOfSeen
 };
 
 /**
- * One of the two visibility terms of the energy, Eq. (23) or (24): what a camera or a light sees.
+ * One of the two kinds of visibility terms of the energy, Eq. (23) or (24): what a camera or a
+ * light sees.
  *
- * Holds the rays; the fields stay with the caller, one value per node each, in the memory of the
- * device. So does the occupancy; extinctions and importances are 0 where it is not filled. Nothing
- * waits for the device.
+ * Holds the rays. The caller owns the fields, one value per node each in device memory, and the
+ * occupancy; extinctions and importances are 0 where it is not filled. All operations are
+ * asynchronous.
  */
 template <class AnyDevice>
 class VisibilityTerm
 {
 public:
-  /// `ranks`: see PlanSettings. `fine`: whether Forward and FindCeiling resolve layers by FineCuts.
+  /// `ranks`: see PlanSettings. `fine`: whether Forward and FindCeiling resolve layers by
+  /// FineCuts.
   VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid, const Occupancy& occupancy,
     const RaySource& source, double rayDensity, const Communicator* ranks = nullptr,
     bool fine = false);
 
-  /// What the rays see, into `sum`; null: it is summed later. Leaves the optical depths of all
+  /// Sums what the rays see into `sum`; null: it is summed later. Leaves the optical depths of all
   /// rays.
   void Forward(const TermFields& fields, Seen* sum);
 
-  /// The rays of one frustum alone; what they see is summed by Sum.
+  /// Forward for one frustum only; Sum adds up the results.
   void ForwardAt(std::size_t frustum, const TermFields& fields);
 
-  /// Forward that also finds the derivative, into `gradient` [1]. Leaves no optical depths. Only
-  /// voxels that the term depends on are written, which are always the same ones.
+  /// Forward that also computes the derivative, into `gradient` [1]. Leaves no optical depths.
+  /// Only voxels that the term depends on are written, the same ones each time.
   void Differentiate(const TermFields& fields, Derivative derivative, const GradientTarget& target,
     float* gradient, Seen* sum);
 
-  /// The derivative of Differentiate, whose optical depths the rays have already; leaves none, and
-  /// sums nothing.
+  /// Computes the derivative for rays that hold the optical depths already. Leaves none, and sums
+  /// nothing.
   void DifferentiateSeen(
     const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient);
 
-  /// The most that the rays could see, into `sum`, see CeilingKernel; Seen::kept counts with an
-  /// emphasis only.
+  /// Sums an upper bound of what the rays can see into `sum`, see CeilingKernel. Seen::kept is
+  /// counted only with emphasis.
   void FindCeiling(const CeilingFields& fields, Seen* sum);
 
-  /// What the rays of all frusta have seen in their last sweep.
+  /// Sums what the rays of all frusta have seen in their last sweep.
   void Sum(Seen* sum, Kept kept);
 
-  /// The sums of Sum, for a launch with others.
+  /// Returns the sums of Sum, to be computed in a launch with others.
   SumsOfSeen SumsInto(Seen* sum, Kept kept)
   {
     SumsOfSeen sums;

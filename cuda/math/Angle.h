@@ -10,7 +10,8 @@
 
 namespace limpid
 {
-/// Between two directions of any length [radians]; exact for small angles, too.
+/// Returns the angle between two directions of any length [radians]; accurate for small angles,
+/// too.
 inline double AngleBetween(const Vec3& one, const Vec3& other)
 {
   return std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other));

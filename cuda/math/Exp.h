@@ -13,9 +13,9 @@ namespace limpid
 {
 namespace detail
 {
-/// exp(-depth) = power (1 + growth) for 0 <= depth <= 87, by the method of Cody and Waite:
-/// depth = k ln 2 - r, a polynomial in r, and k into the exponent bits. `growth` is as exact as a
-/// float can be, and below ln(2) / 2 power is exactly 1.
+/// exp(-depth) = power (1 + growth) for 0 <= depth <= 87, by the method of Cody and Waite: depth =
+/// k ln 2 - r, with a polynomial in r and k in the exponent bits. `growth` is as accurate as a
+/// float can be. For depth below ln(2) / 2, power is exactly 1.
 template <class Number>
 struct ReducedExp
 {
@@ -38,12 +38,12 @@ struct ReducedExp
   }
 };
 
-/// From here on exp(-depth) would leave the normal range of a float.
+/// For larger depths exp(-depth) would leave the normal range of a float.
 constexpr float deepest = 87.0f;
 }
 
-/// exp(-depth) for depth >= 0, in a form that compilers vectorise: exactly 1 at 0, monotone to
-/// rounding, within 2 units in the last place, and exactly 0 from depth 87 on.
+/// Returns exp(-depth) for depth >= 0, in a form that compilers vectorise. It is exactly 1 at 0,
+/// monotone up to rounding, within 2 units in the last place, and exactly 0 from depth 87 on.
 template <class Number>
 LIMPID_HD LIMPID_INLINE Number Attenuate(const Number& depth)
 {
@@ -56,7 +56,8 @@ LIMPID_HD LIMPID_INLINE double Attenuate(double depth)
   return std::exp(-depth);
 }
 
-/// 1 - exp(-depth) for depth >= 0, likewise; within 2 units in its own last place, however small.
+/// Returns 1 - exp(-depth) for depth >= 0, vectorisable; within 2 units in the last place, even if
+/// small.
 LIMPID_HD LIMPID_INLINE float Stop(float depth)
 {
   const detail::ReducedExp<float> parts(AtMost(depth, detail::deepest));
@@ -69,13 +70,14 @@ LIMPID_HD LIMPID_INLINE double Stop(double depth)
 }
 
 /**
- * Natural logarithm of a normal number above zero, in a form that compilers vectorise; within 3
- * units in the last place of the larger of result and 1. Cody and Waite again: x = 2^k (1 + f).
+ * Returns the natural logarithm of a positive normal number, in a form that compilers vectorise;
+ * within 3 units in the last place of max(|result|, 1). Uses the method of Cody and Waite: x = 2^k
+ * (1 + f).
  */
 template <class Number>
 LIMPID_HD LIMPID_INLINE Number Logarithm(const Number& x)
 {
-  // So that 1 + f lies between the square roots of 1/2 and 2.
+  // Then 1 + f is between the square roots of 1/2 and 2.
   const auto shifted = BitsOf(x) - 0x3f3504f3;
   const auto k = shifted >> 23;
   const Number f = FromBits((shifted & 0x007fffff) + 0x3f3504f3) - 1.0f;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Sixteen numbers at a time in registers of the processor. For the processor alone.
+// Sixteen numbers at a time in vector registers. For the processor only.
 
 #ifndef limpid_math_FloatLanes_h
 #define limpid_math_FloatLanes_h
@@ -15,9 +15,9 @@ namespace limpid
 using EightFloats = float __attribute__((vector_size(32)));
 using EightInts = std::int32_t __attribute__((vector_size(32)));
 
-/// Sixteen numbers of 32 bits. What is done to them is done to each, and gives the same as for a
-/// number alone. Two registers of eight rather than one, so that one result need not wait for
-/// another.
+/// Sixteen 32-bit numbers. Operations apply to each number and give the same result as for a
+/// single number. Two registers of eight hide latency better than one: their results are
+/// independent.
 template <class Number>
 struct LanesOf
 {
@@ -30,7 +30,7 @@ struct LanesOf
   LanesOf() = default;
   LIMPID_INLINE LanesOf(Number all)
   {
-    // As a shuffle, which is one instruction; GCC inserts the numbers of a list one by one.
+    // A shuffle is one instruction; GCC would insert the numbers of a list one by one.
     const Register one = { all };
     this->low = __builtin_shufflevector(one, one, 0, 0, 0, 0, 0, 0, 0, 0);
     this->high = this->low;
@@ -40,7 +40,7 @@ struct LanesOf
     , high(highLanes)
   {
   }
-  // As two registers: GCC would copy both as one from memory, for which it must wait.
+  // Copies two registers; GCC would copy both at once through memory, which stalls.
   LIMPID_INLINE LanesOf(const LanesOf& other)
     : low(other.low)
     , high(other.high)
@@ -69,7 +69,7 @@ struct LanesOf
 };
 
 using FloatLanes = LanesOf<float>;
-/// A condition has all bits where it holds, and none elsewhere.
+/// A condition: all bits are set where it holds, none elsewhere.
 using IntLanes = LanesOf<std::int32_t>;
 
 #define LIMPID_LANE_OPERATOR(Result, Operands, Number, sign)                                       \

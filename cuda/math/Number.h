@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What formulas ask of a number besides arithmetic. A formula that asks it of these functions can
-// be one of a float or of several at once, see FloatLanes.
+// Functions that formulas need besides arithmetic. A formula that uses them works for a single
+// float or for several at once, see FloatLanes.
 
 #ifndef limpid_math_Number_h
 #define limpid_math_Number_h
@@ -17,7 +17,7 @@ namespace limpid
 {
 constexpr double pi = 3.14159265358979323846;
 
-/// condition ? one : other
+/// Returns condition ? one : other.
 LIMPID_HD LIMPID_INLINE float Select(bool condition, float one, float other)
 {
   return condition ? one : other;
@@ -28,28 +28,28 @@ LIMPID_HD LIMPID_INLINE std::int32_t Select(bool condition, std::int32_t one, st
   return condition ? one : other;
 }
 
-/// The larger of `x` and `least`, which it is where `x` is not a number.
+/// Returns the larger of `x` and `least`; `least` if `x` is NaN.
 template <class Number, class Limit>
 LIMPID_HD LIMPID_INLINE Number AtLeast(const Number& x, Limit least)
 {
   return Select(x > least, x, least);
 }
 
-/// The smaller of `x` and `most`, likewise.
+/// Returns the smaller of `x` and `most`; `most` if `x` is NaN.
 template <class Number, class Limit>
 LIMPID_HD LIMPID_INLINE Number AtMost(const Number& x, Limit most)
 {
   return Select(x < most, x, most);
 }
 
-/// The closest to `x` between `least` and `most`; `least` where `x` is not a number.
+/// Returns `x` clamped to [least, most]; `least` if `x` is NaN.
 template <class Number, class Least, class Most>
 LIMPID_HD LIMPID_INLINE Number Clamp(const Number& x, Least least, Most most)
 {
   return AtMost(AtLeast(x, least), most);
 }
 
-/// One of several numbers; of one alone, that.
+/// Returns one of several numbers; a single number is returned itself.
 LIMPID_HD LIMPID_INLINE float LaneOf(float x, int)
 {
   return x;
@@ -65,14 +65,15 @@ LIMPID_HD LIMPID_INLINE bool And(bool one, bool other)
   return one && other;
 }
 
-/// from[index]
+/// Returns from[index].
 LIMPID_HD LIMPID_INLINE std::int32_t Gather(const std::uint8_t* from, std::int32_t index)
 {
   return from[index];
 }
 
-/// a / b. On a GPU within 2 units in the last place where b is in [2^-126, 2^126] (CUDA Programming
-/// Guide, intrinsic functions), in three instructions and without a branch; else to rounding.
+/// Returns a / b. On a GPU it is within 2 units in the last place for b in [2^-126, 2^126] (CUDA
+/// Programming Guide, intrinsic functions), and takes three instructions without a branch. On the
+/// processor it is correctly rounded.
 LIMPID_HD LIMPID_INLINE float Quotient(float a, float b)
 {
 #ifdef __CUDA_ARCH__
@@ -102,7 +103,7 @@ LIMPID_HD LIMPID_INLINE float Magnitude(float x)
   return std::abs(x);
 }
 
-/// The integer at `x` or next to it towards zero.
+/// Returns `x` rounded towards zero.
 LIMPID_HD LIMPID_INLINE std::int32_t Truncate(float x)
 {
   return static_cast<std::int32_t>(x);
@@ -113,7 +114,7 @@ LIMPID_HD LIMPID_INLINE float ToFloat(std::int32_t x)
   return static_cast<float>(x);
 }
 
-/// The 32 bits of a number as an integer, and back.
+/// Return the 32 bits of a number as an integer, and the number from its bits.
 LIMPID_HD LIMPID_INLINE std::int32_t BitsOf(float x)
 {
   std::int32_t bits;

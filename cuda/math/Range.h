@@ -8,7 +8,7 @@
 
 namespace limpid
 {
-/// From begin to end: half-open where `Value` counts, empty unless begin < end.
+/// A range from begin to end: half-open for integers, and empty unless begin < end.
 template <class Value>
 struct Range
 {
@@ -42,7 +42,7 @@ struct Range
   }
 };
 
-/// With so many more on either side, within [0, end); of an empty one, itself.
+/// Returns a range widened by `more` on either side, within [0, end); an empty range is unchanged.
 inline Range<int> Grown(const Range<int>& range, int more, int end)
 {
   return range.Empty()

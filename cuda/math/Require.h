@@ -10,15 +10,15 @@
 
 namespace limpid
 {
-/// The user's data or settings cannot be worked with. The message reads
-/// "what is wrong (why it matters). What to do." and contains the offending value.
+/// The user's data or settings are invalid. The message reads "what is wrong (why it matters).
+/// What to do." and contains the offending value.
 class Error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A GPU cannot go on: its memory is full, or it has failed. The processor may do the same.
+/// A GPU is out of memory or has failed. The same work may succeed on the processor.
 class DeviceError : public Error
 {
 public:
@@ -26,7 +26,7 @@ public:
 };
 }
 
-/// Checks the user's data or settings; always on. Throws limpid::Error.
+/// Checks the user's data or settings in all builds. Throws limpid::Error.
 #define LIMPID_REQUIRE(condition, message)                                                         \
   do                                                                                               \
   {                                                                                                \
@@ -38,7 +38,7 @@ public:
     }                                                                                              \
   } while (false)
 
-/// Checks the programmer; debug builds only.
+/// Checks for programming errors, in debug builds only.
 #define LIMPID_EXPECT(condition) assert(condition)
 
 #endif

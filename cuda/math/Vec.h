@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The only door to GLM.
+// The only file that includes GLM.
 
 #ifndef limpid_math_Vec_h
 #define limpid_math_Vec_h
@@ -26,7 +26,7 @@ namespace limpid
 using Vec3 = glm::dvec3; ///< double precision: positions, directions, lengths
 using Mat3 = glm::dmat3; ///< columns are the images of the axes
 using Int3 = glm::ivec3;
-using Index = std::int64_t; ///< any count of voxels: volumes beyond 2^31 voxels are valid
+using Index = std::int64_t; ///< any count of voxels; volumes may have more than 2^31
 }
 
 #endif

@@ -15,7 +15,7 @@ namespace limpid
 {
 namespace
 {
-/// Squares of importance in such a unit that no ray through the box collects more than 1.
+/// Squares of importance, scaled so that no ray through the box accumulates more than 1.
 struct SquareNode
 {
   const float* importance;
@@ -29,7 +29,7 @@ struct SquareNode
   }
 };
 
-/// Back to front: what the rays meet from here on, also ahead of their entry.
+/// Back to front: accumulates the field along rays, also in front of their entry into the box.
 struct CollectStep
 {
   RayStates rays;
@@ -53,12 +53,12 @@ struct TakeStep
   }
 };
 
-/// The integral of a field from every voxel on, along the rays.
+/// The integral of a field along the rays from every voxel on.
 template <class Input, class Output>
 struct BehindKernel
 {
   static constexpr const char* label = "importance behind nodes";
-  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
+  static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
 
   Input field; ///< [1/length]
   Output behind;
@@ -69,7 +69,7 @@ struct BehindKernel
     return { windows(this->field, FieldUse{ 1 }), windows(this->behind, FieldUse{ 0, true }) };
   }
 
-  /// What its rays carry.
+  /// Returns the values that the rays carry.
   std::vector<RayValues> Carried(const RayStates& rays) const { return { rays.behind }; }
 
   template <class Rays>
@@ -97,15 +97,15 @@ struct BehindKernel
   }
 };
 
-/// What a node keeps of its base extinction.
+/// Computes the share of base extinction that a node keeps.
 struct KeptNode
 {
   AmentKeptShare kept;
-  float radii; ///< per unit of the integrals
+  float radii; ///< radii per unit of the integrals
   const float* importance;
   const float* passed; ///< exp of minus the integral in front
   const float* behind;
-  float* share; ///< may be one of the others
+  float* share; ///< may alias one of the inputs
 
   LIMPID_HD LIMPID_INLINE void operator()(Index node) const
   {
@@ -115,7 +115,7 @@ struct KeptNode
   }
 };
 
-/// A pass of smoothing, see FindAment2017.
+/// One pass of smoothing, see FindAment2017.
 struct SmoothedNode
 {
   Int3 nodes;
@@ -150,7 +150,7 @@ struct SmoothedNode
 struct ShownNode
 {
   const float* share;
-  float* extinction; ///< in: the base
+  float* extinction; ///< in: the base extinction
 
   LIMPID_HD LIMPID_INLINE void operator()(Index node) const
   {
@@ -158,8 +158,8 @@ struct ShownNode
   }
 };
 
-/// Into `passed`: exp of minus the integral from the source to every node; into `behind`: the
-/// integral from there on. `field`: [1/length].
+/// Computes for every node exp of minus the integral from the source (`passed`) and the integral
+/// behind it (`behind`). `field`: [1/length].
 template <class AnyDevice>
 void Integrate(const MethodScene<AnyDevice>& scene, const Occupancy& occupancy, const float* field,
   float* passed, float* behind)

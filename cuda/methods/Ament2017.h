@@ -11,13 +11,14 @@
 namespace limpid
 {
 /**
- * The share of its base extinction that a node keeps by Ament et al. [AZD17], in closed form:
+ * The share of its base extinction that a node keeps according to Ament et al. [AZD17], in closed
+ * form:
  *
- *   p / (p + (1 - g)^(2 lambda) (r F + q B)),
- *   F, B = integrals of g^2 dt along the ray in front of the node and behind it, in radii,
+ *    p / (p + (1 - g)^(2 lambda) (r F + q B))
  *
- * so that what is important itself stays, and what is not gives way to what it hides (q) or lies
- * behind (r).
+ * F and B are the integrals of g^2 dt along the ray in front of the node and behind it [radius].
+ * Important structures stay. Others are reduced if they hide important ones (q) or lie behind them
+ * (r).
  */
 struct AmentKeptShare
 {
@@ -26,7 +27,7 @@ struct AmentKeptShare
   float occluders;      ///< q
   float background;     ///< r
 
-  /// `front`, `behind`: [radius].
+  /// `front`, `behind`: integrals F and B [radius].
   LIMPID_HD LIMPID_INLINE float operator()(float importance, float front, float behind) const
   {
     const float unimportant = std::pow(1.0f - importance, this->exponent);
@@ -36,11 +37,12 @@ struct AmentKeptShare
 };
 
 /**
- * The extinction by AmentKeptShare for the source, smoothed: every pass makes the kept shares
- * means of their neighbours that have any extinction, with the weights 1, 2, 1 along each axis.
- * Where no importance is in front or behind, the base extinction stays bit for bit without them.
+ * Computes the extinction by AmentKeptShare for the source, with smoothing: each pass replaces the
+ * kept shares by means over neighbours with nonzero extinction, with the weights 1, 2, 1 along
+ * each axis. Without smoothing, the base extinction is kept bit by bit where no importance is in
+ * front or behind.
  *
- * `extinction`: in: the base; out [1/length].
+ * `extinction`: in: the base extinction, out: the result [1/length].
  */
 template <class AnyDevice>
 void FindAment2017(const MethodScene<AnyDevice>& scene, float* extinction);

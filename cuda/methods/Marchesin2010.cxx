@@ -13,7 +13,7 @@ namespace limpid
 {
 namespace
 {
-/// Front to back: adds up optical depth and important matter inside the box.
+/// Front to back: adds up optical depth and important extinction inside the box.
 struct AddUpStep
 {
   RayStates rays;
@@ -27,7 +27,7 @@ struct AddUpStep
   }
 };
 
-/// What a ray has seen when it is through.
+/// Computes what a ray has seen at its end.
 struct ShareStep
 {
   RayStates rays;
@@ -69,7 +69,7 @@ struct EqualScoreKernel
 template <class AnyDevice>
 Seen SeeMarchesin2010(const MethodScene<AnyDevice>& scene)
 {
-  // What lies behind everything important counts, too: nothing is skipped.
+  // Structures behind everything important count, too, so nothing is skipped.
   const Occupancy everywhere(scene.grid, scene.base, scene.importance, false);
   std::vector<FrustumRays<AnyDevice>> all =
     PlanRays(scene.device, scene.grid, everywhere, scene.source, { scene.rayDensity });

@@ -9,9 +9,9 @@
 namespace limpid
 {
 /**
- * What a source sees of the base extinction where nothing hides anything else: all samples of a ray
- * have the same transmittance (EqualTransmittance), as [HG24] scores Marchesin et al. [MMD10] in
- * Section 4.3. This S is not one of transport. Waits.
+ * Returns what a source sees of the base extinction if nothing occludes anything else. All samples
+ * of a ray have the same transmittance (EqualTransmittance), as [HG24] scores Marchesin et al.
+ * [MMD10] in Section 4.3. This S does not describe light transport. Waits.
  */
 template <class AnyDevice>
 Seen SeeMarchesin2010(const MethodScene<AnyDevice>& scene);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The ways to show what matters that a user can choose from.
+// The methods for revealing important structures that a user can choose from.
 
 #ifndef limpid_methods_Method_h
 #define limpid_methods_Method_h
@@ -11,7 +11,7 @@ namespace limpid
 enum class Method
 {
   Optimized,     ///< minimises Eq. (21)
-  Ordinary,      ///< the extinction of the transfer function, untouched
+  Ordinary,      ///< the extinction of the transfer function, unchanged
   Viola2004,     ///< see RayObject
   Marchesin2010, ///< see WeighedMean
   Ament2017      ///< see AmentWeights
@@ -19,22 +19,22 @@ enum class Method
 
 constexpr int methodCount = 5;
 
-/// How a picture is made of the samples of a ray.
+/// How the samples of a ray are combined.
 enum class Compositing
 {
   FrontToBack,   ///< Eq. (6)
-  FromObject,    ///< the same from the most important object on, see RayObject
-  ImportanceMean ///< in no order, see WeighedMean
+  FromObject,    ///< Eq. (6), starting at the most important object, see RayObject
+  ImportanceMean ///< independent of order, see WeighedMean
 };
 
-/// What a method is to those who know nothing else of it.
+/// General properties of a method.
 struct MethodInfo
 {
   const char* name;
   Compositing compositing;
-  bool iterates;           ///< minimises Eq. (21); else there is one pass
-  bool hasLightExtinction; ///< finds another extinction for the light than for the camera
-  bool castsShadows;       ///< else T_L = 1, as in Section 4.3
+  bool iterates;           ///< minimises Eq. (21); other methods have one pass
+  bool hasLightExtinction; ///< has separate extinctions for camera and light
+  bool castsShadows;       ///< if not, T_L = 1, as in Section 4.3
 };
 
 const MethodInfo& InfoOf(Method method);
@@ -44,13 +44,13 @@ struct AmentWeights
 {
   double exponent = 1;         ///< lambda, >= 0
   double regularization = 1;   ///< p, > 0
-  double occluders = 100;      ///< q for the camera: against what hides, >= 0
-  double background = 0;       ///< r for the camera: against what lies behind, >= 0
-  double lightOccluders = 100; ///< the same for the light
+  double occluders = 100;      ///< q for the camera, against occluders, >= 0
+  double background = 0;       ///< r for the camera, against the background, >= 0
+  double lightOccluders = 100; ///< q for the light
   double lightBackground = 0;
   int smoothingPasses = 1; ///< >= 0
 
-  /// Throws limpid::Error on a value that cannot be worked with.
+  /// Throws limpid::Error if a value is invalid.
   void Require() const;
 };
 

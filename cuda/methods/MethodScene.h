@@ -14,14 +14,14 @@
 
 namespace limpid
 {
-/// What a method without iterations works on: fields on a device, one value per node, as one source
-/// of rays sees them.
+/// The input of a method without iterations: fields on a device, one value per node, and one
+/// source of rays.
 template <class AnyDevice>
 struct MethodScene
 {
   std::shared_ptr<AnyDevice> device;
   Grid grid;
-  const Occupancy* occupancy; ///< of base and importance
+  const Occupancy* occupancy; ///< of base extinction and importance
   RaySource source;
   double rayDensity;       ///< rays per voxel and axis on the farthest slice
   const float* base;       ///< base extinction [1/length]
@@ -29,7 +29,7 @@ struct MethodScene
   AmentWeights ament;
   bool forLight; ///< whether the source is the light
 
-  /// The source without a frame: what lies outside the picture is there all the same.
+  /// The source without view planes, so that structures outside of the view count.
   RaySource WholeSource() const
   {
     RaySource whole = this->source;
@@ -39,16 +39,17 @@ struct MethodScene
 };
 
 /**
- * What a method does in the optimiser's place; null: nothing of its own. To add a method: its file,
- * its row here and in InfoOf, and, if it has one, its way through the samples of a ray (render).
+ * The passes of a method that replaces the optimiser; null if it has none of its own. To add a
+ * method: its file, its row here and in InfoOf, and, if it has one, its compositing (render).
  */
 template <class AnyDevice>
 struct MethodPasses
 {
-  /// Finds the extinction that the source is shown, at nodes that hold the base [1/length].
+  /// Computes the extinction for the source at nodes; the array holds the base at first
+  /// [1/length].
   void (*findExtinction)(const MethodScene<AnyDevice>& scene, float* extinction) = nullptr;
 
-  /// What the source sees; else it is that of transport, Eq. (32).
+  /// Returns what the source sees; null for light transport, Eq. (32).
   Seen (*see)(const MethodScene<AnyDevice>& scene) = nullptr;
 };
 

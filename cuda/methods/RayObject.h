@@ -9,29 +9,30 @@
 namespace limpid
 {
 /**
- * The object on a ray from which Viola et al. [VKG04] begin to draw, their cylindrical maximum
- * importance projection as [HG24] has it in Section 4.3: objects are the stretches of the ray with
- * importance above 0.5, and what is in front of the one with the highest importance is clipped. Of
- * several that are equal it is the foremost. Where no object is, nothing is clipped.
+ * The object on a ray at which Viola et al. [VKG04] start to draw: cylindrical maximum importance
+ * projection as in Section 4.3 of [HG24]. Objects are the intervals of the ray with importance
+ * above 0.5. Everything in front of the one with the highest importance is clipped. Of several
+ * equal ones the first is taken. Without objects nothing is clipped.
  */
 struct RayObject
 {
   static constexpr float threshold = 0.5f;    ///< level set that bounds an object
-  static constexpr float everything = -1e30f; ///< begin, where nothing is clipped
+  static constexpr float everything = -1e30f; ///< begin if nothing is clipped
 
-  float begin = everything;  ///< where the most important object begins, in the unit of `at`
-  float most = 0;            ///< its importance, 0: there is none so far [0, 1]
-  float opened = everything; ///< where the object begins that the last sample is in
+  float begin = everything;  ///< begin of the most important object, in the unit of `at`
+  float most = 0;            ///< its importance [0, 1]; 0 if there is none yet
+  float opened = everything; ///< begin of the object that contains the last sample
   float lastAt = everything;
   float lastImportance = 0;
 
-  /// The next sample, front to back. `at`: where it is; between samples importance is linear.
+  /// Adds the next sample, front to back. `at`: its position. Importance is linear between
+  /// samples.
   LIMPID_HD LIMPID_INLINE void Meet(float at, float importance)
   {
     const bool inside = importance > threshold;
     if (inside && !(this->lastImportance > threshold))
     {
-      // Without a sample in front, the object reaches to where the ray begins.
+      // If there is no sample before it, the object extends to the begin of the ray.
       const float share = (threshold - this->lastImportance) / (importance - this->lastImportance);
       this->opened =
         this->lastAt == everything ? everything : this->lastAt + share * (at - this->lastAt);

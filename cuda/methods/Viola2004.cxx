@@ -14,7 +14,7 @@ namespace limpid
 {
 namespace
 {
-/// The object of every ray; at first there is none.
+/// Resets the object of every ray.
 struct RayObjects
 {
   RayObject* rays;
@@ -72,13 +72,13 @@ struct ObjectKernel
   }
 };
 
-/// The share of a slice that a ray's clip leaves, in RayStates::behind.
+/// Computes the fraction of a slice behind a ray's clip, in RayStates::behind.
 struct ClipStep
 {
   RayStates rays;
   const RayObject* objects;
   float depth;
-  float thickness; ///< of a layer
+  float thickness; ///< thickness of a layer
 
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
@@ -90,24 +90,24 @@ struct ClipStep
 struct KeepStep
 {
   const float* share;
-  float* extinction; ///< in: the base
+  float* extinction; ///< in: the base extinction
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
     const float mean = this->share[u];
-    const float kept = mean < 1.0f ? mean : 1.0f; // means are rounded
+    const float kept = mean < 1.0f ? mean : 1.0f; // means may exceed 1 by rounding
     this->extinction[u] *= kept; // NOLINT(clang-analyzer-core.NullDereference): the field is there
   }
 };
 
-/// On every slice, the voxels keep what the rays beside them do.
+/// The voxels of every slice keep the fraction of the rays around them.
 template <class Output>
 struct ClipKernel
 {
   static constexpr const char* label = "clipped extinction";
-  static constexpr auto seenBehind = &RayStates::behind; ///< what voxels read
+  static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
 
-  Output extinction; ///< in: the base [1/length]
+  Output extinction; ///< in: the base extinction [1/length]
   const RayObject* objects;
 
   template <class Windows>
@@ -116,7 +116,7 @@ struct ClipKernel
     return { windows(this->extinction, FieldUse{ 0, true }), this->objects };
   }
 
-  /// What its rays carry.
+  /// Returns the values that the rays carry.
   std::vector<RayValues> Carried(const RayStates& rays) const { return { rays.behind }; }
 
   template <class Rays>

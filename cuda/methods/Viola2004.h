@@ -9,11 +9,11 @@
 namespace limpid
 {
 /**
- * The extinction that the clip of Viola et al. [VKG04] amounts to, sampled to the nodes: base
- * extinction where the rays beside a node have come to their most important object (RayObject),
- * nothing in front of that. Half a layer before and behind the clip, it is a share.
+ * Computes the extinction that corresponds to the clipping of Viola et al. [VKG04] at the nodes:
+ * the base extinction where the rays around a node have reached their most important object
+ * (RayObject), and 0 in front of it. Within half a layer of the clip it is a fraction.
  *
- * `extinction`: in: the base; out [1/length]. Waits for nothing.
+ * `extinction`: in: the base extinction, out: the result [1/length]. Asynchronous.
  */
 template <class AnyDevice>
 void FindViola2004(const MethodScene<AnyDevice>& scene, float* extinction);

@@ -10,26 +10,27 @@
 namespace limpid
 {
 /**
- * What a pixel is by Marchesin et al. [MMD10], as [HG24] has it in Section 4.3: the mean colour of
- * the samples on a ray, in no order, each with the weight importance times optical depth, over the
- * background with the transmittance of the base extinction. Where nothing on the ray is important,
- * all samples are equally so, which is what the mean tends to when all importance becomes small.
+ * The colour of a pixel according to Marchesin et al. [MMD10], as in Section 4.3 of [HG24]. It is
+ * the mean colour of the samples on a ray, independent of their order and weighted by importance
+ * times optical depth. It covers the background with the opacity of the base extinction. If
+ * nothing on the ray is important, all samples have the same importance, which is the limit when
+ * all importance tends to 0.
  *
- * `Optical`: has colours and their arithmetic.
+ * `Optical`: a colour with arithmetic.
  */
 template <class Optical>
 struct WeighedMean
 {
-  /// A sum of importance and optical depth up to this comes of rounding errors: where rays enter
-  /// beside something important, it would colour one pixel and not the next.
+  /// Sums of importance and optical depth up to this value are rounding errors. Where rays enter
+  /// next to important structures, they would colour single pixels.
   static constexpr float least = 1e-9f;
 
-  Optical important = { 0, 0, 0, 0 }; ///< sum of importance, optical depth and colour
-  Optical plain = { 0, 0, 0, 0 };     ///< ... of optical depth and colour, until any is important
-  float importance = 0;               ///< sum of importance and optical depth
-  float depth = 0;                    ///< optical depth
+  Optical important = { 0, 0, 0, 0 }; ///< sum of importance times optical depth times colour
+  Optical plain = { 0, 0, 0, 0 };     ///< sum of depth times colour, until any is important
+  float importance = 0;               ///< sum of importance times optical depth
+  float depth = 0;                    ///< sum of optical depth
 
-  /// A segment. `light`: share of its colour that it sends to the viewer.
+  /// Adds a segment. `light`: fraction of its colour that it sends to the viewer.
   LIMPID_HD LIMPID_INLINE void Add(
     float importanceHere, float depthHere, float light, const Optical& color)
   {
@@ -43,10 +44,10 @@ struct WeighedMean
     this->depth += depthHere;
   }
 
-  /// A segment that is not important, while something else is: its colour does not count.
+  /// Adds an unimportant segment after an important one; its colour does not count.
   LIMPID_HD LIMPID_INLINE void AddUnseen(float depthHere) { this->depth += depthHere; }
 
-  /// Whether anything important was met; else all samples are equally so.
+  /// Whether anything important was met; if not, all samples count as equally important.
   LIMPID_HD LIMPID_INLINE bool HasImportance() const { return this->importance > least; }
 
   LIMPID_HD LIMPID_INLINE float Transmittance() const { return Attenuate(this->depth); }
@@ -64,11 +65,11 @@ struct WeighedMean
   }
 };
 
-/// The transmittance that all samples of a ray have if they share its opacity equally [0, 1]: mean
+/// Returns the transmittance of samples that share the opacity of a ray equally [0, 1]: the mean
 /// of exp(-t) for t up to the optical depth of the ray.
 LIMPID_HD LIMPID_INLINE float EqualTransmittance(float opticalDepth)
 {
-  constexpr float small = 1e-3f; // the series is off by its third term, 2e-7 of 1
+  constexpr float small = 1e-3f; // the series has an error of its third term, 2e-7 relative to 1
   return opticalDepth > small ? Stop(opticalDepth) / opticalDepth
                               : 1.0f - opticalDepth * (0.5f - opticalDepth * (1.0f / 6.0f));
 }

@@ -16,13 +16,13 @@ namespace limpid
 {
 namespace
 {
-/// The problem on one resolution and Adam's state there.
+/// The problem at one resolution and Adam's state there.
 struct Level
 {
-  int number = 0;                        ///< 0 full, 1 half, 2 quarter resolution
-  std::unique_ptr<CoarseProblem> coarse; ///< null on the full resolution
+  int number = 0;                        ///< 0: full, 1: half, 2: quarter resolution
+  std::unique_ptr<CoarseProblem> coarse; ///< null at full resolution
   std::unique_ptr<AdamLevel> state;
-  int count = 0; ///< of steps
+  int count = 0; ///< number of steps
 };
 
 class Adam : public Minimizer
@@ -40,7 +40,7 @@ public:
 
   IterationRecord Start() override
   {
-    // The base is measured where the user sees it, on the full resolution.
+    // The base is measured at full resolution, as shown to the user.
     this->Enter(0, this->First);
     const IterationRecord record =
       this->First ? this->Here->state->Measure() : this->Here->state->MeasureBase();
@@ -134,7 +134,7 @@ private:
     return level == 0 ? this->Given.grid : CoarseGrid(this->Given.grid, FactorOf(level));
   }
 
-  /// The base extinction of this rank's slab.
+  /// Returns the base extinction of this rank's slab.
   std::vector<float> OwnBase() const
   {
     const Slab own = this->Given.OwnSlab();
@@ -165,17 +165,17 @@ private:
   }
 
   const Problem& Given;
-  StartingExtinction First; ///< until it is entered
+  StartingExtinction First; ///< moved out when the first level is entered
   AdamLevelMaker Maker;
   SuccessorMaker SmootherMaker;
-  std::unique_ptr<Minimizer> Smoother; ///< null: nothing was smoothed yet
-  std::array<int, 3> Remaining;        ///< iterations left: quarter, half, full
+  std::unique_ptr<Minimizer> Smoother; ///< null until the first smoothing
+  std::array<int, 3> Remaining;        ///< iterations left at quarter, half and full resolution
   std::unique_ptr<Level> Here;
   double Change = 0;
   double BestEnergy = 0;
   Score Base;
-  std::vector<float> BestIterate; ///< before there was a better one
-  bool BestIsHere = false;        ///< whether that is with the level
+  std::vector<float> BestIterate; ///< unless the best one is held by the level
+  bool BestIsHere = false;        ///< whether the best iterate is held by the level
 };
 }
 

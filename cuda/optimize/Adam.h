@@ -10,11 +10,11 @@
 
 namespace limpid
 {
-/// Makes a method for the same problem from a first iterate, see StartingExtinction [1/length].
+/// Makes a minimiser of the same problem that starts from a given extinction [1/length].
 using SuccessorMaker = std::function<std::unique_ptr<Minimizer>(const std::vector<float>&)>;
 
-/// The paper's solver (Section 3.5): projected Adam on a quarter, a half and the full resolution.
-/// `smoother`: makes what smooths.
+/// The paper's solver (Section 3.5): projected Adam at quarter, half and full resolution.
+/// `smoother`: makes the minimiser that smooths the result.
 std::unique_ptr<Minimizer> MakeAdam(const Problem& problem, StartingExtinction&& start,
   const AdamLevelMaker& maker, const SuccessorMaker& smoother);
 }

@@ -16,7 +16,7 @@ namespace limpid
 {
 namespace
 {
-/// What step number `count` does at every voxel; the arrays are left open.
+/// Returns step number `count` at every voxel; its arrays are not set yet.
 AdamVoxel<float> AdamStep(const Problem& problem, int count)
 {
   const Settings& settings = problem.settings;
@@ -120,13 +120,13 @@ private:
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
-  Slab Own; ///< of this rank
+  Slab Own; ///< slab of this rank
   Field Now;
   Field Kept;
-  Field Gradient; ///< empty: there was no step yet
+  Field Gradient; ///< empty before the first step
   Field First;
   Field Second;
-  std::vector<float> Readable; ///< the best on the host; empty: not asked for
+  std::vector<float> Readable; ///< the best iterate on the host; empty until requested
 };
 }
 

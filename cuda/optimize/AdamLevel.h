@@ -12,38 +12,38 @@
 
 namespace limpid
 {
-/// Adam's state on one resolution, wherever it lives. Where ranks share the problem, each gives and
-/// gets the extinction of its slab.
+/// Adam's state at one resolution, on any device. In distributed runs each rank passes and
+/// receives the extinction of its own slab.
 class AdamLevel
 {
 public:
   virtual ~AdamLevel() = default;
 
-  /// What the camera sees of the base extinction.
+  /// Returns the score of the base extinction from the camera.
   virtual Score BaseScore() const = 0;
 
-  /// The record of the present extinction, and of the base extinction, if it is that.
+  /// Return the records of the current extinction, and of the base extinction if that is current.
   virtual IterationRecord Measure() = 0;
   virtual IterationRecord MeasureBase() = 0;
 
-  /// Step number `count`, from 1 on, and the record of what it leads to.
+  /// Performs step number `count`, starting at 1, and returns the record of the new extinction.
   virtual IterationRecord Step(int count) = 0;
 
-  /// The present extinction [1/length].
+  /// The current extinction [1/length].
   virtual std::vector<float> Extinction() = 0;
 
-  /// Remembers the present extinction as the best.
+  /// Saves the current extinction as the best one.
   virtual void KeepBest() = 0;
 
   virtual const std::vector<float>& Best() = 0;
   virtual std::vector<float> TakeBest() = 0;
 };
 
-/// Makes the level of a problem, which stays with the caller, from a first extinction.
+/// Makes the level of a problem from a starting extinction. The problem must outlive the level.
 using AdamLevelMaker =
   std::function<std::unique_ptr<AdamLevel>(const Problem&, const StartingExtinction&)>;
 
-/// Makes it on a device.
+/// Makes the level on a device.
 template <class AnyDevice>
 std::unique_ptr<AdamLevel> MakeAdamLevel(const std::shared_ptr<AnyDevice>& device,
   const Problem& problem, const StartingExtinction& start);

@@ -12,25 +12,26 @@
 namespace limpid
 {
 /**
- * One step of Adam [KB17] at every voxel, projected to its bounds; replaces the plain step of
- * Eq. (30).
+ * One step of Adam [KB17] at every voxel, projected to the bounds; replaces the plain step of Eq.
+ * (30).
  *
- * Adam divides the gradient by its own size. Where the true gradient is zero that would blow up
- * rounding noise, so `floor` is a small share of the largest weight, not of the gradient.
+ * Adam divides the gradient by its own magnitude. Where the true gradient is zero, that would
+ * amplify rounding noise. Therefore `floor` is a small fraction of the largest weight, not of the
+ * gradient.
  */
 template <class Real>
 struct AdamVoxel
 {
   static constexpr const char* label = "Adam";
 
-  const Real* gradient;   ///< of the visibility terms
+  const Real* gradient;   ///< derivative of the visibility terms
   const Real* base;       ///< mu-bar [1/length]
   const Real* importance; ///< [0, 1]
   Real* first;            ///< running mean of the gradient
   Real* second;           ///< running mean of its square
   Real* extinction;       ///< [1/length]
   Real regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
-  const Real* previous;   ///< what to stay near [1/length]; null: nothing
+  const Real* previous;   ///< reference extinction [1/length]; null if none
   Real coherence;         ///< weight of (mu - mu_previous) [length]
   Real step;              ///< learning rate, bias of the first moment removed [1/length]
   Real secondCorrection;  ///< 1 / (1 - beta2^n), removes the bias of the second moment

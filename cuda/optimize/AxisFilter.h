@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fields on coarser and finer grids over the same box, axis by axis, on any device.
+// Resampling of fields to coarser or finer grids over the same box, axis by axis, on any device.
 
 #ifndef limpid_optimize_AxisFilter_h
 #define limpid_optimize_AxisFilter_h
@@ -18,47 +18,48 @@
 
 namespace limpid
 {
-/// Along one axis, every node is a weighted mean of consecutive nodes of another grid.
+/// A filter along one axis: every target node is a weighted mean of consecutive source nodes.
 struct AxisFilter
 {
-  std::vector<int> first;     ///< per node: the first of the other nodes
-  std::vector<int> begin;     ///< per node, and one more: its first weight
-  std::vector<float> weights; ///< with a sum of 1 per node
+  std::vector<int> first;     ///< [target node]: first source node
+  std::vector<int> begin;     ///< [target node], and one more: index of its first weight
+  std::vector<float> weights; ///< sum to 1 for each target node
 
-  /// Hat functions about the `to` nodes of the axis, as wide as the coarser of the two spacings.
+  /// Builds hat functions centred at the `to` target nodes, as wide as the coarser of both
+  /// spacings.
   AxisFilter(int from, int to);
 
-  /// The other nodes that some of the nodes are means of.
+  /// Returns the source nodes that contribute to a range of target nodes.
   Range<int> SourcesOf(const Range<int>& nodes) const;
 
-  /// That of some of the nodes, from those other nodes alone.
+  /// Returns the filter for a range of target nodes, relative to SourcesOf that range.
   AxisFilter PartOf(const Range<int>& nodes) const;
 };
 
-/// How fields at some nodes become fields at others in the same box, axis by axis.
+/// A filter from one grid to another over the same box, axis by axis.
 struct GridFilter
 {
   Int3 from;
   Int3 to;
-  std::array<std::optional<AxisFilter>, 3> along; ///< not there: the nodes are the same
+  std::array<std::optional<AxisFilter>, 3> along; ///< empty if the nodes do not change
 
   GridFilter(const Int3& from, const Int3& to);
 
-  /// The nodes of the field that some nodes of the result are means of.
+  /// Returns the source nodes that contribute to a box of target nodes.
   NodeBox SourcesOf(const NodeBox& nodes) const;
 
-  /// That of some nodes of the result, from those of the field alone.
+  /// Returns the filter for a box of target nodes, relative to SourcesOf that box.
   GridFilter PartOf(const NodeBox& nodes) const;
 };
 
-/// One node of a field that is filtered along an axis, see AxisFilter.
+/// Computes one node of a field that is filtered along an axis, see AxisFilter.
 struct FilteredNode
 {
   const int* first;
   const int* begin;
   const float* weights;
   int axis;
-  Int3 from; ///< nodes of `field`
+  Int3 from; ///< size of the source grid
   const float* field;
   float* out;
 
@@ -82,15 +83,15 @@ struct FilteredNode
   }
 };
 
-/// Restrict or Prolong (Levels.h) on a device, where both fields are. Does not wait.
+/// Restricts or prolongs a field (Levels.h) on a device that holds both fields. Asynchronous.
 template <class AnyDevice>
 void Resample(const std::shared_ptr<AnyDevice>& device, const GridFilter& filter,
   const float* field, float* result)
 {
   const char* what = "a field on another grid";
   Int3 nodes = filter.from;
-  DeviceArray<AnyDevice, float> before; // what `field` is from the second axis on
-  int left = 0;                         // axes that are filtered
+  DeviceArray<AnyDevice, float> before; // holds `field` from the second filtered axis on
+  int left = 0;                         // number of axes still to be filtered
   for (const std::optional<AxisFilter>& along : filter.along)
   {
     left += along ? 1 : 0;
@@ -122,7 +123,7 @@ void Resample(const std::shared_ptr<AnyDevice>& device, const GridFilter& filter
   }
 }
 
-/// The same from all nodes of a grid to all of another.
+/// Resamples a whole field from one grid to another.
 template <class AnyDevice>
 void Resample(const std::shared_ptr<AnyDevice>& device, const Grid& from, const float* field,
   const Grid& to, float* result)

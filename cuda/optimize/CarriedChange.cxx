@@ -29,14 +29,14 @@ Vec3 DirectionTo(const Light& light, const Vec3& centre)
   return light.position - (light.type == LightType::Directional ? light.focalPoint : centre);
 }
 
-/// 0 where a direction has no length.
+/// Angle between two directions [degrees]; 0 if one has no length.
 double DegreesBetween(const Vec3& one, const Vec3& other)
 {
   const double degrees = AngleBetween(one, other) * (180 / pi);
   return std::isfinite(degrees) ? degrees : 0.0;
 }
 
-/// c at the nodes of a scene, where it has them.
+/// Returns c at the nodes of a scene, resampled if necessary.
 std::vector<float> OnScene(
   const SceneFields& scene, const CarriedChange& change, const std::vector<float>& values)
 {
@@ -87,7 +87,7 @@ double CarriedChange::NearnessTo(
 {
   Settings same = otherSettings;
   same.otherCameras = this->settings.otherCameras;
-  same.backend = this->settings.backend; // whoever computes it
+  same.backend = this->settings.backend; // any backend gives an equivalent result
   const std::vector<Camera>& one = this->settings.otherCameras;
   const std::vector<Camera>& other = otherSettings.otherCameras;
   if (!(same == this->settings) || one.size() != other.size())

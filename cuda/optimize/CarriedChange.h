@@ -16,61 +16,64 @@ namespace limpid
 {
 struct SceneFields;
 
-/// The likeness of data to those of another time step, whose optimum moves with them: to stay as
-/// near as to another view's costs more of the score (Documentation/Benchmarks/Steadiness.md).
+/// Likeness of data at different time steps. It is low because the optimum moves with the data.
+/// Staying as near as between two views would cost more of the score
+/// (Documentation/Benchmarks/Steadiness.md).
 constexpr double likenessInTime = 0.4;
 
 /**
- * What an optimisation has made of a base extinction, so that it outlives that base: transfer
- * functions are edited, time goes on, and what was clear or opaque stays so.
+ * The change that an optimisation has made to a base extinction, in a form that can be applied to
+ * another base: after an edit of the transfer function, or at another time step, cleared voxels
+ * stay clear and opaque ones opaque.
  *
- *   mu = mu-bar + c mu-bar               where c < 0
- *   mu = mu-bar + c (majorant - mu-bar)  else
+ *    mu = mu-bar + c mu-bar if c < 0
+ *
+ *    mu = mu-bar + c (majorant - mu-bar) otherwise
  */
 struct CarriedChange
 {
   Grid grid;
-  std::vector<float> ofExtinction; ///< c, ValueCount() values in [-1, 1]; none: there is no change
-  std::vector<float> ofLight;      ///< of the extinction for the light; empty: the same
-  std::shared_ptr<const ScenePiece> piece; ///< what ranks have of it; null: one has all
-  Camera camera;                           ///< for which it was found
+  std::vector<float> ofExtinction; ///< c, ValueCount() values in [-1, 1]; empty: no change
+  std::vector<float> ofLight; ///< c of the extinction for the light; empty: same as ofExtinction
+  std::shared_ptr<const ScenePiece> piece; ///< this rank's subdomain; null for one process
+  Camera camera;                           ///< the camera for which the change was found
   Light light;
   Settings settings;
-  double likeness = 1; ///< of what it was found for to what is asked now, beside these [0, 1]
+  double likeness = 1; ///< similarity of the data to the present data, apart from the above [0, 1]
 
   bool Empty() const { return this->ofExtinction.empty() && !this->piece; }
 
-  /// Number of values that are here.
+  /// Number of values on this rank.
   Index ValueCount() const
   {
     return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
   }
 
-  /// How much there is to stay near for another camera and light: the likeness for the same
-  /// directions from the middle of the grid, 0 for directions more than 20 degrees away, and for
-  /// other settings.
+  /// Returns the weight of this change as a reference for another camera and light, in [0, 1]. It
+  /// is the likeness if all directions from the centre of the grid are the same. It falls to 0 at
+  /// an angle of 20 degrees, and is 0 for other settings.
   double NearnessTo(
     const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const;
 };
 
-/// Of a change that every rank has all of: what it is of a rank's piece of a scene.
+/// Restricts a change that every rank holds completely to a rank's subdomain of a scene.
 CarriedChange OnPiece(
   CarriedChange change, const Grid& grid, const std::shared_ptr<const ScenePiece>& piece);
 
-/// Of a change that ranks have pieces of: all of it on a coarser grid, on every rank.
+/// Resamples a distributed change to a coarser grid and gathers all of it on every rank.
 CarriedChange ForAllRanks(CarriedChange change, const Grid& grid);
 
-/// c of an extinction at so many nodes [1/length].
+/// Computes c from an extinction at `count` nodes [1/length].
 std::vector<float> ChangeOf(
   Index count, const float* base, const float* extinction, float majorant);
 
-/// What a change makes of a scene, one value per node each [1/length].
+/// The extinctions that result from a change, one value per node each [1/length].
 struct CarriedExtinction
 {
-  std::vector<float> extinction; ///< empty: nothing
-  std::vector<float> light;      ///< empty: the same
+  std::vector<float> extinction; ///< empty: no change
+  std::vector<float> light;      ///< empty: same as extinction
 
-  /// Null: nothing.
+  /// Returns null if there is no change.
   const float* Of(bool forLight) const
   {
     const std::vector<float>& values =
@@ -79,9 +82,9 @@ struct CarriedExtinction
   }
 };
 
-/// That of a scene with that majorant, whose grid may be finer or coarser than the change's;
-/// nothing where it is over another box, or ranks share only one of both. Throws limpid::Error for
-/// a change of another size than its grid.
+/// Applies a change to a scene with the given majorant. The grids may differ in resolution.
+/// Returns nothing if they cover different boxes, or if only one of the two is distributed. Throws
+/// limpid::Error if the size of the change does not match its grid.
 CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change);
 }
 

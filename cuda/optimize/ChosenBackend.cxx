@@ -10,15 +10,15 @@ namespace limpid
 {
 namespace
 {
-/// What an optimisation needs on a GPU, about.
+/// Estimates the GPU memory that an optimisation needs.
 GpuNeed NeedOf(const Grid& grid, const Settings& settings)
 {
-  // Fields: base, importance and that of nodes; policy: three iterates, the light's derivative, and
-  // in thick media the derivative and the lengths of steps; Adam: extinction, best, derivative and
-  // its two means.
+  // Fields: base, importance, node importance. Policy: three iterates, the light's derivative, and
+  // in thick media the derivative and the step lengths. Adam: extinction, best iterate, derivative
+  // and its two means.
   const double fields = settings.solver == SolverKind::Policy ? 9 : 8;
   const double nodes = double(grid.NodeCount());
-  // Rays of the light and all cameras, with images of them on a few slices, and plans.
+  // Rays of the light and all cameras, their images on a few slices, and the plans.
   const double across =
     settings.rayDensity * std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z });
   const double sources = 2.0 + double(settings.otherCameras.size());

@@ -38,7 +38,7 @@ public:
     return record;
   }
 
-  IterationRecord Smooth() override { return {}; } // nobody asks what has no iterations
+  IterationRecord Smooth() override { return {}; } // never called: the method has no iterations
   Score BaseScore() const override { return this->Energy.BaseScore(); }
   bool Converged() const override { return this->IsFound; }
   int IterationLimit() const override { return 1; }
@@ -49,7 +49,7 @@ private:
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
-  std::vector<float> Found; ///< the base at first
+  std::vector<float> Found; ///< initially the base extinction
   bool IsFound = false;
 };
 }

@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-/// The scene of a problem for a method, as the problem's source sees it: the light or the camera.
+/// Returns a problem's scene for a method, as seen from the problem's source: light or camera.
 template <class AnyDevice>
 MethodScene<AnyDevice> SceneOf(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
   const ProblemFields<AnyDevice>& fields)
@@ -21,15 +21,15 @@ MethodScene<AnyDevice> SceneOf(const std::shared_ptr<AnyDevice>& device, const P
     fields.base.Data(), fields.importance.Data(), problem.settings.ament, problem.forLight };
 }
 
-/// The extinction that a problem's method makes in one pass. `extinction`: on the device; in: the
-/// base; out [1/length].
+/// Computes the extinction of a method that needs one pass. `extinction`: on the device; in: the
+/// base extinction, out: the result [1/length].
 template <class AnyDevice>
 void FindByMethod(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
   const ProblemFields<AnyDevice>& fields, float* extinction);
 
 /**
- * A method that does not iterate, in the place of one that does: its only iteration makes its
- * extinction and measures the energy of that, Eq. (21), which it knows nothing of.
+ * Wraps a method without iterations as a Minimizer. Its only iteration computes the method's
+ * extinction and measures the energy of Eq. (21), which the method itself does not minimise.
  */
 template <class AnyDevice>
 std::unique_ptr<Minimizer> MakeClosedForm(

@@ -16,7 +16,7 @@ namespace
 {
 constexpr Index valuesPerTask = 65536;
 
-/// The source as seen from a grid over the same box with other nodes.
+/// Returns the source in index space of another grid over the same box.
 RaySource Rescaled(const RaySource& source, const Grid& from, const Grid& to)
 {
   RaySource other = source;
@@ -50,7 +50,7 @@ CoarseProblem::CoarseProblem(const Problem& given, int factor)
 {
   Problem& problem = this->Coarse;
   problem.grid = CoarseGrid(given.grid, factor);
-  problem.resident = nullptr; // these fields are its own
+  problem.resident = nullptr; // the coarse fields cannot be cached with the scene
   this->Base = this->Restricted(given.baseExtinction, problem.grid);
   this->Importance = this->Restricted(given.importance, problem.grid);
   if (given.previous)
@@ -95,7 +95,7 @@ std::vector<float> CoarseProblem::ChangedOn(
   return extinction;
 }
 
-/// A field of the problem that was given, on another grid.
+/// Resamples a field of the given problem to another grid.
 std::vector<float> CoarseProblem::Restricted(const float* field, const Grid& to) const
 {
   return MovedTo(*this->Given, this->Given->grid, field + this->Given->OwnSlab().Begin(), to);
@@ -114,7 +114,7 @@ void CoarseProblem::UseFields()
     problem.grid, problem.baseExtinction, problem.nodeImportance, problem.settings.skipUnneeded);
 }
 
-/// UseFields where each rank has a slab of the fields.
+/// UseFields for a distributed problem, where each rank has a slab of the fields.
 void CoarseProblem::ShareFields()
 {
   Problem& problem = this->Coarse;

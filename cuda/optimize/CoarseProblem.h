@@ -10,26 +10,25 @@
 
 namespace limpid
 {
-/// A field of a problem's own slab, moved to the own slab of another grid over its box, see
-/// Problem::OwnSlab and Resampled.
+/// Resamples a field from a rank's own slab of one grid to its own slab of another grid over the
+/// same box, see Problem::OwnSlab and Resampled.
 std::vector<float> MovedTo(
   const Problem& problem, const Grid& from, const float* field, const Grid& to);
 
-/// A problem on a coarser grid over the same box, with fields of its own.
+/// A problem on a coarser grid over the same box, with its own fields.
 class CoarseProblem
 {
 public:
-  /// With about 1/factor as many nodes along each axis. `given` must outlive it.
+  /// Builds a grid with about 1/factor as many nodes along each axis. `given` must outlive it.
   CoarseProblem(const Problem& given, int factor);
   CoarseProblem(const CoarseProblem&) = delete;
   CoarseProblem& operator=(const CoarseProblem&) = delete;
 
   const Problem& Made() const { return this->Coarse; }
 
-  /// What an extinction of this problem changes, added to the base extinction on a finer grid:
-  /// detail of the base survives, and voxels that nothing asked to change keep their base bit by
-  /// bit. `found`: in this problem's own slab, as the result is in that of the finer grid
-  /// [1/length].
+  /// Adds the change that `found` makes to the coarse base extinction to the base extinction of a
+  /// finer grid. Detail of the base is preserved, and voxels without change keep their base bit by
+  /// bit. `found` is on this problem's own slab, the result on that of the finer grid [1/length].
   std::vector<float> ChangedOn(const Grid& finer, const std::vector<float>& found) const;
 
 private:
@@ -42,7 +41,7 @@ private:
   std::vector<float> Base;
   std::vector<float> Importance;
   std::vector<float> NodeImportance;
-  std::vector<float> Previous; ///< empty: there is none
+  std::vector<float> Previous; ///< empty if there is none
 };
 }
 

@@ -11,11 +11,11 @@
 
 namespace limpid
 {
-/// Whether the steps of a descent still gain.
+/// Detects when the steps of a descent stop gaining.
 class DescentProgress
 {
 public:
-  static constexpr double leastGain = 0.1; ///< of an energy, per tolerance
+  static constexpr double leastGain = 0.1; ///< smallest gain that counts [energy * tolerance]
 
   explicit DescentProgress(const Problem& problem)
     : LeastGain(leastGain * problem.settings.tolerance)
@@ -23,10 +23,10 @@ public:
   {
   }
 
-  /// The next step is the first one.
+  /// Resets before the first step.
   void Begin() { *this = DescentProgress(this->LeastGain, this->Patience); }
 
-  /// A step from one energy to another.
+  /// Records a step from one energy to another.
   void Step(double from, double to)
   {
     const double before = this->Made > 0 ? this->Least : from;
@@ -38,10 +38,10 @@ public:
 
   int Count() const { return this->Made; }
 
-  /// Energy since the first step, that before it included.
+  /// Lowest energy so far, including the energy before the first step.
   double Lowest() const { return this->Least; }
 
-  /// Whether the last steps have gained next to nothing.
+  /// Whether the last steps gained next to nothing.
   bool HasStalled() const { return this->StepsWithoutGain >= this->Patience; }
 
 private:
@@ -51,10 +51,10 @@ private:
   {
   }
 
-  double LeastGain; ///< share of the energy
-  int Patience;     ///< steps
+  double LeastGain; ///< smallest gain that counts, as a fraction of the energy
+  int Patience;     ///< number of steps without gain that are allowed
   int Made = 0;
-  int StepsWithoutGain = 0; ///< since the last one that was worth it
+  int StepsWithoutGain = 0; ///< since the last step with a gain
   double Least = 0;
 };
 }

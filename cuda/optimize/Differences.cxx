@@ -13,7 +13,7 @@ namespace limpid
 {
 namespace
 {
-constexpr int lanes = 8; // partial sums, so that additions need not wait for each other
+constexpr int lanes = 8; // number of independent partial sums, which hide the latency of additions
 }
 
 LIMPID_MULTIVERSION

@@ -17,20 +17,20 @@ double SumOfSquares(const float* a, const float* b, Index count);
 /// Sum of |a - b| over `count` values.
 double SumOfChanges(const float* a, const float* b, Index count);
 
-/// The sum of what ofRow(y, z) says of the rows of a slab along x; the same bits for any number of
-/// threads and, if ranks each have a slab, of these. `ranks`: null: there is one.
+/// Sums ofRow(y, z) over the rows along x of a slab. The result is bit-identical for any number of
+/// threads and, if each rank has a slab, of ranks. `ranks`: null for one process.
 double SumOverRows(
   const Slab& slab, const Communicator* ranks, const std::function<double(int y, int z)>& ofRow);
 
-/// How far an iterate is from the base, from the last one and from what it is to stay near.
+/// Distances of an iterate from the base, the last iterate and the reference.
 struct Differences
 {
   double squares = 0;             ///< sum of (iterate - base)^2
-  double changes = 0;             ///< sum of |iterate - last|
-  double squaresFromPrevious = 0; ///< sum of (iterate - previous)^2
+  double changes = 0;             ///< sum of |iterate - last iterate|
+  double squaresFromPrevious = 0; ///< sum of (iterate - reference)^2
 };
 
-/// The same, added up exactly.
+/// Differences, accumulated exactly.
 struct ExactDifferences
 {
   ExactSum squares;
@@ -52,7 +52,7 @@ struct ExactDifferences
     return *this;
   }
 
-  /// Makes them those of all ranks.
+  /// Sums the differences over all ranks.
   void SumOver(const Communicator& ranks)
   {
     ExactSum all[] = { this->squares, this->changes, this->squaresFromPrevious };

@@ -10,14 +10,14 @@
 namespace limpid
 {
 /**
- * What the extinction of a voxel may be:
+ * The bounds of a voxel's extinction:
  *
- *   pi g mu-bar <= mu <= mu-bar + epsilon (majorant - mu-bar).
+ *    pi g mu-bar <= mu <= mu-bar + epsilon (majorant - mu-bar).
  *
  * With pi = 0 and epsilon = 1 this is the constraint of Eq. (25). A larger pi keeps important
- * matter from being removed to show what lies behind it, a smaller epsilon keeps matter from
- * becoming thicker than in the data (Documentation/Deviations.md, D16 and D22). The base extinction
- * mu-bar is always allowed.
+ * structures from being removed to show what lies behind them. A smaller epsilon keeps structures
+ * from becoming denser than in the data (Documentation/Deviations.md, D16 and D22). The base
+ * extinction mu-bar is always allowed.
  */
 template <class Real>
 struct ExtinctionBounds
@@ -26,7 +26,7 @@ struct ExtinctionBounds
   Real emphasis; ///< epsilon [0, 1]
   Real majorant; ///< [1/length]
 
-  /// `importance` g [0, 1] and `base` mu-bar [1/length] of the voxel.
+  /// `importance`: g [0, 1]; `base`: mu-bar of the voxel [1/length].
   LIMPID_HD LIMPID_INLINE Real Clamp(Real wanted, Real importance, Real base) const
   {
     const Real least = this->protect * importance * base;
@@ -41,7 +41,7 @@ struct ExtinctionBounds
   }
 };
 
-/// The upper bound at the samples of a field, for the ceiling.
+/// Returns the upper bound of the extinction for a ceiling.
 inline MostExtinction<float> MostOf(const Problem& problem)
 {
   return { static_cast<float>(problem.settings.emphasis), problem.majorant };

@@ -14,17 +14,18 @@
 
 namespace limpid
 {
-/// The fields of a problem that ranks share, where they come from and where they are: arrays of all
-/// nodes that have values where TermsOnRanks brings them.
+/// The fields of a distributed problem: their source, and arrays for all nodes of which only those
+/// are valid that TermsOnRanks delivers.
 struct FieldsOfRanks
 {
   std::shared_ptr<const Communicator> ranks;
-  std::vector<Region> pieces; ///< the nodes whose values ranks have at first
-  std::vector<Region> wanted; ///< those whose results they get
-  bool inSlabs = false;       ///< whether there is work in slabs, too, see TermsOnRanks
+  std::vector<Region> pieces; ///< [rank]: nodes whose values the rank provides
+  std::vector<Region> wanted; ///< [rank]: nodes whose results the rank receives
+  bool inSlabs = false;       ///< whether work is also done in slabs, see TermsOnRanks
   FieldPlaces places = FieldPlaces::Chosen;
 
-  /// A field's values in this rank's piece, and an array for what this rank needs.
+  /// The values of a field in this rank's subdomain, and an array for all values that the rank
+  /// needs.
   struct Field
   {
     FieldView piece;
@@ -33,7 +34,7 @@ struct FieldsOfRanks
   Field base;           ///< [1/length]
   Field importance;     ///< [0, 1]
   Field nodeImportance; ///< [0, 1]
-  Field previous;       ///< see Problem::previous [1/length]; no values: null
+  Field previous;       ///< see Problem::previous [1/length]; empty if there is none
 };
 }
 

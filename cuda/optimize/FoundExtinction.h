@@ -10,27 +10,27 @@
 
 namespace limpid
 {
-/// The fields that a picture of an extinction needs, in the memory of the device that all who use
-/// it share; one value per node each [1/length].
+/// The fields that a picture of an extinction needs, in the memory of the shared device; one value
+/// per node each [1/length].
 struct ExtinctionOnDevice
 {
   const float* base = nullptr;
   const float* extinction = nullptr;
 };
 
-/// An extinction that a device has found and still has.
+/// An extinction that was found on a device and is still there.
 class DeviceResult
 {
 public:
   virtual ~DeviceResult() = default;
   virtual ExtinctionOnDevice Fields() const = 0;
 
-  /// The extinction. Waits.
+  /// Downloads the extinction; waits for the device.
   virtual std::vector<float> Download() const = 0;
 };
 
-/// An extinction that was found, one value per node [1/length]. It stays where it was found until
-/// the host asks for it.
+/// The extinction found, one value per node [1/length]. It stays on its device until the host asks
+/// for it.
 class FoundExtinction
 {
 public:
@@ -44,13 +44,13 @@ public:
   {
   }
 
-  /// Nulls: it is on the host alone.
+  /// Null pointers if the extinction is only on the host.
   ExtinctionOnDevice OnDevice() const
   {
     return this->There ? this->There->Fields() : ExtinctionOnDevice();
   }
 
-  /// Empty: nothing was found. A device that has it is asked once.
+  /// Empty if nothing was found. The values are downloaded on the first call only.
   const std::vector<float>& OnHost() const
   {
     if (this->There && this->Values.empty())
@@ -60,7 +60,7 @@ public:
     return this->Values;
   }
 
-  /// The same, given away.
+  /// Moves the values out of this object.
   std::vector<float> Take()
   {
     this->OnHost();

@@ -14,7 +14,8 @@
 
 namespace limpid
 {
-/// An extinction at all nodes; it may be the base extinction, which is not to be overwritten.
+/// An extinction at all nodes: either owned, or the base extinction, which must not be
+/// overwritten.
 template <class AnyDevice>
 struct Iterate
 {
@@ -22,9 +23,9 @@ struct Iterate
   const float* values = nullptr;
 };
 
-/// Makes sure that an iterate can be overwritten. Where sweeps do not come, and for rays that meet
-/// voxels of a frustum that is swept later, it gets the values of the last one; the processor
-/// copies only what is filled: all else is 0.
+/// Makes `next` writable. It gets the values of `last` where sweeps do not write them, and where
+/// rays meet voxels of a frustum that is swept later. The processor copies filled voxels only; all
+/// others are 0.
 template <class AnyDevice>
 void PrepareIterate(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
   std::size_t frusta, const float* last, Iterate<AnyDevice>& next)
@@ -46,7 +47,7 @@ void PrepareIterate(const std::shared_ptr<AnyDevice>& device, const Problem& pro
   }
 }
 
-/// A field of a device in the memory of the host. Waits.
+/// Downloads a field from a device; waits for it.
 template <class AnyDevice>
 std::vector<float> OnHost(AnyDevice& device, const float* field, Index count)
 {
@@ -56,7 +57,7 @@ std::vector<float> OnHost(AnyDevice& device, const float* field, Index count)
   return values;
 }
 
-/// An iterate that was found on a device; empty: the base extinction.
+/// An iterate found on a device; empty if it is the base extinction.
 template <class AnyDevice>
 class ResultOn : public DeviceResult
 {

@@ -19,7 +19,7 @@ NodeBox SourcesOf(const GridFilter& filter, const NodeBox& box)
   return box.Empty() ? NodeBox() : filter.SourcesOf(box);
 }
 
-/// `field`: at the sources of the box alone.
+/// `field`: holds only the source nodes of the box.
 std::vector<float> Resampled(const GridFilter& filter, const float* field, const NodeBox& box)
 {
   std::vector<float> result(std::size_t(box.Count()));
@@ -193,7 +193,7 @@ std::vector<float> ResampledBox(
 
 bool IsForAll(const Communicator& ranks, const Grid& grid, const Grid& full)
 {
-  constexpr Index few = 1 << 18; // nodes whose fields nobody misses
+  constexpr Index few = 1 << 18; // grids this small may always be held completely
   return grid.NodeCount() <= std::max(full.NodeCount() / (4 * Index(ranks.Size())), few);
 }
 

@@ -12,31 +12,30 @@
 
 namespace limpid
 {
-/// A rank's box of nodes with the nodes beside it, whose values other ranks have: a grid of its
-/// own, on which what depends on neighbours is found for the nodes of the box as it is on the
-/// whole.
+/// A rank's box of nodes plus one layer of ghost nodes, as a grid of its own. Operations that
+/// depend on neighbours give the same values at the nodes of the box as on the whole grid.
 class Neighbourhood
 {
 public:
-  /// `boxes`: of all ranks; `owned`: whose values count where they overlap, see ScenePiece. The
-  /// ranks have to stay.
+  /// `boxes`: boxes of all ranks, which may overlap; `owned`: disjoint boxes, see ScenePiece.
+  /// `ranks` must outlive this object.
   Neighbourhood(const Communicator& ranks, const Grid& grid, const std::vector<NodeBox>& boxes,
     const std::vector<NodeBox>& owned);
 
   const Grid& Around() const { return this->Nodes; }
   bool Empty() const { return this->Box.Empty(); }
 
-  /// A field of the box, with what is beside it. All ranks have to ask.
+  /// Returns a field of the box, extended by ghost values. Collective.
   NodeValues Extended(const float* field) const;
 
-  /// The box of a field of that grid.
+  /// Returns the part of an extended field inside the box.
   NodeValues Inside(const float* field) const;
 
 private:
   const Communicator* All;
   Grid Nodes;
   NodeBox Own;
-  NodeBox Box; ///< with the nodes beside it
+  NodeBox Box; ///< with the ghost nodes
   std::vector<Region> Had;
   std::vector<Region> Needed;
 };

@@ -17,7 +17,7 @@ double TimePass(Index, const std::function<void()>& pass)
 
 void PassTime::Learn(Index nodes, double seconds)
 {
-  constexpr double trust = 0.5; // in a single measurement, which other programs may disturb
+  constexpr double trust = 0.5; // weight of a new measurement, which other programs may disturb
   const double measured = seconds / double(std::max<Index>(nodes, 1));
   this->SecondsPerNode += trust * (measured - this->SecondsPerNode);
 }

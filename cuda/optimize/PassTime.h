@@ -11,31 +11,31 @@
 
 namespace limpid
 {
-/// Makes a pass over a grid of so many nodes and says how long it took [s].
+/// Runs a pass over a grid of `nodes` nodes and returns its duration [s].
 using Stopwatch = std::function<double(Index nodes, const std::function<void()>& pass)>;
 
-/// The stopwatch that looks at the clock.
+/// Measures the duration with the system's clock.
 double TimePass(Index nodes, const std::function<void()>& pass);
 
 /**
- * How long a pass over a grid is going to take: so many nodes, so much time per node as the last
- * passes took.
+ * Predicts the duration of a pass over a grid from its number of nodes and the time per node of
+ * the last passes.
  */
 class PassTime
 {
 public:
   double Expected(Index nodes) const { return double(nodes) * this->SecondsPerNode; }
 
-  /// A pass has been made.
+  /// Records the duration of a pass.
   void Learn(Index nodes, double seconds);
 
-  /// The first of some grids, finest first, that is expected to take no longer than `seconds`; the
-  /// last if none is. A grid finer than `current` has to be expected to take clearly less, so that
-  /// the choice does not flicker.
+  /// Returns the first of several grids, finest first, whose expected duration is at most
+  /// `seconds`, or the last grid. A grid finer than `current` must be expected to take clearly
+  /// less, so that the choice does not flicker.
   std::size_t Choose(const std::vector<Index>& nodes, double seconds, std::size_t current) const;
 
 private:
-  double SecondsPerNode = 1e-7; ///< cautious: a slow machine, a dense scene
+  double SecondsPerNode = 1e-7; ///< pessimistic: a slow machine and a dense scene
 };
 }
 

@@ -14,7 +14,7 @@ namespace limpid
 {
 namespace
 {
-/// The grid axis that rays from a source run along, more than along the others.
+/// Returns the grid axis along which rays from a source mainly run.
 int DepthAxisOf(const RaySource& source, const Grid& grid)
 {
   const Vec3 middle = 0.5 * Vec3(grid.nodes - 1);
@@ -23,7 +23,7 @@ int DepthAxisOf(const RaySource& source, const Grid& grid)
   return along.z >= along[xOrY] ? 2 : xOrY;
 }
 
-/// Both orders have the same rows: of these, what is filled is copied, and looked at while at hand.
+/// Copies only filled voxels, row by row; both orders have the same rows.
 void CopyFilled(const Problem& problem, PermutedFields& fields)
 {
   const Grid grid = fields.order.Of(problem.grid);
@@ -49,7 +49,7 @@ void CopyFilled(const Problem& problem, PermutedFields& fields)
         copy(problem.importance, fields.importance);
         copy(problem.nodeImportance, fields.nodeImportance);
         const bool needed =
-          !span.Empty() || y == 0 || y + 1 == nodes.y; // they begin and end slices
+          !span.Empty() || y == 0 || y + 1 == nodes.y; // first and last rows are always written
         if (needed)
         {
           builder.Add(
@@ -82,7 +82,7 @@ std::shared_ptr<const PermutedFields> MakeFields(
   return fields;
 }
 
-/// The fields in an order, as far as possible those of the problem before.
+/// Returns the fields in an order, reusing those of the previous problem if possible.
 std::shared_ptr<const PermutedFields> FieldsFor(
   const Problem& problem, const AxisPermutation& order)
 {
@@ -124,7 +124,7 @@ public:
 
   const Problem& ProblemInside() const { return this->Inside; }
 
-  /// `start`: in the order of the problem.
+  /// Permutes a starting extinction. `start`: in the order of the problem.
   StartingExtinction InOrder(const StartingExtinction& start) const
   {
     StartingExtinction first;
@@ -153,10 +153,10 @@ private:
     PermuteBack(this->Nodes, this->Fields->order, inner.BestValues(), best.data());
   }
 
-  Grid Nodes; ///< of the problem
+  Grid Nodes; ///< of the original problem
   std::shared_ptr<const PermutedFields> Fields;
-  Problem Inside;            ///< the problem in that order
-  std::vector<float> Before; ///< what it is to stay near; empty: nothing
+  Problem Inside;            ///< the permuted problem
+  std::vector<float> Before; ///< permuted reference extinction; empty if none
 };
 }
 
@@ -170,7 +170,7 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order)
     other = order.Of(other);
   }
   reordered.light = order.Of(problem.light);
-  reordered.resident = nullptr; // it keeps what is in the problem's order
+  reordered.resident = nullptr; // cached data are in the original order
   return reordered;
 }
 

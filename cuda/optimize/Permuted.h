@@ -12,7 +12,7 @@
 
 namespace limpid
 {
-/// The fields of a scene in another order of memory.
+/// The fields of a scene with permuted axes.
 struct PermutedFields
 {
   AxisPermutation order;
@@ -23,18 +23,18 @@ struct PermutedFields
 };
 
 /**
- * The order in which sweeps find what they need next to each other: the camera, which is swept
- * most, looks along the last axis, so that slices are contiguous, and rows run along an axis that
- * neither it nor the light looks along, so that no slice has to be transposed.
+ * Returns the permutation of axes for which sweeps read memory in order. The camera, which is
+ * swept most, gets the last axis as depth, so that slices are contiguous. Rows run along an axis
+ * that is neither the camera's nor the light's depth axis, so that no slice has to be transposed.
  */
 AxisPermutation OrderFor(const Problem& problem);
 
-/// A problem whose nodes and sources of rays are in another order of axes. The fields, which are
-/// the caller's business, are still in the old one; what engines keep of these is left out.
+/// Permutes the grid and the ray sources of a problem. The caller has to permute the fields. Data
+/// cached for the original order (Problem::resident) is dropped.
 Problem Reordered(const Problem& problem, const AxisPermutation& order);
 
-/// A minimiser that works in that order, and gives its results in that of the problem. `make`:
-/// makes one that works in the order of its problem, which stays alive.
+/// Returns a minimiser that works on the permuted problem and returns results in the original
+/// order. `make`: makes a minimiser of the permuted problem, which outlives it.
 std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, StartingExtinction&& start,
   const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make);
 }

@@ -10,8 +10,8 @@
 
 namespace limpid
 {
-/// The policy method (Documentation/Method.md) for a problem, which stays with the caller, from a
-/// first iterate. `warm` tells that its transmittance can be trusted.
+/// Makes the policy method (Documentation/Method.md) for a problem, which must outlive it, from a
+/// first iterate. `warm`: whether the transmittance of that iterate can be trusted.
 template <class AnyDevice>
 std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
   const Problem& problem, const StartingExtinction& start, bool warm);

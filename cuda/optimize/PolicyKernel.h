@@ -11,26 +11,26 @@
 
 namespace limpid
 {
-/// What a policy sweep takes for the transmittance.
+/// The transmittance that a policy sweep uses.
 enum class Transmittance
 {
-  AssumeOne,    ///< nothing is in the way
-  OfLastIterate ///< that of the last iterate, whose optical depths are with the rays
+  AssumeOne,    ///< nothing attenuates
+  OfLastIterate ///< from the last iterate, whose optical depths the rays hold
 };
 
-/// The next iterate at a voxel that reads rays.
+/// Computes the next iterate at a voxel that reads rays.
 struct PolicyStep
 {
   PolicyVoxel<float> policy;
   GradientVoxel<float> derivative;
   const float* transmittance; ///< mean of the rays [0, 1]
-  const float* behind;        ///< mean of what it leaves of the importance behind [scale^2]
-  const float* inView;        ///< importance of the node, as far as it is in view [0, 1]
-  const float* importance;    ///< [0, 1]; null: nothing is protected
+  const float* behind;        ///< mean visible importance behind, attenuated [scale^2]
+  const float* inView;        ///< importance of the node inside the view [0, 1]
+  const float* importance;    ///< [0, 1]; null if nothing is protected
   const float* base;          ///< [1/length]
-  const float* last;          ///< the last iterate, or the base where it does not matter [1/length]
-  const float* previous;      ///< what to stay near, likewise [1/length]
-  const float* lagged;        ///< derivative of the other terms, with weights; null: none
+  const float* last;          ///< last iterate, or the base if not needed [1/length]
+  const float* previous;      ///< reference extinction, or the base [1/length]
+  const float* lagged;        ///< weighted derivative of the other terms; null if none
   float* next;                ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
@@ -42,16 +42,16 @@ struct PolicyStep
   }
 };
 
-/// The next iterate at a voxel that no important structure of the swept term needs: only the other
+/// Computes the next iterate at a voxel that the swept term does not depend on. Only the other
 /// terms count.
 struct IdleStep
 {
   PolicyVoxel<float> policy;
-  const float* importance; ///< [0, 1]; null: nothing is protected
+  const float* importance; ///< [0, 1]; null if nothing is protected
   const float* base;       ///< [1/length]
   const float* last;       ///< see PolicyStep
   const float* previous;   ///< see PolicyStep
-  const float* lagged;     ///< null: none
+  const float* lagged;     ///< null if none
   float* next;             ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
@@ -62,32 +62,32 @@ struct IdleStep
 };
 
 /**
- * A policy sweep of one term (Documentation/Method.md, section on policy sweeps): back to front,
- * visible importance is carried through the *next* iterate, whose voxels are found slice by slice
- * from it. Transmittance is that of the last iterate, whose optical depths unwind.
+ * A policy sweep of one term (Documentation/Method.md, section on policy sweeps). Back to front,
+ * visible importance is carried through the *next* iterate, which is computed slice by slice from
+ * it. Transmittance is that of the last iterate, whose optical depths are unwound.
  *
- * The sweep collects the optical depths of what its rays meet, and their visible importance is the
- * score of that: of the next iterate, where its voxels were all found before (MetNextIterate). Not
- * so where iterates are weighed: there rays carry what is better, the next iterate or another.
+ * The sweep collects optical depths and visible importance along its rays. These are the values of
+ * the next iterate if all its voxels were known when rays passed them (MetNextIterate). If
+ * iterates are weighed, rays instead carry the better of the next iterate and the alternative.
  */
 template <class Input, class Output>
 struct PolicyKernel
 {
   static constexpr const char* label = "policy sweep";
-  static constexpr auto seenBehind = &RayStates::ahead; ///< what voxels read
+  static constexpr auto seenBehind = &RayStates::ahead; ///< the value that voxels read
 
   Input base;           ///< [1/length]
   Input importance;     ///< [0, 1]
   Input nodeImportance; ///< see NodeImportance.h [0, 1]
   Input last;           ///< the last iterate [1/length]
-  Input previous;       ///< what iterates are to stay near [1/length]; null: nothing
-  Input lagged;         ///< derivative of the other terms, with weights; null: none
+  Input previous;       ///< reference extinction [1/length]; null if none
+  Input lagged;         ///< weighted derivative of the other terms; null if none
   Output next;          ///< the next iterate [1/length]
-  Input alternative;    ///< what the next iterate is weighed against, see WeighStep; null: nothing
+  Input alternative;    ///< alternative to the next iterate, see WeighStep; null if none
   PolicyVoxel<float> policy;
   Transmittance transmittance;
   bool areaWeighted;   ///< whether rays carry the weight of Deviation D1
-  Kept kept;           ///< of the base; nothing is counted where iterates are weighed
+  Kept kept;           ///< whether kept base extinction is counted; not while weighing
   float priceOfSquare; ///< see WeighStep [length]
 
   template <class Windows>
@@ -101,7 +101,7 @@ struct PolicyKernel
       this->policy, this->transmittance, this->areaWeighted, this->kept, this->priceOfSquare };
   }
 
-  /// What its rays carry.
+  /// Returns the values that the rays carry.
   std::vector<RayValues> Carried(const RayStates& rays) const
   {
     std::vector<RayValues> carried{ rays.opticalDepth, rays.collected, rays.behind, rays.visible,
@@ -117,7 +117,7 @@ struct PolicyKernel
     return carried;
   }
 
-  /// Copies what a ray carries; rear importance has to be there from the start.
+  /// Copies the values that a ray carries; rear importance must be set from the start.
   LIMPID_HD LIMPID_INLINE void CopyCarried(const RayStates& from, const RayStates& to) const
   {
     if (this->transmittance == Transmittance::OfLastIterate)
@@ -146,7 +146,7 @@ struct PolicyKernel
     }
   }
 
-  /// To slice `s`, whose voxels are to be found next. The voxels behind are final.
+  /// Moves rays to slice `s`, whose voxels are computed next. The voxels behind are final.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {
@@ -173,7 +173,7 @@ struct PolicyKernel
     }
   }
 
-  /// From the first slice of voxels out of the volume.
+  /// Moves rays from the first slice of voxels out of the volume.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void LeaveStep(Rays& rays) const
   {
@@ -196,7 +196,7 @@ struct PolicyKernel
     this->ActiveVoxelStep(voxels, rays);
   }
 
-  /// Brings what will be read of the slices in front.
+  /// Prefetches values of the slices in front.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void PrefetchInFront(const Voxels& voxels) const
   {
@@ -204,7 +204,7 @@ struct PolicyKernel
       this->previous, this->lagged, this->alternative });
   }
 
-  /// A VoxelStep of the voxels that no ray matters to.
+  /// VoxelStep for the voxels that no active ray reaches.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void IdleVoxelStep(const Voxels& voxels) const
   {
@@ -213,7 +213,7 @@ struct PolicyKernel
       here.lags, voxels.Row(this->next) });
   }
 
-  /// A VoxelStep of the others.
+  /// VoxelStep for all other voxels.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void ActiveVoxelStep(
     Voxels& voxels, const typename Voxels::Rays& rays) const
@@ -230,7 +230,7 @@ struct PolicyKernel
   }
 
 private:
-  /// What the steps of voxels read, see PolicyStep.
+  /// The inputs of the voxel steps, see PolicyStep.
   struct FieldsHere
   {
     const float* protects;
@@ -250,7 +250,7 @@ private:
       this->lagged ? voxels.Row(this->lagged) : nullptr };
   }
 
-  /// Through the layer behind slice `s`, whose voxels are final.
+  /// Carries rays through the layer behind slice `s`, whose voxels are final.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void Carry(Rays& rays, int s) const
   {
@@ -287,8 +287,8 @@ private:
       fields, ResolveSides{}, CarryAndCollectStep<Kept::Counted>{ rays.States() });
   }
 
-  /// To the middle of the layer. Its rear half is taken to be as opaque as the slice behind it, as
-  /// the slice in front is not known yet.
+  /// Carries rays to the middle of the layer. The rear half uses the extinction of the slice
+  /// behind, as the slice in front is not known yet.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void LookAhead(Rays& rays) const
   {
@@ -297,7 +297,8 @@ private:
     rays.ForEachInLayer(LookAheadStep{ rays.States() });
   }
 
-  /// Transmittance through the last iterate. `layer`: whether there is one behind the slice.
+  /// Computes transmittance through the last iterate. `layer`: whether there is a layer behind the
+  /// slice.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void Transmit(Rays& rays, bool layer) const
   {

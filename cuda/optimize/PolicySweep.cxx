@@ -33,8 +33,8 @@ PolicyKernel<const float*, float*> KernelOf(
     0.5f / gainOf(sweep.weight) };
 }
 
-/// Sweeps one frustum. The processor adds what has `moved` while that is at hand; null: nobody
-/// asks.
+/// Sweeps one frustum. On the processor, distances are added to `moved` in the same pass, unless
+/// it is null.
 template <class AnyDevice>
 void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
   [[maybe_unused]] const Occupancy& occupancy, const PolicyKernel<const float*, float*>& kernel,
@@ -43,7 +43,7 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
   if constexpr (AnyDevice::readsHostMemory)
   {
     std::vector<ExactDifferences> rows(
-      moved ? std::size_t(rays.Plan().nodesV) : 0); // of all slices
+      moved ? std::size_t(rays.Plan().nodesV) : 0); // per row, summed over all slices
     SweepBackwardByPhases(device, rays, occupancy, kernel,
       [&rows, &kernel, moved](const auto& voxels, const auto& windows, int v)
       {

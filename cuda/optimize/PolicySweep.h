@@ -12,55 +12,55 @@
 
 namespace limpid
 {
-/// The weight of the regularisation in a policy. Without any the optimum is bang-bang, which a
-/// large but finite gain gives, too.
+/// Returns the weight of the regularisation in a policy. The optimum without regularisation is
+/// bang-bang; a large but finite gain gives the same result.
 inline double RegularizationOf(const Problem& problem)
 {
   return std::max(problem.RegularizationWeight(), 1e-30);
 }
 
-/// How far rays reach at first in a sweep that weighs.
+/// How far rays reach at the start of a sweep that weighs costs.
 enum class Reach
 {
   Unlimited,  ///< through the whole volume
-  OfLastSweep ///< as far as it was worth it in the last such sweep
+  OfLastSweep ///< as far as was worthwhile in the last such sweep
 };
 
-/// The policy sweep of one term: finds the next iterate from the last one. All addresses are on
-/// the device.
+/// The policy sweep of one term, which computes the next iterate from the last one. All pointers
+/// refer to the device.
 struct PolicySweep
 {
   const float* last;   ///< the last iterate [1/length]
-  const float* lagged; ///< derivative of the other terms, with weights; null: none
+  const float* lagged; ///< weighted derivative of the other terms; null if none
   float* next;         ///< the next iterate [1/length]
-  double weight;       ///< of the term
+  double weight;       ///< weight of the term
   Transmittance transmittance;
-  Kept kept;                          ///< of the base
-  double proximity = 0;               ///< of ProximalDescent
-  const float* alternative = nullptr; ///< see WeighStep [1/length]; null: nothing is weighed
-  Reach reach = Reach::Unlimited;     ///< of the rays, where something is weighed
-  double smoothing = 0;            ///< sigma of SmoothedChange [length], if `lagged` has its pull
-  const float* previous = nullptr; ///< what to stay near [1/length]; null: nothing
-  bool emphasises = true; ///< whether matter may become thicker than in the data, as far as it may
-  const TermsOnRanks* ranks = nullptr; ///< that share the sweep; null: there is one
+  Kept kept;                          ///< whether kept base extinction is counted
+  double proximity = 0;               ///< see ProximalDescent
+  const float* alternative = nullptr; ///< see WeighStep [1/length]; null if nothing is weighed
+  Reach reach = Reach::Unlimited;     ///< initial reach of the rays, if weighing
+  double smoothing = 0; ///< sigma of SmoothedChange [length], if `lagged` includes its pull
+  const float* previous = nullptr; ///< reference extinction [1/length]; null if none
+  bool emphasises = true; ///< whether extinction may rise above the base, within its bounds
+  const TermsOnRanks* ranks = nullptr; ///< of a distributed sweep; null for one process
 };
 
-/// Sweeps all frusta of a term. Leaves what its rays have seen of the next iterate, and its optical
-/// depths, with the rays. `moved`: on the processor, how far the next iterate is from the others is
-/// added there.
+/// Sweeps all frusta of a term. Afterwards the rays hold the visible importance and the optical
+/// depths of the next iterate. `moved`: on the processor, the distances of the next iterate are
+/// added to it.
 template <class AnyDevice>
 void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
   const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved);
 
-/// The first policy sweep of one term alone: nothing is known of transmittance or other terms.
-/// Leaves nothing with the rays. `previous`: see PolicySweep.
+/// Performs the first policy sweep of one term, without transmittance and without other terms.
+/// Leaves no values with the rays. `previous`: see PolicySweep.
 template <class AnyDevice>
 void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
   const ProblemFields<AnyDevice>& fields, const float* previous, double weight, float* next);
 
-/// Whether what the rays of a frustum have met in their policy sweep was the next iterate, whose
-/// score and optical depths are known then: not the voxels of a frustum that is swept later. With
-/// Derivative::Ray what rays carry is not the score.
+/// Whether the rays of a frustum have met only the next iterate in their policy sweep, so that its
+/// score and optical depths are known. Only the last frustum qualifies: rays of others also meet
+/// voxels of frusta swept later. With Derivative::Ray, rays do not carry the score.
 inline bool MetNextIterate(std::size_t frustum, std::size_t frusta, Derivative derivative)
 {
   return frustum + 1 == frusta && derivative == Derivative::Volume;

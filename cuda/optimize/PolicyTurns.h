@@ -12,21 +12,21 @@
 
 namespace limpid
 {
-/// What a policy iteration sweeps.
+/// One policy iteration: which term is swept, and how.
 template <class AnyDevice>
 struct PolicyTurn
 {
   VisibilityTerm<AnyDevice>* swept;
-  std::vector<VisibilityTerm<AnyDevice>*> others; ///< act with derivatives at the last iterate
+  std::vector<VisibilityTerm<AnyDevice>*> others; ///< contribute derivatives at the last iterate
   Transmittance transmittance;
-  bool weighs; ///< its clearing against its cost
+  bool weighs; ///< whether the gain of clearing is weighed against its cost
   Reach reach;
   double smoothing = 0; ///< see PolicySweep [length]
 };
 
-/// The order in which the terms of an energy are swept: the cameras in turn or, without one, the
-/// light. But each has a turn in which nothing is in its way: what is hidden from it must be able
-/// to say what it would gain.
+/// The order in which the terms of an energy are swept: the cameras in turn or, without cameras,
+/// the light. The first turn of each term assumes transmittance 1, so that hidden structures can
+/// contribute the gain of revealing them.
 template <class AnyDevice>
 class PolicyTurns
 {
@@ -34,7 +34,8 @@ public:
   using Term = VisibilityTerm<AnyDevice>;
   using Turn = PolicyTurn<AnyDevice>;
 
-  /// Both must outlive it. `warm`: whether iterations start from an earlier result.
+  /// `problem` and `energy` must outlive it. `warm`: whether iterations start from an earlier
+  /// result.
   PolicyTurns(const Problem& problem, Terms<AnyDevice>& energy, bool warm)
     : Given(&problem)
     , Energy(&energy)
@@ -47,22 +48,22 @@ public:
     return this->Given->settings.maximumIterations * int(this->Given->NumberOfCameras());
   }
 
-  /// How many policy sweeps there are at most: in thick media they find the structures to be
-  /// cleared at once, and resilient steps are better at all else.
+  /// Returns the maximum number of policy sweeps. In thick media, policy sweeps find at once which
+  /// structures to clear, and resilient steps are better at everything else.
   int SweepLimit() const
   {
     const int iterations = this->IterationLimit();
     return this->Given->IsThick() ? (iterations + 1) / 2 : iterations;
   }
 
-  /// How many terms are swept in turn.
+  /// Number of terms that are swept in turn.
   int MainTerms() const { return std::max(1, int(this->Energy->cameras.size())); }
 
   Turn Of(int iteration) const
   {
     const int round = this->MainTerms();
     const bool litBeside = !this->Energy->cameras.empty() && this->Energy->light;
-    const bool returns = this->SweepLimit() > round + 1; // a camera has the last word
+    const bool returns = this->SweepLimit() > round + 1; // a camera is swept last
     const bool lightFirst = iteration == round && litBeside && returns && !this->Warm;
     Term& swept = lightFirst ? *this->Energy->light : this->Main(iteration);
     const bool first = lightFirst || iteration < round;
@@ -72,7 +73,7 @@ public:
       first ? Reach::Unlimited : Reach::OfLastSweep };
   }
 
-  /// A turn that draws the changes of neighbours together.
+  /// A turn that smooths changes between neighbours.
   Turn Smoothing(int iteration) const
   {
     Term& swept = this->Main(iteration);
@@ -95,9 +96,9 @@ private:
     return others;
   }
 
-  /// Whether it can cost more to clear a way through the volume than it can show: where the
-  /// majorant is cleared all along the diameter, p (R majorant)^2 in normalised coordinates,
-  /// against a V of 1.
+  /// Whether clearing a way through the volume can cost more than it can show. Clearing the
+  /// majorant along the whole diameter costs p (R majorant)^2 in normalised coordinates; it can
+  /// gain at most V = 1.
   bool CanCostMoreThanItShows(const Term& swept) const
   {
     const Problem& problem = *this->Given;

@@ -16,7 +16,7 @@ namespace limpid
 {
 namespace
 {
-constexpr float LargestValue = 3e38f; // of an extinction
+constexpr float LargestValue = 3e38f; // largest valid extinction
 
 void RequireFields(const SceneFields& scene)
 {
@@ -31,8 +31,9 @@ void RequireFields(const SceneFields& scene)
                           "extinction of the transfer function, or 0 for that of the scene.");
 }
 
-/// Rays per voxel and axis that scores take, so that enough of them meet what is shown: at least so
-/// many across a volume. Where media are thick, a ray shows the one surface that it meets.
+/// Returns the rays per voxel and axis for scores, with a minimum number of rays across the
+/// volume, so that enough rays meet the visible structures. In thick media a ray shows only the
+/// first surface that it meets.
 double RayDensityOfScores(const Problem& problem)
 {
   const double most = problem.IsSmall() ? 4 : 2;
@@ -42,7 +43,7 @@ double RayDensityOfScores(const Problem& problem)
   return std::max(problem.settings.rayDensity, std::min(wanted, most));
 }
 
-/// Number of a node in the grid, from that in the arrays.
+/// Returns the index in the grid of a node, from its index in the arrays.
 Index NumberOf(const SceneFields& scene, Index value)
 {
   if (!scene.piece)
@@ -62,7 +63,7 @@ Neighbourhood NeighbourhoodOf(const SceneFields& scene)
   return { *scene.piece->ranks, scene.grid, scene.piece->boxes, scene.piece->owned };
 }
 
-/// What there is to be known of a piece, but for its occupancy: nobody knows that alone.
+/// Surveys a subdomain except for its occupancy, which needs communication.
 SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const float* importance)
 {
   const Neighbourhood around = NeighbourhoodOf(scene);
@@ -78,7 +79,7 @@ SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const fl
   return found;
 }
 
-/// The importance without its specks, see Despeckle.
+/// Returns the despeckled importance, see Despeckle.
 NodeValues WithoutSpecks(const SceneFields& scene)
 {
   if (!scene.piece)
@@ -104,7 +105,7 @@ SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* 
                      : SurveyScene(scene.grid, scene.baseExtinction, mostExtinction, importance, 1);
 }
 
-/// A field, what it is called, and what its values may be.
+/// A field with its name and valid range, for checks.
 struct CheckedField
 {
   const float* values;
@@ -189,7 +190,7 @@ PreparedScene::PreparedScene(const SceneFields& scene)
     found.extinction.largest = ranks->LargestOf(found.extinction.largest);
     found.importance.largest = ranks->LargestOf(found.importance.largest);
   }
-  // Where nothing absorbs, there is nothing to be optimised, whatever a function could make.
+  // Without any absorption there is nothing to optimise, whatever the transfer function allows.
   const float largest = found.extinction.largest;
   this->LargestExtinction = largest > 0 ? std::max(largest, scene.majorant) : 0.0f;
   this->SomethingImportant = found.importance.largest > 0;

@@ -10,58 +10,60 @@
 
 namespace limpid
 {
-/// Throws limpid::Error unless settings can be worked with in this build.
+/// Throws limpid::Error if settings are invalid or not supported by this build.
 void RequireSettings(const Settings& settings);
 
-/// Throws limpid::Error unless the rays of both can be told apart.
+/// Throws limpid::Error if two neighbouring rays of the camera or the light cannot be
+/// distinguished.
 void RequireReach(const Problem& problem);
 
-/// Whether a problem's iterations have as many rays as scores, and resolve layers as these do.
+/// Whether a problem's iterations have as many rays as scores and resolve layers likewise.
 bool IsSampledAsScores(const Problem& problem);
 
-/// Throws limpid::Error unless camera and light can be worked with.
+/// Throws limpid::Error if camera or light are invalid.
 void RequireView(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid);
 
 /**
- * A scene whose values have been checked, with all that follows from them alone: what stays when
- * camera, light and weights change.
+ * A scene whose values have been checked, with all data derived from them. It does not depend on
+ * camera, light and weights.
  */
 class PreparedScene
 {
 public:
-  /// Throws limpid::Error when the scene cannot be worked with.
+  /// Throws limpid::Error if the scene is invalid.
   explicit PreparedScene(const SceneFields& scene);
 
   const Grid& Nodes() const { return this->Fields.grid; }
   const SceneFields& Arrays() const { return this->Fields; }
   float Majorant() const { return this->LargestExtinction; } ///< Eq. (25) [1/length]
 
-  /// Whether an extinction can show anything at all: there is a volume, and something important.
+  /// Whether any extinction can show something: the volume is not empty, and something is
+  /// important.
   bool SomethingToSee() const;
 
-  /// The energy as seen from a camera and lit by a light; null-weighted terms stay in it.
+  /// Returns the energy for a camera and a light. Terms of weight 0 are included.
   Problem ProblemFor(const Camera& camera, const Light& light, const Settings& settings);
 
-  /// A problem for scores and ceilings, which the importance as given counts for. In small volumes
-  /// and thick media they take more rays than iterations, and layers are resolved by FineCuts where
+  /// Returns a problem for scores and ceilings, which use the importance as given. In small
+  /// volumes and thick media it has more rays than iterations. Layers are resolved by FineCuts if
   /// any may be thick.
   Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);
 
-  /// What a problem of this scene is to stay near of a change, moved into its bounds; sets how
-  /// near. Nothing where that does not count.
+  /// Applies a change to this scene, within the bounds of `problem`, as its reference extinction.
+  /// Sets problem.nearness. Returns nothing if temporal coherence has no effect.
   CarriedExtinction StayedNear(
     const CarriedChange& before, const Camera& camera, const Light& light, Problem& problem) const;
 
-  /// The importance that the energy counts, grid.NodeCount() values [0, 1].
+  /// Returns the importance in the energy, grid.NodeCount() values [0, 1].
   const float* ImportanceFor(ImportanceSmoothing smoothing);
 
 private:
-  /// An importance, and what follows from it.
+  /// An importance and data derived from it.
   struct Important
   {
     const float* values = nullptr; ///< [0, 1]
-    NodeValues own;                ///< where they are nobody else's
+    NodeValues own;                ///< owner of `values`, unless the caller owns them
     NodeValues ofNodes;            ///< see NodeImportanceOfFilled
     std::shared_ptr<const Occupancy> occupancy;
     std::shared_ptr<Resident> resident = std::make_shared<Resident>();
@@ -73,7 +75,7 @@ private:
   float LargestExtinction = 0;
   bool SomethingImportant = false;
   Important Given;
-  std::unique_ptr<Important> Despeckled; ///< null: nobody has asked
+  std::unique_ptr<Important> Despeckled; ///< null until it is requested
 };
 }
 

@@ -10,7 +10,7 @@
 
 namespace limpid
 {
-/// Settings for a purpose, under one name.
+/// Named settings for one purpose.
 struct SettingsPreset
 {
   const char* name;
@@ -20,10 +20,10 @@ struct SettingsPreset
   double emphasis;
   ImportanceSmoothing importanceSmoothing;
   double smoothness;
-  double temporalCoherence; ///< where views follow each other; a single run has nothing to follow
+  double temporalCoherence; ///< for sequences of views; no effect on a single run
 };
 
-/// All presets. The first is what filters, mapper, display and Python package start with.
+/// All presets. The first one is the default of filters, mapper, display and Python package.
 inline constexpr SettingsPreset settingsPresets[] = {
   { "Default", { 1e-3, 10, 1 }, 3e-3, 1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
   { "Keep Context", { 1e-3, 10, 1 }, 0.3, 1, 0, ImportanceSmoothing::Median, 0.2, 0.2 },
@@ -33,10 +33,10 @@ inline constexpr SettingsPreset settingsPresets[] = {
 
 inline constexpr const SettingsPreset& defaultPreset = settingsPresets[0];
 
-/// The preset of that name, in capital letters or not. Throws limpid::Error if there is none.
+/// Returns the preset of a name, ignoring case. Throws limpid::Error if there is none.
 const SettingsPreset& PresetNamed(const std::string& name);
 
-/// Gives settings the values of a preset.
+/// Copies the values of a preset to settings.
 void Take(const SettingsPreset& preset, Settings& settings);
 }
 

@@ -12,7 +12,7 @@ void Assign(const Problem& problem, std::vector<float>& base)
   base.assign(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount());
 }
 
-/// One sweep for a term of weight `weight`; `found` is written where anything may change.
+/// Sweeps once for a term of weight `weight`; writes `found` where values may change.
 void Sweep(const Problem& problem, SourceSweeps& sweeps, double weight, std::vector<float>& found)
 {
   if (found.empty())
@@ -40,13 +40,13 @@ void PreviewPass::Make(
   const Settings& last = this->Given.settings;
   if (settings.importanceSmoothing != last.importanceSmoothing || settings.method != last.method)
   {
-    this->Forget(); // a pass writes only where its importance may change anything
+    this->Forget(); // a pass writes only where its own importance may change values
   }
   this->FromCamera.reset();
   this->ForScores.reset();
   this->Given = this->Scene->ProblemFor(camera, light, settings);
   this->Previous = this->Scene->StayedNear(previous, camera, light, this->Given);
-  Settings judging = settings; // with the same rays: there is no time for more
+  Settings judging = settings; // with the same rays: more would take too long
   judging.importanceSmoothing = ImportanceSmoothing::Off;
   this->Judged = this->Scene->ProblemFor(camera, light, judging);
   this->Backend.Choose(settings, this->Given.grid);

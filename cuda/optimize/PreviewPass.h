@@ -14,9 +14,9 @@
 namespace limpid
 {
 /**
- * The first policy pass on one grid, which knows of no transmittance and leaves the light out of
- * the camera's extinction: the most visibility for one sweep (Documentation/Method.md). Of a method
- * that does not iterate: its only pass.
+ * The first policy pass on one grid. It assumes transmittance 1 and ignores the light when
+ * computing the extinction for the camera, which gives the most visibility for one sweep
+ * (Documentation/Method.md). For a method without iterations it is the only pass.
  */
 class PreviewPass
 {
@@ -30,27 +30,28 @@ public:
   void Make(const Camera& camera, const Light& light, const Settings& settings,
     const CarriedChange& previous = {});
 
-  /// Frees the extinctions that passes have made.
+  /// Frees the extinctions of previous passes.
   void Forget();
 
-  /// What has computed the last pass, one line for the user.
+  /// One line for the user: what computed the last pass.
   const std::string& BackendName() const { return this->Backend.Name(); }
 
   PreparedScene& Prepared() const { return *this->Scene; }
   const Grid& Nodes() const { return this->Scene->Nodes(); }
   const float* Base() const { return this->Scene->Arrays().baseExtinction; }
 
-  /// What the last pass has found, Nodes().NodeCount() values [1/length].
+  /// The extinction of the last pass, Nodes().NodeCount() values [1/length].
   const float* Extinction() const { return this->DataOf(this->ForCamera); }
 
-  /// For the light, where there is another one (HasLightExtinction); else that for the camera.
+  /// The extinction for the light if it is separate (HasLightExtinction), else that for the
+  /// camera.
   const float* LightExtinction() const
   {
     return HasLightExtinction(this->Given.settings) ? this->DataOf(this->ForLight)
                                                     : this->Extinction();
   }
 
-  /// Of the base and of the found extinction; each costs a sweep when it is asked for first.
+  /// Scores of the base and of the found extinction; the first call of each costs a sweep.
   Score BaseScore();
   Score BestScore();
 
@@ -70,13 +71,13 @@ private:
 
   std::shared_ptr<PreparedScene> Scene;
   ChosenBackend Backend;
-  Problem Given;                            ///< of the last pass
-  std::unique_ptr<SourceSweeps> FromCamera; ///< made when first needed
-  Problem Judged;                           ///< the same with the importance of scores
-  std::unique_ptr<SourceSweeps> ForScores;  ///< made when that is another importance
-  std::vector<float> ForCamera;             ///< empty: the base extinction
+  Problem Given;                            ///< the problem of the last pass
+  std::unique_ptr<SourceSweeps> FromCamera; ///< created on first use
+  Problem Judged;                           ///< the problem with the importance of scores
+  std::unique_ptr<SourceSweeps> ForScores;  ///< created if scores use another importance
+  std::vector<float> ForCamera;             ///< empty if it is the base extinction
   std::vector<float> ForLight;
-  CarriedExtinction Previous; ///< what these stayed near; nothing without coherence
+  CarriedExtinction Previous; ///< reference extinctions; empty without coherence
   std::optional<Score> Before;
   std::optional<Score> After;
 };

@@ -37,7 +37,7 @@ double Problem::SumOverRows(const std::function<double(int y, int z)>& ofRow) co
 
 double Problem::SquaresFrom(const float* other, const float* extinction) const
 {
-  // What is empty stays as it is in the base, see Solver's first iterate.
+  // Empty voxels equal the base: the starting extinction of Solver is 0 there, too.
   const Int3& nodes = this->grid.nodes;
   return this->SumOverRows(
     [&](int y, int z)

@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-/// What a problem's extinction is to stay near, where it is read; empty: nothing.
+/// Returns a problem's reference extinction in device memory; empty if there is none.
 template <class AnyDevice>
 BorrowedArray<AnyDevice, float> PreviousOf(
   const std::shared_ptr<AnyDevice>& device, const Problem& problem)
@@ -22,8 +22,8 @@ BorrowedArray<AnyDevice, float> PreviousOf(
     : BorrowedArray<AnyDevice, float>();
 }
 
-/// The fields of a problem where they are read: the processor reads those of the caller, a GPU
-/// keeps copies as long as the scene is there.
+/// The fields of a problem in device memory. The processor reads the caller's arrays; a GPU keeps
+/// copies as long as the scene exists.
 template <class AnyDevice>
 struct ProblemFields
 {
@@ -43,7 +43,7 @@ struct ProblemFields
   Field importance;     ///< [0, 1]
   Field nodeImportance; ///< [0, 1]
 
-  /// Those of a problem, which are moved to the device when first asked for, and again by another.
+  /// Returns the fields of a problem. They are copied on first use, and again for another device.
   static std::shared_ptr<ProblemFields> Of(
     const std::shared_ptr<AnyDevice>& device, const Problem& problem)
   {

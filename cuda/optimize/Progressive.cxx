@@ -19,7 +19,7 @@ namespace limpid
 {
 namespace
 {
-/// A field of a scene on a coarser grid: all of it, whatever ranks have of the scene.
+/// Restricts a field of a scene, distributed or not, to a coarser grid that every rank gets.
 std::vector<float> Restrict(const SceneFields& scene, const float* field, const Grid& grid)
 {
   if (!scene.piece)
@@ -35,7 +35,7 @@ std::vector<float> RestrictImportance(
   const SceneFields& scene, const float* importance, const Grid& grid)
 {
   std::vector<float> coarse = Restrict(scene, importance, grid);
-  // A mean of numbers up to 1 may round above it.
+  // Rounding may make a mean of numbers up to 1 exceed 1.
   ParallelFor(grid.NodeCount(), 65536,
     [&coarse](Index node)
     {
@@ -45,12 +45,12 @@ std::vector<float> RestrictImportance(
   return coarse;
 }
 
-/// A coarser grid with fields of its own to preview on.
+/// A coarse grid with its own fields, for previews.
 struct CoarseScene
 {
   std::vector<float> base;
   std::vector<float> importance;
-  std::vector<float> despeckled; ///< what is a speck shows on the fine grid only; empty: not needed
+  std::vector<float> despeckled; ///< specks are identified at full resolution; empty if not needed
 
   CoarseScene(PreparedScene& fine, ImportanceSmoothing smoothing, const Grid& grid)
     : base(Restrict(fine.Arrays(), fine.Arrays().baseExtinction, grid))
@@ -76,25 +76,25 @@ struct CoarseScene
 
 struct Level
 {
-  std::unique_ptr<CoarseScene> fields;  ///< null: those of the scene itself
-  std::unique_ptr<PreviewPass> preview; ///< null: not needed yet
+  std::unique_ptr<CoarseScene> fields;  ///< null if the level uses the scene's own fields
+  std::unique_ptr<PreviewPass> preview; ///< created on first use
 };
 
-/// What is shown.
+/// Which result is shown.
 enum class Shown
 {
   Nothing,
-  Preview, ///< of the level that was chosen last
-  Solver,  ///< what the solver has found for the present view
-  Kept     ///< what was shown for the last view or scene
+  Preview, ///< of the level chosen last
+  Solver,  ///< the solver's result for the current view
+  Kept     ///< the result of the previous view or scene
 };
 }
 
 struct Progressive::Internals
 {
   std::shared_ptr<PreparedScene> scene;
-  std::optional<Grid> pieceGrid; ///< of this rank's piece; none: it has all
-  std::vector<Grid> grids;       ///< of previews, finest first; of ranks, those that are for all
+  std::optional<Grid> pieceGrid; ///< grid of this rank's subdomain; empty if it has all
+  std::vector<Grid> grids;       ///< of previews, finest first; small enough for every rank
   std::vector<Index> nodes;
   std::vector<Level> levels;
   PassTime time;
@@ -106,27 +106,28 @@ struct Progressive::Internals
   bool hasView = false;
 
   Shown shown = Shown::Nothing;
-  bool showsBase = false; ///< whether that shows less than the base extinction, which is shown
-  Camera shownCamera;     ///< for which that was found
+  bool showsBase =
+    false;            ///< whether the result shows less than the base extinction, which is shown
+  Camera shownCamera; ///< the camera for which the result was found
   Light shownLight;
   Settings shownSettings;
   double shownLikeness = 1;
-  bool shownOfOther = false;      ///< whether another scene's
+  bool shownOfOther = false;      ///< whether the result is of another scene
   std::size_t level = 0;          ///< of the last preview
-  bool levelIsCurrent = false;    ///< whether it was made for the present view
-  std::unique_ptr<Solver> solver; ///< of the present view; null: not begun
+  bool levelIsCurrent = false;    ///< whether the last preview is of the current view
+  std::unique_ptr<Solver> solver; ///< of the current view; null before Refine
   std::array<FoundExtinction, 2> kept;
-  bool keptForLight = false;        ///< whether there is another one for the light
-  std::optional<Scores> keptScores; ///< not there: not known yet
+  bool keptForLight = false;        ///< whether `kept` has a separate extinction for the light
+  std::optional<Scores> keptScores; ///< empty if not known yet
 
-  /// That share the scene; null: there is one.
+  /// The communicator; null for one process.
   const Communicator* Ranks() const
   {
     const ScenePiece* piece = this->scene->Arrays().piece.get();
     return piece ? piece->ranks.get() : nullptr;
   }
 
-  /// The present settings, with what computes.
+  /// The current settings, adapted to distributed runs.
   Settings Wanted() const { return this->Ranks() ? ForRanks(this->settings) : this->settings; }
 
   void PlaceGrids()
@@ -176,7 +177,7 @@ struct Progressive::Internals
 
   PreviewPass& LastPreview() const { return *this->levels[this->level].preview; }
 
-  /// The present view is over: keeps what is shown, and nothing else.
+  /// Ends the current view and keeps only the shown result.
   void EndView()
   {
     if (this->shown == Shown::Solver)
@@ -195,7 +196,7 @@ struct Progressive::Internals
     return this->shown == Shown::Kept ? this->keptForLight : HasLightExtinction(this->settings);
   }
 
-  /// Whether the present view is from the same eye, however much of the scene that sees.
+  /// Whether the current view has the same eye and light, apart from the field of view.
   bool IsSeenFrom(const Camera& eye, const Light& lamp) const
   {
     const double rounding = 1e-6 * glm::length(eye.position - this->scene->Nodes().Centre());
@@ -208,7 +209,7 @@ struct Progressive::Internals
       same(lamp.position, this->light.position) && same(lamp.focalPoint, this->light.focalPoint);
   }
 
-  /// On whose grid the shown extinction is.
+  /// The scene on whose grid the shown extinction is given.
   PreparedScene& ShownScene() const
   {
     return this->shown == Shown::Preview ? this->LastPreview().Prepared() : *this->scene;
@@ -261,7 +262,7 @@ void Progressive::GoOnFrom(const CarriedChange& change)
   Internals& state = *this->State;
   LIMPID_EXPECT(state.shown == Shown::Nothing);
   CarriedExtinction carried = AppliedTo(state.scene->Arrays(), state.scene->Majorant(), change);
-  // A rank may have no piece of it.
+  // The subdomain of a rank may be empty.
   if (AnyRank(state.Ranks(), !carried.extinction.empty()))
   {
     state.keptForLight = AnyRank(state.Ranks(), !carried.light.empty());
@@ -284,7 +285,7 @@ CarriedChange Progressive::Change() const
                   : this->FoundChange();
 }
 
-/// On the grid on which it was found.
+/// Returns the change on the grid on which it was found.
 CarriedChange Progressive::FoundChange() const
 {
   const Internals& state = *this->State;
@@ -340,7 +341,7 @@ void Progressive::Preview(double seconds)
   LIMPID_EXPECT(state.hasView);
   if (state.shown == Shown::Solver)
   {
-    return; // nothing is better for the present view
+    return; // the shown result cannot be improved for the current view
   }
   const std::size_t level =
     state.time.Choose(state.nodes, LargestOfRanks(state.Ranks(), seconds), state.level);
@@ -383,8 +384,8 @@ bool Progressive::Refine()
   return this->Converged();
 }
 
-/// Whether to stay near what is shown, which was found for another view or at another time. What
-/// moves goes on steadily; where it comes to rest, nothing but the view itself counts.
+/// Whether the shown result, of another view or time, is the reference of the next one. It is
+/// while the view or the data change; at rest only the current view counts.
 bool Progressive::StaysNear() const
 {
   const Internals& state = *this->State;

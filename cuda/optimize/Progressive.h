@@ -13,105 +13,107 @@
 
 namespace limpid
 {
-/// What a camera sees.
+/// The scores from a camera.
 struct Scores
 {
   Score base; ///< of the base extinction
-  Score best; ///< of what was found
+  Score best; ///< of the found extinction
 };
 
-/// What is shown, in the memory of the device that has found it [1/length].
+/// The shown extinctions in device memory [1/length].
 struct ShownOnDevice
 {
   ExtinctionOnDevice fields;
-  const float* light = nullptr; ///< the extinction for the light
+  const float* light = nullptr; ///< extinction for the light
 };
 
 /**
- * Optimises for a camera that moves: quickly and coarsely while it does, fully when it rests.
+ * Optimises for a moving camera: quickly and coarsely while it moves, fully when it rests.
  *
- *   progressive.SetView(camera, light);  // whenever one of them has changed
- *   progressive.Preview(0.05);           // while moving: once per frame
- *   while (!progressive.Refine()) {}     // at rest: once per frame, or all at once
+ *    progressive.SetView(camera, light); // whenever one of them has changed
  *
- * A refined result depends on camera, light and settings alone, not on what was shown before,
- * unless Settings::temporalCoherence is to keep it near that.
+ *    progressive.Preview(0.05); // while moving: once per frame
+ *
+ *    while (!progressive.Refine()) {} // at rest: once per frame, or all at once
+ *
+ * A refined result depends on camera, light and settings only, not on what was shown before,
+ * unless Settings::temporalCoherence keeps it near that.
  */
 class Progressive
 {
 public:
-  /// The fields stay with the caller. Throws limpid::Error as Solver does.
+  /// The caller owns the fields. Throws limpid::Error like Solver.
   Progressive(const SceneFields& scene, const Settings& settings);
   ~Progressive();
   Progressive(Progressive&&) noexcept;
   Progressive& operator=(Progressive&&) noexcept;
 
-  /// Another stopwatch for previews; for tests.
+  /// Replaces the stopwatch of previews; for tests.
   void SetStopwatch(Stopwatch stopwatch);
 
-  /// Shows what another scene over the same box found, until there is something new. Does nothing
-  /// for a change that is empty or of another box. Nothing may have been shown yet.
+  /// Shows the change of another scene over the same box until there is a new result. Ignores an
+  /// empty change or one of another box. Call it before anything has been shown.
   void GoOnFrom(const CarriedChange& change);
 
-  /// What was found last, for another scene; empty: nothing yet.
+  /// Returns the change that was found last, for another scene; empty if there is none yet.
   CarriedChange Change() const;
 
-  /// A new camera, light or new settings. What was found before stays shown until there is
-  /// something new. Nothing happens if all are the same as before. Throws limpid::Error, and
-  /// changes nothing, when they cannot be worked with.
+  /// Sets camera, light and settings. The previous result stays shown until there is a new one.
+  /// Does nothing if all are unchanged. If they are invalid, throws limpid::Error and changes
+  /// nothing.
   void SetView(const Camera& camera, const Light& light, const Settings& settings);
 
-  /// One policy pass on the finest grid on which it is expected to take no longer. Does nothing if
-  /// what is shown is at least as good for the present view. Where ranks share the scene, each
-  /// makes the same pass, on a grid of which it can have all.
+  /// Performs one policy pass on the finest grid that is expected to take at most `seconds`. Does
+  /// nothing if the shown result is at least as good for the current view. In distributed runs
+  /// each rank computes the same pass, on a grid small enough for every rank.
   void Preview(double seconds);
 
-  /// The next iteration at full resolution; the first call for a view only prepares. Previews stay
-  /// shown until the first iteration. Returns whether there is nothing left to do. An exception
-  /// from the first call changes nothing; after one from another call or from Preview, this object
-  /// is of no more use.
+  /// Performs the next iteration at full resolution; the first call for a view only prepares.
+  /// Previews stay shown until the first iteration. Returns whether nothing is left to do. If the
+  /// first call throws, nothing has changed. After an exception from a later call or from Preview,
+  /// this object must not be used any more.
   bool Refine();
 
-  /// Shows the base extinction in place of what shows less of the important structures than that
-  /// does, until there is something new: what was kept from another view or scene, a preview, an
-  /// iterate that is on its way. What the solver ends at stays. To be called once per frame; takes
-  /// no sweeps that the scores of the frame do not take anyway. What was found is not lost: the
-  /// next extinction stays near it, and another scene goes on from it.
+  /// Shows the base extinction instead of an extinction that shows less of the important
+  /// structures, until there is a new result. That may be one kept from another view or scene, a
+  /// preview, or an unfinished iterate; the final result always stays. Call it once per frame. It
+  /// takes no sweeps beyond those for the scores of the frame. The refused extinction is not lost:
+  /// it remains the reference of the next one, and another scene may go on from it.
   void ShowNoLessThanBase();
 
-  /// Whether anything is shown that was found, for this scene or another one; else the base is.
+  /// Whether a result is shown, for this scene or another one; otherwise the base extinction is.
   bool ShowsFound() const;
 
-  bool HasBegun() const;  ///< whether Refine was called for the present view
-  bool Converged() const; ///< whether Refine has nothing left to do for the present view
-  bool Settled() const;   ///< false: it has for a limit, if it has, see Solver::Settled
+  bool HasBegun() const;  ///< whether Refine was called for the current view
+  bool Converged() const; ///< whether Refine has finished for the current view
+  bool Settled() const;   ///< false if Refine finished because of a limit, see Solver::Settled
 
-  /// What is to be shown now: the same box as the scene's grid, or as this rank's piece of it.
-  /// Valid after Preview or Refine.
+  /// The grid of the shown extinction: it covers the box of the scene's grid, or that of this
+  /// rank's subdomain. Valid after Preview or Refine.
   const Grid& ShownGrid() const;
-  bool ShowsPiece() const;              ///< whether that is a rank's piece
+  bool ShowsPiece() const;              ///< whether ShownGrid() is a rank's subdomain
   const float* BaseExtinction() const;  ///< at the nodes of ShownGrid() [1/length]
   const float* Extinction() const;      ///< at the nodes of ShownGrid() [1/length]
   const float* LightExtinction() const; ///< the same array in joint mode
 
-  /// The same where a device has it, until the next step; nulls: it is on the host. Nothing needs
-  /// to come from the device for it.
+  /// The shown extinctions on a device, valid until the next step; null pointers if they are on
+  /// the host. Nothing is downloaded.
   ShownOnDevice OnDevice() const;
 
   Score BaseScore() const;
   Score BestScore() const;
 
-  /// What another camera sees of the base extinction and of what is shown: a sweep each. Valid
-  /// after Preview or Refine. `opaque`: ends its rays, and the scores are those of what is in
-  /// front; null: nothing does.
+  /// Scores of the base and of the shown extinction from another camera; costs one sweep each.
+  /// Valid after Preview or Refine. `opaque`: geometry that ends the rays, so that the scores are
+  /// those of what is in front of it; null if there is none.
   Scores ScoresFrom(const Camera& camera, const OpaqueGeometry* opaque = nullptr) const;
 
-  /// What a camera could see at most within the bounds of the present settings, see Ceiling: a
-  /// sweep, and another one of the light. Valid after SetView. Zeros for a method that does not
-  /// iterate. `opaque`: likewise.
+  /// The highest score possible from a camera within the bounds of the current settings, see
+  /// Ceiling. Costs a sweep, and another one for the light. Valid after SetView. Zeros for a
+  /// method without iterations. `opaque`: as in ScoresFrom.
   Ceiling CeilingFrom(const Camera& camera, const OpaqueGeometry* opaque = nullptr) const;
 
-  int Iterations() const; ///< at full resolution, for the present view
+  int Iterations() const; ///< at full resolution, for the current view
   std::string BackendName() const;
 
 private:

@@ -11,33 +11,33 @@
 namespace limpid
 {
 /**
- * Keeps the iterates of a policy from rising. An iterate that does not lower the energy F is
- * refused, and the next sweep starts from the best one again. If that is what the last sweep has
- * started from, it minimises
+ * Keeps the energy of policy iterates from rising. An iterate that does not lower the energy F is
+ * rejected, and the next sweep starts from the best iterate. If the last sweep had started there
+ * already, the next one minimises
  *
- *   F(mu) + t/2 |mu - mu_last|^2
+ *    F(mu) + t/2 |mu - mu_last|^2
  *
- * instead, a proximal step [SS80], which is the shorter the larger t is. Every refusal makes t
- * larger, every iterate that is kept makes it smaller, until it is 0 again.
+ * instead, a proximal step [SS80]; the larger t, the shorter the step. Each rejection increases t,
+ * and each accepted iterate decreases it, until it is 0 again.
  */
 class ProximalDescent
 {
 public:
-  /// `first`: t after a refusal of a sweep without it, over the weight of the regularisation.
+  /// `first`: t after the first rejection, relative to the weight of the regularisation.
   explicit ProximalDescent(double first)
     : First(first)
   {
   }
 
-  /// Begins from an iterate, however high its energy is.
+  /// Restarts from an iterate of any energy.
   void BeginAt(double energy)
   {
     this->Energy = energy;
     this->Change = std::numeric_limits<double>::infinity();
   }
 
-  /// Takes the energy of the next iterate. Returns whether it is kept; if not, the next sweep
-  /// starts from the best iterate. `best`: energy of that.
+  /// Returns whether an iterate of the given energy is accepted. If not, the next sweep starts
+  /// from the best iterate, whose energy is `best`.
   bool Keeps(double energy, double best)
   {
     this->Change = std::abs(energy - this->Energy) / std::abs(this->Energy);
@@ -57,21 +57,22 @@ public:
     return false;
   }
 
-  /// How far the last iterate, kept or not, was from the one before, as a share of its energy.
+  /// Relative energy change of the last iterate, accepted or not.
   double EnergyChange() const { return this->Change; }
 
-  /// t for the next sweep, over the weight of the regularisation.
+  /// t for the next sweep, relative to the weight of the regularisation.
   double Proximity() const { return this->Stiffness; }
 
 private:
-  static constexpr double rounding = 1e-6; ///< of an energy, which is summed in float
+  static constexpr double rounding = 1e-6; ///< relative rounding error of an energy, summed in
+                                           ///< float
   static constexpr double stiffening = 4;
   static constexpr double softening = 2;
-  static constexpr double stiffest = 1e30; ///< where nothing moves any more
+  static constexpr double stiffest = 1e30; ///< at this value nothing moves any more
 
   double First;
   double Stiffness = 0;
-  double Energy = 0; ///< of the iterate that the next sweep starts from
+  double Energy = 0; ///< energy of the iterate that the next sweep starts from
   double Change = 0; ///< see EnergyChange
 };
 }

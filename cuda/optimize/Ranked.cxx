@@ -53,7 +53,7 @@ std::vector<NodeBox> InOrder(std::vector<NodeBox> boxes, const AxisPermutation& 
   return boxes;
 }
 
-/// A field of this rank's piece, in another order.
+/// View of a field in this rank's subdomain, with permuted axes.
 FieldView PieceOf(const Problem& problem, const AxisPermutation& order, const float* field)
 {
   return InOrder(FieldView::Part(const_cast<float*>(field), problem.piece->nodes), order);
@@ -67,8 +67,8 @@ std::shared_ptr<const Occupancy> FindOccupancy(const ScenePiece& piece, const Gr
     OccupancyOnRanks(*piece.ranks, order.Of(grid), box, extinction, importance, skip));
 }
 
-/// The problem in another order, with room for the fields that ranks share. `warm`: whether
-/// iterations start from an extinction of their own.
+/// Returns the permuted problem with distributed fields. `warm`: whether iterations start from a
+/// given extinction.
 Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
 {
   const ScenePiece& piece = *problem.piece;
@@ -78,7 +78,8 @@ Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
   fields->wanted = RegionsOf(InOrder(piece.boxes, order));
   fields->places = piece.places;
   const Settings& settings = problem.settings;
-  const bool staysNear = piece.ranks->AnyOf(problem.previous != nullptr); // a piece may be empty
+  const bool staysNear = piece.ranks->AnyOf(problem.previous != nullptr); // a subdomain may be
+                                                                          // empty
   fields->inSlabs = warm || staysNear || problem.IsThick() || settings.solver == SolverKind::Adam ||
     settings.smoothness > 0;
   const auto fieldOf = [&](const float* values)
@@ -122,7 +123,7 @@ void Add(const Camera& camera, std::vector<double>& numbers)
 /// Whether all ranks have the same numbers.
 bool AreAlike(const Communicator& ranks, const std::vector<double>& numbers)
 {
-  // The least of all is the largest where all are the same: of each, and of what it lacks of -1.
+  // Numbers are equal if their minimum equals their maximum: minima of each word w and of -1 - w.
   std::vector<std::int32_t> words(2 * numbers.size());
   std::memcpy(words.data(), numbers.data(), words.size() * sizeof(std::int32_t));
   std::vector<std::int32_t> both = words;
@@ -149,7 +150,7 @@ public:
 
   const Problem& ProblemInside() const { return this->Inside; }
 
-  /// `start`: of this rank's piece.
+  /// `start`: in this rank's subdomain.
   StartingExtinction InSlab(const StartingExtinction& start) const
   {
     if (!start)
@@ -186,7 +187,7 @@ public:
 private:
   void Restore(const Minimizer& inner, std::vector<float>& best) const override
   {
-    // What no sweep comes to stays as it is.
+    // Voxels that no sweep reaches keep the base extinction.
     const float* base = this->Given->baseExtinction;
     best.assign(base, base + this->Given->piece->nodes.Count());
     inner.BestToPiece(PieceOf(*this->Given, this->Order, best.data()));
@@ -194,10 +195,10 @@ private:
 
   const Problem* Given;
   AxisPermutation Order;
-  Problem Inside; ///< the problem in that order
+  Problem Inside; ///< the permuted problem
 };
 
-/// Makes sweeps visit fields of ranks' pieces. `filled`: see SlabDelivery.
+/// Makes sweeps use the fields of the ranks' subdomains. `filled`: see SlabDelivery.
 void VisitPieces(
   std::vector<FrustumRays<HostDevice>>& frusta, const ScenePiece& piece, const Occupancy* filled)
 {
@@ -231,7 +232,7 @@ public:
     {
       this->Base = this->See(base, nullptr).all;
     }
-    // A rank without a piece cannot tell.
+    // A rank with an empty subdomain cannot tell whether this is the base extinction.
     if (!this->Given->piece->ranks->AnyOf(extinction != this->Given->baseExtinction))
     {
       return ScoreOfBase(*this->Base);
@@ -256,7 +257,7 @@ public:
   }
 
 private:
-  /// `base`: null: what is kept is not counted.
+  /// `base`: null if kept base extinction is not counted.
   Seen See(const float* extinction, const float* base)
   {
     Seen seen;
@@ -267,7 +268,7 @@ private:
   const Problem* Given;
   std::shared_ptr<const Occupancy> Occupied;
   VisibilityTerm<HostDevice> Term;
-  std::optional<Visible> Base; ///< not seen yet
+  std::optional<Visible> Base; ///< empty before the first sweep
 };
 
 NodesWithin Within(const NodeBox& box)
@@ -278,12 +279,12 @@ NodesWithin Within(const NodeBox& box)
                          { along[0].end, along[1].end, along[2].end } };
 }
 
-/// A rank's part of the cells: those whose first corner with an owner is its own.
+/// The cells of a rank: those whose first owned corner belongs to it.
 struct CellsOfRank
 {
-  std::vector<NodesWithin> owned; ///< [rank]
+  std::vector<NodesWithin> owned; ///< [rank]: owned nodes
   NodesWithin own;
-  Int3 last; ///< node of the grid
+  Int3 last; ///< last node of the grid
   std::size_t rank;
 
   CellsOfRank(const ScenePiece& piece, const Grid& grid)
@@ -297,7 +298,7 @@ struct CellsOfRank
     this->own = this->owned[this->rank];
   }
 
-  /// The first nodes of all that may be.
+  /// Returns the range of the first nodes of all cells that may belong to this rank.
   NodesWithin Near() const
   {
     return { glm::max(this->own.begin - 1, Int3(0)), glm::min(this->own.end, this->last) };
@@ -322,7 +323,7 @@ struct CellsOfRank
   }
 };
 
-/// A field of a piece, of which owners tell others what is beside them.
+/// A field of a subdomain, extended by ghost values from the owners.
 struct WiderField
 {
   NodeValues values;
@@ -338,7 +339,7 @@ struct WiderField
   }
 };
 
-/// The nodes of a rank to which transmittance is steep.
+/// Returns the nodes of a rank around which transmittance is steep.
 std::vector<Int3> SteepNodes(
   const NodesWithin& own, const FieldWithin& transmittance, const NodeRays& rays)
 {
@@ -361,11 +362,11 @@ std::vector<Int3> SteepNodes(
   return steep;
 }
 
-/// Some nodes of each rank, which all ranks learn.
+/// Nodes of all ranks, gathered on every rank.
 struct NodesOfRanks
 {
-  std::vector<std::int64_t> coordinates; ///< three a node
-  std::size_t first = 0;                 ///< of this rank's
+  std::vector<std::int64_t> coordinates; ///< three per node
+  std::size_t first = 0;                 ///< index of this rank's first node
 
   NodesOfRanks(const Communicator& ranks, const Int3* nodes, std::size_t count)
   {
@@ -444,14 +445,15 @@ void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const R
   TransmittanceSweep<HostDevice> sweep(
     HostDevice::Shared(), grid, *occupancy, source, rayDensity, piece.ranks.get());
   VisitPieces(sweep.Frusta(), piece, nullptr);
-  std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f); // where no ray comes
+  std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f); // for nodes that no ray
+                                                                       // reaches
   sweep.Sweep(There(extinction), There(transmittance));
 }
 
 void RefineTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
   const float* extinction, float* transmittance)
 {
-  constexpr std::size_t nodesAtATime = 1 << 18; // of a rank
+  constexpr std::size_t nodesAtATime = 1 << 18; // per rank
   const Communicator& ranks = *piece.ranks;
   const NodeRays rays(grid, source);
   const CellsOfRank cells(piece, grid);

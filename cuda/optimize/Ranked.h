@@ -12,27 +12,27 @@ namespace limpid
 {
 class SourceSweeps;
 
-/// Throws JointError on all ranks unless they have the same view and settings: what they exchange
-/// follows from these.
+/// Throws JointError on all ranks unless all have the same view and settings, which determine what
+/// they exchange.
 void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& camera,
   const Light& light, const Settings& settings, double nearness);
 
-/// Transmittance from a source through an extinction of this rank's piece, see TransmittanceSweep,
-/// into another array of it. `grid`: of all pieces.
+/// Computes the transmittance from a source through an extinction of this rank's subdomain, see
+/// TransmittanceSweep. `grid`: of the whole scene.
 void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
   double rayDensity, const float* extinction, float* transmittance);
 
-/// RefineTransmittance in place, of fields of this rank's piece: with the bits that one rank finds.
+/// Applies RefineTransmittance in place to this rank's subdomain; bit-identical to one process.
 void RefineTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
   const float* extinction, float* transmittance);
 
-/// The rays of a source through the scene of ranks, for scores.
+/// Makes the rays of a source through a distributed scene, for scores.
 std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const RaySource& source);
 
-/// A minimiser of a problem whose scene is shared by ranks (Problem::piece). It works in the order
-/// of OrderFor, and its results are those of this rank's piece, in the problem's order. `start`: of
-/// that piece, on all ranks or none. `make`: makes one of a problem with FieldsOfRanks, which stays
-/// alive.
+/// Makes a minimiser of a distributed problem (Problem::piece). It works in the order of OrderFor;
+/// its results are those of this rank's subdomain, in the problem's order. `start`: of that
+/// subdomain, on all ranks or none. `make`: makes a minimiser of a problem with FieldsOfRanks,
+/// which outlives it.
 std::unique_ptr<Minimizer> MakeRanked(const Problem& problem, const StartingExtinction& start,
   const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make);
 }

@@ -15,7 +15,7 @@ namespace limpid
 {
 namespace detail
 {
-/// Sets values to one.
+/// Sets all values to the same number.
 struct FillWith
 {
   float* values;
@@ -26,8 +26,8 @@ struct FillWith
 }
 
 /**
- * Resilient steps along the derivative of the energy (ResilientVoxel.h), from an extinction that is
- * near a good optimum.
+ * Resilient steps along the derivative of the energy (ResilientVoxel.h), starting near a good
+ * optimum.
  */
 template <class AnyDevice>
 class ResilientDescent
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  /// Starts anew, with short steps, from an extinction.
+  /// Restarts from an extinction, with short steps.
   void BeginAt(const float* extinction)
   {
     const auto count = static_cast<std::size_t>(this->Given->grid.NodeCount());
@@ -57,8 +57,8 @@ public:
     this->Energy->FillGradient(extinction, this->Gradient);
   }
 
-  /// The step from the last extinction to the next one, and the record of that. `smoothing`: sigma
-  /// of SmoothedChange [length]; 0: neighbours are not drawn together.
+  /// Performs the step from the last extinction to the next and returns its record. `smoothing`:
+  /// sigma of SmoothedChange [length]; 0 for no smoothing.
   IterationRecord Step(const float* last, float* next, double smoothing)
   {
     this->Device->Copy(next + this->Own.Begin(), last + this->Own.Begin(),
@@ -80,14 +80,16 @@ public:
   }
 
 private:
-  static constexpr double firstChange = 0.05;   ///< of a step [majorant]
-  static constexpr double mostChange = 0.4;     ///< [majorant]
-  static constexpr double firstDepth = 0.7;     ///< of a step, from node to node
-  static constexpr double mostDepth = 2;        ///< as much as nearly ends what is behind
-  static constexpr double roundingOfSum = 1e-6; ///< of a derivative [weights]
+  static constexpr double firstChange = 0.05; ///< length of the first step [majorant]
+  static constexpr double mostChange = 0.4;   ///< maximum length of a step [majorant]
+  static constexpr double firstDepth = 0.7;   ///< first step as an optical depth between nodes
+  static constexpr double mostDepth = 2; ///< maximum step as an optical depth, which hides nearly
+                                         ///< all
+  static constexpr double roundingOfSum = 1e-6; ///< relative to the weights; smaller derivatives
+                                                ///< are 0
 
-  /// A length of steps: no more than a change, and no more than an optical depth from node to
-  /// node [1/length].
+  /// Returns a step length [1/length], limited by a change [majorant] and by an optical depth
+  /// between nodes.
   float LengthOf(double change, double depth) const
   {
     return static_cast<float>(
@@ -115,7 +117,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   const Problem* Given;
   Terms<AnyDevice>* Energy;
-  Slab Own; ///< voxels that take steps here
+  Slab Own; ///< voxels of this rank
   mutable DeviceArray<AnyDevice, float> Gradient;
   mutable DeviceArray<AnyDevice, float> State;
 };

@@ -10,27 +10,27 @@
 namespace limpid
 {
 /**
- * One step of resilient propagation [RB93] at every voxel, projected to its bounds. A voxel has a
- * step length of its own, which grows while the derivative of the energy keeps its sign and shrinks
- * where that changes; the size of the derivative does not matter, so that what light hardly reaches
- * moves like the rest.
+ * One step of resilient propagation [RB93] at every voxel, projected to the bounds. Each voxel has
+ * its own step length, which grows while the derivative of the energy keeps its sign and shrinks
+ * when the sign changes. The magnitude of the derivative does not matter, so voxels that receive
+ * little light move like all others.
  *
- * The state of a voxel is one number: its step length, with the sign of its last derivative.
+ * The state of a voxel is one number: its step length with the sign of its last derivative.
  */
 struct ResilientVoxel
 {
   static constexpr const char* label = "resilient steps";
 
-  const float* gradient;   ///< of the visibility terms
+  const float* gradient;   ///< derivative of the visibility terms
   const float* base;       ///< mu-bar [1/length]
   const float* importance; ///< [0, 1]
-  const float* previous;   ///< what to stay near [1/length]; null: nothing
-  float* state;            ///< step length [1/length], negative where the last derivative was
+  const float* previous;   ///< reference extinction [1/length]; null if none
+  float* state;            ///< step length with the sign of the last derivative [1/length]
   float* extinction;       ///< [1/length]
   float regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
   float coherence;         ///< weight of (mu - mu_previous) [length]
-  float longest;           ///< most that a step may be [1/length]
-  float floor;             ///< derivatives below it are rounding errors
+  float longest;           ///< maximum step [1/length]
+  float floor;             ///< smaller derivatives are rounding errors
   ExtinctionBounds<float> bounds;
 
   LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const

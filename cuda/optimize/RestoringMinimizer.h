@@ -12,8 +12,8 @@
 
 namespace limpid
 {
-/// A minimiser that leaves the work to another one, on the problem in another form, and restores
-/// the form of the problem if it is asked for the result.
+/// A minimiser that delegates to another one, which works on the problem in a different form.
+/// Results are converted back on request.
 class RestoringMinimizer : public Minimizer
 {
 public:
@@ -55,12 +55,12 @@ public:
   }
 
 private:
-  /// Brings the best iterate of the other one into the form of the problem. `best`: empty, or what
-  /// was restored before.
+  /// Converts the best iterate of the inner minimiser to the form of the problem. `best`: empty,
+  /// or the result of the last conversion.
   virtual void Restore(const Minimizer& inner, std::vector<float>& best) const = 0;
 
   std::unique_ptr<Minimizer> Inner;
-  mutable std::vector<float> Restored; ///< the best iterate, if asked
+  mutable std::vector<float> Restored; ///< the best iterate, converted
   mutable bool IsRestored = false;
 };
 }

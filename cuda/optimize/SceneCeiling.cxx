@@ -10,7 +10,8 @@ namespace limpid
 {
 namespace
 {
-/// What the cameras of `seen` and the light of `lit` could see within the bounds of `bounded`.
+/// Returns the ceiling for the cameras of `seen` and the light of `lit` within the bounds of
+/// `bounded`.
 Ceiling CeilingOf(
   const Problem& seen, const Problem& lit, const Problem& bounded, const ChosenBackend& backend)
 {

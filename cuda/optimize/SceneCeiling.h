@@ -10,16 +10,16 @@
 
 namespace limpid
 {
-/// What no extinction within the bounds of the settings can exceed: one sweep for each camera and,
-/// if it has a weight, one for the light. The importance that counts is the one as given, as in
-/// scores; that of the lower bound is the optimiser's. Ranks that share the scene call this
-/// together. `opaque`: where the rays of the camera end; null: nowhere.
+/// Returns an upper bound of the scores of all extinctions within the bounds of the settings.
+/// Costs one sweep per camera and, if the light has a weight, one for the light. As for scores,
+/// the importance as given counts; the lower bound uses the optimiser's importance. Collective in
+/// distributed runs. `opaque`: geometry that ends the rays of the camera; null if there is none.
 Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
   const Light& light, const Settings& settings, const OpaqueGeometry* opaque = nullptr);
 
-/// What the energy of Eq. (21) of no extinction within the bounds is below: F >= -q W - r W_L with
-/// the ceilings W of the camera and W_L of the light, as the other terms are not negative
-/// [length^2].
+/// Returns a lower bound of the energy of Eq. (21) over all extinctions within the bounds: F >= -q
+/// W - r W_L with the ceilings W of the camera and W_L of the light, as the other terms are not
+/// negative [length^2].
 double LeastEnergyOf(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
   const Light& light, const Settings& settings);
 }

@@ -19,12 +19,12 @@ namespace limpid
 {
 struct Settings;
 
-/// What of some settings ranks cannot do together yet, "the method Viola2004", say; empty: they can
-/// do all.
+/// Returns the first setting that is not supported in distributed runs, such as "the method
+/// Viola2004"; empty if all are.
 std::string NotOnRanks(const Settings& settings);
 
-/// Settings for ranks that share a scene: on processors. Throws limpid::Error when these cannot do
-/// together what is wanted.
+/// Adapts settings to distributed runs, which use processors. Throws limpid::Error if they are not
+/// supported.
 Settings ForRanks(Settings settings);
 
 enum class SolverKind
@@ -47,8 +47,8 @@ struct Weights
   double light = 1;             ///< r of Eq. (24)
 };
 
-/// What is done to the importance before the optimisation, which minimises the energy of what comes
-/// of it. Scores are always those of the importance as given.
+/// Filter applied to the importance for the optimisation. Scores always use the importance as
+/// given.
 enum class ImportanceSmoothing
 {
   Off,
@@ -57,7 +57,7 @@ enum class ImportanceSmoothing
 
 using WeightOf = double Weights::*;
 
-/// A weight, and what to tell whoever sets it below zero.
+/// A weight and the texts for the error if it is negative.
 struct WeightInfo
 {
   WeightOf weight;
@@ -80,68 +80,69 @@ struct Settings
 
   Weights weights;
 
-  /// Share of the visibility that must be at stake before a voxel of the densest matter is cleared,
-  /// whatever the density and the size of the data (Documentation/Deviations.md, D23), >= 0. It
-  /// takes the place of weights.regularization; 0: that counts, as in the paper.
+  /// Share of the visibility that must be at stake before a voxel of the majorant is cleared, >=
+  /// 0. It is independent of density and size of the data (Documentation/Deviations.md, D23). If
+  /// positive, it replaces weights.regularization; 0: that weight is used, as in the paper.
   double clearingThreshold = 0;
 
   Mode mode = Mode::Joint;
   SolverKind solver = SolverKind::Policy;
-  int maximumIterations = 8;                               ///< policy, for every camera
-  std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< Adam: quarter, half, full resolution
-  double learningRate = 0.05;                              ///< Adam [majorant]
-  double tolerance = 1e-3;   ///< stop when the mean change of an iteration is below [majorant];
-                             ///< policy: or below 5 times this, the energy's below a tenth of it
-  double maximumSeconds = 0; ///< stop after; zero: no limit [s]
+  int maximumIterations = 8;                               ///< of the policy, per camera
+  std::array<int, 3> iterationsPerLevel{ { 32, 32, 64 } }; ///< Adam: at 1/4, 1/2 and full
+                                                           ///< resolution
+  double learningRate = 0.05;                              ///< of Adam [majorant]
+  double tolerance = 1e-3;   ///< stops when the mean change is below [majorant]; policy: also below
+                             ///< 5 times this, if the energy's change is below 0.1 times this
+  double maximumSeconds = 0; ///< time limit; 0: none [s]
   Derivative derivative = Derivative::Volume;
   double rayDensity = 1;       ///< rays per voxel and axis on the farthest slice
-  bool skipUnneeded = true;    ///< leave out what provably cannot change the result
-  bool restrictToView = false; ///< count only what the picture shows
+  bool skipUnneeded = true;    ///< whether to skip what provably cannot change the result
+  bool restrictToView = false; ///< whether only what is inside the view counts
 
-  /// Share of its base extinction that important matter keeps, times its importance [0, 1]; 0: it
-  /// may be removed, as in the paper.
+  /// Share of the base extinction that important structures keep, times their importance [0, 1].
+  /// 0: they may be removed, as in the paper.
   double protectImportance = 0;
 
-  /// How far above its base extinction matter may become, as a share of the way to the majorant
-  /// [0, 1]; 0: matter never becomes thicker than in the data; 1: it may rise to the majorant, as
-  /// in the paper.
+  /// How far extinction may rise above the base, as a fraction of the way to the majorant [0, 1].
+  /// 0: never denser than in the data; 1: up to the majorant, as in the paper.
   double emphasis = 1;
 
   ImportanceSmoothing importanceSmoothing = ImportanceSmoothing::Off;
 
-  /// How strongly the changes of neighbours are drawn together when the optimum is near, as a share
-  /// of the weights of view and light, see SmoothedChange [0, 10]; 0: not at all, as in the paper.
+  /// Strength of smoothing the changes between neighbours near the optimum, relative to the
+  /// weights of view and light, see SmoothedChange [0, 10]. 0: none, as in the paper.
   double smoothness = 0;
 
-  /// How strongly the extinction is drawn to what was found for a near view or time step before, as
-  /// a share of the weights of view and light (Documentation/Deviations.md, D20), >= 0; 0: what
-  /// was before does not matter, as in the paper.
+  /// Strength of the pull towards the extinction found for a similar view or time step, relative
+  /// to the weights of view and light (Documentation/Deviations.md, D20), >= 0. 0: none, as in the
+  /// paper.
   double temporalCoherence = 0;
 
-  /// Whether every iteration has a score, also where that takes a sweep of its own, see
+  /// Whether every iteration has a score, even if that costs an extra sweep, see
   /// Problem::tellsScores.
   bool scoreIterations = false;
 
-  /// Cameras for which the extinction is to be as good as for the camera itself: the energy's view
-  /// term and scores are means over all of them. Method::Optimized only.
+  /// Further cameras that the extinction is optimised for: the view term of the energy and the
+  /// scores are means over all cameras. Method::Optimized only.
   std::vector<Camera> otherCameras;
 
   BackendKind backend = BackendKind::Auto;
 
-  /// Throws limpid::Error on a value that cannot be worked with.
+  /// Throws limpid::Error if a value is invalid.
   void Require() const;
 };
 
 bool operator==(const Settings& one, const Settings& other);
 
-/// Settings for the first of several cameras, one at least, and as much for the others.
+/// Returns the settings for several cameras, at least one: the first is the main one, the rest
+/// become otherCameras.
 Settings ForCameras(Settings settings, const std::vector<Camera>& cameras);
 
-/// Whether iterations see what the scores are of, but maybe by fewer rays: the camera has a term,
-/// and the importance is as given.
+/// Whether iterations measure what scores measure, possibly with fewer rays: the camera has a
+/// term, and the importance is used as given.
 bool SeesWhatScoresAreOf(const Settings& settings);
 
-/// Whether there is another extinction for the light than for the camera.
+/// Whether the light has an extinction of its own.
 inline bool HasLightExtinction(const Settings& settings)
 {
   const MethodInfo& info = InfoOf(settings.method);
@@ -158,22 +159,22 @@ struct Energy
   double Total() const { return regularization + view + light + coherence; }
 };
 
-/// What an iteration ended with.
+/// The result of an iteration.
 struct IterationRecord
 {
   int iteration = 0; ///< 0 is the base extinction
   int level = 0;     ///< 0 full resolution, 1 half, 2 quarter
   Energy energy;
-  Score score;           ///< from the cameras; 0 where it takes a sweep of its own and nobody
-                         ///< has asked, see Settings::scoreIterations; then of the best so far
-  double meanChange = 0; ///< mean |change| of the voxels that may change [majorant]
+  Score score; ///< from the cameras; if it costs an extra sweep: 0, or with scoreIterations that
+               ///< of the best so far
+  double meanChange = 0; ///< mean |change| of voxels that may change [majorant]
   double seconds = 0;    ///< since the start
-  bool isResult = false; ///< the best, whatever its energy: it drew neighbours together, or is what
-                         ///< a method makes that minimises something else
+  bool isResult = false; ///< the best whatever its energy: it was smoothed, or the method
+                         ///< minimises something else
 };
 
-/// Told after every iteration: share of the work done in [0, 1] and a text for the user.
-/// Returns false to stop: the solver then keeps the best iterate so far.
+/// Called after every iteration with the fraction of work done in [0, 1] and a text for the user.
+/// If it returns false, the solver stops and keeps the best iterate so far.
 using Progress = std::function<bool(double share, const std::string& text)>;
 }
 

@@ -14,7 +14,7 @@ namespace limpid
 {
 namespace
 {
-/// A row of numbers with one more on either side.
+/// A row of numbers with one padding value on either side.
 struct PaddedRow
 {
   float* values;
@@ -22,15 +22,15 @@ struct PaddedRow
   static Index Length(int count) { return Index(count) + 2; }
 };
 
-/// Weighted sums over the voxels of one column along z, x by x: 1, 2, 1.
+/// Sums over the voxels of one column along z with the weights 1, 2, 1, for each x.
 struct ColumnSums
 {
   PaddedRow changes; ///< [1/length]
-  PaddedRow weights; ///< of those that are filled
-  bool moved;        ///< whether any of the changes is not zero
+  PaddedRow weights; ///< sums of the weights of filled voxels
+  bool moved;        ///< whether any change is not zero
 };
 
-/// Adds a row of voxels to the sums of its columns. Returns whether any has changed.
+/// Adds a row of voxels to the sums of its columns. Returns whether any voxel of it has changed.
 LIMPID_MULTIVERSION
 bool AddRow(const float* __restrict base, const float* __restrict last, float weight, int count,
   float* __restrict changes, float* __restrict weights)
@@ -40,14 +40,14 @@ bool AddRow(const float* __restrict base, const float* __restrict last, float we
   {
     const float change = last[x] - base[x];
     const bool filled = (base[x] > 0) | (last[x] > 0);
-    changes[x + 1] += weight * change; // 0 where nothing is
+    changes[x + 1] += weight * change; // 0 where the voxel is empty
     weights[x + 1] += filled ? weight : 0.0f;
     moved |= change != 0 ? 1 : 0;
   }
   return moved != 0;
 }
 
-/// The pull at a row, from the columns below, at and above it.
+/// Computes the pull at a row, from the column sums below, at and above it.
 LIMPID_MULTIVERSION
 void WriteRow(const SmoothedNode& node, const ColumnSums* const (&columns)[3], Index first)
 {
@@ -71,7 +71,7 @@ void WriteRow(const SmoothedNode& node, const ColumnSums* const (&columns)[3], I
   }
 }
 
-/// Where nothing has changed around a row.
+/// Computes the pull at a row without changes around it.
 void WriteUnmoved(const SmoothedNode& body, Index first)
 {
   const auto bytes = std::size_t(body.nodes.x) * sizeof(float);
@@ -85,7 +85,7 @@ void WriteUnmoved(const SmoothedNode& body, Index first)
   }
 }
 
-/// Finds the pull at rows of one slice, see ForSlidingRows.
+/// Computes the pull at the rows of one slice, see ForSlidingRows.
 class SliceColumns
 {
 public:
@@ -103,7 +103,7 @@ public:
     }
   }
 
-  /// Sums the columns of row `y`; there are none outside of the grid.
+  /// Sums the columns of row `y`, which may be outside of the grid.
   void Enter(int y)
   {
     ColumnSums& sums = this->Kept[PlaceOf(y)];

@@ -12,18 +12,19 @@ namespace limpid
 {
 class HostDevice;
 
-/// Sweeps of the policy that draw the changes of neighbours together once the optimum is near.
+/// Number of policy sweeps that smooth the change near the optimum.
 inline constexpr int smoothingSweeps = 6;
 
 /**
- * What draws the change c = mu - mu-bar of a voxel towards those of its neighbours
- * (Documentation/Deviations.md, D18). The next iterate minimises the energy of Eq. (21) and, beside
- * it, sigma / 2 (mu - mu-bar - a)^2 with
+ * The value a towards which smoothing pulls the change c = mu - mu-bar of a voxel
+ * (Documentation/Deviations.md, D18). The next iterate minimises the energy of Eq. (21) plus sigma
+ * / 2 (mu - mu-bar - a)^2 with
  *
- *   a = max( c + k (m - c), -mu-bar ),
+ *    a = max( c + k (m - c), -mu-bar ),
  *
- * m being the mean change of the neighbours. What was cleared comes back half as readily, k = 1/2;
- * what is not important goes three times as readily, k = 3 (1 - g)^2, as it hides nothing then.
+ * where m is the mean change of the neighbours. Cleared voxels return half as readily, k = 1/2.
+ * Unimportant voxels are removed up to three times as readily, k = 3 (1 - g)^2, as they then hide
+ * nothing.
  */
 template <class Real>
 struct SmoothedChange
@@ -32,7 +33,7 @@ struct SmoothedChange
   Real change;     ///< c [1/length]
   Real importance; ///< g [0, 1]
 
-  /// a [1/length], from m [1/length].
+  /// Returns a [1/length] for m [1/length].
   LIMPID_HD LIMPID_INLINE Real operator()(Real mean) const
   {
     const Real toMean = mean - this->change;
@@ -44,25 +45,25 @@ struct SmoothedChange
   }
 };
 
-/// How much a neighbour counts: binomial weights of its distance along each axis.
+/// Weight of a neighbour: binomial in its distance along each axis.
 LIMPID_HD LIMPID_INLINE float NeighborWeight(int dx, int dy, int dz)
 {
   const int steps = (dx != 0) + (dy != 0) + (dz != 0);
   return static_cast<float>(8 >> steps);
 }
 
-/// The pull of smoothing as a derivative that acts beside the others: of a node of the grid.
+/// The pull of smoothing at one node, as a derivative that is added to that of the other terms.
 struct SmoothedNode
 {
   Int3 nodes;
   const float* base;       ///< [1/length]
   const float* importance; ///< [0, 1]
   const float* last;       ///< the last iterate [1/length]
-  const float* lagged;     ///< derivative of the terms that are not swept; null: none
+  const float* lagged;     ///< derivative of the terms that are not swept; null if none
   float strength;          ///< sigma [length]
-  float* pull;             ///< out: that derivative less sigma a
+  float* pull;             ///< out: that derivative minus sigma a
 
-  /// Whether there is anything at a node; nothing else has neighbours or is one.
+  /// Whether a node is not empty; empty nodes neither have nor are neighbours.
   LIMPID_HD LIMPID_INLINE bool IsFilled(Index node) const
   {
     return this->base[node] > 0 || this->last[node] > 0;
@@ -92,7 +93,7 @@ struct SmoothedNode
     this->Write(node, weights > 0 ? sum / weights : change);
   }
 
-  /// `mean`: mean change of the neighbours; its own change if there are none [1/length].
+  /// `mean`: mean change of the neighbours, or the own change if there are none [1/length].
   LIMPID_HD LIMPID_INLINE void Write(Index node, float mean) const
   {
     const SmoothedChange<float> drawn{ this->base[node], this->last[node] - this->base[node],
@@ -102,15 +103,15 @@ struct SmoothedNode
   }
 };
 
-/// Finds the pull at all nodes.
+/// Computes the pull at all nodes.
 template <class AnyDevice>
 void FindPull(AnyDevice& device, const SmoothedNode& body, const Range<int>&)
 {
   device.ForNodes("smooth", body.nodes, body);
 }
 
-/// The form for the processor sums neighbours row by row, in registers, and is done with the slices
-/// along z that were asked for.
+/// The version for the processor sums neighbours row by row in registers and computes only the
+/// given slices along z.
 void FindPull(HostDevice& device, const SmoothedNode& body, const Range<int>& slices);
 }
 

@@ -18,24 +18,24 @@
 
 namespace limpid
 {
-/// The fields of a scene; the caller owns the arrays and keeps them while a solver uses them.
+/// The fields of a scene. The caller owns the arrays and keeps them while a solver uses them.
 struct SceneFields
 {
   Grid grid;
   const float* baseExtinction = nullptr; ///< grid.NodeCount() values >= 0, finite [1/length]
   const float* importance = nullptr;     ///< grid.NodeCount() values in [0, 1]
 
-  /// What the extinction may rise to, Eq. (25): the largest extinction of the transfer function, so
-  /// that it depends neither on time nor on what is cropped away. Never below the largest value of
-  /// the base extinction, which it is by default [1/length].
+  /// Upper bound of the extinction, Eq. (25): the largest extinction of the transfer function, so
+  /// that it depends neither on time nor on cropping. At least, and by default, the largest value
+  /// of the base extinction [1/length].
   float majorant = 0;
 
-  /// The importance without its specks, likewise, for ImportanceSmoothing::Median; null: it is made
-  /// of the importance when it is asked for.
+  /// The despeckled importance for ImportanceSmoothing::Median, grid.NodeCount() values in [0, 1];
+  /// null: computed on request.
   const float* despeckled = nullptr;
 
-  /// The part that the arrays have, where ranks share the scene: they have its nodes' values alone,
-  /// first axis fastest. Null: they have all.
+  /// This rank's subdomain of a distributed scene: the arrays hold the values of its nodes only,
+  /// first axis fastest. Null if they hold all nodes.
   std::shared_ptr<const ScenePiece> piece = nullptr;
 
   /// Number of values in the arrays.
@@ -50,94 +50,95 @@ class PreparedScene;
 /**
  * Finds the extinction that minimises Eq. (21) for one camera and one light.
  *
- * Iterations can be spread over frames: each Step continues where the last one ended. Whatever
- * happens in between, Extinction() is the best iterate so far, and every value lies within
- * its bounds (ExtinctionBounds). Voxels that no important structure needs keep their base
- * extinction bit by bit.
+ * Iterations can be spread over frames: each Step continues where the last one ended. Extinction()
+ * is always the best iterate so far, and every value lies within its bounds (ExtinctionBounds).
+ * Voxels that no important structure depends on keep their base extinction bit by bit.
  */
 class Solver
 {
 public:
-  /// `previous`: what the extinction is to stay near with Settings::temporalCoherence; nothing if
-  /// it is of another box. Throws limpid::Error when the scene or the settings cannot be worked
-  /// with.
+  /// `previous`: the reference for Settings::temporalCoherence; ignored if it covers another box.
+  /// Throws limpid::Error if the scene or the settings are invalid.
   Solver(const SceneFields& scene, const Camera& camera, const Light& light,
     const Settings& settings, const CarriedChange& previous = {});
 
-  /// The same for a scene that has been checked before and may be shared.
+  /// Uses a scene that has been checked already and may be shared.
   Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
     const Settings& settings, const CarriedChange& previous = {});
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
-  /// Starts from this extinction instead of the base extinction: grid.NodeCount() values, moved
-  /// into their bounds [1/length]. Joint mode only.
+  /// Starts from this extinction instead of the base extinction: grid.NodeCount() values, clamped
+  /// to their bounds [1/length]. Joint mode only.
   void SetInitialExtinction(const float* extinction);
 
-  /// Runs up to `iterations` further iterations. Returns whether there is nothing left to do:
-  /// converged, or iterations or time used up, or stopped by `progress`. After an exception, the
-  /// solver is of no more use; the scene is.
+  /// Runs up to `iterations` more iterations. Returns whether nothing is left to do: converged,
+  /// out of iterations or time, or stopped by `progress`. After an exception the solver must not
+  /// be used any more; the scene stays valid.
   bool Step(int iterations, const Progress& progress = {});
 
-  /// Step until there is nothing left to do.
+  /// Runs until nothing is left to do.
   void Run(const Progress& progress = {});
 
   bool Done() const;
   bool Stopped() const; ///< whether `progress` asked to stop
 
-  /// Whether every run ended because another iteration would change next to nothing; else it was a
-  /// limit, of iterations or time, or `progress`.
+  /// Whether every run ended by convergence, not by a limit of iterations or time or by
+  /// `progress`.
   bool Settled() const;
 
   /// Best iterate so far, grid.NodeCount() values [1/length].
   const std::vector<float>& Extinction() const;
 
-  /// The extinction for the light, where there is one (HasLightExtinction) [1/length]; else empty.
+  /// The separate extinction for the light (HasLightExtinction) [1/length]; else empty.
   const std::vector<float>& LightExtinction() const;
 
-  /// What was made of the base extinction, for another scene.
+  /// Returns the change of the base extinction, for another scene.
   CarriedChange Change() const;
 
-  /// Whether these are better than what the iterations start from, or all there is to be found.
+  /// Whether the extinctions are better than the start of the iterations, or final.
   bool HasResult() const;
 
-  /// Where a device has both, until the next step; nulls: it has not.
+  /// The extinctions on a device, valid until the next step; null pointers if they are on the
+  /// host.
   ExtinctionOnDevice OnDevice() const;
   ExtinctionOnDevice LightOnDevice() const;
 
-  /// Both extinctions, given away: the solver cannot be used any more.
+  /// Moves both extinctions out; the solver must not be used afterwards.
   std::array<FoundExtinction, 2> TakeExtinctions();
 
-  /// Whether the records have scores; between the first and the last these are by the rays of
-  /// iterations. BestScore() is always that of the importance as given.
+  /// Whether the records have scores. Between the first and the last record, these use the rays of
+  /// iterations. BestScore() always uses the importance as given.
   bool TellsScores() const;
 
   double Majorant() const; ///< upper bound of the extinction, Eq. (25) [1/length]
 
   Score BaseScore() const; ///< of the base extinction
   Score BestScore() const; ///< of Extinction()
-  /// What no extinction within the bounds exceeds, nor what was found: found by the first call. Of
-  /// the importance as given, like scores. Zeros for a method that does not iterate.
+  /// Returns an upper bound of the scores of all extinctions within the bounds, computed by the
+  /// first call. Like scores, it uses the importance as given. Zeros for a method without
+  /// iterations.
   Ceiling FindCeiling() const;
 
-  /// What no energy is below, of any extinction within the bounds [length^2]. A sweep of each view
-  /// and the light.
+  /// Returns a lower bound of the energy of all extinctions within the bounds [length^2]. Costs
+  /// one sweep per camera and one for the light.
   double LeastEnergy() const;
 
   Energy BestEnergy() const;
   int Iterations() const;
   double Seconds() const;
-  const std::vector<IterationRecord>& History() const; ///< all iterations, first the base
+  const std::vector<IterationRecord>& History() const; ///< all iterations, starting with the base
 
-  /// What computes: "CPU, 2 threads", or where ranks share the scene "…, on each of 4 ranks".
+  /// Describes the backend: "CPU, 2 threads", or in distributed runs "…, on each of 4 ranks".
   std::string BackendName() const;
 
-  /// Transmittance from the camera to every voxel through Extinction(), Eq. (15);
-  /// `transmittance` has room for grid.NodeCount() values in [0, 1].
+  /// Computes the transmittance from the camera to every voxel through Extinction(), Eq. (15).
+  /// `transmittance`: grid.NodeCount() values in [0, 1].
   void Transmittance(float* transmittance) const;
 
-  /// Transmittance from the light, Eq. (16), through LightExtinction() where there is one.
+  /// Computes the transmittance from the light, Eq. (16), through LightExtinction() if there is
+  /// one.
   void LightTransmittance(float* transmittance) const;
 
 private:

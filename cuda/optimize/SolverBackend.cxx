@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  /// `base`: null: what is kept is not counted.
+  /// `base`: null if kept base extinction is not counted.
   Seen See(const float* extinction, const float* base)
   {
     this->Term.Forward(
@@ -104,10 +104,10 @@ private:
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Fields;
-  BorrowedArray<AnyDevice, float> Before; ///< what to stay near; empty: nothing
+  BorrowedArray<AnyDevice, float> Before; ///< reference extinction; empty if none
   VisibilityTerm<AnyDevice> Term;
   DeviceArray<AnyDevice, Seen> Sum;
-  std::optional<Visible> Base; ///< not seen yet
+  std::optional<Visible> Base; ///< empty before the first sweep
 };
 
 template <class AnyDevice>
@@ -150,7 +150,7 @@ public:
           [this, warm](const Problem& shared, StartingExtinction&& first)
           { return MakeMinimizerOn(this->Device, shared, std::move(first), warm); });
       }
-      // The processor sweeps fastest where slices and rows are contiguous.
+      // The processor sweeps fastest if slices and rows are contiguous.
       return MakePermuted(problem, std::move(start),
         [this, warm](const Problem& permuted, StartingExtinction&& first)
         { return MakeMinimizerOn(this->Device, permuted, std::move(first), warm); });

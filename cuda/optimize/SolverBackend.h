@@ -22,46 +22,46 @@ class SourceSweeps
 public:
   virtual ~SourceSweeps() = default;
 
-  /// What the source sees of an extinction, grid.NodeCount() values [1/length], by the measure of
-  /// the problem's method. The first call costs a sweep more, of the base extinction, unless it is
-  /// that.
+  /// Returns the score of an extinction, grid.NodeCount() values [1/length], by the measure of the
+  /// problem's method. The first call also sweeps the base extinction, unless that is
+  /// `extinction`.
   virtual Score ScoreOf(const float* extinction) = 0;
 
-  /// What the source could see at most of any extinction from a lower bound on, grid.NodeCount()
-  /// values [1/length]; null: 0.
+  /// Returns the ceiling of the source over all extinctions above a lower bound, grid.NodeCount()
+  /// values [1/length]; null stands for 0.
   virtual Ceiling CeilingOf(const float* least, const MostExtinction<float>& most) = 0;
 
-  /// The first policy sweep, which knows of no transmittance and of this source alone, with the
-  /// weight of its term. Writes `next`, grid.NodeCount() values [1/length], where anything may
-  /// change.
+  /// Performs the first policy sweep, which assumes transmittance 1 and considers this source
+  /// only. `weight`: weight of its term. Writes `next`, grid.NodeCount() values [1/length], where
+  /// values may change.
   virtual void SweepPolicyOnce(double weight, std::vector<float>& next) = 0;
 };
 
-/// What runs the iterations of a solver: the processor or a GPU. Problems stay with the caller.
+/// Runs the iterations of a solver on the processor or a GPU. Problems must outlive their use.
 class SolverBackend
 {
 public:
   virtual ~SolverBackend() = default;
 
-  /// A method for a problem from a first iterate, of this rank's piece where ranks share the scene.
-  /// `warm` tells that it is near the optimum.
+  /// Makes a method for a problem from a first iterate, in distributed runs that of this rank's
+  /// subdomain. `warm`: whether the iterate is near the optimum.
   virtual std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, StartingExtinction&& start, bool warm) = 0;
 
   virtual std::unique_ptr<SourceSweeps> SweepsFrom(
     const Problem& problem, const RaySource& source) = 0;
 
-  /// Those of all cameras: the mean of what they see; of what their policy sweeps find the least,
-  /// so that nothing that is cleared for one of them is in its way (the mean shows less than the
-  /// base extinction).
+  /// Makes the rays of all cameras. Scores are means over cameras. Of the extinctions from their
+  /// policy sweeps the minimum is taken, so that nothing cleared for one camera obstructs it; the
+  /// mean would show less than the base extinction.
   std::unique_ptr<SourceSweeps> SweepsFromCameras(const Problem& problem);
 
-  /// The extinction that a method without iterations makes, grid.NodeCount() values [1/length];
-  /// `extinction`: the base extinction at first.
+  /// Computes the extinction of a method without iterations, grid.NodeCount() values [1/length].
+  /// `extinction` holds the base extinction at first.
   virtual void FindByMethod(const Problem& problem, std::vector<float>& extinction) = 0;
 
-  /// Transmittance from a source through an extinction of the problem, see TransmittanceSweep,
-  /// and in thick media RefineTransmittance.
+  /// Computes the transmittance from a source through an extinction of the problem, see
+  /// TransmittanceSweep; in thick media also by RefineTransmittance.
   virtual void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,
     const float* extinction, float* transmittance) = 0;
 };
@@ -69,19 +69,19 @@ public:
 template <class AnyDevice>
 std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice> device);
 
-/// The backend that a user's wish comes to.
+/// The backend chosen for a user's preference.
 class ChosenBackend
 {
 public:
-  /// Throws limpid::Error if CUDA was asked for and cannot be had for such a grid. What computes on
-  /// the GPU stays there: its memory is not free, but it is ours.
+  /// Throws limpid::Error if CUDA was requested and is not available for this grid. A backend
+  /// already on the GPU stays there: its memory is occupied, but by this process.
   void Choose(const Settings& settings, const Grid& grid);
 
   SolverBackend* operator->() const { return this->Solvers.get(); }
 
-  /// Does `work` by the backend. Where the GPU fails in it and nobody insists on CUDA, the
-  /// processor takes its place for good: `restore()` makes what was on the GPU anew, and the work
-  /// is done again.
+  /// Runs `work` on the backend. If the GPU fails and CUDA was not requested explicitly, the
+  /// processor permanently replaces it: `restore()` recreates what was on the GPU, and `work` runs
+  /// again.
   template <class Work, class Restore>
   decltype(auto) Do(const Work& work, const Restore& restore)
   {
@@ -100,11 +100,11 @@ public:
     return work();
   }
 
-  /// For the user, one line.
+  /// One line for the user.
   const std::string& Name() const { return this->Line; }
 
 private:
-  /// Whether the processor may go on, and does.
+  /// Replaces the GPU by the processor if allowed; returns whether it did.
   bool GiveUpGpu(const std::string& reason);
 
   std::shared_ptr<SolverBackend> Solvers;

@@ -21,7 +21,7 @@
 
 namespace limpid
 {
-/// The runs of a solver, and what they have found.
+/// The runs of a solver and their results.
 struct Solver::Internals
 {
   std::shared_ptr<PreparedScene> prepared;
@@ -31,35 +31,35 @@ struct Solver::Internals
   Light light;
   Settings settings;
   StartingExtinction initial;
-  CarriedExtinction previous; ///< what is to be stayed near; nothing without coherence
-  double nearness = 0;        ///< of it
+  CarriedExtinction previous; ///< reference extinctions; empty without coherence
+  double nearness = 0;        ///< see CarriedChange::NearnessTo
 
-  /// One run of a minimiser: the joint field, or in separate mode first the camera's field and
-  /// then the light's.
+  /// The current run of a minimiser: the joint field, or in separate mode first the camera's
+  /// field, then the light's.
   Problem problem;
   std::unique_ptr<Minimizer> minimizer;
   int runIterations = 0;
-  int runSmoothings = 0; ///< that follow
-  bool runFound = false; ///< whether the iterations have found what they look for
+  int runSmoothings = 0; ///< smoothing sweeps after the iterations
+  bool runFound = false; ///< whether the iterations have converged
   bool lightRun = false;
-  double runLowest = 0;   ///< energy of the best at full resolution
-  bool hasBetter = false; ///< whether this run has found something better than its start
+  double runLowest = 0;   ///< energy of the best iterate at full resolution
+  bool hasBetter = false; ///< whether this run has improved on its start
 
   FoundExtinction extinction; ///< result of a finished run
   FoundExtinction lightExtinction;
   std::vector<IterationRecord> history;
   Score base;
-  mutable std::optional<Score> best; ///< not there: not known yet
+  mutable std::optional<Score> best; ///< empty if not known yet
 
-  /// The cameras' rays through the importance as given; null: nobody has asked.
+  /// The rays of the cameras with the importance as given; null until requested.
   struct Judge
   {
     Problem problem;
     std::unique_ptr<SourceSweeps> sweeps;
   };
   mutable std::unique_ptr<Judge> judge;
-  mutable std::unique_ptr<Judge> judgeOfIterates; ///< by fewer rays, where these see less
-  mutable std::optional<Ceiling> ceiling;         ///< not there: nobody has asked
+  mutable std::unique_ptr<Judge> judgeOfIterates; ///< with fewer rays, if iterates have no scores
+  mutable std::optional<Ceiling> ceiling;         ///< empty until requested
 
   Energy bestEnergy;
   int iterations = 0;
@@ -116,8 +116,8 @@ struct Solver::Internals
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Does what the backend computes. If another one takes its place, it begins again and comes as
-  /// far as it was first.
+  /// Runs `work` on the backend. If another backend replaces it, that one first repeats all
+  /// iterations so far.
   template <class Work>
   decltype(auto) OnBackend(const Work& work)
   {
@@ -142,16 +142,16 @@ struct Solver::Internals
       this->Ranks(), [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
   }
 
-  /// That share the scene; null: there is one.
+  /// The communicator; null for one process.
   const Communicator* Ranks() const
   {
     return this->scene.piece ? this->scene.piece->ranks.get() : nullptr;
   }
 
-  /// Whether it is so on any rank.
+  /// Whether the condition holds on any rank.
   bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks(), here); }
 
-  /// The next iteration, or the end of a run.
+  /// Performs the next iteration or ends the run.
   void Advance(const Progress& progress)
   {
     if (!this->minimizer || this->RunIsOver())
@@ -203,7 +203,7 @@ struct Solver::Internals
     const bool nothingAtStake = weightless || !this->prepared->SomethingToSee();
     if (nothingAtStake)
     {
-      // Only the regularisation is left, whose minimum is the base extinction.
+      // Only the regularisation is left; its minimum is the base extinction.
       this->AssignBase(this->lightRun ? this->lightExtinction : this->extinction);
       this->minimizer.reset();
       if (!this->lightRun)
@@ -234,11 +234,11 @@ struct Solver::Internals
     this->history.push_back(record);
   }
 
-  /// Whether iterations see what scores are of.
+  /// Whether iterations measure what scores measure.
   bool SeesAlong() const { return this->problem.tellsScores; }
 
-  /// Whether they also sample it as scores do; else scores of iterates are less exact than those of
-  /// the first and the last, for which there is a sweep of its own.
+  /// Whether iterations also sample it like scores. If not, scores of iterates are less exact than
+  /// the first and the last score, which have their own sweep.
   bool SamplesAsScores() const { return IsSampledAsScores(this->problem); }
 
   /// Whether records have scores.
@@ -248,7 +248,7 @@ struct Solver::Internals
       this->settings.scoreIterations;
   }
 
-  /// Whether iterations minimise Eq. (21); else there is one, by a method of another kind.
+  /// Whether the method iterates to minimise Eq. (21); other methods have one iteration.
   bool Minimizes() const { return InfoOf(this->settings.method).iterates; }
 
   Score ScoreOf(const float* field) const
@@ -258,7 +258,7 @@ struct Solver::Internals
       { return this->prepared->ProblemForScores(this->camera, this->light, this->settings); });
   }
 
-  /// ScoreOf, as iterations sample.
+  /// ScoreOf with the sampling of iterations.
   Score ScoreOfIterate(const float* field) const
   {
     if (this->SamplesAsScores())
@@ -322,7 +322,7 @@ struct Solver::Internals
     return smooths && this->minimizer->IterationLimit() > 0 ? smoothingSweeps : 0;
   }
 
-  /// The share of the work that is done. An extinction for the light takes another run.
+  /// Fraction of the work done. A separate extinction for the light takes a second run.
   double Share() const
   {
     const double limit = this->minimizer->IterationLimit() + this->SmoothingLimit();
@@ -331,7 +331,7 @@ struct Solver::Internals
     return HasLightExtinction(this->settings) ? 0.5 * (ofRun + (this->lightRun ? 1 : 0)) : ofRun;
   }
 
-  /// Whether the optimum is found, or nearly, if smoothing follows, which goes on minimising.
+  /// Whether the optimum is found, or nearly if smoothing follows, which continues to minimise.
   bool IsFound() const
   {
     return this->runFound || this->runIterations >= this->minimizer->IterationLimit();
@@ -398,7 +398,7 @@ struct Solver::Internals
     }
   }
 
-  /// The energy counts what the method shows, by its own measure.
+  /// Replaces the view term of the energy by the score of the method's own measure.
   void Judged(IterationRecord& record) const
   {
     record.score = this->ScoreOf(this->minimizer->Best().data());
@@ -421,9 +421,9 @@ struct Solver::Internals
     return text.str();
   }
 
-  /// Whether a result that only removes matter lets less be seen than the base. The minimum never
-  /// does, but for what a light gains by it; smoothing and importance without its specks minimise
-  /// something else, and can in scenes of a few voxels.
+  /// Whether a result that only removes extinction shows less than the base. An exact minimum
+  /// never does, except for a gain of the light. Smoothing and the despeckled importance minimise
+  /// something else and can do so in scenes of a few voxels.
   bool ShowsLessThanBase()
   {
     const Settings& of = this->problem.settings;
@@ -436,7 +436,7 @@ struct Solver::Internals
     return this->BestScore().fraction < least * this->base.fraction;
   }
 
-  /// BestScore of Solver, once a run is finished.
+  /// BestScore of Solver, after a run has finished.
   const Score& BestScore()
   {
     if (!this->best)

@@ -31,7 +31,7 @@ struct SquaredDifference
 struct AbsoluteChange
 {
   const float* next;
-  const float* last; ///< null: `next` is the change
+  const float* last; ///< null if `next` itself is the change
 
   LIMPID_HD LIMPID_INLINE double operator()(Index voxel) const
   {
@@ -304,7 +304,7 @@ void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const f
     this->TakeSeen(term, fields.CountsKept());
     return;
   }
-  // What its rays carry is not the score: that is summed in between.
+  // The rays of this sweep do not carry the score, so it is summed in between.
   term.Differentiate(fields, derivative, target, gradient, this->SumOf(term));
 }
 
@@ -360,7 +360,7 @@ void Terms<AnyDevice>::Sum()
     }
     if (taken.extinction)
     {
-      // Ranks start from a base of which nobody has all.
+      // In distributed runs no rank holds the whole base extinction.
       const float* base = this->Given->baseExtinction;
       sums->moved.squares =
         taken.extinction == base ? 0.0 : this->Given->SquaresFrom(base, taken.extinction);

@@ -16,89 +16,89 @@
 
 namespace limpid
 {
-/// What an extinction is worth; zero where there is no such term.
+/// The sums from which energy and score of an extinction follow; zero for missing terms.
 struct TermSums
 {
-  Seen camera;       ///< the first
-  Seen light;        ///< what is kept does not matter
-  Differences moved; ///< from the base extinction and from the last iterate
+  Seen camera;       ///< of the first camera
+  Seen light;        ///< kept base extinction is not counted
+  Differences moved; ///< distances from the base extinction and the last iterate
 };
 
-/// The terms of a problem's energy, of each camera and the light; a visibility term of weight zero
-/// is not there and costs nothing. Fields are addresses on the device, one value per node each.
+/// The visibility terms of a problem's energy, one per camera and one for the light. Terms of
+/// weight zero are omitted and cost nothing. Fields are device addresses, one value per node each.
 template <class AnyDevice>
 class Terms
 {
 public:
   Terms(std::shared_ptr<AnyDevice> device, const Problem& problem);
 
-  /// Lets the cameras see the base extinction, of which scores are shares, once, if iterations tell
-  /// scores. Waits.
+  /// Sweeps the base extinction once for all cameras, if iterations record scores, which are
+  /// relative to it. Waits.
   void SeeBase();
 
-  /// The energy and the score of an extinction, once the base was seen; leaves the optical depths
-  /// of all rays in the terms.
+  /// Returns energy and score of an extinction, after SeeBase. Leaves the optical depths of all
+  /// rays in the terms.
   IterationRecord Measure(const float* extinction);
 
-  /// The same of the base extinction, seen on the way; before any other extinction is seen.
+  /// Measures the base extinction, including SeeBase; before any other extinction is measured.
   IterationRecord MeasureBase();
 
-  /// Of the base extinction, once it was seen; 0 where iterations do not tell scores.
+  /// Score of the base extinction, after SeeBase; 0 if iterations do not record scores.
   Score BaseScore() const;
 
-  /// The fields of a term's sweep. What is kept matters to scores alone.
+  /// The fields of a term's sweep. Kept base extinction matters to scores only.
   TermFields FieldsOf(const VisibilityTerm<AnyDevice>& term, const float* extinction) const;
 
-  /// Adds the derivative of the visibility terms, Eqs. (27) and (28) with their weights, to zeros,
-  /// and sees the extinction for the next record along the way. Ranks have it in their slabs, and
-  /// need no zeros.
+  /// Adds the derivative of the weighted visibility terms, Eqs. (27) and (28), to `gradient`,
+  /// which must be zero except in distributed runs. Also measures the extinction for the next
+  /// record. In distributed runs the result is in the ranks' slabs.
   void Differentiate(const float* extinction, float* gradient);
 
-  /// Differentiate, in place of what `gradient` has.
+  /// Like Differentiate, but overwrites `gradient`.
   void FillGradient(const float* extinction, DeviceArray<AnyDevice, float>& gradient);
 
-  /// Where ranks share the problem, brings the derivative that a term was added to last to those
-  /// who add another one, or into slabs. `from`: null: none was added; `to`: null: slabs.
+  /// In distributed runs, redistributes the derivative from where term `from` was added to where
+  /// term `to` will be added. `from`: null if no term was added yet; `to`: null for the slabs.
   void Pass(float* derivative, const VisibilityTerm<AnyDevice>* from,
     const VisibilityTerm<AnyDevice>* to) const;
 
-  /// Finds the derivative of one visibility term with its weight, added to `kept` times what was
-  /// there, and sees the extinction for the next record along the way. Only voxels that it depends
-  /// on are written, always the same ones.
+  /// Computes `kept` times `gradient` plus the weighted derivative of one visibility term. Also
+  /// measures the extinction for the next record. Only voxels that the term depends on are
+  /// written, the same ones each time.
   void DifferentiateTerm(
     VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient);
 
-  /// The derivative of DifferentiateTerm by an extinction that the term's rays have seen last.
+  /// DifferentiateTerm for an extinction that the term's rays have met in their last sweep.
   void DifferentiateSeen(
     VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient);
 
-  /// Sees the extinction for the next record as DifferentiateTerm does, and leaves the optical
+  /// Measures the extinction for the next record like DifferentiateTerm, and leaves the optical
   /// depths of the term's rays.
   void MeasureTerm(VisibilityTerm<AnyDevice>& term, const float* extinction);
 
   /// q of Eq. (23), shared by all cameras, or r of Eq. (24).
   double WeightOf(const VisibilityTerm<AnyDevice>& term) const;
 
-  /// Whether a term is a camera's, to which it matters what is kept of the base extinction.
+  /// Whether a term belongs to a camera, for which kept base extinction is counted.
   bool IsOfCamera(const VisibilityTerm<AnyDevice>& term) const
   {
     return !this->light || &term != &*this->light;
   }
 
-  /// The next record is to tell what a term's rays have seen in their last sweep until then.
+  /// Includes the last sweep of a term's rays in the next record.
   void TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept);
 
-  /// ... how far an extinction is from the base and, if not null, from `last`.
+  /// Includes the distances of an extinction from the base and, if not null, from `last`.
   void TakeMoved(const float* extinction, const float* last);
 
-  /// Sums the sizes of changes at once, for the next record.
+  /// Sums the magnitudes of changes immediately, for the next record.
   void SumChanges(const float* changes);
 
-  /// Energy and score of the extinction that all terms have seen, Eqs. (21)-(24) and (32), once the
-  /// base was seen. Waits.
+  /// Returns energy and score of the extinction that all terms have measured, Eqs. (21)-(24) and
+  /// (32), after SeeBase. Waits.
   IterationRecord Record();
 
-  /// Mean change of the extinction, of the next record [majorant]. Waits.
+  /// Mean change of the extinction in the next record [majorant]. Waits.
   double MeanChange()
   {
     this->Sum();
@@ -110,28 +110,28 @@ public:
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
-  /// Where the ranks that share the problem have the fields; null: there is one.
+  /// The distribution of the fields among ranks; null for one process.
   const TermsOnRanks* OnRanks() const { return this->Shared.get(); }
 
-  /// An extinction on the device, of this rank's slab where ranks share the problem: these have it
-  /// wherever they need it then.
+  /// Uploads an extinction to the device. In distributed runs, redistributes the ranks' slabs to
+  /// all that need them.
   DeviceArray<AnyDevice, float> Everywhere(const std::vector<float>& extinction) const;
 
-  /// Brings what ranks have changed of an extinction in their slabs to all who need it.
+  /// Redistributes values changed in the slabs to all ranks that need them.
   void ShareSlabs(float* extinction) const;
 
-  /// What the extinction is to stay near; null: nothing.
+  /// The reference extinction, see Problem::previous; null if none.
   const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }
   const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
 
-  std::deque<VisibilityTerm<AnyDevice>> cameras; ///< where they stay; none without a weight
+  std::deque<VisibilityTerm<AnyDevice>> cameras; ///< at fixed addresses; empty without weight
   std::optional<VisibilityTerm<AnyDevice>> light;
 
-  /// All of them.
+  /// All terms.
   std::vector<VisibilityTerm<AnyDevice>*> All();
 
 private:
-  /// What was taken for the next record and is not summed yet.
+  /// What the next record includes but was not summed yet.
   struct Taken
   {
     struct OfTerm
@@ -144,33 +144,33 @@ private:
     const float* last = nullptr;
   };
 
-  /// Sums what was taken; a device does it in one launch.
+  /// Sums what was included, on a device in one launch.
   void Sum();
 
-  /// The sums. Wait.
+  /// Return the sums. Wait.
   TermSums ReadSums();
   std::vector<Seen> ReadCameras(const TermSums& sums);
 
-  /// Where what a term's rays have seen is summed, on the device.
+  /// Address of the sum over a term's rays, on the device.
   Seen* SumOf(const VisibilityTerm<AnyDevice>& term);
 
-  /// Brings the fields of the problem to the ranks that share it.
+  /// Redistributes the fields of a distributed problem.
   void ShareFields();
 
-  /// The derivative of a visibility term by an extinction.
+  /// Computes the derivative of one visibility term.
   void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
     const GradientTarget& target, float* gradient);
 
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
-  BorrowedArray<AnyDevice, float> Before;     ///< see Problem::previous; empty: null
+  BorrowedArray<AnyDevice, float> Before;     ///< see Problem::previous; empty if null
   std::unique_ptr<const TermsOnRanks> Shared; ///< on processors only
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
-  DeviceArray<AnyDevice, Seen> FoundByOthers; ///< by all cameras but the first
+  DeviceArray<AnyDevice, Seen> FoundByOthers; ///< sums of all cameras but the first
   Taken Unsummed;
-  std::vector<Visible> Base; ///< by camera; empty: not seen yet, or iterations do not tell scores
+  std::vector<Visible> Base; ///< [camera]; empty before SeeBase or if iterations record no scores
 };
 }
 

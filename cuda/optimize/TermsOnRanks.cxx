@@ -21,7 +21,7 @@ void Append(std::vector<Region>& all, const std::vector<Region>& some)
   }
 }
 
-/// The node that a source of rays is at, which is in none of its frusta; empty: none.
+/// Returns the node at a source of rays, which is in none of its frusta; empty if there is none.
 NodeBox NodeAt(const RaySource& source, const Int3& nodes)
 {
   NodeBox box;
@@ -90,16 +90,17 @@ Index TermsOnRanks::NodesHeld() const
   return nodesPerPage * std::count(held.begin(), held.end(), char(1));
 }
 
-/// Whether a field takes little more memory than its share of all where it takes most.
+/// Whether a field takes little more memory than an even share, on the rank that needs most.
 bool TermsOnRanks::HoldLittleMoreThanAShare() const
 {
-  // With the pieces and what passes, ranks then have 1.3 times what one process has, per rank.
+  // Including subdomains and messages, a rank then needs 1.3 times its share of one process's
+  // memory.
   constexpr double most = 1.35;
   const double share = double(this->Nodes.x) * this->Nodes.y * this->Nodes.z / this->All->Size();
   return this->All->LargestOf(static_cast<float>(this->NodesHeld())) <= most * share;
 }
 
-/// Makes all places but one no places.
+/// Removes all distributions but one.
 void TermsOnRanks::KeepOnly(Place home)
 {
   const std::size_t number = this->NumberOf(home);
@@ -107,7 +108,7 @@ void TermsOnRanks::KeepOnly(Place home)
   this->Places = { home };
 }
 
-/// Makes the sweeps of terms that have no place visit the one that there is.
+/// Makes the sweeps of all other terms transfer slabs from the only distribution.
 void TermsOnRanks::VisitHome(const std::vector<OfTerm>& terms)
 {
   const HomeOfFields fields(NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
@@ -140,7 +141,7 @@ void TermsOnRanks::AddTerm(const OfTerm& term)
   const NodeBox unswept = NodeAt(*term.source, this->Nodes);
   if (!unswept.Empty() && !ofFrusta.empty())
   {
-    Regions& regions = ofFrusta.front(); // the first rank keeps it
+    Regions& regions = ofFrusta.front(); // the first rank owns it
     regions.changed.front().push_back(unswept);
     regions.needed.front().push_back(unswept);
   }
@@ -148,7 +149,7 @@ void TermsOnRanks::AddTerm(const OfTerm& term)
   this->Of.push_back(std::move(ofFrusta));
 }
 
-/// `more`: slices that they need on either side.
+/// `more`: number of ghost slices on either side.
 void TermsOnRanks::AddSlabs(int more)
 {
   Regions regions;
@@ -166,14 +167,14 @@ bool TermsOnRanks::Has(Place place) const
   return std::find(this->Places.begin(), this->Places.end(), place) != this->Places.end();
 }
 
-/// The number of a place, or of the one that is in its stead.
+/// Returns the index of a distribution, or 0 if only one is left.
 std::size_t TermsOnRanks::NumberOf(Place place) const
 {
   const auto found = std::find(this->Places.begin(), this->Places.end(), place);
   return found == this->Places.end() ? 0 : static_cast<std::size_t>(found - this->Places.begin());
 }
 
-/// Of all frusta of a term.
+/// Returns the union of the regions over all frusta of a term.
 std::vector<Region> TermsOnRanks::RegionsOf(
   std::size_t place, std::vector<Region> Regions::*kind) const
 {
@@ -246,7 +247,7 @@ void TermsOnRanks::Share(float* field, Place place) const
       std::vector<Region> needed(std::size_t(this->All->Size()));
       for (std::size_t other = 0; other < this->Of.size(); ++other)
       {
-        if (other != from || isSlab) // what rays need of others' sweeps they get in these
+        if (other != from || isSlab) // for the same sweep only the other frusta matter
         {
           Append(needed, this->RegionsOf(other, &Regions::needed));
         }
@@ -272,7 +273,7 @@ void TermsOnRanks::Pass(float* field, Place from, Place to) const
     });
 }
 
-/// Brings what passes; found by `find` the first time.
+/// Performs an exchange; `find` creates its plan the first time.
 template <class Find>
 void TermsOnRanks::Bring(float* field, const Way& way, const Find& find) const
 {

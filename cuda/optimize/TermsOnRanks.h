@@ -15,79 +15,81 @@
 namespace limpid
 {
 /**
- * Where ranks have the fields of a problem that they share. Every rank has arrays of all nodes, in
- * small pages, so that only what it needs takes memory: the nodes beside its bands of every term's
- * rays and, if work needs no rays, its slab. Whoever changes a field brings it to those who read it
- * next. Where that takes much more than a share of the memory, there is one place alone, and the
- * sweeps of terms that have none visit it (SlabDelivery): beside the rays of the first term or, if
- * that takes as much or work needs no rays, in slabs.
+ * The distribution of the fields of a problem among ranks. Every rank has arrays of all nodes in
+ * small pages, so that only the nodes it needs take memory: those next to its rays of every term
+ * and, for work without rays, its slab. After a field has changed, its values are redistributed to
+ * the ranks that read it next.
+ *
+ * If this takes much more than an even share of the memory, there is only one distribution, and
+ * the sweeps of other terms transfer slabs from it (SlabDelivery): that of the first term or, if
+ * that needs as much or if some work needs no rays, slabs.
  */
 class TermsOnRanks
 {
 public:
   using Frusta = std::vector<FrustumRays<HostDevice>>;
 
-  /// Where fields are changed: beside the rays of a term, by its frusta, which stay where they are,
-  /// or in slabs, which need a slice more on either side.
+  /// A distribution in which fields are changed: next to the rays of a term, given by its frusta,
+  /// whose address must not change, or slabs with one ghost slice on either side.
   using Place = const Frusta*;
   static constexpr Place slabs = nullptr;
 
-  /// A term, and its rays' source.
+  /// A term and the source of its rays.
   struct OfTerm
   {
     Frusta* frusta;
     const RaySource* source;
   };
 
-  /// `filled`: where fields may differ from 0. It has to stay. `inSlabs`: whether there is work in
-  /// slabs, too.
+  /// `filled`: where fields may differ from 0; it must outlive this object. `inSlabs`: whether
+  /// some work is done in slabs.
   TermsOnRanks(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms,
     const Occupancy& filled, bool inSlabs, FieldPlaces places);
 
   const Communicator& Ranks() const { return *this->All; }
 
-  /// Nodes of a field that this rank has memory for: those on pages with any that it needs.
+  /// Number of nodes of a field for which this rank holds memory: all nodes on pages that it
+  /// needs.
   Index NodesHeld() const;
 
-  /// A field of this rank's piece, and where what it needs of all comes to.
+  /// A field in this rank's subdomain, and an array of all nodes for the values that it needs.
   struct Input
   {
     FieldView piece;
     float* field;
   };
 
-  /// Brings fields from `pieces`, of each rank one region, to all who need any of them.
+  /// Redistributes fields from `pieces`, one region per rank, to all ranks that need them.
   void FromPieces(const std::vector<Region>& pieces, const std::vector<Input>& inputs) const;
 
-  /// Brings a field that everybody has back to the pieces.
+  /// Redistributes a field that is valid in all distributions back to the pieces.
   void ToPieces(
     const float* field, const std::vector<Region>& pieces, const FieldView& piece) const;
 
-  /// Brings what the sweep of a frustum has changed to those who need it for the other frusta of
-  /// the term.
+  /// Redistributes the changes of the sweep of one frustum for the other frusta of the term.
   void ShareFrustum(float* field, Place term, std::size_t frustum) const;
 
-  /// Brings what was changed in a place to those who need it in others, or beside their slabs.
+  /// Redistributes values changed in one distribution to all others, and to its ghost nodes.
   void Share(float* field, Place place) const;
 
-  /// Brings what was changed in a place to those who change it next, in another.
+  /// Redistributes updated values between two distributions.
   void Pass(float* field, Place from, Place to) const;
 
-  /// Sets what this rank needs in a place.
+  /// Sets the values that this rank needs in a distribution.
   void FillNeeded(Place place, float value, float* field) const;
 
-  /// Copies what this rank needs in a place.
+  /// Copies the values that this rank needs in a distribution.
   void CopyNeeded(Place place, const float* from, float* to) const;
 
 private:
-  /// Of a frustum or of the slabs, per rank.
+  /// The regions of a frustum, or of the slabs, per rank.
   struct Regions
   {
     std::vector<Region> changed;
     std::vector<Region> needed;
   };
 
-  /// From where to where, and for what: what passes is the same each time.
+  /// Identifies an exchange by source, target and purpose; its plan is the same each time.
   using Way = std::array<std::size_t, 3>;
 
   template <class Find>

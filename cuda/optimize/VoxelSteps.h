@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Steps of a descent that every voxel takes by itself.
+// Steps of a descent that are independent for each voxel.
 
 #ifndef limpid_optimize_VoxelSteps_h
 #define limpid_optimize_VoxelSteps_h
@@ -16,7 +16,7 @@ namespace limpid
 {
 namespace detail
 {
-/// A step at a voxel that leaves the change in place of the derivative.
+/// A step at a voxel that writes the change over the derivative.
 template <class Step>
 struct StepAndChange
 {
@@ -46,7 +46,7 @@ void StepRange(const Step& body, Index begin, Index end)
     });
 }
 
-/// A step in [begin, end), in vector registers. Returns the sum of the changes [1/length].
+/// Performs a step in [begin, end), vectorised. Returns the sum of the changes [1/length].
 template <class Step>
 double StepBlock(const Step& step, Index begin, Index end)
 {
@@ -64,9 +64,9 @@ double StepBlock(const Step& step, Index begin, Index end)
 }
 }
 
-/// A step at all voxels, and the sum of the changes for the next record; the processor sums them
-/// while they are at hand. `step(voxel)` changes `step.extinction[voxel]`. On a device, `gradient`
-/// is overwritten.
+/// Performs a step at all voxels and sums the changes for the next record; the processor does both
+/// in one pass. `step(voxel)` changes `step.extinction[voxel]`. On a device, `gradient` is
+/// overwritten.
 template <class AnyDevice, class Step>
 void StepAll([[maybe_unused]] AnyDevice& device, const Problem& problem, const Step& step,
   [[maybe_unused]] float* gradient, Terms<AnyDevice>& terms)

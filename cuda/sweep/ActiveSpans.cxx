@@ -15,7 +15,7 @@ namespace limpid
 {
 namespace
 {
-/// Extends spans of columns by those on another slice.
+/// Extends spans of columns by the spans on another slice.
 LIMPID_MULTIVERSION
 void ExtendRows(const ColumnSpans& by, int count, const ColumnSpans& spans)
 {
@@ -30,14 +30,14 @@ void ExtendRows(const ColumnSpans& by, int count, const ColumnSpans& spans)
   }
 }
 
-/// The voxels of a slice along one axis, as readers of its rays.
+/// The voxels of a slice along one axis that read its rays.
 struct AxisReaders
 {
   const int* index;       ///< of the map from voxels to rays
   const int* firstVoxels; ///< see FaceFrustum::firstVoxels
   int nodes;
-  Range<int> owned;    ///< those that the frustum owns
-  Range<int> sides[2]; ///< those of them that are not between rays that enter in front
+  Range<int> owned;    ///< voxels that the frustum owns
+  Range<int> sides[2]; ///< owned voxels that are not between rays that enter in front
 
   /// `front`: rays that enter in front.
   AxisReaders(const int* indices, const int* first, int count, const Range<int>& ownVoxels,
@@ -55,8 +55,8 @@ struct AxisReaders
     this->sides[1] = Intersection(ownVoxels, { inFront.end, count });
   }
 
-  /// The rays that one of the voxels reads together with one of `rays`: a voxel reads those about
-  /// itself and about its neighbours (VoxelRow::FindSeen).
+  /// Returns the rays that a voxel reads together with any of `rays`. A voxel reads the rays
+  /// around itself and around its neighbours (VoxelRow::FindSeen).
   Range<int> ReadWith(const Range<int>& rays, const Range<int>& voxels) const
   {
     const Range<int> read = Intersection(rays, this->ReadBy(voxels));
@@ -77,16 +77,16 @@ private:
   }
 };
 
-/// The voxels of a slice, as readers of its rays.
+/// The voxels of a slice that read its rays.
 struct SliceReaders
 {
   AxisReaders rows;
   AxisReaders columns;
-  ColumnSpans needed; ///< rays at stake
+  ColumnSpans needed; ///< rays that have importance behind them
 
-  /// The rays of a row that voxels read together with those at stake, where their transmittance
-  /// counts even if nothing is seen along them: between rays that enter through a side, as there
-  /// the mean over rays is exchanged (VoxelRow::FindSeen).
+  /// Returns the rays of a row whose transmittance voxels read together with needed rays. This
+  /// matters between rays that enter through a side, even if such a ray sees nothing: there the
+  /// mean over rays is scaled (VoxelRow::FindSeen).
   Range<int> ReadWithNeeded(int row) const
   {
     const Range<int> here = this->NeededBy(this->rows.owned, row);
@@ -101,7 +101,7 @@ struct SliceReaders
   }
 
 private:
-  /// What the rows of rays need that voxels read together with this one.
+  /// Returns the hull of the needed columns in all rows that voxels read together with this row.
   Range<int> NeededBy(const Range<int>& voxels, int row) const
   {
     const Range<int> read = this->rows.ReadWith({ row, row + 1 }, voxels);
@@ -115,15 +115,15 @@ private:
   }
 };
 
-/// Rays that have not entered the box at a depth.
+/// Rays that have not entered the box at a given depth.
 struct Outside
 {
-  Range<int> columns;      ///< these columns of all rows
-  const float* rowEntries; ///< and all columns of rows that enter behind the depth
+  Range<int> columns;      ///< columns that are outside in all rows
+  const float* rowEntries; ///< in rows that enter behind the depth, all columns are outside
   float depth;
 };
 
-/// Extends `needed` by what has been carried here and carries on what is still outside.
+/// Extends `needed` by the carried spans, then restricts these to rays still outside the box.
 LIMPID_MULTIVERSION
 void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans& carried,
   Range<int>* __restrict needed)
@@ -149,7 +149,7 @@ void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans
   }
 }
 
-/// What is needed of the columns that touch filled voxels in front of a layer or behind it.
+/// Restricts `active` to columns that touch filled voxels in front of a layer or behind it.
 LIMPID_MULTIVERSION
 void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count,
   const Range<int>& columns, Range<int>* __restrict active)
@@ -170,7 +170,7 @@ void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count,
   }
 }
 
-/// What rows of rays have to visit in all.
+/// The hull of the rays that are visited.
 struct VisitedRays
 {
   Range<int> columns;
@@ -199,7 +199,7 @@ VisitedRays ExtentOf(const Range<int>* active, int count)
   return { { begin, end }, { firstRow, lastRow + 1 } };
 }
 
-/// Finds what the rays of a frustum have to visit.
+/// Finds the active spans of a frustum.
 class ActiveSpanFinder
 {
 public:
@@ -231,7 +231,7 @@ public:
 private:
   static constexpr int rowsPerBlock = 64;
 
-  /// Calls visit(block, rows) for all blocks of rows.
+  /// Calls visit(block, rows) for all blocks of rows, in parallel.
   template <class Visit>
   void ForBlocks(const Visit& visit)
   {
@@ -243,8 +243,8 @@ private:
       });
   }
 
-  /// Columns of rays that enter the box in u behind each slice. They are neighbours, as these
-  /// rays all come from the same side.
+  /// Returns the columns of rays that enter the box in u behind each slice. They are contiguous,
+  /// as these rays all come from the same side.
   std::vector<Range<int>> FindOutsides() const
   {
     const float* entry = this->Target.Row(this->Target.columnEntry);
@@ -277,7 +277,7 @@ private:
     return { spans.begins + row, spans.ends + row };
   }
 
-  /// What is important on a slice is at stake on all slices in front of it.
+  /// Extends the important spans of each slice by those of all slices behind it.
   void FollowToFront(const Range<int>& rows)
   {
     for (int s = this->Slices - 2; s >= 0; --s)
@@ -287,7 +287,7 @@ private:
     }
   }
 
-  /// Finds the first voxel rows that read every row of rays, see FaceFrustum::firstVoxels.
+  /// Finds the first row of voxels that reads each row of rays, see FaceFrustum::firstVoxels.
   void FindFirstRows()
   {
     this->FirstRows.resize(std::size_t(this->Slices) * std::size_t(this->Target.rows + 1));
@@ -305,9 +305,9 @@ private:
   /// Whether voxels of a slice read rays.
   bool IsRead(int s) const { return this->ReadByVoxels && this->Target.SliceAt(s).node >= 0; }
 
-  /// Finds the active columns of every row: those at stake, and where voxels need the
-  /// transmittance of all the rays that they read, all these. What is active on a slice is so on
-  /// all slices in front of it.
+  /// Finds the active columns of every row: the needed ones, and all rays whose transmittance
+  /// voxels read together with them. Rays that are active on a slice stay active on all slices in
+  /// front of it.
   void Activate(const Range<int>& rows)
   {
     const int count = rows.end - rows.begin;
@@ -352,8 +352,8 @@ private:
       this->Occupied.Important(s) };
   }
 
-  /// A ray that is needed before it has entered the box is needed until it has: its optical depth
-  /// there is counted from the entry (RaySteps.h). `extents`: per slice.
+  /// Keeps rays that are needed in front of the box active until they enter it, because their
+  /// optical depth counts from the entry (RaySteps.h). `extents`: per slice.
   void FollowToBack(const Range<int>& rows, VisitedRays* extents)
   {
     const int count = rows.end - rows.begin;
@@ -379,7 +379,7 @@ private:
     }
   }
 
-  /// Voxels that a sweep reads or writes on each slice.
+  /// Finds the voxels that a sweep reads or writes on each slice.
   void FindTouched()
   {
     Slice* slices = this->Target.Room(this->Target.slices);
@@ -413,8 +413,8 @@ private:
     }
   }
 
-  /// Voxels that rays in a range read in a layer: those of a map from the rays to a plane between
-  /// its slices, and one more on either side, as layers are also sampled elsewhere (ResolvedRay).
+  /// Returns the voxels that a range of rays reads on a plane of a layer, widened by one voxel on
+  /// either side, as layers are also sampled at other points (ResolvedRay).
   static Range<int> SourcesOf(const int* index, const Range<int>& rays, int voxels)
   {
     return rays.Empty()

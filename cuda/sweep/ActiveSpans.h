@@ -8,9 +8,9 @@
 
 namespace limpid
 {
-/// Finds the columns of every row of rays that can matter in every layer
-/// (FaceFrustum::activeRays), and the voxels that they touch. All other tables of rays have to be
-/// there, and the maps from voxels to rays if voxels read.
+/// Finds the columns of rays that can matter in every row and layer (FaceFrustum::activeRays), and
+/// the voxels that these rays touch. All other ray tables must be filled already. So must the maps
+/// from voxels to rays if `readers` includes voxels.
 void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy, Readers readers);
 }
 

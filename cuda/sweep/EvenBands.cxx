@@ -13,21 +13,21 @@ namespace limpid
 {
 namespace
 {
-// What work takes of one processor [ns]: fitted to the times of millions of rows of four scenes.
+// Times on one processor [ns], fitted to the times of millions of rows of four scenes.
 constexpr Index rowOfRays = 150;
-constexpr Index voxelRead = 4;   ///< that a row of rays is interpolated from
-constexpr Index clippedRay = 18; ///< which is in the box in a part of the layer
-constexpr Index sideRay = 2;     ///< which enters through a side
+constexpr Index voxelRead = 4;   ///< read to interpolate a row of rays
+constexpr Index clippedRay = 18; ///< inside the box in a part of the layer only
+constexpr Index sideRay = 2;     ///< enters through a side
 constexpr Index rowOfVoxels = 40;
-constexpr Index rowOfActive = 100; ///< voxels that see rays which matter
+constexpr Index rowOfActive = 100; ///< row with active voxels
 constexpr Index activeVoxel = 2;
-constexpr Index filledVoxel = 2;     ///< which also takes memory, and is packed between sweeps
+constexpr Index filledVoxel = 2;     ///< includes allocation and packing between sweeps
 constexpr Index transposedVoxel = 7; ///< in all fields, see SliceWindow
 
-/// Of a stretch: the work in front of every row, and all.
+/// The work of a stretch in front of every row, and the total.
 using WorkBefore = std::vector<Index>;
 
-/// Of a row of rays in the layer behind a slice, of which some columns are active.
+/// Work of a row of rays in the layer behind a slice, with some active columns.
 Index WorkOfRays(const FaceFrustum& frustum, int s, int row, const Range<int>& active)
 {
   const Slice& slice = frustum.SliceAt(s);
@@ -43,7 +43,7 @@ Index WorkOfRays(const FaceFrustum& frustum, int s, int row, const Range<int>& a
   return rowOfRays + voxelRead * read + clippedRay * clipped + sideRay * throughSides;
 }
 
-/// Of a row of voxels on a slice, of which some columns may change.
+/// Work of a row of voxels on a slice, of which `filled` columns may change.
 Index WorkOfVoxels(const FaceFrustum& frustum, int s, int v, const Range<int>& filled)
 {
   const Range<int>& active = frustum.ActiveVoxels(s, v);
@@ -82,11 +82,12 @@ WorkBefore SumOf(const std::vector<WorkBefore>& stretches)
   return sum;
 }
 
-/// The ways of one border between bands.
+/// Finds the best positions of one border between bands.
 class BorderPath
 {
 public:
-  /// The border leaves `part` of so many parts in front of it. `costOfRow`: of passing a row.
+  /// `part` of `parts` shares of the work lie in front of the border. `costOfRow`: cost of moving
+  /// a row.
   BorderPath(const std::vector<WorkBefore>& stretches, int part, int parts, Index costOfRow)
     : Stretches(stretches)
     , Part(part)
@@ -98,7 +99,7 @@ public:
   {
   }
 
-  /// Where it is on each stretch.
+  /// Returns the position on each stretch.
   std::vector<int> Find()
   {
     for (std::size_t stretch = 0; stretch < this->Stretches.size(); ++stretch)
@@ -123,7 +124,7 @@ public:
   }
 
 private:
-  /// To the next stretch, from wherever that costs least: by one row after the other.
+  /// Moves to the next stretch from the cheapest position, row by row.
   void Pass(int* from)
   {
     const auto take = [this, from](std::size_t place, std::size_t neighbour)
@@ -157,11 +158,11 @@ private:
 
   const std::vector<WorkBefore>& Stretches;
   Index Part;
-  Index Parts; ///< costs are times so many, to be whole numbers
+  Index Parts; ///< costs are multiplied by it to stay integers
   Index CostOfRow;
   std::size_t Places;
-  std::vector<int> From;    ///< [stretch][place]: the place on the stretch before
-  std::vector<Index> Least; ///< [place]: cost of the cheapest way there
+  std::vector<int> From;    ///< [stretch][place]: best position on the previous stretch
+  std::vector<Index> Least; ///< [place]: cost of the cheapest sequence that ends there
 };
 }
 
@@ -192,7 +193,7 @@ std::vector<std::vector<int>> FindEvenBands(const FaceFrustum& frustum, int band
   const std::size_t count = stretches.size();
   if (!frustum.HasVoxels())
   {
-    stretches = { SumOf(stretches) }; // nobody waits before the end
+    stretches = { SumOf(stretches) }; // ranks do not wait before the end
   }
   std::vector<std::vector<int>> begins(
     stretches.size(), std::vector<int>(std::size_t(bands) + 1, 0));

@@ -10,28 +10,26 @@
 
 namespace limpid
 {
-/// Slices of a frustum, front to back, whose rows of rays are divided alike.
+/// Number of slices in a stretch, which has one decomposition of the rows of rays.
 constexpr int slicesPerStretch = 8;
 
-/// What it takes to pass a ray to another band: up to 70 bytes are copied, sent and copied [ns].
+/// Cost of moving a ray to another rank: up to 70 bytes are packed, sent and unpacked [ns].
 constexpr Index timeOfPassing = 20;
 
-/// What a sweep takes on a slice of each row of rays and of the voxels beside it, about, of one
-/// processor [ns].
+/// Estimates the time that one processor spends on each row of rays of slice `s`, including the
+/// voxels next to it [ns].
 std::vector<Index> WorkOfRows(const FaceFrustum& frustum, int s);
 
 /**
- * Divides the rows of rays of a frustum into consecutive bands that are about even on every
- * stretch of slices, as those who sweep them wait for each other on every slice.
+ * Decomposes the rows of rays of a frustum into subdomains, bands of consecutive rows, of about
+ * equal work, because ranks wait for each other on every slice. Each stretch has its own bands.
  *
- * Between stretches rows pass from band to band, with all that their rays carry. That costs, too:
- * of all ways of a border from stretch to stretch it takes the one for which
+ * Between stretches, rows change bands together with all values that their rays carry, which has a
+ * cost. For each border between two bands, the function picks the positions that minimise
  *
- *   sum over stretches of |work in front of the border - its share| + cost of the rows passed
+ *    sum over stretches of |work in front of the border - its share| + cost of the rows moved.
  *
- * is least.
- *
- * Returns of each stretch where its bands begin, and the end of the last one.
+ * Returns, for each stretch, the first row of every band, followed by the end of the last band.
  */
 std::vector<std::vector<int>> FindEvenBands(const FaceFrustum& frustum, int bands);
 }

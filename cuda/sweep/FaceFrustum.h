@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The plan of a sweep: numbers and flat tables.
+// The plan of a sweep, stored as numbers and flat tables.
 
 #ifndef limpid_sweep_FaceFrustum_h
 #define limpid_sweep_FaceFrustum_h
@@ -15,28 +15,28 @@
 
 namespace limpid
 {
-/// Where samples lie: a slice of voxels, or the plane of a point source itself; and the layer
-/// behind it up to the next slice, in which the last slice has none.
+/// A plane on which samples lie (a slice of voxels, or the plane of a point source), together with
+/// the layer between it and the next slice. The last slice has no layer.
 struct Slice
 {
   int node = -1;           ///< node index along the depth axis; -1: the source itself
   double depth = 0;        ///< distance from the source along the depth axis [index]
   float scale = 1;         ///< depth / far depth: width of a ray; 1 if parallel
-  Range<int> ownedColumns; ///< voxels of this slice that belong to this frustum
+  Range<int> ownedColumns; ///< voxels of this slice that this frustum owns
   Range<int> ownedRows;
-  Range<int> touchedColumns; ///< voxels of this slice that rays read, and the owned ones
+  Range<int> touchedColumns; ///< voxels of this slice that rays read or that are owned
   Range<int> touchedRows;
 
-  Layer layer;                   ///< its front is the depth less the depth of the first slice
-  int nodes[2] = { 0, 0 };       ///< node indices of the slices that the layer is sampled from
-  float fractions[2] = { 0, 0 }; ///< weight of the second one at the two Gauss points [0, 1]
+  Layer layer;                   ///< layer.front is the depth relative to the first slice
+  int nodes[2] = { 0, 0 };       ///< node indices of the two slices that the layer interpolates
+  float fractions[2] = { 0, 0 }; ///< weights of the second slice at the two Gauss points [0, 1]
   Range<int> insideColumns;      ///< columns of rays that stay inside the box in u
-  float hatGain = 1;             ///< see FaceFrustum::columnHatGain, along the depth
+  float hatGain = 1;             ///< FaceFrustum::columnHatGain along the depth axis
 
-  /// Depth less the depth of the first slice [index].
+  /// Depth relative to the first slice [index].
   LIMPID_HD LIMPID_INLINE float RelativeDepth() const { return this->layer.front; }
 
-  /// Weight of the second slice that the layer is sampled from, at a share of its thickness.
+  /// Weight of the second slice at the position `share` of the layer's thickness.
   LIMPID_HD LIMPID_INLINE float FractionAt(float share) const
   {
     constexpr float first = float(gaussPoints[0]);
@@ -46,7 +46,7 @@ struct Slice
   }
 };
 
-/// Where a ray is along one lateral axis: at `start + slope d` at the relative depth d [index].
+/// Position of a ray along one lateral axis: `start + slope d` at the relative depth d [index].
 struct RayLine
 {
   double start;
@@ -58,8 +58,8 @@ struct RayLine
   }
 };
 
-/// The rays along an axis that are less than a node away from a voxel, and up to two others; beside
-/// the box they count as on its border. `index`: of the map from voxels to rays.
+/// Returns the rays closer than one node to a voxel along one axis, and up to two more. Rays
+/// outside the box count as lying on its border. `index`: map from voxels to rays.
 LIMPID_HD LIMPID_INLINE Range<int> RaysAbout(
   const RayLine* lines, int rays, const int* index, int nodes, int voxel, float relativeDepth)
 {
@@ -78,7 +78,7 @@ LIMPID_HD LIMPID_INLINE Range<int> RaysAbout(
   return about;
 }
 
-/// The position in a box of so many nodes that is closest [index].
+/// Clamps a position to a box of `nodes` nodes [index].
 LIMPID_HD LIMPID_INLINE double InBox(double position, int nodes)
 {
   const double last = nodes - 1;
@@ -86,21 +86,21 @@ LIMPID_HD LIMPID_INLINE double InBox(double position, int nodes)
   return inside < last ? inside : last;
 }
 
-/// The hat function of a voxel at a position, which counts as on the border of the box beside it.
+/// Evaluates a voxel's hat function at a position, which is first clamped to the box.
 LIMPID_HD LIMPID_INLINE float HatAt(double position, int voxel, int nodes)
 {
   const double inside = InBox(position, nodes);
   return AtLeast(1.0f - Magnitude(static_cast<float>(inside - voxel)), 0.0f);
 }
 
-/// The nodes along an axis beside a point.
+/// Two neighbouring nodes along an axis and the interpolation weight between them.
 struct NodePair
 {
   int first;
-  float weight; ///< of the second one [0, 1]
+  float weight; ///< weight of the second node [0, 1]
 };
 
-/// The nodes beside a position in a box of so many nodes, or on its border [index].
+/// Returns the nodes next to a position, which is first clamped to a box of `nodes` nodes [index].
 LIMPID_HD LIMPID_INLINE NodePair NodesAt(double position, int nodes)
 {
   const double inside = InBox(position, nodes);
@@ -110,14 +110,15 @@ LIMPID_HD LIMPID_INLINE NodePair NodesAt(double position, int nodes)
 }
 
 /**
- * One family of rays and the slices it crosses.
+ * A family of rays and the slices that it crosses.
  *
  * Ray (a, b) meets the slice at depth D in (u, v) = offset + (a, b) D (point source: slopes) or
- * (a, b) + shear D (parallel source). Space about a point source is split into up to six frusta,
- * one per face direction, in which no slope exceeds one voxel per slice; each voxel belongs to
- * exactly one. All lengths are in index space, where anisotropic voxels are cubes.
+ * (a, b) + shear D (parallel source). Space around a point source is split into up to six frusta,
+ * one per face direction. Inside a frustum no slope exceeds one voxel per slice, and each voxel
+ * belongs to exactly one frustum. All lengths are in index space, where anisotropic voxels are
+ * cubes.
  *
- * Rays have one guard on either side, which only serves interpolation.
+ * One guard ray on either side serves interpolation only.
  */
 struct FaceFrustum : FlatTables
 {
@@ -126,48 +127,48 @@ struct FaceFrustum : FlatTables
   int axisW = 2; ///< grid axis of the depth
   int nodesU = 0;
   int nodesV = 0;
-  Index strideU = 0; ///< of fields along u, v, w
+  Index strideU = 0; ///< strides of fields along u, v and w [values]
   Index strideV = 0;
   Index strideW = 0;
 
   int columns = 0;         ///< rays along u
   int rows = 0;            ///< rays along v
-  int lastSlice = -1;      ///< slices are counted front to back
-  int firstNodeSlice = 0;  ///< the first slice that is one of voxels
-  float frontDepth = 0;    ///< relative depth where rays begin that enter through no side
-  Range<int> frontColumns; ///< columns that enter the box in its front, not later through a side
+  int lastSlice = -1;      ///< index of the last slice; slices are counted front to back
+  int firstNodeSlice = 0;  ///< the first slice that holds voxels
+  float frontDepth = 0;    ///< relative depth where rays start that do not enter through a side
+  Range<int> frontColumns; ///< columns that enter the box through its front face, not a side
   Range<int> frontRows;
-  /// World volume that a unit of ray integral stands for:
+  /// World volume per unit of ray integral:
   /// S = cellMeasure sum_ij share_ij / length_ij integral g mu T scale^2 dt.
   double cellMeasure = 0;
-  bool seesAll = true; ///< whether the picture shows all rays
+  bool seesAll = true; ///< whether all rays are inside the view
 
   Table<Slice> slices;
   MapTable planeColumns;        ///< [2 slice + half][column]: voxel column at a Gauss point
   MapTable planeRows;           ///< [2 slice + half][row]
-  Table<Range<int>> activeRays; ///< [slice][row]: columns to be visited in the layer behind
-  Table<RayLine> columnLines;   ///< [column]: where rays are in u
-  Table<RayLine> rowLines;      ///< [row]: ... in v
+  Table<Range<int>> activeRays; ///< [slice][row]: columns to visit in the layer behind the slice
+  Table<RayLine> columnLines;   ///< [column]: positions of the rays in u
+  Table<RayLine> rowLines;      ///< [row]: positions in v
   Table<float> columnEntry;     ///< [column]: relative depth where rays enter the box in u
-  Table<float> columnExit;      ///< [column]: ... and leave it
-  Table<float> rowEntry;        ///< [row]: ... in v
-  Table<float> rowExit;         ///< [row]
-  Table<float> columnShare;     ///< [column]: width at the far depth [index]; 0: a guard
+  Table<float> columnExit;      ///< [column]: relative depth where rays leave the box in u
+  Table<float> rowEntry;        ///< [row]: relative depth where rays enter the box in v
+  Table<float> rowExit;         ///< [row]: relative depth where rays leave the box in v
+  Table<float> columnShare;     ///< [column]: width at the far depth [index]; 0 for guard rays
   Table<float> rowShare;        ///< [row]
   Table<float> length;          ///< [row][column]: world length per unit of depth [length]
-  Table<float> inView;          ///< [row][column]: 1 or 0; without rows if all are in view
-  MapTable voxelColumns;        ///< [slice][voxel column]: ray column
-  MapTable voxelRows;           ///< [slice][voxel row]: ray row
-  Table<float> columnSides;     ///< [slice][voxel column]: SideWeight, for means across the rays
-  Table<float> rowSides;        ///< [slice][voxel row]
-  /// [slice][voxel column]: 1 over the share of the voxel's hat function that lies inside the box
-  /// and among the rays, for what rays have to say of voxels (VoxelRow::FindEffect).
+  Table<float> inView; ///< [row][column]: 1 inside the view, else 0; empty if all rays are in view
+  MapTable voxelColumns;    ///< [slice][voxel column]: ray column
+  MapTable voxelRows;       ///< [slice][voxel row]: ray row
+  Table<float> columnSides; ///< [slice][voxel column]: SideWeight, for means across rays
+  Table<float> rowSides;    ///< [slice][voxel row]
+  /// [slice][voxel column]: reciprocal of the part of the voxel's hat function that lies inside
+  /// the box and is covered by rays. It normalises sums over rays (VoxelRow::FindEffect).
   Table<float> columnHatGain;
-  Table<float> rowHatGain;       ///< [slice][voxel row]
-  Table<float> voxelColumnEntry; ///< [slice][voxel column]: relative depth where its rays enter
-  Table<float> voxelRowEntry;    ///< [slice][voxel row]
-  Table<int> firstVoxels; ///< [slice][column]: first voxel that reads the ray first, or later
-  Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns whose rays matter
+  Table<float> rowHatGain;        ///< [slice][voxel row]
+  Table<float> voxelColumnEntry;  ///< [slice][voxel column]: relative depth where its rays enter
+  Table<float> voxelRowEntry;     ///< [slice][voxel row]
+  Table<int> firstVoxels;         ///< [slice][column]: first voxel whose first ray is not before it
+  Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns that a ray can matter to
   Table<Range<int>> filledVoxels; ///< [slice][voxel row]: columns that may change
 
   bool HasVoxels() const { return this->voxelRows.index.rowLength > 0; } ///< see Readers
@@ -201,7 +202,8 @@ struct FaceFrustum : FlatTables
     return this->Row(this->filledVoxels, s)[v];
   }
 
-  /// The columns of rays on slice `s` about the voxels beside column `u`, see RaysAbout.
+  /// Returns the columns of rays on slice `s` around voxel column `u` and its neighbours, see
+  /// RaysAbout.
   LIMPID_HD LIMPID_INLINE Range<int> ColumnsAbout(int s, int u) const
   {
     return RaysAbout(this->Row(this->columnLines), this->columns,
@@ -214,9 +216,9 @@ struct FaceFrustum : FlatTables
       this->nodesV, v, this->SliceAt(s).RelativeDepth());
   }
 
-  /// Where a ray crosses faces of cells within a layer, in order, as shares of its thickness; 1
-  /// where it crosses none. As no ray moves by more than a node in a layer, there is at most one
-  /// along either axis.
+  /// Returns where a ray crosses faces of cells within a layer, in ascending order, as fractions
+  /// of the layer's thickness; 1 stands for no crossing. A ray moves by at most one node per
+  /// layer, so it crosses at most one face along either axis.
   LIMPID_HD LIMPID_INLINE Range<float> FacesCrossed(const Layer& layer, int column, int row) const
   {
     const auto face = [&layer](const RayLine& line)
@@ -233,7 +235,7 @@ struct FaceFrustum : FlatTables
     return u < v ? Range<float>{ u, v } : Range<float>{ v, u };
   }
 
-  /// Where a row of rays is inside the box in v, in relative depths.
+  /// Relative depths between which a row of rays is inside the box in v.
   LIMPID_HD LIMPID_INLINE Range<float> StayOfRow(int row) const
   {
     return { this->Row(this->rowEntry)[row], this->Row(this->rowExit)[row] };

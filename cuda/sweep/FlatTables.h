@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tables in one piece of memory, which the processor and a device read alike: to move them is to
-// copy it.
+// Tables in one block of memory that host and device read in the same way. Copying the block
+// copies all tables.
 
 #ifndef limpid_sweep_FlatTables_h
 #define limpid_sweep_FlatTables_h
@@ -18,19 +18,19 @@
 
 namespace limpid
 {
-/// Linear interpolation at the targets of a row: target t reads source[index[t]] and
-/// source[index[t] + 1] with the weights 1 - weight[t] and weight[t].
+/// Linear interpolation of a row: target t is the sum of source[index[t]] and source[index[t] + 1]
+/// with the weights 1 - weight[t] and weight[t].
 struct LinearMap
 {
   const int* index;
   const float* weight;
 };
 
-/// Rows of values among the tables of a plan.
+/// Location of a table of `Value` in FlatTables: rows of equal length.
 template <class Value>
 struct Table
 {
-  Index offset = 0; ///< of the first row [bytes]
+  Index offset = 0; ///< of the first row, relative to FlatTables::tables [bytes]
   int rowLength = 0;
 };
 
@@ -40,12 +40,12 @@ struct MapTable
   Table<float> weight;
 };
 
-/// Where tables are; what derives from it says which there are.
+/// Base address of all tables. Derived classes declare the tables.
 struct FlatTables
 {
   const unsigned char* tables = nullptr;
 
-  /// Row `row` of a table. No table has 2^31 values.
+  /// Returns row `row` of a table. No table has 2^31 values or more.
   template <class Value>
   LIMPID_HD LIMPID_INLINE const Value* Row(const Table<Value>& table, int row = 0) const
   {
@@ -64,7 +64,7 @@ struct FlatTables
   }
 };
 
-/// Tables that own their memory.
+/// Tables together with the memory that holds them.
 template <class Tables>
 struct OwnedTables : Tables
 {
@@ -72,10 +72,10 @@ struct OwnedTables : Tables
   {
     void operator()(unsigned char* room) const noexcept { std::free(room); }
   };
-  std::unique_ptr<unsigned char[], Free> memory; ///< what `tables` points to
+  std::unique_ptr<unsigned char[], Free> memory; ///< the block that `tables` points to
   std::size_t bytes = 0;
 
-  /// A row of a table to be written.
+  /// Returns a row of a table for writing.
   template <class Value>
   Value* Room(const Table<Value>& table, int row = 0)
   {
@@ -83,7 +83,7 @@ struct OwnedTables : Tables
   }
 };
 
-/// Makes room for tables.
+/// Lays out tables in one block of memory and allocates it.
 class TableRoom
 {
 public:
@@ -104,7 +104,7 @@ public:
     this->Add(table.weight, rows, rowLength);
   }
 
-  /// Large memory comes as pages of zeros that need not be written.
+  /// Allocates the block, filled with zeros. For large blocks the system provides zero pages.
   template <class Tables>
   void Give(OwnedTables<Tables>& to) const
   {

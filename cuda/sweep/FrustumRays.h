@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rays of a frustum where they are swept: the plan, and what travels with the rays.
+// The rays of a frustum on a device: the plan, and the values that the rays carry.
 
 #ifndef limpid_sweep_FrustumRays_h
 #define limpid_sweep_FrustumRays_h
@@ -22,7 +22,7 @@
 
 namespace limpid
 {
-/// One value of each kind per ray of a frustum, in the memory of a device; not set at first.
+/// Values of all rays of a frustum in device memory, one image per kind; initially unset.
 template <class AnyDevice>
 class RayImages
 {
@@ -34,7 +34,7 @@ public:
   {
   }
 
-  /// All that a sweep on a device from the front carries from slab to slab.
+  /// The only values that a front-to-back sweep on a device carries from slab to slab.
   double* OpticalDepths() { return this->Depths.Data(); }
 
   RayStates States()
@@ -54,7 +54,7 @@ public:
       image[13], image[14] };
   }
 
-  /// Makes what a sweep has collected the optical depths.
+  /// Replaces the optical depths by those that a sweep has collected.
   void KeepCollected() { std::swap(this->Depths, this->Collected); }
 
 private:
@@ -63,11 +63,11 @@ private:
   std::shared_ptr<AnyDevice> Device;
   Index Rays;
   DeviceArray<AnyDevice, double> Depths;
-  DeviceArray<AnyDevice, double> Collected; ///< this and the others: when first asked for
+  DeviceArray<AnyDevice, double> Collected; ///< allocated on first use, like Others
   DeviceArray<AnyDevice, float> Others;
 };
 
-/// The plan of a frustum in the memory of a device, a copy of its tables.
+/// The plan of a frustum: a copy of its tables in device memory.
 template <class AnyDevice>
 class FrustumTables
 {
@@ -83,7 +83,7 @@ public:
 
   const FaceFrustum& Plan() const { return this->Addresses; }
 
-  /// What means over voxels read of the rays, slice by slice; made when first needed.
+  /// Returns the weights for means over voxels, for each slice (MadeHat); computed on first use.
   const HatOfVoxel* Hats()
   {
     if (this->Means.Empty())
@@ -92,12 +92,12 @@ public:
       DeviceArray<AnyDevice, HatOfVoxel> hats(
         this->Device, std::size_t(count), "the plan of a sweep");
       this->Device->ForIndices("plan", count, MadeHat{ this->Addresses, hats.Data() });
-      this->Means = std::move(hats); // not before they are there
+      this->Means = std::move(hats); // only after they have been computed
     }
     return this->Means.Data();
   }
 
-  /// Tiles of rays, for a sweep from the back; made when first needed.
+  /// Returns the tiles of rays for a back-to-front sweep; computed on first use.
   const TileLists& Tiles()
   {
     if (!this->Tiling)
@@ -107,7 +107,7 @@ public:
     return this->Tiling->Lists();
   }
 
-  /// Images of the rays on some slices, so many values, for one sweep.
+  /// Allocates `count` values for images of rays during one sweep.
   DeviceArray<AnyDevice, float> MakeImages(Index count) const
   {
     return { this->Device, static_cast<std::size_t>(count), "images of rays" };
@@ -121,8 +121,8 @@ private:
   FaceFrustum Addresses;
 };
 
-/// The plan as it was made, the memory in which the processor transposes slices, and what it has of
-/// a frustum that several ranks share.
+/// The plan of a frustum on the host, with the memory for transposed slices and, in a distributed
+/// sweep, the decomposition of the rays.
 template <>
 class FrustumTables<HostDevice>
 {
@@ -138,10 +138,10 @@ public:
   const FaceFrustum& Plan() const { return this->Planned; }
   SlabPool& Pooled() const { return *this->Pool; }
 
-  /// Null: there is one rank.
+  /// The decomposition among ranks; null if there is one rank.
   const RankBands* Bands() const { return this->Shared.get(); }
 
-  /// From now on fields of sweeps are those that ranks have at home, see SlabDelivery.
+  /// From now on sweeps read and write distributed fields through a SlabDelivery.
   void SweepFieldsOf(const HomeOfFields& home, const Occupancy* filled,
     const std::shared_ptr<PassageRoom>& room, int margin = 0)
   {
@@ -149,16 +149,16 @@ public:
       std::make_unique<SlabDelivery>(this->Planned, *this->Shared, home, filled, room, margin);
   }
 
-  /// Null: fields are where they are swept.
+  /// Null if sweeps access the fields in place.
   const SlabDelivery* Delivery() const { return this->Delivered.get(); }
 
-  /// Between which slices are copied; front to back.
+  /// Returns the ranges of slices that are copied together, front to back.
   std::vector<Range<int>> Slabs() const
   {
     return SlabsOf(this->Planned, this->Delivered || this->Planned.axisW == 0);
   }
 
-  /// Some slices, cut where rays pass from rank to rank.
+  /// Splits a range of slices where the decomposition of the rays changes.
   std::vector<Range<int>> StretchesOf(const Range<int>& slices) const
   {
     std::vector<Range<int>> stretches;
@@ -170,23 +170,23 @@ public:
     return stretches;
   }
 
-  /// The rows of rays that are swept here on slice `s`.
+  /// Rows of rays that this rank sweeps on slice `s`.
   Range<int> RaysHere(int s) const
   {
     return this->Shared ? this->Shared->RaysOf(this->Shared->Ranks().Rank(), s)
                         : Range<int>{ 0, this->Planned.rows };
   }
 
-  /// Those whose values are here between sweeps.
+  /// Rows of rays whose values this rank owns between sweeps.
   Range<int> RaysAtRest() const { return this->RaysHere(this->Planned.lastSlice); }
 
-  /// Those that are swept here on any slice, or read.
+  /// Rows of rays that this rank sweeps or reads on any slice.
   Range<int> RaysReached() const
   {
     return this->Shared ? this->Shared->RaysReached() : Range<int>{ 0, this->Planned.rows };
   }
 
-  /// The rows of voxels of slice `s` that are changed here.
+  /// Rows of voxels of slice `s` that this rank owns.
   Range<int> VoxelsHere(int s) const
   {
     return this->Shared ? this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s)
@@ -200,7 +200,7 @@ private:
   std::unique_ptr<SlabDelivery> Delivered;
 };
 
-/// The rays of one frustum on a device.
+/// The plan of one frustum and the values of its rays on a device.
 template <class AnyDevice>
 class FrustumRays : public FrustumTables<AnyDevice>
 {
@@ -215,14 +215,14 @@ public:
   RayStates States() { return this->Values.States(); }
   double* OpticalDepths() { return this->Values.OpticalDepths(); }
 
-  /// Makes what a sweep from the back has collected the optical depths.
+  /// Replaces the optical depths by those that a back-to-front sweep has collected.
   void KeepCollected() { this->Values.KeepCollected(); }
 
 private:
   RayImages<AnyDevice> Values;
 };
 
-/// Plans a sweep and moves the frusta to a device.
+/// Plans a sweep and copies the plans of its frusta to a device.
 template <class AnyDevice>
 std::vector<FrustumRays<AnyDevice>> PlanRays(const std::shared_ptr<AnyDevice>& device,
   const Grid& grid, const Occupancy& occupancy, const RaySource& source,

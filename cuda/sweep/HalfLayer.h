@@ -9,32 +9,33 @@
 
 namespace limpid
 {
-/// Shares of a layer's thickness at which rays are sampled: the two points of Gauss' quadrature.
+/// Positions of the samples of a layer, as fractions of its thickness: the two-point Gauss rule.
 constexpr double gaussPoints[2] = { 0.21132486540518712, 0.78867513459481288 };
 
-/// The layer between two neighbouring slices, the same for all rays that cross it.
+/// The layer between two neighbouring slices, common to all rays that cross it.
 struct alignas(16) Layer
 {
   float front = 0;      ///< relative depth of the slice in front [index]
-  float thickness = 0;  ///< distance of the slices along the depth axis [index]
+  float thickness = 0;  ///< distance between the slices along the depth axis [index]
   float frontScale = 1; ///< width of a ray at the front, see Slice::scale
-  float backScale = 1;  ///< ... and at the back
+  float backScale = 1;  ///< width of a ray at the back
 };
 
 /**
- * What a half of a layer does to a ray (Documentation/Method.md, quadrature).
+ * The effect of half a layer on a ray (Documentation/Method.md, quadrature).
  *
- * Extinction mu and importance g are constant in the half, each with its value at the Gauss point.
- * With the optical depth x = mu h of the half, exactly:
+ * Extinction mu and importance g are constant in the half and equal to their values at its Gauss
+ * point. With the optical depth x = mu h of the half and T = 1 at its front, exactly:
  *
- *   it stops 1 - e^-x of what passes,                                       Eqs. (15), (16)
- *   its visible importance is  integral of g mu T dt = g (1 - e^-x),        Eqs. (19), (20)
- *                              with T = 1 at its front,
+ *    light stopped: 1 - e^-x, Eqs. (15), (16)
  *
- * so visible importance never exceeds max g, and for thin media the two halves together integrate
- * products g mu that are cubic along the layer without error. Where rays widen, g carries the
- * factor scale^2, averaged over where light is stopped: at the share c of the half's depth,
- * c = 1/x - 1/(e^x - 1), here to 1e-3 of its value for x < 1 as 1 / (2 + x/3 + x^2/18).
+ *    visible importance: integral of g mu T dt = g (1 - e^-x), Eqs. (19), (20)
+ *
+ * Visible importance therefore never exceeds max g. In thin media the two halves together
+ * integrate products g mu exactly up to cubics along the layer. Where rays widen, g is multiplied
+ * by the mean of scale^2, weighted by where light is stopped. That mean lies at the fraction c =
+ * 1/x - 1/(e^x - 1) of the half's depth. For x < 1, c = 1 / (2 + x/3 + x^2/18) is accurate to
+ * 1e-3.
  */
 template <class Real>
 struct HalfLayer
@@ -42,11 +43,11 @@ struct HalfLayer
   Real opticalDepth; ///< x [1]
   Real stopped;      ///< 1 - e^-x [0, 1]
   Real visible;      ///< visible importance times scale^2 [1]
-  Real unattenuated; ///< the same without attenuation: g x times the mean of scale^2 [1]
+  Real unattenuated; ///< visible importance for T = 1: g x times the mean of scale^2 [1]
   Real visibleSlope; ///< derivative of `visible` by the optical depth [1]
 
-  /// The whole half. `length`: world length of the ray in it [length]; `extinction` [1/length];
-  /// `importance` [0, 1]; the scales are those at its front and back.
+  /// Evaluates a whole half. `length`: world length of the ray in it [length]; `extinction`
+  /// [1/length]; `importance` [0, 1]; `frontScale`, `backScale`: ray widths at its ends.
   LIMPID_HD LIMPID_INLINE HalfLayer(
     Real length, Real extinction, Real importance, Real frontScale, Real backScale)
   {
@@ -69,7 +70,7 @@ struct HalfLayer
 
   LIMPID_HD LIMPID_INLINE Real Passed() const { return Real(1) - this->stopped; }
 
-  /// The same half, of whose extinction a share counts as important.
+  /// Returns this half with visible importance multiplied by `share`.
   LIMPID_HD LIMPID_INLINE HalfLayer CountingShare(Real share) const
   {
     HalfLayer half = *this;
@@ -78,21 +79,22 @@ struct HalfLayer
     return half;
   }
 
-  /// Beyond an optical depth of 1e4 nothing changes any more; sums of such stay exact to 1e-8.
+  /// Optical depth, at most 1e4. Larger values have no effect; with the limit, sums stay exact to
+  /// 1e-8.
   LIMPID_HD LIMPID_INLINE Real LimitedDepth() const
   {
     return this->opticalDepth < Real(1e4) ? this->opticalDepth : Real(1e4);
   }
 };
 
-/// Where a half of a layer lies, as shares of the layer's thickness.
+/// Returns the range of a half as fractions of the layer's thickness.
 LIMPID_HD LIMPID_INLINE Range<float> RangeOfHalf(int half)
 {
   return half == 0 ? Range<float>{ 0.0f, 0.5f } : Range<float>{ 0.5f, 1.0f };
 }
 
-/// A half of a layer that the ray crosses inside the box from front to back. `length`: world
-/// length of the ray per unit of depth.
+/// Evaluates a half that the ray crosses completely inside the box. `length`: world length of the
+/// ray per unit of depth.
 template <class Real>
 LIMPID_HD LIMPID_INLINE HalfLayer<Real> WholeHalf(
   const Layer& layer, const Range<float>& half, Real length, Real extinction, Real importance)
@@ -102,8 +104,8 @@ LIMPID_HD LIMPID_INLINE HalfLayer<Real> WholeHalf(
     layer.frontScale + half.begin * widening, layer.frontScale + half.end * widening);
 }
 
-/// The part of a layer's `half`, or of another range, between the clips of the ray's column and
-/// row, all as shares of the layer's thickness.
+/// Returns the part of `half`, or of another range, in which the ray is inside the box in u
+/// (`column`) and v (`row`), as fractions of the layer's thickness.
 LIMPID_HD LIMPID_INLINE Range<float> ClippedRange(
   const Layer& layer, const Range<float>& half, const Range<float>& column, const Range<float>& row)
 {
@@ -116,8 +118,8 @@ LIMPID_HD LIMPID_INLINE Range<float> ClippedRange(
   return { begin, last > begin ? last : begin };
 }
 
-/// That part of a half. Extinction and importance are sampled at the Gauss point even where that
-/// lies outside the box: there on its border.
+/// Evaluates the part of a half inside the box. Extinction and importance are the values at the
+/// Gauss point; if that lies outside the box, at the nearest point of its border.
 template <class Real>
 LIMPID_HD LIMPID_INLINE HalfLayer<Real> ClippedHalf(const Layer& layer, const Range<float>& half,
   Real length, Real extinction, Real importance, const Range<float>& column,

@@ -10,21 +10,23 @@
 
 namespace limpid
 {
-/// Weight of the neighbour of a node on the border, where the hat function has one side: the mean
-/// over it of a function that is linear.
+/// Weight of the only neighbour of a node on the border, where the hat function is one-sided. It
+/// makes the mean of a linear function exact.
 constexpr float sideWeightOnBorder = 1.0f / 3;
 
 /**
- * The mean of f over the hat function of node k along one axis, from f at the node and beside it:
+ * The mean of f over the hat function of node k along one axis, from f at the node and its two
+ * neighbours:
  *
- *   mean = f(k) + side (f(k-1) - 2 f(k) + f(k+1)).
+ *    mean = f(k) + side (f(k-1) - 2 f(k) + f(k+1)).
  *
  * For a parabola the mean is f + f''/12. Linear interpolation between rays that are `gap` nodes
- * apart is off by t (1 - t) gap^2 f''/2 at the share t of the gap already, so that
+ * apart already adds the error t (1 - t) gap^2 f''/2 at the fraction t of the gap. Therefore
  *
- *   side = 1/12 - t (1 - t) gap^2 / 2
+ *    side = 1/12 - t (1 - t) gap^2 / 2
  *
- * is exact, wherever the rays lie. Rays too far apart for that average more than the hat does: 0.
+ * is exact for any position of the rays. If the rays are too far apart, it would be negative and
+ * is set to 0.
  */
 LIMPID_HD LIMPID_INLINE float SideWeight(float share, float gap)
 {
@@ -36,11 +38,10 @@ LIMPID_HD LIMPID_INLINE float HatMean(float before, float own, float behind, flo
   return own + side * ((before - own) + (behind - own));
 }
 
-/// What another transmittance leaves of the importance behind that `transmittance` leaves `seen`
-/// of.
+/// Scales visible importance `seen`, computed with `transmittance`, to the transmittance `other`.
 LIMPID_HD LIMPID_INLINE float Exchanged(float seen, float transmittance, float other)
 {
-  constexpr float least = 1e-30f; // nothing passes
+  constexpr float least = 1e-30f; // below it no light passes
   return transmittance > least ? seen * (other / transmittance) : 0.0f;
 }
 }

@@ -8,16 +8,16 @@
 
 namespace limpid
 {
-/// Where a mean over the hat function of a voxel (HatMean) reads rays along one axis: at the voxel
-/// before, the voxel and the one behind, a pair of neighbouring rays each. Devices have a table of
-/// these.
+/// The rays that a mean over a voxel's hat function (HatMean) reads along one axis. There are
+/// three pairs of neighbouring rays: at the previous voxel, at the voxel and at the next one.
+/// Devices keep a table of these.
 struct alignas(16) HatOfVoxel
 {
-  int first[3];  ///< of a pair
+  int first[3];  ///< first ray of each pair
   float entry;   ///< relative depth where the rays through the voxel enter the box
-  float low[3];  ///< weight of the first of a pair
-  float high[3]; ///< ... of the second
-  float weight;  ///< weight of the second of the voxel's own pair alone
+  float low[3];  ///< weight of the first ray of each pair
+  float high[3]; ///< weight of the second ray of each pair
+  float weight;  ///< interpolation weight of the second ray of the voxel's own pair
 
   /// `rays`: map from voxels to rays on a slice; `side`: SideWeight.
   LIMPID_HD LIMPID_INLINE static HatOfVoxel Of(
@@ -39,7 +39,7 @@ struct alignas(16) HatOfVoxel
   }
 };
 
-/// Makes the hats of all slices of a frustum: of each, those of the columns, then of the rows.
+/// Computes the hats of a frustum, slice by slice: first those of the columns, then of the rows.
 struct MadeHat
 {
   FaceFrustum frustum;

@@ -14,13 +14,14 @@ namespace limpid
 {
 namespace
 {
-/// Rays across a side per voxel of its depth, at least, but no more than a half per voxel of what
-/// is as wide as the box: along a long box a side is a small part of what is seen.
+/// Minimum number of rays across a side per voxel of its depth, but at most `mostPart` per voxel of
+/// the box's width: in a long box, a side is a small part of the view.
 constexpr double facePart = 0.25;
 constexpr double mostPart = 0.5;
 
-/// Rays across a box of so many layers, at least, for the sake of the integrals: even across a
-/// single voxel. Across a long one fewer are enough, and would be most of the work.
+/// Returns the minimum number of rays across a box of `layers` layers. Accurate integrals need
+/// several rays even across a single voxel. A long box needs fewer, and they would dominate the
+/// work.
 double FewestAcross(double layers)
 {
   constexpr double most = 16;
@@ -29,11 +30,11 @@ double FewestAcross(double layers)
   return std::max(least, most * std::min(1.0, std::sqrt(shortest / layers)));
 }
 
-/// Parts between two coordinates: as many as `perUnit` says, and `fewest` at least.
+/// Divides an interval into parts of density `perUnit`, but at least `fewest`.
 void AddParts(double begin, double end, double perUnit, double fewest, std::vector<double>& edges)
 {
   constexpr double most = 1e6;
-  constexpr double margin = 1e-9; // numbers that are integers but for rounding are taken as such
+  constexpr double margin = 1e-9; // tolerance when rounding to integers
   const double wanted =
     std::max(std::ceil((end - begin) * perUnit - margin), std::floor(fewest + margin));
   const int parts = static_cast<int>(std::min(std::max(wanted, 1.0), most));
@@ -44,7 +45,7 @@ void AddParts(double begin, double end, double perUnit, double fewest, std::vect
   edges.push_back(end);
 }
 
-/// Places along the axis at a depth: offset + coordinate * factor.
+/// Positions along the axis at a depth: offset + coordinate * factor.
 struct Line
 {
   double offset;
@@ -56,7 +57,7 @@ Line LineAt(const Lateral& lateral, double depth)
   return lateral.parallel ? Line{ lateral.shear * depth, 1.0 } : Line{ lateral.eye, depth };
 }
 
-/// For every coordinate the cell of the box at its place, or next to it, and where in it.
+/// Computes, for every coordinate, the nearest cell of the box and the position inside it.
 LIMPID_MULTIVERSION
 void FindCells(const double* __restrict coordinates, int count, const Line& line, int nodes,
   int* __restrict index, float* __restrict weight)
@@ -93,7 +94,7 @@ void FindFloors(const double* __restrict coordinates, int count, const Line& lin
   }
 }
 
-/// Coordinates of the rays through voxels begin, begin + 1, ... at a depth.
+/// Computes the coordinates of the rays through voxels begin, begin + 1, ... at a depth.
 LIMPID_MULTIVERSION
 void FindCoordinates(
   int begin, int count, const Line& line, bool parallel, double* __restrict coordinates)
@@ -106,7 +107,7 @@ void FindCoordinates(
   }
 }
 
-/// Where between the coordinates index[i] and index[i] + 1 each wanted one lies.
+/// Computes the weights of `wanted` between the coordinates index[i] and index[i] + 1.
 LIMPID_MULTIVERSION
 void FindWeights(const double* __restrict coordinates, const double* __restrict wanted,
   const int* __restrict index, int count, float* __restrict weight)
@@ -121,7 +122,7 @@ void FindWeights(const double* __restrict coordinates, const double* __restrict 
   }
 }
 
-/// Depths at which a line with a start at depth 0 and a slope is in [0, last], less `base`.
+/// Returns the depths, minus `base`, at which the line start + slope * depth is in [0, last].
 LIMPID_INLINE Range<float> ClipLine(double start, double slope, double last, double base)
 {
   const double never = 1e30;
@@ -139,7 +140,7 @@ LIMPID_INLINE Range<float> ClipLine(double start, double slope, double last, dou
     static_cast<float>(never < exit ? never : exit) };
 }
 
-/// Depths at which the rays with these coordinates enter the slab of the box.
+/// Computes the depths, minus `base`, at which rays of given coordinates enter the box.
 LIMPID_MULTIVERSION
 void FindEntries(const Lateral& lateral, const double* __restrict coordinates, int count,
   double base, float* __restrict entries)
@@ -156,8 +157,8 @@ void FindEntries(const Lateral& lateral, const double* __restrict coordinates, i
   }
 }
 
-/// Calls visit(voxels, coordinates of the rays through them) for all voxels at a depth, ascending
-/// and some at a time.
+/// Calls visit(voxels, coordinates of the rays through them) for batches of voxels at a depth, in
+/// ascending order.
 template <class Visit>
 void VisitVoxels(const Lateral& lateral, double depth, Visit&& visit)
 {
@@ -200,7 +201,7 @@ void Lateral::PutBetween(std::vector<double> edges)
 void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placement placement)
 {
   const double last = this->nodes - 1;
-  constexpr double straight = 1e-3; // sideways step all through the box [index]
+  constexpr double straight = 1e-3; // largest lateral shift of straight rays in the box [index]
   if (this->parallel && placement == Placement::ForNodes &&
     std::abs(this->shear) * (farDepth - nearDepth) < straight)
   {
@@ -212,7 +213,7 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
     this->PutBetween(std::move(edges));
     return;
   }
-  // The outlines of the faces: where rays run through the sides at the near and the far depth.
+  // Outlines of the faces: where rays cross the sides at the near and the far depth.
   std::array<double, 4> outlines{};
   for (int i = 0; i < 4; ++i)
   {
@@ -241,7 +242,8 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
   }
   else
   {
-    // A side that is seen at a grazing angle is a thin strip: rays enough for all its depth.
+    // A side seen at a grazing angle is a thin strip, but it needs enough rays for its whole
+    // depth.
     const double alongSide = rayDensity *
       std::min(facePart * (farDepth - nearDepth), std::max(mostPart * last, 0.25 * fewest));
     for (std::size_t i = 0; i + 1 < outlines.size(); ++i)

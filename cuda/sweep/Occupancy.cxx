@@ -17,7 +17,7 @@ namespace limpid
 {
 namespace
 {
-/// Per column of a slice.
+/// Ends of the spans of each column of a slice.
 struct ColumnSpanEnds
 {
   int* filledBegin;
@@ -26,7 +26,7 @@ struct ColumnSpanEnds
   int* importantEnd;
 };
 
-/// Extends the spans of the columns by row `y`, which is empty but in `span`.
+/// Extends the spans of the columns by row `y`, which is empty outside `span`.
 LIMPID_MULTIVERSION
 void MarkColumns(const float* __restrict extinction, const float* __restrict importance,
   const Range<int>& span, int y, const ColumnSpanEnds& ends)
@@ -40,7 +40,7 @@ void MarkColumns(const float* __restrict extinction, const float* __restrict imp
   {
     const bool important = importance[x] > 0;
     const bool filled = important | (extinction[x] > 0);
-    // An end of 0 means that the span has not begun.
+    // An end of 0 means that the span has not started.
     filledBegin[x] = (filled & (filledEnd[x] == 0)) ? y : filledBegin[x];
     filledEnd[x] = filled ? y + 1 : filledEnd[x];
     importantBegin[x] = (important & (importantEnd[x] == 0)) ? y : importantBegin[x];
@@ -48,7 +48,7 @@ void MarkColumns(const float* __restrict extinction, const float* __restrict imp
   }
 }
 
-/// Where a row of voxels is filled and important, and how many of them are filled.
+/// The filled and important ranges of a row of voxels, and the number of filled voxels.
 struct RowContent
 {
   Occupancy::Spans spans;
@@ -114,7 +114,7 @@ Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox&
   this->Skip = skip;
   std::int64_t filled = 0;
   const std::array<Range<int>, 3>& nodes = box.along;
-  // Spans as beginnings and ends below zero, of which the least make the hull; none at first.
+  // Spans are stored as begins and negative ends, so that minima give the hull; initially empty.
   constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
   const std::size_t rows = this->AlongX.size() + this->AlongY.size();
   std::vector<std::int32_t> ends(4 * rows, none);
@@ -168,7 +168,7 @@ Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox&
   }
 }
 
-/// Every voxel counts as occupied.
+/// Counts every voxel as occupied.
 void Occupancy::CountAll()
 {
   const Range<int> x{ 0, this->Nodes.x };
@@ -195,7 +195,7 @@ void OccupancyBuilder::Add(
   {
     ends.assign(4 * std::size_t(nx), 0);
   }
-  // Ends of the columns' spans, apart from each other for the sake of vector units.
+  // The ends of the columns' spans, in separate arrays for vectorisation.
   const ColumnSpanEnds columns{ ends.data(), ends.data() + nx, ends.data() + 2 * nx,
     ends.data() + 3 * nx };
   for (int y = rows.begin; y < rows.end; ++y, extinction += nx, importance += nx)

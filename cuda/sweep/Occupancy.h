@@ -15,18 +15,20 @@ namespace limpid
 class Communicator;
 
 /**
- * For every row of voxels along x and along y: where the scene is not empty and where it is
- * important. What lies outside provably never changes (Documentation/Method.md, section on skips).
+ * For every row of voxels along x and along y: the ranges where the scene is not empty and where
+ * it is important. Voxels outside these ranges provably never change (Documentation/Method.md,
+ * section on skips).
  */
 class Occupancy
 {
 public:
-  /// Both fields: grid.NodeCount() values; `importance` is that of nodes, see NodeImportance.h.
-  /// With `skip` off every voxel counts as occupied.
+  /// Both fields have grid.NodeCount() values; `importance` is that of the nodes, see
+  /// NodeImportance.h. If `skip` is false, every voxel counts as occupied.
   Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
 
-  /// That of a scene shared by ranks, of which each has the values of a box: the same on all of
-  /// them. `box`: whose values the fields have; no other rank has any of these.
+  /// Computes the occupancy of a distributed scene; the result is the same on all ranks. `box`:
+  /// the nodes that this rank owns, whose values the fields hold. The boxes of ranks must not
+  /// overlap.
   Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox& box,
     const float* baseExtinction, const float* importance, bool skip);
 
@@ -36,15 +38,15 @@ public:
     Range<int> important; ///< importance above zero
   };
 
-  /// The row of voxels along grid axis `alongAxis` (0 or 1); `first` and `second` are its indices
-  /// along the two other axes, lower axis first.
+  /// Returns the ranges of the row of voxels along grid axis `alongAxis` (0 or 1). `first` and
+  /// `second` are its indices along the two other axes, lower axis first.
   const Spans& Row(int alongAxis, int first, int second) const
   {
     return alongAxis == 0 ? this->AlongX[std::size_t(second) * this->Nodes.y + first]
                           : this->AlongY[std::size_t(second) * this->Nodes.x + first];
   }
 
-  /// How far rows with neighbouring indices along the last axis lie apart.
+  /// Distance in memory between rows with neighbouring indices along the last axis.
   Index RowStride(int alongAxis) const { return alongAxis == 0 ? this->Nodes.y : this->Nodes.x; }
 
   bool Skips() const { return this->Skip; }
@@ -64,22 +66,23 @@ private:
   std::vector<Spans> AlongY; ///< [z][x]
 };
 
-/// Makes an Occupancy of voxels as they come.
+/// Builds an Occupancy from voxels that arrive slice by slice.
 class OccupancyBuilder
 {
 public:
   explicit OccupancyBuilder(const Grid& grid);
 
-  /// Adds rows of a slice, which the two fields begin with. Slices may come in parallel, but the
-  /// rows of one have to come in order.
+  /// Adds rows of a slice; both fields start at the first of these rows. Slices may be added
+  /// concurrently, but the rows of one slice must be added in order.
   void Add(int slice, const Range<int>& rows, const float* extinction, const float* importance);
 
-  /// When all rows have come. With `skip` off every voxel counts as occupied.
+  /// Returns the result after all rows were added. If `skip` is false, every voxel counts as
+  /// occupied.
   Occupancy Take(bool skip);
 
 private:
   Occupancy Made;
-  std::vector<std::vector<int>> ColumnEnds; ///< of slices that are not complete
+  std::vector<std::vector<int>> ColumnEnds; ///< for slices that are not complete yet
   std::vector<Index> Filled;                ///< per slice
 };
 }

@@ -12,8 +12,8 @@ namespace limpid
 {
 namespace
 {
-/// The spans of columns of rays that touch the filled and the important voxels of a row of voxels,
-/// as numbers whose minima make the hull of two rows: both begins, and both ends negative.
+/// The spans of columns of rays that touch the filled and the important voxels of a row of voxels.
+/// Ends are stored as negatives, so that minima give the hull of two rows.
 struct Reach
 {
   int least[4];
@@ -21,13 +21,12 @@ struct Reach
 
 constexpr Reach outOfReach{ { noColumn, noColumn, noColumn, noColumn } };
 
-/// Voxel rows in front of the first and behind the last one that rays may look for, see
+/// Number of rows of voxels in front of the first and behind the last that rays may refer to, see
 /// Lateral::FindRayNodes.
 constexpr int rowsBefore = 4;
 constexpr int rowsBehind = 8;
 
-/// Hulls of four neighbouring rows each, in place of the first of them. `rows`: `count` and three
-/// more.
+/// Replaces each row by the hull of itself and the next three. `rows`: `count` + 3 rows.
 LIMPID_MULTIVERSION
 void JoinFours(int count, Reach* rows)
 {
@@ -40,7 +39,8 @@ void JoinFours(int count, Reach* rows)
   }
 }
 
-/// Hull of the voxel rows from `low` to `high`, four at least. `fours`: see JoinFours.
+/// Returns the hull of the rows of voxels from `low` to `high`, at least four. `fours`: see
+/// JoinFours.
 LIMPID_INLINE Reach HullOf(const Reach* fours, int low, int high)
 {
   Reach hull = fours[high - 3];
@@ -54,8 +54,9 @@ LIMPID_INLINE Reach HullOf(const Reach* fours, int low, int high)
   return hull;
 }
 
-/// Rows of rays look at the voxel rows from one before the row of rays in front to two behind the
-/// next one. `nodes`: floor of the rows' positions; `lastVoxel`: last row of voxels.
+/// Finds the spans of rows of rays. A row touches the voxel rows from one before the previous row
+/// of rays to two behind the next one. `nodes`: floors of the rows' positions; `lastVoxel`: last
+/// row of voxels.
 LIMPID_MULTIVERSION
 void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
   const ColumnSpans& filled, const ColumnSpans& important)
@@ -64,7 +65,7 @@ void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
   {
     const int from = row > 0 ? nodes[row - 1] - 1 : 0;
     const int to = row + 1 < rows ? nodes[row + 1] + 2 : lastVoxel;
-    // The first and the last row look to the border; behind it there is nothing.
+    // The first and the last row extend to the border; beyond it there is nothing.
     const int low = row > 0 || from < to - 3 ? from : to - 3;
     const int high = row + 1 < rows || to > low + 3 ? to : low + 3;
     const Reach hull = HullOf(fours, low, high);
@@ -76,7 +77,7 @@ void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
 }
 }
 
-/// What finding the spans of a slice needs.
+/// Scratch memory for the spans of one slice.
 struct OccupiedRays::Memory
 {
   explicit Memory(const PlannedFrustum& frustum)
@@ -87,9 +88,9 @@ struct OccupiedRays::Memory
   {
   }
 
-  std::vector<int> columnNodes; ///< floor of the rays' positions
+  std::vector<int> columnNodes; ///< floors of the rays' positions
   std::vector<int> rowNodes;
-  std::vector<int> columnsUpTo; ///< per voxel column, from -3 on: rays whose floor is not beyond
+  std::vector<int> columnsUpTo; ///< per voxel column, from -3 on: rays with floors up to it
   std::vector<Reach> reaches;   ///< per voxel row, from -rowsBefore on
 
   void CountColumns()
@@ -108,8 +109,9 @@ struct OccupiedRays::Memory
     }
   }
 
-  /// First and minus last column of rays whose floors reach from two voxels before a span of voxels
-  /// to one behind it, and one more on either side.
+  /// Stores the first and the negative last column of the rays around a span of voxels. Their
+  /// floors lie between two voxels before the span and one behind it; one ray is added on either
+  /// side.
   void Put(const Range<int>& voxels, int* least) const
   {
     if (!voxels.Empty())
@@ -139,8 +141,8 @@ OccupiedRays::OccupiedRays(const PlannedFrustum& frustum, const Occupancy& occup
     });
 }
 
-/// In the plane of an eye inside the grid there are no voxels: rays there are interpolated from the
-/// slice behind the eye.
+/// There are no voxels in the plane of an eye inside the grid. Rays there are interpolated from
+/// the slice behind the eye.
 void OccupiedRays::FindOnSlice(
   const PlannedFrustum& frustum, const Occupancy& occupancy, int s, Memory& memory)
 {

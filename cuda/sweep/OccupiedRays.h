@@ -11,11 +11,11 @@
 
 namespace limpid
 {
-/// An empty span of columns begins here and ends at minus this, so that hulls are minima of begins
-/// and maxima of ends.
+/// An empty span of columns begins at this value and ends at its negative. The hull of spans is
+/// then the minimum of the begins and the maximum of the ends.
 constexpr int noColumn = 1 << 29;
 
-/// Spans of columns of rays, one per row of rays: first columns, and those behind the last ones.
+/// Spans of columns, one per row of rays: first columns, and one past the last columns.
 struct ColumnSpans
 {
   int* begins;
@@ -24,8 +24,8 @@ struct ColumnSpans
 
 /**
  * For every slice and row of rays of a frustum: the columns of rays that are interpolated from
- * filled or from important voxels of the slice, or that touch such voxels anywhere in the layers
- * on both sides of it, where no ray moves by more than one voxel.
+ * filled or important voxels of the slice. Also includes rays that touch such voxels anywhere in
+ * the two layers next to the slice, where no ray moves by more than one voxel.
  */
 class OccupiedRays
 {

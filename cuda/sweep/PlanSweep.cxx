@@ -20,12 +20,12 @@ namespace limpid
 {
 namespace
 {
-/// The depth axis of a frustum: depth of a node k is sign (k - origin).
+/// The depth axis of a frustum: the depth of node k is sign (k - origin).
 struct DepthAxis
 {
   bool parallel = false;
   double sign = 1;
-  double origin = 0; ///< point source: its position; parallel: the first slice [index]
+  double origin = 0; ///< position of a point source, or the first slice of a parallel one [index]
   int nodes = 0;
 
   double Of(int node) const { return this->sign * (node - this->origin); }
@@ -33,7 +33,7 @@ struct DepthAxis
   double Near() const { return std::max(0.0, this->Of(this->sign > 0 ? 0 : this->nodes - 1)); }
 };
 
-/// Columns along the first free axis; along x if possible, as rows of memory run along x.
+/// Chooses the first free axis for columns; along x if possible, as rows in memory run along x.
 void ChooseAxes(PlannedFrustum& frustum, const Grid& grid, int axisW)
 {
   const Index strides[3] = { 1, grid.nodes.x, Index(grid.nodes.x) * grid.nodes.y };
@@ -50,8 +50,8 @@ void ChooseAxes(PlannedFrustum& frustum, const Grid& grid, int axisW)
   frustum.cellMeasure = grid.CellVolume();
 }
 
-/// The slices in front of the source, front to back, with the layers behind them. Where the grid
-/// reaches to the source's plane or behind it, that plane is the first one.
+/// Returns the slices in front of the source, front to back, with the layers behind them. If the
+/// grid extends to the plane of the source or behind it, that plane is the first slice.
 std::vector<Slice> PlaceSlices(const DepthAxis& depth)
 {
   std::vector<Slice> slices;
@@ -78,7 +78,7 @@ std::vector<Slice> PlaceSlices(const DepthAxis& depth)
   {
     slice.layer.front = static_cast<float>(slice.depth - base);
   }
-  // In front of the first slice behind the source the layer is a part of a cell.
+  // The layer in front of the first slice behind the source is a part of a cell.
   for (std::size_t s = 0; s + 1 < slices.size(); ++s)
   {
     Slice& front = slices[s];
@@ -96,7 +96,7 @@ std::vector<Slice> PlaceSlices(const DepthAxis& depth)
   for (std::size_t s = 0; s < slices.size(); ++s)
   {
     const float inFront = s > 0 ? slices[s - 1].layer.thickness : 0.0f;
-    const float behind = slices[s].layer.thickness; // a hat's share of what is less than a node
+    const float behind = slices[s].layer.thickness; // a hat extends over at most one node
     const auto share = [](float way) { return way - 0.5f * way * way; };
     slices[s].hatGain = 1.0f / (share(inFront) + share(behind));
   }
@@ -140,9 +140,9 @@ void MakeTables(PlannedFrustum& frustum, Readers readers)
   room.Give(frustum);
 }
 
-/// Fills the tables of the rays along one axis. A guard that is beside the slab of the box all the
-/// way to `back` reads its border for as long as the ray beside it is inside. `scale`: width of a
-/// unit of the rays' coordinate at the far depth [index].
+/// Fills the tables of the rays along one axis. A guard ray that stays outside the box up to
+/// `back` reads the border for as long as its neighbour is inside. `scale`: width of a unit of the
+/// ray coordinate at the far depth [index].
 void DescribeRays(const Lateral& lateral, double base, float back, double scale, RayLine* lines,
   float* entry, float* exit, float* share)
 {
@@ -165,7 +165,7 @@ void DescribeRays(const Lateral& lateral, double base, float back, double scale,
   }
 }
 
-/// SideWeight of every voxel along an axis of rays on the slice at `depth`.
+/// Computes SideWeight of every voxel along an axis, on the slice at `depth`.
 void FindSideWeights(const Lateral& lateral, const LinearMap& voxels, double depth, float* sides)
 {
   const double nodesApart = lateral.parallel ? 1.0 : depth;
@@ -179,14 +179,14 @@ void FindSideWeights(const Lateral& lateral, const LinearMap& voxels, double dep
   sides[0] = sides[count - 1] = count > 1 ? sideWeightOnBorder : 0.0f;
 }
 
-/// Share of the hat function of a node that is inside the box.
+/// Returns the part of a node's hat function that is inside the box.
 double HatInside(int node, int nodes)
 {
   return node == 0 || node == nodes - 1 ? 0.5 : 1.0;
 }
 
-/// The gains of all voxels along an axis on slice `s`, see FaceFrustum::columnHatGain. `shares`:
-/// widths of the rays.
+/// Computes the gains of all voxels along an axis on a slice, see FaceFrustum::columnHatGain.
+/// `shares`: widths of the rays.
 template <class About>
 void FindHatGains(const Lateral& lateral, const RayLine* lines, const float* shares,
   const Slice& slice, const About& about, float* gains)
@@ -213,7 +213,7 @@ void FindHatGains(const Lateral& lateral, const RayLine* lines, const float* sha
   }
 }
 
-/// How rays read the voxels of the layer behind a slice.
+/// Computes the maps from rays to voxels for the layer behind a slice.
 void PlaceRays(PlannedFrustum& frustum, int s)
 {
   Slice& slice = frustum.Room(frustum.slices)[s];
@@ -230,7 +230,7 @@ void PlaceRays(PlannedFrustum& frustum, int s)
   slice.insideColumns = InsideColumns(frustum, slice.RelativeDepth(), back.RelativeDepth());
 }
 
-/// How voxels of a slice read the rays.
+/// Computes the maps from voxels of a slice to rays.
 void PlaceVoxels(PlannedFrustum& frustum, int s, double base)
 {
   const double depth = frustum.SliceAt(s).depth;
@@ -261,7 +261,7 @@ void FillTables(PlannedFrustum& frustum, const std::vector<Slice>& slices, Reade
   const double base = slices[std::size_t(frustum.firstNodeSlice)].depth;
   std::copy(slices.begin(), slices.end(), frustum.Room(frustum.slices));
   FindRayLengths(frustum);
-  // Which voxels on the boundary of two frusta belong to which: the last axis wins.
+  // Voxels on the boundary of two frusta belong to the frustum of the last axis.
   const bool closedU = frustum.axisU < frustum.axisW;
   const bool closedV = frustum.axisV < frustum.axisW;
   ParallelFor(frustum.SliceCount(),
@@ -286,8 +286,8 @@ void FillTables(PlannedFrustum& frustum, const std::vector<Slice>& slices, Reade
     });
 }
 
-/// Voxel columns of row `v` on a slice that rays can matter to: those about a ray that is active in
-/// a layer beside the slice (VoxelRow::FindSeen, FindEffect).
+/// Returns the columns of voxel row `v` that rays can matter to: voxels around a ray that is
+/// active in a layer next to the slice (VoxelRow::FindSeen, FindEffect).
 Range<int> ActiveColumnsOf(const FaceFrustum& frustum, int s, int v)
 {
   const Range<int> about = frustum.RowsAbout(s, v);
@@ -308,7 +308,7 @@ Range<int> ActiveColumnsOf(const FaceFrustum& frustum, int s, int v)
   return { std::max(begin - 1, 0), std::min(end + 1, frustum.nodesU) };
 }
 
-/// Finds the voxels of each slice that may change, and those of them whose rays matter.
+/// Finds the voxels of each slice that may change, and those of them that active rays reach.
 void FindVoxelSpans(PlannedFrustum& frustum, const Occupancy& occupancy)
 {
   ParallelFor(frustum.SliceCount(),
@@ -355,9 +355,9 @@ bool PlaceLaterals(PlannedFrustum& frustum, const Grid& grid, const RaySource& s
   return true;
 }
 
-/// Refuses what the machine has no memory for: a system that grants it all the same ends the
-/// process. The rays of a long image that is seen neither along its length nor from a side spread
-/// over a square of which they use the diagonal.
+/// Throws if the rays would not fit into the machine's memory: the system might grant the memory
+/// and later end the process. If a long image is seen neither along its length nor from a side, its
+/// rays form a square, of which only the diagonal is used.
 void RequireMemory(const FaceFrustum& frustum, const Grid& grid, std::size_t slices)
 {
   constexpr double bytesOfRay = 100;  // RayStates, its length and whether it is in view
@@ -376,8 +376,8 @@ void RequireMemory(const FaceFrustum& frustum, const Grid& grid, std::size_t sli
          "points.");
 }
 
-/// The frustum about the source that opens along +axis or -axis; without rays if it misses the
-/// grid.
+/// Makes the frustum around the source that opens along +axis or -axis. It has no rays if it
+/// misses the grid.
 PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const RaySource& source,
   int axisW, double sign, const PlanSettings& settings)
 {
@@ -425,8 +425,8 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
   return frustum;
 }
 
-/// Which of two axes that parallel rays run along alike is taken: a matter of the scene and not of
-/// the order in which its axes are numbered, so that the order of the nodes changes nothing.
+/// Decides between two axes along which parallel rays advance equally. The choice depends on the
+/// scene and not on the numbering of axes, so results do not depend on the order of the nodes.
 bool ComesBefore(const Grid& grid, int axis, int other)
 {
   const auto place = [&grid](int of)
@@ -437,7 +437,7 @@ bool ComesBefore(const Grid& grid, int axis, int other)
   return place(axis) > place(other);
 }
 
-/// The axis that parallel rays run along more than along the others.
+/// Returns the axis along which parallel rays advance most.
 int DepthAxisOf(const Grid& grid, const RaySource& source)
 {
   constexpr double rounding = 1e-12;
@@ -483,7 +483,7 @@ Range<int> RaysEnteredBy(const float* entries, int count, float depth)
 
 SpanRows SpansOf(const FaceFrustum& frustum, const Occupancy& occupancy, int node)
 {
-  // Rows along x lie [z][y], those along y [z][x].
+  // Rows along x are stored [z][y], rows along y [z][x].
   const bool neighbours = frustum.axisV < frustum.axisW;
   const int first = neighbours ? 0 : node;
   const int second = neighbours ? node : 0;
@@ -517,7 +517,7 @@ std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupan
       }
     }
   }
-  // A policy sweep gains most if the largest comes last, see MetNextIterate.
+  // A policy sweep gains most if the largest frustum comes last, see MetNextIterate.
   std::stable_sort(frusta.begin(), frusta.end(),
     [](const FaceFrustum& one, const FaceFrustum& other)
     { return one.RayCount() * one.lastSlice < other.RayCount() * other.lastSlice; });

@@ -17,47 +17,48 @@ namespace limpid
 {
 class Communicator;
 
-/// A slice closer to a point source holds no voxel but the source's own, and rays have no width
-/// there [index].
+/// Smallest depth of a slice of voxels [index]. A closer slice holds no voxel but the one at a
+/// point source, and rays have no width there.
 constexpr double nearestSlice = 1e-6;
 
-/// A frustum that owns its tables, and what only its making needs.
+/// A frustum that owns its tables, with data that only the planning needs.
 struct PlannedFrustum : OwnedTables<FaceFrustum>
 {
-  Lateral lateralU;    ///< where the columns are
-  Lateral lateralV;    ///< where the rows are
+  Lateral lateralU;    ///< positions of the columns of rays
+  Lateral lateralV;    ///< positions of the rows of rays
   Vec3 spacing{ 1.0 }; ///< world length of an index step along u, v, w
 };
 
-/// Who will read a plan.
+/// The readers of a plan.
 enum class Readers
 {
-  Rays, ///< tables of voxels are left out
+  Rays, ///< tables for voxels are omitted
   RaysAndVoxels
 };
 
-/// How a sweep is planned.
+/// Settings of the planning of a sweep.
 struct PlanSettings
 {
   double rayDensity = 1; ///< rays per voxel and axis on the farthest slice
   Placement placement = Placement::ForIntegrals;
-  const Communicator* ranks = nullptr; ///< that share the sweep, on processors; null: there is one
+  const Communicator* ranks = nullptr; ///< of a distributed sweep; null for one process
   Readers readers = Readers::RaysAndVoxels;
-  std::array<bool, 3> depthAxes{ { true, true, true } }; ///< others are left out
+  std::array<bool, 3> depthAxes{ { true, true, true } }; ///< frusta along other axes are omitted
 };
 
-/// The frusta that cover a grid as seen from a source of rays; none if the grid has no volume.
+/// Returns the frusta that cover a grid as seen from a source; none if the grid has no volume.
 std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupancy,
   const RaySource& source, const PlanSettings& settings);
 
-/// Rays along an axis, guards apart, that are in the slab of the box by the time they come to a
-/// relative depth. They are neighbours. `entries`: of `count` rays.
+/// Returns the rays along an axis, without guards, that have entered the box at a relative depth.
+/// They are contiguous. `entries`: entry depths of `count` rays.
 Range<int> RaysEnteredBy(const float* entries, int count, float depth);
 
-/// Per source of a map, and one more: the first target that reads the source first, or a later one.
+/// Computes, for each source of a map and one past the last, the first target whose first source
+/// is this one or a later one.
 void FindFirstTargets(const int* index, int targets, int sources, int* first);
 
-/// The spans of all voxel rows on a slice of a frustum.
+/// The spans of all rows of voxels on one slice of a frustum.
 struct SpanRows
 {
   const Occupancy::Spans* first;
@@ -66,7 +67,7 @@ struct SpanRows
   const Occupancy::Spans& operator[](int v) const { return this->first[v * this->stride]; }
 };
 
-/// `node`: of the slice, along the depth axis.
+/// `node`: node index of the slice along the depth axis.
 SpanRows SpansOf(const FaceFrustum& frustum, const Occupancy& occupancy, int node);
 }
 

@@ -52,8 +52,8 @@ void RankBands::FindNeeded()
     { rows[std::size_t(node)] = Hull(rows[std::size_t(node)], by); };
     for (int s = 0; s < this->Frustum.SliceCount(); ++s)
     {
-      // Sweeps from the back carry rays through the layer behind the next slice, too, whose voxels
-      // are final then, or through the layer in front.
+      // Back-to-front sweeps also carry rays through the layer behind the next slice, whose voxels
+      // are final by then, or through the layer in front.
       for (int layer = std::max(s - 1, 0); layer < std::min(s + 2, this->Frustum.lastSlice);
            ++layer)
       {
@@ -83,7 +83,7 @@ void RankBands::FindVisited()
   }
 }
 
-/// What passes between this rank and the others, of what they have and what they read.
+/// Returns the messages between this rank and all others, from what each rank has and reads.
 template <class Had, class Read>
 RankBands::OnSlice RankBands::Pass(const Had& had, const Read& read) const
 {
@@ -107,8 +107,8 @@ RankBands::OnSlice RankBands::Pass(const Had& had, const Read& read) const
   return passing;
 }
 
-/// Rows of voxels that rows of rays read in the layer behind slice `s`, also where it is resolved
-/// (ResolvedRay).
+/// Returns the rows of voxels that rows of rays read in the layer behind slice `s`, including the
+/// samples of resolved layers (ResolvedRay).
 Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
 {
   Range<int> read;
@@ -136,7 +136,8 @@ Range<int> RankBands::VoxelsOf(int rank, int s) const
   return owned.Empty() ? Range<int>{} : owned;
 }
 
-/// Rows of rays that voxels of a rank read on slice `s`, and so many more on either side.
+/// Returns the rows of rays that voxels of a rank read on slice `s`, and `more` rows on either
+/// side.
 Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
 {
   const Range<int> voxels = this->VoxelsOf(rank, s);
@@ -144,7 +145,7 @@ Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
   {
     return {};
   }
-  // A voxel also reads what its neighbours do (VoxelRow::FindSeen).
+  // A voxel also reads what its neighbours read (VoxelRow::FindSeen).
   const Range<int> about{ this->Frustum.RowsAbout(s, voxels.begin).begin,
     this->Frustum.RowsAbout(s, voxels.end - 1).end };
   return Intersection(
@@ -153,14 +154,14 @@ Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
 
 namespace
 {
-/// Values that follow each other in memory.
+/// Contiguous values in memory.
 struct Segment
 {
   std::byte* first;
   std::size_t bytes;
 };
 
-/// Adds those of some columns of a row, if there are any.
+/// Adds a range of columns of a row; empty ranges are skipped.
 void AddSegment(const RayValues& values, Index beginOfRow, const Range<int>& columns,
   std::vector<Segment>& segments)
 {
@@ -171,7 +172,7 @@ void AddSegment(const RayValues& values, Index beginOfRow, const Range<int>& col
   }
 }
 
-/// What goes to a rank or comes from it, in one message.
+/// A message to a rank or from it.
 struct Parcel
 {
   int rank;
@@ -199,7 +200,7 @@ std::vector<Communicator::Message> MessagesOf(std::vector<Parcel>& parcels)
 }
 }
 
-/// `add`: adds what passes of a row, to `segments`.
+/// `add`: appends the values of a row to `segments`.
 template <class Add>
 void RankBands::Exchange(const OnSlice& passing, const Add& add) const
 {
@@ -251,7 +252,7 @@ void RankBands::PassRays(int from, int to, const std::vector<RayValues>& carried
   this->Exchange(passing,
     [&](int row, std::vector<Segment>& segments)
     {
-      // Others are as they were before any sweep, on all ranks.
+      // All other rays still have their initial values, on all ranks.
       const Range<int>& columns = this->Visited[std::size_t(row)];
       for (const RayValues& values : carried)
       {
@@ -265,8 +266,8 @@ void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& image
   this->Exchange(this->Rays[cubic ? 1 : 0][std::size_t(s)],
     [&](int row, std::vector<Segment>& segments)
     {
-      // Other rays are as they were on the slice before: an effect is that of both layers beside
-      // the slice, and ends with the next one.
+      // Other rays have the values of the previous slice. An effect belongs to both layers next to
+      // the slice and ends with the next slice.
       Range<int> columns{ 0, this->Frustum.columns };
       if (!cubic)
       {

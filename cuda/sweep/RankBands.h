@@ -17,67 +17,67 @@ namespace limpid
 class SliceWindow;
 
 /**
- * A frustum shared by ranks, each of which has a band of consecutive rows of rays, and of the
- * voxels of each slice those beside its rays. The arithmetic of a row is that of one process, so
- * that results are the same bit by bit; what rows of neighbours read of each other travels slice by
- * slice (Documentation/Method.md, section on ranks).
+ * The decomposition of a frustum among ranks. A subdomain is a band of consecutive rows of rays
+ * with, on each slice, the rows of voxels next to them. Each row is computed as by a single
+ * process, so results are bit-identical. Ghost rows are exchanged slice by slice
+ * (Documentation/Method.md, section on ranks).
  *
- * Ranks wait for each other on every slice, and what matters lies elsewhere on each: so bands move
- * from stretch to stretch (EvenBands.h), and rays go to their next rank with all that they carry.
- * Between sweeps they are where the last slice has them.
+ * Ranks wait for each other on every slice, and the active region differs between slices. The
+ * decomposition therefore changes between stretches (EvenBands.h), and rays are redistributed with
+ * all values that they carry. Between sweeps they are distributed as on the last slice.
  */
 class RankBands
 {
 public:
-  /// The frustum's tables and the ranks have to stay. Where no voxels are planned, nobody waits,
-  /// and bands stay where they are.
+  /// `frustum` (its tables) and `ranks` must outlive this object. Without tables of voxels ranks
+  /// do not wait on slices, and one decomposition serves all of them.
   RankBands(const FaceFrustum& frustum, const Communicator& ranks);
 
   const Communicator& Ranks() const { return *this->All; }
 
-  /// Rows of rays of a rank on slice `s`.
+  /// Rows of rays that a rank owns on slice `s`.
   Range<int> RaysOf(int rank, int s) const
   {
     const std::vector<int>& begins = this->Begins[std::size_t(s / slicesPerStretch)];
     return { begins[std::size_t(rank)], begins[std::size_t(rank) + 1] };
   }
 
-  /// Rows of voxels of slice `s` that a rank changes, of those that the frustum owns.
+  /// Rows of voxels of slice `s` that a rank owns, out of those that the frustum owns.
   Range<int> VoxelsOf(int rank, int s) const;
 
-  /// Rows of voxels at a node of the depth axis that the rays of a rank read, or that it changes;
-  /// empty: none.
+  /// Rows of voxels at a node of the depth axis that a rank owns or whose values its rays read;
+  /// may be empty.
   Range<int> VoxelsNeeded(int rank, int node) const
   {
     return this->Needed[std::size_t(rank)][std::size_t(node)];
   }
 
-  /// Rows of rays that this rank has on any slice, or reads.
+  /// Rows of rays that this rank owns or reads on any slice.
   const Range<int>& RaysReached() const { return this->Reached; }
 
-  /// Nodes along the depth axis, as far as the frustum goes.
+  /// Number of nodes along the depth axis that the frustum reaches.
   int Depth() const { return static_cast<int>(this->Needed.front().size()); }
 
-  /// Brings rays from the ranks that have them on a slice to those that have them on another, with
-  /// so many values each.
+  /// Redistributes rays from their owners on slice `from` to their owners on slice `to`, with all
+  /// `carried` values.
   void PassRays(int from, int to, const std::vector<RayValues>& carried) const;
 
-  /// Brings images of the rays to all ranks whose voxels of slice `s` read them. `cubic`: whether
-  /// voxels read a row more on either side.
+  /// Exchanges ghost rows of `images` of the rays, for the voxels of slice `s` on other ranks.
+  /// `cubic`: whether voxels read one more row on either side.
   void ExchangeRays(int s, bool cubic, const std::vector<float*>& images) const;
 
-  /// Brings the rows of slice `s` to all ranks whose rays read them from those that change them.
+  /// Sends the owned rows of slice `s` to all ranks whose rays read them.
   void ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) const;
 
 private:
-  /// Rows that go to another rank or come from there.
+  /// Rows that are sent to a rank or received from it.
   struct Passing
   {
     int rank;
     Range<int> rows;
   };
 
-  /// What passes on a slice.
+  /// All messages for one slice.
   struct OnSlice
   {
     std::vector<Passing> sent;
@@ -95,10 +95,10 @@ private:
 
   FaceFrustum Frustum;
   const Communicator* All;
-  std::vector<std::vector<int>> Begins;        ///< see FindEvenBands
+  std::vector<std::vector<int>> Begins;        ///< first rows of the bands, see FindEvenBands
   std::vector<std::vector<Range<int>>> Needed; ///< [rank][node]
   Range<int> Reached;
-  std::vector<Range<int>> Visited; ///< [row]: columns that are active on any slice
+  std::vector<Range<int>> Visited; ///< [row]: hull of the active columns over all slices
   std::vector<OnSlice> Rays[2];    ///< [cubic][slice]
   std::vector<OnSlice> Voxels;     ///< [slice]
 };

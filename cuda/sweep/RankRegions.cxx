@@ -12,7 +12,7 @@ namespace limpid
 {
 namespace
 {
-/// Adds a box, or makes the last one longer along an axis where it goes on there.
+/// Adds a box, or extends the last one if the box continues it along an axis.
 void Add(const NodeBox& box, int axis, Region& region)
 {
   if (box.Empty())
@@ -56,7 +56,7 @@ NodeBox SliceOf(
   return box;
 }
 
-/// Calls what(box) for all boxes of nodes that are in both regions, in a fixed order.
+/// Calls what(box) for the intersections of the boxes of both regions, in a fixed order.
 template <class What>
 void ForBoth(const Region& one, const Region& other, const What& what)
 {
@@ -85,7 +85,7 @@ void ForBoth(const Region& one, const Region& other, const What& what)
   }
 }
 
-/// Values one after the other along an axis, and where they are in a field.
+/// Values of a row along an axis of a field.
 struct RowInField
 {
   float* first;
@@ -150,7 +150,7 @@ Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int ran
 
 Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank)
 {
-  // What any ray reads; a layer is read with the slice in front of it.
+  // Find the voxels that any ray reads; a layer is read together with the slice in front of it.
   std::vector<Range<int>> columns(std::size_t(bands.Depth()));
   std::vector<Range<int>> rows(columns.size());
   for (int s = 0; s < frustum.SliceCount(); ++s)
@@ -280,7 +280,7 @@ Passages::Passages(const Communicator& ranks, const std::vector<Region>& had,
   ForBoth(had[own], needed[own], [this](const NodeBox& box) { this->Own.push_back(box); });
 }
 
-/// Calls what(first node, count) for the rows that pass.
+/// Calls what(first node, count) for the rows of an exchange.
 template <class What>
 void Passages::ForRows(const WithRank& passing, const What& what) const
 {
@@ -298,7 +298,7 @@ void Passages::ForRows(const WithRank& passing, const What& what) const
   }
 }
 
-/// One for each rank with which anything passes, with room for it.
+/// Returns one message for each rank with which values are exchanged, and allocates its values.
 std::vector<Communicator::Message> Passages::MessagesOf(
   const std::vector<WithRank>& passing, std::size_t fields, std::vector<std::vector<float>>& values)
 {

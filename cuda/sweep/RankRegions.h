@@ -17,35 +17,35 @@ namespace limpid
 {
 class RankBands;
 
-/// Nodes of a grid: those of its boxes, which may overlap.
+/// A set of nodes of a grid, given as boxes, which may overlap.
 using Region = std::vector<NodeBox>;
 
-/// Of each rank its box.
+/// One box per rank.
 std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes);
 
-/// The nodes that a rank changes in the sweep of a frustum. Nobody else changes them.
+/// Returns the nodes that a rank owns in the sweep of a frustum. No other rank changes them.
 Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank);
 
-/// The nodes that it reads there, or changes.
+/// Returns the nodes that a rank owns or reads in the sweep of a frustum.
 Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank);
 
-/// A field in memory: the value of node (i, j, k) is values[i stride.x + j stride.y + k stride.z].
+/// A strided field: the value of node (i, j, k) is values[i stride.x + j stride.y + k stride.z].
 struct FieldView
 {
   float* values;
   std::array<Index, 3> stride;
 
-  /// All nodes of a grid.
+  /// View of a field that holds all nodes of a grid.
   static FieldView Whole(float* values, const Int3& nodes)
   {
     return { values, { { 1, nodes.x, Index(nodes.x) * nodes.y } } };
   }
 
-  /// The nodes of a box alone.
+  /// View of a field that holds only the nodes of a box.
   static FieldView Part(float* values, const NodeBox& box)
   {
     FieldView view = Whole(values, box.Size());
-    if (!box.Empty()) // else the values may be null
+    if (!box.Empty()) // otherwise `values` may be null
     {
       view.values -= view.At(box.along[0].begin, box.along[1].begin, box.along[2].begin);
     }
@@ -58,8 +58,8 @@ struct FieldView
   }
 };
 
-/// Calls what(first node of a row, count) for the rows of a box, as far as they are filled. `axis`:
-/// along which, 0 or 1.
+/// Calls what(first node of a row, count) for the filled parts of the rows of a box. `axis`:
+/// direction of the rows, 0 or 1. If `filled` is null, whole rows are visited.
 template <class What>
 void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what, int axis = 0)
 {
@@ -79,7 +79,7 @@ void ForRowsOf(const NodeBox& box, const Occupancy* filled, const What& what, in
   }
 }
 
-/// A field of a piece, which is null where that is empty: then there is one all the same.
+/// Returns `field`, or the address of a dummy value if it is null because the subdomain is empty.
 template <class Value>
 Value* There(Value* field)
 {
@@ -90,19 +90,19 @@ Value* There(Value* field)
 /// Sets the values of a box of nodes.
 void FillNodes(const NodeBox& box, float value, const FieldView& field);
 
-/// Copies the values of a box of nodes, by rows along an axis, 0 or 1. `filled`: where else both
-/// fields are 0; null: nowhere.
+/// Copies the values of a box, row by row along `axis` (0 or 1). `filled`: outside of it both
+/// fields are known to be 0; null if nothing is known.
 void CopyNodes(const NodeBox& box, const FieldView& from, const FieldView& to,
   const Occupancy* filled = nullptr, int axis = 0);
 
-/// Of a scene that ranks share: see Occupancy. `box`: whose values this rank's fields have for it.
+/// Computes the Occupancy of a distributed scene. `box`: nodes whose values this rank contributes.
 Occupancy OccupancyOnRanks(const Communicator& ranks, const Grid& grid, const NodeBox& box,
   const FieldView& extinction, const FieldView& importance, bool skip);
 
-/// Those nodes of a region that are in a box.
+/// Returns the part of a region inside a box.
 Region Intersection(const Region& region, const NodeBox& box);
 
-/// What is on its way in an exchange; for one after the other.
+/// Message buffers, to be reused by consecutive exchanges.
 struct PassageRoom
 {
   std::vector<std::vector<float>> sent;     ///< [rank]
@@ -110,51 +110,52 @@ struct PassageRoom
 };
 
 /**
- * What passes where ranks have fields, of each a region, and need them, of each another one. To be
- * found once for fields that pass often.
+ * An exchange plan: redistributes fields from the nodes that each rank has to the nodes that each
+ * rank needs. Build it once for fields that are exchanged often.
  */
 class Passages
 {
 public:
-  /// Whether what is filled of every row is kept, for it takes time to look it up, or memory.
+  /// Whether the filled part of every row is stored (more memory) or looked up each time (slower).
   enum class Keep
   {
     Rows,
     Boxes
   };
 
-  /// `filled`: where else fields are 0, which need not travel; null: nowhere. Ranks and occupancy
-  /// have to stay. `axis`: along which rows travel, 0 or 1.
+  /// `filled`: fields are 0 outside of it and need not be sent there; null if nothing is known.
+  /// `ranks` and `filled` must outlive this object. `axis`: direction of the rows in messages, 0
+  /// or 1.
   Passages(const Communicator& ranks, const std::vector<Region>& had,
     const std::vector<Region>& needed, const Occupancy* filled = nullptr,
     const std::shared_ptr<PassageRoom>& room = std::make_shared<PassageRoom>(),
     Keep keep = Keep::Rows, int axis = 0);
 
-  /// Where a field is that passes, and where it comes to.
+  /// Source and target of a field that is redistributed.
   struct Field
   {
     FieldView from;
     FieldView to;
   };
 
-  /// Brings fields to those that need them; what a rank needs of its own it copies, unless both are
-  /// one.
+  /// Redistributes fields. A rank copies the values that it both has and needs, unless source and
+  /// target are the same memory.
   void Bring(const std::vector<Field>& fields) const;
 
 private:
-  /// Values that follow each other.
+  /// A row of consecutive nodes.
   struct Row
   {
     Int3 first;
     int count;
   };
 
-  /// What passes between this rank and another one.
+  /// The exchange between this rank and another one.
   struct WithRank
   {
     Region boxes;
-    std::vector<Row> rows; ///< what is filled of these, if that is kept
-    std::size_t count = 0; ///< of values of a field
+    std::vector<Row> rows; ///< filled parts of the boxes, if they are stored
+    std::size_t count = 0; ///< number of values per field
   };
 
   WithRank Between(const Region& had, const Region& needed) const;
@@ -170,10 +171,10 @@ private:
   int Axis;
   std::vector<WithRank> Sent;     ///< [rank]
   std::vector<WithRank> Received; ///< [rank]
-  Region Own;                     ///< what this rank has and needs
+  Region Own;                     ///< nodes that this rank both has and needs
 };
 
-/// Brings a field once, see Passages.
+/// Redistributes a field once, see Passages.
 inline void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
   const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled = nullptr)
 {

@@ -19,7 +19,7 @@ LIMPID_INLINE double Squared(double value)
   return value * value;
 }
 
-/// Lengths of a row of rays with these slopes.
+/// Computes the lengths of a row of rays from their slopes.
 LIMPID_MULTIVERSION
 void FindLengths(const double* __restrict slopes, int count, const Vec3& spacing, double slopeV,
   float* __restrict lengths)
@@ -33,7 +33,7 @@ void FindLengths(const double* __restrict slopes, int count, const Vec3& spacing
   }
 }
 
-/// Indices that are marked, as a span.
+/// The range of the marked indices.
 struct Marks
 {
   int begin;
@@ -61,8 +61,8 @@ Range<int> FindInside(const float* __restrict entries, const float* __restrict e
   return inside.Empty() ? Range<int>{} : inside;
 }
 
-/// A plane of a frustum as a condition on the rays of a row: u x + first + second + offset >= 0 at
-/// the coordinate x.
+/// A plane of a frustum as a condition on the rays of a row: u x + first + second + offset >= 0
+/// for rays at the coordinate x.
 struct RowPlane
 {
   double u;
@@ -116,7 +116,7 @@ void FindInView(PlannedFrustum& frustum, const RaySource& source, double w)
       const double coordinate = frustum.lateralV.Coordinate(static_cast<int>(row));
       for (const RaySource::Plane& plane : source.viewPlanes)
       {
-        // Summed in the order of the grid's axes.
+        // Terms are added in the order of the grid's axes.
         const double alongV = plane.normal[frustum.axisV] * coordinate;
         const double alongW = plane.normal[frustum.axisW] * w;
         const bool depthLast = frustum.axisV < frustum.axisW;

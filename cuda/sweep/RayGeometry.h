@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What of a plan depends on the rays alone. All functions fill tables of the frustum.
+// The parts of a plan that depend on the rays only. All functions fill tables of the frustum.
 
 #ifndef limpid_sweep_RayGeometry_h
 #define limpid_sweep_RayGeometry_h
@@ -10,15 +10,15 @@
 
 namespace limpid
 {
-/// World length of all rays per unit of depth.
+/// Computes the world length of every ray per unit of depth.
 void FindRayLengths(PlannedFrustum& frustum);
 
-/// Columns, guards apart, that are inside the box in u all the way between two relative depths.
-/// They are neighbours, as the rays' order along u never changes.
+/// Returns the columns, without guards, that are inside the box in u between two relative depths.
+/// They are contiguous, as the order of rays along u never changes.
 Range<int> InsideColumns(const FaceFrustum& frustum, float front, float back);
 
-/// Which rays of a frustum the picture shows. `w`: of all rays' directions (point source) or of one
-/// point each (parallel source) along the depth axis.
+/// Finds which rays of a frustum are inside the view. `w`: component along the depth axis of all
+/// ray directions (point source), or of one point on each ray (parallel source).
 void FindInView(PlannedFrustum& frustum, const RaySource& source, double w);
 }
 

@@ -10,7 +10,7 @@ namespace limpid
 {
 namespace detail
 {
-/// What one ray carries, in registers.
+/// The values that one ray carries (RayStates), kept in registers.
 struct RayHere
 {
   double opticalDepth = 0;

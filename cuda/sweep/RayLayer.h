@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A ray in a layer that it may enter or leave, and what it makes of what is behind.
+// A ray in a layer that it may enter or leave, and the visible importance that it carries through.
 
 #ifndef limpid_sweep_RayLayer_h
 #define limpid_sweep_RayLayer_h
@@ -10,7 +10,7 @@
 
 namespace limpid
 {
-/// Which ends of a ray's stay in the box cut a half off.
+/// Which ends of a ray's interval inside the box clip a half.
 enum class Cut
 {
   Entry,
@@ -18,7 +18,7 @@ enum class Cut
   Both
 };
 
-/// A half of a layer less what is cut off.
+/// Returns the half of a layer, clipped as `cut` says.
 template <Cut cut>
 LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, float length,
   float extinction, float importance, Range<float> column, Range<float> row)
@@ -32,41 +32,41 @@ LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, f
   {
     const float entry = column.begin > row.begin ? column.begin : row.begin;
     const float exit = column.end < row.end ? column.end : row.end;
-    row.end = entry < exit ? row.end : -always; // a ray that misses the box meets nothing
+    row.end = entry < exit ? row.end : -always; // a ray that misses the box crosses nothing
     column.begin = row.begin = -always;
   }
   return ClippedHalf<float>(layer, RangeOfHalf(half), length, extinction, importance, column, row);
 }
 
-/// Whether a ray is inside the box from the front of a layer to its back.
+/// Whether a ray is inside the box throughout a layer.
 enum class Passage
 {
   Through,
   Clipped
 };
 
-/// What a layer does to the light of a ray inside the box.
+/// The effect of a layer on the light of a ray, inside the box.
 struct LayerLight
 {
   float passed;           ///< share of the light that passes [0, 1]
-  float visible;          ///< visible importance times scale^2, where T = 1 at the front [1]
-  float unattenuated;     ///< the same without attenuation
-  float keptVisible;      ///< visible importance of what is kept of the base extinction, see Kept
-  float keptUnattenuated; ///< the same without attenuation
-  float opticalDepth;     ///< from the entry into the box on, see RayInLayer::DepthFromEntry
+  float visible;          ///< visible importance times scale^2, for T = 1 at the front [1]
+  float unattenuated;     ///< visible importance without attenuation
+  float keptVisible;      ///< visible importance of the kept base extinction, see Kept
+  float keptUnattenuated; ///< keptVisible without attenuation
+  float opticalDepth;     ///< counted from the entry into the box, see RayInLayer::DepthFromEntry
 };
 
-/// A ray in a layer, and what is sampled on it at both Gauss points.
+/// A ray in a layer and its samples at both Gauss points.
 template <Passage passage>
 struct RayInLayer
 {
   Layer layer;
   float length;        ///< world length per unit of depth [length]
-  Range<float> column; ///< where the ray is inside the box in u, as relative depths [index]
-  Range<float> row;    ///< ... in v
+  Range<float> column; ///< relative depths between which the ray is inside the box in u [index]
+  Range<float> row;    ///< likewise in v
   float extinction[2]; ///< [1/length]
   float importance[2]; ///< [0, 1]
-  float kept[2]; ///< what the extinction keeps of the base extinction, or an alternative [1/length]
+  float kept[2];       ///< kept base extinction, or an alternative extinction [1/length]
 
   /// Relative depth where the ray enters the box.
   LIMPID_HD LIMPID_INLINE float Entry() const
@@ -83,14 +83,14 @@ struct RayInLayer
           this->importance[half], this->column, this->row);
   }
 
-  /// A half whether the ray is inside the box there or not.
+  /// The whole half, even where the ray is outside the box.
   LIMPID_HD LIMPID_INLINE HalfLayer<float> Whole(int half) const
   {
     return WholeHalf<float>(
       this->layer, RangeOfHalf(half), this->length, this->extinction[half], this->importance[half]);
   }
 
-  /// How far the ray is inside the box in a half, as a share of the layer's thickness.
+  /// Part of a half in which the ray is inside the box, as a fraction of the layer's thickness.
   LIMPID_HD LIMPID_INLINE float WayInHalf(int half) const
   {
     if (passage == Passage::Through)
@@ -108,20 +108,20 @@ struct RayInLayer
     return this->Entry() <= this->layer.front && exit >= back;
   }
 
-  /// Whether anything important is met.
+  /// Whether any sample is important.
   LIMPID_HD LIMPID_INLINE bool MeetsImportance() const
   {
     return this->importance[0] > 0.0f || this->importance[1] > 0.0f;
   }
 
-  /// Optical depth of the layer from the entry into the box on; it goes on behind the exit.
+  /// Optical depth of the layer counted from the entry into the box; not clipped at the exit.
   LIMPID_HD LIMPID_INLINE float DepthFromEntry() const
   {
     return this->template Half<Cut::Entry>(0).LimitedDepth() +
       this->template Half<Cut::Entry>(1).LimitedDepth();
   }
 
-  /// Share of a half's extinction that is kept of the base extinction [0, 1].
+  /// Share of a half's extinction that is kept base extinction [0, 1].
   LIMPID_HD LIMPID_INLINE float KeptShare(int half) const
   {
     return this->kept[half] < this->extinction[half]
@@ -134,7 +134,7 @@ struct RayInLayer
     return this->Whole(0).LimitedDepth() + this->Whole(1).LimitedDepth();
   }
 
-  /// What the layer does to light, by two halves.
+  /// The effect of the layer on light, from its two halves.
   LIMPID_HD LIMPID_INLINE LayerLight Light() const
   {
     const HalfLayer<float> front = this->template Half<Cut::Both>(0);
@@ -148,27 +148,27 @@ struct RayInLayer
   }
 };
 
-/// Both halves of a layer as a ray meets them.
+/// Both halves of a layer as seen by one ray.
 struct TwoHalves
 {
   HalfLayer<float> front;
   HalfLayer<float> rear;
 
-  /// As far as the ray is inside the box.
+  /// Clipped to the interval inside the box.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE static TwoHalves Inside(const RayInLayer<passage>& ray)
   {
     return { ray.template Half<Cut::Both>(0), ray.template Half<Cut::Both>(1) };
   }
 
-  /// Also ahead of its entry.
+  /// Clipped at the exit only, so that they extend in front of the entry.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE static TwoHalves ToExit(const RayInLayer<passage>& ray)
   {
     return { ray.template Half<Cut::Exit>(0), ray.template Half<Cut::Exit>(1) };
   }
 
-  /// What counts where only what is kept of the base extinction does.
+  /// Counts only the visible importance of kept base extinction.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE TwoHalves CountingShares(const RayInLayer<passage>& ray) const
   {
@@ -177,13 +177,13 @@ struct TwoHalves
   }
 };
 
-/// Visible importance behind a half, carried from its back to its front, Eq. (20).
+/// Carries visible importance from the back of a half to its front, Eq. (20).
 LIMPID_HD LIMPID_INLINE float Carried(const HalfLayer<float>& half, float behind)
 {
   return half.visible + half.Passed() * behind;
 }
 
-/// Visible importance behind a layer of two halves, carried through both.
+/// Carries visible importance through a layer of two halves.
 LIMPID_HD LIMPID_INLINE float Carried(
   const HalfLayer<float>& front, const HalfLayer<float>& rear, float behind)
 {
@@ -192,22 +192,22 @@ LIMPID_HD LIMPID_INLINE float Carried(
 
 /**
  * Optical depth per unit of depth since a ray's entry into the box. It is as smooth as the
- * extinction even where the entry has a kink or lies ahead.
+ * extinction, even where the entry has a kink or has not been reached.
  *
- * `distance`: depth less the depth of the entry [index]; `justBehind`: extinction there times the
- * ray's length per unit of depth; `knownAhead`: whether the optical depth is known, and negative,
- * ahead of the entry; `limit`: to optical depths, lest cubics swing beside them.
+ * `distance`: depth minus the depth of the entry [index]; `justBehind`: extinction there times the
+ * ray's length per unit of depth; `knownAhead`: whether the (negative) optical depth in front of
+ * the entry is known; `limit`: largest optical depth, which keeps cubics from overshooting.
  */
 LIMPID_HD LIMPID_INLINE float DepthPerUnit(
   float opticalDepth, float distance, float justBehind, bool knownAhead, float limit)
 {
-  constexpr float tooClose = 0.01f; // to the entry, to divide by the distance [index]
+  constexpr float tooClose = 0.01f; // smallest distance from the entry to divide by [index]
   const bool close = distance < tooClose && (!knownAhead || distance > -tooClose);
   const float mean = (opticalDepth < limit ? opticalDepth : limit) / (close ? tooClose : distance);
   return close ? justBehind : mean;
 }
 
-/// exp(-depth), 1 where rounding leaves traces below 0.
+/// Returns exp(-depth); 1 if rounding made the depth slightly negative.
 LIMPID_HD LIMPID_INLINE float Transmitted(float opticalDepth)
 {
   return Attenuate(AtLeast(opticalDepth, 0.0f));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a device visits rays: one at a time. RowSampler.h has the same members for rows; the kernels
-// call both.
+// Visits rays one at a time, on a device. RowSampler.h has the same members for rows of rays;
+// kernels call both.
 
 #ifndef limpid_sweep_RaySampler_h
 #define limpid_sweep_RaySampler_h
@@ -15,13 +15,13 @@
 
 namespace limpid
 {
-/// One ray of a frustum, which enters one layer after the other.
+/// One ray of a frustum, which enters the layers one by one.
 class RaySampler
 {
 public:
   using Field = const float*;
 
-  /// `here`: of this ray alone; steps have the index 0.
+  /// `here`: the values of this ray only; steps receive the index 0.
   LIMPID_HD LIMPID_INLINE RaySampler(
     const FaceFrustum& frustum, const RayStates& here, int column, int row)
     : Frustum(frustum)
@@ -118,7 +118,7 @@ public:
     this->Ray.kept[1] = extinction ? this->SamplePlane(extinction, 1) : 0.0f;
   }
 
-  /// A device keeps an image of all rays for every slice: it selects each of them.
+  /// A device keeps an image of all rays for every slice, so every ray is selected.
   LIMPID_HD LIMPID_INLINE bool SelectReadBySlice(int, bool entered, const Range<int>&)
   {
     if (!entered)
@@ -128,12 +128,12 @@ public:
     return true;
   }
 
-  /// A device takes every ray.
+  /// On a device every ray is selected.
   LIMPID_HD LIMPID_INLINE bool SelectBeside(int) { return true; }
 
   LIMPID_HD LIMPID_INLINE const FaceFrustum& Plan() const { return this->Frustum; }
 
-  /// This one.
+  /// The column of this ray.
   LIMPID_HD LIMPID_INLINE int FirstColumn() const { return this->I; }
   LIMPID_HD LIMPID_INLINE int FirstRow() const { return this->J; }
 
@@ -200,7 +200,8 @@ public:
     step(0);
   }
 
-  /// Of the rays that enter in front, a voxel beside one that does not reads up to three.
+  /// Visits rays close to the sides: a voxel beside a ray that enters through a side interpolates
+  /// up to three rays that enter in front.
   template <class Step>
   LIMPID_HD LIMPID_INLINE void ForEachNearSides(const Step& step) const
   {
@@ -215,7 +216,7 @@ public:
   }
 
 protected:
-  /// Number of a node. No device has a volume of 2^31 nodes (ChooseBackend).
+  /// Index of a node. Volumes on devices have less than 2^31 nodes (ChooseBackend).
   using Node = std::int32_t;
 
   /// The lesser of two fields at a node.
@@ -230,27 +231,27 @@ protected:
     }
   };
 
-  /// Where a ray meets a plane across the depth axis.
+  /// The nodes and weights for sampling where a ray meets a plane across the depth axis.
   struct Corner
   {
-    Node front;     ///< the first of four nodes in the slice in front
-    Node back;      ///< ... behind
-    float sideways; ///< weight of the second one along u
-    float across;   ///< ... along v
-    float along;    ///< ... of the slice behind
+    Node front;     ///< first of four nodes in the front slice
+    Node back;      ///< first of four nodes in the back slice
+    float sideways; ///< weight of the second node along u
+    float across;   ///< weight of the second node along v
+    float along;    ///< weight of the back slice
   };
 
   LIMPID_HD LIMPID_INLINE Node StrideU() const { return static_cast<Node>(this->Frustum.strideU); }
   LIMPID_HD LIMPID_INLINE Node StrideV() const { return static_cast<Node>(this->Frustum.strideV); }
 
-  /// Where a plane is met along one axis.
+  /// A sampling position along one axis.
   struct Place
   {
-    int index;    ///< of a node
-    float weight; ///< of the next one
+    int index;    ///< index of the lower node
+    float weight; ///< weight of the next node
   };
 
-  /// `along`: weight of the slice behind.
+  /// `along`: weight of the back slice.
   LIMPID_HD LIMPID_INLINE Corner CornerAt(const Place& column, const Place& row, float along) const
   {
     const Slice& slice = this->Frustum.SliceAt(this->S);
@@ -260,13 +261,13 @@ protected:
       row.weight, along };
   }
 
-  /// Trilinear in the layer.
+  /// Samples a field trilinearly in the layer.
   LIMPID_HD LIMPID_INLINE float SampleLayer(Field field, const Corner& corner) const
   {
     return this->BlendLayer([field](Node node) { return field[node]; }, corner);
   }
 
-  /// The same of values at the nodes.
+  /// Interpolates the values at(node) trilinearly.
   template <class ValueAt>
   LIMPID_HD LIMPID_INLINE float BlendLayer(const ValueAt& at, const Corner& corner) const
   {
@@ -291,7 +292,7 @@ protected:
   RayInLayer<Passage::Clipped> Ray{};
 
 private:
-  /// On the plane at a Gauss point.
+  /// Prepares sampling on the plane of a Gauss point.
   LIMPID_HD LIMPID_INLINE void FindCorner(int half, const Slice& slice)
   {
     const int plane = 2 * this->S + half;
@@ -315,7 +316,7 @@ private:
   }
 
   RayStates Here;
-  Corner Corners[2]{}; ///< at the Gauss points of a layer that the ray matters in
+  Corner Corners[2]{}; ///< at the Gauss points of a layer in which the ray is active
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What travels with the rays of a sweep, and what a step does to it: the same for all backends.
+// The values that rays carry in a sweep, and the steps that change them, for all backends.
 
 #ifndef limpid_sweep_RaySteps_h
 #define limpid_sweep_RaySteps_h
@@ -14,29 +14,29 @@
 
 namespace limpid
 {
-/// One value per ray. A row of rays has its own view of them (From).
+/// Pointers to the values of all rays. From returns the view of one row of rays.
 struct RayStates
 {
-  double* opticalDepth;  ///< from the source to the slice that the sweep has reached
-  double* collected;     ///< optical depth of the layers that a sweep from the back has passed
-  float* behind;         ///< visible importance behind, times scale^2; goes on ahead of the entry
-  float* visible;        ///< ... from the entry into the box on; see HasEntered
-  float* unattenuated;   ///< importance without attenuation, inside the box, times scale^2
-  float* transmittance;  ///< from the source to the slice [0, 1]
-  float* density;        ///< near the sides of the box: see DepthPerUnit
-  float* ahead;          ///< what `behind` is half way to the slice behind
-  float* rearImportance; ///< sampled in the rear half of the layer behind the slice [0, 1]
+  double* opticalDepth; ///< from the source to the slice that the sweep has reached
+  double* collected;    ///< optical depth of the layers that a back-to-front sweep has passed
+  float* behind;  ///< visible importance behind, times scale^2; also defined in front of the entry
+  float* visible; ///< visible importance behind the entry into the box; see HasEntered
+  float* unattenuated;  ///< importance without attenuation, inside the box, times scale^2
+  float* transmittance; ///< from the source to the slice [0, 1]
+  float* density; ///< optical depth per unit of depth, near the sides of the box: see DepthPerUnit
+  float* ahead;   ///< visible importance behind the middle of the layer behind the slice
+  float* rearImportance; ///< importance in the rear half of the layer behind the slice [0, 1]
 
-  float* keptBehind; ///< the same as `behind`, of what is kept of the base extinction; see Kept
+  float* keptBehind; ///< `behind` of the kept base extinction; see Kept
   float* keptVisible;
   float* keptUnattenuated;
 
-  float* alternativeBehind; ///< the same as `behind`, through another extinction; see WeighStep
-  float* cost;              ///< of not taking that one behind
-  float* reach;             ///< last slice that is worth being seen; goes on to the next sweep
+  float* alternativeBehind; ///< `behind` through an alternative extinction; see WeighStep
+  float* cost;              ///< cost of not using the alternative extinction behind
+  float* reach;             ///< last slice that the ray should reach; kept for the next sweep
 
-  float* effect;       ///< of the extinction on the slice upon what the ray sees, see EffectStep
-  float* effectBehind; ///< what the layer behind the next slice adds to its effect
+  float* effect;       ///< effect of the slice's extinction on what the ray sees, see EffectStep
+  float* effectBehind; ///< contribution of the layer behind the next slice to that slice's effect
 
   LIMPID_HD LIMPID_INLINE RayStates From(Index ray) const
   {
@@ -48,11 +48,11 @@ struct RayStates
   }
 };
 
-/// One of these kinds of values, to be moved.
+/// One kind of ray values, as bytes, to be redistributed.
 struct RayValues
 {
   std::byte* first;
-  std::size_t bytes; ///< of a ray's
+  std::size_t bytes; ///< of one ray's value
 
   template <class Value>
   RayValues(Value* values)
@@ -62,17 +62,17 @@ struct RayValues
   }
 };
 
-/// What voxels of a slice read of the rays beside them, one value per ray.
+/// The values that the voxels of a slice read from the rays next to them, one per ray.
 struct RaysBeside
 {
   const float* transmittance; ///< see RayStates
   const float* density;
-  const float* behind; ///< visible importance behind, as the kernel knows it [scale^2]
+  const float* behind; ///< visible importance behind, as defined by the kernel [scale^2]
 };
 
 /**
- * Whether a sweep also counts what is seen of important matter that the data has: the integral of
- * g min(mu, mu-bar) T, where extinction mu above the base mu-bar attenuates but shows nothing more
+ * Whether a sweep also counts what is seen of important structures in the data: the integral of g
+ * min(mu, mu-bar) T. Extinction mu above the base mu-bar attenuates but adds nothing to it
  * (Documentation/Method.md, section on what is visible). min(mu, mu-bar) is taken at the nodes.
  */
 enum class Kept
@@ -81,24 +81,24 @@ enum class Kept
   Counted
 };
 
-/// RayStates::visible of a ray whose entry a sweep from the back has not come to yet: no visible
-/// importance is negative.
+/// Value of RayStates::visible until a back-to-front sweep reaches the ray's entry. Visible
+/// importance itself is never negative.
 constexpr float notEntered = -1;
 
-/// Whether a sweep from the back has come to the layer of a ray's entry into the box, so that its
-/// visible importance is known.
+/// Whether a back-to-front sweep has reached the layer of the ray's entry into the box, so that
+/// its visible importance is known.
 LIMPID_HD LIMPID_INLINE bool HasEntered(float visible)
 {
   return visible >= 0;
 }
 
-/// Visible importance of a whole ray when a sweep from the back is through.
+/// Returns the visible importance of a whole ray after a back-to-front sweep.
 LIMPID_HD LIMPID_INLINE float VisibleOf(float visible, float behind)
 {
   return HasEntered(visible) ? visible : behind;
 }
 
-/// What a ray is before a sweep from the back, where nothing is behind. Optical depths stay.
+/// Initialises rays for a back-to-front sweep. Optical depths are kept.
 struct StartBehind
 {
   RayStates rays;
@@ -122,7 +122,7 @@ struct StartBehind
   }
 };
 
-/// What a ray is before a sweep from the front that finds transmittance alone.
+/// Initialises rays for a front-to-back sweep that computes transmittance only.
 struct StartDepth
 {
   RayStates rays;
@@ -135,7 +135,7 @@ struct StartDepth
   }
 };
 
-/// What it is before any sweep from the front.
+/// Initialises rays for any front-to-back sweep.
 struct StartInFront
 {
   RayStates rays;
@@ -150,7 +150,7 @@ struct StartInFront
   }
 };
 
-/// Visible importance of a whole ray, when a sweep from the back is through.
+/// Sets the visible importance of whole rays after a back-to-front sweep.
 struct FinishBehind
 {
   RayStates rays;
@@ -162,9 +162,9 @@ struct FinishBehind
   }
 };
 
-/// Front to back, Eqs. (2), (15) and (16): the optical depth grows by that of the layer. It is that
-/// since the entry into the box, negative before, and goes on behind the exit, so that nothing
-/// jumps between neighbouring rays.
+/// Front to back, Eqs. (2), (15) and (16): adds the optical depth of the layer. Optical depth
+/// counts from the entry into the box. It is negative in front of the entry and continues behind
+/// the exit, so that it is continuous across neighbouring rays.
 struct DeepenStep
 {
   RayStates rays;
@@ -176,8 +176,8 @@ struct DeepenStep
   }
 };
 
-/// Front to back, Eq. (32): `visible` gains the visible importance of the layer, and `unattenuated`
-/// what it would be without attenuation, inside the box only; the optical depth grows.
+/// Front to back, Eq. (32): adds the layer's visible importance to `visible`, and its importance
+/// without attenuation to `unattenuated`, both inside the box only. Adds its optical depth.
 template <Kept kept>
 struct ScoreStep
 {
@@ -199,7 +199,7 @@ struct ScoreStep
   }
 };
 
-/// Back to front: the optical depth shrinks to that at the front of the layer.
+/// Back to front: subtracts the layer's optical depth.
 struct UnwindStep
 {
   RayStates rays;
@@ -211,8 +211,8 @@ struct UnwindStep
   }
 };
 
-/// Back to front, Eqs. (19) and (20): visible importance is carried from the back of the layer to
-/// its front.
+/// Back to front, Eqs. (19) and (20): carries visible importance from the back of the layer to its
+/// front.
 template <Kept kept>
 struct CarryStep
 {
@@ -259,7 +259,7 @@ struct CarryStep
   }
 
 private:
-  /// `enters`: whether the ray enters the box in the layer.
+  /// `enters`: whether the ray enters the box in this layer.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE static void Carry(const TwoHalves& inside, const TwoHalves& toExit,
     bool enters, float& behind, float& visible, float& unattenuated)
@@ -273,7 +273,7 @@ private:
   }
 };
 
-/// Carries visible importance through a layer of a new extinction and collects its optical depth.
+/// Carries visible importance through a layer of new extinction and collects its optical depth.
 template <Kept kept>
 struct CarryAndCollectStep
 {
@@ -288,24 +288,25 @@ struct CarryAndCollectStep
 };
 
 /**
- * Carries visible importance through a layer of a new extinction mu and of an alternative mu', and
- * collects the optical depth. Where the new extinction behind shows less more than it costs,
+ * Carries visible importance through a layer, once with the new extinction mu and once with an
+ * alternative mu', and collects the optical depth. The new extinction behind is not worth its cost
+ * where
  *
- *   T (V - V') < p/(2 q) integral of (mu - mu')^2 dt,
+ *    T (V - V') < p/(2 q) integral of (mu - mu')^2 dt.
  *
- * it is not worth its cost from here: the ray goes on as if it met the alternative, and keeps in
- * mind that it should not reach farther.
+ * There the ray continues as if it had met the alternative, and `reach` records that the ray
+ * should not go beyond this slice.
  */
 struct WeighStep
 {
   RayStates rays;
   float priceOfSquare; ///< p/(2 q) [length]
-  float slice;         ///< number of the slice in front of the layer
+  float slice;         ///< index of the slice in front of the layer
 
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
-    constexpr float least = 0.02f; // to be shown, or it does not matter to the next sweep
+    constexpr float least = 0.02f; // smaller gains do not matter to the next sweep
     const float behind = CarriedTo(here, this->rays.behind[i]);
     RayInLayer<passage> other = here;
     other.extinction[0] = here.kept[0];
@@ -332,11 +333,11 @@ private:
     return Carried(halves.front, halves.rear, behind);
   }
 
-  /// In the layer, times scale^2.
+  /// Cost of the change in the layer, times scale^2.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE float CostOf(const RayInLayer<passage>& ray) const
   {
-    RayInLayer<passage> changed = ray; // unattenuated, importance times extinction is the cost
+    RayInLayer<passage> changed = ray; // for T = 1, importance times extinction is the cost
     for (int half = 0; half < 2; ++half)
     {
       const float change = ray.extinction[half] - ray.kept[half];
@@ -349,7 +350,7 @@ private:
   }
 };
 
-/// The effect of a slice begins with that of the layer behind it.
+/// Initialises the effect of a slice with the contribution of the layer behind it.
 struct BeginEffectStep
 {
   RayStates rays;
@@ -362,14 +363,14 @@ struct BeginEffectStep
 };
 
 /**
- * Back to front: carries visible importance through a layer, and finds the effect of its
- * extinction: the derivative of minus the ray's visible importance by the extinction, over the
- * ray's length per unit of depth. With V the importance behind per unit of transmittance it is,
- * Eqs. (27) and (28),
+ * Back to front: carries visible importance through a layer and computes the effect of its
+ * extinction. The effect is the derivative of minus the ray's visible importance by the
+ * extinction, divided by the ray's length per unit of depth. With V the importance behind per unit
+ * of transmittance it is, Eqs. (27) and (28),
  *
- *   integral of w T (V - g) dt,   w = 1 - t at the front of the layer, t at its back,
+ *    integral of w T (V - g) dt, w = 1 - t for the front slice, t for the back slice,
  *
- * with the quadrature of the score. The optical depths are those at the front.
+ * with the quadrature of the score. Optical depths are those at the front.
  */
 template <Kept kept>
 struct EffectStep
@@ -405,7 +406,7 @@ struct EffectStep
   }
 
 private:
-  /// Transmittance at the front of the layer, or where the ray enters the box in it.
+  /// Transmittance at the front of the layer, or at the ray's entry if it enters the box here.
   template <Passage passage>
   LIMPID_HD LIMPID_INLINE float TransmittanceTo(const RayInLayer<passage>& here, Index i) const
   {
@@ -425,7 +426,7 @@ private:
   }
 };
 
-/// Visible importance behind the middle of the layer.
+/// Carries visible importance to the middle of the layer (RayStates::ahead).
 struct LookAheadStep
 {
   RayStates rays;
@@ -437,7 +438,7 @@ struct LookAheadStep
   }
 };
 
-/// What voxels read of a ray: its transmittance.
+/// Computes the transmittance of a ray, which voxels read.
 struct TransmitStep
 {
   RayStates rays;
@@ -448,11 +449,11 @@ struct TransmitStep
   }
 };
 
-/// Lets voxels see nothing of a ray that should not reach them.
+/// Sets the transmittance to 0 for voxels that the ray should not reach.
 struct ReachStep
 {
   RayStates rays;
-  float slice; ///< number of the voxels' slice
+  float slice; ///< index of the voxels' slice
 
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
@@ -461,7 +462,7 @@ struct ReachStep
   }
 };
 
-/// What a ray is before anything was weighed along it.
+/// Initialises RayStates::reach: no limit.
 struct StartReach
 {
   RayStates rays;
@@ -473,11 +474,11 @@ struct StartReach
   }
 };
 
-/// What voxels read of a ray near the sides of the box: its optical depth per unit of depth.
+/// Computes the optical depth per unit of depth, which voxels near the sides of the box read.
 struct DensityStep
 {
   RayStates rays;
-  float frontDepth; ///< relative depth where rays begin that enter through no side
+  float frontDepth; ///< relative depth where rays start that do not enter through a side
   bool knownAhead;  ///< see DepthPerUnit
   float limit;
 

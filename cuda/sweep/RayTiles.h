@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rays of a frustum cut into tiles, for a sweep in which rays depend on the voxels behind
-// (SweepTiles.h): the voxels that a tile finds on each slice, and where it has anything to do.
+// Tiles of rays for a sweep in which rays depend on the voxels behind (SweepTiles.h): the voxels
+// that each tile computes on each slice, and the phases in which it has work.
 
 #ifndef limpid_sweep_RayTiles_h
 #define limpid_sweep_RayTiles_h
@@ -18,13 +18,13 @@
 
 namespace limpid
 {
-/// Tiles are counted row by row.
+/// The decomposition of all rays into tiles, which are numbered row by row.
 struct RayTiles
 {
-  /// A block of threads, one for each ray.
+  /// Rays of a tile; a block has one thread per ray.
   static constexpr Extent size{ 32, 8 };
 
-  int columns = 0; ///< of all rays
+  int columns = 0; ///< number of columns of all rays
   int rows = 0;
 
   LIMPID_HD LIMPID_INLINE int Across() const
@@ -51,12 +51,12 @@ struct RayTiles
   }
 };
 
-/// The voxels of every slice that tiles find: those that their rays read, and those that none reads
-/// between them and the next tile.
+/// The voxels that tiles compute on every slice: those that their rays read, and those between
+/// them and the next tile that no ray reads.
 struct VoxelsOfTiles
 {
   RayTiles tiles;
-  const Range<int>* ranges; ///< [slice][tile]: along u of tiles side by side, then along v
+  const Range<int>* ranges; ///< [slice][tile]: along u for tiles of a row, then along v
 
   LIMPID_HD LIMPID_INLINE const Range<int>& AlongU(int s, int number) const
   {
@@ -75,7 +75,7 @@ private:
   }
 };
 
-/// Makes VoxelsOfTiles: `number` of a range on slice `s`.
+/// Computes entry `number` of VoxelsOfTiles on slice `s`.
 struct MadeVoxelsOfTile
 {
   FaceFrustum frustum;
@@ -101,7 +101,7 @@ struct MadeVoxelsOfTile
   }
 
 private:
-  /// Rays along one axis.
+  /// The rays along one axis.
   struct Axis
   {
     const MapTable& planes; ///< see FaceFrustum
@@ -110,8 +110,8 @@ private:
     int nodes;
   };
 
-  /// The voxels of slice `s` along one axis that `rays` read of it, in the layers behind and in
-  /// front of it, as far as they are `owned`; and those up to what the next rays read.
+  /// Returns the `owned` voxels of slice `s` along one axis that `rays` read in the layers in
+  /// front of and behind it, and those up to what the next rays read.
   LIMPID_HD LIMPID_INLINE Range<int> VoxelsOf(
     int s, const Axis& axis, const Range<int>& rays, const Range<int>& owned) const
   {
@@ -131,7 +131,7 @@ private:
       const int* nodes = plan.Row(axis.planes, plane).index;
       add(nodes[rays.begin], nodes[rays.end - 1], nodes[beside]);
     }
-    // Layers are also sampled elsewhere (ResolvedRay): as far as their ends.
+    // Layers may be sampled at other points (ResolvedRay), up to their ends.
     for (int slice = s; slice <= s + 1 && slice <= plan.lastSlice; ++slice)
     {
       const double depth = plan.SliceAt(slice).RelativeDepth();
@@ -145,9 +145,9 @@ private:
   }
 };
 
-/// Where rays go in a sweep from the back: to slice `lastSlice - phase`, in the last phase nowhere.
-/// Marks the tiles that have anything to do in a phase: rays whose images are not those of two
-/// slices before, or active voxels on the slice behind.
+/// In phase `phase` of a back-to-front sweep the rays move to slice `lastSlice - phase`; in the
+/// last phase they stay. Marks the tiles that have work in a phase: rays whose image differs from
+/// that of two slices before, or active voxels on the slice behind.
 struct MarkedTile
 {
   FaceFrustum frustum;
@@ -167,8 +167,8 @@ struct MarkedTile
   }
 
 private:
-  /// A ray changes where it is active in the layers behind the slice and the next one, and its
-  /// image is to be renewed as long as that of two slices before is another.
+  /// A ray changes if it is active in the layer behind the slice or in the one behind that. Its
+  /// image must be renewed as long as the image of two slices before differs.
   LIMPID_HD LIMPID_INLINE bool MovesRays(int slice, int number) const
   {
     if (slice < this->frustum.firstNodeSlice)
@@ -234,25 +234,25 @@ struct ListedTiles
   }
 };
 
-/// A phase in which some tiles have anything to do.
+/// A phase in which at least one tile has work.
 struct alignas(16) PhaseOfTiles
 {
-  int slice;   ///< that the rays go to
-  int count;   ///< of tiles
-  Index first; ///< of their numbers
+  int slice;   ///< the slice that rays move to
+  int count;   ///< number of tiles
+  Index first; ///< position of the first tile in TileLists::numbers
 };
 
-/// What a sweep reads of a TilePlan.
+/// The data of a TilePlan that a sweep reads.
 struct TileLists
 {
   VoxelsOfTiles voxels;
   const int* numbers;
   const PhaseOfTiles* phases;
   int phaseCount;
-  int mostTiles; ///< in a phase
+  int mostTiles; ///< largest number of tiles in a phase
 };
 
-/// Which tiles of a frustum a sweep from the back visits, phase by phase, and what they find.
+/// The tiles that a back-to-front sweep visits in each phase, and the voxels that they compute.
 template <class AnyDevice>
 class TilePlan
 {
@@ -285,7 +285,7 @@ private:
     this->Addresses.voxels = { tiles, this->Voxels.Data() };
   }
 
-  /// Returns how many there are in each phase.
+  /// Returns the number of tiles in each phase.
   std::vector<int> ListTiles(const FaceFrustum& frustum)
   {
     const int tiles = this->Addresses.voxels.tiles.Count();
@@ -303,7 +303,7 @@ private:
     return found;
   }
 
-  /// `counts`: of tiles in each phase.
+  /// `counts`: number of tiles in each phase.
   void ListPhases(const FaceFrustum& frustum, const std::vector<int>& counts)
   {
     std::vector<PhaseOfTiles> phases;

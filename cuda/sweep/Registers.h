@@ -8,11 +8,11 @@
 
 namespace limpid
 {
-/// Floats in a vector register.
+/// Number of floats in a vector register.
 constexpr int registerLanes = 8;
 
-/// The columns and so many more that they fill whole vector registers, where `bounds` have room for
-/// them: the rest of a row that does not fill a register would take as long as the row.
+/// Widens a range of columns to whole vector registers, if it fits into `bounds`. A partly filled
+/// register would take as long as the whole row.
 inline Range<int> WholeRegisters(const Range<int>& columns, const Range<int>& bounds)
 {
   const int length = (columns.Length() + registerLanes - 1) / registerLanes * registerLanes;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Layers in which two constant halves are not enough: where a ray enters or leaves the box, and
-// where a layer stops much of the light.
+// Layers that two constant halves do not represent accurately: where a ray enters or leaves the
+// box, and where a layer stops much of the light.
 
 #ifndef limpid_sweep_ResolvedLayer_h
 #define limpid_sweep_ResolvedLayer_h
@@ -12,15 +12,15 @@
 
 namespace limpid
 {
-/// Fields at a point of a ray.
+/// The fields at a point of a ray.
 struct PointSample
 {
   float extinction; ///< [1/length]
   float importance; ///< [0, 1]
-  float kept;       ///< what the extinction keeps of the base extinction [1/length]
+  float kept;       ///< kept base extinction: min of extinction and base extinction [1/length]
 };
 
-/// The fields that are sampled along a ray; null: not needed.
+/// The fields sampled along a ray; null if not needed.
 template <class Field>
 struct RayFields
 {
@@ -30,31 +30,31 @@ struct RayFields
 };
 
 /**
- * A short piece of a ray in which extinction mu and importance g are linear
- * (Documentation/Method.md, quadrature); what Eqs. (19) and (20) integrate. With the optical depth
- * x of the piece and the mean transmittance m = (1 - e^-x) / x,
+ * A short segment of a ray in which extinction mu and importance g are linear
+ * (Documentation/Method.md, quadrature). It evaluates the integrals of Eqs. (19) and (20). With
+ * the segment's optical depth x and mean transmittance m = (1 - e^-x) / x,
  *
- *   integral of g mu T dt = g0 (1 - m) + g1 (m - e^-x) + (g1 - g0) tilt m,
+ *    integral of g mu T dt = g0 (1 - m) + g1 (m - e^-x) + (g1 - g0) tilt m,
  *
- * T = 1 at its front. The first two terms are exact where mu is constant; the third one,
- * tilt = (mu1 - mu0) length / 12, makes the sum exact for thin pieces.
+ * where T = 1 at the front. The first two terms are exact for constant mu. The third term, with
+ * tilt = (mu1 - mu0) length / 12, makes the sum exact for thin segments.
  */
 struct RayPiece
 {
-  float place;        ///< its middle, as a share of the layer's thickness
-  float size;         ///< its length, likewise
+  float place;        ///< position of its centre, as a fraction of the layer's thickness
+  float size;         ///< its extent, as a fraction of the layer's thickness
   float opticalDepth; ///< x [1]
   float tilt;         ///< [1]
-  float front;        ///< importance at the front times scale^2
-  float back;         ///< ... at the back
-  float keptShare;    ///< share of the extinction that is kept of the base [0, 1]
-  float keptTilt;     ///< tilt of what is kept [1]
+  float front;        ///< importance at the front, times scale^2
+  float back;         ///< importance at the back, times scale^2
+  float keptShare;    ///< share of the extinction that is kept base extinction [0, 1]
+  float keptTilt;     ///< tilt of the kept base extinction [1]
 
   LIMPID_HD LIMPID_INLINE float Passed() const { return Attenuate(this->opticalDepth); }
 
   LIMPID_HD LIMPID_INLINE float Visible() const { return this->Shown(1.0f, this->tilt); }
 
-  /// Visible, of what is kept of the base extinction.
+  /// Visible importance of the kept base extinction.
   LIMPID_HD LIMPID_INLINE float KeptVisible() const
   {
     return this->Shown(this->keptShare, this->keptTilt);
@@ -86,9 +86,9 @@ struct RayPiece
   }
 
 private:
-  static constexpr float series = 0.1f; ///< below this x, power series; exact to rounding
+  static constexpr float series = 0.1f; ///< for smaller x, power series are used; exact to rounding
 
-  /// What shows of a share of the matter, which is tilted as told.
+  /// Visible importance of a `share` of the extinction with the given tilt.
   LIMPID_HD LIMPID_INLINE float Shown(float share, float tiltOfShare) const
   {
     const float x = this->opticalDepth;
@@ -116,21 +116,23 @@ private:
   }
 };
 
-/// Optical depth behind which nothing matters any more: T = 1e-7.
+/// Optical depth beyond which nothing is visible: T = 1e-7.
 constexpr float darkDepth = 16.0f;
 
-/// Which layers are resolved for their depth, and how: as sweeps do. Two constant halves are off by
-/// 0.1 % of the visible importance at `thick`, and by three times as much at twice the depth.
+/// The criterion by which sweeps resolve thick layers. Two constant halves have an error of 0.1 %
+/// of the visible importance at the optical depth `thick`, and of three times as much at twice
+/// that depth.
 struct UsualCuts
 {
-  static constexpr float thick = 0.5f;   ///< optical depth from which on a layer is resolved
-  static constexpr float finer = 1;      ///< it is cut as if it were so many times as deep
-  static constexpr bool atFaces = false; ///< whether it is cut at the faces of cells, too
+  static constexpr float thick = 0.5f;   ///< layers are resolved from this optical depth on
+  static constexpr float finer = 1;      ///< layers are divided as if they were this much deeper
+  static constexpr bool atFaces = false; ///< whether layers are also divided at faces of cells
 };
 
-/// As scores do. Within a layer a ray may cross two faces of cells, where fields have kinks. One
-/// pair of Gauss points does not see them, and misses the skin of what is opaque: scores of real
-/// data are off by 0.2 to 0.4 % then, those of an opaque block on edge by 10 %.
+/// The criterion of scores. A ray may cross two faces of cells within a layer, where fields have
+/// kinks. One pair of Gauss points cannot resolve these and misses the surface of opaque
+/// structures. Scores of real data would be off by 0.2 to 0.4 %, those of an opaque block on edge
+/// by 10 %.
 struct FineCuts
 {
   static constexpr float thick = 0.25f;
@@ -138,22 +140,22 @@ struct FineCuts
   static constexpr bool atFaces = true;
 };
 
-/// The larger extinction of the two Gauss points [1/length].
+/// The larger extinction at the two Gauss points [1/length].
 template <Passage passage>
 LIMPID_HD LIMPID_INLINE float DensestOf(const RayInLayer<passage>& ray)
 {
   return ray.extinction[0] > ray.extinction[1] ? ray.extinction[0] : ray.extinction[1];
 }
 
-/// The most that is sampled of a ray in a layer.
+/// The largest samples of a ray in a layer.
 struct MostInLayer
 {
   float extinction; ///< [1/length]
   float importance; ///< [0, 1]
 };
 
-/// At the Gauss points, and with FineCuts at the ends of the layer. `sampler`: what samples fields
-/// along the ray, which is in `column`.
+/// Maximum over the Gauss points and, with FineCuts, over the ends of the layer. `sampler`:
+/// samples fields along the ray in `column`.
 template <class Cuts, class Sampler, Passage passage>
 LIMPID_HD LIMPID_INLINE MostInLayer MostOf(const RayInLayer<passage>& ray, const Sampler& sampler,
   const RayFields<typename Sampler::Field>& fields, int column)
@@ -174,13 +176,13 @@ LIMPID_HD LIMPID_INLINE MostInLayer MostOf(const RayInLayer<passage>& ray, const
 }
 
 /**
- * Which layers with anything important a sweep resolves, beside those where a ray enters or leaves
- * the box: here none. Where nothing is important, two halves are exact.
+ * Selects which layers with important samples are resolved, besides those where a ray enters or
+ * leaves the box: here none. Where no sample is important, two halves are exact.
  *
- * `Reaches`: whether a ray is asked at all. `Densest` is the extinction by which a layer is cut
- * into parts, from the most that is sampled [1/length]. `LeastOnWay` is a sampled extinction below
- * which no layer of a row is resolved; `way`: the longest way of its rays through the layer
- * [length].
+ * `Reaches`: whether the layer of ray i is considered at all. `Densest`: the extinction that
+ * decides how a layer is divided, from the largest sample [1/length]. `LeastOnWay`: if all
+ * extinction samples of a row are below it, no layer of that row is resolved. `way`: the longest
+ * path of its rays through the layer [length].
  */
 struct ResolveSides
 {
@@ -191,13 +193,13 @@ struct ResolveSides
   LIMPID_HD LIMPID_INLINE float LeastOnWay(float) const { return 1e30f; }
 };
 
-/// Resolves thick layers as far as light comes.
+/// Resolves thick layers that light reaches.
 template <class TheCuts = UsualCuts>
 struct ResolveLit
 {
   using Cuts = TheCuts;
 
-  const double* opticalDepths; ///< of the rays at the front of the layer
+  const double* opticalDepths; ///< optical depths of the rays at the front of the layer
 
   LIMPID_HD LIMPID_INLINE bool Reaches(Index i) const
   {
@@ -212,10 +214,10 @@ struct ResolveLit
   }
 };
 
-constexpr int mostPartsOfLayer = 16; ///< of a layer, each with Gauss points of its own
-constexpr int piecesOfPart = 4;      ///< of equal length
+constexpr int mostPartsOfLayer = 16; ///< each with its own Gauss points
+constexpr int piecesOfPart = 4;      ///< number of equal segments of a part
 
-/// The parts that a layer of optical depth `depth` is cut into.
+/// Returns the number of parts into which a layer of optical depth `depth` is divided.
 LIMPID_HD LIMPID_INLINE int PartsOfLayer(float depth)
 {
   return depth <= 1.0f ? 1
@@ -225,58 +227,58 @@ LIMPID_HD LIMPID_INLINE int PartsOfLayer(float depth)
                        : mostPartsOfLayer;
 }
 
-/// What extinction at the ends of a layer does to what a ray sees, see EffectStep; T = 1 in front.
+/// The effects of extinction at the two ends of a layer, see EffectStep; T = 1 at the front.
 struct LayerEffect
 {
   float front;
   float back;
 };
 
-/// A ray's way through a layer, resolved into pieces. `Sampler`: what samples fields along it.
+/// The path of a ray through a layer, resolved into segments. `Sampler`: samples fields along it.
 template <class Sampler, class Cuts>
 struct ResolvedRay
 {
   const Sampler& sampler;
   RayFields<typename Sampler::Field> fields;
-  RayInLayer<Passage::Clipped> plain; ///< the same in two halves
-  int column;                         ///< of the ray
-  float sampled;                      ///< the most that is sampled of the extinction [1/length]
-  float densest;                      ///< extinction by which the layer is cut [1/length]
+  RayInLayer<Passage::Clipped> plain; ///< the layer as two halves
+  int column;                         ///< column of the ray
+  float sampled;                      ///< largest sampled extinction [1/length]
+  float densest; ///< extinction that decides how the layer is divided [1/length]
 
-  /// Where it is inside the box, as shares of the layer's thickness.
+  /// Range inside the box, as fractions of the layer's thickness.
   LIMPID_HD LIMPID_INLINE Range<float> Inside() const
   {
     return ClippedRange(this->plain.layer, { 0.0f, 1.0f }, this->plain.column, this->plain.row);
   }
 
-  /// Calls visit(piece) front to back for what is inside the box, as long as it returns true.
+  /// Calls visit(segment) front to back inside the box, until it returns false.
   template <class Visit>
   LIMPID_HD LIMPID_INLINE void ForPieces(const Visit& visit) const
   {
     this->ForPiecesInOrder([](int number, int) { return number; }, visit);
   }
 
-  /// ForPieces, back to front.
+  /// Like ForPieces, but back to front.
   template <class Visit>
   LIMPID_HD LIMPID_INLINE void ForPiecesBackward(const Visit& visit) const
   {
     this->ForPiecesInOrder([](int number, int count) { return count - 1 - number; }, visit);
   }
 
-  /// World length of a piece [length].
+  /// World length of a segment [length].
   LIMPID_HD LIMPID_INLINE float LengthOf(const RayPiece& piece) const
   {
     return piece.size * (this->plain.layer.thickness * this->plain.length);
   }
 
-  /// The integral of g mu dt of the pieces, from their sum. Unless faces are crossed, two halves
-  /// are exact where the whole layer is inside the box.
+  /// The integral of g mu dt, given its sum over all segments. Two halves are exact, and used, if
+  /// the whole layer is inside the box and is not divided at faces.
   LIMPID_HD LIMPID_INLINE float Unattenuated(float ofPieces) const
   {
     return !Cuts::atFaces && this->IsWhole() ? this->plain.Light().unattenuated : ofPieces;
   }
 
-  /// What the layer does to light inside the box.
+  /// The effect of the layer on light, inside the box.
   LIMPID_HD LIMPID_INLINE LayerLight Light() const
   {
     LayerLight light{};
@@ -284,7 +286,7 @@ struct ResolvedRay
     return light;
   }
 
-  /// Light, and its effect. `behind`: visible importance at the back of what is inside the box.
+  /// Light and effects. `behind`: visible importance at the back of the part inside the box.
   LIMPID_HD LIMPID_INLINE LayerLight Light(float behind, LayerEffect& effect) const
   {
     struct Met
@@ -302,7 +304,7 @@ struct ResolvedRay
             transmittance * piece.TiltSlope(), piece.place, piece.size };
           ++count;
         });
-    seen += light.visible; // from a piece on
+    seen += light.visible; // from the current segment on
     effect = { 0, 0 };
     for (int number = 0; number < count; ++number)
     {
@@ -321,22 +323,22 @@ struct ResolvedRay
   LIMPID_HD LIMPID_INLINE float WholeDepth() const { return this->plain.WholeDepth(); }
 
 private:
-  static constexpr float nothing = 1e-5f; ///< transmittance behind which pieces do not matter
+  static constexpr float nothing = 1e-5f; ///< transmittance below which segments are ignored
 
-  /// Whether the ray is inside the box all through the layer.
+  /// Whether the ray is inside the box throughout the layer.
   LIMPID_HD LIMPID_INLINE bool IsWhole() const
   {
     const Range<float> inside = this->Inside();
     return inside.begin <= 0.0f && inside.end >= 1.0f;
   }
 
-  /// The stretches between the faces of cells that the ray crosses inside the box.
+  /// The intervals between the cell faces that the ray crosses inside the box.
   struct Stretches
   {
     float ends[4];
     int count;
 
-    /// Ends a stretch at a share of the layer, if it lies between the last one and `last`.
+    /// Ends an interval at `share` if that lies between its begin and `last`.
     LIMPID_HD LIMPID_INLINE void EndAt(float share, float last)
     {
       if (share > this->ends[this->count] && share < last)
@@ -361,8 +363,8 @@ private:
     return stretches;
   }
 
-  /// Calls visit(piece) for what is inside the box, as long as it returns true. `order(number,
-  /// count)`: which of `count` comes at a number.
+  /// Calls visit(segment) inside the box until it returns false. `order(number, count)`: index of
+  /// the element that is visited as number `number` of `count`.
   template <class Order, class Visit>
   LIMPID_HD LIMPID_INLINE void ForPiecesInOrder(const Order& order, const Visit& visit) const
   {
@@ -378,7 +380,7 @@ private:
     }
   }
 
-  /// ForPiecesInOrder in a stretch. Returns whether all of its pieces were visited.
+  /// ForPiecesInOrder for one interval. Returns whether all of its segments were visited.
   template <class Order, class Visit>
   LIMPID_HD LIMPID_INLINE bool VisitPieces(
     const Range<float>& stretch, const Order& order, const Visit& visit) const
@@ -415,8 +417,8 @@ private:
     return this->sampler.SampleAt(this->fields, share, this->column);
   }
 
-  /// Adds what all pieces do to light, and calls visit(piece, transmittance in front of it).
-  /// Returns what passes them.
+  /// Adds the effect of all segments to `light` and calls visit(segment, transmittance in front of
+  /// it). Returns the transmittance of all segments.
   template <class Visit>
   LIMPID_HD LIMPID_INLINE float AddPieces(LayerLight& light, const Visit& visit) const
   {
@@ -447,7 +449,7 @@ private:
     const LayerLight halves = this->plain.Light();
     light.passed = halves.passed;
     light.opticalDepth = halves.opticalDepth;
-    if (!(transmittance > nothing) || this->IsWhole()) // pieces end where light does
+    if (!(transmittance > nothing) || this->IsWhole()) // no segments in the dark
     {
       light.unattenuated = halves.unattenuated;
       light.keptUnattenuated = halves.keptUnattenuated;
@@ -455,7 +457,8 @@ private:
     return transmittance;
   }
 
-  /// A piece between two shares of a part; `first`, `second`: samples at the part's Gauss points.
+  /// Returns the segment between two fractions of a part; `first`, `second`: samples at the part's
+  /// Gauss points.
   LIMPID_HD LIMPID_INLINE RayPiece PieceOf(const PointSample& first, const PointSample& second,
     const float shares[2], float begin, float size, float length) const
   {
@@ -487,7 +490,7 @@ private:
     return piece;
   }
 
-  /// The mean of scale^2 over a piece.
+  /// The mean of scale^2 over a segment.
   LIMPID_HD LIMPID_INLINE float AreaAt(float place, float size) const
   {
     const Layer& layer = this->plain.layer;
@@ -497,8 +500,8 @@ private:
   }
 };
 
-/// Hands a ray to step(ray, i): as a ResolvedRay where its layer is resolved (ResolveSides), else
-/// by plain(i). `i`: of its states; `column`: of the ray.
+/// Calls step(ray, i) with a ResolvedRay if the layer is resolved (ResolveSides), else plain(i).
+/// `i`: index of the ray's states; `column`: its column.
 template <class Sampler, class Resolve, class Step, class Plain>
 LIMPID_HD LIMPID_INLINE void StepResolved(const RayInLayer<Passage::Clipped>& ray,
   const Sampler& sampler, const RayFields<typename Sampler::Field>& fields, const Resolve& resolve,

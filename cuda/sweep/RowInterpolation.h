@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Interpolation and arithmetic of whole rows of samples, several columns in a vector register.
+// Interpolation and arithmetic of whole rows, several columns per vector register.
 
 #ifndef limpid_sweep_RowInterpolation_h
 #define limpid_sweep_RowInterpolation_h
@@ -10,46 +10,46 @@
 
 namespace limpid
 {
-/// A blend of two rows of samples: first + weight (second - first), columns [begin, end).
+/// Blends two rows: first + weight (second - first), for columns [begin, end).
 void BlendRows(
   const float* first, const float* second, float weight, int begin, int end, float* out);
 
-/// A blend of two blends, for the bilinear mean of four rows: rows [slice][row], `across` the
-/// weight of the second row, `along` that of the second slice.
+/// Blends four rows bilinearly. `rows`: [slice][row]; `across`: weight of the second row; `along`:
+/// weight of the second slice.
 void BlendFourRows(
   const float* const rows[2][2], float across, float along, int begin, int end, float* out);
 
-/// Two such blends of the same rows.
+/// Computes two such blends of the same four rows.
 void BlendFourRowsTwice(const float* const rows[2][2], const float across[2], const float along[2],
   int begin, int end, float* first, float* second);
 
-/// The cubic blend of four rows of samples at -1, 0, 1, 2 between the second and the third
-/// (Catmull-Rom); `across`: fraction of the way. Columns [begin, end).
+/// Blends four rows, at -1, 0, 1, 2, by a Catmull-Rom cubic at the position `across` in [0, 1],
+/// for columns [begin, end).
 void BlendCubic(const float* const rows[4], float across, int begin, int end, float* out);
 
 /// out[i] = row[i - 1] - 2 row[i] + row[i + 1], columns [begin, end).
 void Curve(const float* row, int begin, int end, float* out);
 
-/// Makes the linear interpolation of a row cubic, in place. `curvature`: the same interpolation of
-/// the row's Curve; `map`: of both.
+/// Turns the linear interpolation of a row into a cubic one, in place. `curvature`: the row's
+/// Curve, interpolated by the same `map`.
 void BendRow(
   const LinearMap& map, const float* curvature, const Range<int>& columns, float* values);
 
-/// Puts values that are outside [0, 1] on its border.
+/// Clamps values to [0, 1].
 void ClampRow(const Range<int>& columns, float* values);
 
-/// Linear interpolation of a row of samples to `columns` of the map's targets. `source` must be
+/// Interpolates a row linearly to `columns`, a range of the map's targets. `source` must be
 /// readable up to 32 values beyond the last sample.
 void InterpolateRow(
   const float* source, const LinearMap& map, const Range<int>& columns, float* out);
 
-/// The lesser of two rows, column by column.
+/// Computes the lesser of two rows for each column.
 void LesserRow(const float* first, const float* second, const Range<int>& columns, float* out);
 
-/// The columns of a row outside of which it is 0.
+/// Returns the smallest range of columns that contains all values above 0.
 Range<int> ColumnsAboveZero(const float* values, const Range<int>& columns);
 
-/// Whether any value of a row is above a bound.
+/// Returns whether any value of a row exceeds a bound.
 bool AnyAbove(const float* values, const Range<int>& columns, float bound);
 
 /// values *= factors.

@@ -13,18 +13,18 @@ namespace limpid
 {
 namespace
 {
-/// The two rows of voxels on both slices of a layer that a row of rays is interpolated from.
+/// The two rows of voxels on both slices of a layer that a row of rays interpolates.
 struct FourRows
 {
   const float* rows[2][2];
 };
 
-/// Rows of a field.
+/// Rows of one field.
 struct RowsOfField
 {
   SliceWindow* field;
 
-  /// Rows v and v + 1 on two slices; of their columns, some are `read`.
+  /// Returns rows v and v + 1 on two slices; the last argument is the range of columns to read.
   FourRows At(const int nodes[2], int v, const Range<int>&) const
   {
     FourRows four{};
@@ -42,7 +42,7 @@ struct RowsOfLesser
 {
   SliceWindow* field;
   SliceWindow* other;
-  float* const (&memory)[2][2]; ///< for the four rows
+  float* const (&memory)[2][2]; ///< memory for the four rows
 
   FourRows At(const int nodes[2], int v, const Range<int>& read) const
   {
@@ -59,14 +59,14 @@ struct RowsOfLesser
   }
 };
 
-/// Columns of a field that a row of rays is interpolated from.
+/// Returns the columns of a field that a row of rays interpolates.
 Range<int> ColumnsRead(const LinearMap& map, const Range<int>& rays, const SliceWindow& field)
 {
   return WholeRegisters(
     { map.index[rays.begin], map.index[rays.end - 1] + 2 }, { 0, field.ColumnCount() });
 }
 
-/// Sources of an interpolation to `targets` and one more on either side, as cubics need them.
+/// Returns the sources of a cubic interpolation to `targets`: one more on either side than linear.
 Range<int> ReadByCubics(const LinearMap& map, const Range<int>& targets, int sources)
 {
   if (targets.Empty())
@@ -129,7 +129,7 @@ RowSampler::RowSampler(
     this->Samples.blend[half] = take(blend);
     this->Samples.lesser[half][0] = take(blend);
     this->Samples.lesser[half][1] = take(blend);
-    // Steps that count no importance do not read it, but it has to be somewhere.
+    // Steps that count no importance never read it, but the pointer must be valid.
     this->Rays.extinction[half] = this->Rays.importance[half] = this->Samples.extinction[half];
     this->Rays.kept[half] = this->Samples.extinction[half];
   }
@@ -151,7 +151,7 @@ bool RowSampler::EnterLayer(int s, bool areaWeighted)
   return true;
 }
 
-/// Brings what a later row of rays will read.
+/// Prefetches the values that a later row of rays reads.
 LIMPID_INLINE void RowSampler::Prefetch(Field field, const Range<int>& columns) const
 {
   const int later = std::min(this->RowNumber + 2, this->Frustum.rows - 1);
@@ -257,7 +257,7 @@ void RowSampler::SampleKept(Field extinction, Field base)
   for (int half = 0; half < 2; ++half)
   {
     float* kept = this->Samples.kept[half];
-    std::fill(kept + columns.begin, kept + columns.end, 0.0f); // elsewhere it is a share of nothing
+    std::fill(kept + columns.begin, kept + columns.end, 0.0f); // outside `important` it is not used
     this->Rays.kept[half] = kept;
   }
   if (!important.Empty())
@@ -285,7 +285,7 @@ bool RowSampler::SelectBeside(int s)
 
 float RowSampler::LongestWay(const Range<int>& columns) const
 {
-  // The length is that of a slope, which is largest at one of the ends.
+  // The length of a ray grows with its slope, so it is largest at one of the ends.
   return columns.Empty() ? 0.0f
                          : this->Rays.layer.thickness *
       std::max(this->Rays.length[columns.begin], this->Rays.length[columns.end - 1]);
@@ -355,7 +355,7 @@ bool RowSampler::SelectReadBySlice(int s, bool entered, const Range<int>& dimmed
   const Slice& slice = this->Frustum.SliceAt(s);
   if (slice.node < 0)
   {
-    return false; // nobody reads at the source
+    return false; // no voxels read rays at the source
   }
   const Range<int> sampled = entered ? this->Rays.columns : Range<int>{};
   const Range<int> rows = ReadByCubics(
@@ -380,7 +380,8 @@ bool RowSampler::SelectReadBySlice(int s, bool entered, const Range<int>& dimmed
   return true;
 }
 
-/// Of the rays that enter in front, a voxel beside one that does not reads up to three.
+/// A voxel beside a ray that enters through a side interpolates up to three rays that enter in
+/// front.
 Range<int> RowSampler::ColumnsFarFromSides() const
 {
   constexpr int reach = 3;
@@ -402,7 +403,7 @@ void RowSampler::HideOutOfView(float* importance) const
   }
 }
 
-/// Where the rays meet the plane at the rear Gauss point, but on the slice behind.
+/// Samples the slice behind where the rays meet the plane of the rear Gauss point.
 void RowSampler::SampleBehind(Field field, float* out)
 {
   const Index plane = 2 * Index(this->S) + 1;

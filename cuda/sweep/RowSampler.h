@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the processor visits rays: one row at a time, several columns in a vector register. It
-// samples fields and calls the steps of a kernel (RaySteps.h); RaySampler.h does so for one ray.
+// Visits rays row by row, on the processor, several columns per vector register. It samples fields
+// and calls the steps of a kernel (RaySteps.h). RaySampler.h does so for single rays.
 
 #ifndef limpid_sweep_RowSampler_h
 #define limpid_sweep_RowSampler_h
@@ -17,21 +17,21 @@ namespace limpid
 struct RayRow
 {
   Layer layer;
-  Range<float> row;         ///< where this row of rays is inside the box, as relative depths
-  const float* columnEntry; ///< where the columns are
+  Range<float> row;         ///< relative depths between which this row of rays is inside the box
+  const float* columnEntry; ///< relative depths where the columns enter the box
   const float* columnExit;
   const float* length;        ///< world length per unit of depth
   const float* extinction[2]; ///< at the Gauss points, front and rear [1/length]
   const float* importance[2]; ///< [0, 1]
-  const float* kept[2];       ///< what the extinction keeps of the base extinction [1/length]
-  Range<int> columns;         ///< to be visited
-  Range<int> inside;          ///< those that are not clipped in u
+  const float* kept[2]; ///< kept base extinction: min of extinction and base extinction [1/length]
+  Range<int> columns;   ///< columns to visit
+  Range<int> inside;    ///< columns that are not clipped in u
 
-  /// Takes what row `number` is in all layers.
+  /// Sets the values of row `number` that do not depend on the layer.
   void EnterRow(const FaceFrustum& frustum, int number);
 
-  /// Takes what that row is in the layer behind slice `s`; the samples are left open. Returns
-  /// whether any of its rays have to be visited there.
+  /// Sets the values of row `number` in the layer behind slice `s`, except the samples. Returns
+  /// whether any ray of the row has to be visited there.
   bool EnterLayer(const FaceFrustum& frustum, int s, int number);
 
   template <Passage passage>
@@ -42,7 +42,7 @@ struct RayRow
       { this->importance[0][i], this->importance[1][i] }, { this->kept[0][i], this->kept[1][i] } };
   }
 
-  /// Columns that are inside the box from the front of the layer to its back.
+  /// Columns that are inside the box throughout the layer.
   LIMPID_INLINE Range<int> Through() const
   {
     const float back = this->layer.front + this->layer.thickness;
@@ -62,7 +62,7 @@ void StepThroughLayer(const RayRow& row, const Step& step)
   RunMultiversioned(
     [&row, &step]() LIMPID_INLINE_LAMBDA
     {
-      const RayRow rays = row; // copies: nothing that a step writes can be part of them
+      const RayRow rays = row; // local copies: a step cannot alias them
       const Step body = step;
       const Range<int> through = rays.Through();
       const Range<int> clipped[2] = { { rays.columns.begin, through.begin },
@@ -82,7 +82,7 @@ void StepThroughLayer(const RayRow& row, const Step& step)
     });
 }
 
-/// Calls step(ray, column) for all columns of a row, all of which are taken to pass in one way.
+/// Calls step(ray, column) for all columns of a row; all rays are treated as `passage` says.
 template <Passage passage, class Step>
 void StepAllAs(const RayRow& row, const Step& step)
 {
@@ -99,7 +99,7 @@ void StepAllAs(const RayRow& row, const Step& step)
     });
 }
 
-/// Calls step(column) for some columns.
+/// Calls step(column) for a range of columns.
 template <class Step>
 void StepAlongRow(const Range<int>& columns, const Step& step)
 {
@@ -117,62 +117,63 @@ void StepAlongRow(const Range<int>& columns, const Step& step)
 }
 }
 
-/// A row of rays of a frustum, which enters one layer after the other.
+/// A row of rays of a frustum, which enters the layers one by one.
 class RowSampler
 {
 public:
   using Field = SliceWindow*;
 
-  /// Takes the calling thread's scratch memory; `more`: values of it that are for others.
+  /// Uses scratch memory of the calling thread; `more`: number of extra values for derived
+  /// classes.
   RowSampler(const FaceFrustum& frustum, const RayStates& states, int row, std::size_t more = 0);
 
-  /// Selects the rays that have to be visited in the layer behind slice `s`; with `areaWeighted`
-  /// they widen (Deviation D1). Returns whether there are any.
+  /// Selects the rays to visit in the layer behind slice `s`. With `areaWeighted` rays widen
+  /// (Deviation D1). Returns whether any ray is selected.
   bool EnterLayer(int s, bool areaWeighted);
 
-  /// Samples at both Gauss points of the layer.
+  /// Samples a field at both Gauss points of the layer.
   void SampleExtinction(Field field);
   void SampleImportance(Field field);
 
-  /// Takes the extinction on the slice behind the layer for that at both Gauss points.
+  /// Uses the extinction on the slice behind the layer at both Gauss points.
   void SampleExtinctionBehind(Field field);
 
-  /// Where there is no layer: nothing.
+  /// Sets extinction and importance to 0, where there is no layer.
   void SampleNothing();
 
-  /// Samples the importance at one Gauss point, at the rear one into RayStates::rearImportance.
+  /// Samples the importance at one Gauss point; the rear sample goes to RayStates::rearImportance.
   void SampleFrontImportance(Field field);
   void SampleRearImportance(Field field);
 
-  /// Takes what SampleRearImportance has left.
+  /// Uses the rear sample that SampleRearImportance has stored.
   void RecallRearImportance() { this->Rays.importance[1] = this->States().rearImportance; }
 
-  /// Samples what the extinction keeps of the base extinction: the lesser of both at the nodes.
-  /// After SampleExtinction and SampleImportance in the same layer, or what stands for them.
+  /// Samples the kept base extinction: the lesser of both fields at the nodes. Call it after
+  /// extinction and importance of the layer were sampled.
   void SampleKept(Field extinction, Field base);
 
-  /// Samples another extinction in the place of what is kept.
+  /// Samples an alternative extinction in place of the kept one.
   void SampleAlternative(Field extinction);
 
-  /// Samples a lower bound of the extinction in the place of what is kept; null: 0.
+  /// Samples a lower bound of the extinction in place of the kept one; null stands for 0.
   void SampleLeast(Field extinction);
 
-  /// Selects instead the rays that voxels of slice `s` read with cubics, as far as they have met
-  /// anything: the `dimmed` ones before, others in the layer if they entered it (`entered`). Where
-  /// they did not, samples are 0. Returns whether there are any.
+  /// Selects instead the rays that voxels of slice `s` read by cubics and that have met anything,
+  /// in front of the slice (`dimmed`) or in the layer. `entered`: whether EnterLayer selected any
+  /// ray; if not, samples are 0. Returns whether any ray is selected.
   bool SelectReadBySlice(int s, bool entered, const Range<int>& dimmed);
 
-  /// Selects instead the rays that have to be visited in a layer on either side of the slice behind
-  /// slice `s`. Returns whether there are any.
+  /// Selects instead the rays to visit in a layer on either side of the slice behind slice `s`.
+  /// Returns whether any ray is selected.
   bool SelectBeside(int s);
 
   const FaceFrustum& Plan() const { return this->Frustum; }
 
-  /// The first ray.
+  /// The first column.
   int FirstColumn() const { return 0; }
   int FirstRow() const { return this->RowNumber; }
 
-  /// What the rays of this row carry.
+  /// The values that the rays of this row carry.
   RayStates States() const { return this->All.From(this->First); }
 
   template <class Step>
@@ -181,9 +182,9 @@ public:
     detail::StepThroughLayer(this->Rays, step);
   }
 
-  /// Calls step for all rays in the layer: with a ResolvedRay where something important is met and
-  /// the ray enters or leaves the box or `resolve` says so, see ResolveSides. After the samples at
-  /// the Gauss points.
+  /// Calls step for all rays in the layer. A ray is passed as a ResolvedRay if it has important
+  /// samples and enters or leaves the box, or if `resolve` asks for it, see ResolveSides. Call it
+  /// after sampling at the Gauss points.
   template <class Resolve, class Step>
   void ForEachResolved(
     const RayFields<Field>& fields, const Resolve& resolve, const Step& step) const
@@ -211,7 +212,7 @@ public:
     return this->Frustum.FacesCrossed(this->Rays.layer, column, this->RowNumber);
   }
 
-  /// Samples fields where ray `column` is at a share of the layer's thickness.
+  /// Samples the fields on ray `column` at a fraction of the layer's thickness.
   PointSample SampleAt(const RayFields<Field>& fields, float share, int column) const;
 
   template <class Step>
@@ -226,7 +227,7 @@ public:
     detail::StepAlongRow(this->Rays.columns, step);
   }
 
-  /// Rays next to the sides of the box, and those that enter through one.
+  /// Visits rays next to the sides of the box, and those that enter through a side.
   template <class Step>
   void ForEachNearSides(const Step& step) const
   {
@@ -249,10 +250,10 @@ protected:
   int RowNumber;
   int S = 0; ///< slice in front of the layer
   RayRow Rays{};
-  float* More; ///< scratch memory that was asked for
+  float* More; ///< the extra scratch memory
 
 private:
-  /// Rows of samples; `blend` is for what is not kept.
+  /// Rows of samples; `blend` holds temporary values.
   struct Scratch
   {
     float* extinction[2];
@@ -262,13 +263,13 @@ private:
     float* lesser[2][2]; ///< rows of voxels, see RowsOfLesser
   };
 
-  /// The longest way of some rays through the layer [length].
+  /// Returns the longest path of the given rays through the layer [length].
   float LongestWay(const Range<int>& columns) const;
 
-  /// Whether any of some rays has a sample of the extinction above a bound.
+  /// Returns whether any of the given rays has an extinction sample above a bound.
   bool HasAbove(const Range<int>& columns, float bound) const;
 
-  /// Calls step for some rays: with a ResolvedRay where the layer is resolved.
+  /// Calls step for the given rays, with a ResolvedRay where the layer is resolved.
   template <Passage passage, class Resolve, class Step>
   void StepWhere(const Range<int>& columns, const RayFields<Field>& fields, const Resolve& resolve,
     const Step& step) const
@@ -289,7 +290,7 @@ private:
     this->StepPlain<passage>({ begin, columns.end }, step);
   }
 
-  /// Calls step for some rays, which all pass in one way.
+  /// Calls step for the given rays; all are treated as `passage` says.
   template <Passage passage, class Step>
   void StepPlain(const Range<int>& columns, const Step& step) const
   {
@@ -311,11 +312,11 @@ private:
   void Prefetch(Field field, const Range<int>& columns) const;
 
   RayStates All;
-  Index First; ///< ray of the row
+  Index First; ///< index of the first ray of the row
   Scratch Samples{};
 };
 
-/// Values that a row of samples takes: InterpolateRow reads beyond its end.
+/// Number of values to allocate for a row of samples: InterpolateRow reads beyond its end.
 std::size_t RowScratch(int columns);
 }
 

@@ -17,7 +17,7 @@ int NodeOf(const Slice& slice)
   return slice.node < 0 ? slice.nodes[0] : slice.node;
 }
 
-/// Adds so many columns and rows on either side of a box.
+/// Widens a box by `margin` columns and rows on either side.
 void Grow(const FaceFrustum& frustum, int margin, NodeBox& box)
 {
   if (margin > 0 && !box.Empty())
@@ -104,7 +104,7 @@ SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
     }
     changed.push_back(RegionChanged(frustum, bands, rank));
   }
-  // Those of all regions that are in the slices, and in the columns and rows of these.
+  // Restricts all regions to the slices and to their columns and rows.
   const auto part = [&](std::vector<Region> regions, const Range<int>& slices,
                       Range<int> Slice::*columns, Range<int> Slice::*rows)
   {

@@ -13,59 +13,60 @@
 namespace limpid
 {
 constexpr int slicesCopied = 16;     ///< floats in a cache line of 64 bytes
-constexpr int mostSlicesBehind = 2;  ///< that sweeps read behind the slice they have reached
-constexpr int mostSlicesInFront = 1; ///< ... in front of it
+constexpr int mostSlicesBehind = 2;  ///< maximum number of slices behind that sweeps read
+constexpr int mostSlicesInFront = 1; ///< maximum number of slices in front that sweeps read
 
-/// The slabs of a frustum, front to back: so many slices that a transposed read uses whole cache
-/// lines. `copied`: whether slices are copied; else all are one slab.
+/// Returns the slabs of a frustum, front to back. With `copied`, a slab has so many slices that a
+/// transposed read uses whole cache lines; otherwise all slices are one slab.
 std::vector<Range<int>> SlabsOf(const FaceFrustum& frustum, bool copied);
 
-/// Node indices along the depth axis of some slices.
+/// Returns the node indices of some slices along the depth axis.
 Range<int> NodesOf(const FaceFrustum& frustum, const Range<int>& slices);
 
-/// All columns or rows that some slices have as `part`.
+/// Returns the hull of the ranges `part` (columns or rows) of some slices.
 Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<int> Slice::*part);
 
-/// Where ranks have fields.
+/// The distribution of fields outside of sweeps.
 struct HomeOfFields
 {
-  Index first;                 ///< of node (0, 0, 0) in this rank's arrays; it need not be there
+  Index first; ///< index of node (0, 0, 0) in this rank's arrays, which need not contain it
   std::array<Index, 3> stride; ///< see FieldView
-  std::vector<Region> kept;    ///< of each rank the nodes that it has; no two have the same ones
-  std::vector<Region> wanted;  ///< the nodes that it gets when they have changed
+  std::vector<Region> kept;    ///< [rank]: owned nodes; regions of ranks are disjoint
+  std::vector<Region> wanted;  ///< [rank]: nodes to which changed values are returned
 
-  /// In arrays of the nodes of a box.
+  /// For arrays that hold the nodes of a box.
   HomeOfFields(const NodeBox& box, std::vector<Region> had, std::vector<Region> returned);
 
   FieldView On(float* field) const { return { field + this->first, this->stride }; }
 };
 
 /**
- * What passes when ranks sweep a frustum of fields that they have elsewhere than beside its rays:
- * before a slab is swept, its slices come to where they are read; after it, what has changed goes
- * back. So of a field that a sweep visits a rank has a slab at a time.
+ * Redistributes fields for the sweep of a frustum whose decomposition differs from theirs. Before
+ * a slab is swept, its slices are sent to the ranks that read them; afterwards changed values are
+ * sent back. A rank therefore holds one slab at a time of each field of a sweep.
  */
 class SlabDelivery
 {
 public:
-  /// `filled`: where else fields are 0; null: nowhere. It and the ranks have to stay. `margin`:
-  /// columns and rows that are read beside those that rays are planned to read.
+  /// `filled`: fields are 0 outside of it; null if nothing is known. It and the ranks must outlive
+  /// this object. `margin`: extra columns and rows that are read beside those that the plan's rays
+  /// read.
   SlabDelivery(const FaceFrustum& frustum, const RankBands& bands, const HomeOfFields& home,
     const Occupancy* filled, const std::shared_ptr<PassageRoom>& room, int margin);
 
   int Margin() const { return this->ReadBeside; }
 
-  /// A field at home, and where slices of it are swept.
+  /// A field as it is distributed, and its slices in the sweep.
   struct Field
   {
     float* field;
     FieldView window;
   };
 
-  /// Brings what is read of the slices of a slab, and of those beside it.
+  /// Sends the slices that the sweep of a slab reads, including those next to the slab.
   void Bring(const Range<int>& slab, const std::vector<Field>& fields) const;
 
-  /// Brings what was changed in the slices of a slab back.
+  /// Sends the changed slices of a slab back.
   void Return(const Range<int>& slab, const std::vector<Field>& fields) const;
 
 private:

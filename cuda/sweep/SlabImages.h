@@ -11,11 +11,11 @@ namespace limpid
 {
 namespace detail
 {
-/// Images of the rays on the slices of two slabs, that of the rays and the one before it, which
-/// voxels read.
+/// Images of the rays on the slices of two slabs: the one that rays cross, and the one before it,
+/// which voxels read.
 struct SlabImages
 {
-  int slices; ///< of both, a power of two
+  int slices; ///< number of slices of both slabs, a power of two
   SeenOfRay* seen;
   float* density;
   const HatOfVoxel* hats; ///< see MadeHat
@@ -23,7 +23,7 @@ struct SlabImages
   int nodesU;
   int nodesV;
 
-  /// Room for what follows.
+  /// Allocates memory for all images.
   template <class AnyDevice>
   static DeviceArray<AnyDevice, float> RoomFor(FrustumRays<AnyDevice>& frustum, int slicesPerSlab)
   {
@@ -42,7 +42,7 @@ struct SlabImages
   {
   }
 
-  /// Takes what voxels read of a ray.
+  /// Stores the values of a ray that voxels read.
   template <class Kernel>
   LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayStates& here) const
   {
@@ -52,7 +52,7 @@ struct SlabImages
     this->density[at] = *here.density;
   }
 
-  /// What voxels of slice `s` read.
+  /// Returns the images that voxels of slice `s` read.
   LIMPID_HD LIMPID_INLINE SliceImages At(int s) const
   {
     const HatOfVoxel* columnHats = this->hats + Index(s) * (this->nodesU + this->nodesV);
@@ -61,7 +61,7 @@ struct SlabImages
   }
 
 private:
-  /// Slabs are neighbours, so that this tells the slices of one from those of the other.
+  /// Slices of two consecutive slabs have different low bits of s.
   LIMPID_HD LIMPID_INLINE Index First(int s) const { return (s & (this->slices - 1)) * this->rays; }
 };
 }

@@ -14,9 +14,9 @@ namespace limpid
 {
 namespace
 {
-constexpr int columnsPerTile = 16; // cache lines that a tile of columns reads again and again
+constexpr int columnsPerTile = 16; // number of columns per tile, whose cache lines are reused
 
-/// From a copied slice to the next: rows of slices are then not all in the same set of a cache.
+/// Returns the distance between copied slices, padded so that rows use different cache sets.
 Index PitchOf(const FaceFrustum& frustum)
 {
   constexpr Index lineOfCache = 16;
@@ -56,7 +56,7 @@ SliceWindow::SliceWindow(const FaceFrustum& frustum, const Occupancy* occupancy,
 {
 }
 
-/// Of `rows` those that the rank needs at any of these nodes.
+/// Returns the rows out of `rows` that the rank needs at any of these nodes.
 std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int>& nodes) const
 {
   std::vector<int> some(std::size_t(std::max(rows.Length(), 0)));
@@ -78,7 +78,8 @@ std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int
   return some;
 }
 
-/// Of `columns` of row `v` those that are not known to be 0 on all slices of these nodes.
+/// Returns the part of `columns` in row `v` that is not known to be 0 on all slices of these
+/// nodes.
 Range<int> SliceWindow::FilledIn(const Range<int>& nodes, int v, const Range<int>& columns) const
 {
   if (!this->Occupied)
@@ -124,7 +125,7 @@ void SliceWindow::Load(const Range<int>& slab)
       if (this->Delivery)
       {
         this->ClearRow(v, Range<int>{}, 0);
-        this->ClearRow(v, filled, nodes.Length()); // what will have been written
+        this->ClearRow(v, filled, nodes.Length()); // `filled` will have been written
       }
       else
       {
@@ -134,7 +135,7 @@ void SliceWindow::Load(const Range<int>& slab)
     });
 }
 
-/// Slices along x, columns along y, rows along z.
+/// Copies with slices along x, columns along y and rows along z.
 void SliceWindow::TransposeRow(int v, const Range<int>& columns, const Range<int>& nodes)
 {
   const Index pitch = this->StrideV / this->Columns; // nodes along x
@@ -162,8 +163,8 @@ SlabDelivery::Field SliceWindow::Delivered() const
   return { this->Field, view };
 }
 
-/// Makes 0 again what a row has been written in, but for `kept` of the first `slices`, which will
-/// be overwritten.
+/// Clears what was written in a row, except `kept` on the first `slices` slices, which will be
+/// overwritten.
 void SliceWindow::ClearRow(int v, const Range<int>& kept, int slices)
 {
   SlabMemory::Written& written = this->Memory->rows[std::size_t(v)];
@@ -175,7 +176,7 @@ void SliceWindow::ClearRow(int v, const Range<int>& kept, int slices)
     std::fill(row + old.begin, row + std::max(std::min(stays.begin, old.end), old.begin), 0.0f);
     std::fill(row + std::min(std::max(stays.end, old.begin), old.end), row + old.end, 0.0f);
   }
-  // Whole registers are written, see WholeRegisters.
+  // Writes cover whole vector registers, see WholeRegisters.
   const Range<int> wide{ std::max(kept.begin - registerLanes, 0),
     std::min(kept.end + registerLanes, this->Columns) };
   written = kept.Empty() ? SlabMemory::Written{} : SlabMemory::Written{ wide, slices };

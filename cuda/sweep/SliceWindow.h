@@ -17,8 +17,8 @@ namespace limpid
 class RankBands;
 
 /**
- * Copied slices of a slab. Outside the columns that a row is known to have been written in, it is
- * 0, so that a field that is mostly empty is not filled with zeros again and again.
+ * Copied slices of a slab. Each row records the columns that were written. All others are 0, so
+ * that mostly empty fields are not cleared again and again.
  */
 struct SlabMemory
 {
@@ -33,40 +33,41 @@ struct SlabMemory
   std::vector<Written> rows;
 };
 
-/// Keeps the memory of slabs from one sweep of a frustum to the next.
+/// Keeps the memory of slabs between sweeps of a frustum.
 class SlabPool
 {
 public:
-  /// Memory for a slab that nobody else holds; it goes back when the last holder lets go. All calls
-  /// are for the same frustum.
+  /// Returns unused memory for a slab. It is reused once its last holder has released it. All
+  /// calls must be for the same frustum.
   std::shared_ptr<SlabMemory> Take(const FaceFrustum& frustum);
 
 private:
   std::vector<std::shared_ptr<SlabMemory>> All;
 };
 
-/// What a sweep does with a field, and on which slices beside the one it has reached.
+/// How a sweep uses a field, and on which slices besides the current one.
 struct FieldUse
 {
-  int behind = 0; ///< slices behind that it reads, at most mostSlicesBehind
+  int behind = 0; ///< number of slices behind that it reads, at most mostSlicesBehind
   bool writes = false;
-  bool reads = true; ///< whether it reads what was there before the sweep
-  int inFront = 0;   ///< slices in front that it reads, at most mostSlicesInFront
+  bool reads = true; ///< whether it reads values from before the sweep
+  int inFront = 0;   ///< number of slices in front that it reads, at most mostSlicesInFront
 };
 
 /**
- * A field seen slice by slice along the depth axis of a frustum, each row of voxels contiguous.
+ * Access to a field slice by slice along the depth axis of a frustum, with contiguous rows of
+ * voxels.
  *
  * Depth along y or z: rows of the field itself. Depth along x: a transposed copy of the slices of
- * a slab; Load and Store move it. Where ranks have the field elsewhere, along any axis: a copy that
- * SlabDelivery fills and returns.
+ * a slab, which Load and Store transfer. If the field is distributed differently: a copy along any
+ * axis, which SlabDelivery fills and returns.
  */
 class SliceWindow
 {
 public:
-  /// `field`: one value per node, null: there is none; written only by Store, or through Row where
-  /// not transposed. `occupancy`: where it is not filled the field is known to be 0, and what is
-  /// written there is lost; null: nothing is known. `pool` must outlive the window.
+  /// `field`: one value per node, or null. Only Store writes it, or Row if it is not copied.
+  /// `occupancy`: outside of it the field is known to be 0 and writes are lost; null if nothing is
+  /// known. `pool` must outlive the window.
   SliceWindow(const FaceFrustum& frustum, const Occupancy* occupancy, SlabPool& pool, float* field,
     const FieldUse& use);
   SliceWindow(const FaceFrustum& frustum, const Occupancy* occupancy, SlabPool& pool,
@@ -75,8 +76,8 @@ public:
   {
   }
 
-  /// From now on moves only what a rank needs: other rows are on other ranks. `delivery`: what
-  /// moves it; null: Load and Store.
+  /// From now on only the rows that this rank needs are transferred. `delivery`: transfers them;
+  /// if null, Load and Store do.
   void MoveNeeded(const RankBands& bands, const SlabDelivery* delivery)
   {
     this->Bands = &bands;
@@ -84,14 +85,14 @@ public:
     this->IsCopied = this->IsCopied || delivery;
   }
 
-  /// Makes the slices of a slab readable, and those behind it that the sweep reads, too. What is
-  /// delivered is 0.
+  /// Makes the slices of a slab readable, and those behind it that the sweep reads. Slices that
+  /// `delivery` will fill are set to 0.
   void Load(const Range<int>& slab);
 
-  /// Writes the slices of the slab back, if the sweep writes.
+  /// Writes the slices of the slab back if the sweep changes the field.
   void Store(const Range<int>& slab);
 
-  /// What is to be delivered of the slab that was loaded.
+  /// Returns what `delivery` has to transfer for the loaded slab.
   SlabDelivery::Field Delivered() const;
 
   bool Reads() const { return this->Use.reads; }
@@ -99,18 +100,18 @@ public:
 
   bool Empty() const { return this->Field == nullptr; }
 
-  /// Whether the sweep reads what it has written.
+  /// Whether the sweep reads values that it has written.
   bool IsReadBehind() const { return !this->Empty() && this->Use.writes && this->Use.behind > 0; }
   int ColumnCount() const { return this->Columns; }
 
-  /// Row `v` of the slice at a node: one value per column.
+  /// Returns row `v` of the slice at a node: one value per column.
   float* Row(int node, int v)
   {
     return this->IsCopied ? this->Slices + (node - this->First) * this->Pitch + v * this->Columns
                           : this->Field + this->StrideW * node + this->StrideV * v;
   }
 
-  /// Row `v` of the slice at a node will be read soon, or the last one.
+  /// Prefetches row `v` of the slice at a node, or the last row.
   LIMPID_INLINE void Prefetch(int node, int v, const Range<int>& columns)
   {
     const float* row = this->Row(node, v < this->Rows ? v : this->Rows - 1);
@@ -132,7 +133,7 @@ private:
   bool IsCopied;
   int Columns;
   int Rows;
-  Index Pitch; ///< of copied slices
+  Index Pitch; ///< distance between copied slices
   Index StrideV = 0;
   Index StrideW = 0;
   int First = 0;

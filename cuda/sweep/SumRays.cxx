@@ -10,7 +10,8 @@ namespace limpid
 void AddRays(const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum)
 {
   constexpr Index rowsPerTask = 16;
-  constexpr int guard = 1; // on either side; it stands for no part of the box, see FaceFrustum
+  constexpr int guard = 1; // guard rays on either side represent no part of the box, see
+                           // FaceFrustum
   const float* columnShare = frustum.Row(frustum.columnShare);
   std::vector<double> sums(std::size_t(rows.Length()));
   ParallelFor(rows.Length(), rowsPerTask,

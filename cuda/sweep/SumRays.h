@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Integrals over the domain, from what the rays have added up along their way.
+// Integrals over the domain, computed from the values that rays have accumulated.
 
 #ifndef limpid_sweep_SumRays_h
 #define limpid_sweep_SumRays_h
@@ -29,11 +29,11 @@ struct Visible
   }
 };
 
-/// What a source sees: of the whole extinction, and of what it keeps of the base extinction.
+/// Visibility from a source: of the whole extinction, and of the kept base extinction.
 struct Seen
 {
   Visible all;
-  Visible kept; ///< 0 where it is not counted
+  Visible kept; ///< 0 if it is not counted
 
   Seen& operator+=(const Seen& other)
   {
@@ -43,15 +43,15 @@ struct Seen
   }
 };
 
-/// Adds one value per ray, for an integral over the domain of what these are integrals of along
-/// their rays times scale^2, which cellMeasure times the sum is. Row by row; rows are added
-/// exactly. `rows`: of rays.
+/// Adds one value per ray to `sum`, row by row and exactly. A value is an integral along its ray,
+/// times scale^2; cellMeasure times the sum is then the integral over the domain. `rows`: rows of
+/// rays.
 void AddRays(
   const FaceFrustum& frustum, const Range<int>& rows, const float* values, ExactSum& sum);
 
 namespace detail
 {
-/// What rays of several frusta add to an integral over the domain.
+/// A summand: the contribution of the rays of several frusta to an integral over the domain.
 struct WeightedRays
 {
   struct Part
@@ -61,7 +61,7 @@ struct WeightedRays
     const float* length;
     const float* values;
     double cellMeasure;
-    Index first; ///< number of its first ray among those of all frusta
+    Index first; ///< number of rays in the frusta before it
     int columns;
   };
 
@@ -69,7 +69,7 @@ struct WeightedRays
   Part parts[mostParts];
   int count = 0;
 
-  /// Adds the rays of a frustum, of which `first` come before.
+  /// Adds the rays of a frustum; `first`: number of rays in the frusta before it.
   void Add(const FaceFrustum& frustum, const float* values, Index first)
   {
     this->parts[this->count++] = { frustum.Row(frustum.columnShare), frustum.Row(frustum.rowShare),
@@ -88,13 +88,13 @@ struct WeightedRays
     const double shareU = part.columnShare[ray % part.columns];
     const double shareV = part.rowShare[ray / part.columns];
     const double share = part.cellMeasure * shareU * shareV;
-    // What a guard carries may be no number.
+    // Values of guard rays may be NaN.
     return share > 0 ? share / double(part.length[ray]) * part.values[ray] : 0.0;
   }
 };
 }
 
-/// Of a ray: what it has seen of everything, or of what is kept (Kept::Counted).
+/// The accumulated values of rays: of the whole extinction, or of the kept base extinction.
 struct SeenByRay
 {
   const float* visible;
@@ -107,16 +107,16 @@ struct SeenByRay
   }
 };
 
-/// The sums of what all rays have seen.
+/// The summands for what all rays have seen.
 struct SumsOfRays
 {
   Summand<detail::WeightedRays> visible{ {}, 0, nullptr };
   Summand<detail::WeightedRays> unattenuated{ {}, 0, nullptr };
 
-  /// None.
+  /// Empty sums.
   SumsOfRays() = default;
 
-  /// Into `sum` on the device.
+  /// The results are written to `sum` on the device.
   template <class AnyDevice>
   SumsOfRays(std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept, Visible* sum)
   {
@@ -134,7 +134,7 @@ struct SumsOfRays
   }
 };
 
-/// What all rays have seen, those of other ranks included, into `sum`.
+/// Sums what the rays of all ranks have seen into `sum`.
 inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Visible* sum)
 {
   ExactSum sums[2];
@@ -155,7 +155,7 @@ inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Vis
   *sum = { cellMeasure * sums[0].Value(), cellMeasure * sums[1].Value() };
 }
 
-/// The same of one value per ray of a frustum, for the host: waits.
+/// Returns the integral of one value per ray of a frustum to the host; waits for the device.
 template <class AnyDevice>
 double SumOfRays(
   const std::shared_ptr<AnyDevice>& device, const FrustumRays<AnyDevice>& all, const float* values)
@@ -184,7 +184,7 @@ double SumOfRays(
   }
 }
 
-/// What all rays have seen, for the host: waits.
+/// Returns what all rays have seen to the host; waits for the device.
 template <class AnyDevice>
 Visible SumRays(
   const std::shared_ptr<AnyDevice>& device, std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a device sweeps: launch by launch, a thread for every ray or voxel. A kernel says what
-// happens to them; SweepRows.h sweeps the same kernels on the processor. SweepTiles.h is for those
+// Sweeps on a device, launch by launch, with one thread per ray or voxel. A kernel defines what
+// happens to them; SweepRows.h runs the same kernels on the processor. SweepTiles.h serves kernels
 // whose rays depend on the voxels behind.
 
 #ifndef limpid_sweep_SweepLaunches_h
@@ -17,11 +17,11 @@ namespace limpid
 {
 namespace detail
 {
-/// Slices that rays cross between one wait and the next. So few that the images of two slabs stay
-/// in the second-level cache of a large GPU (30 MB at 256^3).
+/// Number of slices that rays cross between two synchronisations. It is small enough that the
+/// images of two slabs fit into the L2 cache of a large GPU (30 MB at 256^3).
 constexpr int slicesPerSlab = 4;
 
-/// A ray through all layers, front to back.
+/// Moves a ray through all layers, front to back.
 template <class Ray, class Kernel>
 struct ForwardRay
 {
@@ -42,7 +42,7 @@ struct ForwardRay
   }
 };
 
-/// A ray through all layers, back to front.
+/// Moves a ray through all layers, back to front.
 template <class Kernel>
 struct BackwardRay
 {
@@ -66,10 +66,10 @@ struct BackwardRay
   }
 };
 
-/// Slices from the back on, as far as there are voxels.
+/// Visits the slices that hold voxels, back to front.
 struct BackToFront
 {
-  /// What goes from slab to slab.
+  /// The values kept between slabs.
   using Carried = RayStates;
 
   template <class AnyDevice>
@@ -90,7 +90,7 @@ struct BackToFront
     return { begin > frustum.firstNodeSlice ? begin : frustum.firstNodeSlice, end };
   }
 
-  /// What a ray is before a slab. It has its optical depth from the start.
+  /// Sets the values of a ray before a slab. Its optical depth is known from the start.
   LIMPID_HD static LIMPID_INLINE void Load(
     bool first, const RayStates& all, int index, RayHere& here)
   {
@@ -125,7 +125,7 @@ struct BackToFront
   }
 };
 
-/// Slices from the front on, the source's own included.
+/// Visits all slices front to back, including the source's own.
 struct FrontToBack
 {
   using Carried = double*; ///< the optical depth
@@ -169,8 +169,9 @@ struct FrontToBack
   }
 };
 
-/// Slab by slab, for a kernel whose rays do not depend on what it does to the voxels: in each phase
-/// the rays cross a slab, and the voxels of the slab before read what the rays have left there.
+/// Phases of a sweep, slab by slab, for a kernel whose rays do not depend on the changes of
+/// voxels. In each phase the rays cross a slab, while the voxels of the previous slab read the
+/// images that the rays have left there.
 template <class Way, class Kernel>
 struct SlabPhases
 {
@@ -209,7 +210,7 @@ struct SlabPhases
     }
     else
     {
-      const int number = row - rows; // slice by slice, nodesV each
+      const int number = row - rows; // index in a list of slices with nodesV rows each
       const Range<int> slab = Way::SlabOf(this->frustum, phase - 1);
       this->VisitVoxel(
         slab.begin + number / this->frustum.nodesV, column, number % this->frustum.nodesV);
@@ -253,7 +254,7 @@ inline Extent ExtentOfRays(const FaceFrustum& frustum)
   return { frustum.columns, frustum.rows };
 }
 
-/// See SlabPhases.
+/// Runs the phases of SlabPhases.
 template <class Way, class AnyDevice, class Kernel>
 void SweepSlabs(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
@@ -263,7 +264,7 @@ void SweepSlabs(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& k
 }
 }
 
-/// Front to back: every ray through all layers, in one launch. `Ray`: how it is sampled.
+/// Front to back: moves every ray through all layers in one launch. `Ray`: the sampler.
 template <class Ray = RaySampler, class AnyDevice, class Kernel>
 void SweepForward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
@@ -273,8 +274,8 @@ void SweepForward(
     detail::ForwardRay<Ray, Kernel>{ frustum, rays.States(), kernel });
 }
 
-/// Back to front without voxels: every ray through all layers, in one launch. Leaves the optical
-/// depths.
+/// Back to front without voxels: moves every ray through all layers in one launch. Keeps the
+/// optical depths.
 template <class AnyDevice, class Kernel>
 void SweepRaysBackward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
@@ -283,8 +284,8 @@ void SweepRaysBackward(
     detail::BackwardRay<Kernel>{ rays.Plan(), rays.States(), kernel });
 }
 
-/// Back to front over all slices of voxels, for a kernel whose rays do not depend on what it does
-/// to the voxels.
+/// Back to front over all slices of voxels, for a kernel whose rays do not depend on the changes
+/// of voxels.
 template <class AnyDevice, class Kernel>
 void SweepBackward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
@@ -292,7 +293,7 @@ void SweepBackward(
   detail::SweepSlabs<detail::BackToFront>(device, rays, kernel);
 }
 
-/// Front to back over all slices, the source's own included.
+/// Front to back over all slices, including the source's own.
 template <class AnyDevice, class Kernel>
 void SweepFrontToBack(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the processor sweeps: its threads share the rows of a slice. A kernel says what happens to
-// the rays and to the voxels; SweepLaunches.h sweeps the same kernels on a device.
+// Sweeps on the processor, whose threads share the rows of a slice. A kernel defines what happens
+// to rays and voxels; SweepLaunches.h runs the same kernels on a device.
 
 #ifndef limpid_sweep_SweepRows_h
 #define limpid_sweep_SweepRows_h
@@ -17,10 +17,10 @@
 
 namespace limpid
 {
-/// Rows of rays or voxels that are worth a task of their own.
+/// Number of rows of rays or voxels per task.
 constexpr Index rowsPerTask = 8;
 
-/// Calls what(row) for some rows.
+/// Calls what(row) for a range of rows, in parallel.
 template <class What>
 void ForRows(const Range<int>& rows, Index perTask, const What& what)
 {
@@ -28,7 +28,7 @@ void ForRows(const Range<int>& rows, Index perTask, const What& what)
     [&rows, &what](Index index) { what(rows.begin + static_cast<int>(index)); });
 }
 
-/// Calls step(ray) for all rays that are swept or read here.
+/// Calls step(ray) for all rays that this rank sweeps or reads.
 template <class Step>
 void ForRaysReached(FrustumRays<HostDevice>& rays)
 {
@@ -38,7 +38,7 @@ void ForRaysReached(FrustumRays<HostDevice>& rays)
   ParallelFor(Index(rows.Length()) * rays.Plan().columns, raysPerTask, Step{ first });
 }
 
-/// The fields of a kernel as the processor reads them, slab by slab.
+/// Host access to the fields of a kernel, slab by slab.
 class FieldWindows
 {
 public:
@@ -48,7 +48,7 @@ public:
   {
   }
 
-  /// Null for a field that is not there.
+  /// Adds a field and returns its window; null for a null field.
   template <class Value>
   SliceWindow* operator()(Value* field, const FieldUse& use)
   {
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  /// Brings what the voxels of a slice have become to other ranks whose rays read it.
+  /// Sends the changed voxels of a slice to the ranks whose rays read them.
   void Exchange(int s)
   {
     std::vector<SliceWindow*> changed;
@@ -127,7 +127,7 @@ private:
   std::deque<SliceWindow> All;
 };
 
-/// Brings what voxels of slice `s` read of the rays to them from other ranks, see RankBands.
+/// Exchanges the ghost rows of rays that voxels of slice `s` read, see RankBands.
 inline void ExchangeRays(
   const FrustumRays<HostDevice>& rays, int s, bool cubic, const std::vector<float*>& images)
 {
@@ -137,14 +137,14 @@ inline void ExchangeRays(
   }
 }
 
-/// What rays carry in a sweep from the front.
+/// The values that rays carry in a front-to-back sweep.
 inline std::vector<RayValues> CarriedToBack(const RayStates& rays)
 {
   return { rays.opticalDepth, rays.visible, rays.unattenuated, rays.transmittance, rays.density,
     rays.keptVisible, rays.keptUnattenuated };
 }
 
-/// Brings rays to the ranks that have them on slice `to`, see RankBands.
+/// Redistributes rays to their owners on slice `to`, see RankBands.
 inline void PassRays(
   const FrustumRays<HostDevice>& rays, int from, int to, const std::vector<RayValues>& carried)
 {
@@ -154,7 +154,7 @@ inline void PassRays(
   }
 }
 
-/// Front to back: every row of rays through all layers. `Rays`: how they are sampled; `occupancy`:
+/// Front to back: moves every row of rays through all layers. `Rays`: the sampler; `occupancy`:
 /// see SliceWindow.
 template <class Rays = RowSampler, class Kernel>
 void SweepForward(
@@ -185,7 +185,8 @@ void SweepForward(
   }
 }
 
-/// Back to front without voxels: every row of rays through all layers. Leaves the optical depths.
+/// Back to front without voxels: moves every row of rays through all layers. Keeps the optical
+/// depths.
 template <class Kernel>
 void SweepRaysBackward(
   HostDevice&, FrustumRays<HostDevice>& rays, const Occupancy& occupancy, const Kernel& kernel)
@@ -222,9 +223,9 @@ void SweepRaysBackward(
 
 /**
  * Back to front over all slices of voxels. On each slice the kernel first moves all rays to it
- * (RayStep) and then does its work on the voxels of the slice (VoxelStep), which may depend on the
- * rays of the whole slice; in the end it moves all rays out of the volume (LeaveStep). After
- * each row of voxels there is a call of done(voxels, kernel, row).
+ * (RayStep). It then works on the voxels of the slice (VoxelStep), which may depend on the rays of
+ * the whole slice. Finally it moves all rays out of the volume (LeaveStep). After each row of
+ * voxels, done(voxels, kernel, row) is called.
  */
 template <class Kernel, class Done>
 void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occupancy& occupancy,
@@ -279,7 +280,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   PassRays(rays, 0, frustum.lastSlice, carried);
 }
 
-/// The same of a kernel whose rays do not depend on what it does to the voxels.
+/// Back to front, for a kernel whose rays do not depend on the changes of voxels.
 template <class Kernel>
 void SweepBackward(HostDevice& device, FrustumRays<HostDevice>& rays, const Occupancy& occupancy,
   const Kernel& kernel)
@@ -287,8 +288,8 @@ void SweepBackward(HostDevice& device, FrustumRays<HostDevice>& rays, const Occu
   SweepBackwardByPhases(device, rays, occupancy, kernel, [](const VoxelRow&, const auto&, int) {});
 }
 
-/// Front to back over all slices, the source's own included: on each, the kernel lets the rays tell
-/// what they have met and carries them on (RayStep); then the voxels of the slice read them.
+/// Front to back over all slices, including the source's own. On each slice the kernel sets the
+/// values that voxels read and moves the rays on (RayStep); then it visits the voxels.
 template <class Kernel>
 void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& kernel)
 {
@@ -299,7 +300,8 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
   const std::vector<RayValues> carried{ states.opticalDepth, states.transmittance, states.density };
-  std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // columns that have met something
+  std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // [row]: columns of rays that have
+                                                             // met anything
   for (const Range<int>& slab : rays.Slabs())
   {
     windows.Load(slab);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a device sweeps where rays depend on the voxels behind: the rays are cut into tiles, and a
-// tile finds all the voxels of a slice that its rays read. Some of those its neighbours find, too,
-// so that nobody waits for anybody's voxels, and only once per slice for the rays beside them. Most
-// tiles have nothing to do on most slices: their rays meet nothing, and no ray matters to their
+// Sweeps on a device for kernels whose rays depend on the voxels behind. The rays are divided into
+// tiles, and a tile computes all voxels of a slice that its rays read. Neighbouring tiles compute
+// some of these, too, so that only one synchronisation per slice is needed, for the rays. Most
+// tiles are idle on most slices, where neither rays nor voxels change (RayTiles.h). Voxels that no
+// ray matters to are computed beforehand.
 // voxels (RayTiles.h). Voxels that no ray matters to are found before.
 
 #ifndef limpid_sweep_SweepTiles_h
@@ -20,8 +21,8 @@ namespace limpid
 {
 namespace detail
 {
-/// A ray before a sweep from the back. It leaves an image on the last two slices, as it may be
-/// active on neither.
+/// Initialises a ray for a back-to-front sweep. It writes images for the last two slices, as the
+/// ray may be active on neither.
 template <class Kernel>
 struct StartedRay
 {
@@ -39,7 +40,7 @@ struct StartedRay
   }
 };
 
-/// The voxels that no ray matters to, row by row: some threads share the filled ones of a row.
+/// Computes the voxels that no ray matters to; `threads` threads share the filled voxels of a row.
 template <class Kernel>
 struct IdleVoxels
 {
@@ -65,8 +66,8 @@ struct IdleVoxels
   }
 };
 
-/// Back to front. In each phase a tile first visits voxels of a slice, of which rays have left an
-/// image; then its rays go on through them to the slice in front and leave theirs.
+/// Back to front. In each phase a tile first visits voxels of a slice, for which rays have left
+/// images. Then its rays move through these voxels to the slice in front and leave their images.
 template <class Kernel>
 struct BackwardTiles
 {
@@ -81,19 +82,19 @@ struct BackwardTiles
   int PhaseCount() const { return this->lists.phaseCount; }
   int MostTiles() const { return this->lists.mostTiles; }
 
-  /// What there is to do in a phase.
+  /// Returns the tiles with work in a phase.
   LIMPID_HD LIMPID_INLINE PhaseOfTiles TilesOf(int phase) const
   {
     return this->lists.phases[phase];
   }
 
-  /// What a tile does in a phase, in two steps. It does not know the sweep: through a reference in
-  /// a variable a compiler for GPUs does not see that the memory is not a thread's own.
+  /// The work of a tile in a phase, in two steps. It holds no reference to the sweep: a GPU
+  /// compiler could not tell that such memory is not local to the thread.
   struct Tile
   {
     static constexpr int steps = 2;
 
-    int slice;            ///< that the rays come to; that of the voxels is the next one
+    int slice;            ///< the slice that rays move to; its voxels are on the next one
     Range<int> columns;   ///< rays
     Range<int> rows;      ///< rays
     Range<int> voxelsOfU; ///< see VoxelsOfTiles
@@ -106,18 +107,18 @@ struct BackwardTiles
     }
   };
 
-  /// One of the tiles of a phase.
+  /// Returns tile number `index` of a phase.
   LIMPID_HD LIMPID_INLINE Tile TileAt(const PhaseOfTiles& phase, int index) const
   {
     const VoxelsOfTiles& voxels = this->lists.voxels;
     const int number = this->lists.numbers[phase.first + index];
     const int s = phase.slice;
     Tile found{ s, {}, voxels.tiles.RowsOf(number), {}, {} };
-    if (s >= this->frustum.firstNodeSlice) // else there are voxels alone
+    if (s >= this->frustum.firstNodeSlice) // otherwise there are only voxels
     {
       found.columns = voxels.tiles.ColumnsOf(number);
     }
-    if (s < this->frustum.lastSlice) // else there are no voxels behind
+    if (s < this->frustum.lastSlice) // otherwise there are no voxels behind
     {
       found.voxelsOfU = voxels.AlongU(s + 1, number);
       found.voxelsOfV = voxels.AlongV(s + 1, number);
@@ -145,8 +146,8 @@ private:
     this->kernel.PrefetchInFront(voxel);
   }
 
-  /// What a ray carries is in registers meanwhile, so that reading fields need not wait for it to
-  /// be written.
+  /// Values of the ray are kept in registers, so that reading fields need not wait for writing
+  /// them.
   LIMPID_HD LIMPID_INLINE void MoveRay(int s, int column, int row) const
   {
     const Index index = this->frustum.RayAt(column, row);
@@ -166,7 +167,7 @@ private:
   }
 };
 
-/// A ray that leaves the volume.
+/// Moves a ray out of the volume.
 template <class Kernel>
 struct LeavingRay
 {
@@ -184,8 +185,8 @@ struct LeavingRay
 };
 }
 
-/// Back to front over all slices of voxels, slice by slice: the rays may depend on the voxels
-/// behind. What happens to a voxel must not depend on its having happened before: tiles share some.
+/// Back to front, slice by slice over all voxels; rays may depend on the voxels behind. Visiting a
+/// voxel twice must have the same effect as once, because tiles share some voxels.
 template <class AnyDevice, class Kernel>
 void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How kernels are swept: on the processor row by row, on a device launch by launch.
+// Selects how kernels are swept: row by row on the processor, launch by launch on a device.
 
 #ifndef limpid_sweep_Sweeps_h
 #define limpid_sweep_Sweeps_h

@@ -19,10 +19,10 @@ namespace
 /// A row of voxels between two rows of rays.
 struct BetweenRows
 {
-  Index first;      ///< ray of the row in front
-  float weights[2]; ///< of the row in front and of the next one
+  Index first;      ///< index of the first ray of the front row
+  float weights[2]; ///< weights of the front row and of the next one
 
-  /// `map`: of the voxel rows; `share`: by which the weights are multiplied.
+  /// `map`: map of the voxel rows; `share`: factor of both weights.
   BetweenRows(const FaceFrustum& frustum, const LinearMap& map, int v, float share)
     : first(frustum.RayAt(0, map.index[v]))
     , weights{ share * (1.0f - map.weight[v]), share * map.weight[v] }
@@ -30,7 +30,7 @@ struct BetweenRows
   }
 };
 
-/// The images that voxels see, in rows of `stride` rays.
+/// The images that voxels read, in rows of `stride` rays.
 struct RayImageRows
 {
   const float* transmittance;
@@ -38,7 +38,7 @@ struct RayImageRows
   Index stride;
 };
 
-/// One row of voxels as a column of rays sees it.
+/// The two rows of rays around one row of voxels, with their weights.
 struct RowsAbout
 {
   const float* transmittance[2];
@@ -62,7 +62,7 @@ struct RowsAbout
   }
 };
 
-/// Of a row of voxels between rows of rays.
+/// Interpolates the images to one row of voxels.
 LIMPID_MULTIVERSION
 void SeeRow(const RayImageRows& images, const BetweenRows& row, const Range<int>& columns,
   const SeenByVoxels& out)
@@ -81,7 +81,7 @@ void SeeRow(const RayImageRows& images, const BetweenRows& row, const Range<int>
   }
 }
 
-/// Of three rows of voxels.
+/// Interpolates and sums the images for three rows of voxels.
 LIMPID_MULTIVERSION
 void SeeRows(const RayImageRows& images, const std::array<BetweenRows, 3>& rows,
   const Range<int>& columns, const SeenByVoxels& out)
@@ -114,7 +114,7 @@ void AverageAlongRow(const float* __restrict values, const float* __restrict sid
   }
 }
 
-/// Takes another transmittance for the mean, and so much more or less of what is behind.
+/// Replaces the mean transmittance and scales the importance behind accordingly.
 LIMPID_MULTIVERSION
 void ExchangeTransmittance(
   const float* __restrict other, const Range<int>& columns, const SeenByVoxels& seen)
@@ -128,8 +128,8 @@ void ExchangeTransmittance(
   }
 }
 
-/// What rays in `read` show to a row of voxels and, through it, to those beside it. `map`: of the
-/// voxel rows; `side`: SideWeight of the row.
+/// Interpolates and averages the rays in `read` across rows, for a row of voxels and its two
+/// neighbours. `map`: map of the voxel rows; `side`: SideWeight of the row.
 void SeeAcrossRows(const FaceFrustum& frustum, const LinearMap& map, int v, float side,
   const RayImageRows& images, const Range<int>& read, const SeenByVoxels& out)
 {
@@ -154,7 +154,7 @@ void AddRow(
   }
 }
 
-/// values *= shares; what a guard carries, whose share is 0, may be no number.
+/// Multiplies values by shares. Guard rays, whose share is 0, may hold NaN.
 LIMPID_MULTIVERSION
 void WeighRow(float* __restrict values, const float* __restrict shares, const Range<int>& columns)
 {
@@ -164,7 +164,7 @@ void WeighRow(float* __restrict values, const float* __restrict shares, const Ra
   }
 }
 
-/// Positions of rays on a slice, on the border of the box where they are beside it.
+/// Computes positions of rays on a slice, clamped to the box.
 LIMPID_MULTIVERSION
 void PlaceRow(const RayLine* __restrict lines, double relativeDepth, int nodes,
   const Range<int>& columns, float* __restrict positions)
@@ -175,12 +175,12 @@ void PlaceRow(const RayLine* __restrict lines, double relativeDepth, int nodes,
   }
 }
 
-/// Of voxels whose rays enter through a side: the transmittance, in place of their density.
+/// Turns density into transmittance, for voxels whose rays enter through a side.
 struct TransmitFromDensity
 {
   float depth;              ///< relative depth of the slice
-  float rowEntry;           ///< where rays enter in v or through the front
-  const float* columnEntry; ///< ... in u
+  float rowEntry;           ///< relative depth where rays enter in v or through the front
+  const float* columnEntry; ///< relative depth where rays enter in u
   float* values;
 
   LIMPID_INLINE void operator()(Index u) const
@@ -191,7 +191,7 @@ struct TransmitFromDensity
   }
 };
 
-/// Targets in `targets` whose four sources for a cubic lie in `sources`.
+/// Returns the targets in `targets` whose four sources for a cubic are in `sources`.
 Range<int> CubicTargets(const int* index, const Range<int>& targets, const Range<int>& sources)
 {
   const int* first = index + targets.begin;
@@ -245,7 +245,7 @@ bool VoxelRow::FindSeen(const RaysBeside& rays)
   return true;
 }
 
-/// The rays about all active columns.
+/// Returns the rays around all active columns.
 Range<int> VoxelRow::ColumnsAboutActive() const
 {
   return { this->Frustum.ColumnsAbout(this->S, this->Active.begin).begin,
@@ -307,7 +307,7 @@ void VoxelRow::FindTransmittance(const RaysBeside& rays, float* transmittance)
 {
   const Range<int> owned = this->Here.ownedColumns;
   const float depth = this->Here.RelativeDepth();
-  // Ahead of its entry into the box a ray says nothing that four rays could bend by.
+  // In front of its entry into the box a ray has no values suitable for a cubic of four rays.
   const LinearMap map = this->Columns();
   const int row = this->Rows().index[this->V];
   const Range<int> rows =
@@ -337,7 +337,7 @@ void VoxelRow::FindTransmittance(const RaysBeside& rays, float* transmittance)
   this->TransmitLinear(rays, { cubic.end, owned.end }, transmittance);
 }
 
-/// The rays that columns of voxels and those beside them are interpolated from.
+/// Returns the rays that a range of voxel columns and their neighbours interpolate.
 Range<int> VoxelRow::RaysRead(const Range<int>& columns) const
 {
   const int* index = this->Columns().index;
@@ -346,13 +346,13 @@ Range<int> VoxelRow::RaysRead(const Range<int>& columns) const
   return WholeRegisters({ index[first], index[last] + 2 }, { 0, this->Frustum.columns });
 }
 
-/// Those of some columns that lie between rays that enter in front; where there are none, the range
-/// ends with the columns.
+/// Returns the part of `columns` between rays that enter in front. If there is none, the returned
+/// range starts and ends at the end of `columns`.
 Range<int> VoxelRow::BetweenFrontRays(const Range<int>& columns) const
 {
   const int row = this->Rows().index[this->V];
   const int* firstVoxels = this->Frustum.Row(this->Frustum.firstVoxels, this->S);
-  // Both rays of a voxel have to.
+  // Both rays of a voxel must enter in front.
   const Range<int> front = Intersection(columns,
     { firstVoxels[this->Frustum.frontColumns.begin],
       firstVoxels[this->Frustum.frontColumns.end - 1] });
@@ -376,7 +376,7 @@ void VoxelRow::SampleRays(const float* image, const Range<int>& columns, float* 
   InterpolateRow(this->Memory.rays[0], map, columns, out);
 }
 
-/// Cubic interpolation of an image of the rays.
+/// Interpolates an image of the rays by cubics.
 void VoxelRow::SampleCubic(const float* image, const Range<int>& columns, float* out)
 {
   if (columns.Empty())
@@ -407,8 +407,8 @@ void VoxelRow::TransmitFromSide(const RaysBeside& rays, const Range<int>& column
   this->TransmitDensity(columns, out);
 }
 
-/// Transmittance by linear interpolation; between rays that enter through a side, from their
-/// density, which knows where the voxel's own ray enters.
+/// Interpolates transmittance linearly. Between rays that enter through a side, it is computed
+/// from their density, using the entry of the voxel's own ray.
 void VoxelRow::TransmitLinear(const RaysBeside& rays, const Range<int>& columns, float* out)
 {
   const Range<int> front = this->BetweenFrontRays(columns);
@@ -425,7 +425,7 @@ void VoxelRow::TransmitDensity(const Range<int>& columns, float* densityToTransm
       this->Frustum.Row(this->Frustum.voxelColumnEntry, this->S), densityToTransmittance });
 }
 
-/// Interpolates a row of rays to the active voxels, and averages these.
+/// Interpolates a row of rays to the active voxels and averages the result along the row.
 void VoxelRow::AverageVoxels(const float* rays, float* out)
 {
   const int nodes = this->Frustum.nodesU;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the processor visits voxels: one row of a slice at a time. It interpolates what the rays
-// carry and calls the steps of a kernel; VoxelSampler.h does so for one voxel.
+// Visits voxels row by row, on the processor. It interpolates the values of rays and calls the
+// steps of a kernel. VoxelSampler.h does so for single voxels.
 
 #ifndef limpid_sweep_VoxelRow_h
 #define limpid_sweep_VoxelRow_h
@@ -11,8 +11,8 @@
 
 namespace limpid
 {
-/// What voxels see: the mean transmittance, and the mean of what it leaves of the importance
-/// behind.
+/// What voxels see: the mean transmittance, and the mean visible importance behind, which is
+/// attenuated by it.
 struct SeenByVoxels
 {
   float* transmittance; ///< [0, 1]
@@ -26,19 +26,19 @@ public:
   using Field = SliceWindow*;
   using Rays = RaysBeside;
 
-  /// Takes the calling thread's scratch memory.
+  /// Uses scratch memory of the calling thread.
   VoxelRow(const FaceFrustum& frustum, int s, int v);
 
-  /// The slice on which the row lies.
+  /// The slice that contains the row.
   const Slice& SliceHere() const { return this->Here; }
 
   /// The columns that may change.
   const Range<int>& Filled() const { return this->Changing; }
 
-  /// Row of a field.
+  /// Returns this row of a field.
   float* Row(Field field) const { return field->Row(this->Here.node, this->V); }
 
-  /// Brings the next row of a field, if there is one.
+  /// Prefetches the next row of a field; null is allowed.
   LIMPID_INLINE void Prefetch(Field field) const
   {
     if (field)
@@ -48,24 +48,24 @@ public:
   }
 
   /**
-   * Finds what the active columns see: means over their hat functions across the rays. Between rays
-   * that enter through a side, transmittance is that at the voxel, and the means say what it leaves
-   * of what is behind. Returns whether any column is active.
+   * Computes what the active columns see, as means over their hat functions across the rays.
+   * Between rays that enter through a side, it uses the transmittance at the voxel itself and
+   * scales the importance behind accordingly. Returns whether any column is active.
    */
   bool FindSeen(const RaysBeside& rays);
 
   const SeenByVoxels& SeenHere() const { return this->Means; }
 
   /**
-   * Finds what the rays say of the active columns (RaysBeside::behind): the sum over rays with the
-   * weights by which these interpolate the voxels, per part of a cell that is inside the box and
-   * among the rays. Returns whether any column is active.
+   * Sums RaysBeside::behind over the rays for each active column. The weights are those by which
+   * rays interpolate voxels, divided by the part of the hat function that is inside the box and
+   * covered by rays. Returns whether any column is active.
    */
   bool FindEffect(const RaysBeside& rays);
 
   const float* EffectHere() const { return this->Means.behind; }
 
-  /// The importance of nodes as far as the picture shows them, in the active columns.
+  /// Returns the importance of the nodes inside the view, in the active columns.
   const float* ImportanceInView(Field nodeImportance);
 
   /// Calls step(column) for the active columns.
@@ -75,7 +75,7 @@ public:
     detail::StepAlongRow(this->Active, step);
   }
 
-  /// Calls step(column) for columns that may change and do not see any ray that matters.
+  /// Calls step(column) for columns that may change but that no active ray reaches.
   template <class Step>
   void ForIdle(const Step& step) const
   {
@@ -85,12 +85,12 @@ public:
     detail::StepAlongRow({ active.end, this->Changing.end }, step);
   }
 
-  /// The transmittance at all columns that the frustum owns, by cubics between the rays where these
-  /// have entered the box.
+  /// Computes the transmittance at all columns that the frustum owns. It uses cubics between rays
+  /// that have entered the box.
   void FindTransmittance(const RaysBeside& rays, float* transmittance);
 
 private:
-  /// Rows of values; one more voxel on either side of `voxels`.
+  /// Rows of values, with one more voxel on either side in `voxels`.
   struct Scratch
   {
     float* importance;
@@ -98,7 +98,7 @@ private:
     float* voxels;
   };
 
-  /// A map from voxels to rays along the row, see LinearMap.
+  /// The map from voxels to rays along the row, see LinearMap.
   LinearMap Columns() const { return this->Frustum.Row(this->Frustum.voxelColumns, this->S); }
   LinearMap Rows() const { return this->Frustum.Row(this->Frustum.voxelRows, this->S); }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a device visits voxels: one at a time. VoxelRow.h has the same members for rows; the kernels
-// call both.
+// Visits voxels one at a time, on a device. VoxelRow.h has the same members for rows of voxels;
+// kernels call both.
 
 #ifndef limpid_sweep_VoxelSampler_h
 #define limpid_sweep_VoxelSampler_h
@@ -16,14 +16,14 @@
 
 namespace limpid
 {
-/// What a ray passes on to the voxels beside it: two numbers that are read at once.
+/// What a ray passes to the voxels next to it: two numbers that are read together.
 struct alignas(8) SeenOfRay
 {
   float transmittance; ///< [0, 1]
-  float behind;        ///< what it leaves of the importance behind [scale^2]
+  float behind;        ///< visible importance behind, attenuated [scale^2]
 };
 
-/// Images of the rays on a slice.
+/// Images of the rays on one slice.
 struct SliceImages
 {
   const SeenOfRay* seen;
@@ -39,7 +39,7 @@ public:
   using Field = const float*;
   using Rays = SliceImages;
 
-  /// `row`, `column` etc. of a step are the voxel's own: steps have the index 0.
+  /// Pointers such as Row refer to this voxel; steps receive the index 0.
   LIMPID_HD LIMPID_INLINE VoxelSampler(const FaceFrustum& frustum, int s, int u, int v)
     : Frustum(frustum)
     , Here(frustum.SliceAt(s))
@@ -58,10 +58,10 @@ public:
     return field + this->Own;
   }
 
-  /// Only rows can be brought ahead of time.
+  /// Does nothing: only whole rows are prefetched.
   LIMPID_HD LIMPID_INLINE void Prefetch(const float*) const {}
 
-  /// On a device: brings what fields have two slices in front, which is read in the next phase.
+  /// Prefetches, on a device, the values two slices in front, which the next phase reads.
   template <int count>
   LIMPID_HD LIMPID_INLINE void PrefetchInFront(const Field (&fields)[count]) const
   {
@@ -96,7 +96,7 @@ public:
     return true;
   }
 
-  /// See FindSeen.
+  /// The results of FindSeen.
   struct SeenByVoxel
   {
     const float* transmittance;
@@ -126,7 +126,7 @@ public:
       {
         const float weight = plan.Row(plan.columnShare)[column] *
           HatAt(plan.Row(plan.columnLines)[column].At(depth), this->U, plan.nodesU);
-        // What a guard carries, whose share is 0, may be no number.
+        // Values of guard rays, whose share is 0, may be NaN.
         sum += weight > 0.0f ? weight * rays.seen[plan.RayAt(column, row)].behind : 0.0f;
       }
       const float weight = plan.Row(plan.rowShare)[row] *
@@ -177,7 +177,7 @@ public:
   {
     const Hats hats = this->HatsIn(rays);
     const Pair pair = hats.Own();
-    // Ahead of its entry into the box a ray says nothing that four rays could bend by.
+    // In front of its entry into the box a ray has no values suitable for a cubic of four rays.
     const float depth = this->Here.RelativeDepth();
     const bool entered = HaveEntered(this->Frustum.Row(this->Frustum.columnEntry),
                            this->Frustum.columns, pair.column, depth) &&
@@ -199,8 +199,8 @@ public:
   }
 
 protected:
-  /// Rays between which the voxel lies: the first of two along each axis, and the weights of the
-  /// second ones.
+  /// The rays around the voxel: the first of two along each axis, and the weights of the second
+  /// ones.
   struct Pair
   {
     int column;
@@ -220,7 +220,7 @@ protected:
     }
   };
 
-  /// Between rays that enter the box in its front.
+  /// FindSeen for voxels between rays that enter the box in front.
   LIMPID_HD LIMPID_INLINE Hats FindSeenInside(const SliceImages& rays)
   {
     const Hats hats = this->HatsIn(rays);
@@ -249,13 +249,13 @@ private:
       row + 1 < rows.end;
   }
 
-  /// Whether a cubic between `index` and the next one has its four rays.
+  /// Whether all four rays of a cubic between `index` and the next one are in `among`.
   LIMPID_HD static LIMPID_INLINE bool HoldsFour(const Range<int>& among, int index)
   {
     return index > among.begin && index + 2 < among.end;
   }
 
-  /// HoldsFour among the rays that have entered the box at a depth, which are neighbours.
+  /// Like HoldsFour, for the rays that have entered the box at a depth, which are contiguous.
   LIMPID_HD static LIMPID_INLINE bool HaveEntered(
     const float* entries, int count, int index, float depth)
   {
@@ -289,7 +289,7 @@ private:
     return left + pair.sideways * (right - left);
   }
 
-  /// Means over the hat function of the voxel, across the rays.
+  /// Computes means over the hat function of the voxel, across the rays.
   LIMPID_HD LIMPID_INLINE void Average(const SeenOfRay* seen, const Hats& hats)
   {
     const HatOfVoxel& columns = hats.column;
@@ -353,8 +353,8 @@ private:
   int S;
   int U;
   int V;
-  int Own; ///< number of its node; no device has a volume of 2^31 nodes (ChooseBackend)
-  float Transmittance = 1; ///< mean, see FindSeen
+  int Own; ///< index of its node; volumes on devices have less than 2^31 nodes (ChooseBackend)
+  float Transmittance = 1; ///< mean over the hat function, see FindSeen
   float Behind = 0;
   float Importance = 0;
 };

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double rounding = 1e-9;
 
-/// The unit vector at right angles to `up` over which a direction stands; any one at a pole.
+/// Returns the normalised component of a direction perpendicular to `up`; arbitrary at a pole.
 Vec3 FootOf(const Vec3& direction, const Vec3& up)
 {
   const Vec3 flat = direction - glm::dot(direction, up) * up;

@@ -11,28 +11,28 @@
 
 namespace limpid
 {
-/// The directions, unit vectors from what is looked at to the camera, from which a person would
-/// look.
+/// The allowed viewing directions. A direction is a unit vector from the focal point to the
+/// camera.
 struct AllowedViews
 {
   Vec3 up{ 0.0, 1.0, 0.0 };  ///< unit vector
-  double lowest = -0.5 * pi; ///< elevation above the plane at right angles to `up` [radians]
-  double highest = 0.5 * pi; ///< likewise, not below `lowest`
+  double lowest = -0.5 * pi; ///< lowest elevation above the plane perpendicular to `up` [radians]
+  double highest = 0.5 * pi; ///< highest elevation, at least `lowest` [radians]
   std::vector<Vec3> avoided; ///< unit vectors
-  double avoidanceAngle = 0; ///< so far from each of them nothing is allowed [radians]
+  double avoidanceAngle = 0; ///< minimum angle to all avoided directions [radians]
 
   /// Whether a direction is allowed, to 1e-9 radians.
   bool Contains(const Vec3& direction) const;
 
-  /// The nearest direction whose elevation is allowed: itself, bit by bit, if its own is.
+  /// Returns the nearest direction of allowed elevation; bit-identical if `direction` has one.
   Vec3 WithElevation(const Vec3& direction) const;
 
-  /// A slope on the sphere at an allowed direction, without what leads out of the allowed
-  /// elevations.
+  /// Projects a slope on the sphere at an allowed direction so that it does not lead out of the
+  /// allowed elevations.
   Vec3 SlopeWithin(const Vec3& direction, const Vec3& slope) const;
 };
 
-/// Elevation of a unit vector above the plane at right angles to another one [radians].
+/// Returns the elevation of a unit vector above the plane perpendicular to `up` [radians].
 double ElevationOf(const Vec3& direction, const Vec3& up);
 }
 

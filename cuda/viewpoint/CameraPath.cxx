@@ -20,8 +20,7 @@ namespace
 {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// What a direction is the better for: of directions about it, the best score that can be reached
-/// by always going to the best neighbour.
+/// For each direction, the best score reachable by always going to the best neighbour.
 class Hills
 {
 public:
@@ -72,13 +71,13 @@ std::vector<int> AllowedOf(const DirectionMesh& mesh, const AllowedViews& allowe
   return numbers;
 }
 
-/// The best allowed directions, best first, no two too close to each other: first tops of hills
-/// from where much is seen, which differ more from each other than the surroundings of the highest
-/// top.
+/// Returns the best allowed directions in descending order, none too close to another. Local
+/// maxima with high scores come first, as they differ more from each other than the surroundings
+/// of the global maximum.
 std::vector<int> KeysOf(const DirectionMesh& mesh, const std::vector<double>& scores,
   const CameraPathSettings& settings, const Hills& hills, std::vector<int> candidates)
 {
-  constexpr double much = 0.5; // of the best score
+  constexpr double much = 0.5; // relative to the best score
   const auto scoreOf = [&scores](int direction) { return scores[std::size_t(direction)]; };
   std::stable_sort(
     candidates.begin(), candidates.end(), [&](int a, int b) { return scoreOf(a) > scoreOf(b); });
@@ -105,8 +104,8 @@ std::vector<int> KeysOf(const DirectionMesh& mesh, const std::vector<double>& sc
   return keys;
 }
 
-/// Puts keys, from the first one on, into the order of a short round trip: that of the nearest next
-/// one, then parts turned round as long as that makes it shorter.
+/// Orders keys, keeping the first one, into a short round trip: nearest neighbour first, then
+/// reversal of segments as long as that shortens the trip.
 void ShortenRoundTrip(const std::vector<Vec3>& directions, std::vector<int>& keys)
 {
   const auto between = [&](int a, int b)
@@ -138,8 +137,8 @@ void ShortenRoundTrip(const std::vector<Vec3>& directions, std::vector<int>& key
   }
 }
 
-/// The way between two directions over neighbours that is shortest if every angle counts the more
-/// the less is seen, without the first direction. Directions that are not allowed count much.
+/// Returns the cheapest path between two directions over neighbours, without the first direction.
+/// The cost of an angle rises as less is seen, and is high for directions that are not allowed.
 std::vector<int> WayBetween(const DirectionMesh& mesh,
   const std::vector<std::vector<int>>& neighbours, const std::vector<double>& costs, int from,
   int to)
@@ -184,7 +183,7 @@ std::vector<int> WayBetween(const DirectionMesh& mesh,
   return way;
 }
 
-/// A round trip over neighbours through all keys.
+/// Returns a round trip over neighbours through all keys.
 std::vector<Vec3> WayThrough(const DirectionMesh& mesh,
   const std::vector<std::vector<int>>& neighbours, const std::vector<double>& costs,
   const std::vector<int>& keys)
@@ -198,7 +197,7 @@ std::vector<Vec3> WayThrough(const DirectionMesh& mesh,
       way.push_back(mesh.directions[std::size_t(passed)]);
     }
   }
-  // It came to the first key last.
+  // The last direction is the first key.
   if (way.empty())
   {
     way.push_back(mesh.directions[std::size_t(keys[0])]);
@@ -207,7 +206,7 @@ std::vector<Vec3> WayThrough(const DirectionMesh& mesh,
   return way;
 }
 
-/// The neighbours that are allowed, of those that are.
+/// Restricts the neighbours of allowed directions to allowed ones.
 std::vector<std::vector<int>> Within(
   const std::vector<std::vector<int>>& neighbours, const std::vector<int>& allowed)
 {
@@ -233,11 +232,12 @@ std::size_t FrameNext(const std::vector<Vec3>& path, const Vec3& direction)
   return std::size_t(nearest - path.begin());
 }
 
-/// How much an angle counts by what is seen along it.
+/// Returns the cost of an angle at each direction, depending on its score.
 std::vector<double> CostsOf(
   const DirectionMesh& mesh, const std::vector<double>& scores, const AllowedViews& allowed)
 {
-  constexpr double ofNothingSeen = 5; // times the angle where as much is seen as anywhere
+  constexpr double ofNothingSeen = 5; // cost where nothing is seen, relative to that at the best
+                                      // score
   constexpr double ofNotAllowed = 1000;
   const double best = *std::max_element(scores.begin(), scores.end());
   std::vector<double> costs;
@@ -251,13 +251,13 @@ std::vector<double> CostsOf(
   return costs;
 }
 
-/// Smooths as much as every point allows: `isGood(point, its number)`.
+/// Smooths a curve as much as possible while `isGood(point, index)` holds for every point.
 template <class IsGood>
 std::vector<Vec3> SmoothedWhile(
   const std::vector<Vec3>& wanted, const AllowedViews& allowed, bool closed, const IsGood& isGood)
 {
-  constexpr double least = 1e-4; // bends spread over about ten points
-  constexpr double most = 1e6;   // next to nothing moves
+  constexpr double least = 1e-4; // bends extend over about ten points
+  constexpr double most = 1e6;   // points hardly move
   std::vector<double> weights(wanted.size(), least);
   std::vector<Vec3> found;
   bool changed = true;
@@ -288,11 +288,11 @@ void AddScores(const DirectionMesh& mesh, const Scores& scoresAt, CameraPath& pa
   }
 }
 
-/// A direction that would do at a time step.
+/// A possible direction at a time step.
 struct Candidate
 {
   int direction;
-  double loss; ///< share of the best score at that time that is not seen from there
+  double loss; ///< fraction of the best score at that time that is lost
 };
 
 std::vector<Candidate> CandidatesOf(const std::vector<double>& scores,
@@ -315,8 +315,9 @@ std::vector<Candidate> CandidatesOf(const std::vector<double>& scores,
   return candidates;
 }
 
-/// Of the candidates, one direction per time step: the least sum of squared angles [radians^2] and
-/// losses, found backwards. All that could be seen counts as much as to turn by a radian at once.
+/// Selects one candidate per time step that minimises the sum of squared angles [radians^2] and
+/// losses, by backward dynamic programming. Losing everything costs as much as turning by one
+/// radian at once.
 std::vector<int> LeastTurns(
   const DirectionMesh& mesh, const std::vector<std::vector<Candidate>>& candidates)
 {
@@ -375,7 +376,7 @@ CameraPath RoundTrip(
     enough.push_back(settings.leastShare * mesh.At(scores, direction));
   }
   constexpr double anywhere = 4;  // radians
-  constexpr double atKey = 0.035; // 2 degrees: where hills are broad, the trip would shrink
+  constexpr double atKey = 0.035; // 2 degrees: with broad maxima, more would shrink the trip
   std::vector<double> farthest(wanted.size(), anywhere);
   for (const int key : keys)
   {

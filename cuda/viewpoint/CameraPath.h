@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Ways of a camera over a sphere of directions that show much and turn evenly.
+// Smooth camera paths over a sphere of directions that show much.
 
 #ifndef limpid_viewpoint_CameraPath_h
 #define limpid_viewpoint_CameraPath_h
@@ -15,35 +15,36 @@ namespace limpid
 {
 struct CameraPathSettings
 {
-  int keyViews = 4;        ///< of a round trip, at most, >= 1
-  double separation = 0.5; ///< least angle between any two of them [radians]
-  int frames = 120;        ///< of a round trip, >= 2
-  double leastShare = 0.9; ///< of the locally best score, at key views [0, 1]
-  AllowedViews allowed;    ///< nowhere else does the path go, if there is a way
+  int keyViews = 4;        ///< maximum number in a round trip, >= 1
+  double separation = 0.5; ///< minimum angle between any two key views [radians]
+  int frames = 120;        ///< number of frames of a round trip, >= 2
+  double leastShare = 0.9; ///< minimum share of the locally best score at key views [0, 1]
+  AllowedViews allowed;    ///< the path stays inside if possible
 };
 
-/// A camera's way.
+/// A camera path.
 struct CameraPath
 {
-  std::vector<Vec3> directions; ///< of unit length, one per frame
-  std::vector<double> scores;   ///< from there
-  std::vector<int> keyViews;    ///< numbers of frames, in order
-  bool closed = false;          ///< whether the first frame follows the last
+  std::vector<Vec3> directions; ///< unit vectors, one per frame
+  std::vector<double> scores;   ///< score of each frame
+  std::vector<int> keyViews;    ///< frame numbers in ascending order
+  bool closed = false;          ///< whether the first frame follows the last one
 };
 
 /**
- * A round trip through the best views, at even speed: from the best one on, in the order of the
- * shortest way found, along ridges of the score. The best views are the tops of hills from where at
- * least half as much is seen as from the best one, and if those are too few, others. `scores`: one
- * per direction, not negative. Empty where no direction is allowed.
+ * Returns a round trip through the best views at constant speed. It starts at the best view,
+ * visits the others in the order of the shortest path found, and follows ridges of the score. The
+ * best views are local maxima whose scores are at least half of the best score; if there are too
+ * few, other directions are added. `scores`: one non-negative value per direction. Empty if no
+ * direction is allowed.
  */
 CameraPath RoundTrip(
   const DirectionMesh& mesh, const std::vector<double>& scores, const CameraPathSettings& settings);
 
 /**
- * One direction per time step, which is a key view: from each at least `leastShare` of what is seen
- * from the locally best direction at that time, with as little turning as that allows. `scores`:
- * per time step, one per direction. Empty where no direction is allowed.
+ * Returns one direction per time step, each a key view, with as little turning as possible. Each
+ * direction has at least `leastShare` of the locally best score at its time. `scores`: [time
+ * step][direction]. Empty if no direction is allowed.
  */
 CameraPath PathThroughTime(const DirectionMesh& mesh,
   const std::vector<std::vector<double>>& scores, const CameraPathSettings& settings);

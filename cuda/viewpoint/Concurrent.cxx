@@ -18,17 +18,17 @@ namespace limpid
 {
 namespace
 {
-/// The most cameras that an extinction is optimised for after the first.
+/// Maximum number of cameras after the first one for which the extinction is optimised.
 constexpr int mostMoves = 6;
 
-/// Directions whose ceilings are compared before a climb: 0.5 radians from each other.
+/// Number of directions whose ceilings are compared before a climb, about 0.5 radians apart.
 constexpr int startDirections = 48;
 
-/// A move along the slope of the score [radians]: the first, and the smallest that is tried.
+/// First and smallest move along the slope of the score [radians].
 constexpr double firstMove = 0.25;
 constexpr double smallestMove = 0.02;
 
-/// Directions that are spread evenly over the sphere, on a spiral from pole to pole.
+/// Returns directions spread evenly over the sphere, on a spiral from pole to pole.
 std::vector<Vec3> SpiralOfDirections(int count)
 {
   const double goldenAngle = glm::pi<double>() * (3 - std::sqrt(5.0));
@@ -94,7 +94,7 @@ private:
     return glm::normalize(this->Best.camera.position - this->Sphere.centre);
   }
 
-  /// The first camera turned to another side of its focal point, upright as it was.
+  /// Returns the first camera, turned to another side of its focal point with the same up vector.
   Camera CameraAt(const Vec3& direction) const
   {
     Camera camera = this->First;
@@ -119,7 +119,7 @@ private:
     return solver;
   }
 
-  /// Asks until the answer is no.
+  /// Reports progress until the answer is to stop.
   bool GoesOn(double share, const std::string& text)
   {
     this->IsStopped = this->IsStopped || (this->Report && !this->Report(share, text));
@@ -151,8 +151,8 @@ private:
     return Outcome::Taken;
   }
 
-  /// Goes where most could be seen, and optimises there. Where that does not exceed the ceiling of
-  /// the first camera, it also optimises for that one.
+  /// Moves to the highest ceiling found and optimises there. If the result does not exceed the
+  /// ceiling of the first camera, it also optimises for that one.
   void GoToCeiling()
   {
     const NodeValues least =
@@ -194,8 +194,8 @@ private:
     }
   }
 
-  /// The view with the highest ceiling that views from all sides and climbs from the best of them
-  /// come to; `start` is one of them.
+  /// Returns the view with the highest ceiling, by sampling all sides and climbing from the best
+  /// samples, which include `start`.
   ScoredView HighestCeiling(const ViewScore& score, const ScoredView& start)
   {
     SearchSettings search;
@@ -218,8 +218,8 @@ private:
     return highest;
   }
 
-  /// Climbs to where most of what is important would be seen if nothing else were there; if the
-  /// extinction that is optimised there is worse, not quite so far.
+  /// Climbs to where most of the important structures would be seen if nothing occluded them. If
+  /// the extinction optimised there is worse, it tries points before that.
   void FollowProxy()
   {
     const auto count = static_cast<std::size_t>(this->Fields.grid.NodeCount());
@@ -249,8 +249,7 @@ private:
     }
   }
 
-  /// Goes where the optimised extinction, as it is, would let more be seen: Eqs. (30) and (31) in
-  /// turns.
+  /// Moves to where the current extinction shows more, alternating Eqs. (30) and (31).
   void FollowExtinction()
   {
     double length = firstMove;

@@ -15,44 +15,44 @@
 
 namespace limpid
 {
-/// What tells which way the camera is to go, Section 3.4.
+/// The quantity that guides the movement of the camera, Section 3.4.
 enum class Guide
 {
-  Proxy,      ///< majorant times importance, whatever hides it: stable
-  Extinction, ///< the extinction that has been optimised so far
-  Attainable  ///< the ceiling: what an extinction of its own could show from each view at most
+  Proxy,      ///< majorant times importance, ignoring occlusion: stable
+  Extinction, ///< the extinction optimised so far
+  Attainable  ///< the ceiling: the most that any extinction could show from each view
 };
 
-/// Cameras on one sphere, each with the extinction that is best for it.
+/// The result of a concurrent optimisation on a sphere of cameras.
 struct ConcurrentResult
 {
-  std::unique_ptr<Solver> solver; ///< at the last camera; null: stopped before the first was done
+  std::unique_ptr<Solver> solver; ///< at the last camera; null if stopped before that of the first
   Camera camera;                  ///< the last one
-  std::vector<Vec3> path;         ///< positions of the cameras that were taken, the first included
+  std::vector<Vec3> path;         ///< positions of all accepted cameras, starting with the first
 
-  /// Of the optimised extinction at the camera that it began with; not there: the ceiling of that
-  /// camera is below what was found, and no run was needed to know it.
+  /// Score of the optimised extinction at the first camera. Empty if the ceiling of that camera is
+  /// below the result, so that no run was needed.
   std::optional<Score> startScore;
 
-  /// The highest ceiling of the fraction among all views that were looked from, and how many these
-  /// were; 0 for the other guides.
+  /// The highest ceiling of the fraction among all evaluated views, and their number; 0 for other
+  /// guides.
   double highestCeiling = 0;
   Index views = 0;
 
-  /// What was proved, in a sentence; empty for the other guides.
+  /// One sentence on what was proved; empty for other guides.
   std::string Proof() const;
 };
 
 /**
- * Optimises extinction and viewpoint together: the camera moves on the sphere round its focal
- * point, and a move is kept if the extinction that is then optimised for the new camera lets more
- * be seen. The result is never below that of the first camera.
+ * Optimises extinction and viewpoint together. The camera moves on the sphere around its focal
+ * point, and a move is accepted if the extinction optimised for the new camera shows more. The
+ * result is never worse than that of the first camera.
  *
- * With Guide::Attainable the camera goes where the ceiling is highest, as far as views from all
- * sides and climbs from the best of them tell, and the extinction is optimised once, there.
+ * With Guide::Attainable the camera goes to the highest ceiling found by sampling views from all
+ * sides and climbing from the best of them. The extinction is optimised once, there.
  *
- * Throws limpid::Error when the scene or the settings cannot be worked with. `progress` as for
- * Solver::Run; when it stops the work, what has been reached is returned.
+ * Throws limpid::Error if the scene or the settings are invalid. `progress` is used as in
+ * Solver::Run; if it stops the work, the result so far is returned.
  */
 ConcurrentResult OptimizeConcurrently(const SceneFields& scene, const Camera& camera,
   const Light& light, const Settings& settings, Guide guide, const Progress& progress);

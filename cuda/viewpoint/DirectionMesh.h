@@ -11,16 +11,16 @@
 
 namespace limpid
 {
-/// Directions of unit length all over a sphere, no two the same, and the triangles between them.
+/// Distinct unit vectors all over a sphere, and the triangles between them.
 struct DirectionMesh
 {
   std::vector<Vec3> directions;
   std::vector<std::array<int, 3>> triangles;
 
-  /// The values at directions, linear within triangles; in any direction of unit length.
+  /// Interpolates the values at directions linearly within triangles, at any unit vector.
   double At(const std::vector<double>& values, const Vec3& direction) const;
 
-  /// Numbers of the directions that share a triangle with each.
+  /// Returns, for each direction, the directions that share a triangle with it.
   std::vector<std::vector<int>> Neighbours() const;
 };
 }

@@ -49,7 +49,7 @@ public:
       this->Device, planned.memory.get(), planned.bytes, "the plan of a derivative");
     ViewDerivativePlan plan = planned;
     plan.tables = tables.Data();
-    constexpr int edges = 2; // of rays, beside these, and where a part of a layer is
+    constexpr int edges = 2; // extra voxels that edges of rays and parts of layers read
     FrustumRays<AnyDevice> rays = this->RaysOf(part, edges);
     const FaceFrustum& frustum = rays.Plan();
     auto values = DeviceArray<AnyDevice, float>::Zeros(
@@ -67,8 +67,8 @@ private:
   {
     BorrowedArray<AnyDevice, float> extinction;
     BorrowedArray<AnyDevice, float> importance;
-    BorrowedArray<AnyDevice, float> base;  ///< null: all is kept
-    BorrowedArray<AnyDevice, float> least; ///< null: 0
+    BorrowedArray<AnyDevice, float> base;  ///< null if all extinction is kept
+    BorrowedArray<AnyDevice, float> least; ///< null stands for 0
   };
 
   void Sweep(FrustumRays<AnyDevice>& rays, const SweptFields& swept, const Fields& fields) const
@@ -97,7 +97,7 @@ private:
     return { all, fields.base.Data() ? sumOf(Kept::Counted) : all };
   }
 
-  /// The rays of a part, which is used up. `margin`: see SlabDelivery.
+  /// Returns the rays of a part, which is consumed. `margin`: see SlabDelivery.
   FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, [[maybe_unused]] int margin) const
   {
     const ScenePiece* piece = part.fields->values.piece.get();

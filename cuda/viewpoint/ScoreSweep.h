@@ -14,29 +14,29 @@
 
 namespace limpid
 {
-/// The score of a family of rays and how it changes when their eye moves.
+/// The score of a set of rays and its derivative by movements of their eye.
 struct ViewDerivative
 {
   double score = 0;           ///< [length^2]
-  double slope[2] = { 0, 0 }; ///< by either move [length]
+  double slope[2] = { 0, 0 }; ///< derivative by each move [length]
 };
 
-/// Sums up what families of rays see.
+/// Sums what sets of rays see.
 class ScoreSweep
 {
 public:
   virtual ~ScoreSweep() = default;
 
-  /// May be called by several threads. The parts are used up.
+  /// Thread-safe. Consumes the parts.
   virtual Seen See(std::vector<ViewFields::Part>&& parts) const = 0;
 
-  /// Follows two moves of the eye (ViewDerivativeKernel.h), with layers cut into `cuts` parts. May
-  /// be called by several threads. The part is used up.
+  /// Computes the derivative by two moves of the eye (ViewDerivativeKernel.h), with layers divided
+  /// into `cuts` parts. Thread-safe. Consumes the part.
   virtual ViewDerivative Differentiate(
     ViewFields::Part&& part, const EyeMoves& moves, int cuts) const = 0;
 };
 
-/// For parts of these fields, which stay with the caller.
+/// For parts of these fields, which must outlive the result.
 template <class AnyDevice>
 std::unique_ptr<ScoreSweep> MakeScoreSweep(
   std::shared_ptr<AnyDevice> device, const ViewFields& fields);

@@ -63,14 +63,14 @@ ScoredView ViewAt(const ViewScore& score, const Orbit& orbit, const Vec3& direct
 
 namespace
 {
-/// Progress of which all ranks that share the fields say the same.
+/// Returns a progress function with the same answer on all ranks.
 SearchProgress JointProgress(const ViewScore& score, const SearchProgress& progress)
 {
   return [&score, progress](double share)
   { return !AnyRank(score.Ranks(), progress && !progress(share)); };
 }
 
-/// Where ranks share the fields: one view after the other.
+/// In distributed runs, scores one view after the other.
 std::vector<ScoredView> ScoreViewsTogether(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress)
 {
@@ -122,16 +122,16 @@ std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
 
 namespace
 {
-/// A direction turned by an angle towards another one at right angles to it.
+/// Turns a direction by an angle towards a perpendicular one.
 Vec3 Turned(const Vec3& direction, const Vec3& towards, double angle)
 {
   return glm::normalize(std::cos(angle) * direction + std::sin(angle) * towards);
 }
 
-/// Between slopes of which the bend of a top is taken [rad].
+/// Angle between the slopes from which the curvature at a maximum is computed [rad].
 constexpr double bendingAngle = 0.03;
 
-/// By how much scores of close directions may differ through the places of their rays, as a share.
+/// Relative error of scores of close directions due to the positions of rays.
 constexpr double uncertainty = 3e-4;
 
 /// One ascent on the sphere of directions.
@@ -149,7 +149,7 @@ public:
 
   Index Evaluations() const { return this->Count; }
 
-  /// The way up from a sample, as far as the user let it go. Every step is one to a higher score.
+  /// Returns the path of the ascent from a sample, until stopped. Every step increases the score.
   std::vector<ScoredView> Run(const ScoredView& sample)
   {
     std::vector<ScoredView> path{ sample };
@@ -186,7 +186,7 @@ private:
     return !this->Stopped;
   }
 
-  /// The score and its derivative by the direction [length^2/rad].
+  /// Returns the score and its derivative by the direction [length^2/rad].
   ViewSlope AscentAt(const Vec3& direction)
   {
     ++this->Count;
@@ -196,8 +196,8 @@ private:
   }
 
   /**
-   * One step of Newton's method to the place where the slope vanishes. Near a top, scores differ by
-   * less than their rays' places make of them; the slope still tells where the middle is.
+   * Performs one Newton step to the zero of the slope. Near a maximum, scores differ by less than
+   * their errors due to the positions of rays, but the slope still locates the maximum.
    */
   void Centre(const Vec3& ascent, std::vector<ScoredView>& path)
   {
@@ -224,7 +224,7 @@ private:
     bend[1][0] = mixed;
     if (!(bend[0][0] < 0 && glm::determinant(bend) > 0))
     {
-      return; // no top
+      return; // not a maximum
     }
     const glm::dvec2 way = -glm::inverse(bend) * slope;
     const double angle = glm::length(way);
@@ -252,8 +252,8 @@ private:
     return ViewAt(this->Scores, this->From, direction);
   }
 
-  /// Goes up along a great circle: Eq. (31) with a step that is long enough and not too long
-  /// (deviation D14). Returns how long the next step is to be; 0: this is the top.
+  /// Climbs along a great circle: Eq. (31) with a step that is neither too short nor too long
+  /// (deviation D14). Returns the length of the next step; 0 at a maximum.
   double Step(const ScoredView& here, const Vec3& along, double steepness, double length,
     std::vector<ScoredView>& path)
   {
@@ -263,7 +263,8 @@ private:
       const ScoredView next =
         this->At(allowed.WithElevation(Turned(here.direction, along, length)));
       const double gain = allowed.Contains(next.direction) ? next.worth - here.worth : -here.worth;
-      // The parabola with the slope at the start and the value at the end has its top there.
+      // The parabola through the start's score and slope and the end's score has its maximum
+      // there.
       const double excess = steepness * length - gain;
       const double top = excess > 0 ? 0.5 * steepness * length * length / excess : 2 * length;
       if (gain > 0.1 * steepness * length)
@@ -281,7 +282,7 @@ private:
   const SearchSettings& Options;
   const SearchProgress& Report;
   Index Count = 0;
-  double Share = 0; ///< of the climb that is done, if it takes all steps that it may
+  double Share = 0; ///< fraction of the climb done, if it takes the maximum number of steps
   bool Stopped = false;
 };
 }

@@ -12,9 +12,9 @@ namespace limpid
 {
 namespace
 {
-constexpr int edgesMore = 3; // than rays
+constexpr int edgesMore = 3; // number of edges minus number of rays
 
-/// out = (0 or out) + factor (front + along (back - front)), columns [begin, end).
+/// out = (0 or out) + factor (front + along (back - front)), for columns [begin, end).
 LIMPID_MULTIVERSION
 void AddRow(const float* __restrict front, const float* __restrict back, float along, float factor,
   bool first, int begin, int end, float* __restrict out)
@@ -25,8 +25,7 @@ void AddRow(const float* __restrict front, const float* __restrict back, float a
   }
 }
 
-/// out[i] = factor times the sum of samples[i], ..., samples[i + 3], each with its weight of column
-/// i.
+/// out[i] = factor times the sum of samples[i], ..., samples[i + 3], with the weights of column i.
 LIMPID_MULTIVERSION
 void DifferRow(const float* __restrict samples, const float* const weights[4], float factor,
   const Range<int>& columns, float* __restrict out)
@@ -43,8 +42,8 @@ void DifferRow(const float* __restrict samples, const float* const weights[4], f
   }
 }
 
-/// How much a row of voxels counts in the sum over four edges between rows of rays, each with its
-/// factor.
+/// Returns the weight of a row of voxels in the sum over four edges between rows of rays, each
+/// with its own factor.
 float FactorOf(int voxelRow, const LinearMap& edges, const float factors[4])
 {
   float sum = 0;
@@ -58,17 +57,17 @@ float FactorOf(int voxelRow, const LinearMap& edges, const float factors[4])
 }
 }
 
-/// A plane as this row of rays sees it.
+/// A plane for this row of rays.
 struct SlopeRowSampler::Plane
 {
-  const int* nodes; ///< of the two slices of the layer
-  float fraction;   ///< weight of the second one
-  float perIndex;   ///< units of the rays' coordinates per index
+  const int* nodes; ///< node indices of both slices of the layer
+  float fraction;   ///< weight of the second slice
+  float perIndex;   ///< ray coordinate per index
   int voxelRow;
   float across; ///< weight of the next row of voxels
   LinearMap columns;
   LinearMap columnEdges;
-  LinearMap rowEdges; ///< from this row's first one
+  LinearMap rowEdges; ///< starting at this row's first edge
 };
 
 SlopeRowSampler::SlopeRowSampler(const FaceFrustum& frustum, const RayStates& states, int row)
@@ -149,7 +148,7 @@ SlopeRowSampler::Plane SlopeRowSampler::PlaneAt(int half) const
     { edges.index + row, edges.weight + row } };
 }
 
-/// Voxel columns that rays and the edges between them read.
+/// Returns the voxel columns that rays and the edges between them read.
 Range<int> SlopeRowSampler::ReadBy(const Plane& plane, Field field) const
 {
   const int* edges = plane.columnEdges.index;
@@ -166,7 +165,7 @@ void SlopeRowSampler::Blend(Field field, const Plane& plane, const Range<int>& r
   BlendFourRows(rows, plane.across, plane.fraction, read.begin, read.end, this->Blended);
 }
 
-/// The derivative across the rows, of columns of voxels.
+/// Computes the derivative across rows for a range of voxel columns.
 void SlopeRowSampler::BlendDifference(Field field, const Plane& plane, const Range<int>& read)
 {
   float factors[4];

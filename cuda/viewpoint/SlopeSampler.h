@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Samplers for a ViewDerivativeKernel: they sample at the planes of its plan, and differentiate the
+// Samplers for ViewDerivativeKernel: they sample on the planes of its plan and differentiate the
 // extinction across the rays.
 
 #ifndef limpid_viewpoint_SlopeSampler_h
@@ -16,13 +16,13 @@
 
 namespace limpid
 {
-/// A row of rays.
+/// Samples a row of rays, on the processor.
 class SlopeRowSampler : public RowSampler
 {
 public:
   SlopeRowSampler(const FaceFrustum& frustum, const RayStates& states, int row);
 
-  /// Enters a part of the layer.
+  /// Enters a part of the current layer.
   void EnterPart(const ViewDerivativePlan& plan, int part);
 
   /// Samples at both Gauss points of the part.
@@ -46,13 +46,13 @@ private:
 
   const ViewDerivativePlan* Sampled = nullptr;
   int Part = 0;
-  float* Values[4][2]; ///< importance, extinction, slopes across and down, at both Gauss points
+  float* Values[4][2]; ///< [importance, extinction, slope across, down][Gauss point]
   float* Edges;        ///< values at the edges between rays
   float* Blended;      ///< a row of voxels
   RaySlopes Differences{};
 };
 
-/// One ray.
+/// Samples a single ray, on a device.
 class SlopeRaySampler : public RaySampler
 {
 public:
@@ -132,7 +132,7 @@ private:
   float Down[2];
 };
 
-/// The one for a device.
+/// The sampler for a device.
 template <class AnyDevice>
 using SlopeSampler =
   std::conditional_t<std::is_same_v<AnyDevice, HostDevice>, SlopeRowSampler, SlopeRaySampler>;

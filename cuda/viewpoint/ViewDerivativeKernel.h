@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the score of a source's rays changes when the eye moves.
+// The derivative of the score of a source's rays by movements of the eye.
 
 #ifndef limpid_viewpoint_ViewDerivativeKernel_h
 #define limpid_viewpoint_ViewDerivativeKernel_h
@@ -13,42 +13,42 @@
 namespace limpid
 {
 /**
- * What a move of the eye by e does to some rays in one layer. Summed over all rays and layers, the
- * gain is the integral of Eq. (29); Eq. (14) is worked into d tau (deviation D13).
+ * The effect of moving the eye by e on rays in one layer. Summed over all rays and layers, the
+ * gain is the integral of Eq. (29); Eq. (14) is included in d tau (deviation D13).
  *
- * Moving the eye along a ray changes nothing on it. So e is moved along every ray into the plane of
- * the eye across the depth axis, e' = e - e_w (a, b, 1) with the ray's slopes a and b. A point x at
- * depth D stays where it is; its optical depth changes by
+ * Moving the eye along a ray changes nothing on that ray. Therefore e is projected along each ray
+ * to the plane of the eye perpendicular to the depth axis, e' = e - e_w (a, b, 1) with the ray's
+ * slopes a and b. A point x at depth D stays where it is; its optical depth changes by
  *
- *   d tau = (D P - M - c tau) / R,   P = int e' . grad mu ds,   M = int D' e' . grad mu ds
+ *    d tau = (D P - M - c tau) / R, P = int e' . grad mu ds, M = int D' e' . grad mu ds
  *
- * over the medium in front of it, at depths D'. R is D for a point eye; for a parallel one, which
- * turns about a point, it is the distance to that over the length of a ray per unit of depth. c
- * belongs to the ray that becomes longer. Where rays enter the box, grad mu is that of a step.
+ * over the medium in front of it, at depths D'. For a point eye, R is D. A parallel eye turns
+ * about a point, and R is its distance divided by the length of a ray per unit of depth. c
+ * accounts for the ray becoming longer. Where rays enter the box, grad mu is that of a step.
  */
 struct EyeMove
 {
-  float across;       ///< e along the columns [index]
-  float down;         ///< e' along the rows [index]
-  float depth;        ///< e along the depth axis [index]
-  float row;          ///< P of a step of 1 through sides that face v, over the length per depth
-  float front;        ///< ... through the front, over the length per depth: 0 but at the eye
-  const float* side;  ///< ... through sides that face u, per ray
-  const float* along; ///< c, per ray
-  float* integral;    ///< P so far, per ray
-  float* moment;      ///< M so far
-  float* gain;        ///< minus the derivative of the visible importance so far
+  float across; ///< component of e along the columns [index]
+  float down;   ///< component of e' along the rows [index]
+  float depth;  ///< component of e along the depth axis [index]
+  float row;    ///< P of a unit step through sides that face v, divided by the length per depth
+  float front;  ///< P through the front, divided by the length per depth; 0 except at the eye
+  const float* side;  ///< [ray]: P through sides that face u
+  const float* along; ///< [ray]: c
+  float* integral;    ///< [ray]: P so far
+  float* moment;      ///< [ray]: M so far
+  float* gain;        ///< [ray]: minus the derivative of the visible importance so far
 };
 
-/// Derivatives of extinction across rays at the Gauss points, per ray [1/length/index].
+/// Derivatives of the extinction across rays at the Gauss points, per ray [1/length/index].
 struct RaySlopes
 {
   const float* across[2]; ///< along the columns
   const float* down[2];   ///< along the rows
 };
 
-/// A part of a layer. It ends with the very number that the next one begins with: a ray that enters
-/// the box between two parts would else enter neither, or both.
+/// Returns a part of a layer. It ends at exactly the number at which the next part begins.
+/// Otherwise a ray that enters the box between two parts could enter neither, or both.
 LIMPID_HD LIMPID_INLINE Layer PartOf(const Layer& whole, int part, int parts)
 {
   const auto depthOf = [&](int number)
@@ -67,7 +67,7 @@ LIMPID_HD LIMPID_INLINE Layer PartOf(const Layer& whole, int part, int parts)
 /// The straight line through the samples at the two Gauss points of a layer.
 struct Line
 {
-  float origin; ///< at depth 0 from the front of the layer
+  float origin; ///< value at the front of the layer
   float slope;  ///< [1/index]
 
   LIMPID_HD LIMPID_INLINE Line(const Layer& layer, float first, float second)
@@ -81,15 +81,15 @@ struct Line
   LIMPID_HD LIMPID_INLINE float At(float depth) const { return this->origin + depth * this->slope; }
 };
 
-/// Front to back: the visible importance of a layer is added to `visible` and `unattenuated`, and
-/// what two moves of the eye do to it to their gains; the optical depth grows.
+/// Front to back: adds the visible importance of a layer to `visible` and `unattenuated`, and its
+/// derivative by two moves of the eye to their gains. Adds the layer's optical depth.
 struct ViewDerivativeStep
 {
   RayStates rays;
   RaySlopes slopes;
-  const float* columnSlope; ///< a, per ray
+  const float* columnSlope; ///< [ray]: a
   bool parallel;
-  float frontDepth; ///< see ViewDerivativePlan, as are the next two
+  float frontDepth; ///< see ViewDerivativePlan, also for the next two
   float eyeDepth;
   float inverseDistance;
   EyeMove moves[2];
@@ -115,7 +115,7 @@ struct ViewDerivativeStep
     this->rays.visible[i] += gained[0] + gained[1];
     this->rays.unattenuated[i] += sampled[0].unattenuated + sampled[1].unattenuated;
 
-    // Where light is stopped in the halves, and the same for all moves.
+    // Where light is stopped in each half; the same for all moves.
     float stop[2];
     float deepened[2];
     float inverse[2];
@@ -161,7 +161,7 @@ struct ViewDerivativeStep
       move.moment[i] =
         moment + at * ahead + way * way * (0.5f * first + (1.0f / 3) * way * slope.slope);
     }
-    // Behind the exit nothing is visible, so what is deepened there does not matter.
+    // Nothing is visible behind the exit, so the extra optical depth there does not matter.
     this->rays.opticalDepth[i] += sampled[0].LimitedDepth() + sampled[1].LimitedDepth();
   }
 
@@ -169,7 +169,7 @@ private:
   LIMPID_HD static LIMPID_INLINE float Least(float a, float b) { return a < b ? a : b; }
   LIMPID_HD static LIMPID_INLINE float Most(float a, float b) { return a > b ? a : b; }
 
-  /// Depths from the front of a layer: the part of [begin, end] that is inside the box.
+  /// Returns the part of [begin, end] inside the box, as depths from the front of a layer.
   LIMPID_HD static LIMPID_INLINE Range<float> Inside(
     const Range<float>& stay, float begin, float end)
   {
@@ -177,8 +177,8 @@ private:
     return { first, Most(first, Least(stay.end, end)) };
   }
 
-  /// One half of a layer with its samples; if the ray enters or leaves within, with those in the
-  /// middle of what is inside.
+  /// Evaluates one half of a layer with its samples. If the ray enters or leaves the box in it,
+  /// values at the middle of the inside part are used.
   LIMPID_HD static LIMPID_INLINE HalfLayer<float> HalfOf(const RayInLayer<Passage::Clipped>& here,
     int half, const Range<float>& part, const Line& extinction, const Line& importance)
   {
@@ -192,8 +192,8 @@ private:
       here.layer.frontScale + widening * part.begin, here.layer.frontScale + widening * part.end);
   }
 
-  /// Where light is stopped in a half of the optical depth x, as a share of it: at the Gauss point
-  /// if x is small, at the front if it is large (HalfLayer.h).
+  /// Returns where light is stopped in a half of optical depth x, as a fraction of the half: at
+  /// the Gauss point for small x, at the front for large x (HalfLayer.h).
   LIMPID_HD static LIMPID_INLINE float StopShare(int half, float x)
   {
     constexpr float front = float(2 * gaussPoints[0]);
@@ -202,7 +202,7 @@ private:
   }
 };
 
-/// What travels with the rays for both moves of the eye; at first 0.
+/// The values that rays carry for both moves of the eye; initially 0.
 struct EyeMoveStates
 {
   static constexpr int images = 6;
@@ -240,7 +240,7 @@ struct ViewDerivativeKernel
       this->plan, this->states };
   }
 
-  /// From slice `s` to the next one.
+  /// Moves rays from slice `s` to the next one.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {

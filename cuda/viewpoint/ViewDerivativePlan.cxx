@@ -16,8 +16,8 @@ namespace
 {
 using Plan = OwnedTables<ViewDerivativePlan>;
 
-/// Places along an axis of rays from the edge before the first ray's on, up to one behind the
-/// last's.
+/// Returns the edges of rays along an axis, from one before the first ray's first edge to one
+/// after the last ray's last edge.
 std::vector<double> EdgesOf(const Lateral& lateral)
 {
   std::vector<double> edges;
@@ -28,8 +28,8 @@ std::vector<double> EdgesOf(const Lateral& lateral)
   return edges;
 }
 
-/// Weights of the values at four places in the derivative at another one: that of the cubic through
-/// them.
+/// Returns the weights of four values, at `places`, for the derivative at `at` of the cubic
+/// through them.
 std::array<double, 4> DerivativeWeights(const double places[4], double at)
 {
   std::array<double, 4> weights{};
@@ -70,7 +70,7 @@ void FillStencil(
   }
 }
 
-/// Voxels at places with these coordinates.
+/// Maps ray coordinates to voxels on a plane.
 void FillMap(const Lateral& lateral, const std::vector<double>& coordinates, double depth,
   const MapTable& table, Index plane, Plan& plan)
 {
@@ -112,12 +112,12 @@ void FillPlanes(const PlannedFrustum& frustum, Plan& plan)
     });
 }
 
-/// What a move along u, v and depth [index] is to the rays.
+/// Computes the action of a move along u, v and depth [index] on the rays.
 void FillMove(const PlannedFrustum& frustum, int m, const Vec3& move, Plan& plan)
 {
   plan.moveAcross[m] = static_cast<float>(move.x);
   plan.moveDepth[m] = static_cast<float>(move.z);
-  // An eye in the medium that moves on along a ray leaves some of it behind.
+  // If the eye is inside the medium, moving it along a ray leaves some medium behind.
   const bool atEye = frustum.SliceAt(0).node < 0;
   plan.moveFront[m] = atEye ? static_cast<float>(-move.z) : 0.0f;
   const Vec3& h = frustum.spacing;
@@ -144,7 +144,7 @@ void FillMove(const PlannedFrustum& frustum, int m, const Vec3& move, Plan& plan
 
 void MakeTables(const PlannedFrustum& frustum, Plan& plan)
 {
-  constexpr int between = 3; // more edges than rays
+  constexpr int between = 3; // number of edges minus number of rays
   const int rays = static_cast<int>(frustum.RayCount());
   const Index planes = Index(frustum.lastSlice) * 2 * plan.parts;
   TableRoom room;
@@ -181,7 +181,7 @@ OwnedTables<ViewDerivativePlan> PlanViewDerivative(
   plan.depth = static_cast<float>(frustum.SliceAt(frustum.firstNodeSlice).depth);
   plan.inverse = static_cast<float>(1 / by.distance);
   const int* nodes = frustum.SliceAt(0).nodes;
-  const double sign = nodes[1] - nodes[0]; // whether depth grows with the index
+  const double sign = nodes[1] - nodes[0]; // positive if depth grows with the index
   for (int m = 0; m < 2; ++m)
   {
     const Vec3 move = grid.DirectionToIndex(by.moves[m]);

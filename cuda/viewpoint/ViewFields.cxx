@@ -18,8 +18,8 @@ struct IndexBox
   Int3 end{ 0 };
 };
 
-/// The nodes that are not empty and one more on either side, where there is one: fields are linear
-/// between nodes.
+/// Returns the box of nonempty nodes, widened by one node on either side if possible, as fields
+/// are linear between nodes.
 IndexBox FilledBox(const Grid& grid, const Occupancy& occupancy)
 {
   Range<int> x;
@@ -46,7 +46,7 @@ IndexBox FilledBox(const Grid& grid, const Occupancy& occupancy)
     glm::min(Int3(x.end, y.end, z.end) + 1, grid.nodes) };
 }
 
-/// Whether the axes stay as they are or the first and the last are exchanged.
+/// The order of axes: original, or with the first and last axis exchanged.
 enum class Axes
 {
   Straight,
@@ -112,7 +112,7 @@ SweptFields Copy(const Grid& grid, const ViewedFields& viewed, const IndexBox& b
   return fields;
 }
 
-/// A box of the whole grid in the one that was cut from it.
+/// Converts a box of the whole grid to indices in the cropped grid.
 NodeBox InCut(const NodeBox& box, const IndexBox& cut, Axes axes)
 {
   NodeBox inside;
@@ -128,7 +128,7 @@ NodeBox InCut(const NodeBox& box, const IndexBox& cut, Axes axes)
   return inside;
 }
 
-/// The pieces of ranks as they are.
+/// Refers to the subdomains of the ranks in place.
 SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& cut, Axes axes)
 {
   const ScenePiece& piece = *viewed.piece;
@@ -168,7 +168,7 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
   return fields;
 }
 
-/// Where there is anything to be seen, in the whole grid.
+/// Returns the occupancy of the visible structures in the whole grid.
 Occupancy OccupancyOf(const Grid& grid, const ViewedFields& viewed)
 {
   if (!viewed.piece)

@@ -15,57 +15,59 @@
 
 namespace limpid
 {
-/// What views look at: one value per node each; the caller owns them.
+/// The fields that views show, one value per node each; the caller owns them.
 struct ViewedFields
 {
   const float* extinction;     ///< >= 0 [1/length]
   const float* importance;     ///< [0, 1]
-  const float* base = nullptr; ///< base extinction [1/length]; null: the extinction is that
-  std::shared_ptr<const ScenePiece> piece = nullptr; ///< null: the fields are of all nodes
+  const float* base = nullptr; ///< base extinction [1/length]; null if `extinction` is the base
+  std::shared_ptr<const ScenePiece> piece = nullptr; ///< subdomain; null for one process
 
-  /// Whether every ray chooses its own extinction, from `least` to `extinction`, see CeilingKernel.
+  /// Whether every ray chooses its own extinction between `least` and `extinction`, see
+  /// CeilingKernel.
   bool attainable = false;
-  const float* least = nullptr; ///< [1/length]; null: 0
+  const float* least = nullptr; ///< [1/length]; null stands for 0
 };
 
-/// Such fields as they are swept, and what is not empty of them.
+/// Fields in the form in which they are swept, with their occupancy.
 struct SweptFields
 {
   Grid grid;
   ViewedFields values;
-  std::vector<float> extinction; ///< copies, if the values are that
+  std::vector<float> extinction; ///< copies that `values` may refer to
   std::vector<float> importance;
   std::vector<float> base;
   std::vector<float> least;
-  std::unique_ptr<const Occupancy> occupancy; ///< null: there is nothing to be seen
-  std::unique_ptr<const HomeOfFields> home;   ///< where ranks have them; null: all are here
+  std::unique_ptr<const Occupancy> occupancy; ///< null if nothing can be seen
+  std::unique_ptr<const HomeOfFields> home; ///< the distribution among ranks; null for one process
 };
 
 /**
- * Fields that are to be swept from many sides: cut to the box of what is not empty, and a second
- * time with the first and the last axis exchanged, so that no sweep reads across rows of memory.
+ * Fields prepared for sweeps from many sides: cropped to the box of nonempty voxels, in the
+ * original order and with the first and last axis exchanged. No sweep then has to read across rows
+ * of memory.
  */
 class ViewFields
 {
 public:
-  /// The fields are copied, but for pieces of ranks.
+  /// Copies the fields, except in distributed runs.
   ViewFields(const Grid& grid, const ViewedFields& viewed);
 
-  /// Nodes of the box of what is not empty, along each axis; 0 if all is.
+  /// Number of nodes along each axis of the box of nonempty voxels; 0 if all voxels are empty.
   const Int3& Nodes() const { return this->Straight.grid.nodes; }
 
-  /// Both forms.
+  /// Both orders of axes.
   const SweptFields& InOrder() const { return this->Straight; }
   const SweptFields& WithAxesExchanged() const { return this->Exchanged; }
 
-  /// A family of rays and the fields that it runs through.
+  /// A set of rays and the fields that they cross.
   struct Part
   {
     const SweptFields* fields;
     PlannedFrustum frustum;
   };
 
-  /// All rays of a camera, in view or not.
+  /// Returns all rays of a camera, inside the view or not.
   std::vector<Part> PartsOf(const Camera& camera, double rayDensity) const;
 
 private:

@@ -15,8 +15,9 @@ namespace limpid
 {
 namespace
 {
-/// Rays through the smallest side of what is not empty, at least. S is an integral over a picture;
-/// few rays miss the outlines of what is in it, and by how much changes with every direction.
+/// Minimum number of rays through the smallest side of the nonempty box. S is an integral over a
+/// picture; few rays miss the outlines of structures, with an error that changes with the
+/// direction.
 constexpr double fewestRays = 96.0 * 96.0;
 constexpr double largestDensity = 16;
 
@@ -30,7 +31,7 @@ double DensityOf(const Int3& nodes, double atLeast)
 
 namespace
 {
-/// Of all ranks: rows of slabs are whole.
+/// Sums over all ranks; rows of slabs are complete.
 double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
 {
   const float* base = viewed.base ? viewed.base : viewed.extinction;
@@ -74,7 +75,7 @@ ViewScore::ViewScore(
   , RayDensity(DensityOf(this->Fields->Nodes(), rayDensity))
   , Important(ImportantExtinctionOf(grid, viewed))
 {
-  // The fields, twice; the rays of a direction take little.
+  // Memory for two copies of the fields; the rays of a direction need little.
   const Index nodes = this->Fields->InOrder().grid.NodeCount();
   const std::size_t fields = (viewed.base ? 3 : 2) + (viewed.least ? 1 : 0);
   const BackendChoice choice =
@@ -89,8 +90,9 @@ Score ViewScore::At(const Camera& camera) const
     this->Sweep->See(this->Fields->PartsOf(camera, this->RayDensity)), this->Important);
 }
 
-/// The slope between cameras on either side, on the sphere round the focal point: far enough from
-/// each other that it does not matter where the rays of each meet the nodes.
+/// Computes the slope by differences between cameras on either side, on the sphere around the
+/// focal point. Their distance is large enough that the positions of rays relative to nodes do not
+/// matter.
 ViewSlope ViewScore::DifferenceAt(const Camera& camera) const
 {
   constexpr double angle = 0.03;

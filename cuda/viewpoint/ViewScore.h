@@ -12,27 +12,27 @@
 
 namespace limpid
 {
-/// The score of a camera and how it changes when the camera moves.
+/// The score of a camera and its derivative by the camera's position.
 struct ViewSlope
 {
   double score = 0;  ///< S [length^2]
-  Vec3 slope{ 0.0 }; ///< dS / d position, across the way to the focal point [length]
+  Vec3 slope{ 0.0 }; ///< dS / d position, perpendicular to the line of sight [length]
 };
 
 /**
- * Scores of cameras that look at the same fields, by one sweep front to back each (Eq. (32)). All
- * of the volume counts, in view or not.
+ * Scores of cameras that look at the same fields, each by one front-to-back sweep (Eq. (32)). The
+ * whole volume counts, inside the view or not.
  *
- * `backend` as in Settings; throws limpid::Error if it cannot be had. The fields, grid.NodeCount()
- * values each, are copied. `rayDensity`: rays per voxel and axis, at least; what is small gets
- * more.
+ * `backend` as in Settings; throws limpid::Error if it is not available. The fields,
+ * grid.NodeCount() values each, are copied. `rayDensity`: minimum number of rays per voxel and
+ * axis; small volumes get more.
  *
- * Of attainable fields (ViewedFields), S is the ceiling of what is kept of the extinction: what an
- * optimisation of its own could show there at most, for the price of a score. Its slope is found
- * from four more of them.
+ * For attainable fields (ViewedFields), S is the ceiling of the kept extinction: an upper bound of
+ * what an optimisation could show there, at the cost of a score. Its slope is computed from four
+ * more scores.
  *
- * Ranks that share the fields keep their pieces as long as this is there, and all have to ask for
- * each score together, which they all get.
+ * In distributed runs the fields of the ranks' subdomains must outlive this object. Scores are
+ * collective, and every rank gets the result.
  */
 class ViewScore
 {
@@ -40,24 +40,24 @@ public:
   ViewScore(const Grid& grid, const ViewedFields& viewed, double rayDensity,
     BackendKind backend = BackendKind::Cpu);
 
-  /// What computes, for the user.
+  /// Describes the backend for the user.
   const std::string& BackendName() const { return this->Name; }
 
-  /// The ranks that share the fields; null: there is one.
+  /// The communicator of a distributed run; null for one process.
   const Communicator* Ranks() const { return this->All.get(); }
 
-  /// May be called by several threads, unless ranks share the fields.
+  /// Thread-safe, except in distributed runs.
   Score At(const Camera& camera) const;
 
-  /// S, from more samples at a `rayDensity` of two and more, and its derivative by the camera's
-  /// position, from one sweep (Documentation/Method.md, section on viewpoints).
+  /// Returns S, from more samples at a `rayDensity` of two and more, and its derivative by the
+  /// camera's position, from one sweep (Documentation/Method.md, section on viewpoints).
   ViewSlope SlopeAt(const Camera& camera) const;
 
 private:
   ViewSlope DifferenceAt(const Camera& camera) const;
 
   std::shared_ptr<const Communicator> All;
-  std::unique_ptr<const ViewFields> Fields; ///< where it is, whoever owns the scores
+  std::unique_ptr<const ViewFields> Fields; ///< at a fixed address, even if this object moves
   double RayDensity;
   double Important; ///< the integral of importance times base extinction [length^2]
   std::string Name;
