@@ -25,7 +25,7 @@ namespace limpid
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
 namespace
 {
-/// Of VTK's non-blocking messages, which count their bytes in int.
+/// The most bytes of one message: VTK's non-blocking messages count bytes in int.
 constexpr std::size_t mostBytes = std::size_t(1) << 30;
 
 /// The last words of a rank: whether it was interrupted, and why.

@@ -49,7 +49,7 @@ vtkSmartPointer<ArrayType> NewArray(const char* name, vtkIdType count)
 VTKLIMPIDFILTERS_EXPORT std::string WordsOf(
   const std::exception& error, const int points[3], const MemoryNeed& need);
 
-/// The same for an image, which may be null.
+/// Returns this message for an image, which may be null.
 VTKLIMPIDFILTERS_EXPORT std::string WordsOf(
   const std::exception& error, vtkImageData* image, const MemoryNeed& need);
 }

@@ -62,7 +62,7 @@ void AddOpacity(const float* extinction, double unitDistance, vtkImageData* outp
   output->GetPointData()->AddArray(field);
 }
 
-// Of the importance, what cannot be seen: g less the share of its matter that was kept and whose
+// Adds the importance that cannot be seen: g minus the share of its matter that was kept and whose
 // light reaches the camera (energy/Score.h).
 void AddMissedImportance(const SceneArrays& arrays, const float* extinction,
   const float* transmittance, vtkImageData* output)
@@ -98,7 +98,7 @@ void AddColumn(
   table->AddColumn(column);
 }
 
-/// Of iterations that tell them.
+/// Adds columns with the scores, for optimizations that record them.
 void AddScores(const OptimizationSummary& summary, vtkTable* table)
 {
   using Record = IterationRecord;
@@ -110,7 +110,7 @@ void AddScores(const OptimizationSummary& summary, vtkTable* table)
   AddColumn<vtkDoubleArray>(
     "SacrificedFraction", summary, [](const Record& record) { return record.score.sacrificed; },
     table);
-  // The same in all rows, to be drawn beside the others.
+  // Ceilings are the same in all rows, so that plots show them beside the scores.
   const Ceiling& ceiling = summary.ceiling;
   AddColumn<vtkDoubleArray>(
     "AttainableScore", summary, [&](const Record&) { return ceiling.visibility; }, table);

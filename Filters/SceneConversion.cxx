@@ -39,8 +39,8 @@ vtkSmartPointer<vtkFloatArray> AverageToPoints(vtkImageData* image, const FieldS
   const auto cellValues = NewArray<vtkFloatArray>("value", source.array->GetNumberOfTuples());
   MapArray(source.array, source.component, KeepValue(), cellValues->GetPointer(0));
 
-  // Of the input it is given nothing that it might change: it writes to ghost arrays of points. A
-  // vtkUniformGrid knows hidden cells, which do not count.
+  // vtkCellDataToPointData writes ghost arrays of points, so it must not get the input itself. A
+  // vtkUniformGrid takes hidden cells into account: they do not count.
   vtkNew<vtkUniformGrid> cells;
   cells->SetExtent(image->GetExtent());
   cells->GetCellData()->AddArray(cellValues);

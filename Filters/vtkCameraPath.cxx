@@ -119,7 +119,7 @@ limpid::Orbit OrbitOf(vtkPolyData* sphere)
   return orbit;
 }
 
-// Of the image that was searched.
+// Returns the corners of the box of the image that was searched.
 std::vector<limpid::Vec3> CornersOf(vtkPolyData* sphere)
 {
   vtkDataArray* numbers = sphere->GetFieldData()->GetArray("ImageCorners");

@@ -74,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Of a round trip, 2 to 100000. Default is 120.
+   * Number of frames of a round trip, in [2, 100000]. Default is 120.
    */
   LIMPID_SET_CLAMPED(NumberOfFrames, int, 2, 100000);
   vtkGetMacro(NumberOfFrames, int);

@@ -27,7 +27,7 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Of the port that is asked for.
+// Returns the output information of the port that the request comes from.
 vtkInformation* RequestedOf(vtkInformation* request, vtkInformationVector* outputVector)
 {
   const int port =

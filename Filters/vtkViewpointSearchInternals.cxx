@@ -264,7 +264,8 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
     found);
 }
 
-// Of several ranks each scores every so-manieth direction, and all get all scores.
+// Each rank scores every N-th direction, where N is the number of ranks. The scores are gathered on
+// all ranks.
 template <class Score>
 std::vector<limpid::ScoredView> vtkViewpointSearch::Internals::ScoreTogether(
   const std::vector<limpid::Vec3>& directions, const Score& score) const

@@ -215,7 +215,8 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
   return scene;
 }
 
-// Of an image that ranks share. Where some of them have an importance array, all should.
+// Makes the assumptions for an image that ranks share. If some ranks have an importance array, all
+// should have one.
 void vtkVisibilityAlgorithm::SceneReader::AssumeShared(
   const limpid::SharedImage& shared, const std::array<int, 6>& whole, Assumed& assumed) const
 {

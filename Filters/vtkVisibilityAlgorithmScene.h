@@ -55,11 +55,11 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// cannot be used.
   limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
 
-  /// The same of an image that ranks share. Throws on all of them.
+  /// Reads the scene of an image that ranks share. If one rank fails, this throws on all of them.
   limpid::ImageScene ReadShared(const std::shared_ptr<const limpid::Communicator>& ranks,
     vtkInformationVector** inputVector, int extinctionSource) const;
 
-  /// Of the input, of all ranks.
+  /// Returns the whole extent of the input, over all ranks.
   static std::array<int, 6> WholeExtentOf(vtkInformationVector** inputVector);
 
   /// Asks the input for the piece that is asked for here.

@@ -111,8 +111,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: exponent lambda, not below zero. Where importance g is high, extinction is kept:
-   * (1 - g)^(2 lambda). Default is 1.
+   * AMENT_2017 only: exponent lambda of 1 - g, at least zero. Both weights q and r are multiplied
+   * by (1 - g)^(2 lambda), so that voxels of high importance g keep their extinction. Default is 1.
    */
   LIMPID_SET_CLAMPED(AmentExponent, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentExponent, double);
@@ -120,7 +120,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: weight p of the extinction as it is, above zero. Default is 1.
+   * AMENT_2017 only: weight p of the base extinction, which keeps voxels as they are; above zero.
+   * Default is 1.
    */
   vtkSetMacro(AmentRegularization, double);
   vtkGetMacro(AmentRegularization, double);
@@ -128,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: weight q against what hides important matter from the camera, per radius of the
-   * image's sphere, not below zero. Default is 100.
+   * AMENT_2017 only: weight q of clearing what hides important structures from the camera, per
+   * radius of the image's bounding sphere; at least zero. Default is 100.
    */
   LIMPID_SET_CLAMPED(AmentOccluders, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentOccluders, double);
@@ -137,7 +138,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: weight r against what lies behind important matter, likewise. Default is 0.
+   * AMENT_2017 only: weight r of clearing what lies behind important structures, as seen from the
+   * camera, per radius of the image's bounding sphere; at least zero. Default is 0.
    */
   LIMPID_SET_CLAMPED(AmentBackground, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentBackground, double);
@@ -145,7 +147,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: the weight q of the light's own extinction, likewise. Default is 100.
+   * AMENT_2017 only: weight q for the extinction that the light sees, per radius of the image's
+   * bounding sphere; at least zero. Default is 100.
    */
   LIMPID_SET_CLAMPED(AmentLightOccluders, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentLightOccluders, double);
@@ -153,7 +156,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: the weight r of the light's own extinction, likewise. Default is 0.
+   * AMENT_2017 only: weight r for the extinction that the light sees, per radius of the image's
+   * bounding sphere; at least zero. Default is 0.
    */
   LIMPID_SET_CLAMPED(AmentLightBackground, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentLightBackground, double);
@@ -161,7 +165,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: passes that smooth what is kept, 0 to 100. Default is 1.
+   * AMENT_2017 only: number of passes that smooth the share of extinction that is kept, in [0,
+   * 100]. Default is 1.
    */
   LIMPID_SET_CLAMPED(AmentSmoothing, int, 0, 100);
   vtkGetMacro(AmentSmoothing, int);
@@ -468,7 +473,7 @@ private:
   double EyeAngle = 2;
   int Backend = AUTO;
 
-  // Of the preset "Default".
+  // The values of the preset "Default".
   double ClearingThreshold = 0;
   double RegularizationWeight = 0;
   double ViewWeight = 0;

@@ -120,7 +120,7 @@ VTKLIMPIDFILTERS_EXPORT double Clamped(
     return this->GetVisibilitySettings()->Get##name();                                             \
   }
 
-/// The same as LIMPID_FORWARD_SETTING with NameOn and NameOff.
+/// Like LIMPID_FORWARD_SETTING, for switches: also defines NameOn and NameOff.
 #define LIMPID_FORWARD_SWITCH(name)                                                                \
   LIMPID_FORWARD_SETTING(name, vtkTypeBool)                                                        \
   virtual void name##On()                                                                          \

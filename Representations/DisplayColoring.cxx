@@ -26,7 +26,7 @@ std::string ActiveScalars(vtkPVDataInformation* data)
   return active && active->GetName() ? active->GetName() : "";
 }
 
-// Of the arrays that a display can be coloured by, see ColorByAnArray.
+// Chooses an array among those that a display can be coloured by, see ColorByAnArray.
 ColorArray ChooseColorArray(
   vtkSMArrayListDomain* arrays, const ColorArray& first, const std::string& last)
 {

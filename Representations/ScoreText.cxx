@@ -59,8 +59,8 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
   {
     return {};
   }
-  // Of important structures, some is visible at least through a haze: zero stands for no
-  // importance.
+  // Important structures are never quite invisible, so zero means that nothing in view is
+  // important.
   const double before = mapper->GetBaseVisibleFraction();
   const double now = mapper->GetVisibleFraction();
   if (!isInView || !(before > 0 || now > 0))

@@ -31,7 +31,7 @@ const char* const TYPE = "Optimized Volume"; // text in LimpidRepresentations.xm
 
 const char* const COLOR_ARRAY = "(Color Array)"; // none_string there
 
-// Of a function over values that are importance themselves.
+// Points of a transfer function for values that are importance themselves.
 const std::vector<double> WHOLE_RANGE{ 0, 0, 0.5, 0, 1, 1, 0.5, 0 };
 
 std::vector<double> PointsOf(vtkSMProxy* function)

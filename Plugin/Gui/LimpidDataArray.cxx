@@ -20,7 +20,7 @@
 
 namespace
 {
-// Of the histogram that tells what may be important.
+// Number of bins of the histogram that suggests important values.
 const int FINE = 4096;
 
 vtkPVArrayInformation* InformationOf(const LimpidDataArray& array)

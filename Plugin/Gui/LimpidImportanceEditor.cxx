@@ -34,7 +34,7 @@ const int BINS = 128;
 
 const char* const FUNCTION = "ImportanceFunction"; // the row's property
 
-// Of a point of a piecewise function in the property Points.
+// Numbers per point of a piecewise function in the property Points.
 const std::size_t POINT_SIZE = 4;
 
 pqLineEdit* NewField(const char* name, const QString& toolTip, QWidget* parent)

@@ -24,8 +24,8 @@ struct FieldSource;
  */
 struct ArrayExtinction
 {
-  /// Of the transfer function: a power of two not below any value, so that shares and products of
-  /// both are exact. Zero where nothing has extinction [1/length].
+  /// The unit of the transfer function: a power of two not below any value, so that shares and
+  /// their products with it are exact. Zero if nothing has extinction [1/length].
   float unit = 0;
 
   float largest = 0;         ///< of the array, the majorant of Eq. (25) [1/length]

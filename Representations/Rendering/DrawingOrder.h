@@ -22,10 +22,11 @@ struct Box
   std::array<Vec3, 3> edges{ { Vec3(0.0), Vec3(0.0), Vec3(0.0) } }; ///< from the corner
 };
 
-/// Of VTK's bounds: six numbers.
+/// Returns the box of VTK's bounds, which are six numbers.
 Box BoxOfBounds(const double* bounds);
 
-/// Of a volume: of its image, turned as the volume is, or else of its bounds. Never throws.
+/// Returns the box of a volume: that of its image, transformed as the volume is, or else that of
+/// its bounds. Never throws.
 Box BoxOf(vtkVolume* volume);
 
 enum class Order

@@ -68,7 +68,7 @@ void OpaqueDepth::TakeNearestOf(const Communicator& ranks)
   std::vector<std::int32_t> nearest = here;
   ranks.TakeLeast(nearest.data(), count);
   std::memcpy(this->Values.data(), nearest.data(), count * sizeof(float));
-  // Of those who are nearest, one colour for all.
+  // Where several ranks are equally near, all take one colour, the least.
   std::vector<std::int32_t> colors(count, std::numeric_limits<std::int32_t>::max());
   for (std::size_t pixel = 0; pixel < count; ++pixel)
   {

@@ -50,11 +50,13 @@ public:
   /// Whether nothing has been drawn before.
   bool IsEmpty() const { return this->Values.empty(); }
 
-  /// Of the pixels of the view that the box covers, row by row, and how many those are.
+  /// The depths of the pixels of the view that the box covers, row by row, and the size of that
+  /// rectangle [pixels].
   const std::vector<float>& OfPixels() const { return this->Values; }
   const std::array<int, 2>& Size() const { return this->Covered; }
 
-  /// Of the view's pixel in the middle of each pixel of a frame, in clip coordinates.
+  /// Returns for each pixel of a frame the depth of the view's pixel at its centre, in clip
+  /// coordinates.
   std::vector<float> InMiddles(const PictureFrame& frame) const;
 
   /// What of it may hide anything of the box, in data coordinates; none: nothing.

@@ -66,7 +66,7 @@ ValueUnit UnitOf(double low, double high)
   return unit;
 }
 
-// The same where others, beyond these, are all alike.
+// Returns the unit for a range outside which all values are treated alike.
 ValueUnit UnitWithin(double low, double high)
 {
   ValueUnit unit = UnitOf(low, high);

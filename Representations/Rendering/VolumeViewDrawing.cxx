@@ -184,9 +184,9 @@ bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque
 
 namespace
 {
-// Of processes that draw together, IceT puts what one has over what another one has, in 8 bits
-// without a limit: where light is brighter than what its alpha hides, white would become black. So
-// what is opaque and behind is blended here.
+// When processes draw together, IceT blends their pictures in 8 bits without clamping: where a
+// pixel's light exceeds its alpha, white would overflow to black. So opaque geometry behind is
+// blended here.
 void BlendOver(const std::uint8_t* behind, std::uint8_t* pixel)
 {
   const int passed = 255 - pixel[3];

@@ -57,7 +57,7 @@ bool VolumeView::ShowKept(const FrameSettings& frame, const PictureSubject& subj
   return true;
 }
 
-// Of a frame that has come to its end.
+// Keeps the picture of a finished frame.
 void VolumeView::Keep(PictureSubject subject, const FrameMessages& messages)
 {
   if (!this->LastResult.converged || !messages.errors.empty())

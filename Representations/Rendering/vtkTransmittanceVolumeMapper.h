@@ -423,9 +423,10 @@ public:
 
   ///@{
   /**
-   * Of the important matter in the data, the integral of importance times base extinction, the
-   * share whose light reaches the camera, in [0, 1]: what was removed is not seen, and what was
-   * made thicker is not seen twice. What is behind opaque geometry is not seen, likewise.
+   * The visible fraction of the important structures in [0, 1], with the optimized and with the
+   * base extinction: the share of the integral of importance times base extinction whose light
+   * reaches the camera. Matter that was removed is not seen, added matter does not count, and what
+   * is behind opaque geometry is not seen.
    */
   double GetVisibleFraction() const;
   double GetBaseVisibleFraction() const;

@@ -121,7 +121,8 @@ void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
     });
 }
 
-// Of our volumes, those that a volume hides and that have not been drawn in the frame yet.
+// Calls action for the volumes with our mapper that a volume hides and that have not been drawn in
+// this frame yet.
 void vtkTransmittanceVolumeMapper::Internals::ForThoseBehind(vtkRenderer* renderer,
   vtkVolume* volume, const std::function<void(vtkTransmittanceVolumeMapper*, vtkVolume*)>& action)
 {
@@ -139,7 +140,7 @@ void vtkTransmittanceVolumeMapper::Internals::ForThoseBehind(vtkRenderer* render
   }
 }
 
-// Whatever goes wrong ends here.
+// Runs an action of drawing. No exception leaves it: errors are reported here.
 template <class Action>
 void vtkTransmittanceVolumeMapper::Internals::WhileDrawing(const Action& action)
 {
@@ -269,7 +270,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   this->Log.End(&view);
 }
 
-// Of all views. What goes wrong is said by the frame that shows it.
+// Prepares the originals of all views. Errors are reported by the frame that shows an original.
 bool vtkTransmittanceVolumeMapper::Internals::PrepareOriginals()
 {
   bool isLeft = false;

@@ -61,7 +61,7 @@ bool IsTranslucentInFront(vtkProp* prop, const limpid::Box& box, vtkRenderer* re
 }
 }
 
-// Of processes that draw together, one speaks for all.
+// If processes draw together, only rank 0 reports warnings.
 bool vtkTransmittanceVolumeMapper::Internals::Speaks() const
 {
   return !this->Ranks || this->Ranks->Rank() == 0;

@@ -231,7 +231,8 @@ private:
     return this->Given->IsThick() && !this->Warm && (this->Given->IsSmall() || removes);
   }
 
-  /// ... and from what the first sweeps have cleared: both before sweeps go on.
+  /// Whether to descend from the result of the first sweeps as well; both happen before further
+  /// sweeps.
   bool DescendsFromFirstSweeps() const
   {
     return this->DescendsFromBase() && this->Given->IsSmall();

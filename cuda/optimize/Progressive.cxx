@@ -555,7 +555,7 @@ Score Progressive::FoundScore() const
   return {};
 }
 
-/// Of what was kept, as all cameras of the present view see it.
+/// Returns the scores of the extinction that was kept, seen by all cameras of the present view.
 const Scores& Progressive::KeptScores() const
 {
   Internals& state = *this->State;

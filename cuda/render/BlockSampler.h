@@ -69,7 +69,8 @@ public:
 
   LIMPID_INLINE Optical Color(int i, float ofValues, float ofIntegrals) const
   {
-    // Of four numbers each: the sum of the values, and the difference of the integrals.
+    // The first four numbers become the sum of the values, the others the difference of the
+    // integrals.
     const EightFloats signs = { 0.0f, 0.0f, 0.0f, 0.0f, -0.0f, -0.0f, -0.0f, -0.0f };
     const auto front = reinterpret_cast<EightFloats>(
       reinterpret_cast<EightInts>(this->Samples[i]) ^ reinterpret_cast<EightInts>(signs));
@@ -260,7 +261,7 @@ private:
     }
   };
 
-  /// The same of two samples.
+  /// Reads two samples at once.
   struct NodesOfTwo
   {
     const TwoPacked* first;
@@ -314,7 +315,7 @@ private:
     const Index* cells, const EightFloats& x, const EightFloats& y, const EightFloats& z,
     EightFloats* numbers)
   {
-    // Both of both nodes of samples i and i + 4 in one register ...
+    // First, both numbers of both nodes of samples i and i + 4 share a register.
     const FourTimes shareY(y);
     const FourTimes shareZ(z);
     EightFloats pairs[4];
@@ -324,7 +325,7 @@ private:
       const NodesOfTwo nodes{ field + cells[i], field + cells[i + 4] };
       InFace(grid, nodes, shareY.both[i], shareZ.both[i], pairs[i]);
     }
-    // ... then those of samples i, i + 1, i + 4 and i + 5 at either node ...
+    // Next, those of samples i, i + 1, i + 4 and i + 5 at either node.
     EightFloats blended[2];
     const EightFloats shareX[2] = { __builtin_shufflevector(x, x, 0, 0, 1, 1, 4, 4, 5, 5),
       __builtin_shufflevector(x, x, 2, 2, 3, 3, 6, 6, 7, 7) };
@@ -337,7 +338,7 @@ private:
       const EightFloats far = __builtin_shufflevector(one, other, 2, 3, 10, 11, 6, 7, 14, 15);
       blended[i] = near + shareX[i] * (far - near);
     }
-    // ... then the same number of all side by side.
+    // Last, all values of one number side by side.
     numbers[0] = __builtin_shufflevector(blended[0], blended[1], 0, 2, 8, 10, 4, 6, 12, 14);
     numbers[1] = __builtin_shufflevector(blended[0], blended[1], 1, 3, 9, 11, 5, 7, 13, 15);
   }
@@ -365,7 +366,7 @@ private:
       const EightFloats far = __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15);
       pairs[i] = near + share.both[i] * (far - near);
     }
-    // ... then the same number of all side by side.
+    // Last, all values of one number side by side.
     const EightFloats a = __builtin_shufflevector(pairs[0], pairs[1], 0, 8, 1, 9, 4, 12, 5, 13);
     const EightFloats b = __builtin_shufflevector(pairs[2], pairs[3], 0, 8, 1, 9, 4, 12, 5, 13);
     const EightFloats c = __builtin_shufflevector(pairs[0], pairs[1], 2, 10, 3, 11, 6, 14, 7, 15);

@@ -19,9 +19,9 @@ struct BrickDistances
   const std::uint8_t* distance = nullptr; ///< per brick; null: nothing is skipped
   int cells[3] = { 0, 0, 0 };
   int columns = 0; ///< bricks along x
-  int rows = 0;    ///< ... along y
+  int rows = 0;    ///< bricks along y
 
-  /// Of the bricks of a grid with so many nodes.
+  /// Returns the bricks of a grid with these numbers of nodes. `distance`: as above.
   static BrickDistances Of(const Int3& nodes, const std::uint8_t* distance)
   {
     BrickDistances bricks;
@@ -51,7 +51,7 @@ struct BrickDistances
     return cell >> sizeBits;
   }
 
-  /// The same of the cell at or next to a position [index].
+  /// Returns the brick of the cell at or next to a position [index].
   template <class Number>
   LIMPID_HD LIMPID_INLINE auto BrickAt(int axis, const Number& position) const
   {

@@ -94,7 +94,7 @@ struct OpticalTable
     return Blend(entry[0].value, entry[1].value, share);
   }
 
-  /// The same and the integral from the start of the table to there.
+  /// Returns the value and its integral from the start of the table.
   LIMPID_HD LIMPID_INLINE OpticalEntry Look(float position) const
   {
     const float inside = this->axis.Inside(position);

@@ -60,7 +60,7 @@ struct Ray
     return part;
   }
 
-  /// The same samples in the opposite order. It is not to be lit.
+  /// Returns a ray with these samples in the opposite order. It must not be used for lighting.
   LIMPID_HD LIMPID_INLINE Ray Reversed() const
   {
     Ray back = *this;

@@ -47,7 +47,8 @@ struct RayPlaces
     this->scalars.Set(scene.grid, position);
   }
 
-  /// The same among the nodes of the overlay. `apart`: for places that are none of the scalars'.
+  /// Returns these places among the nodes of the overlay. `apart`: storage for them, used if the
+  /// overlay has other nodes than the scalars.
   LIMPID_HD LIMPID_INLINE const CellPlaces<AnySampler>& InOverlay(
     const RayScene& scene, const Ray& ray, CellPlaces<AnySampler>& apart) const
   {
@@ -193,7 +194,7 @@ struct RaySamples
     return this->extinction * lengthUnit * this->distance.Difference();
   }
 
-  /// The same with the transfer function's extinction.
+  /// Returns the optical depths with the transfer function's extinction.
   LIMPID_HD LIMPID_INLINE Lanes BaseDepth(const RayScene& scene) const
   {
     const float lengthUnit = scene.stepLength * scene.majorant;

@@ -153,8 +153,8 @@ public:
   void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share = 1,
     const float* lightExtinction = nullptr);
 
-  /// The same where ranks draw together, on a grid over the box of all, of which every rank has
-  /// all: for pictures that move, in which nobody has to wait for others.
+  /// Sets the extinction if ranks draw together, on a grid over the box of all. Every rank passes
+  /// the whole field. For pictures during interaction, in which no rank waits for others.
   void SetExtinctionOfAll(const Grid& grid, const float* base, const float* extinction,
     double share = 1, const float* lightExtinction = nullptr);
 

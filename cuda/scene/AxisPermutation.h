@@ -16,10 +16,10 @@ struct AxisPermutation
 
   bool Changes() const { return this->axes != Int3(0, 1, 2); }
 
-  /// The same nodes at the same places, their axes in this order.
+  /// Returns a grid with these nodes at the same places, its axes in this order.
   Grid Of(const Grid& grid) const;
 
-  /// The same rays in the index space of that grid.
+  /// Returns these rays in the index space of that grid.
   RaySource Of(const RaySource& source) const;
 };
 

@@ -32,7 +32,8 @@ struct Slab
   }
 };
 
-/// Of each rank its slab: together they are the grid, and no slab has two slices more than another.
+/// Returns one slab per rank. Together they are the grid; their numbers of slices differ by at most
+/// one.
 std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes);
 
 /// The slab of this rank.
