@@ -92,6 +92,6 @@ void ArrayContents::Notice(vtkImageData* image, const std::vector<vtkDataArray*>
     now[array] = { array->GetMTime(), checksum };
   }
   this->Last = std::move(now);
-  this->ImageTime = image->GetMTime(); // with what has been modified here
+  this->ImageTime = image->GetMTime(); // includes the modifications made here
 }
 }

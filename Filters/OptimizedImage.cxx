@@ -44,7 +44,7 @@ void AddConstant(const char* name, float value, vtkImageData* output)
   output->GetPointData()->AddArray(field);
 }
 
-// Opacity of one unit distance, for volume renderers that want opacities.
+// Adds the opacity over one unit distance, for volume renderers that expect opacities.
 void AddOpacity(const float* extinction, double unitDistance, vtkImageData* output)
 {
   const vtkSmartPointer<vtkFloatArray> field =
@@ -84,7 +84,7 @@ void AddMissedImportance(const SceneArrays& arrays, const float* extinction,
   output->GetPointData()->AddArray(field);
 }
 
-// A column of a table with one row per iteration.
+// Adds a column with one value per iteration.
 template <class ArrayType, class Member>
 void AddColumn(
   const char* name, const OptimizationSummary& summary, const Member& member, vtkTable* table)
