@@ -39,8 +39,7 @@ private:
   bool IsObserved(vtkObject* object) const;
 
   vtkSmartPointer<vtkCallbackCommand> Command;
-  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observed; // object and tag of
-                                                                              // its observer
+  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observed; // objects, tags
   std::string Text;
 };
 }

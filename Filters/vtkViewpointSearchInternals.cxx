@@ -203,8 +203,7 @@ void vtkViewpointSearch::Internals::SearchOneField(
   const limpid::Settings settings = this->MakeSettings();
   found.isAttainable = this->Self->Field == ATTAINABLE;
   std::vector<float> proxy;
-  limpid::NodeValues least; // memory that the score reads as long as it exists; it may share the
-                            // values with other ranks
+  limpid::NodeValues least; // must live as long as the score; ranks may share it
   const auto score = this->Interruptibly(
     [&]
     {

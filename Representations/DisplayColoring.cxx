@@ -17,7 +17,7 @@ namespace limpid
 {
 namespace
 {
-// Name of the active scalars of the points; empty if there are none.
+// Returns the name of the active scalars of the points; empty if there are none.
 std::string ActiveScalars(vtkPVDataInformation* data)
 {
   vtkPVDataSetAttributesInformation* points = data ? data->GetPointDataInformation() : nullptr;
