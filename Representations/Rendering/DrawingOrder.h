@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which of two volumes hides the other, and whether that can be told at all.
+// The order in which to draw two volumes, as far as there is one.
 
 #ifndef limpid_DrawingOrder_h
 #define limpid_DrawingOrder_h
@@ -19,7 +19,8 @@ namespace limpid
 struct Box
 {
   Vec3 corner{ 0.0 };
-  std::array<Vec3, 3> edges{ { Vec3(0.0), Vec3(0.0), Vec3(0.0) } }; ///< from the corner
+  std::array<Vec3, 3> edges{ { Vec3(0.0), Vec3(0.0), Vec3(0.0) } }; ///< edges that begin at the
+                                                                    ///< corner
 };
 
 /// Returns the box of VTK's bounds, which are six numbers.
@@ -34,10 +35,10 @@ enum class Order
   Any,         ///< neither hides the other
   FirstFirst,  ///< the first is farther away: draw it first
   SecondFirst, ///< the second is farther away
-  Overlapping  ///< no order is right
+  Overlapping  ///< no order is correct
 };
 
-/// In what order to draw two boxes as the renderer's camera sees them. Boxes that touch do not
+/// Returns the order in which to draw two boxes for the renderer's camera. Boxes that touch do not
 /// overlap.
 Order OrderOf(const Box& first, const Box& second, vtkRenderer* renderer);
 }
