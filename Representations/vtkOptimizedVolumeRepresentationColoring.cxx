@@ -91,8 +91,7 @@ limpid::SharedArray vtkOptimizedVolumeRepresentation::Shared(
   limpid::FieldSource source;
   source.array = choice.array;
   source.onCells = choice.onCells;
-  source.component = std::max(this->State->Mapper->GetScalarComponent(), -1); // undecided: all
-                                                                              // components
+  source.component = std::max(this->State->Mapper->GetScalarComponent(), -1); // or undecided
   return { source, image, this->WholeExtent, this->Others() };
 }
 
