@@ -14,13 +14,13 @@
 
 namespace limpid
 {
-/// First nodes of some cells.
+/// Indices of the first nodes of cells.
 struct BlockCells
 {
   alignas(64) Index first[FloatLanes::count];
 };
 
-/// What the transfer functions say at both ends of segments that follow each other.
+/// The entries of the transfer functions at both ends of successive segments.
 class BlockOptics
 {
 public:
@@ -60,7 +60,7 @@ public:
     }
   }
 
-  /// Extinction at the rear of the segments [majorant], and its integral to there.
+  /// Returns the extinction at the rear of the segments [majorant], and its integral up to there.
   LIMPID_INLINE void Extinction(FloatLanes& value, FloatLanes& integral) const
   {
     this->Firsts<1>(value.low, integral.low);
@@ -84,7 +84,7 @@ public:
 private:
   static constexpr int count = FloatLanes::count;
 
-  /// The first numbers of value and integral of eight samples.
+  /// Returns the first numbers of value and integral of eight samples.
   template <int Sample>
   LIMPID_INLINE void Firsts(EightFloats& values, EightFloats& integrals) const
   {
@@ -99,11 +99,12 @@ private:
     integrals = __builtin_shufflevector(some, others, 4, 5, 6, 7, 12, 13, 14, 15);
   }
 
-  EightFloats Samples[count + 1] = {}; ///< each an OpticalEntry; the first is that before the block
+  EightFloats Samples[count + 1] = {}; ///< each an OpticalEntry; the first is the sample before the
+                                       ///< block
 };
 
-/// Takes sixteen samples of a ray at a time with the registers of the processor. What is done, and
-/// in which order, is as in SingleSampler.
+/// Takes sixteen samples of a ray at a time, in vector registers. It performs the operations of
+/// SingleSampler in the same order.
 struct BlockSampler
 {
   using Lanes = FloatLanes;
@@ -175,7 +176,7 @@ struct BlockSampler
     }
   }
 
-  /// Segment by segment, so that it does not matter where blocks of them begin.
+  /// Multiplied segment by segment, so that the result does not depend on where blocks begin.
   static LIMPID_INLINE FloatLanes InFront(
     const FloatLanes& passed, float opaqueBelow, float& transmittance)
   {
@@ -201,7 +202,7 @@ struct BlockSampler
   }
 
 private:
-  /// Two nodes that follow each other along x, of some cells.
+  /// Pairs of nodes that are neighbours along x, in several cells.
   struct NodePairs
   {
     FloatLanes first;
@@ -234,7 +235,7 @@ private:
 
   static constexpr float perUnit = 1.0f / 65536.0f;
 
-  /// Eight packed numbers times 2^16: those of 16 bits become the upper halves of such of 32 bits.
+  /// Unpacks eight numbers, times 2^16: those of 16 bits become the upper halves of 32 bits.
   template <class Bytes>
   static LIMPID_INLINE void Unpack(const Bytes& bytes, EightFloats& numbers)
   {
@@ -248,7 +249,7 @@ private:
     numbers = __builtin_convertvector(reinterpret_cast<EightInts>(shifted), EightFloats);
   }
 
-  /// Reads what two nodes that follow each other along x have, times 2^16.
+  /// Reads the numbers of two nodes that are neighbours along x, times 2^16.
   struct NodesOfOne
   {
     const FourPacked* first;
@@ -278,7 +279,7 @@ private:
     }
   };
 
-  /// What such nodes have is blended along z and y, times 2^16.
+  /// Interpolates the numbers of such nodes along z and y, times 2^16.
   template <class Nodes, class Share>
   static LIMPID_INLINE void InFace(
     const CellGrid& grid, const Nodes& nodes, const Share& y, const Share& z, EightFloats& between)
@@ -296,7 +297,7 @@ private:
     between = low + y * (high - low);
   }
 
-  /// Numbers i and i + 4 of eight, four times each.
+  /// Repeats numbers i and i + 4 of eight, four times each.
   struct FourTimes
   {
     EightFloats both[4];
@@ -310,7 +311,7 @@ private:
     }
   };
 
-  /// Eight of each of two packed numbers, times 2^16.
+  /// Interpolates two packed numbers at eight samples, times 2^16.
   static LIMPID_INLINE void Interpolate(const CellGrid& grid, const TwoPacked* field,
     const Index* cells, const EightFloats& x, const EightFloats& y, const EightFloats& z,
     EightFloats* numbers)
@@ -343,7 +344,7 @@ private:
     numbers[1] = __builtin_shufflevector(blended[0], blended[1], 1, 3, 9, 11, 5, 7, 13, 15);
   }
 
-  /// Eight of each of four packed numbers, times 2^16.
+  /// Interpolates four packed numbers at eight samples, times 2^16.
   static LIMPID_INLINE void Interpolate(const CellGrid& grid, const FourPacked* field,
     const Index* cells, const EightFloats& x, const EightFloats& y, const EightFloats& z,
     EightFloats* numbers)
@@ -352,7 +353,7 @@ private:
     alignas(32) float shareZ[8];
     std::memcpy(shareY, &y, sizeof(y));
     std::memcpy(shareZ, &z, sizeof(z));
-    // All four of samples i and i + 4 in one register ...
+    // First, all four numbers of samples i and i + 4 share a register.
     EightFloats pairs[4];
     const FourTimes share(x);
     LIMPID_UNROLL(4)
