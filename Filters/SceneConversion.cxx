@@ -50,8 +50,7 @@ vtkSmartPointer<vtkFloatArray> AverageToPoints(vtkImageData* image, const FieldS
   }
   vtkNew<vtkCellDataToPointData> average;
   average->SetInputData(cells);
-  NewArray<vtkFloatArray>("tried", image->GetNumberOfPoints()); // tests whether VTK will find the
-                                                                // memory
+  NewArray<vtkFloatArray>("tried", image->GetNumberOfPoints()); // throws if out of memory
   average->Update();
   return vtkFloatArray::SafeDownCast(
     average->GetImageDataOutput()->GetPointData()->GetArray("value"));

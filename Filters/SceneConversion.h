@@ -38,14 +38,10 @@ struct VTKLIMPIDFILTERS_EXPORT SceneArrays
 {
   vtkSmartPointer<vtkFloatArray> baseExtinction; ///< [1/length]
   vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
-  vtkIdType invalidPoints = 0;                   ///< points with NaN or infinity, which become
-                                                 ///< empty
-  vtkIdType negativePoints = 0;                  ///< points with extinction below zero, which
-                                                 ///< become empty
-  vtkIdType clampedPoints = 0;                   ///< points with importance outside [0, 1], which
-                                                 ///< is clamped
-  vtkIdType allPoints = 0;                       ///< number of points these counts refer to; 0:
-                                                 ///< that of the arrays
+  vtkIdType invalidPoints = 0;                   ///< NaN or infinity; become empty
+  vtkIdType negativePoints = 0;                  ///< extinction below zero; become empty
+  vtkIdType clampedPoints = 0;                   ///< importance outside [0, 1]; clamped
+  vtkIdType allPoints = 0;                       ///< what these counts are out of; 0: all here
 
   /// Returns a warning about values that were not used as they are; may be empty.
   std::string Warning() const;

@@ -92,8 +92,7 @@ void SharedArray::VisitSamples(long long most, const Visit& visit) const
   using Number = long long;
   const std::array<int, 3>& whole = this->Whole;
   const Number tuples = Number(whole[0]) * whole[1] * whole[2];
-  const Number step = std::max<Number>(1, tuples / most) | 1; // odd, so that all columns are
-                                                              // sampled
+  const Number step = std::max<Number>(1, tuples / most) | 1; // odd, to sample all columns
   for (int k = this->Skipped[2]; this->Array && k < this->Own[2]; ++k)
   {
     for (int j = this->Skipped[1]; j < this->Own[1]; ++j)

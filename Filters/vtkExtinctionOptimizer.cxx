@@ -101,14 +101,11 @@ struct vtkExtinctionOptimizer::Internals
   vtkExtinctionOptimizer* Self;
   SceneReader Reader;
   std::shared_ptr<const limpid::Communicator> Ranks; // of the present run; null: one process
-  vtkSmartPointer<vtkFloatArray> LastExtinction;     // start of a warm start; shared with the last
-                                                     // output
+  vtkSmartPointer<vtkFloatArray> LastExtinction;     // for a warm start; also an output
   limpid::Int3 LastNodes{ 0 };
-  std::shared_ptr<const limpid::ScenePiece> LastPiece; // piece of this rank at the last run; null:
-                                                       // one process
+  std::shared_ptr<const limpid::ScenePiece> LastPiece; // at the last run; null: one process
   limpid::CarriedChange LastChange;                    // for temporal coherence
-  vtkMTimeType LastTime = 0;                           // modification time of the data of
-                                                       // LastChange
+  vtkMTimeType LastTime = 0;                           // of the data of LastChange
 };
 
 vtkExtinctionOptimizer::vtkExtinctionOptimizer()

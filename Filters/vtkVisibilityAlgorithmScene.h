@@ -28,8 +28,7 @@ struct ImageScene
   double unitDistance = 1; ///< unit distance of opacities [length]
   SceneArrays arrays;
   float majorant = 0; ///< majorant of the opacity function; zero: that of the arrays [1/length]
-  std::shared_ptr<const ScenePiece> piece; ///< the piece of this rank; null: the arrays have all
-                                           ///< points
+  std::shared_ptr<const ScenePiece> piece; ///< of this rank; null: everything
 
   /// Arrays of the input that are used as fields of the scene without a copy.
   std::vector<vtkDataArray*> taken;
@@ -73,8 +72,7 @@ private:
   /// Assumptions about the scalars of all ranks.
   struct Assumed
   {
-    ScalarRange range{};                              ///< range that opacities refer to, see
-                                                      ///< OpacityOfScalars
+    ScalarRange range{};                              ///< of opacities, see OpacityOfScalars
     std::optional<limpid::ImportanceRamp> importance; ///< none: importance is given
     bool isThere = false;                             ///< whether any rank has an importance array
   };

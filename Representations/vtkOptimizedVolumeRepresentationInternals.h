@@ -59,8 +59,7 @@ struct vtkOptimizedVolumeRepresentation::Internals
   // Used by the volume's property in place of functions that are not set.
   vtkNew<vtkColorTransferFunction> DefaultColors;
   vtkNew<vtkPiecewiseFunction> DefaultOpacity;
-  std::pair<vtkMTimeType, int> DefaultsOf{ 0, 0 }; // time and component of the array, see
-                                                   // TimeAndComponentOf
+  std::pair<vtkMTimeType, int> DefaultsOf{ 0, 0 }; // see TimeAndComponentOf
   bool ColorsGiven = false;
   bool OpacityGiven = false;
 

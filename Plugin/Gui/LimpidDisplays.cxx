@@ -89,8 +89,7 @@ void CopyDisplay(vtkSMProxy* display, vtkSMProxy* other)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
     CopyValues(display, other);
-    display->GetProperty("UseImportanceFunction")->Modified(); // marks it as set explicitly,
-                                                               // whatever its value
+    display->GetProperty("UseImportanceFunction")->Modified(); // marks it as set
     display->UpdateVTKObjects();
   }
   SetPoints(display, "ImportanceFunction", PointsOf(other, "ImportanceFunction"));

@@ -19,8 +19,7 @@ namespace limpid
 struct Box
 {
   Vec3 corner{ 0.0 };
-  std::array<Vec3, 3> edges{ { Vec3(0.0), Vec3(0.0), Vec3(0.0) } }; ///< edges that begin at the
-                                                                    ///< corner
+  std::array<Vec3, 3> edges{ { Vec3(0.0), Vec3(0.0), Vec3(0.0) } }; ///< from the corner
 };
 
 /// Returns the box of VTK's bounds, which are six numbers.

@@ -30,8 +30,7 @@ public:
   void Forget(const void* scope);
 
 private:
-  std::map<std::string, std::set<const void*>> Given; ///< by matter: the scopes where it is not
-                                                      ///< settled
+  std::map<std::string, std::set<const void*>> Given; ///< matter, and scopes where it persists
   std::set<std::string> Now;                          ///< matters of the present frame
 };
 

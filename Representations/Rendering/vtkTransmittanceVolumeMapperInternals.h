@@ -99,8 +99,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   std::shared_ptr<const limpid::Communicator> Ranks; ///< that draw together; null: one process
   limpid::ArrayContents Contents;
   limpid::ImportanceRamp Ramp;                 ///< the assumption if importance is not specified
-  std::pair<vtkMTimeType, int> RampOf{ 0, 0 }; ///< modification time and component of the scalars
-                                               ///< of Ramp
+  std::pair<vtkMTimeType, int> RampOf{ 0, 0 }; ///< scalars: time and component
   vtkTimeStamp RampTime;                       ///< when Ramp was computed
   limpid::VolumeData Data;
   std::vector<std::unique_ptr<limpid::VolumeView>> Views;

@@ -20,8 +20,7 @@ struct RayScene
   const float* scalars = nullptr;
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
   OpticalTable table;
-  const FourPacked* gradient = nullptr; ///< with the shadow, see PackedGradientNode; null: no
-                                        ///< lighting
+  const FourPacked* gradient = nullptr; ///< see PackedGradientNode; null: not lit
   const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not needed
   CellGrid overlayGrid;
   const TwoPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: no change

@@ -508,8 +508,7 @@ private:
   Grid Nodes;                              ///< grid of the scalars
   Grid Whole;                              ///< grid of the scalars of all ranks
   std::shared_ptr<const ScenePiece> Piece; ///< piece of this rank; null: everything
-  ScalarField Mended;                      ///< the arrays that the device reads, if it reads in
-                                           ///< place
+  ScalarField Mended;                      ///< if the device reads in place
   BorrowedArray<AnyDevice, float> Scalars;
   BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are filled
 
