@@ -107,8 +107,8 @@ enum class Cleared
 };
 
 /// Whether the transfer function has the same extinction for all scalars. Then a segment is empty
-/// if both of its ends are at nodes without a share of that extinction. Otherwise, it may be empty
-/// if only one of them has none.
+/// if both of its ends are at nodes without a share of that extinction. If it varies, a segment may
+/// have extinction if only one of its ends is at such nodes.
 enum class Function
 {
   Varies,
