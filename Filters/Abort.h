@@ -11,13 +11,13 @@
 
 namespace limpid
 {
-/// Whether the user wants to stop. Call it from the thread of the request.
+/// Returns whether the user wants to stop. Must be called from the thread of the request.
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
-// vtkAlgorithm::CheckAbort came between VTK's releases 9.2 and 9.3; ParaView 5.11 has it.
+// vtkAlgorithm::CheckAbort was added between VTK 9.2 and 9.3; ParaView 5.11 has it.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
   const bool aborted = algorithm->CheckAbort();
-  // The executive would empty the output, but we leave a valid one.
+  // The executive would empty the output, but it has a valid result.
   algorithm->SetAbortOutput(false);
   return aborted;
 #else
@@ -25,8 +25,8 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 #endif
 }
 
-/// What an Interruptible asks in a request: observers of the progress hear that time goes by, and
-/// may abort.
+/// Returns the function that an Interruptible calls during a request. It invokes progress events,
+/// whose observers may abort.
 inline std::function<bool()> GoOn(vtkAlgorithm* algorithm)
 {
   return [algorithm]()

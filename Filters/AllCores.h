@@ -14,23 +14,24 @@
 namespace limpid
 {
 /**
- * Calls body(begin, end) for parts of [0, count) on all cores, with the threads of the core.
+ * Calls body(begin, end) for parts of [0, count) on all cores, with the threads of the core
+ * library.
  *
- * vtkSMPTools runs on one core in Debian's ParaView, and what could be done about it is a setting
- * of the whole process, which other threads would meet; and an exception in its threads ends the
- * process.
+ * vtkSMPTools uses one core in Debian's ParaView, and changing that is a setting of the whole
+ * process, which would affect other threads. An exception in one of its threads ends the process.
  */
 template <class Body>
 void ForOnAllCores(vtkIdType count, const Body& body)
 {
-  constexpr vtkIdType mostParts = 256; // more than cores, so that none waits long for another
+  constexpr vtkIdType mostParts = 256; // more than there are cores, so that parts of unequal effort
+                                       // balance
   const vtkIdType parts = std::min(count, mostParts);
   ParallelFor(parts,
     [&](Index part)
     {
       Interruptible::Check();
       const vtkIdType length = count / parts;
-      const vtkIdType rest = count % parts; // the first parts have one more
+      const vtkIdType rest = count % parts; // each of the first parts has one more
       const vtkIdType begin = part * length + std::min<vtkIdType>(part, rest);
       body(begin, begin + length + (part < rest ? 1 : 0));
     });

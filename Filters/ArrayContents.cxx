@@ -37,8 +37,8 @@ std::uint64_t ChecksumOf(const char* bytes, std::size_t count)
   return Mixed(sum, word);
 }
 
-// Of the values of an array; 0 where they are not in one piece of memory: what computes its values
-// has no others until it is modified.
+// A checksum of the values of an array. Returns 0 if they are not stored in contiguous memory:
+// arrays that compute their values have no others until they are modified.
 std::uint64_t ChecksumOf(vtkDataArray* array)
 {
   const auto size = static_cast<std::size_t>(array->GetDataTypeSize());
@@ -92,6 +92,6 @@ void ArrayContents::Notice(vtkImageData* image, const std::vector<vtkDataArray*>
     now[array] = { array->GetMTime(), checksum };
   }
   this->Last = std::move(now);
-  this->ImageTime = image->GetMTime(); // with what has been modified here
+  this->ImageTime = image->GetMTime(); // includes the modifications made here
 }
 }

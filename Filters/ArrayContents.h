@@ -16,14 +16,15 @@ class vtkImageData;
 
 namespace limpid
 {
-/// Notices values that a program has written into an array in place, after which it modified the
-/// image alone: the array's own time does not say so, and with it ranges and fields would be stale.
+/// Detects that a program has changed the values of an array in place and has modified only the
+/// image. The modification time of the array is unchanged then, so that ranges and fields would be
+/// stale.
 class VTKLIMPIDFILTERS_EXPORT ArrayContents
 {
 public:
-  /// Modifies those of an image's arrays whose values are others than at the last call, though
-  /// their time is not. Reads values only where the image's time is another one. Nulls are left
-  /// out.
+  /// Calls Modified() on the arrays whose values have changed since the last call although their
+  /// modification time has not. Reads values only if the modification time of the image has
+  /// changed. Null arrays are skipped.
   void Notice(vtkImageData* image, const std::vector<vtkDataArray*>& arrays);
 
 private:
@@ -34,7 +35,8 @@ private:
   };
 
   vtkMTimeType ImageTime = 0;
-  std::map<vtkDataArray*, Seen> Last; ///< MTimes are unique, so that no other array has these
+  std::map<vtkDataArray*, Seen> Last; ///< by array; MTimes are unique, so that another array at the
+                                      ///< same address is recognised
 };
 }
 

@@ -24,7 +24,7 @@ constexpr int BlankPoint = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttribu
 constexpr int BlankCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL |
   vtkDataSetAttributes::REFINEDCELL;
 
-// The flags of `count` points or cells; null if there are none.
+// Returns the flags of `count` points or cells; null if there are none.
 vtkUnsignedCharArray* FlagsOf(vtkDataSetAttributes* data, vtkIdType count, const char* what)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();
@@ -85,8 +85,8 @@ vtkSmartPointer<vtkUnsignedCharArray> Blanking::HiddenCells() const
 float Blanking::ShareOfPoint(int i, int j, int k, bool ofCells) const
 {
   const std::array<int, 3> point{ { i, j, k } };
-  std::array<int, 3> cells; // of the image; one across a flat axis
-  std::array<int, 3> first; // round the point
+  std::array<int, 3> cells; // number of cells of the image; one across a flat axis
+  std::array<int, 3> first; // first cell around the point
   std::array<int, 3> last;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

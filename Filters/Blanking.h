@@ -17,29 +17,28 @@ class vtkUnsignedCharArray;
 namespace limpid
 {
 /**
- * Which points and cells of an image are blanked: the flags in its arrays "vtkGhostType". Hidden
- * and duplicate points, and hidden, duplicate and refined cells are as if they were not there.
+ * The blanked points and cells of an image, by its arrays "vtkGhostType". Hidden and duplicate
+ * points, and hidden, duplicate and refined cells are treated as missing.
  *
- * Fields are interpolated between points, so nothing is inside a blanked cell when all of its
- * points are empty. A field that is averaged from the cells has a sample per cell, and loses only
- * those of blanked cells.
+ * Fields are interpolated between points, so a blanked cell is empty if all of its points are. A
+ * field that is averaged from cells has one sample per cell and loses only those of blanked cells.
  */
 class VTKLIMPIDFILTERS_EXPORT Blanking
 {
 public:
-  /// Throws unless each array of that name is as VTK has it: one unsigned char per point or cell.
+  /// Throws if an array of that name does not have VTK's form: one unsigned char per point or cell.
   explicit Blanking(vtkImageData* image);
 
-  /// When the arrays were changed last; 0 without any.
+  /// Returns the latest modification time of the arrays; 0 without arrays.
   vtkMTimeType MTime() const;
 
-  /// Flags for an average over the cells that are not blanked; null: all of them count.
+  /// Returns flags for averaging over the cells that are not blanked; null if no cell is blanked.
   vtkSmartPointer<vtkUnsignedCharArray> HiddenCells() const;
 
-  /// The part of a field's value that is left at each point [0, 1]. No values: all of it at all
-  /// points. `ofCells`: the field is averaged from the cells; it is then the part of the cells
-  /// round the point that are not blanked. Else it is 0 at points of blanked cells. It is 0 at
-  /// blanked points in any case.
+  /// Returns the share of a field's value that is kept at each point [0, 1]; empty if everything is
+  /// kept. It is 0 at blanked points. `ofCells`: for a field that is averaged from cells, it is the
+  /// share of the cells around the point that are not blanked. For a field of points, it is 0 at
+  /// the points of blanked cells.
   std::vector<float> Shares(bool ofCells) const;
 
 private:
@@ -47,8 +46,8 @@ private:
   float ShareOfPoint(int i, int j, int k, bool ofCells) const;
 
   std::array<int, 3> Nodes;
-  vtkUnsignedCharArray* PointFlags; ///< null: there are none
-  vtkUnsignedCharArray* CellFlags;  ///< null: there are none
+  vtkUnsignedCharArray* PointFlags; ///< null: no points are blanked
+  vtkUnsignedCharArray* CellFlags;  ///< null: no cells are blanked
 };
 }
 

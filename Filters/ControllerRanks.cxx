@@ -25,10 +25,10 @@ namespace limpid
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
 namespace
 {
-/// Of VTK's non-blocking messages, which count their bytes in int.
+/// The most bytes of one message: VTK's non-blocking messages count bytes in int.
 constexpr std::size_t mostBytes = std::size_t(1) << 30;
 
-/// The last words of a rank: whether it was interrupted, and why.
+/// The final message of a rank: whether it was interrupted, and its error message.
 using LastWords = std::array<char, 1024>;
 
 class ControllerRanks : public Communicator
@@ -37,7 +37,8 @@ public:
   explicit ControllerRanks(vtkMPICommunicator* communicator)
     : Mpi(communicator)
   {
-    // What is left of a computation that has failed must not reach the next one.
+    // First of the tags, which differ between computations: messages of a failed computation must
+    // not reach the next one.
     constexpr int firstTag = 19400;
     constexpr int computations = 5000;
     static int made = 0;
@@ -100,7 +101,7 @@ public:
     {
       if (rank != this->Rank())
       {
-        // So short a message does not wait for its receiver.
+        // A message this short is sent without waiting for its receiver.
         this->Mpi->Send(words.data(), vtkIdType(words.size()), rank, this->Tag + 1);
       }
     }
@@ -125,7 +126,7 @@ private:
     }
   }
 
-  /// Throws if another rank has given up.
+  /// Throws if another rank has failed or was interrupted.
   void Listen() const
   {
     int there = 0;
@@ -149,7 +150,7 @@ private:
   mutable bool HasGivenUp = false;
 };
 
-/// Null: there is none.
+/// Returns null if there is none.
 vtkMPICommunicator* GlobalMpi()
 {
   auto* mpi = vtkMPIController::SafeDownCast(vtkMultiProcessController::GetGlobalController());

@@ -16,14 +16,15 @@ namespace limpid
 {
 class Communicator;
 
-/// Whether there are several processes of MPI, and each is asked for its own piece of an output:
-/// then they can share the work.
+/// Returns whether there are several MPI processes, each of which is asked for its own piece of an
+/// output, so that they can share the work.
 VTKLIMPIDFILTERS_EXPORT bool AllAreAsked(vtkInformation* outInfo);
 
-/// Whether there are several processes of MPI.
+/// Returns whether there are several MPI processes.
 VTKLIMPIDFILTERS_EXPORT bool AreSeveral();
 
-/// These processes, for one computation. All of them have to ask for it, in the same order.
+/// Returns a communicator of these processes for one computation. Collective: all processes must
+/// call it, in the same order.
 VTKLIMPIDFILTERS_EXPORT std::shared_ptr<const Communicator> MakeRanks();
 }
 

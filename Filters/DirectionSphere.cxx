@@ -31,7 +31,7 @@ Vec3 PointOf(vtkPoints* points, vtkIdType id)
   return point;
 }
 
-// Adds a triangle with its outside where the sphere's is.
+// Adds a triangle, oriented so that its front faces outward.
 void AddOutward(
   const std::vector<Vec3>& directions, std::array<vtkIdType, 3> corners, vtkCellArray* triangles)
 {
@@ -45,7 +45,7 @@ void AddOutward(
   triangles->InsertNextCell(3, corners.data());
 }
 
-// A triangulated sphere of VTK's, its points moved to the unit sphere by `place`.
+// Returns a triangulated sphere of VTK with its points moved to the unit sphere by `place`.
 template <class Place>
 DirectionSphere FromSurface(vtkPolyData* surface, const Place& place)
 {
@@ -79,7 +79,7 @@ DirectionSphere MakeIcosphere(int count)
     subdivide->SetInputData(surface);
     subdivide->Update();
     surface = subdivide->GetOutput();
-    // Back to the sphere after every division: that leaves triangles of more equal size.
+    // Normalising after every division makes the sizes of triangles more even.
     for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); ++id)
     {
       const Vec3 direction = glm::normalize(PointOf(surface->GetPoints(), id));
@@ -93,7 +93,7 @@ DirectionSphere MakeFibonacciSphere(int count)
 {
   DirectionSphere sphere;
   const double goldenAngle = vtkMath::Pi() * (3 - std::sqrt(5.0));
-  const int number = std::max(count, 4); // a tetrahedron
+  const int number = std::max(count, 4); // at least a tetrahedron
   for (int i = 0; i < number; ++i)
   {
     const double height = 1 - (2 * i + 1.0) / number;
@@ -112,8 +112,8 @@ DirectionSphere MakeFibonacciSphere(int count)
 
 DirectionSphere MakeLatitudeLongitudeSphere(int count)
 {
-  // Twice as many directions round the equator as from pole to pole and back to the equator's
-  // spacing: 2 + rings (2 (rings + 1)) in all.
+  // For equal spacing, there are twice as many directions around the equator as steps from pole to
+  // pole: 2 + rings (2 (rings + 1)) directions in all.
   const int rings = std::max(
     1, static_cast<int>(std::lround(0.5 * (std::sqrt(std::max(2.0 * count - 3, 1.0)) - 1))));
   const int columns = std::max(3, static_cast<int>(std::lround((count - 2.0) / rings)));
@@ -122,8 +122,8 @@ DirectionSphere MakeLatitudeLongitudeSphere(int count)
   source->SetThetaResolution(columns);
   source->SetPhiResolution(rings + 2);
   source->Update();
-  // The poles of the source are on the third axis and its longitudes begin at the first; those of
-  // Eq. (10) are on the second and begin at the third.
+  // The source has its poles on the z axis, and its longitudes begin at the x axis. Those of Eq.
+  // (10) have the poles on the y axis and begin at the z axis.
   return FromSurface(
     source->GetOutput(), [](const Vec3& point) { return Vec3(point.y, point.z, point.x); });
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Directions spread over the unit sphere, and the triangles between them.
+// Directions spread over the unit sphere, and a triangulation of them.
 
 #ifndef limpid_DirectionSphere_h
 #define limpid_DirectionSphere_h
@@ -19,20 +19,20 @@ enum class Sampling
 {
   Icosphere,        ///< a subdivided icosahedron: 12, 42, 162, 642 ... directions
   Fibonacci,        ///< a spiral from pole to pole: any number of directions
-  LatitudeLongitude ///< rings about the second axis, whose poles are single directions
+  LatitudeLongitude ///< rings about the y axis; each pole is a single direction
 };
 
-/// A closed triangulation of the unit sphere, its triangles counterclockwise as seen from outside.
+/// A closed triangulation of the unit sphere. Triangles are counterclockwise as seen from outside.
 struct DirectionSphere
 {
-  std::vector<Vec3> directions; ///< of unit length, no two the same
+  std::vector<Vec3> directions; ///< unit vectors, all different
   vtkSmartPointer<vtkCellArray> triangles;
 
-  /// Mean angle between neighbouring directions [radians].
+  /// Returns the mean angle between neighbouring directions [radians].
   double Spacing() const;
 };
 
-/// As close to `count` directions as the sampling can come.
+/// Returns the sphere whose number of directions is as close to `count` as the sampling allows.
 DirectionSphere MakeDirectionSphere(Sampling sampling, int count);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Single values as field data.
+// Adds single values as field data.
 
 #ifndef limpid_FieldValues_h
 #define limpid_FieldValues_h

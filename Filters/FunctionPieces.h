@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A function of VTK in pieces between neighbouring nodes.
+// Splits a function of VTK into pieces between neighbouring nodes.
 
 #ifndef limpid_FunctionPieces_h
 #define limpid_FunctionPieces_h
@@ -16,17 +16,17 @@
 namespace limpid
 {
 /**
- * vtkPiecewiseFunction and vtkColorTransferFunction visit their nodes from the first one on for
- * every value that they are asked for, so a table takes the product of its entries and of the
- * nodes. Here each value is asked of a function with its two neighbouring nodes alone, which has
- * the same formulas and so the same bits.
+ * vtkPiecewiseFunction and vtkColorTransferFunction search their nodes from the first one on for
+ * every value, so that a table takes time proportional to entries times nodes. Here each value is
+ * computed by a function that has only the two neighbouring nodes. It has the same formulas, hence
+ * the same bits.
  */
 template <class Function>
 class FunctionPieces
 {
 public:
-  /// `newPiece`: makes a function with the settings of the whole one, and without nodes.
-  /// `addNode`: adds a node, as GetNodeValue has it, to such a function.
+  /// `newPiece`: creates a function with the settings of the whole one, without nodes. `addNode`:
+  /// adds a node in the format of GetNodeValue to such a function.
   template <class NewPiece, class AddNode>
   FunctionPieces(Function* whole, const NewPiece& newPiece, const AddNode& addNode)
     : Whole(whole)
@@ -46,12 +46,12 @@ public:
     }
   }
 
-  /// The function that has the value at a position: with at most two nodes.
+  /// Returns a function, with at most two nodes, that has the value at this position.
   Function* At(double position) const
   {
     if (this->Pieces.empty())
     {
-      return this->Whole; // with one node or none
+      return this->Whole; // which has at most one node
     }
     const auto behind = std::lower_bound(this->Positions.begin(), this->Positions.end(), position);
     const auto nodesBefore = static_cast<std::size_t>(behind - this->Positions.begin());
@@ -64,7 +64,7 @@ private:
 
   vtkSmartPointer<Function> Whole;
   std::vector<double> Positions;
-  std::vector<vtkSmartPointer<Function>> Pieces; ///< from every node to the next one
+  std::vector<vtkSmartPointer<Function>> Pieces; ///< one from every node to the next one
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What to do and to say when there is not enough memory.
+// Allocation of arrays, and messages for insufficient memory.
 
 #ifndef limpid_Memory_h
 #define limpid_Memory_h
@@ -19,20 +19,20 @@ class vtkImageData;
 
 namespace limpid
 {
-/// Memory that the points of an image need.
+/// The memory that the points of an image need.
 struct MemoryNeed
 {
   double bytesPerPoint = 0;
-  std::string advice; ///< how to need less: a sentence
+  std::string advice; ///< a sentence that says how to need less
 };
 
-/// What filters of images advise.
+/// The advice of filters of images.
 constexpr const char* fewerPoints =
   "Give an image with fewer points, for instance from Resample To Image or Extract Subset, or run "
   "it where there is more memory.";
 
-/// An array of one component for `count` values, which are not set. Throws std::bad_alloc where
-/// there is no memory; arrays of VTK that look for it themselves may end the process.
+/// Returns an array of one component for `count` values, which are not initialised. Throws
+/// std::bad_alloc if there is no memory; VTK's own allocation may end the process.
 template <class ArrayType>
 vtkSmartPointer<ArrayType> NewArray(const char* name, vtkIdType count)
 {
@@ -44,12 +44,12 @@ vtkSmartPointer<ArrayType> NewArray(const char* name, vtkIdType count)
   return array;
 }
 
-/// What to say of an exception: its own words, or, where memory ran out, how much an image of so
-/// many points along each axis needs.
+/// Returns the message for an exception: its own text, or, for a failed allocation, how much memory
+/// an image with this number of points along each axis needs.
 VTKLIMPIDFILTERS_EXPORT std::string WordsOf(
   const std::exception& error, const int points[3], const MemoryNeed& need);
 
-/// The same for an image, which may be null.
+/// Returns this message for an image, which may be null.
 VTKLIMPIDFILTERS_EXPORT std::string WordsOf(
   const std::exception& error, vtkImageData* image, const MemoryNeed& need);
 }

@@ -44,7 +44,7 @@ void AddConstant(const char* name, float value, vtkImageData* output)
   output->GetPointData()->AddArray(field);
 }
 
-// Opacity of one unit distance, for volume renderers that want opacities.
+// Adds the opacity over one unit distance, for volume renderers that expect opacities.
 void AddOpacity(const float* extinction, double unitDistance, vtkImageData* output)
 {
   const vtkSmartPointer<vtkFloatArray> field =
@@ -62,7 +62,7 @@ void AddOpacity(const float* extinction, double unitDistance, vtkImageData* outp
   output->GetPointData()->AddArray(field);
 }
 
-// Of the importance, what cannot be seen: g less the share of its matter that was kept and whose
+// Adds the importance that cannot be seen: g minus the share of its matter that was kept and whose
 // light reaches the camera (energy/Score.h).
 void AddMissedImportance(const SceneArrays& arrays, const float* extinction,
   const float* transmittance, vtkImageData* output)
@@ -84,7 +84,7 @@ void AddMissedImportance(const SceneArrays& arrays, const float* extinction,
   output->GetPointData()->AddArray(field);
 }
 
-// A column of a table with one row per iteration.
+// Adds a column with one value per iteration.
 template <class ArrayType, class Member>
 void AddColumn(
   const char* name, const OptimizationSummary& summary, const Member& member, vtkTable* table)
@@ -98,7 +98,7 @@ void AddColumn(
   table->AddColumn(column);
 }
 
-/// Of iterations that tell them.
+/// Adds columns with the scores, for optimizations that record them.
 void AddScores(const OptimizationSummary& summary, vtkTable* table)
 {
   using Record = IterationRecord;
@@ -110,7 +110,7 @@ void AddScores(const OptimizationSummary& summary, vtkTable* table)
   AddColumn<vtkDoubleArray>(
     "SacrificedFraction", summary, [](const Record& record) { return record.score.sacrificed; },
     table);
-  // The same in all rows, to be drawn beside the others.
+  // Ceilings are the same in all rows, so that plots show them beside the scores.
   const Ceiling& ceiling = summary.ceiling;
   AddColumn<vtkDoubleArray>(
     "AttainableScore", summary, [&](const Record&) { return ceiling.visibility; }, table);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the solver has found, as arrays of the output image and as a table.
+// Converts the results of the solver to arrays of the output image and to a table.
 
 #ifndef limpid_OptimizedImage_h
 #define limpid_OptimizedImage_h
@@ -22,16 +22,17 @@ struct ConcurrentResult;
 struct Light;
 struct SceneArrays;
 
-/// Adds the point arrays of a solved scene.
+/// Adds the point arrays of an optimised scene.
 void AddFields(
   const Solver& solver, const SceneArrays& arrays, double unitDistance, vtkImageData* output);
 
-/// Adds the point arrays and scores of a scene in which nothing can hide, because the image has
-/// no volume: the base extinction, seen and lit without loss. `separate`: that of the light, too.
+/// Adds the point arrays and scores of a scene in which nothing can be hidden, because the image
+/// has no volume: the base extinction with transmittances of 1. `separate`: also the extinction for
+/// the light.
 void AddUnsolvedFields(
   const SceneArrays& arrays, double unitDistance, bool separate, vtkImageData* output);
 
-/// What an optimisation achieved; by itself: of a scene in which nothing can hide.
+/// The results of an optimisation. Defaults are those of a scene in which nothing can be hidden.
 struct OptimizationSummary
 {
   Score score;
@@ -47,18 +48,18 @@ struct OptimizationSummary
 
 OptimizationSummary SummaryOf(const Solver& solver);
 
-/// Adds scores, energy and effort.
+/// Adds scores, energy and effort as field data.
 void AddSummary(const OptimizationSummary& summary, vtkFieldData* output);
 
-/// Adds what the extinction alone achieved before the camera was moved, and what was proved of the
-/// new view, as far as that is known.
+/// Adds what the extinction alone achieved before the camera was moved, and what was proved about
+/// the new view, as far as these are known.
 void AddViewpoint(const ConcurrentResult& result, vtkFieldData* output);
 
-/// Adds what the result was made for: camera, light, unit distance of opacities.
+/// Adds the camera, the light and the unit distance of opacities that were used.
 void AddPlacement(
   const Camera& camera, const Light& light, double unitDistance, vtkFieldData* output);
 
-/// One row per iteration, first the base extinction.
+/// Fills a table with one row per iteration; the first row is the base extinction.
 void FillConvergence(const OptimizationSummary& summary, vtkTable* table);
 }
 

@@ -13,7 +13,8 @@ namespace limpid
 {
 namespace
 {
-// Rounds of a climb: each is a solver run, and moves the camera as far as one extinction leads.
+// Most rounds of a climb. Each is a solver run, after which the camera moves to the best view of
+// that extinction.
 constexpr int LargestNumberOfRounds = 4;
 }
 
@@ -25,7 +26,7 @@ OptimizedViews::OptimizedViews(
 {
 }
 
-// A view that is not valid if `goOn` says no.
+// Returns the scored view from a direction; it is invalid if `goOn` returns false.
 ScoredView OptimizedViews::At(
   const Vec3& direction, const GoOn& goOn, std::vector<float>* extinction) const
 {
@@ -85,7 +86,7 @@ std::vector<ScoredView> OptimizedViews::ScoreAll(
   return views;
 }
 
-// Where a climb with one extinction ends; no viewpoint if `goOn` says no.
+// Returns the end of a climb with one extinction; no viewpoint if `goOn` returns false.
 SearchResult OptimizedViews::Top(const Vec3& start, const std::vector<float>& extinction,
   const SearchSettings& settings, const GoOn& goOn) const
 {
@@ -104,8 +105,8 @@ SearchResult OptimizedViews::Top(const Vec3& start, const std::vector<float>& ex
   }
 }
 
-// The way up from a sample, as far as it came before `goOn` said no. Returns the number of solver
-// runs, scores and derivatives.
+// Climbs from a sample, until `goOn` returns false. Returns the number of solver runs, scores and
+// derivatives.
 Index OptimizedViews::Climb(const ScoredView& sample, const SearchSettings& settings,
   const GoOn& goOn, std::vector<ScoredView>& path) const
 {

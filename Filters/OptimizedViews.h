@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Views of which each one has an extinction of its own, optimised for it.
+// Scores views with an extinction that is optimised for each of them.
 
 #ifndef limpid_OptimizedViews_h
 #define limpid_OptimizedViews_h
@@ -18,17 +18,17 @@ namespace limpid
 class OptimizedViews
 {
 public:
-  /// The light stands above and behind each camera.
+  /// For each view, the light is placed above and behind the camera.
   OptimizedViews(
     std::shared_ptr<PreparedScene> scene, const Orbit& orbit, const Settings& settings);
 
-  /// Scores of the directions, one solver run each. What is not done when `progress` says stop
-  /// stays invalid.
+  /// Scores directions, with one solver run each. If `progress` asks to stop, the remaining ones
+  /// stay invalid.
   std::vector<ScoredView> ScoreAll(
     const std::vector<Vec3>& directions, const SearchProgress& progress) const;
 
-  /// Climbs from the best samples, alternating steps of the camera and of the extinction, and ranks
-  /// what is reached.
+  /// Climbs from the best samples, with alternating steps of the camera and of the extinction, and
+  /// ranks the views that it reaches.
   SearchResult Find(const std::vector<ScoredView>& samples, const SearchSettings& settings,
     const SearchProgress& progress) const;
 

@@ -13,7 +13,7 @@ namespace limpid
 {
 namespace
 {
-// A kind of key that is not written to files: whoever reads them need not know it.
+// A key that is not written to files, so that their readers need not know it.
 vtkInformationVariantKey* OwnKey()
 {
   static vtkInformationVariantKey* const key =
@@ -42,7 +42,7 @@ std::vector<vtkAbstractArray*> MarkResults(vtkFieldData* input, vtkFieldData* ou
     vtkAbstractArray* before = name ? input->GetAbstractArray(name) : nullptr;
     if (!name || before == result)
     {
-      continue; // passed through
+      continue; // it was passed through
     }
     if (before && !IsOwn(before))
     {

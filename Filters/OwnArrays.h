@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Arrays that were made here, and those of others that they take the place of.
+// Marks arrays that Limpid created, and finds arrays of users that they replace.
 
 #ifndef limpid_OwnArrays_h
 #define limpid_OwnArrays_h
@@ -13,11 +13,12 @@ class vtkFieldData;
 
 namespace limpid
 {
-/// Marks an array as made by Limpid. Copies of it are marked, too, but files do not keep it.
+/// Marks an array as created by Limpid. Copies of it are marked as well, but files do not keep the
+/// mark.
 void MarkAsOwn(vtkAbstractArray* array);
 
-/// Marks all arrays of `output` that `input` does not have. Returns the arrays of `input` that have
-/// gone for one of the same name and were not made by Limpid.
+/// Marks all arrays of `output` that `input` does not have. Returns the arrays of `input` that were
+/// replaced by one of the same name and were not created by Limpid.
 std::vector<vtkAbstractArray*> MarkResults(vtkFieldData* input, vtkFieldData* output);
 }
 

@@ -11,8 +11,8 @@ namespace limpid
 {
 namespace
 {
-// Share of a shape at a point, from the distance to its surface, negative inside: 1 inside, 0
-// outside, a cubic from -edge to edge.
+// Returns the share of a shape at a point with this distance to its surface, negative inside: 1
+// inside, 0 outside, a cubic from -edge to edge.
 double Inside(double distance, double edge)
 {
   const double t = std::min(std::max(0.5 - 0.5 * distance / edge, 0.0), 1.0);
@@ -31,13 +31,13 @@ double Length(double x, double y, double z)
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Distance to a sphere around `centre`.
+// Returns the distance to a sphere.
 double Sphere(const PhantomPoint& point, const PhantomPoint& centre, double radius)
 {
   return Length(point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]) - radius;
 }
 
-// Distance to an ellipsoid, to first order near its surface.
+// Returns the distance to an ellipsoid, to first order near its surface.
 double Ellipsoid(const PhantomPoint& point, const PhantomPoint& centre, const PhantomPoint& radii)
 {
   double scaled = 0;
@@ -55,19 +55,19 @@ double Ellipsoid(const PhantomPoint& point, const PhantomPoint& centre, const Ph
   return (scaled - std::sqrt(scaled)) / std::sqrt(gradient);
 }
 
-// Distance to a vessel that winds upwards around the axis through (x, y) = (side, 0).
+// Returns the distance to a vessel that winds upwards around the axis through (x, y) = (side, 0).
 double Vessel(const PhantomPoint& point, double side, double radius)
 {
   const double turn = 4.0 * point[2] + (side > 0 ? 0.0 : 2.1);
   const double x = side + 0.09 * std::cos(turn);
   const double y = 0.05 + 0.14 * std::sin(turn);
-  const double slope = 4.0 * 0.14; // the tube leans by at most this much
+  const double slope = 4.0 * 0.14; // largest slope of the tube
   const double across = std::hypot(point[0] - x, point[1] - y) / std::hypot(1.0, 0.5 * slope);
   const double ends = std::abs(point[2] + 0.05) - 0.42;
   return std::max(across - radius, ends);
 }
 
-// Distance to the nearest of several thin vessels, which wind along all three axes.
+// Returns the distance to the nearest of several thin vessels, which wind along all three axes.
 double ThinVessels(const PhantomPoint& p)
 {
   constexpr int vessels = 12;
@@ -80,13 +80,13 @@ double ThinVessels(const PhantomPoint& p)
     const double turn = 3.0 * along + 1.7 * vessel;
     const double wide = 0.12 + 0.035 * vessel;
     const double across = std::hypot(x - wide * std::cos(turn), y - wide * std::sin(turn)) /
-      std::hypot(1.0, 3.0 * wide); // as it leans by that much
+      std::hypot(1.0, 3.0 * wide); // largest slope of the tube
     nearest = std::min(nearest, std::max(across - 0.012, std::abs(along) - 0.55));
   }
   return nearest;
 }
 
-// White noise [0, 1], equal in cells of 1/64.
+// Returns white noise in [0, 1], constant within cells of size 1/64.
 double Noise(const PhantomPoint& p)
 {
   std::uint32_t bits = 2166136261u;

@@ -12,7 +12,7 @@ namespace limpid
 {
 using PhantomPoint = std::array<double, 3>;
 
-/// What a phantom consists of at a point.
+/// The material of a phantom at a point.
 struct Material
 {
   double scalar = 0;     ///< [0, 1]
@@ -20,10 +20,10 @@ struct Material
   double extinction = 0; ///< [1/length]
 };
 
-/// Half the width of the edge of a shape between nodes of some spacing [length].
+/// Returns half the width of the edges of shapes for a node spacing [length].
 double PhantomEdge(double spacing);
 
-/// A scene at a point of [-1, 1]^3; `edge`: see PhantomEdge [length].
+/// Returns the material of a scene at a point of [-1, 1]^3. `edge`: see PhantomEdge [length].
 using PhantomScene = Material (*)(const PhantomPoint& point, double edge);
 
 Material HeadScene(const PhantomPoint& point, double edge);

@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-/// Prints properties for PrintSelf, one a line.
+/// Prints properties for PrintSelf, one per line.
 struct PropertyPrinter
 {
   std::ostream& os;

@@ -31,7 +31,7 @@ struct Node
   double value;
 };
 
-// The nodes of a function that is nothing but straight lines, constant outside; otherwise none.
+// Returns the nodes of a function that is piecewise linear and constant outside; empty for others.
 std::vector<Node> NodesOfPlainFunction(vtkPiecewiseFunction* function)
 {
   std::vector<Node> nodes;
@@ -61,7 +61,7 @@ FunctionPieces<vtkPiecewiseFunction> PiecesOf(vtkPiecewiseFunction* function)
     auto piece = vtkSmartPointer<vtkPiecewiseFunction>::New();
     piece->SetClamping(function->GetClamping());
     piece->SetUseLogScale(function->GetUseLogScale());
-    piece->SetAllowDuplicateScalars(1); // two nodes may be at one position
+    piece->SetAllowDuplicateScalars(1); // two nodes may have the same position
     return piece;
   };
   const auto addNode = [](vtkPiecewiseFunction* piece, const std::array<double, 6>& node)
@@ -82,7 +82,7 @@ double EvaluateNodes(const std::vector<Node>& nodes, double position)
     return nodes.back().value;
   }
   const Node& left = *(next - 1);
-  // Halves: the difference of two positions may overflow.
+  // Positions are halved, since their difference may overflow.
   const double share =
     (0.5 * position - 0.5 * left.position) / (0.5 * next->position - 0.5 * left.position);
   return left.value + share * (next->value - left.value);
@@ -142,7 +142,7 @@ struct MapWorker
     this->Compute(array);
   }
 
-  // Eight or sixteen bits: the mapping is evaluated once per possible value.
+  // For types of eight or sixteen bits, the mapping is evaluated once per possible value.
   template <class Value, class ArrayType>
   void LookUp(ArrayType* array) const
   {
@@ -209,7 +209,7 @@ void Dispatch(vtkDataArray* array, const Worker& worker)
   using AllTypes = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::AllTypes>;
   if (!AllTypes::Execute(array, worker))
   {
-    worker(array); // a layout of its own: through the virtual interface
+    worker(array); // other memory layouts are read through the virtual interface
   }
 }
 }
@@ -236,7 +236,7 @@ double LargestValue(vtkPiecewiseFunction* function)
   double largest = 0;
   for (int i = 0; i < function->GetSize(); ++i)
   {
-    std::array<double, 4> node; // between two of them the values are between theirs
+    std::array<double, 4> node; // values between two nodes lie between theirs
     function->GetNodeValue(i, node.data());
     largest = std::isfinite(node[1]) ? std::max(largest, node[1]) : largest;
   }
@@ -256,7 +256,7 @@ ScalarMapping Ramp(double low, double high)
 double ExtinctionOfOpacity(double opacity, double unitDistance)
 {
   const double clamped = std::min(std::max(opacity, 0.0), LargestOpacity);
-  // log1p is four times slower than log, and needed only where 1 - opacity loses digits.
+  // log1p takes four times as long as log and is needed only where 1 - opacity loses digits.
   const double depth = clamped > 1e-6 ? -std::log(1.0 - clamped) : -std::log1p(-clamped);
   return depth / unitDistance;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the values of an array become the values of a field: transfer functions and their use.
+// Conversion of array values to field values: transfer functions and their application.
 
 #ifndef limpid_ScalarMapping_h
 #define limpid_ScalarMapping_h
@@ -15,41 +15,44 @@ class vtkPiecewiseFunction;
 
 namespace limpid
 {
-/// A number for a number, in double precision. The argument is finite.
+/// A function of one variable in double precision. The argument is finite.
 using ScalarMapping = std::function<double(double)>;
 
-/// Component that stands for the length of the tuple; of a single component, for its value.
+/// The component that stands for the magnitude of the tuple; for a single component, for its value.
 constexpr int MagnitudeComponent = -1;
 
-/// Largest opacity that has an extinction. -ln(1 - opacity) is infinite at 1; here it is 13.8, so
-/// one unit distance lets a millionth of the light through: far below a step of an 8-bit picture
-/// (1/255), far above the rounding of single precision (6e-8), where 1 - exp(-x) would be 1 again.
+/// The largest opacity that is converted to extinction. -ln(1 - opacity) is infinite at 1; here it
+/// is 13.8, so that one unit distance transmits one millionth of the light. That is far below a
+/// step of an 8-bit picture (1/255), and far above the rounding of single precision (6e-8), where 1
+/// - exp(-x) would be 1 again.
 constexpr double LargestOpacity = 1.0 - 1e-6;
 
-/// The value itself.
+/// Returns the identity.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping KeepValue();
 
-/// The value of a function of one variable, as vtkPiecewiseFunction::GetValue has it.
+/// Returns the mapping by a function of one variable, as by vtkPiecewiseFunction::GetValue.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping Evaluate(vtkPiecewiseFunction* function);
 
-/// Largest finite value of a function of one variable, wherever it has it; 0 if it has none.
+/// Returns the largest finite value of a function of one variable over all arguments; 0 if it has
+/// none.
 VTKLIMPIDFILTERS_EXPORT double LargestValue(vtkPiecewiseFunction* function);
 
-/// A straight line from 0 at `low` to 1 at `high`, clamped.
+/// Returns a linear ramp from 0 at `low` to 1 at `high`, clamped.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping Ramp(double low, double high);
 
-/// Extinction of what takes `opacity` of the light on `unitDistance`: -ln(1 - opacity) / distance,
-/// the inverse of VTK's correction of opacities for the length of a step [1/length]. The opacity is
-/// moved into [0, LargestOpacity]. Filters and mapper have their base extinction from here.
+/// Returns the extinction of a medium that absorbs the share `opacity` of the light over
+/// `unitDistance` [1/length]: -ln(1 - opacity) / unitDistance, the inverse of VTK's correction of
+/// opacities for the sample distance. The opacity is clamped to [0, LargestOpacity]. The base
+/// extinction of filters and mapper is computed here.
 VTKLIMPIDFILTERS_EXPORT double ExtinctionOfOpacity(double opacity, double unitDistance);
 
-/// Smallest and largest finite value of a component; low > high when there is none.
+/// Computes the smallest and largest finite value of a component; low > high if there is none.
 VTKLIMPIDFILTERS_EXPORT void FiniteRange(
   vtkDataArray* array, int component, double& low, double& high);
 
 /**
- * Writes one value per tuple, mapping(component of the tuple), to `field`. A value that is not
- * finite, before or after the mapping, becomes NaN.
+ * Writes mapping(component of the tuple) for every tuple to `field`. A value that is not finite
+ * before or after the mapping becomes NaN.
  */
 VTKLIMPIDFILTERS_EXPORT void MapArray(
   vtkDataArray* array, int component, const ScalarMapping& mapping, float* field);

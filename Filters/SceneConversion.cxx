@@ -32,15 +32,15 @@ namespace limpid
 {
 namespace
 {
-// The chosen component of a cell array, averaged to the points, before any mapping: transfer
-// functions apply to the data at the points, as they do for point arrays.
+// Returns the chosen component of a cell array, averaged to the points. This happens before any
+// mapping: transfer functions apply to the data at the points, as they do for point arrays.
 vtkSmartPointer<vtkFloatArray> AverageToPoints(vtkImageData* image, const FieldSource& source)
 {
   const auto cellValues = NewArray<vtkFloatArray>("value", source.array->GetNumberOfTuples());
   MapArray(source.array, source.component, KeepValue(), cellValues->GetPointer(0));
 
-  // Of the input it is given nothing that it might change: it writes to ghost arrays of points. A
-  // vtkUniformGrid knows hidden cells, which do not count.
+  // vtkCellDataToPointData writes ghost arrays of points, so it must not get the input itself. A
+  // vtkUniformGrid takes hidden cells into account: they do not count.
   vtkNew<vtkUniformGrid> cells;
   cells->SetExtent(image->GetExtent());
   cells->GetCellData()->AddArray(cellValues);
@@ -50,14 +50,15 @@ vtkSmartPointer<vtkFloatArray> AverageToPoints(vtkImageData* image, const FieldS
   }
   vtkNew<vtkCellDataToPointData> average;
   average->SetInputData(cells);
-  NewArray<vtkFloatArray>("tried", image->GetNumberOfPoints()); // what VTK will need
+  NewArray<vtkFloatArray>("tried", image->GetNumberOfPoints()); // throws if out of memory
   average->Update();
   return vtkFloatArray::SafeDownCast(
     average->GetImageDataOutput()->GetPointData()->GetArray("value"));
 }
 
-// Whether no value is negative, above `largest` or not finite: the usual case, in a loop that
-// vectorises. Such floating-point numbers have the order of their bits, read as integers.
+// Returns whether all values are finite, at least zero and at most `largest`. This is the usual
+// case, and the loop vectorises: such floating-point numbers are ordered like their bits as
+// integers.
 bool AreWithin(vtkFloatArray* array, float largest)
 {
   std::uint32_t largestBits;
@@ -74,7 +75,7 @@ bool AreWithin(vtkFloatArray* array, float largest)
   return outside == 0;
 }
 
-// Makes points empty that are not there.
+// Makes points without a share empty.
 void EmptyPoints(const std::vector<float>& shares, vtkFloatArray* field)
 {
   float* values = field->GetPointer(0);
@@ -82,7 +83,7 @@ void EmptyPoints(const std::vector<float>& shares, vtkFloatArray* field)
     [](float share, float value) { return share > 0 ? value : 0.0F; });
 }
 
-// Makes points empty that cannot be used, and moves importance into [0, 1].
+// Makes unusable points empty and clamps importance to [0, 1].
 void CorrectPoints(SceneArrays& arrays)
 {
   float* extinction = arrays.baseExtinction->GetPointer(0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// From an image and its arrays to the grid and the fields that the solver works on.
+// Converts an image and its arrays to the grid and the fields of the solver.
 
 #ifndef limpid_SceneConversion_h
 #define limpid_SceneConversion_h
@@ -24,51 +24,52 @@ namespace limpid
 {
 struct Grid;
 
-/// An array of the image and what to make of it.
+/// An array of the image and the component to use.
 struct FieldSource
 {
   vtkDataArray* array = nullptr;
-  bool onCells = false; ///< an array of the cells: averaged to the points first
+  bool onCells = false; ///< whether it is a cell array, which is averaged to the points first
   int component = MagnitudeComponent;
   ScalarMapping mapping = KeepValue();
 };
 
-/// The fields of a scene at the points of the image, and what had to be left out.
+/// The fields of a scene at the points of the image, and how many values were unusable.
 struct VTKLIMPIDFILTERS_EXPORT SceneArrays
 {
   vtkSmartPointer<vtkFloatArray> baseExtinction; ///< [1/length]
   vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
-  vtkIdType invalidPoints = 0;                   ///< NaN or infinity: empty
-  vtkIdType negativePoints = 0;                  ///< extinction below zero: empty
-  vtkIdType clampedPoints = 0;                   ///< importance outside [0, 1]: moved there
-  vtkIdType allPoints = 0;                       ///< that these are of; 0: those of the arrays
+  vtkIdType invalidPoints = 0;                   ///< NaN or infinity; become empty
+  vtkIdType negativePoints = 0;                  ///< extinction below zero; become empty
+  vtkIdType clampedPoints = 0;                   ///< importance outside [0, 1]; clamped
+  vtkIdType allPoints = 0;                       ///< what these counts are out of; 0: all here
 
-  /// What a user has to know about values that could not be taken as they are; may be nothing.
+  /// Returns a warning about values that were not used as they are; may be empty.
   std::string Warning() const;
 };
 
-/// The nodes of an image: its points. Extent and direction matrix are part of the placement.
+/// Returns the grid whose nodes are the points of an image, placed by its extent and direction
+/// matrix.
 VTKLIMPIDFILTERS_EXPORT Grid GridOfImage(vtkImageData* image);
 
-/// Where an image is, as one message: position of a point, spacing, and direction matrix row by
-/// row.
+/// The placement of an image as one message: position of a point, spacing, and direction matrix row
+/// by row.
 using ImagePlacement = std::array<double, 15>;
 
-/// The placement of the first point of an extent, which may be another one than the image's.
+/// Returns the placement of the first point of an extent, which may differ from that of the image.
 ImagePlacement PlacementOf(vtkImageData* image, const int extent[6]);
 
-/// The grid of an extent whose first point is placed so.
+/// Returns the grid of an extent whose first point has this placement.
 Grid GridOfExtent(const int extent[6], const ImagePlacement& placement);
 
-/// A field at the points of the image; NaN where it has no finite value.
+/// Returns a field at the points of the image; NaN where it has no finite value.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(
   vtkImageData* image, const FieldSource& source, const char* name);
 
-/// Leaves of a field what Blanking::Shares says.
+/// Multiplies a field by shares, see Blanking::Shares.
 VTKLIMPIDFILTERS_EXPORT void TakeShares(const std::vector<float>& shares, vtkFloatArray* field);
 
-/// Both fields of a scene. An empty point has neither extinction nor importance; importance is
-/// moved into [0, 1].
+/// Returns both fields of a scene. An empty point has neither extinction nor importance. Importance
+/// is clamped to [0, 1].
 VTKLIMPIDFILTERS_EXPORT SceneArrays ConvertScene(
   vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
 }

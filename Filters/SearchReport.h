@@ -13,21 +13,21 @@
 namespace limpid
 {
 /**
- * Between the threads of a search and its user, who is told how far it is and may stop it.
+ * Reports the progress of the threads of a search to its user, who may stop it.
  *
- * Observers of VTK's progress may do anything, so only the thread that makes this object talks to
- * them; the others hear from it whether to go on.
+ * Observers of VTK's progress may do anything, so only the thread that creates this object calls
+ * them. The other threads learn from it whether to continue.
  */
 class SearchReport
 {
 public:
-  /// `tell`: takes the share of the work done and returns whether to go on.
+  /// `tell`: takes the share of the work that is done and returns whether to continue.
   explicit SearchReport(std::function<bool(double)> tell)
     : Tell(std::move(tell))
   {
   }
 
-  /// What is between `begin` and `end` of all of the work, as a progress of its own.
+  /// Returns a progress function for the part of the work from `begin` to `end`, in [0, 1].
   std::function<bool(double)> Part(double begin, double end)
   {
     return [this, begin, end](double share)

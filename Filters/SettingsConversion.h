@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// From vtkVisibilitySettings to what the core takes.
+// Converts vtkVisibilitySettings to the settings of the core.
 
 #ifndef limpid_SettingsConversion_h
 #define limpid_SettingsConversion_h
@@ -20,16 +20,17 @@ struct Light;
 struct Settings;
 struct ViewSet;
 
-/// Weights, solver and backend.
+/// Returns weights, solver and backend.
 VTKLIMPIDFILTERS_EXPORT Settings SettingsOf(vtkVisibilitySettings* settings);
 
-/// For which cameras.
+/// Returns the cameras that share an extinction.
 VTKLIMPIDFILTERS_EXPORT ViewSet ViewSetOf(vtkVisibilitySettings* settings);
 
-/// The light in world coordinates; a directional one shines towards the focal point.
+/// Returns the light in world coordinates. A directional light shines towards the focal point.
 VTKLIMPIDFILTERS_EXPORT Light LightOf(vtkVisibilitySettings* settings, const Vec3& focalPoint);
 
-/// From values of the importance array to importance. Throws when the function for it is missing.
+/// Returns the mapping from values of the importance array to importance. Throws if its function is
+/// missing.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping ImportanceMapping(vtkVisibilitySettings* settings);
 }
 

@@ -38,7 +38,7 @@ SharedArray::SharedArray(const FieldSource& source, vtkImageData* image, const i
     this->First[at] = begin - whole[2 * axis];
     this->Size[at] = sizeOf(begin, end);
     this->Whole[at] = sizeOf(whole[2 * axis], whole[2 * axis + 1]);
-    // Neighbours have the points between them both.
+    // Both neighbours have the points on their common border; the next one owns them.
     const bool isLast = end == whole[2 * axis + 1];
     const Range<int> own = owned
       ? owned->along[at]
@@ -84,15 +84,15 @@ double SharedArray::ValueAt(int i, int j, int k) const
   return value;
 }
 
-// Calls visit(i, j, k, value) for the finite values of this process among those at equal distances
-// in the whole array.
+// Calls visit(i, j, k, value) for the finite values of this process among the samples at equal
+// distances in the whole array.
 template <class Visit>
 void SharedArray::VisitSamples(long long most, const Visit& visit) const
 {
   using Number = long long;
   const std::array<int, 3>& whole = this->Whole;
   const Number tuples = Number(whole[0]) * whole[1] * whole[2];
-  const Number step = std::max<Number>(1, tuples / most) | 1; // odd: meets all columns
+  const Number step = std::max<Number>(1, tuples / most) | 1; // odd, to sample all columns
   for (int k = this->Skipped[2]; this->Array && k < this->Own[2]; ++k)
   {
     for (int j = this->Skipped[1]; j < this->Own[1]; ++j)
@@ -113,7 +113,7 @@ void SharedArray::VisitSamples(long long most, const Visit& visit) const
   }
 }
 
-// The numbers of all processes.
+// Returns the numbers of all processes.
 std::vector<double> SharedArray::Gathered(std::vector<double> here) const
 {
   if (!this->Processes)
@@ -158,7 +158,7 @@ std::vector<ValueAmongOthers> SharedArray::SamplesAbove(double value, long long 
   {
     samples[i] = { all[2 * i], all[2 * i + 1] };
   }
-  // Sums of them are the same for any number of processes.
+  // Sorted, so that sums are the same for any number of processes.
   std::sort(samples.begin(), samples.end(),
     [](const ValueAmongOthers& a, const ValueAmongOthers& b)
     { return std::tie(a.value, a.eighth) < std::tie(b.value, b.eighth); });

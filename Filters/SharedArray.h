@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An array of an image, of which every process has a piece if several draw it together.
+// An array of an image that is distributed over processes.
 
 #ifndef limpid_SharedArray_h
 #define limpid_SharedArray_h
@@ -22,24 +22,25 @@ namespace limpid
 {
 struct NodeBox;
 
-/// Where processes differ, all of them have to ask for the same in the same order.
+/// Its methods are collective if there are several processes: all must call them, in the same
+/// order.
 class VTKLIMPIDFILTERS_EXPORT SharedArray
 {
 public:
-  /// `source`: its array and component; an array of null: this process has no values.
-  /// `processes`: null: it has all. `owned`: the points that count here; null: all but those that a
-  /// process behind has, too.
+  /// `source`: array and component; a null array: this process has no values. `processes`: null:
+  /// this process has the whole array. `owned`: the points that count here; null: all except ghost
+  /// points that the next process has, too.
   SharedArray(const FieldSource& source, vtkImageData* image, const int wholeExtent[6],
     vtkMultiProcessController* processes, const NodeBox* owned = nullptr);
 
-  /// Smallest and largest number of all; 0 where there is none.
+  /// Returns the smallest and largest finite number of all processes; 0 if there is none.
   std::array<double, 2> FiniteRange() const;
 
-  /// At most about so many of the finite numbers, at equal distances in the whole array, sorted.
+  /// Returns about `most` finite numbers or fewer, at equal distances in the whole array, sorted.
   std::vector<double> Samples(long long most) const;
 
-  /// Those of these that are above a value, among their neighbours. Where the pieces of processes
-  /// do not overlap, the border of a piece is as that of the image.
+  /// Returns those of these samples that are above a value, with their neighbours. If the pieces of
+  /// processes do not overlap, the border of a piece is treated like that of the image.
   std::vector<ValueAmongOthers> SamplesAbove(double value, long long most) const;
 
 private:
@@ -50,15 +51,15 @@ private:
 
   vtkDataArray* Array;
   int Component;
-  std::array<int, 3> First{};   ///< of the values here, among all
-  std::array<int, 3> Size{};    ///< of those here
-  std::array<int, 3> Skipped{}; ///< of those here, before those that count
-  std::array<int, 3> Own{};     ///< of those that count here, not in other processes
-  std::array<int, 3> Whole{};   ///< of all
+  std::array<int, 3> First{};   ///< index of the first value here in the whole array
+  std::array<int, 3> Size{};    ///< number of values here
+  std::array<int, 3> Skipped{}; ///< ghost values here before the owned ones
+  std::array<int, 3> Own{};     ///< number of owned values
+  std::array<int, 3> Whole{};   ///< size of the whole array
   vtkMultiProcessController* Processes;
 };
 
-/// Whether any of the processes says so; null: there is one.
+/// Returns whether `here` is true on any of the processes; null: one process.
 VTKLIMPIDFILTERS_EXPORT bool AnyProcess(vtkMultiProcessController* processes, bool here);
 }
 

@@ -26,7 +26,7 @@ namespace limpid
 {
 namespace
 {
-/// The whole image as the first rank that has points places it.
+/// Returns the grid of the whole image, by the placement of the first rank that has points.
 Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<int, 6>& whole)
 {
   const bool hasPoints = input && input->GetNumberOfPoints() > 0;
@@ -43,7 +43,7 @@ Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<
     placement = PlacementOf(input, whole.data());
   }
   ranks.Gather(placement.data(), placement.size());
-  return GridOfExtent(whole.data(), placement); // the same everywhere
+  return GridOfExtent(whole.data(), placement); // identical on all ranks
 }
 
 NodeBox BoxOf(vtkImageData* input, const std::array<int, 6>& whole)
@@ -57,7 +57,7 @@ NodeBox BoxOf(vtkImageData* input, const std::array<int, 6>& whole)
   return box;
 }
 
-/// Takes a flag away from the array "vtkGhostType"; the input's array stays as it is.
+/// Clears a flag in the array "vtkGhostType". The array of the input is not changed.
 void TakeAway(unsigned char flag, vtkDataSetAttributes* data)
 {
   auto* flags =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An image of which every rank has a piece.
+// An image that is distributed over ranks.
 
 #ifndef limpid_SharedImage_h
 #define limpid_SharedImage_h
@@ -22,23 +22,23 @@ namespace limpid
 {
 struct VTKLIMPIDFILTERS_EXPORT SharedImage
 {
-  Grid grid; ///< of the whole
+  Grid grid; ///< grid of the whole image
   std::shared_ptr<const ScenePiece> piece;
 
-  /// The piece, with layers that other ranks have, too, as if they were its own.
+  /// The piece, including ghost layers, as if all of it were owned.
   vtkSmartPointer<vtkImageData> image;
 
-  /// `whole`: the extent of all pieces. Throws limpid::Error on all ranks where pieces do not fit.
+  /// `whole`: the extent of all pieces together. Throws limpid::Error on all ranks if pieces do not
+  /// fit.
   SharedImage(std::shared_ptr<const Communicator> ranks, vtkImageData* input,
     const std::array<int, 6>& whole);
 
-  /// Gives the points that several ranks have the values of the one that they count for: only there
-  /// all cells round a point are sure to be known.
+  /// Sets ghost points to the values of their owner, the only rank that is sure to know all cells
+  /// around a point.
   void TakeOwners(vtkFloatArray* field) const;
 };
 
-/// The least and the largest of all ranks' numbers, where `low` and `high` are those of one; NaN:
-/// it has none.
+/// Reduces `low` to the least and `high` to the largest of all ranks; NaN: this rank has none.
 VTKLIMPIDFILTERS_EXPORT void JoinRange(const Communicator& ranks, double& low, double& high);
 }
 

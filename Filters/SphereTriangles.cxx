@@ -17,9 +17,9 @@ using Edge = std::array<vtkIdType, 2>;
 struct Face
 {
   Triangle corners;
-  Vec3 normal;   ///< of unit length, outward
+  Vec3 normal;   ///< unit vector, outward
   double offset; ///< of the plane: dot(normal, corner)
-  double lowest; ///< second coordinate of the lowest point of the sphere outside the plane
+  double lowest; ///< y coordinate of the lowest point of the sphere outside of the plane
 };
 
 Face MakeFace(const std::vector<Vec3>& points, const Triangle& corners)
@@ -37,7 +37,7 @@ Face MakeFace(const std::vector<Vec3>& points, const Triangle& corners)
   return face;
 }
 
-// The first tetrahedron, its triangles outward.
+// Returns the faces of the first tetrahedron, oriented outward.
 std::vector<Face> FirstFaces(const std::vector<Vec3>& points)
 {
   std::array<vtkIdType, 4> ids{ { 0, 1, 2, 3 } };
@@ -52,7 +52,7 @@ std::vector<Face> FirstFaces(const std::vector<Vec3>& points)
     MakeFace(points, { { ids[1], ids[0], ids[3] } }) };
 }
 
-// The edges that belong to one of the triangles alone, in the direction that they have there.
+// Returns the edges that only one of the triangles has, in the direction they have there.
 std::vector<Edge> RimOf(const std::vector<Triangle>& triangles)
 {
   std::vector<Edge> edges;
@@ -82,9 +82,9 @@ std::vector<Edge> RimOf(const std::vector<Triangle>& triangles)
 
 std::vector<Triangle> TriangulateSphere(const std::vector<Vec3>& points)
 {
-  constexpr double rounding = 1e-9; // of heights: far more than theirs, far less than the spacing
+  constexpr double rounding = 1e-9; // of heights; far above rounding errors, far below the spacing
   std::vector<Triangle> finished;
-  std::vector<Face> open = FirstFaces(points); // which a point to come may see from outside
+  std::vector<Face> open = FirstFaces(points); // faces that a later point may be in front of
   for (std::size_t id = 4; id < points.size(); ++id)
   {
     const Vec3& point = points[id];

@@ -14,11 +14,11 @@
 namespace limpid
 {
 /**
- * The convex hull of points on the unit sphere, which is their Delaunay triangulation: triangles
- * counterclockwise as seen from outside.
+ * Computes the convex hull of points on the unit sphere, which is their Delaunay triangulation.
+ * Triangles are counterclockwise as seen from outside.
  *
- * At least four points, no two the same, sorted from the largest second coordinate to the smallest;
- * not all of them in a plane. (vtkDelaunay3D leaves holes between points on a sphere.)
+ * `points`: at least four, all different, not all in one plane, sorted by descending y coordinate.
+ * (vtkDelaunay3D leaves holes between points on a sphere.)
  */
 std::vector<std::array<vtkIdType, 3>> TriangulateSphere(const std::vector<Vec3>& points);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where importance comes from, and what is taken for it where nobody has said what is important.
+// The source of importance, and the assumption if nobody has specified what is important.
 
 #ifndef limpid_StartingImportance_h
 #define limpid_StartingImportance_h
@@ -20,35 +20,35 @@ namespace limpid
 {
 class SharedArray;
 
-/// What may be important of an array that nobody has said anything about; not known where its
-/// values are all alike.
+/// Returns the ramp of values of an array that are assumed to be important; unknown if its values
+/// are all alike.
 VTKLIMPIDFILTERS_EXPORT ImportanceRamp StartingImportance(const SharedArray& array);
 
-/// Importance as the ramp has it, for scalars that stand in for it, and what to tell the user.
-/// MappingOf throws Error where the ramp is not known.
+/// MappingOf returns the mapping of a ramp for scalars that stand in for importance, and throws
+/// Error if the ramp is unknown. Others return the warning for the user.
 VTKLIMPIDFILTERS_EXPORT ScalarMapping MappingOf(const ImportanceRamp& ramp);
 VTKLIMPIDFILTERS_EXPORT std::string WarningOf(const ImportanceRamp& ramp);
 
 /**
- * What says what is important, in mappers and filters alike: an array, or else, if nobody has
- * chosen one, the scalars. Values are mapped by ImportanceFunction where UseImportanceFunction is
- * on. Where it is off, those of an array are importance, and scalars that stand in get what is
- * assumed of them: their largest values are important.
+ * The source of importance, for mappers and filters alike: an array, or, if no array was chosen,
+ * the scalars. ImportanceFunction maps the values if UseImportanceFunction is on. If it is off, the
+ * values of an array are the importance, and for scalars the largest values are assumed to be
+ * important.
  */
 struct VTKLIMPIDFILTERS_EXPORT ImportanceChoice
 {
-  FieldSource array;     ///< of that name; null: there is none
-  std::string name;      ///< of the array that is wanted
-  bool isChosen = false; ///< by a user; else the scalars may stand in
-  FieldSource scalars;   ///< null: there are none
+  FieldSource array;     ///< null: there is no array of that name
+  std::string name;      ///< name of the requested array
+  bool isChosen = false; ///< whether a user chose it; if not, the scalars may stand in
+  FieldSource scalars;   ///< null: there are no scalars
 
   bool IsOfScalars() const { return !this->array.array && !this->isChosen && this->scalars.array; }
 
-  /// Whether MappingOf(StartingImportance) is needed.
+  /// Returns whether MappingOf(StartingImportance) is needed.
   bool IsAssumed(vtkVisibilitySettings* settings) const;
 
-  /// The values and how they become importance. Throws Error where nothing says what is important;
-  /// `image`: whose arrays the message names.
+  /// Returns the array of importance, and its mapping. Throws Error if there is no source of
+  /// importance. `image`: the message names its arrays.
   FieldSource Source(
     vtkVisibilitySettings* settings, const ScalarMapping& assumed, vtkImageData* image) const;
 };

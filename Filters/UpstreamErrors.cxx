@@ -14,7 +14,7 @@ namespace limpid
 {
 namespace
 {
-// Without "ERROR: In FILE, line NUMBER\nCLASS (ADDRESS): " and what ends it.
+// Returns the text without "ERROR: In FILE, line NUMBER\nCLASS (ADDRESS): " and trailing line ends.
 std::string MessageOf(const std::string& text)
 {
   const std::size_t lead = text.find("): ");
@@ -26,7 +26,7 @@ std::string MessageOf(const std::string& text)
 void Keep(vtkObject* caller, unsigned long, void* text, void* message)
 {
   auto& kept = *static_cast<std::string*>(text);
-  // An executive says no more than that its algorithm failed.
+  // The error of an executive says only that its algorithm failed.
   if (kept.empty() && message && vtkAlgorithm::SafeDownCast(caller))
   {
     kept = MessageOf(static_cast<const char*>(message));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a pipeline says while a filter updates it.
+// Collects the errors of a pipeline while a filter updates it.
 
 #ifndef limpid_UpstreamErrors_h
 #define limpid_UpstreamErrors_h
@@ -18,8 +18,9 @@ class vtkObject;
 
 namespace limpid
 {
-/// As long as it lives, the errors of all algorithms in front of a filter, and of their executives,
-/// are not shown but kept, so that the filter can say in one message what went wrong, and where.
+/// During the lifetime of this object, errors of all algorithms upstream of a filter, and of their
+/// executives, are kept instead of shown. The filter can then report in one message what failed,
+/// and where.
 class UpstreamErrors
 {
 public:
@@ -28,7 +29,7 @@ public:
   UpstreamErrors(const UpstreamErrors&) = delete;
   void operator=(const UpstreamErrors&) = delete;
 
-  /// The first error of an algorithm, without where in the source code it is; empty if there was
+  /// Returns the first error of an algorithm, without its position in the source code; empty if
   /// none.
   const std::string& First() const { return this->Text; }
 
@@ -38,7 +39,7 @@ private:
   bool IsObserved(vtkObject* object) const;
 
   vtkSmartPointer<vtkCallbackCommand> Command;
-  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observed; // and its tag
+  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observed; // objects, tags
   std::string Text;
 };
 }

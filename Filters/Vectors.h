@@ -8,7 +8,7 @@
 
 namespace limpid
 {
-/// A point or a direction as VTK has it.
+/// Converts a point or a direction of VTK.
 inline Vec3 ToVec3(const double* vector)
 {
   return { vector[0], vector[1], vector[2] };

@@ -26,7 +26,7 @@ bool IsWorse(const ScoredView& a, const ScoredView& b)
   return IsBetter(b, a);
 }
 
-// The views that were evaluated.
+// Returns the views that were evaluated.
 std::vector<ScoredView> ValidOf(const std::vector<ScoredView>& views)
 {
   std::vector<ScoredView> valid;
@@ -35,7 +35,7 @@ std::vector<ScoredView> ValidOf(const std::vector<ScoredView>& views)
   return valid;
 }
 
-// One number per item, a view or a camera.
+// Returns an array with one number per item, which is a view or a camera.
 template <class Item, class Value>
 void AddNumbers(
   const char* name, const std::vector<Item>& items, const Value& value, vtkPolyData* output)
@@ -89,7 +89,7 @@ double PolarOf(const ScoredView& view)
   return vtkMath::DegreesFromRadians(AnglesOf(view.direction).polar);
 }
 
-// The angles of Eq. (10), and cameras: one per view.
+// Adds the angles of Eq. (10) and the camera of each view.
 void AddCameras(
   const std::vector<ScoredView>& views, const std::vector<Camera>& cameras, vtkPolyData* output)
 {
@@ -108,7 +108,7 @@ void AddCameras(
     output);
 }
 
-// The cameras by which views were scored.
+// Returns the cameras that views were scored with.
 std::vector<Camera> ScoringCameras(const Orbit& orbit, const std::vector<ScoredView>& views)
 {
   std::vector<Camera> cameras(views.size());
@@ -117,7 +117,7 @@ std::vector<Camera> ScoringCameras(const Orbit& orbit, const std::vector<ScoredV
   return cameras;
 }
 
-// 1 for the best of the views that were evaluated, and so on; 0 for the others.
+// Adds ranks: 1 for the best of the evaluated views and so on, 0 for views that were not evaluated.
 void AddRanks(const std::vector<ScoredView>& views, vtkPolyData* output)
 {
   std::vector<std::size_t> order(views.size());
@@ -142,7 +142,8 @@ void AddRanks(const std::vector<ScoredView>& views, vtkPolyData* output)
   output->GetPointData()->AddArray(valid);
 }
 
-// From 0 for the worst to 1 for the best; where all are the same, 1 if anything can be seen.
+// Adds scores scaled from 0 for the worst to 1 for the best. If all are equal, they are 1 if
+// anything can be seen, else 0.
 void AddNormalizedScores(const std::vector<ScoredView>& views, vtkPolyData* output)
 {
   const std::vector<ScoredView> valid = ValidOf(views);
@@ -220,7 +221,7 @@ void FillPaths(const FoundViews& found, vtkPolyData* output)
   {
     if (path.size() < 2)
     {
-      continue; // nothing better nearby: no way to go
+      continue; // the sample itself was the best view
     }
     lines->InsertNextCell(static_cast<int>(path.size()));
     for (const ScoredView& view : path)

@@ -103,7 +103,7 @@ double NumberOf(vtkPolyData* sphere, const char* name, double otherwise)
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
 }
 
-// By which a search scored its views.
+// Returns the cameras that a search scored its views with.
 limpid::Orbit OrbitOf(vtkPolyData* sphere)
 {
   limpid::Orbit orbit;
@@ -119,7 +119,7 @@ limpid::Orbit OrbitOf(vtkPolyData* sphere)
   return orbit;
 }
 
-// Of the image that was searched.
+// Returns the corners of the box of the image that was searched.
 std::vector<limpid::Vec3> CornersOf(vtkPolyData* sphere)
 {
   vtkDataArray* numbers = sphere->GetFieldData()->GetArray("ImageCorners");
@@ -135,11 +135,11 @@ std::vector<limpid::Vec3> CornersOf(vtkPolyData* sphere)
   return corners;
 }
 
-// What a search found at one time step, or at several.
+// The results of a search at one or several time steps.
 struct Found
 {
   limpid::DirectionMesh mesh;
-  std::vector<std::vector<double>> scores; // per time step, one per direction
+  std::vector<std::vector<double>> scores; // one vector per time step, one score per direction
   std::vector<limpid::Vec3> corners;       // of the images of all time steps
 };
 }
@@ -152,7 +152,7 @@ struct vtkCameraPath::Internals
   }
 
   vtkCameraPath* Self;
-  std::vector<double> Times; // time steps of the input
+  std::vector<double> Times; // of the input
 
   bool IsLaterPiece() const
   {
@@ -182,9 +182,9 @@ void vtkCameraPath::Internals::RequireSettings() const
     "or set Way to Round Trip.");
 }
 
-// Brings the input to a time step, if that can be done. The pipeline's own way of doing this,
-// CONTINUE_EXECUTING, never ends where the input fails, because it ends in RequestData alone, which
-// is not called then.
+// Updates the input to a time step, and returns whether it succeeded. The usual way,
+// CONTINUE_EXECUTING, loops forever if the input fails: only RequestData can end it, and that is
+// not called then.
 bool vtkCameraPath::Internals::Update(std::size_t step) const
 {
   vtkAlgorithmOutput* connection = this->Self->GetInputConnection(0, 0);
@@ -194,7 +194,7 @@ bool vtkCameraPath::Internals::Update(std::size_t step) const
   return producer->Update(connection->GetIndex());
 }
 
-// `why`: what the input says.
+// `why`: the message of the input.
 void vtkCameraPath::Internals::RequireStep(
   std::size_t step, bool isThere, const std::string& why) const
 {
@@ -206,8 +206,8 @@ void vtkCameraPath::Internals::RequireStep(
       << (why.empty() ? "nothing" : why));
 }
 
-// Adds what the input has at a time step. With several processes the first one has the sphere; the
-// others help to compute it.
+// Adds the input's result at a time step. With several processes, the first one has the sphere; the
+// others take part in its computation.
 void vtkCameraPath::Internals::ReadStep(std::size_t step, vtkInformation* input, Found& found) const
 {
   vtkPolyData* sphere = vtkPolyData::GetData(input);
@@ -226,8 +226,8 @@ void vtkCameraPath::Internals::ReadStep(std::size_t step, vtkInformation* input,
   found.corners.insert(found.corners.end(), corners.begin(), corners.end());
 }
 
-// The input is at the first time step. Returns false if the user wants to stop. Ranks go on to the
-// next step together or not at all, since the search waits for all of them.
+// Reads all time steps; the input is at the first one. Returns false if the user wants to stop. All
+// ranks go on to the next step or none does, since a search waits for all of them.
 bool vtkCameraPath::Internals::Read(
   const limpid::Communicator* ranks, vtkInformation* input, Found& found) const
 {
@@ -350,7 +350,7 @@ int vtkCameraPath::RequestInformation(
     const double* times = input->Get(Pipeline::TIME_STEPS());
     this->State->Times.assign(times, times + input->Length(Pipeline::TIME_STEPS()));
   }
-  if (this->Way == THROUGH_TIME) // one way for all times
+  if (this->Way == THROUGH_TIME) // one path for all time steps
   {
     vtkInformation* output = outputVector->GetInformationObject(0);
     output->Remove(Pipeline::TIME_STEPS());

@@ -3,25 +3,26 @@
 
 /**
  * @class   vtkCameraPath
- * @brief   an even way of a camera through views that show much
+ * @brief   a camera path of constant speed through the best viewpoints
  *
- * Takes the sphere of vtkViewpointSearch, its first output, and makes a polyline of where a camera
- * stands, frame by frame, in directions that the search has scored. It goes along ridges of the
- * score, turns evenly, and the pictures stay upright. All frames look at the centre from the same
- * distance, the least from which every one of them shows all of the image's box.
+ * Takes the S-sphere, which is the first output of vtkViewpointSearch, and returns a polyline of
+ * camera positions, one per frame, in directions that the search has scored. The path follows
+ * ridges of the score and turns at a constant speed, and its pictures stay upright. All frames look
+ * at the centre of the sphere from the same distance: the least at which every frame shows the
+ * whole box of the image.
  *
  * Point arrays of the output, one value per frame:
  *   "CameraPosition", "CameraFocalPoint", "CameraViewUp"  the camera,
- *   "ViewDirection"    from its focal point, of unit length,
- *   "VisibilityScore"  of the extinction that was searched, linear between the directions,
+ *   "ViewDirection"    unit vector from the focal point to the camera,
+ *   "VisibilityScore"  score of the searched extinction, linear between the sampled directions,
  *   "KeyView"          1 at key views, else 0,
- *   "Time"             THROUGH_TIME: the time step; else from 0 to below 1.
+ *   "Time"             THROUGH_TIME: the time step; ROUND_TRIP: from 0 to below 1.
  * The field data are those of the sphere: CameraViewAngle, CameraParallelProjection and so on.
  *
- * ROUND_TRIP goes through the best views and back to the first one. THROUGH_TIME has one frame per
- * time step of the input, which is updated for each of them, and follows what can be seen. Where
- * the input fails at a time step, there is no path, and one error that names this time step and
- * repeats what the input says.
+ * ROUND_TRIP passes through the best views and returns to the first one. THROUGH_TIME has one frame
+ * per time step of the input and follows what can be seen; for this, it updates the input for each
+ * time step. If the input fails at a time step, the output has no path, and one error names the
+ * time step and repeats the input's message.
  *
  * @sa vtkViewpointSearch
  */
@@ -50,7 +51,7 @@ public:
 
   ///@{
   /**
-   * Which way. Default is ROUND_TRIP.
+   * Kind of path: ROUND_TRIP or THROUGH_TIME. Default is ROUND_TRIP.
    */
   LIMPID_SET_CLAMPED(Way, int, ROUND_TRIP, THROUGH_TIME);
   vtkGetMacro(Way, int);
@@ -58,7 +59,8 @@ public:
 
   ///@{
   /**
-   * Most views that a round trip goes through, the best ones, at least 1. Default is 4.
+   * Largest number of views that a round trip passes through, at least 1; it takes the best ones.
+   * Default is 4.
    */
   LIMPID_SET_CLAMPED(NumberOfKeyViews, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfKeyViews, int);
@@ -66,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Least angle between any two of these [degrees], 0 to 180. Default is 30.
+   * Least angle between any two of these views [degrees], in [0, 180]. Default is 30.
    */
   LIMPID_SET_CLAMPED(SeparationAngle, double, 0, 180);
   vtkGetMacro(SeparationAngle, double);
@@ -74,7 +76,7 @@ public:
 
   ///@{
   /**
-   * Of a round trip, 2 to 100000. Default is 120.
+   * Number of frames of a round trip, in [2, 100000]. Default is 120.
    */
   LIMPID_SET_CLAMPED(NumberOfFrames, int, 2, 100000);
   vtkGetMacro(NumberOfFrames, int);
@@ -82,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Share of the locally best score that key views have at least, 0 to 1: lower is smoother.
-   * THROUGH_TIME, every time step is one. Default is 0.9.
+   * Least score of key views, as a share of the locally best score, in [0, 1]: the lower it is, the
+   * smoother the path. With THROUGH_TIME, every time step is a key view. Default is 0.9.
    */
   LIMPID_SET_CLAMPED(LeastShare, double, 0, 1);
   vtkGetMacro(LeastShare, double);
@@ -91,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Between which elevations the camera stays [degrees], as in vtkViewpointSearch. Near the poles
-   * an upright picture turns fast. Default is (-75, 75).
+   * Range of elevations of the camera [degrees], as in vtkViewpointSearch; each in [-90, 90]. Near
+   * the poles an upright picture turns fast. Default is (-75, 75).
    */
   LIMPID_SET_CLAMPED_VECTOR2(ElevationRange, double, -90, 90);
   vtkGetVector2Macro(ElevationRange, double);

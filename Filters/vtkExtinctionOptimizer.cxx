@@ -45,8 +45,8 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// The part of an image that this process is to hold, of what it has; `whole`: extent of the image.
-// What comes in other pieces stays in these.
+// Crops an image to the piece that was requested from this process; `whole`: extent of the image.
+// Points that belong to other pieces are left to them.
 void KeepRequestedPiece(
   vtkInformation* outInfo, const std::array<int, 6>& whole, vtkImageData* output)
 {
@@ -75,7 +75,7 @@ void KeepRequestedPiece(
 }
 }
 
-// From the properties to the core and back.
+// Converts the properties for the core, and its results for the output.
 struct vtkExtinctionOptimizer::Internals
 {
   explicit Internals(vtkExtinctionOptimizer* self)
@@ -100,12 +100,12 @@ struct vtkExtinctionOptimizer::Internals
 
   vtkExtinctionOptimizer* Self;
   SceneReader Reader;
-  std::shared_ptr<const limpid::Communicator> Ranks; // of the present run; null: there is one
-  vtkSmartPointer<vtkFloatArray> LastExtinction; // for a warm start: shared with the last output
+  std::shared_ptr<const limpid::Communicator> Ranks; // of the present run; null: one process
+  vtkSmartPointer<vtkFloatArray> LastExtinction;     // for a warm start; also an output
   limpid::Int3 LastNodes{ 0 };
-  std::shared_ptr<const limpid::ScenePiece> LastPiece; // of ranks; null: there was one
+  std::shared_ptr<const limpid::ScenePiece> LastPiece; // at the last run; null: one process
   limpid::CarriedChange LastChange;                    // for temporal coherence
-  vtkMTimeType LastTime = 0;                           // of the data for which that was found
+  vtkMTimeType LastTime = 0;                           // of the data of LastChange
 };
 
 vtkExtinctionOptimizer::vtkExtinctionOptimizer()
@@ -143,8 +143,8 @@ int vtkExtinctionOptimizer::RequestUpdateExtent(
   return result;
 }
 
-// Whether every process does its part of one computation, of a piece each. It is for all of them
-// alike: each has its own piece, and the same properties.
+// Returns whether each process computes its piece of one result. All of them return the same, since
+// all have pieces and equal properties.
 bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) const
 {
   const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
@@ -180,7 +180,7 @@ int vtkExtinctionOptimizer::RequestData(
   {
     this->SetProgressText(nullptr);
     output->Initialize();
-    output->ShallowCopy(vtkImageData::GetData(inputVector[0])); // the input as it came
+    output->ShallowCopy(vtkImageData::GetData(inputVector[0])); // the unchanged input
     KeepRequestedPiece(
       outputVector->GetInformationObject(0), SceneReader::WholeExtentOf(inputVector), output);
     return 1;
@@ -189,7 +189,7 @@ int vtkExtinctionOptimizer::RequestData(
   {
     vtkErrorMacro(<< limpid::WordsOf(error, vtkImageData::GetData(inputVector[0]),
                     limpid::MemoryNeed{ this->State->BytesPerPoint(), limpid::fewerPoints }));
-    output->Initialize(); // never a half-optimised field
+    output->Initialize(); // no half-optimised field
     convergence->Initialize();
     return 0;
   }
@@ -248,17 +248,17 @@ void vtkExtinctionOptimizer::Optimize(
   state.LastChange = coherent ? result.solver->Change() : limpid::CarriedChange();
 }
 
-// Whether the light has an extinction of its own.
+// Returns whether the light has its own extinction.
 bool vtkExtinctionOptimizer::Internals::HasTwoExtinctions() const
 {
   return this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
 }
 
-// That a run takes beyond its input, results included. Measured by
-// Testing/Benchmarks/filter_memory.py at 512^3 points: with the policy 34, with Adam 40, in
-// separate mode 63, of the viewpoint, too, with the policy 46; at 256^3 up to three more. Counted:
-// smoothed importance and what is made of it, which another copy in another order may join; the
-// pull of neighbours; the last change, and what it makes of the scene in two orders.
+// Memory of a run in addition to its input, including results. Measured by
+// Testing/Benchmarks/filter_memory.py at 512^3 points: 34 with the policy, 40 with Adam, 63 in
+// separate mode, 46 if the policy also optimises the viewpoint; up to three more at 256^3. Counted:
+// smoothed importance and its derived fields, of which there may be a copy in another order of
+// axes; the pull of neighbours; the last change, and the fields derived from it in two orders.
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;
@@ -302,7 +302,7 @@ limpid::Light vtkExtinctionOptimizer::Internals::MakeLight(const limpid::Camera&
   return light;
 }
 
-// Optimises the extinction, with OptimizeViewpoint also the camera.
+// Optimises the extinction and, with OptimizeViewpoint, the camera.
 limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   const limpid::SceneFields& scene, const limpid::Camera& camera, const limpid::Light& light) const
 {
@@ -319,7 +319,7 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   const std::vector<limpid::Camera> cameras = limpid::CamerasOf(
     limpid::ViewSetOf(this->Self->Settings), camera, limpid::OrbitStart::AtCamera);
   limpid::Settings settings = limpid::ForCameras(limpid::SettingsOf(this->Self->Settings), cameras);
-  settings.scoreIterations = true; // for the table
+  settings.scoreIterations = true; // for the table Convergence
   limpid::ConcurrentResult result;
   result.camera = camera;
   if (this->Self->OptimizeViewpoint)
@@ -374,7 +374,7 @@ void vtkExtinctionOptimizer::Internals::WriteUnsolved(
   limpid::AddUnsolvedFields(scene.arrays, scene.unitDistance, this->HasTwoExtinctions(), output);
 }
 
-// Scripts find results by their names, so results keep them.
+// Scripts find results by their names, so results replace arrays of the same name.
 void vtkExtinctionOptimizer::Internals::ReportReplaced(
   const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const
 {

@@ -3,47 +3,57 @@
 
 /**
  * @class   vtkExtinctionOptimizer
- * @brief   find the extinction field that lets important regions be seen
+ * @brief   find the extinction field that makes important structures visible
  *
- * Minimises the energy of Eq. (21) in [HG24] over the extinction at every point of an image, seen
- * from one camera and lit by one light.
+ * Minimises the energy of Eq. (21) in [HG24] over the extinction at every point of an image, for
+ * one camera and one light.
  *
- * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; array 2, the base extinction, only with
- * ExtinctionSource ARRAY. The array "Opacity" is made for ScalarOpacityUnitDistance.
+ * Input port 0: vtkImageData, see vtkVisibilityAlgorithm. Array 2, the base extinction, is used
+ * only if ExtinctionSource is ARRAY. ScalarOpacityUnitDistance is also the unit distance of the
+ * array "Opacity".
  *
  * Output port 0: vtkImageData, a shallow copy of the input with float point arrays
- *   "Extinction"         optimised extinction for the camera, joint mode: and light [1/length],
+ *   "Extinction"         optimised extinction for the camera; in joint mode, also for the light
+ *                        [1/length],
  *   "LightExtinction"    separate mode only: optimised extinction for the light [1/length],
  *   "Opacity"            1 - exp(-Extinction * unit distance), for stock volume rendering,
  *   "BaseExtinction"     the extinction that the optimisation started from [1/length],
  *   "Importance"         the importance that was used [0, 1],
- *   "Transmittance"      camera to point through Extinction [0, 1],
- *   "LightTransmittance" light to point [0, 1],
- *   "MissedImportance"   of the importance, what cannot be seen: less the share of its matter that
- *                        was kept and whose light reaches the camera; 0 without matter [0, 1],
- * an input array of the same name is replaced, with a warning; and field data with one tuple each:
- * "VisibilityScore" and "BaseVisibilityScore" (S of Eq. (32), [length^2]), "VisibleFraction" and
- * "BaseVisibleFraction" (of the important matter in the data, the share whose light reaches the
- * camera, [0, 1]), "SacrificedFraction" (the share that was removed, [0, 1]), "Energy",
- * "Iterations", "Settled" (1: another iteration would change next to nothing; 0: they ended at a
- * limit), "Seconds", "Backend", "CameraPosition", "CameraFocalPoint", "CameraViewUp",
- * "LightPosition", "ScalarOpacityUnitDistance" (all as used), and with OptimizeViewpoint
- * "StartVisibilityScore" and "StartVisibleFraction" (of the extinction alone, if that had to be
- * found), "HighestAttainableFraction" (of all views that were looked from) and "Proof" (what was
- * proved of the view, in a sentence; both with the guide ATTAINABLE). "AttainableFraction",
- * "AttainableScore" and "AttainableLightScore" are what no extinction within the bounds could
- * exceed; 0 for other methods than OPTIMIZED, the last also for a light without weight.
+ *   "Transmittance"      from the camera to the point, through Extinction [0, 1],
+ *   "LightTransmittance" from the light to the point [0, 1],
+ *   "MissedImportance"   the importance that cannot be seen: importance minus the share of its
+ *                        matter that was kept and whose light reaches the camera; 0 without
+ *                        matter [0, 1].
+ * An input array of the same name is replaced, with a warning.
+ *
+ * Output port 0 also has field data with one tuple each:
+ *   "VisibilityScore", "BaseVisibilityScore": S of Eq. (32) [length^2],
+ *   "VisibleFraction", "BaseVisibleFraction": the share of the important matter in the data
+ *     whose light reaches the camera [0, 1],
+ *   "SacrificedFraction": the share of it that was removed [0, 1],
+ *   "Energy", "Iterations", "Seconds", "Backend",
+ *   "Settled": 1 if another iteration would change next to nothing, 0 if they ended at a limit,
+ *   "CameraPosition", "CameraFocalPoint", "CameraViewUp", "LightPosition",
+ *     "ScalarOpacityUnitDistance": the values that were used,
+ *   "AttainableFraction", "AttainableScore", "AttainableLightScore": bounds that no extinction
+ *     within its limits could exceed; 0 for methods other than OPTIMIZED; the last is also 0
+ *     for a light without weight,
+ *   "StartVisibilityScore", "StartVisibleFraction": with OptimizeViewpoint, the values that the
+ *     extinction alone achieved, if they had to be computed,
+ *   "HighestAttainableFraction": with OptimizeViewpoint and the guide ATTAINABLE, the highest of
+ *     all evaluated views,
+ *   "Proof": likewise, a sentence that says what was proved about the view.
  *
  * Output port 1: vtkTable, one row per iteration.
  *
- * After an error the outputs are empty; after an abort output 0 is the input as it came.
- * An image without volume (a slice, a row, a point) keeps its base extinction, with a warning.
+ * After an error the outputs are empty. After an abort, output 0 is the unchanged input. An image
+ * without volume (a slice, a row, a point) keeps its base extinction, with a warning.
  *
- * Processes of MPI that are each asked for a piece (in ParaView they are) optimise the image
- * together: each asks its input for that piece and a layer of neighbours' cells, and the result has
- * the bits of one process. An error or an abort on one of them is one of all. What they cannot do
- * together yet, each does with the whole image, and keeps its piece: the methods but OPTIMIZED,
- * OptimizeViewpoint, and the backend CUDA.
+ * MPI processes that are each asked for a piece, as in ParaView, optimise the image together. Each
+ * requests its piece and one layer of ghost cells from its input, and the result equals that of one
+ * process bit by bit. An error or an abort on one process stops all. The following is not supported
+ * in distributed runs: methods other than OPTIMIZED, OptimizeViewpoint, and the backend CUDA. In
+ * these cases, each process computes the whole image and keeps its piece.
  *
  * @sa vtkVisibilityAlgorithm vtkViewpointSearch vtkOcclusionPhantom
  */
@@ -73,19 +83,19 @@ public:
   };
 
   /**
-   * The table on the Convergence output: iteration, level, energies, seconds, and score and
-   * fractions of every iteration. These are always of the importance as given: with
-   * ImportanceSmoothing, or without a view weight, they are those of the best so far.
+   * The table on the output Convergence: iteration, level, energies, seconds, and the score and
+   * fractions of every iteration. Scores always use the importance as given; with
+   * ImportanceSmoothing, or if ViewWeight is 0, they are those of the best iterate so far.
    */
   vtkTable* GetConvergence();
 
   ///@{
   /**
-   * Whether the filter places what nobody has placed: the camera as long as CameraPosition is
-   * (0, 0, 1) and CameraFocalPoint (0, 0, 0), as in a new vtkCamera, and the light as long as
-   * LightPosition is (0, 0, 1), as in a new vtkLight. The camera then stands where
-   * vtkRenderer::ResetCamera would put it, the light above and behind it. Off: these positions are
-   * taken as they are. Default is on.
+   * Whether the filter places a camera or a light that was not placed. A camera counts as not
+   * placed if CameraPosition is (0, 0, 1) and CameraFocalPoint is (0, 0, 0), as in a new vtkCamera;
+   * a light, if LightPosition is (0, 0, 1), as in a new vtkLight. The camera is then placed where
+   * vtkRenderer::ResetCamera would put it, and the light above and behind it. Off: these positions
+   * are used as given. Default is on.
    */
   vtkSetMacro(AutomaticPlacement, vtkTypeBool);
   vtkGetMacro(AutomaticPlacement, vtkTypeBool);
@@ -95,7 +105,7 @@ public:
   ///@{
   /**
    * Camera by VTK's conventions, in world coordinates. Defaults are those of vtkCamera: position
-   * (0, 0, 1), focal point (0, 0, 0), view up (0, 1, 0), but see AutomaticPlacement.
+   * (0, 0, 1), focal point (0, 0, 0), view up (0, 1, 0). See also AutomaticPlacement.
    */
   vtkSetVector3Macro(CameraPosition, double);
   vtkGetVector3Macro(CameraPosition, double);
@@ -107,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Vertical opening of a perspective camera [degrees]. Matters with RestrictToView only, and for
-   * a camera that is placed automatically. Default is 30.
+   * Vertical view angle of a perspective camera [degrees], between 0 and 180. It is used only with
+   * RestrictToView and for a camera that is placed automatically. Default is 30.
    */
   vtkSetMacro(CameraViewAngle, double);
   vtkGetMacro(CameraViewAngle, double);
@@ -116,7 +126,7 @@ public:
 
   ///@{
   /**
-   * Whether all rays run along the view direction. Default is off.
+   * Whether the projection is parallel: all rays have the direction of the view. Default is off.
    */
   vtkSetMacro(CameraParallelProjection, vtkTypeBool);
   vtkGetMacro(CameraParallelProjection, vtkTypeBool);
@@ -125,8 +135,8 @@ public:
 
   ///@{
   /**
-   * Half the height of the picture of a parallel camera [length]. Matters with RestrictToView
-   * only. Default is 1.
+   * Half the height of the picture of a parallel camera [length]. It is used only with
+   * RestrictToView. Default is 1.
    */
   vtkSetMacro(CameraParallelScale, double);
   vtkGetMacro(CameraParallelScale, double);
@@ -134,7 +144,8 @@ public:
 
   ///@{
   /**
-   * Width of the picture over its height. Matters with RestrictToView only. Default is 1.
+   * Aspect ratio of the picture, width over height. It is used only with RestrictToView. Default is
+   * 1.
    */
   vtkSetMacro(CameraAspectRatio, double);
   vtkGetMacro(CameraAspectRatio, double);
@@ -142,12 +153,11 @@ public:
 
   ///@{
   /**
-   * Whether the camera is optimised, too (Section 3.4): it moves on the sphere round
-   * CameraFocalPoint, and a move is kept if more can be seen with the extinction that is then
-   * optimised for it. The field data "CameraPosition", "CameraViewUp" tell where it came to, and
-   * "StartVisibilityScore" what the extinction alone achieved, if that had to be found. Several
-   * times slower.
-   * Default is off.
+   * Whether the camera is optimised as well (Section 3.4): it moves on the sphere around
+   * CameraFocalPoint. A move is kept if more can be seen with the extinction that is then optimised
+   * for it. The field data "CameraPosition" and "CameraViewUp" have the final camera;
+   * "StartVisibilityScore" has the score that optimising the extinction alone achieved, if it had
+   * to be computed. Takes several times as long. Default is off.
    */
   vtkSetMacro(OptimizeViewpoint, vtkTypeBool);
   vtkGetMacro(OptimizeViewpoint, vtkTypeBool);
@@ -156,11 +166,11 @@ public:
 
   ///@{
   /**
-   * What tells which way the camera is to go. ATTAINABLE: what an extinction of its own could show
-   * from each view at most, looked for on all sides; the extinction is optimised once, where that
-   * is highest, and the field data "Proof" say what was proved. PROXY: the majorant times
-   * importance, whatever hides it. COUPLED: the extinction that was optimised last. Default is
-   * ATTAINABLE.
+   * The function that guides the camera. ATTAINABLE: an upper bound of what an optimised extinction
+   * could show from each view, searched on all sides; the extinction is optimised once, for the
+   * view with the highest bound, and the field data "Proof" say what was proved. PROXY: the
+   * majorant times importance, regardless of what hides it. COUPLED: the extinction that was
+   * optimised last. Default is ATTAINABLE.
    */
   LIMPID_SET_CLAMPED(ViewpointGuide, int, PROXY, ATTAINABLE);
   vtkGetMacro(ViewpointGuide, int);
@@ -168,9 +178,9 @@ public:
 
   ///@{
   /**
-   * Whether a run starts from the result of the last one, if the size of the image is the same:
-   * faster while a camera moves or time goes on, but the result may depend on what was before.
-   * Joint mode only. Default is off.
+   * Whether a run starts from the result of the previous one, if the size of the image is
+   * unchanged. This is faster while a camera moves or time advances, but results may depend on
+   * previous runs. Joint mode only. Default is off.
    */
   vtkSetMacro(WarmStart, vtkTypeBool);
   vtkGetMacro(WarmStart, vtkTypeBool);
@@ -205,7 +215,7 @@ private:
 
   void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence);
 
-  struct Internals; // speaks to the core, so that no core type shows here
+  struct Internals; // hides core types from this header
   std::unique_ptr<Internals> State;
 };
 

@@ -102,14 +102,14 @@ int vtkOcclusionPhantom::RequestData(
   }
   catch (const limpid::Interrupted&)
   {
-    output->Initialize(); // never a part of the points
+    output->Initialize(); // no partial result
     return 1;
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< limpid::WordsOf(error, output, Need));
     output->Initialize();
-    return 1; // after 0 the executive would join this extent to the next one that is asked for
+    return 1; // if 0, the executive would join this extent with that of the next request
   }
 }
 

@@ -3,21 +3,21 @@
 
 /**
  * @class   vtkOcclusionPhantom
- * @brief   a volume in which important structures are hidden
+ * @brief   generate a volume in which important structures are hidden
  *
  * Procedural test volumes on [-1, 1]^3 with point arrays
  *   "Scalars"        a value per material [0, 1],
- *   "Importance"     how much a structure matters [0, 1],
+ *   "Importance"     importance of the structure [0, 1],
  *   "BaseExtinction" extinction of the material [1/length].
- * Their shapes have smooth edges, at least one and a half voxels wide, so that nothing depends on
- * where the grid happens to lie.
+ * Shapes have smooth edges, at least one and a half voxels wide, so that results do not depend on
+ * the position of the grid.
  *
  * Scenes:
  *   HEAD         skin and soft tissue around a skull, with two vessels and a tumour inside;
  *   FLAME        a flickering plume of hot gas with a thin reaction front inside;
- *   SHELLS       four spheres inside each other, the inner the more important;
+ *   SHELLS       four nested spheres; the inner ones are more important;
  *   HOMOGENEOUS  extinction 1 and importance 1 everywhere, for comparison with closed forms;
- *   VESSELS      thin vessels in tissue with noise, which is the same in cells of 1/64.
+ *   VESSELS      thin vessels in tissue with noise, which is constant within cells of size 1/64.
  *
  * @sa vtkExtinctionOptimizer
  */
@@ -46,7 +46,7 @@ public:
 
   ///@{
   /**
-   * Number of points along each axis. Valid range [2, 4096]. Default is 64.
+   * Number of points along each axis, in [2, 4096]. Default is 64.
    */
   vtkSetClampMacro(Resolution, int, 2, 4096);
   vtkGetMacro(Resolution, int);
@@ -54,7 +54,7 @@ public:
 
   ///@{
   /**
-   * Which scene. Default is HEAD.
+   * The scene to generate. Default is HEAD.
    */
   vtkSetClampMacro(Scene, int, HEAD, VESSELS);
   vtkGetMacro(Scene, int);

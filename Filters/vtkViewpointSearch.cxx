@@ -27,7 +27,7 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Of the port that is asked for.
+// Returns the output information of the port that the request comes from.
 vtkInformation* RequestedOf(vtkInformation* request, vtkInformationVector* outputVector)
 {
   const int port =
@@ -41,7 +41,7 @@ vtkViewpointSearch::vtkViewpointSearch()
 {
   this->SetNumberOfOutputPorts(3);
   this->SetMaximumIterations(1);
-  this->SetSmoothness(0); // six sweeps a direction, of which hardly any score tells
+  this->SetSmoothness(0); // takes six sweeps per direction and hardly changes scores
 }
 
 vtkViewpointSearch::~vtkViewpointSearch() = default;
@@ -112,8 +112,8 @@ int vtkViewpointSearch::RequestInformation(
   return 1;
 }
 
-// The whole image, of which processes score different directions, unless that is too large: then
-// each has a piece.
+// Requests the whole image, so that processes can score different directions; if it is too large,
+// each process requests a piece.
 int vtkViewpointSearch::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -138,7 +138,7 @@ int vtkViewpointSearch::RequestData(
   {
     for (vtkPolyData* output : outputs)
     {
-      output->Initialize(); // never half a sphere
+      output->Initialize(); // no partial sphere
     }
   };
   try
@@ -152,7 +152,7 @@ int vtkViewpointSearch::RequestData(
   }
   catch (const limpid::Interrupted&)
   {
-    clear(); // aborted before there was anything to see
+    clear(); // the abort came before any result
     return 1;
   }
   catch (const std::exception& error)

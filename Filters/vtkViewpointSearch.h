@@ -3,51 +3,54 @@
 
 /**
  * @class   vtkViewpointSearch
- * @brief   find from where important regions of an image can be seen best
+ * @brief   find the views from which the important structures of an image are seen best
  *
- * Scores views from all around an image by S of Eq. (32) in [HG24], climbs from the best of them
- * along its derivative (Eqs. (29)-(31)), and ranks what is reached. Views are scored from a sphere
- * round the centre of the image, or round another point, upright by Eq. (10). All of the image
- * counts, whatever part of it a picture would show; light plays no part. The cameras of the ranked
- * viewpoints stand in the directions found, at the distance from which all of the image's box is in
- * the picture and fills 95 % of its width or height.
+ * Scores views from all around an image by S of Eq. (32) in [HG24], climbs from the best ones along
+ * the derivative of S (Eqs. (29)-(31)), and ranks the views that it reaches. Cameras stand on a
+ * sphere around the centre of the image, or around another point, and are upright by Eq. (10). The
+ * whole image counts, even if a picture would show only part of it; light is ignored. The cameras
+ * of ranked viewpoints have the directions that were found, at the distance from which the box of
+ * the image fills 95 % of the picture's width or height.
  *
- * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; array 2, an extinction, with
- * ExtinctionSource ARRAY or Field EXTINCTION_ARRAY.
+ * Input port 0: vtkImageData, see vtkVisibilityAlgorithm. Array 2, an extinction, is used if
+ * ExtinctionSource is ARRAY or Field is EXTINCTION_ARRAY.
  *
- * Output port 0: vtkPolyData, the S-sphere: a closed triangulated sphere round the image, one point
- * per direction, with the point arrays
- *   "VisibilityScore" S [length^2], "VisibleFraction" (of the important matter in the data, the
- *                     share whose light reaches the camera) [0, 1],
- *   "AttainableFraction" with Field ATTAINABLE: the most that an optimisation for the view could
- *                     show of it, which "VisibleFraction" is then, too [0, 1],
- *   "NormalizedScore" 0 worst, 1 best of the directions (all the same: 1, or 0 if S is 0),
+ * Output port 0: vtkPolyData, the S-sphere: a closed triangulated sphere around the image, one
+ * point per direction, with the point arrays
+ *   "VisibilityScore" S [length^2],
+ *   "VisibleFraction" the share of the important matter in the data whose light reaches the
+ *                     camera [0, 1],
+ *   "AttainableFraction" with Field ATTAINABLE: the highest share that an optimisation for the
+ *                     view could show; "VisibleFraction" has the same values then [0, 1],
+ *   "NormalizedScore" 0 worst, 1 best of the directions (if all are equal: 1, or 0 if S is 0),
  *   "Azimuth", "Polar" the angles of Eq. (10) [degrees],
  *   "ViewDirection"   unit vector from the centre to the camera, R (0, 0, 1) of Eq. (10),
- *   "CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraParallelScale" by which it was
- *                     scored,
+ *   "CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraParallelScale"
+ *                     the camera of the score,
  *   "Rank"            1 is the best direction,
- *   "Valid"           1: it was scored; 0: there was an abort before; its scores and rank are 0.
+ *   "Valid"           1: the direction was scored; 0: an abort came before, and its scores and
+ *                     rank are 0.
+ *
  * Output port 1: vtkPolyData, Viewpoints: one vertex per ranked viewpoint, at the position of its
- * camera, best first, with the same point arrays but NormalizedScore; cameras show the whole box.
- * Output port 2: vtkPolyData, Paths: one polyline per ascent, from the sample to the better view,
- * through the positions of its cameras, with the same point arrays but NormalizedScore, Rank and
- * Valid.
+ * camera, best first. It has these point arrays except NormalizedScore. Cameras show the whole box.
+ *
+ * Output port 2: vtkPolyData, Paths: one polyline per ascent through camera positions, from the
+ * sample to the better view. It has these point arrays except NormalizedScore, Rank and Valid.
  *
  * Every output has field data with one tuple each: "BestVisibilityScore", "BestVisibleFraction",
- * "BestCameraPosition", "BestCameraFocalPoint", "BestCameraViewUp", "BestAzimuth", "BestPolar" of
- * the first viewpoint; the same with "Worst" of the worst direction of the sphere (neither if
- * nothing was scored before an abort); "CameraFocalPoint" (the centre of the sphere of cameras),
- * "CameraUpAxis", "CameraViewAngle", "CameraAspectRatio", "CameraParallelProjection" and
- * "CameraParallelScale" of all views; "ImageCorners" (x, y and z of the eight corners of the box);
- * "Evaluations" (scores and derivatives), "Seconds",
+ * "BestCameraPosition", "BestCameraFocalPoint", "BestCameraViewUp", "BestAzimuth" and "BestPolar"
+ * of the first viewpoint; arrays named "Worst" instead of "Best" for the worst direction of the
+ * sphere (both are missing if an abort came before any score); "CameraFocalPoint" (the centre of
+ * the sphere of cameras), "CameraUpAxis", "CameraViewAngle", "CameraAspectRatio",
+ * "CameraParallelProjection" and "CameraParallelScale" of all views; "ImageCorners" (x, y and z of
+ * the eight corners of the box); "Evaluations" (number of scores and derivatives), "Seconds",
  * "ScalarOpacityUnitDistance", "Backend".
  *
- * After an error the outputs are empty. With several processes of MPI each scores some of the
- * directions, of an image that all of them have whole; the first one climbs, and has the outputs.
- * Where the image would take a quarter of the memory of a machine, or a source gives each process a
- * piece whatever it is asked for, they score one direction after the other together, each with its
- * piece; the outputs are the same. OPTIMIZE_PER_VIEW needs the whole image.
+ * After an error the outputs are empty. With several MPI processes, each has the whole image and
+ * scores some of the directions; the first process climbs and has the outputs. If the image would
+ * take a quarter of a machine's memory, or if a source ignores the request and gives each process a
+ * piece, the processes score one direction after the other together, each with its piece. The
+ * outputs are the same. OPTIMIZE_PER_VIEW needs the whole image.
  *
  * @sa vtkVisibilityAlgorithm vtkExtinctionOptimizer vtkCameraPath
  */
@@ -70,8 +73,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Settings for a purpose, see vtkVisibilitySettings::SetPreset; TemporalCoherence and Smoothness
-   * become 0.
+   * Applies a preset, see vtkVisibilitySettings::SetPreset, but sets TemporalCoherence and
+   * Smoothness to 0.
    */
   bool SetPreset(const char* name) override;
 
@@ -93,7 +96,7 @@ public:
 
   ///@{
   /**
-   * The outputs: S-sphere, ranked viewpoints, ascents.
+   * The outputs: the S-sphere, the ranked viewpoints, and the paths of the ascents.
    */
   vtkPolyData* GetOutput();
   vtkPolyData* GetOutput(int port);
@@ -103,14 +106,13 @@ public:
 
   ///@{
   /**
-   * The extinction that is looked at. ATTAINABLE: one of its own for every ray, the best that the
-   * bounds allow: what no optimisation for the view could exceed, and nearly what it reaches, for
-   * the price of a score. IMPORTANCE_PROXY: the majorant of Eq. (25) times
-   * importance, as if nothing else were there (Section 3.4 of [HG24]). BASE_EXTINCTION: what
-   * ExtinctionSource gives. EXTINCTION_ARRAY: array 2, for instance the result of
-   * vtkExtinctionOptimizer. OPTIMIZE_PER_VIEW: an extinction of its own for every view, optimised
-   * with the weights and a light above and behind the camera; takes long.
-   * Default is ATTAINABLE.
+   * The extinction that is scored. ATTAINABLE: for each ray, the best extinction that the bounds
+   * allow. No optimisation for the view can exceed its score and most come close, at the cost of
+   * one score. IMPORTANCE_PROXY: the majorant of Eq. (25) times importance, as if there were
+   * nothing else (Section 3.4 of [HG24]). BASE_EXTINCTION: the extinction that ExtinctionSource
+   * gives. EXTINCTION_ARRAY: array 2, for instance a result of vtkExtinctionOptimizer.
+   * OPTIMIZE_PER_VIEW: an extinction that is optimised for each view, with the weights and a light
+   * above and behind the camera; takes long. Default is ATTAINABLE.
    */
   LIMPID_SET_CLAMPED(Field, int, IMPORTANCE_PROXY, ATTAINABLE);
   vtkGetMacro(Field, int);
@@ -118,7 +120,7 @@ public:
 
   ///@{
   /**
-   * How directions are spread over the sphere. Default is ICOSPHERE.
+   * Distribution of directions over the sphere. Default is ICOSPHERE.
    */
   LIMPID_SET_CLAMPED(Sampling, int, ICOSPHERE, LATITUDE_LONGITUDE);
   vtkGetMacro(Sampling, int);
@@ -126,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Number of directions, 1 to 100000; the nearest that the sampling can have, which for an
-   * icosphere is 12, 42, 162, 642, 2562 and so on. Default is 642.
+   * Number of directions, in [1, 100000]. The nearest number that the sampling allows is used; an
+   * icosphere has 12, 42, 162, 642, 2562 and so on. Default is 642.
    */
   LIMPID_SET_CLAMPED(NumberOfDirections, int, 1, 100000);
   vtkGetMacro(NumberOfDirections, int);
@@ -135,7 +137,8 @@ public:
 
   ///@{
   /**
-   * Whether the cameras look at CameraFocalPoint; else at the centre of the image. Default is off.
+   * Whether the cameras look at CameraFocalPoint. Off: they look at the centre of the image.
+   * Default is off.
    */
   vtkSetMacro(UseFocalPoint, vtkTypeBool);
   vtkGetMacro(UseFocalPoint, vtkTypeBool);
@@ -144,8 +147,8 @@ public:
 
   ///@{
   /**
-   * What the cameras look at, and the centre of the sphere that they stand on, with UseFocalPoint.
-   * The S-sphere stays round the image. Default is (0, 0, 0).
+   * With UseFocalPoint, the point that the cameras look at, which is the centre of their sphere.
+   * The S-sphere stays centred at the image. Default is (0, 0, 0).
    */
   vtkSetVector3Macro(CameraFocalPoint, double);
   vtkGetVector3Macro(CameraFocalPoint, double);
@@ -153,9 +156,10 @@ public:
 
   ///@{
   /**
-   * From where views are scored: distance from what they look at, in radii of the sphere round the
-   * image's box; not below 1, and so that all of them are outside that sphere. The cameras of
-   * viewpoints stand where the box fills their pictures. Default is 3.
+   * Distance of scored cameras from their focal point, in radii of the bounding sphere of the
+   * image; at least 1. If UseFocalPoint moves the focal point so that a camera would stand inside
+   * of that sphere, this is an error. The cameras of viewpoints stand where the box fills their
+   * pictures. Default is 3.
    */
   LIMPID_SET_CLAMPED(CameraDistance, double, 1, VTK_DOUBLE_MAX);
   vtkGetMacro(CameraDistance, double);
@@ -163,8 +167,8 @@ public:
 
   ///@{
   /**
-   * Vertical opening of the cameras, for whoever looks through them [degrees]. It has no influence
-   * on scores. Default is 30.
+   * Vertical view angle of the cameras [degrees], between 0 and 180. It does not affect scores.
+   * Default is 30.
    */
   vtkSetMacro(CameraViewAngle, double);
   vtkGetMacro(CameraViewAngle, double);
@@ -172,8 +176,8 @@ public:
 
   ///@{
   /**
-   * Width over height of the pictures that the viewpoints' cameras are for. It has no influence on
-   * scores. Default is 1.
+   * Aspect ratio of the pictures of the viewpoints' cameras, width over height, above 0. It does
+   * not affect scores. Default is 1.
    */
   vtkSetMacro(CameraAspectRatio, double);
   vtkGetMacro(CameraAspectRatio, double);
@@ -181,7 +185,7 @@ public:
 
   ///@{
   /**
-   * Whether the cameras look along parallel rays. Default is off.
+   * Whether the projection is parallel. Default is off.
    */
   vtkSetMacro(CameraParallelProjection, vtkTypeBool);
   vtkGetMacro(CameraParallelProjection, vtkTypeBool);
@@ -190,9 +194,9 @@ public:
 
   ///@{
   /**
-   * What is upwards in the pictures, as far as it is across the direction of view, and what
-   * elevations are above; of any length. The angles of Eq. (10), "Azimuth" and "Polar", are about
-   * the y axis all the same. Default is (0, 1, 0).
+   * Up direction of the pictures and axis of elevations, of any length. Its part across the
+   * direction of view points upwards. The angles "Azimuth" and "Polar" of Eq. (10) always refer to
+   * the y axis. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(CameraViewUp, double);
   vtkGetVector3Macro(CameraViewUp, double);
@@ -200,9 +204,9 @@ public:
 
   ///@{
   /**
-   * From which elevations above the plane at right angles to CameraViewUp a viewpoint may look
-   * [degrees]: (0, 90) is the hemisphere above, (0, 0) the horizon. Scores of the S-sphere are
-   * those of all directions. Default is (-90, 90).
+   * Range of elevations of viewpoints above the plane perpendicular to CameraViewUp [degrees]: (0,
+   * 90) is the upper hemisphere, (0, 0) the horizon. The S-sphere has scores for all directions.
+   * Default is (-90, 90).
    */
   LIMPID_SET_CLAMPED_VECTOR2(ElevationRange, double, -90, 90);
   vtkGetVector2Macro(ElevationRange, double);
@@ -210,8 +214,8 @@ public:
 
   ///@{
   /**
-   * Directions from what the cameras look at that no viewpoint may come closer to than
-   * AvoidanceAngle [degrees]; of any length. There are none at first, and the angle is 30.
+   * Directions from the focal point that no viewpoint may be closer to than AvoidanceAngle
+   * [degrees]; of any length. By default there are none, and the angle is 30.
    */
   void AddAvoidedDirection(double x, double y, double z);
   void RemoveAllAvoidedDirections();
@@ -222,7 +226,7 @@ public:
 
   ///@{
   /**
-   * Most viewpoints that are ranked, and ascents that are made. Default is 4.
+   * Largest number of ranked viewpoints and of ascents, at least 1. Default is 4.
    */
   LIMPID_SET_CLAMPED(NumberOfViewpoints, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfViewpoints, int);
@@ -230,7 +234,7 @@ public:
 
   ///@{
   /**
-   * Least angle between two ranked viewpoints [degrees]. Default is 30.
+   * Least angle between two ranked viewpoints [degrees], in [0, 180]. Default is 30.
    */
   LIMPID_SET_CLAMPED(SeparationAngle, double, 0, 180);
   vtkGetMacro(SeparationAngle, double);
@@ -238,7 +242,8 @@ public:
 
   ///@{
   /**
-   * Whether to climb from the best directions to better ones between them. Default is on.
+   * Whether to climb from the best sampled directions to better ones between the samples. Default
+   * is on.
    */
   vtkSetMacro(Refine, vtkTypeBool);
   vtkGetMacro(Refine, vtkTypeBool);
@@ -247,7 +252,7 @@ public:
 
   ///@{
   /**
-   * Radius of the S-sphere, in radii of the sphere round the image's box. Default is 1.1.
+   * Radius of the S-sphere, in radii of the bounding sphere of the image; above 0. Default is 1.1.
    */
   vtkSetMacro(SphereRadius, double);
   vtkGetMacro(SphereRadius, double);
@@ -286,7 +291,7 @@ private:
   vtkTypeBool Refine = 1;
   double SphereRadius = 1.1;
 
-  struct Internals; // speaks to the core, so that no core type shows here
+  struct Internals; // hides core types from this header
   std::unique_ptr<Internals> State;
 };
 

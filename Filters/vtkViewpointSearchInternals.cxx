@@ -33,7 +33,7 @@
 
 namespace
 {
-constexpr double LongSeconds = 60; // a search that takes longer is announced
+constexpr double LongSeconds = 60; // longer searches are announced [s]
 
 using Clock = std::chrono::steady_clock;
 
@@ -42,7 +42,8 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Majorant times importance: what is important is as dense as can be, and nothing else is there.
+// Returns majorant times importance: important structures are as dense as possible, and there is
+// nothing else.
 std::vector<float> ProxyOf(const limpid::SceneFields& scene, double majorant)
 {
   std::vector<float> proxy(std::size_t(scene.ValueCount()));
@@ -71,7 +72,7 @@ std::vector<limpid::ScoredView> Unscored(const std::vector<limpid::Vec3>& direct
   return views;
 }
 
-// Share of the evaluations that the samples are likely to need: an ascent takes some fifteen.
+// Returns the expected share of the samples in all evaluations; an ascent takes about fifteen.
 double ShareOfSamples(std::size_t samples, const limpid::SearchSettings& search)
 {
   const double ascents = search.refine ? 15.0 * search.viewpoints : 0.0;
@@ -79,7 +80,7 @@ double ShareOfSamples(std::size_t samples, const limpid::SearchSettings& search)
 }
 }
 
-// Whether this process has all of the image.
+// Returns whether this process has the whole image.
 bool vtkViewpointSearch::Internals::HasWholeImage(vtkInformationVector** inputVector)
 {
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
@@ -87,7 +88,7 @@ bool vtkViewpointSearch::Internals::HasWholeImage(vtkInformationVector** inputVe
   return input && std::equal(whole.begin(), whole.end(), input->GetExtent());
 }
 
-// Whether it would take much of the memory of this machine that a process has all of the image.
+// Returns whether the whole image would take much of this machine's memory.
 bool vtkViewpointSearch::Internals::IsLarge(vtkInformationVector** inputVector) const
 {
   const std::array<int, 6> whole = SceneReader::WholeExtentOf(inputVector);
@@ -103,7 +104,7 @@ bool vtkViewpointSearch::Internals::IsLarge(vtkInformationVector** inputVector) 
     bytes > megabyte * double(machine.GetTotalPhysicalMemory()) / 4;
 }
 
-// Whether it is said here or, where all do the same steps, on any rank.
+// Returns whether `here` is true; if all ranks do the same steps, whether it is true on any rank.
 bool vtkViewpointSearch::Internals::IsSaidByAny(bool here) const
 {
   return limpid::AnyRank(this->SharesImage ? this->Ranks.get() : nullptr, here);
@@ -202,7 +203,7 @@ void vtkViewpointSearch::Internals::SearchOneField(
   const limpid::Settings settings = this->MakeSettings();
   found.isAttainable = this->Self->Field == ATTAINABLE;
   std::vector<float> proxy;
-  limpid::NodeValues least; // stay while the score does, which may share them with other ranks
+  limpid::NodeValues least; // must live as long as the score; ranks may share it
   const auto score = this->Interruptibly(
     [&]
     {
@@ -264,7 +265,8 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
     found);
 }
 
-// Of several ranks each scores every so-manieth direction, and all get all scores.
+// Each rank scores every N-th direction, where N is the number of ranks. The scores are gathered on
+// all ranks.
 template <class Score>
 std::vector<limpid::ScoredView> vtkViewpointSearch::Internals::ScoreTogether(
   const std::vector<limpid::Vec3>& directions, const Score& score) const
@@ -457,7 +459,8 @@ limpid::Settings vtkViewpointSearch::Internals::MakeSettings() const
     "Method is " << limpid::InfoOf(settings.method).name
                  << " (the search finds views for the optimised extinction). Set Method to "
                     "Optimized.");
-  settings.restrictToView = false; // all of the image counts, whatever a picture would show
+  settings.restrictToView = false; // the whole image counts, even if a picture would show only part
+                                   // of it
   return settings;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vtkViewpointSearch does between a request and its end: the border to the core.
+// The implementation of vtkViewpointSearch between a request and its end; it is the interface to
+// the core.
 
 #ifndef vtkViewpointSearchInternals_h
 #define vtkViewpointSearchInternals_h
@@ -31,9 +32,9 @@ struct vtkViewpointSearch::Internals
   {
   }
 
-  /// Fills the S-sphere, the viewpoints and the paths. `isLaterPiece`: they stay empty; where ranks
-  /// share the samples, it scores some of them for the first piece, and where they share the image,
-  /// all together with the others.
+  /// Fills the S-sphere, the viewpoints and the paths. `isLaterPiece`: the outputs stay empty. If
+  /// ranks share the samples, this rank scores some of them for the first piece; if they share the
+  /// image, all ranks score together.
   void Search(vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3]);
 
   void RequirePossibleSettings() const;
@@ -60,12 +61,12 @@ struct vtkViewpointSearch::Internals
   static bool HasWholeImage(vtkInformationVector** inputVector);
   bool IsLarge(vtkInformationVector** inputVector) const;
 
-  static constexpr double BytesPerPoint = 22; // by Testing/Benchmarks/filter_memory.py
+  static constexpr double BytesPerPoint = 22; // measured by Testing/Benchmarks/filter_memory.py
 
   vtkViewpointSearch* Self;
   SceneReader Reader;
-  std::shared_ptr<const limpid::Communicator> Ranks; // share the samples; null: there is one
-  bool SharesImage = false;          // they also share the image: all do all samples
+  std::shared_ptr<const limpid::Communicator> Ranks; // that share the samples; null: one process
+  bool SharesImage = false;          // they also share the image: all ranks score all samples
   std::vector<limpid::Vec3> Avoided; // directions, of any length
 };
 

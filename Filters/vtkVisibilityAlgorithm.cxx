@@ -19,7 +19,7 @@ vtkCxxSetObjectMacro(vtkVisibilityAlgorithm, ScalarOpacityFunction, vtkPiecewise
 vtkVisibilityAlgorithm::vtkVisibilityAlgorithm()
   : Settings(vtkSmartPointer<vtkVisibilitySettings>::New())
 {
-  this->Settings->SetTemporalCoherence(0); // what ran before does not matter
+  this->Settings->SetTemporalCoherence(0); // results do not depend on earlier runs
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   this->SetInputArrayToProcess(
@@ -59,8 +59,8 @@ vtkMTimeType vtkVisibilityAlgorithm::GetMTime()
 
 int vtkVisibilityAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Data of other kinds come to the filter, which refuses them in its own words. Composite data are
-  // the first of the list, so that the executive does not give them block by block.
+  // Data of other types are passed to the filter, which reports a specific error. Composite data
+  // come first in the list, so that the executive does not pass them block by block.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
@@ -69,7 +69,8 @@ int vtkVisibilityAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 int vtkVisibilityAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Any point may hide any other: the whole image, in one piece, whatever was asked for.
+  // Any point may hide any other, so the whole image is requested in one piece, whichever piece is
+  // requested from this filter.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);

@@ -3,28 +3,29 @@
 
 /**
  * @class   vtkVisibilityAlgorithm
- * @brief   a filter that asks how much of the important structures in an image can be seen
+ * @brief   base class of filters that compute how much of the important structures can be seen
  *
- * What such filters have in common: the scene, that is an image with extinction and importance,
- * the weights of Eq. (21) in [HG24], and what computes.
+ * Has the common inputs of these filters: the scene, which is an image with extinction and
+ * importance; the weights of Eq. (21) in [HG24]; and the backend.
  *
- * Input port 0: vtkImageData with arrays of its points or its cells (cell arrays are averaged to
- * the points first), of any numeric type, chosen with SetInputArrayToProcess:
+ * Input port 0: vtkImageData with point or cell arrays of any numeric type, chosen with
+ * SetInputArrayToProcess. Cell arrays are averaged to the points first.
  *   index 0: scalar field; default: the active scalars;
- *   index 1: importance, dimensionless; default, and what the name "(Automatic)" stands for:
- *     "Importance", or if there is none, the scalar field with ImportanceFunction, or else with
- *     what is assumed: its largest values are important, in a ramp from their 95th to their 99th
- *     percentile, or above where these are in noise, and there is a warning;
- *   index 2: extinction [1/length], where a filter is told to take one; default: "BaseExtinction".
+ *   index 1: importance, dimensionless; default: "(Automatic)", which is the array "Importance".
+ *     If there is none, it is the scalar field mapped by ImportanceFunction. Without that, the
+ *     largest scalars are assumed to be important, with a warning: importance rises from their
+ *     95th to their 99th percentile, or above these if they lie in noise;
+ *   index 2: extinction [1/length], for filters that use one; default: "BaseExtinction".
+ *
  * Points with a NaN or an infinite value and blanked points are empty: they have neither extinction
- * nor importance. So are the points of blanked cells for arrays of points; in arrays of cells,
- * blanked cells count as zero. Blanked are, by "vtkGhostType", hidden and duplicate points, and
+ * nor importance. For point arrays, the points of blanked cells are empty, too; in cell arrays,
+ * blanked cells count as zero. By "vtkGhostType", hidden and duplicate points are blanked, and
  * hidden, duplicate and refined cells.
  *
- * Any point may hide any other, so with several processes each one needs the whole image. Where a
- * source cannot give it to them, there is an error.
+ * Any point may hide any other, so with several processes each one needs the whole image. A source
+ * that cannot provide it is an error.
  *
- * Composite data are refused: what hides a structure may lie in another block.
+ * Composite data are an error: what hides a structure may be in another block.
  *
  * The unit of length is that of the input's spacing.
  *
@@ -57,24 +58,24 @@ public:
 
   ///@{
   /**
-   * Importance, weights, light and solver, see vtkVisibilitySettings; null changes nothing.
+   * The settings of importance, weights, light and solver. Null changes nothing.
    */
   virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
   vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }
   ///@}
 
-  /// The methods of vtkVisibilitySettings, documented there.
+  /// The methods of vtkVisibilitySettings, see there.
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
   /**
-   * Settings for a purpose, see vtkVisibilitySettings::SetPreset; TemporalCoherence becomes 0.
+   * Applies a preset, see vtkVisibilitySettings::SetPreset, but sets TemporalCoherence to 0.
    */
   virtual bool SetPreset(const char* name);
 
   ///@{
   /**
-   * Where the base extinction comes from: OPACITY_FUNCTION of the scalar field, or ARRAY 2.
-   * Default is OPACITY_FUNCTION.
+   * Source of the base extinction: OPACITY_FUNCTION of the scalar field, or ARRAY, which is array
+   * 2. Default is OPACITY_FUNCTION.
    */
   LIMPID_SET_CLAMPED(ExtinctionSource, int, OPACITY_FUNCTION, ARRAY);
   vtkGetMacro(ExtinctionSource, int);
@@ -82,10 +83,11 @@ public:
 
   ///@{
   /**
-   * Opacity of the scalar field on one unit distance, as in vtkVolumeProperty. The base extinction
-   * is -ln(1 - opacity) / unit distance, the opacity not above 1 - 1e-6. None or one without
-   * points: a straight line from 0 to 1 over the range of the scalar field. The extinction of its
-   * largest value is the majorant of Eq. (25), whatever values the data have. Default is none.
+   * Opacity over one unit distance as a function of the scalar field, as in vtkVolumeProperty. The
+   * base extinction is -ln(1 - opacity) / unit distance, where the opacity is at most 1 - 1e-6.
+   * Without a function, or if it has no points, opacity rises linearly from 0 to 1 over the range
+   * of the scalar field. The extinction of the function's largest value is the majorant of Eq.
+   * (25), whichever values occur in the data. Default is none.
    */
   virtual void SetScalarOpacityFunction(vtkPiecewiseFunction*);
   vtkGetObjectMacro(ScalarOpacityFunction, vtkPiecewiseFunction);
@@ -93,8 +95,9 @@ public:
 
   ///@{
   /**
-   * Distance on which the opacity function holds [length]. Zero: diagonal of the image over the
-   * cube root of the number of its cells, as ParaView's volume representation has it. Default is 0.
+   * Unit distance of the opacity function [length], at least zero. Zero: the diagonal of the image
+   * over the cube root of its number of cells, as in ParaView's volume representation. Default is
+   * 0.
    */
   vtkSetMacro(ScalarOpacityUnitDistance, double);
   vtkGetMacro(ScalarOpacityUnitDistance, double);
@@ -110,7 +113,8 @@ protected:
   int RequestUpdateExtent(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
 
-  struct SceneReader; // from image and properties to the core's scene: no core type shows here
+  struct SceneReader; // converts image and properties to the core's scene; hides core types from
+                      // this header
 
   vtkSmartPointer<vtkVisibilitySettings> Settings;
   int ExtinctionSource = OPACITY_FUNCTION;

@@ -29,7 +29,7 @@
 
 namespace
 {
-// Stands for no choice of an importance array; none_string in LimpidFilters.xml.
+// The name for no choice of an importance array; equals none_string in LimpidFilters.xml.
 const char* const AUTOMATIC = "(Automatic)";
 
 double MeanCellLength(const limpid::Grid& grid)
@@ -49,7 +49,7 @@ bool AreSeveralProcesses()
   return controller && controller->GetNumberOfProcesses() > 1;
 }
 
-// Whether all of an extent is in another one; an empty one is in any.
+// Returns whether one extent contains another; every extent contains an empty one.
 bool Covers(const int extent[6], const int part[6])
 {
   bool covers = true;
@@ -168,7 +168,8 @@ std::array<int, 6> vtkVisibilityAlgorithm::SceneReader::WholeExtentOf(
 void vtkVisibilityAlgorithm::SceneReader::RequestPiece(
   vtkInformation* outInfo, vtkInformationVector** inputVector)
 {
-  // A layer of neighbours' cells, so that averages of cells at its points are whole.
+  // One layer of ghost cells is requested, so that averages of cells at the piece's points are
+  // complete.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   info->Set(Pipeline::UPDATE_PIECE_NUMBER(), outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()));
@@ -187,7 +188,7 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
   const limpid::SharedImage shared(
     all, vtkImageData::GetData(inputVector[0]), WholeExtentOf(inputVector));
   const limpid::Communicator& ranks = *shared.piece->ranks;
-  const bool empty = shared.piece->nodes.Empty(); // without any array
+  const bool empty = shared.piece->nodes.Empty(); // and has no arrays
   limpid::ImageScene scene;
   scene.grid = shared.grid;
   scene.piece = shared.piece;
@@ -215,7 +216,8 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
   return scene;
 }
 
-// Of an image that ranks share. Where some of them have an importance array, all should.
+// Makes the assumptions for an image that ranks share. If some ranks have an importance array, all
+// should have one.
 void vtkVisibilityAlgorithm::SceneReader::AssumeShared(
   const limpid::SharedImage& shared, const std::array<int, 6>& whole, Assumed& assumed) const
 {
@@ -296,19 +298,19 @@ limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* i
   return arrays;
 }
 
-// The name of an array that a user has chosen; empty: none is.
+// Returns the name of the array that the user chose; empty if there is no choice.
 std::string vtkVisibilityAlgorithm::SceneReader::ChosenName(int index) const
 {
   vtkInformation* chosen = this->Self->GetInputArrayInformation(index);
   const char* name =
     chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  // A script's array property has no name, or its own index, when the input had not been executed
-  // before; only ParaView's server manager does that.
+  // If the input had not been executed before, the array property of a script has no name, or its
+  // own index as its name. Only ParaView's server manager sets such names.
   return name && name != std::to_string(index) && name != std::string(AUTOMATIC) ? name : "";
 }
 
-// An array as it was chosen, or else of the name `fallback`, or if that is null the active scalars.
-// An array of null: there is none.
+// Returns the chosen array, or else the array named `fallback`, or, if that is null, the active
+// scalars. The array is null if there is none.
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::FindArray(
   int index, const char* fallback, vtkImageData* input) const
 {
@@ -399,7 +401,7 @@ vtkVisibilityAlgorithm::SceneReader::RangeOfScalars(vtkImageData* input) const
   return range;
 }
 
-/// `range`: of a ramp, where there is no opacity function.
+/// `range`: of the ramp that is used if there is no opacity function.
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::OpacityOfScalars(
   vtkImageData* input, double unitDistance, const ScalarRange& range) const
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// From the input and the properties of a vtkVisibilityAlgorithm to the scene of the core.
+// Converts the input and the properties of a vtkVisibilityAlgorithm to the scene of the core.
 
 #ifndef vtkVisibilityAlgorithmScene_h
 #define vtkVisibilityAlgorithmScene_h
@@ -21,19 +21,19 @@
 
 namespace limpid
 {
-/// A scene that was read from an image, and what it was read with.
+/// A scene that was read from an image, and the parameters it was read with.
 struct ImageScene
 {
   Grid grid;
-  double unitDistance = 1; ///< of opacities [length]
+  double unitDistance = 1; ///< unit distance of opacities [length]
   SceneArrays arrays;
-  float majorant = 0; ///< of the opacity function; zero: that of the arrays [1/length]
-  std::shared_ptr<const ScenePiece> piece; ///< null: the arrays have all points
+  float majorant = 0; ///< majorant of the opacity function; zero: that of the arrays [1/length]
+  std::shared_ptr<const ScenePiece> piece; ///< of this rank; null: everything
 
-  /// Arrays of the input that are fields of the scene as they are.
+  /// Arrays of the input that are used as fields of the scene without a copy.
   std::vector<vtkDataArray*> taken;
 
-  /// What the core takes of it; the arrays stay here.
+  /// Returns the fields for the core. Their memory belongs to this object.
   SceneFields Fields() const;
 };
 }
@@ -45,36 +45,36 @@ struct vtkVisibilityAlgorithm::SceneReader
   {
   }
 
-  /// Throws unless the input is there, and all of it.
+  /// Returns the input. Throws if it is missing or is not the whole image.
   vtkImageData* RequireWholeImage(vtkInformationVector** inputVector) const;
 
-  /// Throws on a unit distance that is none.
+  /// Throws if the unit distance is not a valid distance.
   void RequireUnitDistance() const;
 
-  /// The scene of the input, with the base extinction from `extinctionSource`. Warns of values that
-  /// cannot be used.
+  /// Reads the scene of the input, with the base extinction from `extinctionSource`. Warns about
+  /// unusable values.
   limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
 
-  /// The same of an image that ranks share. Throws on all of them.
+  /// Reads the scene of an image that ranks share. If one rank fails, this throws on all of them.
   limpid::ImageScene ReadShared(const std::shared_ptr<const limpid::Communicator>& ranks,
     vtkInformationVector** inputVector, int extinctionSource) const;
 
-  /// Of the input, of all ranks.
+  /// Returns the whole extent of the input, over all ranks.
   static std::array<int, 6> WholeExtentOf(vtkInformationVector** inputVector);
 
-  /// Asks the input for the piece that is asked for here.
+  /// Requests from the input the piece that is requested from this filter.
   static void RequestPiece(vtkInformation* outInfo, vtkInformationVector** inputVector);
 
 private:
-  /// A range of scalars; ends that are not numbers: there are none.
+  /// A range of scalars; it is empty if its ends are NaN.
   using ScalarRange = std::array<double, 2>;
 
-  /// What is assumed of all scalars, those of other ranks included.
+  /// Assumptions about the scalars of all ranks.
   struct Assumed
   {
-    ScalarRange range{};                              ///< of opacities; see OpacityOfScalars
-    std::optional<limpid::ImportanceRamp> importance; ///< none: something says what is important
-    bool isThere = false;                             ///< an importance array, on some rank
+    ScalarRange range{};                              ///< of opacities, see OpacityOfScalars
+    std::optional<limpid::ImportanceRamp> importance; ///< none: importance is given
+    bool isThere = false;                             ///< whether any rank has an importance array
   };
 
   bool HasOpacityFunction() const;

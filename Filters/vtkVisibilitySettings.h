@@ -3,23 +3,22 @@
 
 /**
  * @class   vtkVisibilitySettings
- * @brief   what is to be seen in a scene, and how that is computed
+ * @brief   settings that define what should be visible in a scene, and how it is computed
  *
- * The weights of Eq. (21) in [HG24], where importance comes from, the light, and the solver.
+ * The weights of Eq. (21) in [HG24], the source of importance, the light, and the solver.
  * vtkExtinctionOptimizer, vtkViewpointSearch and vtkTransmittanceVolumeMapper each own one, as a
- * vtkVolume owns a vtkVolumeProperty, and have methods of the same names, which pass their values
- * on to it. Two owners can share one:
- * mapper->SetVisibilitySettings(filter->GetVisibilitySettings()).
+ * vtkVolume owns a vtkVolumeProperty, and forward methods of the same names to it. Two owners can
+ * share one: mapper->SetVisibilitySettings(filter->GetVisibilitySettings()).
  *
- * A value outside of the range that a property has is moved to the nearer end of it, with a
- * warning, and GetNameMinValue and GetNameMaxValue tell the ends, as those of vtkSetClampMacro do.
+ * A value outside of the range of a property is clamped to it, with a warning. GetNameMinValue and
+ * GetNameMaxValue return the range, as those of vtkSetClampMacro do.
  *
- * Defaults are those of the preset "Default", see SetPreset. Some depend on the owner:
- * vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED, see there, and RestrictToView on;
- * filters have TemporalCoherence 0, so that a result does not depend on what ran before;
- * vtkViewpointSearch has MaximumIterations 1 and Smoothness 0, as six sweeps more for every
- * direction hardly change its score. vtkViewpointSearch uses the weights and the solver only where
- * it optimises for every view, with a light of its own for each and with RestrictToView off.
+ * Defaults are those of the preset "Default", see SetPreset. Some depend on the owner.
+ * vtkTransmittanceVolumeMapper has ScalarComponent UNDECIDED, see there, and RestrictToView on.
+ * Filters have TemporalCoherence 0, so that results do not depend on earlier runs.
+ * vtkViewpointSearch has MaximumIterations 1 and Smoothness 0, since six more sweeps for every
+ * direction hardly change its score. It uses the weights and the solver only if it optimises for
+ * every view, with one light per view and RestrictToView off.
  *
  * @sa vtkVisibilityAlgorithm vtkTransmittanceVolumeMapper
  */
@@ -44,13 +43,12 @@ public:
 
   ///@{
   /**
-   * Settings for a purpose, under one name, in capital letters or not: weights, ClearingThreshold,
-   * ProtectImportance,
-   * Emphasis, ImportanceSmoothing, Smoothness and TemporalCoherence, which filters keep at 0.
-   * "Default": what hides something important is cleared, and what is important stays whole. "Keep
-   * Context": only what hides much is cleared. "Strong Reveal": what is important becomes a veil
-   * where it hides something as important. "Paper": the values of [HG24]. Another name is an error
-   * and changes nothing. Returns whether there is such a preset.
+   * Applies a preset by its name (case-insensitive). It sets the weights, ClearingThreshold,
+   * ProtectImportance, Emphasis, ImportanceSmoothing, Smoothness and TemporalCoherence; filters
+   * keep the last at 0. "Default" clears what hides important structures and keeps these whole.
+   * "Keep Context" clears only what hides much. "Strong Reveal" makes important structures
+   * translucent where they hide others that are as important. "Paper" has the values of [HG24]. An
+   * unknown name is an error and changes nothing. Returns whether there is such a preset.
    */
   bool SetPreset(const char* name);
   static int GetNumberOfPresets();
@@ -59,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Component of the scalar array that is the scalar field, from 0 on; -1: the length of the tuple,
-   * which for a single component is its value. Default is -1.
+   * Component of the scalar array that is the scalar field, counted from 0; -1: the magnitude of
+   * the tuple, which for a single component is its value. Default is -1.
    */
   vtkSetMacro(ScalarComponent, int);
   vtkGetMacro(ScalarComponent, int);
@@ -68,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Component of the importance array, from 0 on; -1: the length of the tuple, which for a single
-   * component is its value. Default is -1.
+   * Component of the importance array, counted from 0; -1: the magnitude of the tuple, which for a
+   * single component is its value. Default is -1.
    */
   vtkSetMacro(ImportanceComponent, int);
   vtkGetMacro(ImportanceComponent, int);
@@ -77,8 +75,8 @@ public:
 
   ///@{
   /**
-   * Whether ImportanceFunction maps the importance array to importance. Off: the array's values
-   * are importance, moved into [0, 1]. Default is off.
+   * Whether ImportanceFunction maps the importance array to importance. Off: the values of the
+   * array are the importance, clamped to [0, 1]. Default is off.
    */
   vtkSetMacro(UseImportanceFunction, vtkTypeBool);
   vtkGetMacro(UseImportanceFunction, vtkTypeBool);
@@ -87,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Maps values of the importance array to importance; its values are moved into [0, 1].
-   * Default is none.
+   * Function from the values of the importance array to importance; its values are clamped to [0,
+   * 1]. Default is none.
    */
   virtual void SetImportanceFunction(vtkPiecewiseFunction*);
   vtkGetObjectMacro(ImportanceFunction, vtkPiecewiseFunction);
@@ -96,14 +94,14 @@ public:
 
   ///@{
   /**
-   * How what matters is shown. OPTIMIZED: by the extinction that minimises Eq. (21). ORDINARY: by
-   * that of the transfer function. The others are what [HG24] compares with in Section 4.3, all
-   * scored by the same S: VIOLA_2004 [VKG04] clips what is in front of the most important object of
-   * every ray. MARCHESIN_2010 [MMD10] takes a mean colour by importance, in no order; the
-   * extinction stays the base, and S is not one of transport. AMENT_2017 [AZD17] thins out what is
-   * in front of and behind what is important, for the camera and, apart, for the light; see the
-   * properties whose names begin with Ament. vtkViewpointSearch does not ask for it. Default is
-   * OPTIMIZED.
+   * Method that computes the extinction. OPTIMIZED minimises Eq. (21). ORDINARY uses the extinction
+   * of the transfer function. The others are those that [HG24] compares with in Section 4.3; all
+   * are scored by the same S. VIOLA_2004 [VKG04] clips what is in front of the most important
+   * object of every ray. MARCHESIN_2010 [MMD10] blends colours as a mean weighted by importance,
+   * independent of their order; the extinction is the base extinction, and S does not describe its
+   * picture. AMENT_2017 [AZD17] reduces the extinction in front of and behind important structures,
+   * for the camera and separately for the light; see the properties whose names begin with Ament.
+   * vtkViewpointSearch ignores this property. Default is OPTIMIZED.
    */
   LIMPID_SET_CLAMPED(Method, int, OPTIMIZED, AMENT_2017);
   vtkGetMacro(Method, int);
@@ -111,8 +109,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: exponent lambda, not below zero. Where importance g is high, extinction is kept:
-   * (1 - g)^(2 lambda). Default is 1.
+   * AMENT_2017 only: exponent lambda of 1 - g, at least zero. Both weights q and r are multiplied
+   * by (1 - g)^(2 lambda), so that voxels of high importance g keep their extinction. Default is 1.
    */
   LIMPID_SET_CLAMPED(AmentExponent, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentExponent, double);
@@ -120,7 +118,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: weight p of the extinction as it is, above zero. Default is 1.
+   * AMENT_2017 only: weight p of the base extinction, which keeps voxels as they are. It must be
+   * above zero; other values are an error of the owner. Default is 1.
    */
   vtkSetMacro(AmentRegularization, double);
   vtkGetMacro(AmentRegularization, double);
@@ -128,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: weight q against what hides important matter from the camera, per radius of the
-   * image's sphere, not below zero. Default is 100.
+   * AMENT_2017 only: weight q of clearing what hides important structures from the camera, per
+   * radius of the image's bounding sphere; at least zero. Default is 100.
    */
   LIMPID_SET_CLAMPED(AmentOccluders, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentOccluders, double);
@@ -137,7 +136,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: weight r against what lies behind important matter, likewise. Default is 0.
+   * AMENT_2017 only: weight r of clearing what lies behind important structures, as seen from the
+   * camera, per radius of the image's bounding sphere; at least zero. Default is 0.
    */
   LIMPID_SET_CLAMPED(AmentBackground, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentBackground, double);
@@ -145,7 +145,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: the weight q of the light's own extinction, likewise. Default is 100.
+   * AMENT_2017 only: weight q for the extinction that the light sees, per radius of the image's
+   * bounding sphere; at least zero. Default is 100.
    */
   LIMPID_SET_CLAMPED(AmentLightOccluders, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentLightOccluders, double);
@@ -153,7 +154,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: the weight r of the light's own extinction, likewise. Default is 0.
+   * AMENT_2017 only: weight r for the extinction that the light sees, per radius of the image's
+   * bounding sphere; at least zero. Default is 0.
    */
   LIMPID_SET_CLAMPED(AmentLightBackground, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmentLightBackground, double);
@@ -161,7 +163,8 @@ public:
 
   ///@{
   /**
-   * Of AMENT_2017: passes that smooth what is kept, 0 to 100. Default is 1.
+   * AMENT_2017 only: number of passes that smooth the share of extinction that is kept, in [0,
+   * 100]. Default is 1.
    */
   LIMPID_SET_CLAMPED(AmentSmoothing, int, 0, 100);
   vtkGetMacro(AmentSmoothing, int);
@@ -169,10 +172,10 @@ public:
 
   ///@{
   /**
-   * Share of the visibility that must be at stake before a voxel of the densest matter is cleared:
-   * the larger it is, the more context is kept, however dense and large the data are. From it
-   * follows p of Eq. (22), delta q / (R mu-max), not below zero. 0: p is RegularizationWeight, as
-   * in [HG24]. Default is 3e-3.
+   * Share of the visibility that must be at stake before a voxel of the densest matter is cleared.
+   * The larger it is, the more context is kept, independent of the density and size of the data. It
+   * is delta in the weight p = delta q / (R mu-max) of Eq. (22); at least zero. 0: p is
+   * RegularizationWeight, as in [HG24]. Default is 3e-3.
    */
   LIMPID_SET_CLAMPED(ClearingThreshold, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(ClearingThreshold, double);
@@ -180,9 +183,9 @@ public:
 
   ///@{
   /**
-   * Weight p of the regularisation term, Eq. (22), in normalised coordinates: dimensionless, not
-   * below zero. It counts where ClearingThreshold is 0, which becomes so when the weight changes.
-   * Default is 1e-3.
+   * Weight p of the regularisation term, Eq. (22), in normalised coordinates; dimensionless, at
+   * least zero. It is used if ClearingThreshold is 0; setting the weight to another value sets
+   * ClearingThreshold to 0. Default is 1e-3.
    */
   virtual void SetRegularizationWeight(double weight);
   vtkGetMacro(RegularizationWeight, double);
@@ -190,8 +193,8 @@ public:
 
   ///@{
   /**
-   * Weight q of the view term, Eq. (23): dimensionless, not below zero; zero leaves the view as it
-   * is. Default is 10.
+   * Weight q of the view term, Eq. (23); dimensionless, at least zero. Zero: the view is not
+   * optimised. Default is 10.
    */
   LIMPID_SET_CLAMPED(ViewWeight, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(ViewWeight, double);
@@ -199,8 +202,8 @@ public:
 
   ///@{
   /**
-   * Weight r of the light term, Eq. (24): dimensionless, not below zero; zero leaves the light as
-   * it is. Default is 1.
+   * Weight r of the light term, Eq. (24); dimensionless, at least zero. Zero: the lighting is not
+   * optimised. Default is 1.
    */
   LIMPID_SET_CLAMPED(LightWeight, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(LightWeight, double);
@@ -208,9 +211,9 @@ public:
 
   ///@{
   /**
-   * POINT: the light shines from LightPosition. DIRECTIONAL: parallel rays, from LightPosition
-   * towards the camera's focal point. Of the mapper: its own light, see LightSource there.
-   * Default is POINT.
+   * Kind of light. POINT: it shines from LightPosition. DIRECTIONAL: parallel rays, from
+   * LightPosition towards the camera's focal point. For the mapper, these are properties of its own
+   * light, see LightSource there. Default is POINT.
    */
   LIMPID_SET_CLAMPED(LightType, int, POINT, DIRECTIONAL);
   vtkGetMacro(LightType, int);
@@ -218,10 +221,10 @@ public:
 
   ///@{
   /**
-   * Position of the light in world coordinates. As long as it is (0, 0, 1), as in a new vtkLight,
-   * the owner places the light: 50 degrees above and 10 degrees to the right of the camera, as far
-   * from its focal point as the camera; but see vtkExtinctionOptimizer::SetAutomaticPlacement.
-   * Default is (0, 0, 1).
+   * Position of the light in world coordinates. If it is (0, 0, 1), as in a new vtkLight, the owner
+   * places the light: 50 degrees above and 10 degrees to the right of the camera, at the camera's
+   * distance from its focal point. See also vtkExtinctionOptimizer::SetAutomaticPlacement. Default
+   * is (0, 0, 1).
    */
   vtkSetVector3Macro(LightPosition, double);
   vtkGetVector3Macro(LightPosition, double);
@@ -229,8 +232,8 @@ public:
 
   ///@{
   /**
-   * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one for each,
-   * Section 4.2; shadows are those of the extinction for the light. Default is JOINT.
+   * JOINT: one extinction for camera and light, Eqs. (22)-(24). SEPARATE: one extinction each,
+   * Section 4.2; shadows use the extinction for the light. Default is JOINT.
    */
   LIMPID_SET_CLAMPED(Mode, int, JOINT, SEPARATE);
   vtkGetMacro(Mode, int);
@@ -238,8 +241,8 @@ public:
 
   ///@{
   /**
-   * POLICY: policy sweeps. ADAM: the projected Adam of [HG24], coarse to fine.
-   * Default is POLICY.
+   * Minimiser. POLICY: policy sweeps. ADAM: the projected Adam of [HG24], from coarse to fine
+   * grids. Default is POLICY.
    */
   LIMPID_SET_CLAMPED(Solver, int, POLICY, ADAM);
   vtkGetMacro(Solver, int);
@@ -247,7 +250,7 @@ public:
 
   ///@{
   /**
-   * Most iterations of the policy solver, not below zero. Default is 8.
+   * Largest number of iterations of the policy solver, at least zero. Default is 8.
    */
   LIMPID_SET_CLAMPED(MaximumIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
@@ -255,8 +258,8 @@ public:
 
   ///@{
   /**
-   * Iterations of Adam at a quarter, half and the full resolution, not below zero.
-   * Default is (32, 32, 64).
+   * Iterations of Adam at a quarter, half and the full resolution, each at least zero. Default is
+   * (32, 32, 64).
    */
   virtual void SetIterationsPerLevel(int quarter, int half, int full);
   virtual void SetIterationsPerLevel(const int iterations[3])
@@ -268,7 +271,8 @@ public:
 
   ///@{
   /**
-   * Step length of Adam in units of the majorant, Eq. (25): above 0, at most 1. Default is 0.05.
+   * Step length of Adam in units of the majorant, Eq. (25), in (0, 1]; other values are an error of
+   * the owner. Default is 0.05.
    */
   vtkSetMacro(LearningRate, double);
   vtkGetMacro(LearningRate, double);
@@ -276,9 +280,10 @@ public:
 
   ///@{
   /**
-   * The optimisation stops when the mean change of an iteration is below this share of the
-   * majorant, Eq. (25), or below five times this where policy sweeps change the energy by less than
-   * a tenth of this share of it; not below zero. Default is 1e-3.
+   * Tolerance of convergence, at least zero. The optimisation stops if the mean change of an
+   * iteration is below this share of the majorant, Eq. (25). It also stops if the mean change is
+   * below five times this and a policy sweep changes the energy by less than a tenth of this share
+   * of it. Default is 1e-3.
    */
   LIMPID_SET_CLAMPED(Tolerance, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
@@ -286,7 +291,7 @@ public:
 
   ///@{
   /**
-   * The optimisation for a view stops after this time [s]; zero: no limit. Default is 0.
+   * Time limit of the optimisation for a view [s], at least zero. Zero: no limit. Default is 0.
    */
   LIMPID_SET_CLAMPED(MaximumSeconds, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
@@ -294,8 +299,8 @@ public:
 
   ///@{
   /**
-   * VOLUME: exact derivative of the volume integral. RAY: Eqs. (19)-(20) as printed, without the
-   * weight of the widening rays. Default is VOLUME.
+   * Derivative of the energy. VOLUME: the exact derivative of the volume integral. RAY: Eqs.
+   * (19)-(20) as printed, without the weight of diverging rays. Default is VOLUME.
    */
   LIMPID_SET_CLAMPED(Derivative, int, VOLUME, RAY);
   vtkGetMacro(Derivative, int);
@@ -303,7 +308,7 @@ public:
 
   ///@{
   /**
-   * Rays per voxel and axis on the slice farthest from the eye, 0.1 to 16. Default is 1.
+   * Rays per voxel and axis on the slice farthest from the eye, in [0.1, 16]. Default is 1.
    */
   LIMPID_SET_CLAMPED(RayDensity, double, 0.1, 16);
   vtkGetMacro(RayDensity, double);
@@ -311,7 +316,7 @@ public:
 
   ///@{
   /**
-   * Whether what provably cannot change the result is left out. Default is on.
+   * Whether to skip computations that provably cannot change the result. Default is on.
    */
   vtkSetMacro(SkipUnneeded, vtkTypeBool);
   vtkGetMacro(SkipUnneeded, vtkTypeBool);
@@ -320,7 +325,7 @@ public:
 
   ///@{
   /**
-   * Whether only what the picture shows counts. Off: the whole image counts. Default is off.
+   * Whether only what is inside the picture counts. Off: the whole image counts. Default is off.
    */
   vtkSetMacro(RestrictToView, vtkTypeBool);
   vtkGetMacro(RestrictToView, vtkTypeBool);
@@ -329,15 +334,16 @@ public:
 
   ///@{
   /**
-   * For which cameras one extinction is found: the mean of their view terms takes the place of Eq.
-   * (23), and scores are means. SINGLE_VIEW: the camera. STEREO_PAIR: the two eyes of a viewer,
-   * EyeAngle apart about its focal point. ORBIT: NumberOfViews cameras, equally spaced about the
-   * axis of the world that is upwards in the camera's picture, through its focal point, as high
-   * and as far away as the camera; vtkExtinctionOptimizer has one at the camera,
-   * vtkTransmittanceVolumeMapper in a fixed direction, so that nothing changes while a camera goes
-   * round, and leaves a light out that goes with it. One iteration sweeps one camera, and there are
-   * MaximumIterations for each. Methods other than OPTIMIZED are for the camera; vtkViewpointSearch
-   * does not ask for it. Default is SINGLE_VIEW.
+   * The cameras that share one extinction. The mean of their view terms replaces Eq. (23), and
+   * scores are means. SINGLE_VIEW: the camera. STEREO_PAIR: the two eyes of a viewer, EyeAngle
+   * apart around the focal point. ORBIT: NumberOfViews cameras around the focal point, at the
+   * height and distance of the camera. They are equally spaced about the world axis that points
+   * upwards in the camera's picture. For vtkExtinctionOptimizer, one of them is the camera. For
+   * vtkTransmittanceVolumeMapper, their directions are fixed, so that the result does not change
+   * while the camera orbits, and a light that moves with the camera is ignored. One iteration
+   * sweeps one camera, and MaximumIterations is the limit for each of them. Methods other than
+   * OPTIMIZED use the camera alone; vtkViewpointSearch ignores this property. Default is
+   * SINGLE_VIEW.
    */
   LIMPID_SET_CLAMPED(Views, int, SINGLE_VIEW, ORBIT);
   vtkGetMacro(Views, int);
@@ -345,7 +351,7 @@ public:
 
   ///@{
   /**
-   * Cameras of an ORBIT, 1 to 360. Default is 8.
+   * Number of cameras of an ORBIT, in [1, 360]. Default is 8.
    */
   LIMPID_SET_CLAMPED(NumberOfViews, int, 1, 360);
   vtkGetMacro(NumberOfViews, int);
@@ -353,7 +359,7 @@ public:
 
   ///@{
   /**
-   * Between the eyes of a STEREO_PAIR, as in vtkCamera [degrees], 0 to below 180. Default is 2.
+   * Angle between the eyes of a STEREO_PAIR, as in vtkCamera [degrees], in [0, 180). Default is 2.
    */
   vtkSetMacro(EyeAngle, double);
   vtkGetMacro(EyeAngle, double);
@@ -361,10 +367,10 @@ public:
 
   ///@{
   /**
-   * How much of the important structures stays where it is: a voxel of importance g keeps at least
-   * this share of g times its base extinction, 0 to 1. 0: what is important may be removed to show
-   * what is behind it, as in [HG24], which tears holes into it; 1: what has importance 1 stays
-   * whole. Default is 1.
+   * Share of the important structures that must be kept, in [0, 1]: a voxel of importance g keeps
+   * at least this share of g times its base extinction. 0: important structures may be removed to
+   * show others behind them, as in [HG24], which tears holes into them. 1: voxels of importance 1
+   * keep all of their extinction. Default is 1.
    */
   LIMPID_SET_CLAMPED(ProtectImportance, double, 0, 1);
   vtkGetMacro(ProtectImportance, double);
@@ -372,10 +378,10 @@ public:
 
   ///@{
   /**
-   * How far above its base extinction matter may become, as a share of the way to the majorant of
-   * Eq. (25), 0 to 1. 0: matter never becomes thicker than in the data, so that what is seen is the
-   * data's own, and VisibleFraction does not fall where only the view counts (LightWeight 0); 1: it
-   * may become as thick as the thickest, as in [HG24]. Default is 0.
+   * How far extinction may rise above the base extinction, as a share of the distance to the
+   * majorant of Eq. (25), in [0, 1]. 0: extinction never exceeds that of the data, so that nothing
+   * is seen that is not in the data, and VisibleFraction never decreases if only the view counts
+   * (LightWeight 0). 1: extinction may rise to the majorant, as in [HG24]. Default is 0.
    */
   LIMPID_SET_CLAMPED(Emphasis, double, 0, 1);
   vtkGetMacro(Emphasis, double);
@@ -383,10 +389,11 @@ public:
 
   ///@{
   /**
-   * MEDIAN: before the optimisation, importance loses what one to three points have alone: a
-   * centre-weighted median of 3 x 3 x 3 points, see cuda/energy/Despeckle.h. Noise in the
-   * importance makes specks in the picture. Scores, fractions and MissedImportance are always those
-   * of the importance as given. AS_GIVEN: nothing is smoothed, as in [HG24]. Default is MEDIAN.
+   * Filter of the importance before the optimisation. MEDIAN: a centre-weighted median of 3 x 3 x 3
+   * points removes importance that only one to three neighbouring points have, see
+   * cuda/energy/Despeckle.h. Otherwise, noise in the importance causes specks in the picture.
+   * Scores, fractions and MissedImportance always use the importance as given. AS_GIVEN: no filter,
+   * as in [HG24]. Default is MEDIAN.
    */
   LIMPID_SET_CLAMPED(ImportanceSmoothing, int, AS_GIVEN, MEDIAN);
   vtkGetMacro(ImportanceSmoothing, int);
@@ -394,9 +401,9 @@ public:
 
   ///@{
   /**
-   * How strongly what the optimisation changes is drawn to what it changes beside that: a share of
-   * the weights of view and light, 0 to 10, see cuda/optimize/Smoothing.h. Near the optimum, six
-   * further sweeps do it. 0: not at all, as in [HG24]. Default is 0.2.
+   * Weight of smoothing the changes of extinction between neighbouring voxels, as a share of the
+   * weights of view and light, in [0, 10]; see cuda/optimize/Smoothing.h. It takes six further
+   * sweeps near the optimum. 0: no smoothing, as in [HG24]. Default is 0.2.
    */
   LIMPID_SET_CLAMPED(Smoothness, double, 0, 10);
   vtkGetMacro(Smoothness, double);
@@ -404,13 +411,14 @@ public:
 
   ///@{
   /**
-   * How strongly a result is drawn to the last one of the same owner, so that it does not flicker
-   * while a camera moves or time goes on: what was clear or opaque stays so where less than this
-   * share of the weights of view and light is to be gained. The last result is taken as a change of
-   * its base extinction; one for another box or for other settings does not count, one for other
-   * data 0.4 times, and less and less does one for a camera or a light in another direction, up to
-   * 20 degrees away. Results depend on what was before, then. 0: they do not, as in [HG24]. Default
-   * is 0.2, and 0 for filters. vtkViewpointSearch has no last result.
+   * Weight of the pull to the previous result of this owner, as a share of the weights of view and
+   * light; at least zero. It avoids flicker while a camera moves or time advances: what was clear
+   * or opaque stays so if less than this share is to be gained. The reference is the previous
+   * result as a change of its base extinction. It is not used for another box or other settings, it
+   * counts 0.4 times for other data, and it counts less for a camera or a light in another
+   * direction, down to nothing at 20 degrees. With this, results depend on earlier ones. 0: they do
+   * not, as in [HG24]. Default is 0.2, and 0 for filters. vtkViewpointSearch has no previous
+   * result.
    */
   LIMPID_SET_CLAMPED(TemporalCoherence, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(TemporalCoherence, double);
@@ -418,15 +426,15 @@ public:
 
   ///@{
   /**
-   * AUTO: the fastest that works here, which the owner's results name. CPU, CUDA: this or an
-   * error. Default is AUTO.
+   * Where to compute. AUTO: the fastest backend that works on this machine; results of the owner
+   * name it. CPU, CUDA: this backend, or an error if it is unavailable. Default is AUTO.
    */
   LIMPID_SET_CLAMPED(Backend, int, AUTO, CUDA);
   vtkGetMacro(Backend, int);
   ///@}
 
   /**
-   * Also that of the importance function.
+   * Includes the modification time of the importance function.
    */
   vtkMTimeType GetMTime() override;
 
@@ -468,7 +476,7 @@ private:
   double EyeAngle = 2;
   int Backend = AUTO;
 
-  // Of the preset "Default".
+  // The values of the preset "Default".
   double ClearingThreshold = 0;
   double RegularizationWeight = 0;
   double ViewWeight = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the owners of a vtkVisibilitySettings have of it: its choices and its methods. VTK's
-// wrappers expand these macros, so that Python and ParaView know the methods, too.
+// Choices and methods for owners of a vtkVisibilitySettings. VTK's wrappers expand these macros, so
+// that Python and ParaView know the methods, too.
 
 #ifndef vtkVisibilitySettingsMacros_h
 #define vtkVisibilitySettingsMacros_h
@@ -12,7 +12,7 @@
 
 class vtkObject;
 
-/// The choices of vtkVisibilitySettings.
+/// The enumerations of vtkVisibilitySettings.
 #define LIMPID_VISIBILITY_CHOICES()                                                                \
   enum LightTypes                                                                                  \
   {                                                                                                \
@@ -60,18 +60,18 @@ class vtkObject;
     CUDA = 2                                                                                       \
   }
 
-#ifndef __VTK_WRAP__ // it is for the macros
+#ifndef __VTK_WRAP__ // wrappers need only the macros
 namespace limpid
 {
-/// The number from `least` to `most` that is nearest to a value of a property, with a warning where
-/// that is another one; not a number: itself.
+/// Returns the value of a property clamped to [least, most], with a warning if it was outside. NaN
+/// is returned unchanged.
 VTKLIMPIDFILTERS_EXPORT double Clamped(
   vtkObject* owner, const char* property, double value, double least, double most);
 }
 #endif
 
-/// SetName with a value from `least` to `most`: another one is moved to the nearer of these, with a
-/// warning. What is no number stays, and whoever computes with it refuses it.
+/// Defines SetName, which clamps values to [least, most] with a warning, and the getters of this
+/// range. NaN is kept; the computation that uses it reports an error.
 #define LIMPID_SET_CLAMPED(name, type, least, most)                                                \
   virtual void Set##name(type value)                                                               \
   {                                                                                                \
@@ -91,7 +91,7 @@ VTKLIMPIDFILTERS_EXPORT double Clamped(
     return most;                                                                                   \
   }
 
-/// The methods of vtkSetVector2Macro, with values from `least` to `most` as LIMPID_SET_CLAMPED.
+/// Defines the methods of vtkSetVector2Macro, with values clamped as by LIMPID_SET_CLAMPED.
 #define LIMPID_SET_CLAMPED_VECTOR2(name, type, least, most)                                        \
   virtual void Set##name(type first, type second)                                                  \
   {                                                                                                \
@@ -109,7 +109,7 @@ VTKLIMPIDFILTERS_EXPORT double Clamped(
     this->Set##name(value[0], value[1]);                                                           \
   }
 
-/// SetName and GetName of an owner with the method GetVisibilitySettings.
+/// Defines SetName and GetName of an owner with the method GetVisibilitySettings.
 #define LIMPID_FORWARD_SETTING(name, type)                                                         \
   virtual void Set##name(type value)                                                               \
   {                                                                                                \
@@ -120,7 +120,7 @@ VTKLIMPIDFILTERS_EXPORT double Clamped(
     return this->GetVisibilitySettings()->Get##name();                                             \
   }
 
-/// The same as LIMPID_FORWARD_SETTING with NameOn and NameOff.
+/// Like LIMPID_FORWARD_SETTING, for switches: also defines NameOn and NameOff.
 #define LIMPID_FORWARD_SWITCH(name)                                                                \
   LIMPID_FORWARD_SETTING(name, vtkTypeBool)                                                        \
   virtual void name##On()                                                                          \
@@ -132,7 +132,7 @@ VTKLIMPIDFILTERS_EXPORT double Clamped(
     this->Set##name(0);                                                                            \
   }
 
-/// The methods of vtkSetVector3Macro and vtkGetVector3Macro.
+/// Defines the methods of vtkSetVector3Macro and vtkGetVector3Macro.
 #define LIMPID_FORWARD_VECTOR3(name, type)                                                         \
   virtual void Set##name(type x, type y, type z)                                                   \
   {                                                                                                \
@@ -155,7 +155,7 @@ VTKLIMPIDFILTERS_EXPORT double Clamped(
     this->GetVisibilitySettings()->Get##name(value);                                               \
   }
 
-/// The methods of vtkVisibilitySettings, which documents them.
+/// Defines the methods of vtkVisibilitySettings, which documents them.
 #define LIMPID_FORWARD_VISIBILITY_SETTINGS()                                                       \
   LIMPID_FORWARD_SETTING(ScalarComponent, int)                                                     \
   LIMPID_FORWARD_SETTING(ImportanceComponent, int)                                                 \

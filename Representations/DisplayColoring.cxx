@@ -17,7 +17,7 @@ namespace limpid
 {
 namespace
 {
-// Name of the active scalars of the points; empty if there are none.
+// Returns the name of the active scalars of the points; empty if there are none.
 std::string ActiveScalars(vtkPVDataInformation* data)
 {
   vtkPVDataSetAttributesInformation* points = data ? data->GetPointDataInformation() : nullptr;
@@ -26,7 +26,7 @@ std::string ActiveScalars(vtkPVDataInformation* data)
   return active && active->GetName() ? active->GetName() : "";
 }
 
-// Of the arrays that a display can be coloured by, see ColorByAnArray.
+// Chooses an array among those that a display can be coloured by, see ColorByAnArray.
 ColorArray ChooseColorArray(
   vtkSMArrayListDomain* arrays, const ColorArray& first, const std::string& last)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// By which array a client lets a display be coloured that has no colouring.
+// Chooses an array to colour a display that has no scalar colouring.
 
 #ifndef limpid_DisplayColoring_h
 #define limpid_DisplayColoring_h
@@ -20,9 +20,9 @@ struct ColorArray
   int association = vtkDataObject::POINT;
 };
 
-/// Colours a display without scalar colouring by the array `first`, or if it has no such array, by
+/// Colours a display without scalar colouring by the array `first`. If there is no such array, by
 /// the active scalars of the points, or else by the first array of the points, or else by the first
-/// one. `last` is for want of another one only.
+/// array. The array `last` is used only if there is no other.
 void ColorByAnArray(
   vtkSMPVRepresentationProxy* display, const ColorArray& first, const std::string& last);
 }

@@ -15,7 +15,7 @@ namespace
 constexpr int Array = 1;
 constexpr int Ordinary = 1;
 
-// The filter whose image a display shows; null: it shows other data.
+// Returns the filter whose image a display shows; null if it shows other data.
 vtkSMProxy* OptimizerOf(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a client begins to show the image of the filter Extinction Optimizer.
+// The initial settings of a display that shows the image of the filter Extinction Optimizer.
 
 #ifndef limpid_FoundExtinction_h
 #define limpid_FoundExtinction_h
@@ -12,11 +12,11 @@ class vtkSMProxy;
 
 namespace limpid
 {
-/// Lets a volume of a display of that image show the extinction that the filter found, as it found
-/// it; unless an extinction source or a method was set. Changes nothing in other displays.
+/// Makes the volume of such a display show the filter's optimised extinction unchanged, unless an
+/// extinction source or a method was set. Other displays are not changed.
 void ShowFoundExtinction(vtkSMProxy* volume, vtkSMProxy* display);
 
-/// The scalar array of the filter; none where a display is of other data.
+/// Returns the scalar array of the filter; none if the display shows other data.
 ColorArray ScalarsOfOptimizer(vtkSMProxy* display);
 }
 

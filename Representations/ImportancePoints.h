@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The importance function that starts from what the data suggest.
+// The points of the importance function that the data suggest.
 
 #ifndef limpid_ImportancePoints_h
 #define limpid_ImportancePoints_h
@@ -14,9 +14,9 @@
 namespace limpid
 {
 /**
- * Points of a piecewise function (value, importance, midpoint, sharpness) that rises from 0 to 1
- * between the inner two of four values (the property SuggestedImportance), and goes on to the outer
- * two where these lie farther out. None if the inner two are not in order.
+ * Returns points of a piecewise function (value, importance, midpoint, sharpness) that rises from 0
+ * to 1 between the inner two of four values (the property SuggestedImportance), and extends to the
+ * outer two if these are farther out. Empty if the inner two are not in ascending order.
  */
 inline std::vector<double> ImportancePoints(const std::vector<double>& suggested)
 {

@@ -45,7 +45,7 @@ std::vector<Preset> PresetsFor(vtkSMProxy* proxy)
     {
       if (proxy->GetProperty(name.c_str()))
       {
-        // What a filter does without by default, it does without in every preset.
+        // Filters keep these off by default, hence in every preset.
         const bool isOptional = name == "TemporalCoherence" || name == "Smoothness";
         const bool isLeftOut = isOptional && Value(prototype, name) == 0;
         preset.values.emplace_back(name, isLeftOut ? 0.0 : value);

@@ -18,24 +18,23 @@ struct Preset
 {
   std::string name;
 
-  /// Values of properties with one number, by their names, in the order in which they are to be
-  /// set.
+  /// Values of properties with one number, by name, in the order in which to set them.
   std::vector<std::pair<std::string, double>> values;
 };
 
-/// The presets for a display or filter, without the properties that it lacks.
+/// Returns the presets for a display or filter, without properties that it does not have.
 std::vector<Preset> PresetsFor(vtkSMProxy* proxy);
 
-/// The first preset whose values a proxy has, or null.
+/// Returns the first preset whose values equal those of a proxy, or null.
 const Preset* FindPreset(const std::vector<Preset>& presets, vtkSMProxy* proxy);
 
-/// The preset of that name, in capital letters or not, or null.
+/// Returns the preset of that name (case-insensitive), or null.
 const Preset* FindPreset(const std::vector<Preset>& presets, const std::string& name);
 
-/// The names of all presets, for a message.
+/// Returns the names of all presets, for a message.
 std::string NamesOf(const std::vector<Preset>& presets);
 
-/// Gives a proxy the values, and pushes them.
+/// Sets the values on a proxy and pushes them.
 void Apply(const Preset& preset, vtkSMProxy* proxy);
 }
 

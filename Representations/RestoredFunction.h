@@ -8,17 +8,16 @@ class vtkSMProxy;
 
 namespace limpid
 {
-/// What becomes of a volume whose function is registered nowhere.
+/// What to do for a volume whose function is not registered.
 enum class MissingFunction
 {
-  Waits, ///< it may still be registered
+  Waits, ///< wait: it may still be registered
   TakesDefault
 };
 
-/// Gives a volume its importance function again where it has none. When ParaView undoes that a
-/// display was deleted, it brings back the functions that belong to it, but leaves the properties
-/// of the volume in it empty. The function is the one of that name that is registered for the
-/// display.
+/// Sets the importance function of a volume again if it has none. When ParaView undoes the deletion
+/// of a display, it restores the display's functions, but not the volume's properties that refer to
+/// them. The function is the one that is registered for the display by that name.
 void RestoreImportanceFunction(vtkSMProxy* volume, vtkSMProxy* display, MissingFunction missing);
 }
 

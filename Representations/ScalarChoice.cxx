@@ -22,7 +22,7 @@ bool HasName(vtkDataArray* array, const char* name)
   return array->GetName() && name && std::strcmp(array->GetName(), name) == 0;
 }
 
-// Null when there is none but such that are not to be taken.
+// Returns null if there are only arrays to be avoided.
 vtkDataArray* Choose(vtkDataSetAttributes* attributes, const char* avoided)
 {
   vtkDataArray* active = attributes->GetScalars();
@@ -32,7 +32,7 @@ vtkDataArray* Choose(vtkDataSetAttributes* attributes, const char* avoided)
   }
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
-    vtkDataArray* array = attributes->GetArray(i); // null: no numbers
+    vtkDataArray* array = attributes->GetArray(i); // null: not numeric
     if (array && array->GetName() && !HasName(array, avoided) &&
       !HasName(array, vtkDataSetAttributes::GhostArrayName()))
     {

@@ -25,7 +25,7 @@ bool IsOptimizing(vtkTransmittanceVolumeMapper* mapper)
     mapper->GetOptimization() != vtkTransmittanceVolumeMapper::OFF;
 }
 
-// What was removed from an array before is not there to be seen.
+// What was removed from the array before cannot be seen.
 std::string Where(vtkTransmittanceVolumeMapper* mapper)
 {
   const std::string array = mapper->GetExtinctionArray();
@@ -59,8 +59,8 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
   {
     return {};
   }
-  // Of important structures, some is visible at least through a haze: zero stands for no
-  // importance.
+  // Important structures are never quite invisible, so zero means that nothing in view is
+  // important.
   const double before = mapper->GetBaseVisibleFraction();
   const double now = mapper->GetVisibleFraction();
   if (!isInView || !(before > 0 || now > 0))
@@ -75,7 +75,7 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
   if (IsOptimizing(mapper))
   {
     text += " (was " + Percent(before) + ")\n";
-    constexpr double worthTelling = 0.0005; // else it would read 0.0 %
+    constexpr double worthTelling = 0.0005; // smaller shares would read 0.0 %
     const double removed = mapper->GetSacrificedFraction();
     text += removed >= worthTelling ? Percent(removed) + " removed, " : "";
     text += Progress(mapper);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the view says about the last picture of a mapper.
+// The text of a view about the last picture of a mapper.
 
 #ifndef limpid_ScoreText_h
 #define limpid_ScoreText_h
@@ -12,13 +12,13 @@ class vtkTransmittanceVolumeMapper;
 
 namespace limpid
 {
-/// How much of the important structures can be seen, how much of them could be at most, how much
-/// was before the optimisation, and how far the optimisation is; or that nothing important is in
-/// view; empty where nobody knows. `isInView`: whether the last picture shows any of the volume.
-/// `name`: of the volume; empty: the text has none.
+/// Returns how much of the important structures is visible, how much could be at most, how much was
+/// visible before the optimisation, and its progress; or that nothing important is in view. Empty
+/// if unknown. `isInView`: whether the last picture shows any of the volume. `name`: of the volume;
+/// empty: not in the text.
 std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const std::string& name);
 
-/// What the paint over the picture means; empty where there is none.
+/// Returns the legend of the paint over the picture; empty if there is none.
 std::string MissedText(vtkTransmittanceVolumeMapper* mapper);
 }
 

@@ -38,7 +38,7 @@ void GetBounds(vtkDataObject* input, double bounds[6])
   }
 }
 
-// A view tells only its own class whether its picture is going to be saved.
+// A view reveals only to its own class whether its picture will be saved.
 struct CaptureOfView : vtkPVRenderView
 {
   using vtkPVRenderView::GetInCaptureScreenshot;
@@ -68,7 +68,7 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
   : State(new Internals)
 {
   this->VolumeMapper = this->State->Mapper;
-  this->Property->SetInterpolationTypeToLinear(); // whatever is asked for: see AddUnavailable
+  this->Property->SetInterpolationTypeToLinear(); // other requests are reported by AddUnavailable
   this->State->Mapper->Prop = this->Actor;
   this->State->Mapper->SharesImageOn();
   this->State->Annotation->SetTextSource(
@@ -92,7 +92,7 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
     });
 }
 
-// The renderer leaves out what is not in view. A client whose server draws has no data.
+// The renderer skips what is not in view. A client whose server draws has no data.
 bool vtkOptimizedVolumeRepresentation::HasSomethingToDraw()
 {
   vtkDataSet* input = this->State->Mapper->GetDataSetInput();
@@ -102,7 +102,7 @@ bool vtkOptimizedVolumeRepresentation::HasSomethingToDraw()
 
 vtkOptimizedVolumeRepresentation::~vtkOptimizedVolumeRepresentation()
 {
-  this->State->Annotation->SetTextSource(nullptr); // a renderer may keep it longer
+  this->State->Annotation->SetTextSource(nullptr); // a renderer may outlive this object's text
   this->State->Annotation->SetLegendSource(nullptr);
 }
 
@@ -119,14 +119,14 @@ int vtkOptimizedVolumeRepresentation::RequestData(
     this->State->Mapper->SetWholeExtent(this->WholeExtent);
     return result;
   }
-  // An outline, so that something says where the data are.
+  // Displays an outline, which shows where the data are.
   GetBounds(input, this->DataBounds);
   this->OutlineSource->SetBounds(this->DataBounds);
   this->OutlineSource->Update();
   this->DataSize = 0;
   this->Cache = vtkSmartPointer<vtkImageData>::New();
   this->Actor->SetEnableLOD(1);
-  // The direct base class would look for an image to draw.
+  // The direct base class would require an image to draw.
   // NOLINTNEXTLINE(bugprone-parent-virtual-call)
   return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
 }
@@ -202,8 +202,8 @@ void vtkOptimizedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Messages: " << this->GetMessages() << "\n";
 }
 
-// ParaView peels volumes by default, whether there is something to be peeled or not. Where no
-// volume of the view needs it, a picture is cast at once and need not be read back.
+// By default, ParaView peels volumes even if nothing needs it. If no volume of the view does, the
+// picture is drawn in one pass and need not be read back.
 void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned long, void*)
 {
   this->State->Mapper->HasDrawn = false;
@@ -219,7 +219,7 @@ void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned lo
   }
   if (this->Others())
   {
-    // Processes that draw together wait for each other: none may be left out of a frame.
+    // Processes that draw together wait for each other, so all must take part in every frame.
     this->State->Annotation->ClaimView(renderer);
   }
 }

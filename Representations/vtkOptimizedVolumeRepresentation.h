@@ -3,19 +3,20 @@
 
 /**
  * @class   vtkOptimizedVolumeRepresentation
- * @brief   shows image data so that important structures inside can be seen
+ * @brief   shows image data so that important structures inside are visible
  *
  * The representation type "Optimized Volume" of ParaView: a vtkTransmittanceVolumeMapper with the
  * display's color map, opacity function, unit distance, transformation and cropping, and a text in
  * the view that says how much of the important structures can be seen.
  *
- * Each view has its own representation of a data set, so each has an optimisation of its own.
+ * Each view has its own representation of a data set, hence its own optimisation.
  *
- * The properties without a comment are those of the mapper, which says what they mean.
+ * The properties without a comment are those of the mapper and documented there.
  *
  * Several processes draw the volume together, each its piece of the image, within 1/255 of the
- * picture of one (see SharesImage of the mapper). What the mapper says they cannot do together is
- * left out, with a message; so is what of translucent geometry is not wholly behind the volume.
+ * picture of one process (see SharesImage of the mapper). What the mapper does not support in
+ * distributed runs is left out, with a message; so is translucent geometry that is not wholly
+ * behind the volume.
  *
  * @sa vtkTransmittanceVolumeMapper
  */
@@ -55,48 +56,48 @@ public:
   void SetVisibility(bool visible) override;
 
   /**
-   * What is important: an array by association and name, as SetInputArrayToProcess takes it. The
-   * name "(Color Array)" stands for the array that the volume is colored by. Default is
-   * "Importance", or the color array if there is none of that name.
+   * The importance array, by association and name, as SetInputArrayToProcess takes it. The name
+   * "(Color Array)" stands for the array that the volume is colored by. Default is "Importance", or
+   * the color array if there is none of that name.
    */
   void SetImportanceArray(int index, int port, int connection, int association, const char* name);
 
   /**
-   * What is assumed where nothing says what is important, and where to start from otherwise: four
-   * values of the importance array, or of the array that stands for it. Between the inner two
-   * importance rises from 0 to 1; the outer two are the range of the array. All are 0 if there are
-   * no data yet, if all values are alike, and if they are importance themselves: of an array that
-   * was chosen, and from 0 to 1.
+   * Suggested ramp of importance: four values of the importance array, or of the array that stands
+   * in for it. Importance rises from 0 to 1 between the inner two; the outer two are the range of
+   * the array. The ramp is assumed if importance is not specified, and is a starting point
+   * otherwise. All values are 0 if there are no data yet, if the array is constant, or if its
+   * values are importance themselves: an array that was chosen, with values in [0, 1].
    */
   double* GetSuggestedImportance() VTK_SIZEHINT(4);
 
   ///@{
   /**
-   * Where the extinction comes from, and the array with it, by association and name as for
-   * SetImportanceArray. Default is the opacity function, and "Extinction".
+   * Source of the extinction, and its array by association and name as for SetImportanceArray.
+   * Defaults are the opacity function and "Extinction".
    */
   void SetExtinctionSource(int);
   void SetExtinctionArray(int index, int port, int connection, int association, const char* name);
   ///@}
 
   /**
-   * Those of the mapper: importance, weights, own light and solver. ScalarComponent is that of the
-   * color map.
+   * The mapper's settings of importance, weights, own light and solver. ScalarComponent is that of
+   * the color map.
    */
   vtkVisibilitySettings* GetVisibilitySettings();
 
-  /// The methods of vtkVisibilitySettings, documented there.
+  /// The methods of vtkVisibilitySettings, see there.
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
   /**
-   * When something is done about what is important.
+   * When and how to optimise.
    */
   void SetOptimization(int);
 
   ///@{
   /**
-   * How it is lit. The names differ from the mapper's where vtkImageVolumeRepresentation has a
-   * method of that name for the volume's property.
+   * Lighting. The names differ from the mapper's where vtkImageVolumeRepresentation has a method of
+   * that name for the volume's property.
    */
   void SetShadows(int);
   void SetShadowStrength(double);
@@ -110,7 +111,7 @@ public:
 
   ///@{
   /**
-   * Color map and opacity function; none: ParaView's default colors and a straight line from 0 to 1
+   * Color map and opacity function. Null: ParaView's default colors and a straight line from 0 to 1
    * over the range of the array that is shown.
    */
   void SetColor(vtkColorTransferFunction*);
@@ -119,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Not available, nor values that are colors themselves, nor interpolation other than linear:
-   * there is a message if it is asked for, and the volume is drawn without.
+   * A separate opacity array, values that are colors, and interpolation other than linear are not
+   * supported: if one is requested, there is a message, and the volume is drawn without.
    */
   void SetUseSeparateOpacityArray(bool);
   void SetUseTransfer2D(bool);
@@ -131,7 +132,7 @@ public:
 
   ///@{
   /**
-   * How it is drawn.
+   * Quality of the picture and time limits.
    */
   void SetSampleDistance(double);
   void SetJitter(int);
@@ -143,29 +144,30 @@ public:
   ///@}
 
   /**
-   * Keep the extinction as it is, whatever moves. Default is off.
+   * Whether to keep the extinction while cameras and lights move. Default is off.
    */
   void SetPauseOptimization(int);
 
   /**
-   * Forget what was optimised; begin anew with the next picture.
+   * Discards the optimisation; the next picture starts a new one.
    */
   void ResetOptimization();
 
   /**
-   * Whether the following still renders make one step each, for a client that goes on rendering
-   * until Converged. Set for each render by that client, part of no state. Default is off.
+   * Whether each of the following still renders makes one step, for a client that renders until
+   * Converged. The client sets it for each render; it is not saved in states. Default is off.
    */
   void SetProgressiveStill(int);
 
   /**
-   * Whether the following still renders are made like interactive ones, likewise.
+   * Whether the following still renders are made like interactive ones. The client sets it for each
+   * render; it is not saved in states. Default is off.
    */
   void SetDeferStill(int);
 
   /**
-   * Makes a part of the picture without optimization while a client shows the finished one with it;
-   * likewise. Returns whether something is left to be done.
+   * Computes a part of the unoptimized picture while a client shows the converged optimized one.
+   * Returns whether work is left.
    */
   int PrepareOriginal();
 
@@ -175,19 +177,19 @@ public:
   void SetShowScore(int);
 
   /**
-   * Whether saved pictures show it, too. Default is off.
+   * Whether screenshots show this text, too. Default is off.
    */
   void SetScoreInScreenshots(int);
 
   /**
-   * What the score is called where a view shows several optimised volumes. Set for each render by
-   * the client, part of no state. Default is an empty name, which is not shown.
+   * Name of this volume in the text, if a view shows several optimised volumes. The client sets it
+   * for each render; it is not saved in states. Default is empty: no name is shown.
    */
   void SetSourceName(const char*);
 
   ///@{
   /**
-   * What came of the last picture, on the process that drew it.
+   * Results for the last picture, on the process that drew it; see the mapper.
    */
   double GetVisibilityScore();
   double GetBaseVisibilityScore();
@@ -204,8 +206,8 @@ public:
   ///@}
 
   /**
-   * What could not be done for the last picture as it was asked for, and what to do about it, one a
-   * line. Empty if all is well.
+   * What could not be drawn as requested in the last picture, and what to do about it, one per
+   * line. Empty if there is nothing.
    */
   const char* GetMessages();
 

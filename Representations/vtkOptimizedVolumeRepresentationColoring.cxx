@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is shown and in which colours, and what to say when that is not what was asked for.
+// Chooses what is shown and its colours, with messages if this differs from the request.
 
 #include "ScalarChoice.h"
 #include "SharedArray.h"
@@ -18,10 +18,11 @@
 
 namespace
 {
-// Stands for the array that the volume is coloured by; none_string in LimpidRepresentations.xml.
+// The name for the array that the volume is coloured by; equals none_string in
+// LimpidRepresentations.xml.
 const char* const COLOR_ARRAY = "(Color Array)";
 
-// Taken when nothing else is said, if there is such an array.
+// The importance array if none was chosen.
 const char* const IMPORTANCE = "Importance";
 
 std::string ColorByCall(const limpid::ScalarChoice& scalars)
@@ -30,7 +31,7 @@ std::string ColorByCall(const limpid::ScalarChoice& scalars)
     scalars.array->GetName() + "\"))";
 }
 
-// The name of the array that the user has chosen to colour by; empty: none.
+// Returns the name of the array that the user has chosen to colour by; empty if none.
 std::string ChosenName(vtkInformation* chosen)
 {
   const char* name = chosen && chosen->Has(vtkDataObject::FIELD_NAME())
@@ -45,7 +46,7 @@ bool IsOnCells(vtkInformation* chosen)
     chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
 }
 
-// What to show: an array, or why there is none, or both where the user should know.
+// Returns the array to show, or why there is none, or both if the user should know.
 limpid::ScalarChoice WhatToShow(vtkInformation* chosen, const std::string& importance,
   vtkImageData* image, std::vector<std::string>& messages)
 {
@@ -77,7 +78,7 @@ limpid::ScalarChoice WhatToShow(vtkInformation* chosen, const std::string& impor
 }
 }
 
-// The processes that draw together; null: there is one.
+// Returns the processes that draw together; null: one process.
 vtkMultiProcessController* vtkOptimizedVolumeRepresentation::Others() const
 {
   return this->State->Mapper->DrawsWithOthers() ? vtkMultiProcessController::GetGlobalController()
@@ -90,11 +91,11 @@ limpid::SharedArray vtkOptimizedVolumeRepresentation::Shared(
   limpid::FieldSource source;
   source.array = choice.array;
   source.onCells = choice.onCells;
-  source.component = std::max(this->State->Mapper->GetScalarComponent(), -1); // undecided: all
+  source.component = std::max(this->State->Mapper->GetScalarComponent(), -1); // or undecided
   return { source, image, this->WholeExtent, this->Others() };
 }
 
-// Returns what is shown; null: nothing, or nothing here.
+// Returns the array that is shown; null if nothing is, or if this process has no values.
 vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   vtkImageData* image, std::vector<std::string>& messages)
 {
@@ -104,7 +105,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
   this->Actor->SetVisibility(isShown ? 1 : 0);
   if (!isShown)
   {
-    this->State->Mapper->ClearResults(); // not those of an earlier time step
+    this->State->Mapper->ClearResults(); // they would be those of an earlier time step
     return nullptr;
   }
   this->ApplyComponent(scalars.array);
@@ -121,7 +122,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
 }
 
 // The base class sets the vector mode of VTK's own mappers only. Two or four components may be
-// meant as colours with an opacity: there the mapper is to say what it shows of them.
+// meant as colours with an opacity; in this case the mapper reports what it shows of them.
 void vtkOptimizedVolumeRepresentation::ApplyComponent(vtkDataArray* scalars)
 {
   if (scalars)
@@ -178,7 +179,7 @@ void vtkOptimizedVolumeRepresentation::AssumeImportance(
   this->State->Mapper->SetAssumedImportance(ramp.IsKnown() ? function : nullptr);
 }
 
-// Two arrays, or two components of one, differ in it.
+// This pair differs between arrays, and between components of one array.
 std::pair<vtkMTimeType, int> vtkOptimizedVolumeRepresentation::TimeAndComponentOf(
   vtkDataArray* scalars) const
 {
@@ -195,7 +196,7 @@ double* vtkOptimizedVolumeRepresentation::GetSuggestedImportance()
   limpid::ImportanceRamp ramp;
   if (chosen.array)
   {
-    // One process is asked: what it has stands for all.
+    // The ramp of this process stands for those of all.
     limpid::FieldSource source;
     source.array = chosen.array;
     source.onCells = chosen.onCells;
@@ -246,12 +247,12 @@ void vtkOptimizedVolumeRepresentation::ApplyImportance(
   else
   {
     mapper->SetAssumedImportance(nullptr);
-    mapper->SetImportanceArray(name.c_str()); // that it is missing is the mapper's to say
+    mapper->SetImportanceArray(name.c_str()); // the mapper reports that it is missing
     mapper->SetImportanceArrayAssociation(association(onCells));
   }
 }
 
-// `components`: of the array that is shown.
+// `components`: number of components of the array that is shown.
 void vtkOptimizedVolumeRepresentation::AddUnavailable(
   int components, std::vector<std::string>& messages) const
 {
@@ -285,7 +286,7 @@ void vtkOptimizedVolumeRepresentation::AddUnavailable(
   }
 }
 
-// Each message once, until what it is about has been settled.
+// Repeats a message only after its cause has been absent.
 void vtkOptimizedVolumeRepresentation::Say(const std::vector<std::string>& messages)
 {
   const std::vector<std::string>& said = this->State->Messages;
@@ -324,7 +325,7 @@ void vtkOptimizedVolumeRepresentation::SetScalarOpacity(vtkPiecewiseFunction* op
 
 void vtkOptimizedVolumeRepresentation::SetUseSeparateOpacityArray(bool use)
 {
-  this->State->UseSeparateOpacityArray = use; // not the base class: it would make an array for it
+  this->State->UseSeparateOpacityArray = use; // the base class would create an array for it
 }
 
 void vtkOptimizedVolumeRepresentation::SetUseTransfer2D(bool use)
@@ -334,7 +335,7 @@ void vtkOptimizedVolumeRepresentation::SetUseTransfer2D(bool use)
 
 void vtkOptimizedVolumeRepresentation::SetMapScalars(bool map)
 {
-  this->State->MapsScalars = map; // not the base class: the mapper would refuse to draw
+  this->State->MapsScalars = map; // the base class would make the mapper refuse to draw
 }
 
 void vtkOptimizedVolumeRepresentation::SetMultiComponentsMapping(bool map)

@@ -23,65 +23,65 @@
 #include <utility>
 #include <vector>
 
-/// The mapper in ParaView's kind of prop. It has no type of its own: users know the name of the
-/// other one from messages.
+/// The mapper for ParaView's kind of prop. It has no class name of its own, since messages show
+/// users that of its base class.
 class vtkRepresentedVolumeMapper : public vtkTransmittanceVolumeMapper
 {
 public:
   static vtkRepresentedVolumeMapper* New();
 
-  /// Draws the prop that the renderer knows. ParaView's props hold another volume, which only they
-  /// know, and draw that one.
+  /// Draws the prop that the renderer knows. ParaView's props contain another volume, which only
+  /// they know, and draw that one.
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
   vtkVolume* Prop = nullptr;
 
-  /// Whether the renderer came to it in a frame. It does not if the volume is out of the view, and
-  /// what the mapper says is about an earlier frame then.
+  /// Whether the renderer called it in this frame. It does not if the volume is out of the view;
+  /// the mapper's results then refer to an earlier frame.
   bool HasDrawn = false;
 };
 
 struct vtkOptimizedVolumeRepresentation::Internals
 {
   vtkNew<vtkRepresentedVolumeMapper> Mapper;
-  limpid::ArrayContents Contents; ///< of what is shown
+  limpid::ArrayContents Contents; ///< of the arrays that are shown
   vtkNew<vtkScoreAnnotation> Annotation;
   std::string SourceName;
-  bool TellsName = false; // in the present frame
+  bool TellsName = false; // whether the text shows the name in this frame
   bool ShowScore = true;
   bool ScoreInScreenshots = false;
-  vtkWeakPointer<vtkPVRenderView> View; // that it is in
+  vtkWeakPointer<vtkPVRenderView> View; // the view that shows it
 
   std::string ImportanceArray = "Importance";
-  bool ImportanceGiven = false; // off: colours stand in where there is no such array
+  bool ImportanceGiven = false; // off: the color array stands in if there is no importance array
   int ImportanceAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
-  // What the volume's property has in place of functions that were not given.
+  // Used by the volume's property in place of functions that are not set.
   vtkNew<vtkColorTransferFunction> DefaultColors;
   vtkNew<vtkPiecewiseFunction> DefaultOpacity;
   std::pair<vtkMTimeType, int> DefaultsOf{ 0, 0 }; // see TimeAndComponentOf
   bool ColorsGiven = false;
   bool OpacityGiven = false;
 
-  // What is important of the array that is shown, where nothing says it.
+  // The ramp of the shown array that is assumed if importance is not specified.
   vtkNew<vtkPiecewiseFunction> AssumedImportance;
   limpid::ImportanceRamp ShownRamp;
   std::pair<vtkMTimeType, int> AssumedOf{ 0, 0 };
   std::array<double, 4> SuggestedImportance = {};
 
-  // Asked for, but not available.
+  // Requests that are not supported.
   bool UseSeparateOpacityArray = false;
   bool UseTransfer2D = false;
   bool MapsScalars = true;
   bool MapsComponents = false;
   bool Interpolates = true;
 
-  std::string Refusal;                  // of the input: why it cannot be drawn; empty if it can
-  std::vector<unsigned long> Observers; // of the renderer's frames
-  bool PeelsVolumes = false;            // whether it does, but for the present frame
+  std::string Refusal;                  // why the input cannot be drawn; empty if it can
+  std::vector<unsigned long> Observers; // tags of observers of the renderer's frames
+  bool PeelsVolumes = false;            // whether the renderer does so, except in the present frame
 
-  std::vector<std::string> Messages; // about the last picture
-  std::string Text;                  // the same, and the mapper's, one a line
+  std::vector<std::string> Messages; // of the representation, about the last picture
+  std::string Text;                  // these and the mapper's messages, one per line
 };
 
 #endif

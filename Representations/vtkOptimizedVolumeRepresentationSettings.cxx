@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The properties that are the mapper's.
+// Forwards properties to the mapper.
 
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
@@ -108,6 +108,6 @@ int vtkOptimizedVolumeRepresentation::PrepareOriginal()
 
 int vtkOptimizedVolumeRepresentation::GetConverged()
 {
-  // A frame without the volume has left nothing to do.
+  // If the frame did not draw the volume, there is nothing left to do.
   return !this->State->Mapper->HasDrawn || this->State->Mapper->GetConverged() ? 1 : 0;
 }

@@ -31,7 +31,7 @@ const char* const TYPE = "Optimized Volume"; // text in LimpidRepresentations.xm
 
 const char* const COLOR_ARRAY = "(Color Array)"; // none_string there
 
-// Of a function over values that are importance themselves.
+// Points of a transfer function for values that are importance themselves.
 const std::vector<double> WHOLE_RANGE{ 0, 0, 0.5, 0, 1, 1, 0.5, 0 };
 
 std::vector<double> PointsOf(vtkSMProxy* function)
@@ -71,8 +71,8 @@ void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
   }
   vtkSMProxy* display = this->GetParentProxy();
   vtkSMProperty* type = display ? display->GetProperty("Representation") : nullptr;
-  // Its row is among the advanced ones but for the type "Volume", and its group is shown for types
-  // of volumes alone: there it is one of the first for all of them.
+  // For types other than "Volume", the row of Shade is an advanced one; its group is shown only for
+  // types of volumes. This makes it a basic row for all of them.
   if (vtkSMProperty* shade = display ? display->GetProperty("Shade") : nullptr)
   {
     shade->SetPanelVisibility("default");
@@ -85,7 +85,7 @@ void vtkSMOptimizedVolumeRepresentationProxy::CreateVTKObjects()
   }
 }
 
-// Whether it is the one that its display shows.
+// Returns whether its display shows this representation.
 bool vtkSMOptimizedVolumeRepresentationProxy::IsActive()
 {
   vtkSMProxy* display = this->GetParentProxy();
@@ -93,7 +93,7 @@ bool vtkSMOptimizedVolumeRepresentationProxy::IsActive()
     std::string(vtkSMPropertyHelper(display, "Representation").GetAsString()) == TYPE;
 }
 
-// Whether changes come from a user or a script, and not from a state or from another client.
+// Returns whether changes come from a user or a script, and not from a state or another client.
 bool vtkSMOptimizedVolumeRepresentationProxy::IsEdited()
 {
   return !this->GetSessionProxyManager()->GetInLoadXMLState() &&
@@ -118,8 +118,8 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnTypeChanged()
     display, limpid::ScalarsOfOptimizer(display), importance ? importance : "");
 }
 
-// Takes what is suggested for the points of the function, or else those that it had at first,
-// unless they were changed. Returns whether there is a suggestion.
+// Sets the points of the function to the suggestion, or else to their initial values, unless they
+// were changed. Returns whether there is a suggestion.
 bool vtkSMOptimizedVolumeRepresentationProxy::TakeSuggestion()
 {
   vtkSMProxy* function = vtkSMPropertyHelper(this, "ImportanceFunction").GetAsProxy();
@@ -165,7 +165,7 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnImportanceChosen()
 void vtkSMOptimizedVolumeRepresentationProxy::UpdatePropertyInformationInternal(
   vtkSMProperty* property)
 {
-  // The state is pulled from one of the processes that the proxy is on, preferably the client.
+  // The state is pulled from one process that has the proxy, preferably the client.
   const vtkTypeUInt32 everywhere = this->Location;
   if (everywhere & vtkPVSession::RENDER_SERVER)
   {
@@ -203,7 +203,7 @@ void vtkSMOptimizedVolumeRepresentationProxy::RemoveConsumer(
   }
 }
 
-// Undo registers what belongs to a display after the display itself.
+// Undo registers the objects that belong to a display after the display itself.
 void vtkSMOptimizedVolumeRepresentationProxy::OnRegistered(vtkObject*, unsigned long, void*)
 {
   this->RestoreFunction(limpid::MissingFunction::Waits);
@@ -212,14 +212,14 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnRegistered(vtkObject*, unsigned 
 void vtkSMOptimizedVolumeRepresentationProxy::RestoreFunction(limpid::MissingFunction missing)
 {
   vtkSMProxy* display = this->GetParentProxy();
-  const bool isShown = !this->Views.empty(); // until then, it is being set up
+  const bool isShown = !this->Views.empty(); // false during initialisation
   if (display && isShown && this->ObjectsCreated && this->IsActive())
   {
     limpid::RestoreImportanceFunction(this, display, missing);
   }
 }
 
-// The name may change at any time, and nothing is rendered for that.
+// The name may change at any time without a render.
 void vtkSMOptimizedVolumeRepresentationProxy::TellSourceName(vtkObject*, unsigned long, void*)
 {
   if (!this->ObjectsCreated || !this->IsActive())
@@ -253,7 +253,7 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnRendered(
   }
 }
 
-// What was assumed for the first picture becomes what the user sees and may change.
+// The assumption of the first picture becomes a function that the user sees and can change.
 void vtkSMOptimizedVolumeRepresentationProxy::Start()
 {
   if (!this->Starts)

@@ -3,27 +3,26 @@
 
 /**
  * @class   vtkSMOptimizedVolumeRepresentationProxy
- * @brief   what a client does for vtkOptimizedVolumeRepresentation
+ * @brief   client side of vtkOptimizedVolumeRepresentation
  *
  * Information properties (VisibleFraction, Converged, ...) are fetched from the process that draws,
- * and after every still render of a view that shows the representation: they are those of the
- * picture that one sees. By itself ParaView asks the client, which has no volume when a server
- * draws.
+ * and after every still render of a view that shows the representation, so that they match the
+ * visible picture. By default, ParaView asks the client, which has no volume if a server draws.
  *
- * When a display without scalar coloring changes to the type "Optimized Volume", an array to color
- * by is chosen, as ParaView does for the type "Volume". When one changes to it for the first time
- * that shows the image of the filter Extinction Optimizer, it shows the extinction that was found
- * there (FoundExtinction.h).
+ * If a display without scalar coloring changes to the type "Optimized Volume", an array to color by
+ * is chosen, as ParaView does for the type "Volume". If a display of the image of the filter
+ * Extinction Optimizer changes to it for the first time, it shows the optimised extinction
+ * (FoundExtinction.h).
  *
- * Where nothing says what is important, the importance function is switched on after the first
- * picture, with what was assumed for that; and as long as nobody has changed its points, they
- * follow the importance array (SuggestedImportance).
+ * If importance is not specified, the importance function is switched on after the first picture,
+ * with the ramp that was assumed for it. As long as nobody has changed its points, they follow the
+ * importance array (SuggestedImportance).
  *
- * Where Undo brings back a display that was deleted, ParaView leaves the importance function out:
- * the volume takes it again (RestoredFunction.h).
+ * When Undo restores a deleted display, ParaView omits the importance function; this class sets it
+ * again (RestoredFunction.h).
  *
- * Before every render the process that draws is told what the source is called in the pipeline
- * browser (SetSourceName).
+ * Before every render, the process that draws gets the name of the source in the pipeline browser
+ * (SetSourceName).
  */
 
 #ifndef vtkSMOptimizedVolumeRepresentationProxy_h
@@ -77,15 +76,15 @@ private:
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 
   bool WatchesType = false;
-  bool WatchesOwn = false;            // properties
-  vtkWeakPointer<vtkObject> Registry; // that tells what is registered
-  unsigned long RegistryTag = 0;      // of the observer there
-  bool Starts = false;       // with what is assumed to be important, after the first picture
-  bool FunctionIsOn = false; // because of what was suggested
+  bool WatchesOwn = false;            // whether it observes its own properties
+  vtkWeakPointer<vtkObject> Registry; // that reports registrations of proxies
+  unsigned long RegistryTag = 0;      // tag of the observer of Registry
+  bool Starts = false;                // whether to switch the function on after the first picture
+  bool FunctionIsOn = false;          // whether the suggestion switched the function on
   bool IsTaking = false;
-  std::vector<double> Suggested; // points of the function that nobody has chosen
-  std::string ToldName;          // of the source, to the process that draws
-  // Views that show it, and the tags of the observers there.
+  std::vector<double> Suggested; // points of the function as suggested
+  std::string ToldName;          // name of the source that the drawing process has
+  // Views that show it, with the tags of their observers.
   std::map<vtkSMProxy*, std::array<unsigned long, 2>> Views;
 };
 

@@ -14,7 +14,7 @@
 
 namespace
 {
-constexpr int NONE = 0; // what a number is before it has a value, too
+constexpr int NONE = 0; // also the value of an uninitialised property
 }
 
 vtkStandardNewMacro(vtkSMPresetProperty);

@@ -5,9 +5,10 @@
  * @class   vtkSMPresetProperty
  * @brief   sets properties of its proxy to the values of a preset
  *
- * To set it to the number of a preset of vtkVisibilitySettings, from 1 on, is to set the properties
- * that the preset has a value for. It is 0 again afterwards, so it is in no state. Its domain has
- * the names: in Python, another one raises and changes nothing.
+ * Setting it to the number of a preset of vtkVisibilitySettings, counted from 1, sets the
+ * properties for which the preset has a value. It then returns to 0, so it is not saved in states.
+ * Its domain has the names of the presets: in Python, any other name raises an exception and
+ * changes nothing.
  */
 
 #ifndef vtkSMPresetProperty_h

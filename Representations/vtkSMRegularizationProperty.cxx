@@ -18,7 +18,7 @@ namespace
 const char* const THRESHOLD = "ClearingThreshold";
 const char* const EMPHASIS = "Emphasis";
 
-// Whether the state of a proxy, an element with properties, has one of that name.
+// Returns whether the state of a proxy, an element with properties, has a property of that name.
 bool HasProperty(vtkPVXMLElement* state, const std::string& name)
 {
   for (unsigned int i = 0; i < state->GetNumberOfNestedElements(); ++i)
@@ -47,7 +47,7 @@ void vtkSMRegularizationProperty::PrintSelf(ostream& os, vtkIndent indent)
 void vtkSMRegularizationProperty::OnModified()
 {
   vtkSMProxy* proxy = this->GetParent();
-  // While the proxy is made, properties get their defaults one after the other.
+  // While the proxy is created, properties get their defaults one after the other.
   if (!this->IsRestored && proxy && proxy->GetObjectsCreated() && proxy->GetProperty(THRESHOLD))
   {
     vtkSMPropertyHelper(proxy, THRESHOLD).Set(0.0);
@@ -67,7 +67,7 @@ int vtkSMRegularizationProperty::LoadState(vtkPVXMLElement* element, vtkSMProxyL
   this->IsRestored = true;
   const int result = this->Superclass::LoadState(element, loader);
   this->IsRestored = false;
-  // To be pushed after the weight, though it may have the value of the state already.
+  // Pushed after the weight, even if its value equals that of the state.
   this->GetParent()->GetProperty(THRESHOLD)->Modified();
   vtkPVXMLElement* state = element->GetParent();
   if (state && !HasProperty(state, THRESHOLD) && !HasProperty(state, EMPHASIS))

@@ -3,13 +3,13 @@
 
 /**
  * @class   vtkSMRegularizationProperty
- * @brief   the regularisation weight, beside the clearing threshold that can take its place
+ * @brief   the regularisation weight, which ClearingThreshold may replace
  *
- * To change it, as scripts of earlier versions do, sets the property ClearingThreshold of the same
- * proxy to 0, so that the weight counts; vtkVisibilitySettings does the same.
+ * Changing it, as scripts for earlier versions do, sets the property ClearingThreshold of the same
+ * proxy to 0, so that the weight is used; vtkVisibilitySettings does the same.
  *
- * State files of versions that had no ClearingThreshold and no Emphasis keep their pictures: these
- * get the values that were the only ones then, 0 and 1.
+ * State files of versions without ClearingThreshold and Emphasis keep their pictures: these
+ * properties get the values 0 and 1, which match those versions.
  */
 
 #ifndef vtkSMRegularizationProperty_h
@@ -38,7 +38,7 @@ private:
 
   void OnModified();
 
-  bool IsRestored = false; // with all others, by a state or by undo
+  bool IsRestored = false; // together with all properties, by a state or by undo
 };
 
 #endif

@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkScoreAnnotation);
 
 namespace
 {
-// Points: as large as ParaView's own annotations.
+// Font size [points], that of ParaView's own annotations.
 constexpr int FONT_SIZE = 12;
 
 // Distance to the border of the view [its width or height].
@@ -31,7 +31,7 @@ constexpr double MARGIN = 0.01;
 vtkScoreAnnotation::vtkScoreAnnotation()
 {
   this->PickableOff();
-  this->UseBoundsOff(); // Reset Camera looks at the data alone
+  this->UseBoundsOff(); // Reset Camera considers only the data
 
   for (vtkTextActor* actor : { this->Actor.Get(), this->Legend.Get() })
   {
@@ -94,7 +94,7 @@ std::string vtkScoreAnnotation::CurrentLegend()
   return this->LegendSource && this->GetVisibility() ? this->LegendSource() : std::string();
 }
 
-// Where the annotations end that were drawn before this one in this frame.
+// Returns the lower end of the annotations that were drawn before this one in this frame.
 double vtkScoreAnnotation::BottomOfOthers(vtkViewport* viewport)
 {
   double bottom = 1;
@@ -113,7 +113,7 @@ double vtkScoreAnnotation::BottomOfOthers(vtkViewport* viewport)
   return bottom;
 }
 
-// Below what has been drawn. Returns how much was.
+// Draws a plate below those that were drawn before. Returns its height.
 int vtkScoreAnnotation::DrawPlate(
   vtkViewport* viewport, const std::string& text, vtkTextActor* actor)
 {
@@ -127,11 +127,11 @@ int vtkScoreAnnotation::DrawPlate(
   double size[2];
   actor->GetSize(viewport, size);
   this->Bottom = top - size[1] / std::max(1, viewport->GetSize()[1]);
-  // The image of the text is made in passes before this one; they are over.
+  // The image of the text is made in earlier passes, which are over.
   actor->RenderOpaqueGeometry(viewport);
   const int drawn = actor->RenderOverlay(viewport);
-  // Windows of a server share their shaders: when one is closed, those that the text has kept are
-  // gone in the others. So it keeps none.
+  // Windows of a server share their shaders: if one is closed, those that the text has kept are
+  // invalid in the others. So it keeps none.
   actor->ReleaseGraphicsResources(viewport->GetVTKWindow());
   return drawn;
 }

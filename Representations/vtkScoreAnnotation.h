@@ -3,11 +3,11 @@
 
 /**
  * @class   vtkScoreAnnotation
- * @brief   text in the upper left corner about what a volume mapper has just drawn
+ * @brief   text in the upper left corner about the last picture of a volume mapper
  *
- * The text is asked for when overlays are drawn, which is after the volumes of the same frame. It
- * stands on a dark, half transparent plate, so that it can be read on any background. Several
- * annotations in a renderer stand below each other.
+ * The text is requested when overlays are drawn, which is after the volumes of the same frame. It
+ * has a dark, translucent background plate, so that it is readable on any picture. Several
+ * annotations in a renderer are placed below each other.
  */
 
 #ifndef vtkScoreAnnotation_h
@@ -30,15 +30,17 @@ public:
   vtkTypeMacro(vtkScoreAnnotation, vtkProp);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What says the text of a frame; an empty text is not drawn. None: nothing is drawn.
+  /// Function that returns the text of a frame. Nothing is drawn if it is null or if the text is
+  /// empty.
   void SetTextSource(std::function<std::string()> source);
 
-  /// What says what a colour means, on a plate of its own below, in that colour. Likewise.
+  /// Function that returns the legend of a colour, which is drawn in that colour on a plate of its
+  /// own below the text. Nothing is drawn if it is null or if the legend is empty.
   void SetLegendSource(std::function<std::string()> source);
   void SetLegendColor(const double color[3]);
 
-  /// Claims all of a renderer's view for the present frame, or nothing. Where processes put a frame
-  /// together, only what props claim is taken from each.
+  /// Claims the whole view of a renderer for the present frame, or nothing. If processes compose a
+  /// frame, only the parts claimed by props are taken from each process.
   void ClaimView(vtkRenderer* renderer);
   void ClaimNothing() { this->UseBoundsOff(); }
   double* GetBounds() VTK_SIZEHINT(6) override { return this->UseBounds ? this->Bounds : nullptr; }
@@ -62,7 +64,8 @@ private:
   std::function<std::string()> TextSource;
   std::function<std::string()> LegendSource;
   double Bounds[6] = {};
-  double Bottom = 1; // of the plates in the last frame, share of the viewport's height
+  double Bottom = 1; // lower end of the plates in the last frame, as a share of the viewport's
+                     // height
   vtkNew<vtkTextActor> Actor;
   vtkNew<vtkTextActor> Legend;
 };

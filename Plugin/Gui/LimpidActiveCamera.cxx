@@ -16,7 +16,7 @@
 
 namespace
 {
-// What the row shows, and what Apply takes over, is the unchecked value of a property.
+// Sets the unchecked value of a property, which its row shows and Apply accepts.
 void FillIn(vtkSMProxy* proxy, const char* name, const double* values, unsigned int count)
 {
   vtkSMPropertyHelper helper(proxy, name, /*quiet=*/true);

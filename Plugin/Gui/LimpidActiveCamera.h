@@ -3,12 +3,12 @@
 
 /**
  * @class   LimpidActiveCamera
- * @brief   the row of a camera position, with a button that takes the active view's camera
+ * @brief   the row of a camera position, with a button that copies the active view's camera
  *
  * For a property with panel_widget="LimpidActiveCamera". The button fills in the rows of the
  * proxy's properties CameraPosition, CameraFocalPoint, CameraViewUp, CameraViewAngle,
- * CameraParallelProjection, CameraParallelScale and CameraAspectRatio, as if the user had typed:
- * they count when Apply is pressed. A property that the proxy lacks is passed over.
+ * CameraParallelProjection, CameraParallelScale and CameraAspectRatio, as if the user had typed the
+ * values: Apply accepts them. Properties that the proxy does not have are skipped.
  */
 
 #ifndef LimpidActiveCamera_h

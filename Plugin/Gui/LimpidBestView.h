@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Cameras of the active view.
+ * Gets and sets cameras of the active view.
  */
 
 #ifndef LimpidBestView_h
@@ -18,10 +18,10 @@ class QIcon;
 class QString;
 struct LimpidViewpoint;
 
-/// The camera of a view as it is now, after the mouse has moved it.
+/// Returns the present camera of a view, including moves by the mouse.
 limpid::Camera PresentCamera(vtkSMRenderViewProxy* view);
 
-/// Gives a view a camera, and nobody notes it.
+/// Sets the camera of a view, without trace and undo.
 void SetCamera(vtkSMRenderViewProxy* view, const limpid::Camera& camera);
 
 ///@{
@@ -33,15 +33,15 @@ void LookFrom(const limpid::Camera& camera, const limpid::Vec3& centre, pqRender
 void LookFrom(const LimpidViewpoint& viewpoint, pqRenderView* view, const QString& comment);
 ///@}
 
-/// A ViewpointSearch of the optimised volume in the active view, the active one if there are
-/// several, with the volume's own settings. It was executed, and no pipeline browser shows it.
-/// Null: there is no such volume.
+/// Runs a ViewpointSearch for the optimised volume in the active view (for the active one if there
+/// are several) with the volume's own settings. The search is not in the pipeline browser. Null:
+/// there is no such volume.
 vtkSmartPointer<vtkSMSourceProxy> SearchActiveVolume();
 
-/// Gives the active view the camera that shows most of the important structures in that volume.
+/// Sets the active view to the camera that shows most of the important structures in that volume.
 void FindBestView();
 
-/// What buttons for that look like, and say.
+/// The icon and the text of buttons that call FindBestView.
 QIcon BestViewIcon();
 QString BestViewToolTip();
 

@@ -34,7 +34,7 @@ void Register(vtkSMProxy* proxy)
   controller->RegisterAnimationProxy(proxy);
 }
 
-// A view has one track for its camera.
+// Returns the track of a view's camera. A view has one.
 vtkSmartPointer<vtkSMProxy> CameraTrackOf(vtkSMProxy* view, vtkSMProxy* scene)
 {
   vtkSMPropertyHelper tracks(scene, "Cues");
@@ -55,7 +55,8 @@ vtkSmartPointer<vtkSMProxy> CameraTrackOf(vtkSMProxy* view, vtkSMProxy* scene)
   return track;
 }
 
-// A way through points, from the beginning on; at the end nothing new begins.
+// Returns a key frame at which a path through the cameras begins. That of the last key frame is
+// not used.
 vtkSmartPointer<vtkSMProxy> KeyFrameAt(
   double time, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up, vtkSMProxy* scene)
 {

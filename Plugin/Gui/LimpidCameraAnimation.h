@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * ParaView's animation of a view's camera.
+ * Sets ParaView's animation of a view's camera.
  */
 
 #ifndef LimpidCameraAnimation_h
@@ -14,9 +14,9 @@
 
 class vtkSMRenderViewProxy;
 
-/// Makes the animation of a view's camera a round trip through cameras that look at one point, in
-/// place of what it was: one frame for each of them, and the first one again at the end. `up`: what
-/// is upwards in all pictures. It can be undone, and the trace has it.
+/// Replaces the animation of a view's camera by a round trip through cameras with a common focal
+/// point: one frame for each of them, and the first one again at the end. `up`: up direction of all
+/// pictures. The change is part of undo and trace.
 void AnimateCamera(
   vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up);
 

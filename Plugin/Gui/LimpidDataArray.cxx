@@ -20,7 +20,7 @@
 
 namespace
 {
-// Of the histogram that tells what may be important.
+// Number of bins of the histogram that suggests important values.
 const int FINE = 4096;
 
 vtkPVArrayInformation* InformationOf(const LimpidDataArray& array)
@@ -38,13 +38,13 @@ vtkSmartPointer<vtkSMSourceProxy> NewFilter(vtkSMProxy* neighbour, const char* n
   return filter;
 }
 
-// Extents and numbers of values in equal parts of a range, of all ranks' data together.
+// Returns extents and counts of values in equal bins of a range, over the data of all ranks.
 vtkSmartPointer<vtkTable> CountValues(
   const LimpidDataArray& array, const std::array<double, 2>& range, int bins)
 {
   SCOPED_UNDO_EXCLUDE();
   const int components = InformationOf(array)->GetNumberOfComponents();
-  const int magnitude = components > 1 ? components : 0; // as that filter numbers them
+  const int magnitude = components > 1 ? components : 0; // that filter's number of the magnitude
   const auto counter = NewFilter(array.Source, "ExtractHistogram");
   vtkSMPropertyHelper(counter, "Input").Set(array.Source, array.Port);
   vtkSMPropertyHelper(counter, "SelectInputArray")
@@ -67,7 +67,7 @@ vtkSmartPointer<vtkTable> CountValues(
 vtkSmartPointer<vtkDataObject> BringToClient(
   vtkSMSourceProxy* source, unsigned int port, int type, std::optional<double> time)
 {
-  SCOPED_UNDO_EXCLUDE(); // else each helper on the way would be a step of its own
+  SCOPED_UNDO_EXCLUDE(); // otherwise every helper filter would be an undo step
   const auto mover = NewFilter(source, "ClientServerMoveData");
   vtkSMPropertyHelper(mover, "Input").Set(source, port);
   vtkSMPropertyHelper(mover, "OutputDataType").Set(type);
@@ -135,8 +135,8 @@ std::vector<double> LimpidDataArray::SuggestedImportance() const
   {
     all += countIn(bin);
   }
-  // The upper ends of the parts in which those shares of the values are reached. Where that is one
-  // and the same, its lower end stands for the first.
+  // The upper ends of the bins in which the cumulative shares are reached. If both are in one bin,
+  // the first is the lower end of that bin.
   const double width = (range[1] - range[0]) / FINE;
   std::array<double, 2> ends{ range[1], range[1] };
   double reached = all;
@@ -161,7 +161,7 @@ LimpidDataArray ImportanceArrayOf(vtkSMProxy* proxy)
     return array;
   }
   array.Port = input.GetOutputPort();
-  // The second is a display's, the third a filter's.
+  // The second is a property of displays, the third of filters.
   for (const char* name : { "ImportanceArray", "ColorArrayName", "ScalarArray" })
   {
     vtkSMPropertyHelper chosen(proxy, name, /*quiet=*/true);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Data of a source, and what the client learns of them, wherever the source runs.
+ * Gets data of a source and their statistics on the client, wherever the source runs.
  */
 
 #ifndef LimpidDataArray_h
@@ -20,9 +20,8 @@ class vtkSMProxy;
 class vtkSMSourceProxy;
 class vtkTable;
 
-/// An output of a source, brought to the client as data of a type (VTK_POLY_DATA, ...). Null if it
-/// has none. `time`: for which it is executed; none: its data stay those of the time that they are
-/// for.
+/// Returns an output of a source on the client, as data of a type (VTK_POLY_DATA, ...). Null if it
+/// has none. `time`: the time to execute it for; none: the data keep their present time.
 vtkSmartPointer<vtkDataObject> BringToClient(
   vtkSMSourceProxy* source, unsigned int port, int type, std::optional<double> time);
 
@@ -37,20 +36,22 @@ struct LimpidDataArray
 
   explicit operator bool() const { return this->Source != nullptr; }
 
-  /// Smallest and largest finite value; the first is larger than the second if there is none.
+  /// Returns the smallest and largest finite value; the first is larger than the second if there is
+  /// none.
   std::array<double, 2> Range() const;
 
-  /// The extents of `bins` equal parts of a range ("bin_extents"), and for each the logarithm of
-  /// one more than the number of values in it: what is rare shows, too. Null for an empty range.
+  /// Returns the extents of `bins` equal bins of a range ("bin_extents"), and for each bin the
+  /// logarithm of its number of values plus one, so that rare values are visible. Null for an empty
+  /// range.
   vtkSmartPointer<vtkTable> Histogram(const std::array<double, 2>& range, int bins) const;
 
-  /// What may be important: values as the property SuggestedImportance has them, to a part in some
-  /// thousands of their range. None if the values are importance themselves, or all alike.
+  /// Returns a suggestion of important values, in the form of the property SuggestedImportance, to
+  /// a few thousandths of their range. Empty if the values are importance themselves or all alike.
   std::vector<double> SuggestedImportance() const;
 };
 
-/// The array that the property ImportanceArray of a display or of a filter names, as its panel
-/// shows it. A display's name "(Color Array)" stands for the array that it is colored by.
+/// Returns the array of the property ImportanceArray of a display or a filter, as its panel shows
+/// it. A display's name "(Color Array)" stands for the array that it is colored by.
 LimpidDataArray ImportanceArrayOf(vtkSMProxy* proxy);
 
 #endif

@@ -28,13 +28,13 @@ namespace
 {
 using Names = std::set<std::string>;
 
-// What is a display's own.
+// Properties that each display keeps.
 const Names NOT_COPIED{ "Input", "Visibility", "Representation" };
 
 // Functions that displays of one array share.
 const Names SHARED{ "LookupTable", "ScalarOpacityFunction", "TransferFunction2D" };
 
-// Values, those that others depend on first.
+// Copies values, first those that others depend on.
 void CopyValues(vtkSMProxy* display, vtkSMProxy* other)
 {
   CopyValue(display->GetProperty("Representation"), other->GetProperty("Representation"));
@@ -89,7 +89,7 @@ void CopyDisplay(vtkSMProxy* display, vtkSMProxy* other)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
     CopyValues(display, other);
-    display->GetProperty("UseImportanceFunction")->Modified(); // it was chosen, whatever it is
+    display->GetProperty("UseImportanceFunction")->Modified(); // marks it as set
     display->UpdateVTKObjects();
   }
   SetPoints(display, "ImportanceFunction", PointsOf(other, "ImportanceFunction"));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Displays of volumes that look like others.
+ * Copies the look of volume displays.
  */
 
 #ifndef LimpidDisplays_h
@@ -10,12 +10,12 @@
 
 class vtkSMProxy;
 
-/// Gives a display all that another one of the same data has, but for being visible. Colors and
-/// opacities they share, the importance function they do not.
+/// Copies all properties of another display of the same data, except visibility. Both share colors
+/// and opacities; the importance function is copied.
 void CopyDisplay(vtkSMProxy* display, vtkSMProxy* other);
 
-/// Makes displays of images anew that are older than the plugin, so that they have the type
-/// "Optimized Volume", too. They look as they did.
+/// Recreates displays of images that are older than the plugin, so that they have the type
+/// "Optimized Volume", too. Their look is unchanged.
 void RenewDisplays();
 
 #endif

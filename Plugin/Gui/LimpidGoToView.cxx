@@ -23,7 +23,7 @@ namespace
 {
 const unsigned int VIEWPOINTS = 1; // output port
 
-// The rank, from 0, of the viewpoint that a view looks from, or -1.
+// Returns the rank, counted from 0, of the viewpoint that a view looks from, or -1.
 int RankOf(vtkSMRenderViewProxy* view, const std::vector<LimpidViewpoint>& ranked)
 {
   limpid::Vec3 position;
@@ -110,7 +110,7 @@ void LimpidGoToView::reset()
 
 pqRenderView* LimpidGoToView::view() const
 {
-  // A comparative view is a pqRenderView too, but its proxy is none.
+  // A comparative view is a pqRenderView too, but its proxy is not a render view.
   auto* active = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
   return active && active->getRenderViewProxy() ? active : nullptr;
 }
@@ -141,7 +141,7 @@ void LimpidGoToView::goToNext()
   const LimpidViewpoints found = FindViewpoints(this->Search, this->time());
   if (!found.Ranked.empty())
   {
-    // The view may have got there by another way, as for instance by "Camera Undo".
+    // The view may have reached this camera in another way, for instance by "Camera Undo".
     const int here = RankOf(this->view()->getRenderViewProxy(), found.Ranked);
     const int last = here < 0 ? this->Rank : here;
     this->goToRanked(found, (last + 1) % static_cast<int>(found.Ranked.size()));

@@ -6,9 +6,9 @@
  * @brief   the row of a viewpoint search's number of viewpoints, with buttons that go there
  *
  * For the property NumberOfViewpoints of ViewpointSearch, with panel_widget="LimpidGoToView". The
- * buttons give the active render view the camera of the best, the next or the worst viewpoint that
- * was found, or of a selected point of an output. As with a turn by the mouse, that can be undone
- * by "Camera Undo". The trace has it.
+ * buttons set the active render view to the camera of the best, the next or the worst viewpoint of
+ * the search, or of a selected point of an output. "Camera Undo" reverts this like a rotation by
+ * the mouse. The trace includes it.
  */
 
 #ifndef LimpidGoToView_h
@@ -42,9 +42,9 @@ private Q_SLOTS:
 
 private:
   QPushButton* addButton(const char* name, const QString& text, const QString& toolTip);
-  pqRenderView* view() const; // the active one, if it has a camera
+  pqRenderView* view() const; // the active view; null if it has no camera
   double time() const;
-  void goToRanked(const LimpidViewpoints& found, int rank); // rank from 0
+  void goToRanked(const LimpidViewpoints& found, int rank); // rank counted from 0
   void goTo(const LimpidViewpoint& viewpoint, const QString& name);
 
   vtkSMSourceProxy* Search;
@@ -54,7 +54,7 @@ private:
   QPushButton* Worst;
   QPushButton* Selected;
   QLabel* Where;
-  int Rank = -1; // of the ranked viewpoint that was gone to last, from 0
+  int Rank = -1; // rank, counted from 0, of the viewpoint shown last
 };
 
 #endif

@@ -34,7 +34,7 @@ const int BINS = 128;
 
 const char* const FUNCTION = "ImportanceFunction"; // the row's property
 
-// Of a point of a piecewise function in the property Points.
+// Numbers per point of a piecewise function in the property Points.
 const std::size_t POINT_SIZE = 4;
 
 pqLineEdit* NewField(const char* name, const QString& toolTip, QWidget* parent)
@@ -46,7 +46,8 @@ pqLineEdit* NewField(const char* name, const QString& toolTip, QWidget* parent)
   return field;
 }
 
-// A narrow field would else show the end of a number, 521.64 of 1521.64.
+// The cursor is moved to the start; otherwise a narrow field would show the end of a number: 521.64
+// of 1521.64.
 void Fill(QLineEdit* field, const QString& text)
 {
   field->setText(text);
@@ -112,7 +113,7 @@ LimpidImportanceEditor::LimpidImportanceEditor(pqPropertyWidget* row, vtkSMProxy
   this->follow();
 }
 
-// Its button for a dialog makes room, that for resetting gets another meaning.
+// Hides the row's button for a dialog, and connects the one for resetting to the suggestion.
 void LimpidImportanceEditor::takeOverRow()
 {
   this->Row->layout()->addWidget(this);
@@ -175,7 +176,7 @@ void LimpidImportanceEditor::follow()
       Fill(field, QString::number(range[end]));
     }
   }
-  if (range != this->Range) // the histogram is the same for all curves over it
+  if (range != this->Range) // the histogram does not depend on the curve
   {
     this->Range = range;
     this->outdate();

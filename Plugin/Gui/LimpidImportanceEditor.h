@@ -3,13 +3,13 @@
 
 /**
  * @class   LimpidImportanceEditor
- * @brief   the curve of an importance function over the histogram of the data, in its row
+ * @brief   an editor of the importance function over the histogram of the data, in its row
  *
- * Stands below the fields of ParaView's own row of a property ImportanceFunction, in place of the
- * button that opens a dialog. Points are dragged, added by a click on the curve, and removed by
- * the key Delete; two fields have value and importance of the point that was clicked last. The
- * heights of the histogram are logarithms. The row's button for resetting sets the function to what
- * the data suggest.
+ * It is below the fields of ParaView's own row of a property ImportanceFunction and replaces the
+ * button that opens a dialog. Points are dragged, added by a click on the curve, and removed by the
+ * key Delete. Two fields have value and importance of the point that was clicked last. The
+ * histogram has a logarithmic scale. The row's reset button sets the function to the suggestion for
+ * the data.
  */
 
 #ifndef LimpidImportanceEditor_h
@@ -32,17 +32,17 @@ class LimpidImportanceEditor : public QWidget
   Q_OBJECT
 
 public:
-  /// Adds itself to the row.
+  /// Adds the editor to the row.
   LimpidImportanceEditor(pqPropertyWidget* row, vtkSMProxy* function);
 
 protected:
   void showEvent(QShowEvent* event) override;
 
 private Q_SLOTS:
-  void follow();      // the function
-  void followPoint(); // the current one
-  void outdate();     // the histogram
-  void count();       // the histogram
+  void follow();      // shows changes of the function
+  void followPoint(); // shows the current point
+  void outdate();     // marks the histogram as outdated
+  void count();       // computes the histogram
   void takeCurve();
   void takeFields();
   void suggest();
@@ -59,7 +59,7 @@ private:
   pqLineEdit* Value;
   pqLineEdit* Importance;
   QTimer Counting;
-  std::array<double, 2> Range{}; // of the function, and so of the histogram
+  std::array<double, 2> Range{}; // of the function, hence of the histogram
   bool Outdated = true;
 };
 

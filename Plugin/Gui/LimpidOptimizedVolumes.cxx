@@ -43,7 +43,7 @@ std::vector<vtkSMProxy*> VisibleOptimizedVolumes(vtkSMViewProxy* view)
     if (display && IsOptimizedVolume(display) &&
       vtkSMPropertyHelper(display, "Visibility").GetAsInt() != 0)
     {
-      volumes.push_back(display->GetProperty("Converged")->GetParent()); // a sub-proxy's, exposed
+      volumes.push_back(display->GetProperty("Converged")->GetParent()); // of a sub-proxy
     }
   }
   return volumes;
@@ -61,8 +61,8 @@ void SetStillRenders(vtkSMProxy* volume, StillRenders how)
 
 namespace
 {
-// What a method without arguments returns on the process that draws. `location`: where it is
-// called.
+// Returns the result of a method without arguments on the process that draws. `location`: processes
+// on which to call it.
 bool Ask(vtkSMProxy* volume, const char* method, vtkTypeUInt32 location, bool otherwise)
 {
   vtkClientServerStream stream;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The optimised volumes of a view, and what a client says to them past the server manager.
+ * Finds the optimised volumes of a view, and controls them bypassing the server manager.
  *
- * What is said here is no property of the representation, so it is in no state, trace or undo
- * step. It reaches the objects on all processes, wherever the picture is made.
+ * These controls are not properties of the representation, so they are in no state, trace or undo
+ * step. They reach the objects on all processes, so also on the one that draws.
  */
 
 #ifndef LimpidOptimizedVolumes_h
@@ -17,17 +17,17 @@ class vtkSMProxy;
 class vtkSMRenderViewProxy;
 class vtkSMViewProxy;
 
-/// The active view if it has a camera, else null: a comparative view has none of its own.
+/// Returns the active view if it has a camera, else null. (A comparative view has none of its own.)
 vtkSMRenderViewProxy* ActiveRenderView();
 
-/// Whether a display shows an optimised volume.
+/// Returns whether a display shows an optimised volume.
 bool IsOptimizedVolume(vtkSMProxy* display);
 
-/// The visible representations of type "Optimized Volume" in a view: their own sub-proxies. None
+/// Returns the visible representations of type "Optimized Volume" in a view, as sub-proxies. Empty
 /// for null.
 std::vector<vtkSMProxy*> VisibleOptimizedVolumes(vtkSMViewProxy* view);
 
-/// How the following still renders are made: at once, in steps of one render each, or like
+/// How the following still renders are made: completely, in one step per render, or like
 /// interactive ones (vtkOptimizedVolumeRepresentation).
 enum class StillRenders
 {
@@ -37,11 +37,11 @@ enum class StillRenders
 };
 void SetStillRenders(vtkSMProxy* volume, StillRenders how);
 
-/// Whether the last frame left nothing to do, as the process that made the picture knows it.
+/// Returns whether the last frame was complete, as reported by the process that drew it.
 bool IsConverged(vtkSMProxy* volume);
 
-/// Makes a part of the picture without optimization beside a finished one, on all processes.
-/// Returns whether something is left to be done.
+/// Computes a part of the unoptimized picture of a finished view, on all processes. Returns whether
+/// work is left.
 bool PrepareOriginal(vtkSMProxy* volume);
 
 #endif

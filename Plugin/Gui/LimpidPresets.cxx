@@ -12,7 +12,7 @@
 
 namespace
 {
-// Below that of the settings that a user or an administrator has made.
+// Priority of these settings, below those of users and administrators.
 const double LEAST_PRIORITY = 0;
 }
 
@@ -30,7 +30,7 @@ void LimpidPresets::onStartup()
   }
   vtkSMTransferFunctionPresets* presets = vtkSMTransferFunctionPresets::GetInstance();
   const QJsonArray added = QJsonDocument::fromJson(file.readAll()).array();
-  for (const QJsonValue preset : added) // Qt 6 has references of its own here
+  for (const QJsonValue preset : added) // Qt 6 returns references of its own type here
   {
     const std::string name = preset.toObject().value("Name").toString().toStdString();
     if (!presets->HasPreset(name.c_str()))

@@ -5,10 +5,10 @@
  * @class   LimpidPresets
  * @brief   adds the color presets of Plugin/Presets to ParaView's
  *
- * ParaView makes one object of this class when the plugin is loaded. A preset that is there already
- * stays as it is. Arrays of visibility scores have their preset from the start, and colors that
- * span the scores of the last search (ParaView's own only ever span more), unless the user's own
- * settings say otherwise.
+ * ParaView creates one object of this class when the plugin is loaded. Existing presets of the same
+ * name are not changed. Arrays of visibility scores use their preset by default, and their colors
+ * span the scores of the last search, unless the user's settings say otherwise. (By default,
+ * ParaView's ranges only grow.)
  */
 
 #ifndef LimpidPresets_h

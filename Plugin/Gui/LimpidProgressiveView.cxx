@@ -17,16 +17,16 @@
 
 namespace
 {
-// Milliseconds until a step is tried again while ParaView is at work on something else.
+// Time until a step is tried again while ParaView is busy [ms].
 const int RETRY_INTERVAL = 50;
 
-// Milliseconds after a notch and its pictures, after which the mouse wheel is at rest.
+// Time after a notch of the mouse wheel and its pictures until the wheel counts as at rest [ms].
 const int WHEEL_REST = 400;
 
-// Milliseconds after the last picture of a view at rest until those without optimization are made.
+// Time after the last picture of a still view until the unoptimized pictures are computed [ms].
 const int REST = 1000;
 
-// Reads a state that views keep protected; there is never an object of this type.
+// Reads a protected state of views; no object of this type is ever created.
 struct CaptureState : public vtkPVView
 {
   static bool Of(vtkPVView* view) { return (view->*(&CaptureState::GetInCaptureScreenshot))(); }
@@ -63,7 +63,7 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
       interactor, vtkCommand::StartInteractionEvent, this, SLOT(beginInteraction()));
     this->Events->Connect(
       interactor, vtkCommand::EndInteractionEvent, this, SLOT(endInteraction()));
-    constexpr float first = 1; // before ParaView renders for it
+    constexpr float first = 1; // a priority above that of ParaView's own observer
     for (const auto event :
       { vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent })
     {
@@ -101,14 +101,14 @@ void LimpidProgressiveView::endRender(vtkObject*, unsigned long, void*, void* in
 {
   if (IsSet(interactive))
   {
-    this->Unfinished = false; // ParaView makes a still render itself when the interaction ends
+    this->Unfinished = false; // ParaView makes a still render when the interaction ends
     return;
   }
   if (this->WheelRest.isActive())
   {
-    this->WheelRest.start(WHEEL_REST); // pictures take their time
+    this->WheelRest.start(WHEEL_REST); // again, since pictures take time
   }
-  if (!this->isCapturing()) // else what was unfinished in the window still is
+  if (!this->isCapturing()) // if capturing, the work left in the window is unchanged
   {
     const std::vector<vtkSMProxy*> volumes = VisibleOptimizedVolumes(this->Proxy);
     this->Unfinished = !std::all_of(volumes.begin(), volumes.end(), IsConverged);
@@ -116,7 +116,7 @@ void LimpidProgressiveView::endRender(vtkObject*, unsigned long, void*, void* in
     {
       for (vtkSMProxy* volume : volumes)
       {
-        volume->UpdatePropertyInformation(); // the results in the properties panel
+        volume->UpdatePropertyInformation(); // updates the results in the properties panel
       }
       this->Preparation.start(REST);
     }
@@ -153,7 +153,7 @@ void LimpidProgressiveView::scheduleStep()
 {
   if (this->Unfinished && !this->Interacting && !this->Paused && !this->WheelRest.isActive())
   {
-    this->NextStep.start(0); // no time, but after the events that wait
+    this->NextStep.start(0); // at once, but after pending events
   }
   else
   {
@@ -161,7 +161,7 @@ void LimpidProgressiveView::scheduleStep()
   }
 }
 
-// Whether ParaView is at work on something else.
+// Returns whether ParaView is busy with something else.
 bool LimpidProgressiveView::isBusy() const
 {
   return this->Proxy->GetSession()->GetPendingProgress() ||
@@ -186,7 +186,7 @@ void LimpidProgressiveView::prepareOriginals()
   }
   if (isLeft)
   {
-    this->Preparation.start(0); // no time, but after the events that wait
+    this->Preparation.start(0); // at once, but after pending events
   }
 }
 

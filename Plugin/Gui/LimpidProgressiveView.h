@@ -3,15 +3,14 @@
 
 /**
  * @class   LimpidProgressiveView
- * @brief   refines the optimised volumes of one view while nothing else happens
+ * @brief   refines the optimised volumes of a view while ParaView is idle
  *
- * Still renders of the view make one step each. As long as the last one left something to do,
- * another follows as soon as no event of the user waits. None follows when all is done, while the
- * user interacts, or while an animation plays. Between notches of the mouse wheel, ParaView's still
- * renders are made like interactive ones, and no step is made until the wheel has rested. Pictures
- * that are captured (screenshots, frames of a saved animation) are made whole in one render.
- * When all is done and nothing has happened for a second, the pictures without optimisation are
- * made, so that Show Original shows them at once.
+ * Each still render of the view makes one step. While work is left, another one follows as soon as
+ * no user event is pending; none follows if all is done, during interaction, or while an animation
+ * plays. Between notches of the mouse wheel, ParaView's still renders are made like interactive
+ * ones, and no step is made until the wheel is at rest. Captured pictures (screenshots, frames of a
+ * saved animation) are completed in one render. When all is done and ParaView has been idle for a
+ * second, the unoptimized pictures are computed, so that Show Original shows them at once.
  */
 
 #ifndef LimpidProgressiveView_h
@@ -35,7 +34,7 @@ public:
   LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRenderView* view);
   ~LimpidProgressiveView() override;
 
-  /// While paused no steps are taken.
+  /// While paused, no steps are made.
   void setPaused(bool paused);
 
 private Q_SLOTS:
@@ -58,9 +57,10 @@ private:
   vtkSMRenderViewProxy* Proxy;
   vtkNew<vtkEventQtSlotConnect> Events;
   QTimer NextStep;
-  QTimer Preparation;      // active: all is done, and what Show Original shows is made next
-  QTimer WheelRest;        // active: the wheel has just been turned
-  bool Unfinished = false; // the last render left something to do
+  QTimer Preparation;      // active: all is done, and the pictures of Show Original are computed
+                           // next
+  QTimer WheelRest;        // active: the wheel was turned recently
+  bool Unfinished = false; // whether the last render left work
   bool Interacting = false;
   bool Paused = false;
 };

@@ -40,7 +40,8 @@ void LimpidProgressiveViews::onShutdown()
 
 void LimpidProgressiveViews::addView(pqView* view)
 {
-  // A comparative view is a pqRenderView too, but its proxy is none: it renders its parts whole.
+  // A comparative view is a pqRenderView too, but its proxy is not a render view. It completes its
+  // parts in one render.
   auto* renderView = qobject_cast<pqRenderView*>(view);
   auto* proxy = vtkSMRenderViewProxy::SafeDownCast(view->getViewProxy());
   if (renderView && proxy)

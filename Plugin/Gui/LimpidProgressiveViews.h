@@ -3,9 +3,9 @@
 
 /**
  * @class   LimpidProgressiveViews
- * @brief   gives every render view of ParaView's window a LimpidProgressiveView
+ * @brief   creates a LimpidProgressiveView for every render view of ParaView's window
  *
- * ParaView makes one object of this class when the plugin is loaded.
+ * ParaView creates one object of this class when the plugin is loaded.
  */
 
 #ifndef LimpidProgressiveViews_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Properties of proxies, copied by name.
+ * Copies properties of proxies by name.
  */
 
 #ifndef LimpidProperties_h
@@ -15,17 +15,18 @@
 class vtkSMProperty;
 class vtkSMProxy;
 
-/// Calls `act` for all properties of a proxy but those that only inform, with their names.
+/// Calls `act` for all properties of a proxy except information properties, with their names.
 void ForEachProperty(
   vtkSMProxy* proxy, const std::function<void(const std::string&, vtkSMProperty*)>& act);
 
-/// Copies the value of a property unless that is a proxy, or either is null.
+/// Copies the value of a property, unless the value is a proxy or either property is null.
 void CopyValue(vtkSMProperty* property, vtkSMProperty* from);
 
-/// Points of the function that a property of a proxy holds; none if it holds none.
+/// Returns the points of the function that is the value of a proxy's property; empty if there is
+/// none.
 std::vector<double> PointsOf(vtkSMProxy* owner, const char* name);
 
-/// Sets these points, unless there are none, which the trace has.
+/// Sets these points, unless there are none. The trace includes this.
 void SetPoints(vtkSMProxy* owner, const char* name, const std::vector<double>& points);
 
 #endif

@@ -3,10 +3,10 @@
 
 /**
  * @class   LimpidResults
- * @brief   what came of an optimised volume, as text
+ * @brief   shows the results of an optimised volume as text
  *
- * For a group of information properties with panel_widget="LimpidResults". Where nobody knows that
- * widget each has a row that looks as if it could be edited.
+ * For a group of information properties with panel_widget="LimpidResults". Without this widget,
+ * each of them would have a row that looks editable.
  */
 
 #ifndef LimpidResults_h
@@ -28,7 +28,7 @@ public:
   LimpidResults(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
 
 private Q_SLOTS:
-  void follow(); // the properties
+  void follow(); // shows changes of the properties
 
 private:
   std::vector<std::pair<vtkSMProperty*, QLabel*>> Rows;

@@ -32,8 +32,8 @@
 namespace
 {
 const char* const THRESHOLD = "ClearingThreshold";
-// The threshold at the ends of the slider is 1, at which next to nothing is cleared, and this power
-// of a tenth, at which all is that is worth it.
+// The threshold is 1 at one end of the slider, where almost nothing is cleared, and 10^-MOST at the
+// other, where everything worth clearing is.
 const double MOST = 4;
 const int STEPS = 100; // per power of ten
 
@@ -42,7 +42,7 @@ double Value(vtkSMProxy* volume, const char* name)
   return vtkSMPropertyHelper(volume, name).GetAsDouble();
 }
 
-// What the panel's rows show, and what is applied, is the unchecked value of a property.
+// Sets the unchecked value of a property, which its row shows and Apply accepts.
 void FillIn(vtkSMProxy* volume, const char* name, double value)
 {
   vtkSMPropertyHelper helper(volume, name);
@@ -57,7 +57,7 @@ void TakeOver(vtkSMProxy* volume, const char* name)
   vtkSMPropertyHelper(volume, name).Set(helper.GetAsDouble());
 }
 
-// With three digits, as a person would type it.
+// Rounds to three digits, as a person would type.
 double Rounded(double threshold)
 {
   return QString::number(threshold, 'g', 3).toDouble();
@@ -123,7 +123,7 @@ void LimpidReveal::createPresets()
   {
     this->PresetBox->addItem(QString::fromStdString(preset.name));
   }
-  // The last one stands for none of them, and cannot be chosen.
+  // Shown if no preset matches; it cannot be chosen.
   this->PresetBox->addItem(tr("Custom"));
   auto* items = qobject_cast<QStandardItemModel*>(this->PresetBox->model());
   items->item(this->PresetBox->count() - 1)->setEnabled(false);
@@ -182,7 +182,7 @@ void LimpidReveal::updateWidget(bool showingAdvanced)
   this->Row->setVisible(showingAdvanced);
 }
 
-// To scroll the panel changes nothing.
+// Ignores the wheel, so that scrolling the panel changes nothing.
 bool LimpidReveal::eventFilter(QObject* object, QEvent* event)
 {
   if (event->type() == QEvent::Wheel && !qobject_cast<QWidget*>(object)->hasFocus())
@@ -193,7 +193,7 @@ bool LimpidReveal::eventFilter(QObject* object, QEvent* event)
   return this->pqPropertyWidget::eventFilter(object, event);
 }
 
-// In one column with the panel's other rows.
+// Aligns the labels with the panel's other rows.
 void LimpidReveal::resizeEvent(QResizeEvent* event)
 {
   this->pqPropertyWidget::resizeEvent(event);
@@ -219,7 +219,7 @@ void LimpidReveal::followPreset()
 
 void LimpidReveal::followThreshold()
 {
-  // Where it is 0, the regularisation weight counts, of which the slider does not know.
+  // If the threshold is 0, the regularisation weight is used, which the slider does not show.
   const double threshold = Value(this->Volume, THRESHOLD);
   const double power = threshold > 0 ? -std::log10(threshold) : MOST;
   const double steps = std::clamp(power, 0.0, MOST) * STEPS;
@@ -261,7 +261,7 @@ void LimpidReveal::moveSlider()
   this->setAtOnce(this->chosenThreshold());
   if (this->view())
   {
-    this->view()->getViewProxy()->InteractiveRender(); // as quick as while the volume is turned
+    this->view()->getViewProxy()->InteractiveRender(); // as fast as while the volume is rotated
   }
 }
 
@@ -270,7 +270,7 @@ void LimpidReveal::beginDrag()
   this->ThresholdBeforeDrag = Value(this->Volume, THRESHOLD);
 }
 
-// The whole drag becomes one change, for undo and trace.
+// Makes the whole drag a single change for undo and trace.
 void LimpidReveal::endDrag()
 {
   const int end = this->Slider->value();

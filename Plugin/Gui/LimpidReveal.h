@@ -4,13 +4,13 @@
 /**
  * @class   LimpidReveal
  * @brief   presets of an Optimized Volume, a slider from keeping context to revealing, and buttons
- *          that look from the best view and make a movie of it and others
+ *          that go to the best view and make movies of it and of others
  *
  * For the property ClearingThreshold of a display, with panel_widget="LimpidReveal". The slider is
- * logarithmic: it sets the threshold from 1 down to a ten-thousandth. Presets (Presets.h) and
- * slider are but a way to set properties, and follow them: undo, trace and state have these. The
- * volume follows the slider while it is dragged, which is one step of undo. The plain row of the
- * property is among the advanced ones.
+ * logarithmic: it sets the threshold from 1 down to 0.0001. Presets (Presets.h) and slider only set
+ * properties and follow their changes, so that undo, trace and state contain these. The volume
+ * follows the slider while it is dragged; the drag is one undo step. The plain row of the property
+ * is advanced.
  */
 
 #ifndef LimpidReveal_h
@@ -42,7 +42,7 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private Q_SLOTS:
-  void follow(); // the properties
+  void follow(); // shows changes of the properties
   void choosePreset();
   void moveSlider();
   void beginDrag();
@@ -55,10 +55,10 @@ private:
     const QString& toolTip, void (*act)());
   void followPreset();
   void followThreshold();
-  double chosenThreshold() const; // for the slider's position
+  double chosenThreshold() const; // by the position of the slider
   void setAtOnce(double threshold);
 
-  vtkSMProxy* Volume; // has the properties, which the display exposes
+  vtkSMProxy* Volume; // owner of the properties, which the display exposes
   const std::vector<limpid::Preset> Presets;
   QComboBox* PresetBox;
   QSlider* Slider;

@@ -60,7 +60,7 @@ void LimpidSetup::onStartup()
   this->renewDisplays();
 }
 
-// When ParaView knows the definitions of a plugin that it has just loaded.
+// Called when ParaView knows the definitions of a plugin that was just loaded.
 void LimpidSetup::renewDisplays()
 {
   QTimer::singleShot(0, this, SLOT(renewNow()));

@@ -3,15 +3,15 @@
 
 /**
  * @class   LimpidSetup
- * @brief   what was set up for a volume once counts everywhere in ParaView's window
+ * @brief   reuses the settings of a volume for new filters and displays in ParaView's window
  *
- * A filter of Limpid that is created from a volume on display starts with what the display has, and
- * with the camera of the view. A volume that is shown in another view, too, looks there as it does
- * where it was shown last. Both are part of the step that creates the filter or the display, for
- * undo and trace. In pvpython filters and displays have their own defaults. Volumes that were on
- * display before the plugin was loaded are displayed anew, with the types that the plugin adds.
+ * A filter of Limpid that is created for a displayed volume starts with the settings of the display
+ * and the camera of the view. A volume that is shown in another view, too, has the look that it had
+ * where it was shown last. Both are part of the undo step and of the trace that create the filter
+ * or the display. In pvpython, filters and displays have their own defaults. Volumes that were
+ * displayed before the plugin was loaded get new displays with the types that the plugin adds.
  *
- * ParaView makes one object of this class when the plugin is loaded.
+ * ParaView creates one object of this class when the plugin is loaded.
  */
 
 #ifndef LimpidSetup_h

@@ -3,10 +3,10 @@
 
 /**
  * @class   LimpidShowOriginal
- * @brief   a button that shows the original volume while it is held down
+ * @brief   a button that shows the original volume while it is pressed
  *
- * While the button is down the optimised volumes of the active view have the method "Ordinary".
- * Afterwards they have their own again: nothing stays behind, and there is nothing to undo.
+ * While the button is pressed, the optimised volumes of the active view have the method "Ordinary".
+ * Then their own methods are restored, so there is nothing to undo.
  */
 
 #ifndef LimpidShowOriginal_h
@@ -32,7 +32,7 @@ private Q_SLOTS:
   void showOptimized();
 
 private:
-  std::vector<std::pair<vtkWeakPointer<vtkSMProxy>, int>> Methods; // to be given back
+  std::vector<std::pair<vtkWeakPointer<vtkSMProxy>, int>> Methods; // to be restored
 };
 
 #endif

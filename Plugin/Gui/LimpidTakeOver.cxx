@@ -18,16 +18,17 @@
 
 namespace
 {
-// A filter's own even where a display has the name: how long it may take.
+// Not copied even though displays have it: it limits the time of the filter.
 const char* const NOT_TAKEN = "MaximumIterations";
 
-// The number of the selection stays: it tells a filter which of its arrays is meant.
+// Sets the association and the name of an array. The index of the selection is kept: it tells the
+// filter which of its arrays is meant.
 void TakeArray(vtkSMProxy* filter, const char* name, int association, const std::string& array)
 {
   vtkSMPropertyHelper(filter, name).SetInputArrayToProcess(association, array.c_str());
 }
 
-// Numbers of an optimised volume under the same names. The light only if it is the volume's own.
+// Copies numbers of an optimised volume by name; those of the light only if the volume has its own.
 void TakeSettings(vtkSMProxy* filter, vtkSMProxy* display)
 {
   const bool hasLight = vtkSMPropertyHelper(display, "LightSource").GetAsInt() == 1;
@@ -43,7 +44,7 @@ void TakeSettings(vtkSMProxy* filter, vtkSMProxy* display)
     });
 }
 
-// The array that colors and opacities are for, and its component.
+// Copies the array that colors and opacities refer to, and its component.
 void TakeScalars(vtkSMProxy* filter, vtkSMProxy* display)
 {
   vtkSMPropertyHelper colored(display, "ColorArrayName");
@@ -77,13 +78,13 @@ void TakeCamera(vtkSMProxy* filter, vtkSMRenderViewProxy* view)
     .Set(view->GetRenderer()->GetTiledAspectRatio());
   if (!filter->GetProperty("CameraPosition"))
   {
-    // It looks from everywhere: what is upwards now stays so.
+    // A search looks from everywhere, so only the up direction is copied.
     const limpid::Vec3 up = limpid::UprightAxis(PresentCamera(view));
     vtkSMPropertyHelper(filter, "CameraViewUp").Set(&up.x, 3);
   }
 }
 
-// The points of the importance function for an array that nobody has said anything about.
+// Returns the points of the suggested importance function for an array without one.
 std::vector<double> SuggestImportance(vtkSMProxy* filter)
 {
   return limpid::ImportancePoints(ImportanceArrayOf(filter).SuggestedImportance());

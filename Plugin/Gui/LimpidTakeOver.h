@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a filter of Limpid takes over from a volume on display.
+ * Copies settings of a displayed volume to a filter of Limpid.
  */
 
 #ifndef LimpidTakeOver_h
@@ -11,9 +11,9 @@
 class vtkSMProxy;
 class vtkSMRenderViewProxy;
 
-/// Gives a filter of Limpid what a display of its input has, property by property of the same name:
-/// importance, weights and method of an optimised volume; array, opacity function and unit distance
-/// of any volume; and the camera of a view, of which a search takes the axis that is upwards.
+/// Copies from a display of the filter's input, property by property of the same name: importance,
+/// weights and method of an optimised volume; array, opacity function and unit distance of any
+/// volume. Also copies the camera of a view; a search gets only its up axis.
 void TakeOverDisplay(vtkSMProxy* filter, vtkSMProxy* display, vtkSMRenderViewProxy* view);
 
 #endif

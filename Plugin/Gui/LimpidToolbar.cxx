@@ -36,7 +36,7 @@ void LimpidToolbar::watch(pqView* view)
   this->enable();
 }
 
-// The toolbar itself stays as it is: it can be moved.
+// The toolbar itself is always enabled, so that it can be moved.
 void LimpidToolbar::enable()
 {
   const bool isThere = !VisibleOptimizedVolumes(ActiveRenderView()).empty();

@@ -3,7 +3,7 @@
 
 /**
  * @class   LimpidToolbar
- * @brief   what a person does with the optimised volumes of the active view
+ * @brief   actions for the optimised volumes of the active view
  */
 
 #ifndef LimpidToolbar_h

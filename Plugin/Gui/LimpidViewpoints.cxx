@@ -18,14 +18,14 @@ namespace
 {
 const unsigned int VIEWPOINTS = 1; // output port
 
-// The data of an output, null if it has none.
+// Returns the data of an output, null if it has none.
 vtkSmartPointer<vtkDataSet> Bring(vtkSMSourceProxy* source, unsigned int port, double time)
 {
   const int type = source->GetDataInformation(port)->GetDataSetType();
   return vtkDataSet::SafeDownCast(BringToClient(source, port, type, time));
 }
 
-// Tuples of an array, zeros where there is none.
+// The tuples of an array; zeros if there is no array.
 class Tuples
 {
 public:
@@ -63,7 +63,8 @@ private:
   vtkDataArray* Array;
 };
 
-// What all views of a search have in common; in a parallel projection, also how far away they are.
+// Returns what all views of a search have in common; for a parallel projection, this includes the
+// distance.
 LimpidViewpoint CommonOf(vtkSMSourceProxy* search, vtkDataSet* viewpoints)
 {
   vtkFieldData* fields = viewpoints->GetFieldData();
@@ -80,7 +81,7 @@ LimpidViewpoint CommonOf(vtkSMSourceProxy* search, vtkDataSet* viewpoints)
   return view;
 }
 
-// A point, on top of what is common.
+// Returns the viewpoint of a point; `common`: parameters of all views.
 LimpidViewpoint ViewOf(const LimpidViewpoint& common, vtkFieldData* arrays, vtkIdType point)
 {
   LimpidViewpoint view = common;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a ViewpointSearch found, brought from wherever it runs to the client, and cameras for it.
+ * Gets the results of a ViewpointSearch on the client, and cameras for them.
  */
 
 #ifndef LimpidViewpoints_h
@@ -18,8 +18,8 @@ class vtkSMSourceProxy;
 
 struct LimpidViewpoint
 {
-  limpid::Orbit Orbit;               // of the search
-  std::vector<limpid::Vec3> Corners; // of the image's box
+  limpid::Orbit Orbit;               // cameras of the search
+  std::vector<limpid::Vec3> Corners; // corners of the image's box
   limpid::Aim Aim = limpid::Aim::Box;
   limpid::Vec3 Direction{ 0.0, 0.0, 1.0 }; // unit vector from the orbit's centre
   double VisibleFraction = 0;              // of the important structures, in [0, 1]
@@ -32,24 +32,24 @@ struct LimpidViewpoints
 };
 
 /**
- * The viewpoints of a search that was executed; none if there was an error.
+ * Returns the viewpoints of a search that was executed; none after an error.
  */
 LimpidViewpoints FindViewpoints(vtkSMSourceProxy* search, double time);
 
 /**
- * The camera that shows the whole image in a view, whatever the shape of its window, from a
- * viewpoint's direction.
+ * Returns a camera that shows the whole image from a viewpoint's direction, for any shape of the
+ * view's window.
  */
 limpid::Camera CameraOf(const LimpidViewpoint& viewpoint, vtkSMRenderViewProxy* view);
 
 /**
- * Whether points or cells of any output of the search are selected.
+ * Returns whether points or cells of any output of the search are selected.
  */
 bool HasSelection(vtkSMSourceProxy* search);
 
 /**
- * The viewpoint with the highest score among the selected points, and corners of selected cells, of
- * all outputs.
+ * Returns the viewpoint with the highest score among the selected points and the corners of
+ * selected cells, in all outputs.
  */
 std::optional<LimpidViewpoint> FindBestSelected(vtkSMSourceProxy* search, double time);
 

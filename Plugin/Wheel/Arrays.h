@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Arrays of numpy as the core reads them, and arrays of the core as numpy reads them.
+// Passes arrays of numpy to the core, and arrays of the core to numpy.
 
 #ifndef limpid_wheel_Arrays_h
 #define limpid_wheel_Arrays_h
@@ -18,8 +18,8 @@
 
 namespace limpid::python
 {
-/// A field over a grid: one number per node, first axis of the grid fastest. It is used where it
-/// is, never copied.
+/// A field over a grid: one number per node, first axis of the grid fastest. It is used in place,
+/// never copied.
 using Field =
   nanobind::ndarray<const float, nanobind::ndim<1>, nanobind::c_contig, nanobind::device::cpu>;
 
@@ -28,7 +28,7 @@ template <class Value, int Columns>
 using Table = nanobind::ndarray<const Value, nanobind::shape<-1, Columns>, nanobind::c_contig,
   nanobind::device::cpu>;
 
-/// A field that may be missing.
+/// An optional field.
 using OptionalField = std::optional<Field>;
 
 inline const float* DataOf(const OptionalField& field)
@@ -48,7 +48,7 @@ inline Triple ToTriple(const Vec3& vector)
   return { { vector.x, vector.y, vector.z } };
 }
 
-/// Gives the memory of a vector to numpy, as an array of one axis.
+/// Moves the memory of a vector to a one-dimensional array of numpy.
 template <class Value>
 nanobind::object ToNumpy(std::vector<Value>&& values)
 {

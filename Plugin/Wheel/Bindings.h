@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The parts of the module limpid._core, which Plugin/Wheel/limpid makes a Python package of. It
-// takes what that package has checked and put in order: nobody else calls it.
+// The parts of the extension module limpid._core, which the Python package in Plugin/Wheel/limpid
+// wraps. That package checks and converts all arguments; nothing else calls the module.
 
 #ifndef limpid_wheel_Bindings_h
 #define limpid_wheel_Bindings_h
@@ -11,19 +11,19 @@
 
 namespace limpid::python
 {
-/// Grid, Camera, Light, and where they stand when nobody has placed them.
+/// Binds Grid, Camera, Light, and their automatic placement.
 void BindScene(nanobind::module_& module);
 
-/// Settings of the optimiser, and their choices.
+/// Binds the settings of the optimiser and their enumerations.
 void BindSettings(nanobind::module_& module);
 
-/// The function optimize.
+/// Binds the function optimize.
 void BindOptimize(nanobind::module_& module);
 
-/// The function search_viewpoints.
+/// Binds the function search_viewpoints.
 void BindViewpoints(nanobind::module_& module);
 
-/// Lighting, and the function render.
+/// Binds Lighting and the function render.
 void BindRender(nanobind::module_& module);
 }
 

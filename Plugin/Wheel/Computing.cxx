@@ -14,14 +14,15 @@ namespace limpid::python
 {
 namespace
 {
-// Python calls handlers of signals when it is asked to, and in its main thread alone.
+// Returns false once a signal handler has raised an exception. Python calls handlers only when
+// asked, and only in its main thread.
 bool GoOn()
 {
   const nb::gil_scoped_acquire acquired;
   return PyErr_CheckSignals() == 0;
 }
 
-// Returns whether it came to its end.
+// Returns false if interrupted.
 bool Compute(const std::function<void()>& compute)
 {
   const nb::gil_scoped_release released;
@@ -42,7 +43,7 @@ void ComputeBesidePython(const std::function<void()>& compute)
 {
   if (!Compute(compute))
   {
-    throw nb::python_error(); // the one that the handler raised
+    throw nb::python_error(); // the exception that the handler raised
   }
 }
 

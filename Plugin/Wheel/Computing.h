@@ -12,14 +12,15 @@
 namespace limpid::python
 {
 /**
- * Calls a function that computes and touches nothing of Python's, while other threads of Python
- * run. A signal whose handler raises an exception, as Ctrl-C does, ends it: the exception goes on
- * from here.
+ * Calls a function that computes without touching Python objects, while other Python threads run. A
+ * signal whose handler raises an exception, as Ctrl-C does, interrupts it; this function then
+ * throws that exception.
  */
 void ComputeBesidePython(const std::function<void()>& compute);
 
-/// A callable of Python's, called with the share of the work that is done and a text, which returns
-/// false to stop; no function for None. The callable has to outlive it.
+/// Converts a Python callable to a progress function; None to an empty function. The callable gets
+/// the share of the work that is done and a text, and returns false to stop. It must outlive the
+/// result.
 std::function<bool(double, const std::string&)> ToProgress(const nanobind::object& callable);
 }
 

@@ -11,7 +11,7 @@ namespace nb = nanobind;
 
 namespace
 {
-// What is wrong with the user's data is a ValueError, in the core's words.
+// Converts errors about the user's data to ValueError with the same message.
 void TranslateErrors(const std::exception_ptr& thrown, void*)
 {
   try

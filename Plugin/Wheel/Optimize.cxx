@@ -23,7 +23,7 @@ namespace limpid::python
 {
 namespace
 {
-// What is to be optimised, and how.
+// The input and the settings of an optimisation.
 struct Run
 {
   Run(const Grid& grid, const Field& extinction, const Field& importance, float majorant)
@@ -36,9 +36,9 @@ struct Run
   Light light;
   Settings settings;
   ViewSet views;
-  std::optional<Guide> guide;        ///< with it, the camera moves, too
-  const float* initial = nullptr;    ///< to start from; null: the base extinction
-  CarriedChange* previous = nullptr; ///< to stay near of; null: nothing
+  std::optional<Guide> guide;        ///< if set, the camera is optimised as well
+  const float* initial = nullptr;    ///< start of the optimisation; null: the base extinction
+  CarriedChange* previous = nullptr; ///< reference to stay near; null: none
   Progress progress;
 
   ConcurrentResult Solve() const
@@ -62,7 +62,7 @@ struct Run
   }
 };
 
-// A row per iteration, in the order of CONVERGENCE in optimization.py.
+// Returns one row per iteration, in the order of CONVERGENCE in optimization.py.
 nb::list RowsOf(const std::vector<IterationRecord>& history)
 {
   nb::list rows;
@@ -122,13 +122,13 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
     [&]
     {
       found = run.Solve();
-      found.solver->BestScore(); // which may take a sweep
+      found.solver->BestScore(); // it may take a sweep
       found.solver->FindCeiling();
     });
 
   nb::dict results = ResultsOf(*found.solver, found.camera);
   std::vector<float> forCamera;
-  std::vector<float> forLight; // empty: there is none
+  std::vector<float> forLight; // empty: the light has none of its own
   CarriedChange change;
   ComputeBesidePython(
     [&]

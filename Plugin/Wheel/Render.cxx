@@ -19,7 +19,7 @@ namespace limpid::python
 {
 namespace
 {
-// `extinction`: values at equal steps of the scalar [1/length]; `color`: as many [0, 1].
+// `extinction`: values at equal steps of the scalar [1/length]; `color`: as many colours [0, 1].
 void MakeFunctions(TransferFunctions* functions, double low, double high, const Field& extinction,
   const Table<float, 3>& color)
 {
@@ -51,7 +51,7 @@ void MakeView(View* view, int width, int height, const std::array<double, 16>& c
   }
 }
 
-// Colours multiplied by alpha, first row at the bottom. `base`, `extinction` and
+// Returns colours premultiplied by alpha, bottom row first. `base`, `extinction` and
 // `lightExtinction` as for Renderer::SetExtinction.
 nb::object Render(const Grid& grid, const Field& scalars, const TransferFunctions& functions,
   const OptionalField& base, const OptionalField& extinction, const OptionalField& lightExtinction,

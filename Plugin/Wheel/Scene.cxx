@@ -19,7 +19,7 @@ namespace limpid::python
 {
 namespace
 {
-// `direction`: a world direction for each axis of the grid.
+// `direction`: one world direction per axis of the grid.
 void MakeGrid(Grid* grid, const std::array<int, 3>& nodes, const Triple& origin,
   const Triple& spacing, const std::array<Triple, 3>& direction)
 {
@@ -28,7 +28,7 @@ void MakeGrid(Grid* grid, const std::array<int, 3>& nodes, const Triple& origin,
     Grid(ImageGrid({ nodes[0], nodes[1], nodes[2] }, ToVec3(origin), ToVec3(spacing), axes));
 }
 
-// Position, focal point and parallel scale of a camera that nobody has placed.
+// Returns position, focal point and parallel scale of the automatic camera.
 nb::tuple PlacedCamera(const Grid& grid)
 {
   Camera camera;
@@ -37,7 +37,7 @@ nb::tuple PlacedCamera(const Grid& grid)
     ToTriple(camera.position), ToTriple(camera.focalPoint), camera.parallelScale);
 }
 
-// Position of a light that nobody has placed.
+// Returns the position of the automatic light.
 Triple PlacedLight(const Camera& camera)
 {
   Light light;
@@ -45,7 +45,7 @@ Triple PlacedLight(const Camera& camera)
   return ToTriple(light.position);
 }
 
-// `light`: with a focal point it is directional.
+// A light with a focal point is directional.
 void MakeLight(Light* light, const Triple& position, const std::optional<Triple>& focalPoint)
 {
   new (light) Light();
@@ -59,8 +59,8 @@ void MakeLight(Light* light, const Triple& position, const std::optional<Triple>
 
 using Samples = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-// Values between which importance rises from 0 to 1, of ascending samples; None: nothing stands out
-// of them.
+// Returns the values between which importance rises from 0 to 1, for ascending samples; None if no
+// values stand out.
 std::optional<std::array<double, 2>> StartingImportance(const Samples& sorted)
 {
   const std::vector<double> samples(sorted.data(), sorted.data() + sorted.size());
@@ -72,8 +72,8 @@ std::optional<std::array<double, 2>> StartingImportance(const Samples& sorted)
   return { { ramp.begin, ramp.end } };
 }
 
-// These values, or others above them where there is less noise. `values`: samples above the first
-// one; `eighths`: the eighth largest of the neighbours of each.
+// Returns these values, or higher ones if these lie in noise. `values`: samples above the first
+// one; `eighths`: for each, the eighth largest of its neighbours.
 std::array<double, 2> CleanImportance(const std::array<double, 2>& ramp, const Samples& sorted,
   const Samples& values, const Samples& eighths)
 {

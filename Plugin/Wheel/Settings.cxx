@@ -20,7 +20,7 @@ namespace limpid::python
 {
 namespace
 {
-// Names are those of the properties of the filters, in Python's spelling.
+// Names are those of the filters' properties in Python's spelling.
 void BindChoices(nb::module_& module)
 {
   nb::enum_<Method>(module, "Method")
@@ -53,7 +53,7 @@ void BindChoices(nb::module_& module)
     .value("orbit", ViewKind::Orbit);
 }
 
-// A member of a member of the settings as a property.
+// Binds a member of a member of the settings as a property.
 template <class Part, class Value>
 void BindPart(
   nb::class_<Settings>& settings, const char* name, Part Settings::*part, Value Part::*member)

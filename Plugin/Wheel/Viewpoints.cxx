@@ -23,7 +23,7 @@ namespace limpid::python
 {
 namespace
 {
-// Throws limpid::Error unless the cameras of an orbit can be worked with.
+// Throws limpid::Error if the cameras of an orbit are invalid.
 void RequireOrbit(const Orbit& orbit, const Settings& settings, const Grid& grid)
 {
   RequireSettings(settings);
@@ -44,7 +44,7 @@ std::vector<Vec3> DirectionsOf(const Table<double, 3>& table)
   return directions;
 }
 
-// Tells a caller about both parts of a search, until the answer is to stop.
+// Reports both parts of a search to a caller, which may stop it.
 class Report
 {
 public:
@@ -53,7 +53,7 @@ public:
   {
   }
 
-  /// What is between `begin` and `end` of all of the work, as a progress of its own.
+  /// Returns a progress function for the part of the work from `begin` to `end`, in [0, 1].
   SearchProgress Part(double begin, double end, const char* text)
   {
     return [this, begin, end, text](double share)
@@ -71,13 +71,13 @@ private:
   bool Stopped = false;
 };
 
-// Share of the evaluations that the samples are likely to need: an ascent takes some fifteen.
+// Returns the expected share of the samples in all evaluations; an ascent takes about fifteen.
 double ShareOfSamples(double samples, const SearchSettings& search)
 {
   return samples / (samples + (search.refine ? 15.0 * search.viewpoints : 0.0));
 }
 
-// Score and fraction, and whether a sample has them.
+// Returns score, fraction and validity of the samples.
 nb::list SamplesOf(const std::vector<ScoredView>& views)
 {
   nb::list rows;
@@ -88,7 +88,7 @@ nb::list SamplesOf(const std::vector<ScoredView>& views)
   return rows;
 }
 
-// Direction, camera to look through, score and fraction.
+// Returns direction, camera, score and fraction of the viewpoints.
 nb::list ViewpointsOf(
   const std::vector<ScoredView>& views, const Orbit& orbit, const Grid& grid, Aim aim)
 {
@@ -103,16 +103,16 @@ nb::list ViewpointsOf(
   return rows;
 }
 
-// The least extinction that the settings allow at each node.
+// Returns the least extinction that the settings allow at each node.
 NodeValues LeastExtinction(const SceneFields& fields, const Orbit& orbit, const Settings& settings)
 {
   PreparedScene scene(fields);
   return scene.ProblemFor(orbit.At({ 0.0, 0.0, 1.0 }), Light(), settings).LeastExtinction();
 }
 
-// `proxy`: the extinction that is looked at; null: the base extinction. `attainable`: every ray has
-// its own, within the bounds of the settings. `aimsAtCentre`: cameras of viewpoints look at the
-// orbit's centre, whatever the middle of the box is.
+// `proxy`: the extinction to score; null: the base extinction. `attainable`: score the best
+// extinction for every ray within the bounds of the settings. `aimsAtCentre`: cameras of viewpoints
+// look at the orbit's centre instead of the middle of the box.
 nb::dict SearchViewpoints(const Grid& grid, const Field& base, const Field& importance,
   float majorant, const OptionalField& proxy, bool attainable, const Orbit& orbit,
   bool aimsAtCentre, const Table<double, 3>& directions, const SearchSettings& settingsOfSearch,

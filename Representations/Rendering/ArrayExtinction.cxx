@@ -23,7 +23,8 @@ namespace limpid
 {
 namespace
 {
-// The least power of two that is not below a value, within those whose inverse is finite, too.
+// Returns the smallest power of two that is at least a value, limited to those with a finite
+// inverse.
 float PowerOfTwoFor(float value)
 {
   using Limits = std::numeric_limits<float>;

@@ -11,22 +11,23 @@
 
 namespace limpid
 {
-/// The part of space that is left in, in data coordinates.
+/// The part of space that is not cropped, in data coordinates.
 struct CropRegion
 {
-  /// Half-spaces: inside where dot(plane, (x, y, z, 1)) >= 0. They cut the rays of pictures.
+  /// Half-spaces: a point is inside if dot(plane, (x, y, z, 1)) >= 0. They cut the rays of
+  /// pictures.
   std::vector<glm::dvec4> planes;
 
-  /// Two planes across each axis, which make 27 regions, and a bit for each that is left in, x
-  /// fastest, as in vtkVolumeMapper. Points outside are empty.
+  /// Two planes across each axis divide space into 27 regions, x fastest, as in vtkVolumeMapper.
+  /// The flags have one bit per region, set if it is kept. Points outside become empty.
   bool hasRegions = false;
   std::array<double, 6> limits{ {} };
   int regions = 0;
 
   bool IsEverything() const { return this->planes.empty() && !this->hasRegions; }
 
-  /// Whether a point is inside of the regions, and of the planes moved outward by `reach`, in
-  /// edges of the grid's cells.
+  /// Returns whether a point is inside the regions and the half-spaces, whose planes are first
+  /// moved outward by `reach` [edges of the grid's cells].
   bool Contains(const Grid& grid, const Vec3& index, double reach) const;
 
   bool operator==(const CropRegion& other) const;

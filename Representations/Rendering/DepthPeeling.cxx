@@ -23,7 +23,7 @@ namespace limpid
 {
 namespace
 {
-// What the pass puts into shaders of volumes uses the names that are declared here.
+// The code that the pass inserts into volume shaders uses the names declared here.
 const char* const FragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 //VTK::DepthPeeling::Dec
@@ -62,7 +62,7 @@ vec4 castRay(float zStart, float zEnd)
 }
 )";
 
-// The passes that are at work on a prop.
+// Returns the active passes of a prop.
 std::vector<vtkDualDepthPeelingPass*> PassesOf(vtkProp* prop)
 {
   std::vector<vtkDualDepthPeelingPass*> passes;
@@ -79,7 +79,7 @@ std::vector<vtkDualDepthPeelingPass*> PassesOf(vtkProp* prop)
   return passes;
 }
 
-// The pass draws into textures of this size.
+// Returns the size of the textures that the pass draws into.
 std::array<int, 2> SizeOf(vtkRenderer* renderer)
 {
   std::array<int, 4> viewport{ { 0, 0, 0, 0 } };
@@ -109,7 +109,7 @@ bool DepthPeeling::IsUnderWay(vtkProp* volume)
   return !PassesOf(volume).empty();
 }
 
-// Draws over the whole viewport with what the pass makes of a shader.
+// Runs a shader, as the pass has modified it, on the whole viewport.
 void DepthPeeling::RunShader(vtkRenderer* renderer, vtkProp* volume, vtkAbstractMapper* mapper,
   const char* castRay, const char* end)
 {
@@ -140,7 +140,7 @@ void DepthPeeling::RunShader(vtkRenderer* renderer, vtkProp* volume, vtkAbstract
   quad.Render();
 }
 
-// Nothing of OpenGL's state is changed afterwards.
+// Draws into a texture. The state of OpenGL is unchanged afterwards.
 void DepthPeeling::DrawInto(vtkRenderer* renderer, vtkTextureObject* texture,
   const std::array<float, 4>& clear, const std::function<void()>& draw)
 {
@@ -184,7 +184,7 @@ RayParts DepthPeeling::Ask(vtkRenderer* renderer, vtkProp* volume, vtkAbstractMa
   this->DrawInto(renderer, this->Wanted, { { 1, 0, 1, 0 } },
     [&]() { this->RunShader(renderer, volume, mapper, NoteParts, TellParts); });
 
-  this->Wanted->Activate(); // or Download would take the place of one of the pass's textures
+  this->Wanted->Activate(); // otherwise Download would replace one of the pass's textures
   const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(this->Wanted->Download());
   std::array<unsigned, 2> size{ { unsigned(parts.size[0]), unsigned(parts.size[1]) } };
   std::array<vtkIdType, 2> gaps{ { 0, 0 } };

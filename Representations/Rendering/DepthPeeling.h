@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Volumes among translucent surfaces that VTK peels off one by one.
+// Draws volumes between translucent surfaces that VTK peels layer by layer.
 
 #ifndef limpid_DepthPeeling_h
 #define limpid_DepthPeeling_h
@@ -21,29 +21,29 @@ class vtkWindow;
 
 namespace limpid
 {
-/// Two parts of the ray of every pixel of a viewport, first row at the bottom.
+/// Two segments of the ray of each pixel of a viewport, bottom row first.
 struct RayParts
 {
-  std::array<int, 2> size{ { 0, 0 } }; ///< of the viewport [pixels]
+  std::array<int, 2> size{ { 0, 0 } }; ///< size of the viewport [pixels]
 
-  /// The pass comes for the first time in a frame: its parts are in front of all translucent
-  /// surfaces and behind them, up to what is opaque.
+  /// Whether this is the first layer of a frame: its segments are in front of all translucent
+  /// surfaces, and behind them up to opaque geometry.
   bool outermost = false;
 
-  /// As in the depth buffer [0, 1], four per pixel: where the first part begins and ends, and the
-  /// second one. A part that does not end behind its beginning is empty.
+  /// Depths as in the depth buffer [0, 1], four per pixel: begin and end of the first segment, then
+  /// of the second. A segment whose end is not behind its begin is empty.
   std::vector<float> depths;
 };
 
 /**
- * The volume's side of vtkDualDepthPeelingPass.
+ * The volume's part of vtkDualDepthPeelingPass.
  *
- * The pass comes several times per frame, each time with surfaces in front of and behind what is
- * left to be peeled, and wants the volume between them and the surfaces before. It asks in
- * shaders: it replaces tags in the one of a volume with code that calls castRay(start, end) for a
- * pixel, in front and at the back, and mixes what that returns. We answer in two steps: with a
- * castRay that notes what it is called for, and, when the pictures have been computed elsewhere,
- * with one that returns their pixels.
+ * The pass calls several times per frame, each time with the surfaces in front of and behind what
+ * is left to be peeled, and needs the volume between them and the previous surfaces. It does so in
+ * shaders: it replaces tags in a volume's shader with code that calls castRay(start, end) for a
+ * pixel, once in front and once at the back, and blends the results. This class has two steps.
+ * First it supplies a castRay that records its arguments; once the pictures have been computed
+ * elsewhere, one that returns their pixels.
  */
 class DepthPeeling
 {
@@ -53,16 +53,18 @@ public:
   DepthPeeling(const DepthPeeling&) = delete;
   DepthPeeling& operator=(const DepthPeeling&) = delete;
 
-  /// Whether the pass is at work and wants a part of the volume now.
+  /// Returns whether the pass is active and needs a segment of the volume now.
   static bool IsUnderWay(vtkProp* volume);
 
-  /// What it wants. Throws when this VTK asks in another way, or the window has no OpenGL.
+  /// Returns the segments that the pass needs. Throws if this version of VTK has other tags, or if
+  /// the window has no OpenGL.
   RayParts Ask(vtkRenderer* renderer, vtkProp* volume, vtkAbstractMapper* mapper);
 
-  /// Makes what `draw` draws into the viewport, over each other, the picture of a part, 0 or 1.
+  /// Draws the picture of a segment, 0 or 1: everything that `draw` draws into the viewport,
+  /// blended.
   void DrawPart(vtkRenderer* renderer, std::size_t part, const std::function<void()>& draw);
 
-  /// Gives the pictures of both parts to the pass.
+  /// Passes the pictures of both segments to the pass.
   void Answer(vtkRenderer* renderer, vtkProp* volume, vtkAbstractMapper* mapper);
 
   void ReleaseGraphicsResources(vtkWindow* window);

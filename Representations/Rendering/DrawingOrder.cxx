@@ -26,7 +26,7 @@ struct Span
   double high;
 };
 
-// Where a box lies along a direction.
+// Returns the range of a box along a direction.
 Span SpanOf(const Box& box, const Vec3& direction)
 {
   const double start = glm::dot(box.corner, direction);
@@ -40,8 +40,8 @@ Span SpanOf(const Box& box, const Vec3& direction)
   return span;
 }
 
-// If two boxes are apart, one of these directions separates them: the normals of their faces and
-// what is at right angles to an edge of each.
+// Returns directions of which at least one separates two disjoint boxes: the normals of their
+// faces, and the cross products of an edge of each.
 std::vector<Vec3> CandidateDirections(const Box& first, const Box& second)
 {
   std::vector<Vec3> directions;
@@ -71,7 +71,8 @@ std::vector<Vec3> CandidateDirections(const Box& first, const Box& second)
   return directions;
 }
 
-// Which side of the gap between two spans the eye is on: below, in it, above.
+// Returns the position of the eye relative to the gap between two spans: -1 below, 0 inside, 1
+// above.
 int SideOfEye(vtkCamera* camera, const Vec3& direction, double low, double high)
 {
   if (camera->GetParallelProjection())
@@ -138,7 +139,7 @@ Order OrderOf(const Box& first, const Box& second, vtkRenderer* renderer)
     const int side = SideOfEye(renderer->GetActiveCamera(), direction, low, high);
     if (side != 0)
     {
-      // The eye is on the side of the box that hides the other.
+      // The box on the side of the eye hides the other.
       return (side > 0) == firstBelow ? Order::FirstFirst : Order::SecondFirst;
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which of two volumes hides the other, and whether that can be told at all.
+// The order in which to draw two volumes, as far as there is one.
 
 #ifndef limpid_DrawingOrder_h
 #define limpid_DrawingOrder_h
@@ -22,10 +22,11 @@ struct Box
   std::array<Vec3, 3> edges{ { Vec3(0.0), Vec3(0.0), Vec3(0.0) } }; ///< from the corner
 };
 
-/// Of VTK's bounds: six numbers.
+/// Returns the box of VTK's bounds, which are six numbers.
 Box BoxOfBounds(const double* bounds);
 
-/// Of a volume: of its image, turned as the volume is, or else of its bounds. Never throws.
+/// Returns the box of a volume: that of its image, transformed as the volume is, or else that of
+/// its bounds. Never throws.
 Box BoxOf(vtkVolume* volume);
 
 enum class Order
@@ -33,10 +34,10 @@ enum class Order
   Any,         ///< neither hides the other
   FirstFirst,  ///< the first is farther away: draw it first
   SecondFirst, ///< the second is farther away
-  Overlapping  ///< no order is right
+  Overlapping  ///< no order is correct
 };
 
-/// In what order to draw two boxes as the renderer's camera sees them. Boxes that touch do not
+/// Returns the order in which to draw two boxes for the renderer's camera. Boxes that touch do not
 /// overlap.
 Order OrderOf(const Box& first, const Box& second, vtkRenderer* renderer);
 }

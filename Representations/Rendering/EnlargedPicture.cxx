@@ -46,7 +46,7 @@ std::int32_t EnlargedPicture::ForemostAt(int column, int row) const
   const int across[2] = { right ? x.second : x.first, right ? x.first : x.second };
   const int up[2] = { above ? y.second : y.first, above ? y.first : y.second };
   std::int32_t foremost = -1;
-  for (int other = 0; other < 4 && foremost < 0; ++other) // the nearest first
+  for (int other = 0; other < 4 && foremost < 0; ++other) // nearest first
   {
     foremost = at(across[other & 1], up[other >> 1]);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A coarse picture at the pixels of a finer one, interpolated as a texture is.
+// Interpolates a coarse picture at the pixels of a finer one, bilinearly like a texture.
 
 #ifndef limpid_EnlargedPicture_h
 #define limpid_EnlargedPicture_h
@@ -20,10 +20,11 @@ namespace limpid
 class EnlargedPicture
 {
 public:
-  /// `coarse`: stays with the caller; `frame`: its own; `fine`: that of the finer one.
+  /// `coarse`: must outlive this object; `frame`: of the coarse picture; `fine`: frame of the finer
+  /// one.
   EnlargedPicture(const Picture& coarse, const PictureFrame& frame, const PictureFrame& fine);
 
-  /// A channel of a pixel of the finer frame [0, 255].
+  /// Returns a channel at a pixel of the finer frame [0, 255].
   float At(int column, int row, std::size_t channel) const
   {
     const Between& x = this->Places[0][std::size_t(column)];
@@ -32,14 +33,14 @@ public:
     return low + y.fraction * (this->Along(x, y.second, channel) - low);
   }
 
-  /// Whose part is foremost there, or nearby, see Picture.
+  /// Returns whose part is foremost there or nearby, see Picture.
   std::int32_t ForemostAt(int column, int row) const;
 
-  /// All of it, rounded.
+  /// Returns the whole picture, rounded.
   Picture Whole() const;
 
 private:
-  /// Where a pixel of the finer picture lies between two of the coarse one.
+  /// Position of a pixel of the finer picture between two of the coarse one.
   struct Between
   {
     int first;
@@ -60,7 +61,7 @@ private:
   }
 
   const Picture* Coarse;
-  std::array<std::vector<Between>, 2> Places; ///< of columns and rows
+  std::array<std::vector<Between>, 2> Places; ///< for columns and rows
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A frame of a volume in a view: what it is to be like, how much time it has, what it showed.
+// A frame of a volume in a view: its settings, its time and its results.
 
 #ifndef limpid_Frame_h
 #define limpid_Frame_h
@@ -21,37 +21,39 @@
 
 namespace limpid
 {
-/// What a frame is to be like.
+/// Settings of a frame.
 struct FrameSettings
 {
-  bool still = true;    ///< off: the frame is one of a movement, and its time is limited
-  bool optimize = true; ///< off: the extinction of the transfer functions
-  bool measure = true;  ///< off: no score
-  bool once = false;    ///< for the camera of the first still frame only
-  bool paused = false;  ///< leave the extinction as it is
+  bool still = true;    ///< off: a frame during interaction, with limited time
+  bool optimize = true; ///< off: show the extinction of the transfer functions
+  bool measure = true;  ///< off: no scores
+  bool once = false;    ///< optimise for the camera of the first still frame only
+  bool paused = false;  ///< keep the extinction
   Settings solver;
-  ViewSet views;     ///< for which cameras
+  ViewSet views;     ///< the cameras that share an extinction
   ChosenLight light; ///< in data coordinates
-  Lighting lighting; ///< but for the light itself and whether it is on
+  Lighting lighting; ///< except for the light itself and whether it is on
   bool lit = true;
   double sampleDistance = 1;
   bool jitter = false;
-  bool showMissed = false; ///< paint over the picture what it misses of what is important
+  bool showMissed = false; ///< paint over what misses important structures
   std::array<float, 3> missedColor{ { 1, 0, 1 } };
-  double frameTime = 0.1; ///< of a moving frame [s]
-  double easeTime = 0.3;  ///< time constant of changes while moving [s]
-  bool stepwise = false;  ///< still frames take one step of the optimisation only
+  double frameTime = 0.1; ///< time limit of a frame during interaction [s]
+  double easeTime = 0.3;  ///< time constant of changes during interaction [s]
+  bool stepwise = false;  ///< still frames make one step of the optimisation only
 
-  /// The processes that draw the frame together; null: there is one.
+  /// The processes that draw the frame together; null: one process.
   const Communicator* ranks = nullptr;
 
-  /// Whether any of these says so.
+  /// Returns whether `here` is true on any rank.
   bool AnyRank(bool here) const { return limpid::AnyRank(this->ranks, here); }
 
-  /// The largest of their numbers, which are not below zero: they decide alike.
+  /// Returns the largest value of all ranks, so that they take the same decision; values are at
+  /// least zero.
   double Largest(double here) const { return LargestOfRanks(this->ranks, here); }
 
-  /// How pictures are made of samples; not front to back only where there is importance.
+  /// Returns how pictures are composed of samples; it is front to back unless a method needs
+  /// importance.
   Compositing Composing() const
   {
     return this->optimize ? InfoOf(this->solver.method).compositing : Compositing::FrontToBack;
@@ -59,35 +61,35 @@ struct FrameSettings
 
   bool CastsShadows() const { return !this->optimize || InfoOf(this->solver.method).castsShadows; }
 
-  /// Whether pictures show another extinction than that of the transfer functions.
+  /// Returns whether pictures show another extinction than that of the transfer functions.
   bool ShowsExtinction() const
   {
     return this->optimize && this->Composing() == Compositing::FrontToBack;
   }
 };
 
-/// What a frame showed.
+/// Results of a frame.
 struct FrameResult
 {
-  bool measured = false; ///< whether scores are those of this frame; else they are 0
+  bool measured = false; ///< whether scores were measured in this frame; if not, they are 0
   Score score;
   Score baseScore;
-  Ceiling ceiling; ///< 0 where it is not known: while the view moves, and before it converged
+  Ceiling ceiling; ///< 0 if unknown: during interaction and before convergence
   bool converged = true;
-  bool settled = true; ///< whether the optimisation did not end at a limit
+  bool settled = true; ///< whether the optimisation converged before its limits
   int iterations = 0;
   std::string light;
   std::string backend;
 };
 
-/// What went wrong in a frame that was drawn all the same.
+/// Messages about a frame that was drawn in spite of them.
 struct FrameMessages
 {
   std::vector<std::string> errors;
   std::vector<std::string> warnings;
 };
 
-/// When frames began.
+/// Measures the times at which frames begin.
 class FrameClock
 {
 public:
@@ -98,8 +100,8 @@ public:
     return std::chrono::duration<double>(SteadyClock::now() - start).count();
   }
 
-  /// A frame begins. `goesOn`: it follows the last one at once; else there may have been a pause,
-  /// after which changes go on easing as if it had been short.
+  /// Starts a frame. `goesOn`: it follows the previous one immediately; otherwise there may have
+  /// been a pause, which counts as a short one for the easing of changes.
   void Begin(bool goesOn)
   {
     constexpr double longestPause = 0.2; // [s]
@@ -109,10 +111,10 @@ public:
     this->Start = now;
   }
 
-  /// Since the frame began [s].
+  /// Returns the time since the start of this frame [s].
   double Seconds() const { return SecondsSince(this->Start); }
 
-  /// From the beginning of the last frame to that of this one [s].
+  /// Returns the time from the start of the previous frame to that of this one [s].
   double SecondsSinceLast() const { return this->Last; }
 
 private:

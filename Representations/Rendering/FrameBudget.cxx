@@ -12,7 +12,7 @@ namespace
 {
 constexpr double LargestPixelSize = 8;
 
-// Up to the next quarter: sizes that repeat.
+// Rounds up to a multiple of a quarter, so that sizes repeat.
 double RoundUp(double size)
 {
   return std::ceil(4 * size) / 4;

@@ -20,7 +20,7 @@ bool AreSameLights(const ChosenLight& one, const ChosenLight& other)
     one.movesWithCamera == other.movesWithCamera && one.description == other.description;
 }
 
-// Not: how a frame comes to its finished picture, and how long that takes.
+// Compares settings, except those of the way to the finished picture and its time.
 bool AreSameFrames(const FrameSettings& one, const FrameSettings& other)
 {
   return one.optimize == other.optimize && one.measure == other.measure && one.once == other.once &&
@@ -49,7 +49,7 @@ PictureSubject PictureSubject::WithoutOptimization() const
 {
   PictureSubject other = *this;
   other.frame.optimize = false;
-  other.frame.solver.method = Method::Optimized; // as frames of the method Ordinary have it
+  other.frame.solver.method = Method::Optimized; // as in frames of the method Ordinary
   other.found = 0;
   return other;
 }

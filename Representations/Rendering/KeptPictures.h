@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The finished pictures of a view at rest with and without optimisation, so that either can be
+// Keeps the finished pictures of a still view with and without optimisation, so that either can be
 // shown again at once.
 
 #ifndef limpid_KeptPictures_h
@@ -22,14 +22,14 @@ namespace limpid
 /// Everything that a finished picture depends on.
 struct PictureSubject
 {
-  FrameSettings frame; ///< of it, what a finished picture depends on
+  FrameSettings frame; ///< the settings that a finished picture depends on
   ViewGeometry geometry;
-  View rays;                ///< of the picture in full resolution, but for where they end
-  std::vector<float> depth; ///< where they end, in clip coordinates; empty: at the end of the range
+  View rays;                ///< rays of the picture at full resolution, except their ends
+  std::vector<float> depth; ///< ends of the rays in clip coordinates; empty: the end of the range
   std::array<std::uint64_t, 4> data{}; ///< versions of scalars, functions, importance and scene
-  std::uint64_t found = 0;             ///< version of what was optimised; 0: the picture is without
+  std::uint64_t found = 0;             ///< version of the optimisation; 0: picture without it
 
-  /// The subject of the picture without optimisation beside it.
+  /// Returns the subject of the picture without optimisation of this view.
   PictureSubject WithoutOptimization() const;
 };
 
@@ -46,13 +46,13 @@ struct KeptPicture
 class KeptPictures
 {
 public:
-  /// The finished picture of a subject; null: it was not kept.
+  /// Returns the finished picture of a subject; null if it was not kept.
   const KeptPicture* Find(const PictureSubject& subject) const;
 
-  /// The last one with optimisation; null: there is none.
+  /// Returns the last picture with optimisation; null if there is none.
   const KeptPicture* Optimized() const { return this->Slots[1] ? &*this->Slots[1] : nullptr; }
 
-  /// In place of the last one with, or without, optimisation.
+  /// Replaces the last picture with, or without, optimisation.
   void Keep(KeptPicture kept);
 
   void Clear();
@@ -61,7 +61,7 @@ private:
   std::array<std::optional<KeptPicture>, 2> Slots; ///< without and with optimisation
 };
 
-/// Whether two views have the same rays, but for where these begin and end.
+/// Returns whether two views have the same rays, except where these begin and end.
 bool AreSameRays(const View& one, const View& other);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which messages the user has been given already: one about the same thing is not given for every
-// frame, but again when the matter has been settled in between.
+// Keeps track of messages that the user has seen: a message about a matter is not repeated in every
+// frame, but shown again if the matter was settled in between.
 
 #ifndef limpid_MessageLog_h
 #define limpid_MessageLog_h
@@ -16,24 +16,26 @@ namespace limpid
 class MessageLog
 {
 public:
-  /// A frame begins; `scope` tells apart what draws frames in turn, for instance two renderers.
+  /// Starts a frame.
   void Begin();
 
-  /// Whether nothing has been said about this matter, in any scope, since it was settled.
+  /// Returns whether there was no message about this matter, in any scope, since it was settled.
   bool IsNew(const std::string& matter);
 
-  /// The frame ends: what it was silent about counts as settled in this scope.
+  /// Ends a frame: matters without a message in it count as settled in this scope. `scope`:
+  /// identifies what draws frames in turn, for instance one of two renderers.
   void End(const void* scope);
 
-  /// There will be no more frames in this scope.
+  /// Removes a scope, which draws no more frames.
   void Forget(const void* scope);
 
 private:
-  std::map<std::string, std::set<const void*>> Given; ///< by matter: where it is still unsettled
+  std::map<std::string, std::set<const void*>> Given; ///< matter, and scopes where it persists
   std::set<std::string> Now;                          ///< matters of the present frame
 };
 
-/// A text without its numbers: they may change with every frame while the matter is the same.
+/// Returns a text without its numbers, which may change in every frame although the matter is the
+/// same.
 std::string WithoutNumbers(const std::string& text);
 }
 

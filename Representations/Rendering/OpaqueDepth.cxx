@@ -46,7 +46,7 @@ void OpaqueDepth::TakeNearestOf(const Communicator& ranks)
   const auto isDrawn = [](float depth) { return depth < 1; };
   if (!ranks.AnyOf(std::any_of(this->Values.begin(), this->Values.end(), isDrawn)))
   {
-    this->Values.clear(); // no ray ends anywhere
+    this->Values.clear(); // no ray ends at geometry
     return;
   }
   const std::size_t count = std::size_t(this->Covered[0]) * std::size_t(this->Covered[1]);
@@ -62,13 +62,13 @@ void OpaqueDepth::TakeNearestOf(const Communicator& ranks)
                      << " pixels cannot be read (what is opaque would shine through the volume). "
                         "Use a render window with a color buffer.");
   std::memcpy(this->Colors.data(), drawn->GetPointer(0), 4 * count);
-  // Depths, which are not below zero, are ordered as their bits are.
+  // Depths are at least zero, so they are ordered like their bits.
   std::vector<std::int32_t> here(count);
   std::memcpy(here.data(), this->Values.data(), count * sizeof(float));
   std::vector<std::int32_t> nearest = here;
   ranks.TakeLeast(nearest.data(), count);
   std::memcpy(this->Values.data(), nearest.data(), count * sizeof(float));
-  // Of those who are nearest, one colour for all.
+  // Where several ranks are equally near, all take one colour, the least.
   std::vector<std::int32_t> colors(count, std::numeric_limits<std::int32_t>::max());
   for (std::size_t pixel = 0; pixel < count; ++pixel)
   {
@@ -122,13 +122,13 @@ std::optional<OpaqueGeometry> OpaqueDepth::InBox() const
     this->InMiddles(frame) };
   for (float& depth : opaque.depth)
   {
-    depth = depth < ToClip(farthest) ? depth : 1.0F; // what is behind the box hides nothing
+    depth = depth < ToClip(farthest) ? depth : 1.0F; // geometry behind the box hides nothing
   }
   return opaque;
 }
 
-// The view's pixels along an axis, counted in what the box covers, that are less than a pixel of
-// the frame away from the middle of one.
+// Returns the pixels of the view along an axis, counted within what the box covers, that are less
+// than a pixel of the frame away from the centre of one.
 OpaqueDepth::Pixels OpaqueDepth::FedBy(const PictureFrame& frame, std::size_t axis, int pixel) const
 {
   const double size = double(this->Geometry.size[axis]) / frame.whole[axis];
@@ -151,10 +151,10 @@ std::vector<OpaqueDepth::Pixels> OpaqueDepth::ColumnsFedBy(const PictureFrame& f
   return columns;
 }
 
-// For each row of the view and each pixel of a frame's row.
+// Returns the range of depths for each row of the view and each pixel of a frame's row.
 std::vector<DepthRange> OpaqueDepth::AlongRows(const std::vector<Pixels>& columns) const
 {
-  // In front of the box and behind it, one depth is like another.
+  // In front of the box and behind it, depths do not matter.
   const auto nearest = static_cast<float>(this->Geometry.nearest);
   const auto farthest = static_cast<float>(this->Geometry.farthest);
   std::vector<DepthRange> ranges;
@@ -176,7 +176,8 @@ std::vector<DepthRange> OpaqueDepth::AlongRows(const std::vector<Pixels>& column
   return ranges;
 }
 
-// Nothing is between two depths that are farther apart than half of the range.
+// Returns the depth in front of the gap if depths have a gap wider than half of the range, in which
+// there is nothing; else the nearest depth.
 float OpaqueDepth::TurnOf(const DepthRange& range, const Pixels& columns, const Pixels& rows) const
 {
   const float middle = 0.5F * (range.nearest + range.farthest);

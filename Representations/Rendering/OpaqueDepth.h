@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The depth of opaque geometry, at which the rays of a volume end.
+// The depths of opaque geometry, where the rays of a volume end.
 
 #ifndef limpid_OpaqueDepth_h
 #define limpid_OpaqueDepth_h
@@ -21,49 +21,52 @@ namespace limpid
 {
 class Communicator;
 
-/// Depths as in the depth buffer, from 0 to 1.
+/// A range of depths as in the depth buffer, in [0, 1].
 struct DepthRange
 {
   float nearest;
   float farthest;
 
-  /// Up to here a pixel shows what lies before the nearest depth, and from here on gradually what
-  /// lies before the farthest: the nearest depth, or, where two things are far apart, the end of
-  /// the one in front.
+  /// The depth at which a pixel changes gradually from the picture up to the nearest depth to the
+  /// picture up to the farthest. It is the nearest depth, or, if two objects are far apart, the end
+  /// of the front one.
   float turns;
 };
 
 class OpaqueDepth
 {
 public:
-  /// Reads what has been drawn before, where the box covers the view. Throws when it cannot be
-  /// read.
+  /// Reads what has been drawn before, in the part of the view that the box covers. Throws if it
+  /// cannot be read.
   OpaqueDepth(vtkRenderer* renderer, const ViewGeometry& geometry);
 
-  /// Makes the depth of each pixel the least of all processes', and takes its colour there.
+  /// Reduces the depth of each pixel to the least of all processes, and takes the colour there.
   void TakeNearestOf(const Communicator& ranks);
 
-  /// The colour that was drawn of a pixel of a frame, red, green and blue, where the frame's pixels
-  /// are those of the view; null: nothing was drawn. After TakeNearestOf.
+  /// Returns the colour drawn at a pixel of a frame (red, green, blue), if the frame has the pixels
+  /// of the view; null if nothing was drawn. Call TakeNearestOf first.
   const std::uint8_t* ColorAt(const PictureFrame& frame, int column, int row) const;
 
-  /// Whether nothing has been drawn before.
+  /// Returns whether nothing was drawn before.
   bool IsEmpty() const { return this->Values.empty(); }
 
-  /// Of the pixels of the view that the box covers, row by row, and how many those are.
+  /// The depths of the pixels of the view that the box covers, row by row, and the size of that
+  /// rectangle [pixels].
   const std::vector<float>& OfPixels() const { return this->Values; }
   const std::array<int, 2>& Size() const { return this->Covered; }
 
-  /// Of the view's pixel in the middle of each pixel of a frame, in clip coordinates.
+  /// Returns for each pixel of a frame the depth of the view's pixel at its centre, in clip
+  /// coordinates.
   std::vector<float> InMiddles(const PictureFrame& frame) const;
 
-  /// What of it may hide anything of the box, in data coordinates; none: nothing.
+  /// Returns the geometry that may hide any part of the box, in data coordinates; none if there is
+  /// none.
   std::optional<OpaqueGeometry> InBox() const;
 
   /**
-   * For each pixel of a coarse frame, the depths of the view's pixels that it gives something to
-   * when the picture is interpolated, as far as they are within those of the box. Empty when no
-   * pixel has two of them.
+   * Returns for each pixel of a coarse frame the range of depths of those pixels of the view that
+   * it contributes to when the picture is interpolated, clipped to that of the box. Empty if every
+   * range is a single depth.
    */
   std::vector<DepthRange> RangesOf(const PictureFrame& frame) const;
 
@@ -80,15 +83,15 @@ private:
 
   vtkRenderer* Target;
   ViewGeometry Geometry;
-  std::array<int, 2> Covered; ///< size [pixels]
+  std::array<int, 2> Covered; ///< size of the rectangle [pixels]
   std::vector<float> Values;
   std::vector<std::array<std::uint8_t, 4>> Colors;
 };
 
-/// In clip coordinates, where a ray ends that is not to be cast.
+/// The end of a ray that is not to be cast, in clip coordinates.
 constexpr float noRay = -2;
 
-/// From the depth buffer to clip coordinates.
+/// Converts a depth of the depth buffer to clip coordinates.
 inline float ToClip(float depth)
 {
   return 2 * depth - 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What we use of OpenGL beside VTK's classes.
+// The parts of OpenGL that VTK's classes do not cover.
 
 #ifndef limpid_OpenGl_h
 #define limpid_OpenGl_h
@@ -13,7 +13,8 @@
 
 namespace limpid
 {
-/// OpenGL's own names and values; VTK's header for them has another name in every other version.
+/// Values of OpenGL by their own names. VTK's header for them is named differently in different
+/// versions.
 namespace gl
 {
 constexpr unsigned one = 1;
@@ -27,7 +28,7 @@ constexpr unsigned addToBlend = 0x8006;
 constexpr unsigned blendEquation = 0x8009;
 }
 
-/// Throws when the window has no OpenGL.
+/// Returns the window of a renderer. Throws if it has no OpenGL.
 inline vtkOpenGLRenderWindow* WindowOf(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

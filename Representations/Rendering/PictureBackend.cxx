@@ -16,7 +16,7 @@ std::unique_ptr<RenderBackend> PictureBackend::Choose(BackendKind wish, const Gr
     this->FailedFor.reset();
     this->Words.clear();
   }
-  constexpr std::size_t bytesPerNode = 32 + 28; // of pictures, and of the optimisation beside them
+  constexpr std::size_t bytesPerNode = 32 + 28; // of pictures and optimisation
   const Index nodes = grid.NodeCount();
   const GpuNeed need{ nodes, bytesPerNode * static_cast<std::size_t>(nodes) };
   this->OnGpu =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What makes the pictures of a volume: a GPU or the processor.
+// Chooses where the pictures of a volume are computed: on a GPU or on the processor.
 
 #ifndef limpid_PictureBackend_h
 #define limpid_PictureBackend_h
@@ -16,29 +16,31 @@
 
 namespace limpid
 {
-/// Who asks for CUDA where there is none, or where it fails, is told and sees a picture.
+/// If CUDA is requested but missing or failing, pictures are computed on the processor, with a
+/// warning.
 class PictureBackend
 {
 public:
-  /// Whether nothing is to be chosen.
+  /// Returns whether the present choice was made for this request.
   bool Suits(BackendKind wish) const { return this->For == wish; }
 
-  /// A GPU that has failed is not chosen again for the same wish.
+  /// Returns a new backend for a request. A GPU that has failed is not chosen again for the same
+  /// request.
   std::unique_ptr<RenderBackend> Choose(BackendKind wish, const Grid& grid);
 
-  /// Next time, something is to be chosen.
+  /// Makes the next request choose again.
   void Forget() { this->For.reset(); }
 
-  /// The GPU has failed. Returns false where none makes pictures.
+  /// Records that the GPU has failed. Returns false if no GPU is in use.
   bool GiveUpGpu(const std::string& reason);
 
-  /// What the user is to be told; empty: nothing.
+  /// Returns the warning for the user; may be empty.
   const std::string& Warning() const { return this->Words; }
 
 private:
-  std::optional<BackendKind> For; ///< the wish for which it was chosen
+  std::optional<BackendKind> For; ///< the request it was chosen for
   bool OnGpu = false;
-  std::optional<BackendKind> FailedFor; ///< the wish for which a GPU has failed
+  std::optional<BackendKind> FailedFor; ///< the request for which a GPU has failed
   std::string Words;
 };
 }

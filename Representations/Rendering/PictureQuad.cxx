@@ -122,7 +122,7 @@ std::array<float, 4> RectangleOf(const PictureFrame& frame)
 
 constexpr std::array<float, 4> noMask{ { 0, 0, 0, -1 } };
 
-// Makes a texture of values, and gives it a unit.
+// Creates a texture of values and activates it on a unit.
 void SetTexture(vtkRenderer* renderer, const std::array<int, 2>& size, int components, int type,
   const void* values, int filter, vtkTextureObject* texture)
 {
@@ -131,7 +131,7 @@ void SetTexture(vtkRenderer* renderer, const std::array<int, 2>& size, int compo
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(filter);
   texture->SetMagnificationFilter(filter);
-  // VTK does not write to the values.
+  // The cast is safe: VTK does not write to the values.
   texture->Create2DFromRaw(static_cast<unsigned>(size[0]), static_cast<unsigned>(size[1]),
     components, type, const_cast<void*>(values));
   texture->Activate();
@@ -239,7 +239,7 @@ void PictureQuad::Blend(
   state->SetEnumState(gl::blend, mask[3] < 0);
   state->vtkglDisable(gl::cullFace);
   state->vtkglEnable(gl::depthTest);
-  state->vtkglBlendFunc(gl::one, gl::oneMinusSourceAlpha); // colours are multiplied by alpha
+  state->vtkglBlendFunc(gl::one, gl::oneMinusSourceAlpha); // colours are premultiplied by alpha
   state->vtkglDepthMask(0);
 
   const std::array<float, 4> rectangle = RectangleOf(frame);

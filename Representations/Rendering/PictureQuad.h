@@ -24,8 +24,8 @@ class OpaqueDepth;
 struct DepthRange;
 struct Picture;
 
-/// Two coarse pictures, of rays that end at the nearest and at the farthest opaque geometry within
-/// what their pixels cover, which is `ranges`.
+/// Two coarse pictures whose rays end at the nearest and at the farthest opaque geometry within
+/// each pixel, which is `ranges`.
 struct PicturesBetween
 {
   const Picture& nearest;
@@ -35,9 +35,9 @@ struct PicturesBetween
 };
 
 /**
- * A rectangle with a texture, pixel by pixel where picture and viewport have equal pixels and
- * interpolated where they have not. vtkRayCastImageDisplayHelper, which VTK's own mapper uses,
- * draws every picture one pixel too narrow.
+ * Draws a rectangle with a texture, pixel by pixel if picture and viewport have equal pixels,
+ * otherwise interpolated. (vtkRayCastImageDisplayHelper, which VTK's own mapper uses, draws every
+ * picture one pixel too narrow.)
  */
 class PictureQuad
 {
@@ -47,17 +47,17 @@ public:
   PictureQuad(const PictureQuad&) = delete;
   PictureQuad& operator=(const PictureQuad&) = delete;
 
-  /// Over what has been drawn before, where that is not nearer than `depth` in the depth buffer.
-  /// Throws when the window has no OpenGL.
+  /// Blends a picture over what has been drawn before, except where that is nearer than `depth` in
+  /// the depth buffer. Throws if the window has no OpenGL.
   void Draw(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame, double depth);
 
-  /// Likewise, the one of two pictures that each pixel's own depth asks for, or what is between
-  /// them: a line or an edge is as fine as the view then, and leaves nothing beside it.
+  /// Like Draw, but blends two pictures by the depth of each pixel of the view. Thin lines and
+  /// edges are as fine as the view, without artefacts beside them.
   void DrawBetween(vtkRenderer* renderer, const PicturesBetween& pictures,
     const PictureFrame& frame, const ViewGeometry& geometry);
 
-  /// Like Draw, but where the picture's alpha is above `threshold` in this colour, and nowhere
-  /// else.
+  /// Like Draw, but in this colour where the picture's alpha exceeds `threshold`, and nothing
+  /// elsewhere.
   void DrawMask(vtkRenderer* renderer, const Picture& picture, const PictureFrame& frame,
     double depth, const float color[3], double threshold);
 
@@ -73,7 +73,7 @@ private:
 
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   vtkNew<vtkTextureObject> Texture;
-  vtkNew<vtkTextureObject> NearTexture; // this and the following: of two pictures only
+  vtkNew<vtkTextureObject> NearTexture; // this and the following are used for two pictures only
   vtkNew<vtkTextureObject> Ranges;
   vtkNew<vtkTextureObject> Depths;
 };

@@ -22,7 +22,7 @@ namespace limpid
 {
 namespace
 {
-// Luminance of the diffuse colour (Rec. 709) times the intensity.
+// Returns the luminance of the diffuse colour (Rec. 709) times the intensity.
 double StrengthOf(vtkLight* light)
 {
   const double* color = light->GetDiffuseColor();

@@ -24,15 +24,15 @@ struct ChosenLight
   std::string description; ///< for the user
 };
 
-/// The light of the settings; as long as nobody has placed it, above and behind the camera.
+/// Returns the light of the settings; if nobody has placed it, it is above and behind the camera.
 ChosenLight OwnLight(vtkVisibilitySettings* settings, vtkRenderer* renderer);
 
-/// The strongest of the renderer's lights that are switched on, by the brightness of its diffuse
-/// colour times its intensity; of equally strong ones the first. Its own brightness is not used
-/// otherwise: one light stands for all of them.
+/// Returns the strongest of the renderer's lights that are switched on, by the brightness of its
+/// diffuse colour times its intensity; the first one if several are equal. Its brightness is not
+/// used otherwise: one light stands for all.
 ChosenLight StrongestLight(vtkRenderer* renderer);
 
-/// The light in data coordinates.
+/// Converts a light to data coordinates.
 Light ToData(const Light& light, vtkVolume* volume);
 }
 

@@ -10,7 +10,7 @@ namespace limpid
 {
 namespace
 {
-// Makes all numbers that visit(number) is told of those of the first rank.
+// Broadcasts all numbers that are passed to visit(number) from the first rank.
 template <class VisitAll>
 void TakeFirstNumbers(const Communicator& ranks, const VisitAll& visitAll)
 {

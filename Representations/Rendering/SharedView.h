@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A frame that processes draw together.
+// Agreement on a frame that processes draw together.
 
 #ifndef limpid_SharedView_h
 #define limpid_SharedView_h
@@ -13,8 +13,8 @@
 
 namespace limpid
 {
-/// Makes the view of a frame, and its light in data coordinates, those of the first process: what
-/// the others are told of the camera, and find of it, differs by rounding.
+/// Broadcasts the view of a frame and its light in data coordinates from the first process, since
+/// those of the other processes differ by rounding.
 void TakeFirstOf(const Communicator& ranks, ViewGeometry& geometry);
 void TakeFirstOf(const Communicator& ranks, ChosenLight& light);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A volume of which every process has a piece, and what each needs of the others' to draw its own.
+// A volume that is distributed over processes, with the ghosts that each needs to draw its piece.
 
 #ifndef limpid_SharedVolume_h
 #define limpid_SharedVolume_h
@@ -19,30 +19,30 @@ class vtkImageData;
 
 namespace limpid
 {
-/// How far samples may be apart where processes draw together [nodes].
+/// The largest distance of samples if processes draw together [nodes].
 constexpr double farthestShared = 2;
 
 class SharedVolume
 {
 public:
-  /// `input`: the piece of this process, which may have no points; `whole`: the extent of all.
-  /// All processes have to make it. Throws limpid::Error on all where pieces do not fit.
+  /// `input`: the piece of this process, which may have no points; `whole`: the extent of all
+  /// pieces. Collective. Throws limpid::Error on all processes if pieces do not fit.
   SharedVolume(std::shared_ptr<const Communicator> ranks, vtkImageData* input,
     const std::array<int, 6>& whole);
 
   const Grid& Whole() const { return this->WholeGrid; }
 
-  /// The nodes that this process owns, and those around them that drawing takes.
+  /// Returns the nodes that this process owns, and the ghosts around them that drawing reads.
   const std::shared_ptr<const ScenePiece>& Drawn() const { return this->DrawnPiece; }
 
-  /// The input, whose ghosts are as good as other points.
+  /// Returns the input with ghost points treated as ordinary points.
   vtkImageData* Here() const;
 
-  /// A field at the points of the input at the nodes that are drawn, `otherwise` where nobody has
-  /// any. All processes have to ask.
+  /// Extends a field at the points of the input to all nodes that are drawn; `otherwise`: value
+  /// where no process has one. Collective.
   vtkSmartPointer<vtkFloatArray> Extended(vtkFloatArray* field, float otherwise) const;
 
-  /// Shares likewise; none, if no process has any.
+  /// Extends shares in this way; empty if no process has any. Collective.
   std::vector<float> Extended(const std::vector<float>& shares) const;
 
 private:

@@ -14,7 +14,8 @@ namespace limpid
 {
 namespace
 {
-// What is left of the coarse picture when it is over, and how much of it goes in one frame.
+// The share of the coarse picture at which the transition ends, and the range of the steps per
+// frame.
 constexpr double LeastShare = 1.0 / 32;
 constexpr double SmallestStep = 1.0 / 16;
 constexpr double LargestStep = 1.0 / 4;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The way from the coarse picture of a view to the sharp one, which would be a jump.
+// The gradual transition from the coarse picture of a view to the sharp one, instead of a jump.
 
 #ifndef limpid_SharpenedPicture_h
 #define limpid_SharpenedPicture_h
@@ -15,11 +15,11 @@ namespace limpid
 class SharpenedPicture
 {
 public:
-  /// A coarse picture is shown, and the way begins there.
+  /// Starts the transition from a coarse picture, which is shown now.
   void Begin(const Picture& coarse, const PictureFrame& frame, const ViewGeometry& geometry);
 
-  /// Goes on to the sharp picture of that view for so many seconds. `easeTime`: the time constant
-  /// [s]. Returns what is to be shown, which is `sharp` where the way is over.
+  /// Advances the transition to the sharp picture of that view by this time [s]. `easeTime`: time
+  /// constant [s]. Returns the picture to show; it is `sharp` once the transition is complete.
   const Picture& Advance(const Picture& sharp, const PictureFrame& frame,
     const ViewGeometry& geometry, double seconds, double easeTime);
 
@@ -29,9 +29,9 @@ public:
 private:
   Picture Coarse;
   PictureFrame CoarseFrame;
-  std::array<int, 2> Size{ { 0, 0 } }; ///< of the viewport
-  glm::dmat4 ClipToData{ 1.0 };        ///< likewise
-  double Remaining = 0;                ///< share of the coarse picture that is still shown
+  std::array<int, 2> Size{ { 0, 0 } }; ///< size of the viewport
+  glm::dmat4 ClipToData{ 1.0 };        ///< of the viewport
+  double Remaining = 0;                ///< weight of the coarse picture
   Picture Shown;
 };
 }

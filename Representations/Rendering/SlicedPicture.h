@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A picture that is made in several frames, so that none of them takes long.
+// A picture that is computed over several frames, so that none of them takes long.
 
 #ifndef limpid_SlicedPicture_h
 #define limpid_SlicedPicture_h
@@ -14,29 +14,28 @@
 
 namespace limpid
 {
-/// Each slice is some rows of the picture. Together they have the same bits as the picture that is
-/// made at once.
+/// Each slice is a number of rows. Together they equal the picture computed at once, bit by bit.
 class SlicedPicture
 {
 public:
-  /// Makes a picture with the rays of a view. Returns null where that was aborted.
+  /// Computes a picture with the rays of a view. Returns null if aborted.
   using Cast = std::function<const Picture*(const View&)>;
 
-  /// What the picture is to show.
+  /// The content of the picture.
   struct Wanted
   {
     View view;
-    std::vector<float> depth;  ///< where its rays end, in clip coordinates
-    std::uint64_t changes = 0; ///< state of what casts them, see Renderer::Changes
+    std::vector<float> depth;  ///< ends of its rays in clip coordinates
+    std::uint64_t changes = 0; ///< version of what the rays see, see Renderer::Changes
   };
 
-  /// Whether it has shown that until now.
+  /// Returns whether the picture has this content.
   bool Shows(const Wanted& wanted) const;
 
-  /// It begins anew, in so many slices.
+  /// Starts a new picture, in this number of slices.
   void Begin(Wanted wanted, int numberOfSlices);
 
-  /// Makes slices as long as there is time, at least one, if any is left. Returns whether none was
+  /// Computes slices while there is time, at least one if any is left. Returns false if one was
   /// aborted.
   bool Advance(const std::function<bool()>& isOutOfTime, const Cast& cast);
 
@@ -50,7 +49,7 @@ public:
 private:
   Wanted Goal;
   int RowsOfSlice = 1;
-  int Rows = 0; ///< that are made
+  int Rows = 0; ///< number of finished rows
   Picture Made;
 };
 }

@@ -32,11 +32,11 @@ struct ScalarRange
   double low = 0;
   double high = 0;
 
-  // One of so many samples at equal steps.
+  // Returns one of `count` positions at equal steps.
   double At(int sample, int count) const
   {
     const double share = double(sample) / (count - 1);
-    return this->low * (1 - share) + this->high * share; // no difference: it may overflow
+    return this->low * (1 - share) + this->high * share; // a difference could overflow
   }
 };
 
@@ -52,7 +52,7 @@ bool IsConstantOutside(vtkColorTransferFunction* function)
     !function->GetUseAboveRangeColor();
 }
 
-// An interval to be sampled: never empty, and within the data unless that makes it so.
+// Returns the interval to sample, which is not empty, and within the data if possible.
 ScalarRange SampledRange(const FunctionRange& range, double low, double high)
 {
   ScalarRange sampled{ low, high };
@@ -63,14 +63,14 @@ ScalarRange SampledRange(const FunctionRange& range, double low, double high)
   }
   if (!(sampled.high > sampled.low))
   {
-    // One value: a table needs two, and single precision must tell them apart.
+    // A table needs two values that single precision can distinguish.
     sampled.high = sampled.low + std::max(1e-3 * std::abs(sampled.low), 1e-30);
   }
   return sampled;
 }
 
-// The widths between every node and the next but one within an interval: what a function shows
-// there, a step or a peak, is as wide.
+// Returns the distances between every node and the next but one within an interval: features of a
+// function, such as steps and peaks, have such widths.
 template <class Function>
 double NarrowestFeature(Function* function, const ScalarRange& interval)
 {
@@ -79,7 +79,7 @@ double NarrowestFeature(Function* function, const ScalarRange& interval)
   const int count = function->GetSize();
   for (int i = 0; i < count; ++i)
   {
-    std::array<double, 6> node{}; // its position, and more
+    std::array<double, 6> node{}; // position, values, midpoint, sharpness
     function->GetNodeValue(i, node.data());
     const double inside = std::min(std::max(node[0], interval.low), interval.high);
     const double width = inside - before[0];
@@ -90,11 +90,11 @@ double NarrowestFeature(Function* function, const ScalarRange& interval)
   return narrowest;
 }
 
-// How a table is sampled.
+// The sampling of a table.
 struct Sampling
 {
   int count;
-  double featuresPerSample; ///< the narrowest ones
+  double featuresPerSample; ///< narrowest features per sample
 };
 
 Sampling SamplingOf(vtkVolumeProperty* property, const ScalarRange& interval, bool ofOpacity)
@@ -111,7 +111,7 @@ Sampling SamplingOf(vtkVolumeProperty* property, const ScalarRange& interval, bo
   const double wanted = std::ceil(samplesPerFeature * (width / feature)) + 1;
   Sampling sampling{};
   sampling.count = wanted > LeastSamples ? static_cast<int>(std::min(wanted, double(MostSamples)))
-                                         : LeastSamples; // of no number, too
+                                         : LeastSamples; // also if the ratio is NaN
   sampling.featuresPerSample = width / feature / (sampling.count - 1);
   return sampling;
 }
@@ -130,7 +130,7 @@ FunctionPieces<vtkColorTransferFunction> PiecesOf(vtkColorTransferFunction* func
     piece->SetBelowRangeColor(function->GetBelowRangeColor());
     piece->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
     piece->SetAboveRangeColor(function->GetAboveRangeColor());
-    piece->SetAllowDuplicateScalars(1); // two nodes may be at one position
+    piece->SetAllowDuplicateScalars(1); // two nodes may have the same position
     return piece;
   };
   const auto addNode = [](vtkColorTransferFunction* piece, const std::array<double, 6>& node)
@@ -138,7 +138,7 @@ FunctionPieces<vtkColorTransferFunction> PiecesOf(vtkColorTransferFunction* func
   return { function, newPiece, addNode };
 }
 
-// As GetTable, but at equal steps whatever the scale of the function.
+// Like GetTable, but at equal steps for any scale of the function.
 void SampleLogarithmicColors(
   vtkColorTransferFunction* function, const ScalarRange& interval, std::vector<double>& table)
 {
@@ -183,7 +183,7 @@ float Color(double value)
   return std::isfinite(value) ? static_cast<float>(std::min(std::max(value, 0.0), 1.0)) : 0.0F;
 }
 
-// Functions without extinction yet.
+// Returns functions with colours and without extinction.
 TransferFunctions WithColors(
   vtkVolumeProperty* property, const ScalarRange& interval, int count, const ValueUnit& unit)
 {
@@ -230,7 +230,7 @@ FunctionRange RangeOfFunctions(vtkVolumeProperty* property, bool ofOpacity)
 TransferFunctions SampleFunctions(vtkVolumeProperty* property, double low, double high,
   const ValueUnit& unit, ExactExtinction& exact)
 {
-  constexpr double fewFeatures = 1.0 / 16; // of a sample: then the table is all but exact
+  constexpr double fewFeatures = 1.0 / 16; // per sample; with fewer, the table is almost exact
   const double unitDistance = property->GetScalarOpacityUnitDistance(0);
   LIMPID_REQUIRE(unitDistance > 0 && std::isfinite(unitDistance),
     "The scalar opacity unit distance is "

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// From the functions of a vtkVolumeProperty to the tables of the core.
+// Converts the functions of a vtkVolumeProperty to the tables of the core.
 
 #ifndef limpid_TransferTables_h
 #define limpid_TransferTables_h
@@ -18,8 +18,8 @@ class vtkVolumeProperty;
 
 namespace limpid
 {
-/// How the values of an array become the numbers that the core works on, which have single
-/// precision: (value - offset) * scale, no farther from 0 than `limit`.
+/// Maps values of an array to the core's numbers, which have single precision: (value - offset) *
+/// scale, clamped to [-limit, limit].
 struct ValueUnit
 {
   double offset = 0;
@@ -37,7 +37,7 @@ struct ValueUnit
   double Back(double number) const { return number / this->scale + this->offset; }
 };
 
-/// The values between which transfer functions are not constant, and whether they are outside.
+/// The range of values outside which transfer functions are constant.
 struct FunctionRange
 {
   double low = std::numeric_limits<double>::max();
@@ -51,39 +51,40 @@ struct FunctionRange
   }
 };
 
-/// The range of the colours, and of the opacity if that counts, too.
+/// Returns the range of the colours and, if it is used, of the opacity.
 FunctionRange RangeOfFunctions(vtkVolumeProperty* property, bool ofOpacity);
 
-/// The extinction of values, where a table between its entries is not what the functions say.
+/// The exact extinction of values, used if the linearly interpolated table deviates from the
+/// functions.
 struct ExactExtinction
 {
-  std::function<double(double)> ofValue; ///< [1/length]; empty: the table is near enough
-  std::uint64_t time = 0;                ///< when the function was changed last
+  std::function<double(double)> ofValue; ///< [1/length]; empty: the table is accurate enough
+  std::uint64_t time = 0;                ///< modification time of the function
 };
 
 /**
- * Colour and extinction of the values from `low` to `high` of the data, sampled where the functions
+ * Samples colour and extinction for values of the data from `low` to `high`, where the functions
  * are not constant. Colours are those of vtkColorTransferFunction::GetTable, which VTK's volume
- * mappers use, but on a logarithmic scale those of GetColor, as the legend has them: there GetTable
- * is not sampled at equal steps, and VTK's own volume mappers shift the colours.
+ * mappers use. On a logarithmic scale, they are those of GetColor, as in the legend: there GetTable
+ * does not sample at equal steps, and VTK's own volume mappers shift the colours.
  *
- * There are so many entries that nothing narrower than four of them is between the nodes of the
- * functions, up to a million. `exact`: becomes what the extinction is of values themselves.
+ * The number of entries, up to a million, is such that nodes of the functions are at least four
+ * entries apart. `exact`: set to the exact extinction of values.
  *
- * Throws when the unit distance makes no extinction of an opacity.
+ * Throws if the unit distance gives no valid extinction for an opacity.
  */
 TransferFunctions SampleFunctions(vtkVolumeProperty* property, double low, double high,
   const ValueUnit& unit, ExactExtinction& exact);
 
-/// The colours alone, likewise, with the same extinction for all values [1/length].
+/// Samples only the colours in this way, with the same extinction for all values [1/length].
 TransferFunctions SampleColors(
   vtkVolumeProperty* property, double low, double high, const ValueUnit& unit, float extinction);
 
-/// Largest extinction that the opacity function has anywhere, Eq. (25) [1/length].
+/// Returns the largest extinction of the opacity function over all values, Eq. (25) [1/length].
 float LargestExtinction(vtkVolumeProperty* property);
 
-/// Extinction of `count` values, by the table, linear in between, or exactly; of NaN: zero
-/// [1/length].
+/// Computes the extinction of `count` values, by linear interpolation in the table or exactly; zero
+/// for NaN [1/length].
 void LookUpExtinction(const TransferFunctions& functions, const ExactExtinction& exact,
   const ValueUnit& unit, const float* values, Index count, float* extinction);
 }

@@ -22,8 +22,8 @@ namespace limpid
 {
 namespace
 {
-// VTK's own matrices have view z from -1 to 1 unless somebody has set the projection explicitly,
-// which IceT does; that one has the same range.
+// VTK's own matrices have view z from -1 to 1. An explicit projection matrix, which IceT sets, has
+// the same range.
 glm::dmat4 ProjectionOf(vtkRenderer* renderer, bool bothEyes)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -57,8 +57,8 @@ glm::dmat4 Inverse(const glm::dmat4& matrix, const char* whose)
   return inverse;
 }
 
-// The viewport of the renderer in clip coordinates of what this window shows of it: larger when
-// the window is a tile of a larger picture. Left, right, bottom, top.
+// Returns the viewport of the renderer in clip coordinates of this window's part of it: left,
+// right, bottom, top. It is larger than the clip range if the window is a tile of a larger picture.
 std::array<double, 4> WholeViewport(vtkRenderer* renderer)
 {
   std::array<double, 4> whole{ { -1, 1, -1, 1 } };
@@ -86,15 +86,16 @@ bool IsParallel(const glm::dmat4& projection)
   return !(perspective > 1e-12 * std::abs(projection[3][3]));
 }
 
-// Eye and corners of a picture from its matrix, whatever has gone into it: the eye is what is
-// mapped to infinity along the view direction. None of them depends on the clipping range.
+// Returns the eye and the corners of a picture from its matrix, however it was composed: the eye is
+// the point that is mapped to infinity along the view direction. The result does not depend on the
+// clipping range.
 Camera CameraOfMatrix(
   const glm::dmat4& clipToData, bool parallel, const Grid& grid, const std::array<double, 4>& whole)
 {
   const auto at = [&clipToData](double x, double y, double z)
   { return TransformPoint(clipToData, Vec3(x, y, z)); };
 
-  // The middle of the whole picture, which need not be that of a tile.
+  // The centre of the whole picture may differ from that of a tile.
   const double x = 0.5 * (whole[0] + whole[1]);
   const double y = 0.5 * (whole[2] + whole[3]);
   Camera camera;
@@ -120,7 +121,7 @@ Camera CameraOfMatrix(
   return camera;
 }
 
-// The exact numbers of VTK's camera where the matrix only has them rounded.
+// Replaces numbers that the matrix has only rounded by the exact ones of VTK's camera.
 void TakeExactPlace(vtkCamera* source, const glm::dmat4& worldToData, Camera& camera)
 {
   const Vec3 position = TransformPoint(worldToData, ToVec3(source->GetPosition()));
@@ -138,7 +139,8 @@ void TakeExactPlace(vtkCamera* source, const glm::dmat4& worldToData, Camera& ca
   }
 }
 
-// Into the plane through the focal point: where they were depends on the clipping range.
+// Moves the corners to the plane through the focal point; their original plane depends on the
+// clipping range.
 void PlaceCorners(Camera& camera)
 {
   const double distance = glm::distance(camera.position, camera.focalPoint);
@@ -158,7 +160,7 @@ void PlaceCorners(Camera& camera)
   }
 }
 
-// Sets what of the viewport the box covers, and how near it is.
+// Computes the part of the viewport that the box covers, and the range of its depths.
 void Cover(const glm::dmat4& dataToClip, const Grid& grid, ViewGeometry& geometry)
 {
   Vec3 low(1e300);
@@ -173,13 +175,13 @@ void Cover(const glm::dmat4& dataToClip, const Grid& grid, ViewGeometry& geometr
   }
   if (behind)
   {
-    // The box reaches behind the eye: it may be seen anywhere.
+    // The box extends behind the eye: it may cover any pixel.
     low = Vec3(-1.0);
     high = Vec3(1.0);
   }
   if (!(low.z <= 1 && high.z >= -1))
   {
-    return; // beyond the clipping range
+    return; // outside of the clipping range
   }
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -194,9 +196,9 @@ void Cover(const glm::dmat4& dataToClip, const Grid& grid, ViewGeometry& geometr
   geometry.farthest = std::clamp(0.5 * (high.z + 1), geometry.nearest, 1.0);
 }
 
-// To a hundredth of a pixel of the largest pictures. The cameras of tiles, in which VTK makes
-// pictures that are larger than the window, are those of the whole to 3e-8 only: it takes 3.1415926
-// for pi there.
+// Tolerance: a hundredth of a pixel of the largest pictures. The cameras of tiles, in which VTK
+// makes pictures larger than the window, equal those of the whole picture only to 3e-8, since VTK
+// uses 3.1415926 for pi there.
 bool AreClose(const Vec3& a, const Vec3& b, double size)
 {
   return glm::distance(a, b) <= 1e-6 * size;
@@ -219,7 +221,7 @@ glm::dmat4 ToMatrix(vtkMatrix4x4* matrix)
 glm::dmat4 DataToWorld(vtkVolume* volume)
 {
   vtkNew<vtkMatrix4x4> matrix;
-  volume->GetModelToWorldMatrix(matrix); // honours the coordinate system of the prop
+  volume->GetModelToWorldMatrix(matrix); // takes the coordinate system of the prop into account
   return ToMatrix(matrix);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// From VTK's camera, window and prop to the rays of a picture.
+// Converts VTK's camera, window and prop to the rays of a picture.
 
 #ifndef limpid_ViewGeometry_h
 #define limpid_ViewGeometry_h
@@ -19,29 +19,30 @@ class vtkVolume;
 
 namespace limpid
 {
-/// The matrix of a prop: from data coordinates to world coordinates.
+/// Returns the matrix of a prop, from data coordinates to world coordinates.
 glm::dmat4 DataToWorld(vtkVolume* volume);
 
-/// As VTK has it, row by row.
+/// Converts a matrix of VTK, which is stored row by row.
 glm::dmat4 ToMatrix(vtkMatrix4x4* matrix);
 
 Vec3 TransformPoint(const glm::dmat4& matrix, const Vec3& point);
 
-/// How a renderer sees the box of a grid. Lengths of pictures in pixels, from the left and bottom.
+/// The box of a grid as a renderer sees it. Positions in pictures are in pixels from the lower left
+/// corner.
 struct ViewGeometry
 {
-  std::array<int, 2> size{ { 0, 0 } };   ///< of the viewport
-  std::array<int, 2> origin{ { 0, 0 } }; ///< of the viewport in the window
+  std::array<int, 2> size{ { 0, 0 } };   ///< size of the viewport
+  std::array<int, 2> origin{ { 0, 0 } }; ///< lower left corner of the viewport in the window
 
-  /// What of the viewport the box covers: first and one past the last column, then row. Empty
-  /// when it is out of view.
+  /// The part of the viewport that the box covers: first and one past the last column, then row.
+  /// Empty if it is out of view.
   std::array<int, 4> covered{ { 0, 0, 0, 0 } };
-  double nearest = 0;  ///< depth of the box where it is nearest, as in the depth buffer [0, 1]
-  double farthest = 1; ///< likewise, where it is farthest
+  double nearest = 0;  ///< nearest depth of the box, as in the depth buffer [0, 1]
+  double farthest = 1; ///< farthest depth of the box, as in the depth buffer [0, 1]
 
-  glm::dmat4 clipToData{ 1.0 }; ///< of the viewport
+  glm::dmat4 clipToData{ 1.0 }; ///< clip coordinates of the viewport
 
-  /// The camera of the whole picture in data coordinates: of both eyes in stereo, of all tiles.
+  /// The camera of the whole picture in data coordinates; in stereo of both eyes, and of all tiles.
   Camera camera;
 
   bool IsVisible() const
@@ -50,25 +51,26 @@ struct ViewGeometry
   }
 };
 
-/// Throws when the prop or the camera flatten everything.
+/// Throws if the matrix of the prop or of the camera is singular.
 ViewGeometry GeometryOf(vtkRenderer* renderer, vtkVolume* volume, const Grid& grid);
 
-/// The rectangle of a picture with pixels of another size than the view's, and its place.
+/// The rectangle of a picture whose pixels may be larger than the view's.
 struct PictureFrame
 {
   std::array<int, 2> whole{ { 0, 0 } };  ///< size of a picture of the whole viewport
-  std::array<int, 2> origin{ { 0, 0 } }; ///< of the rectangle in it
-  std::array<int, 2> size{ { 0, 0 } };   ///< of the rectangle
+  std::array<int, 2> origin{ { 0, 0 } }; ///< lower left corner of the rectangle in it
+  std::array<int, 2> size{ { 0, 0 } };   ///< size of the rectangle
 };
 
-/// The smallest picture that covers the box, with pixels `pixelSize` >= 1 pixels of the view wide.
+/// Returns the smallest frame that covers the box, with pixels `pixelSize` >= 1 pixels of the view
+/// wide.
 PictureFrame FrameOf(const ViewGeometry& geometry, double pixelSize);
 
-/// From clip coordinates of the frame to data coordinates.
+/// Returns the matrix from clip coordinates of the frame to data coordinates.
 glm::dmat4 ClipToData(const ViewGeometry& geometry, const PictureFrame& frame);
 
-/// A value for every pixel of a frame: at(column, row) of the view's pixel in its middle, counted
-/// in the viewport and within what the box covers.
+/// Returns a value for every pixel of a frame: at(column, row) for the pixel of the view at its
+/// centre, counted in the viewport and clamped to what the box covers.
 template <class At>
 std::vector<float> ValuesOf(const ViewGeometry& geometry, const PictureFrame& frame, const At& at)
 {
@@ -92,7 +94,7 @@ std::vector<float> ValuesOf(const ViewGeometry& geometry, const PictureFrame& fr
   return values;
 }
 
-/// Whether they differ by no more than rounding.
+/// Returns whether two cameras are equal up to rounding.
 bool AreSame(const Camera& a, const Camera& b);
 bool AreSame(const std::vector<Camera>& a, const std::vector<Camera>& b);
 bool AreSame(const Light& a, const Light& b);

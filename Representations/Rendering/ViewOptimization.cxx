@@ -15,22 +15,22 @@ namespace limpid
 {
 namespace
 {
-// Share of a moving frame's time that the optimisation gets at most.
+// Largest share of the optimisation in the time of a frame during interaction.
 constexpr double OptimizationShare = 0.4;
 
-// A change is over when less than this is left of it: half a step of an 8-bit picture in motion;
-// at rest, the picture becomes sharp in the same moment and hides more.
+// A change is complete if less than this is left of it: half a step of an 8-bit picture during
+// interaction. In still frames, the picture becomes sharp at the same moment, which hides more.
 constexpr double LeastChange = 1.0 / 512;
 constexpr double LeastChangeAtRest = 1.0 / 32;
 }
 
-// Makes an optimiser for the present data and functions, which goes on from what was shown of the
-// last ones.
+// Creates an optimiser for the present data and functions, which starts from what was shown for the
+// previous ones.
 void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& data)
 {
   CarriedChange shown =
     this->Optimizer && this->HasShownFound() ? this->Optimizer->Change() : CarriedChange();
-  // Who edits anything gets what it makes, as if nothing else had been shown.
+  // After edits of data or settings, the result must not depend on what was shown before.
   shown.likeness = this->SceneTimeVersion != data.TimeVersion() ? likenessInTime : 0;
   this->Optimizer.reset();
   this->Most.reset();
@@ -44,18 +44,18 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   this->SceneTimeVersion = data.TimeVersion();
 }
 
-// Tells the optimiser what it works for. Returns whether that is known at all.
+// Sets the cameras and the light of the optimiser. Returns whether these are known.
 bool ViewOptimization::TakeView(const FrameSettings& frame, const Camera& camera)
 {
   const bool once = frame.optimize && frame.once;
   const bool keeps = this->HasView && (frame.paused || (once && this->IsOnceView));
   if (!keeps && once && !frame.still)
   {
-    return false; // the first still frame decides
+    return false; // the first still frame sets the view
   }
   const Light& light = frame.light.light;
   const std::vector<Camera> cameras = CamerasOf(frame.views, camera, OrbitStart::Fixed);
-  // What goes round with the camera would change what is to stay while it does.
+  // A light that moves with the camera would change the result of an orbit while the camera moves.
   const bool goesRound = frame.light.movesWithCamera && frame.views.kind == ViewKind::Orbit;
   const bool hasLight = frame.light.found && !goesRound;
   const bool same = this->HasView && AreSame(cameras, this->ViewCameras) &&
@@ -80,8 +80,8 @@ bool ViewOptimization::TakeView(const FrameSettings& frame, const Camera& camera
   return true;
 }
 
-// The next step, which is an iteration but for the first one: that takes longer, and may be stopped
-// in its midst. Returns whether there is nothing left to do.
+// Makes the next step, which is one iteration. The first step takes longer and can be interrupted.
+// Returns whether the optimisation is complete.
 bool ViewOptimization::Refine(const std::function<bool()>& isAborted)
 {
   std::optional<Interruptible> beginning;
@@ -92,9 +92,9 @@ bool ViewOptimization::Refine(const std::function<bool()>& isAborted)
   return this->Optimizer->Refine();
 }
 
-// Whether a change of the picture may begin at what was carried over from the last scene: not if
-// that shows less of this one than its base extinction does. Moving frames have no time to find
-// out.
+// Returns whether a change of the picture may start at the result that was carried over from the
+// previous scene. It may not if that result shows less of this scene than its base extinction does.
+// Frames during interaction have no time to determine this.
 bool ViewOptimization::EasesFromCarried(const FrameSettings& frame)
 {
   if (!frame.still || !frame.stepwise || frame.easeTime == 0)
@@ -105,7 +105,7 @@ bool ViewOptimization::EasesFromCarried(const FrameSettings& frame)
   return this->Optimizer->ShowsFound();
 }
 
-// Lets the optimiser work for as long as the frame allows. Returns whether it has.
+// Runs the optimiser as long as the frame's time allows. Returns whether it did anything.
 bool ViewOptimization::Work(
   const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted)
 {
@@ -129,7 +129,7 @@ bool ViewOptimization::Work(
   return true;
 }
 
-// Brings what the optimiser shows into the picture, at once or bit by bit. `seconds`: since the
+// Passes the optimiser's result to the picture, at once or gradually. `seconds`: time since the
 // last frame.
 void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase)
 {
@@ -139,7 +139,7 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
   }
   const bool eases =
     mayEase && !this->HidesFound && frame.easeTime > 0 && (frame.stepwise || !frame.still);
-  // At least a little: a clock may stand still between two frames.
+  // At least a little, since a clock may return equal times for two frames.
   double share = eases ? std::max(1 - std::exp(-seconds / frame.easeTime), 0.01) : 1;
   this->Remaining = (1 - share) * (changed || this->ShowsBase ? 1 : this->Remaining);
   if (this->Remaining < (frame.still ? LeastChangeAtRest : LeastChange))
@@ -167,9 +167,9 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
   this->HidesFound = false;
 }
 
-// What the frame's camera sees, which is not the one that the optimiser works for while the
-// extinction is kept, or not the only one. Moving frames have no time for that: they repeat what
-// was measured last.
+// Returns the scores for the frame's camera. It differs from the optimiser's camera if the
+// extinction is kept or if there are several cameras. Frames during interaction have no time for
+// this and repeat the last scores.
 Scores ViewOptimization::Measure(const FrameSettings& frame, const Camera& camera, bool changed)
 {
   if (AreSame(std::vector<Camera>{ camera }, this->ViewCameras))
@@ -186,8 +186,8 @@ Scores ViewOptimization::Measure(const FrameSettings& frame, const Camera& camer
   return *this->Elsewhere;
 }
 
-// What of `all` the frame's camera sees in front of opaque geometry. Moving frames repeat what was
-// measured last, likewise.
+// Returns the part of the scores `all` that is in front of opaque geometry. Frames during
+// interaction repeat the last scores.
 Scores ViewOptimization::InFront(const FrameSettings& frame, const Camera& camera,
   const std::optional<OpaqueGeometry>& opaque, const Scores& all, bool changed)
 {
@@ -206,8 +206,8 @@ Scores ViewOptimization::InFront(const FrameSettings& frame, const Camera& camer
   return { OfAll(front.base, all.base), OfAll(front.best, all.best) };
 }
 
-// What the frame's camera could see at most, whatever the extinction was optimised for. It is found
-// once for a camera, a light and settings of a scene.
+// Returns the upper bound for the frame's camera, independent of the camera of the optimisation. It
+// is computed once per camera, light, settings and scene.
 Ceiling ViewOptimization::FindCeiling(const FrameSettings& frame, const Camera& camera,
   const std::optional<OpaqueGeometry>& opaque, const Score& found)
 {
@@ -250,7 +250,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
     this->TakeScene(frame, data);
   }
   bool changed = isNew;
-  // What has been found stays, for when optimization is on again.
+  // The result is kept for when optimization is switched on again.
   const bool found =
     this->HasView && !this->IsBaseView && !changed && frame.solver == this->ViewSettings;
   const bool pauses =

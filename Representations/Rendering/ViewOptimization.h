@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The optimisation for one volume in one renderer, over its frames.
+// The optimisation for one volume in one renderer, over several frames.
 
 #ifndef limpid_ViewOptimization_h
 #define limpid_ViewOptimization_h
@@ -23,43 +23,44 @@ namespace limpid
 class ViewOptimization
 {
 public:
-  /// What it finds is shown by `pictures`.
+  /// `pictures`: shows the result.
   explicit ViewOptimization(Renderer& pictures)
     : Pictures(pictures)
   {
   }
 
   /**
-   * Optimises for a frame for as long as it may, brings what was found into the pictures, at once
-   * or bit by bit, and sets scores and progress in `result`. The camera is in data coordinates.
-   * `opaque`: what of the volume it does not see, whatever the extinction; none: it sees all.
-   * `isAborted` tells whether the user has had enough. Throws when the optimisation is impossible,
-   * and Interrupted, which changes nothing, when it is not to begin.
+   * Optimises for a frame as long as its time allows, passes the result to the pictures, at once or
+   * gradually, and sets scores and progress in `result`. The camera is in data coordinates.
+   * `opaque`: geometry that hides parts of the volume for any extinction; none: it hides nothing.
+   * `isAborted`: whether the user has aborted. Throws if the optimisation is impossible. Throws
+   * Interrupted, without any change, if it must not start.
    */
   void Advance(const FrameSettings& frame, const VolumeData& data, const Camera& camera,
     const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
     const std::function<bool()>& isAborted, FrameResult& result);
 
-  /// Shows the extinction of the transfer functions. What has been found stays, and is shown again
-  /// by the next frame that shows it, at once.
+  /// Shows the extinction of the transfer functions. The result is kept, and the next optimised
+  /// frame shows it at once.
   void ShowBase(const FrameSettings& frame, const VolumeData& data);
 
-  /// Grows with every change of what was found.
+  /// Returns a number that grows with every change of the result.
   std::uint64_t Version() const { return this->Changes; }
 
-  /// Forgets what has been found, and shows the extinction of the transfer functions.
+  /// Discards the result, and shows the extinction of the transfer functions.
   void Stop();
 
-  /// Forgets also for which view that was.
+  /// Discards the result and the view that it was for.
   void Reset();
 
-  /// Gives the memory back; for pictures that are new.
+  /// Frees memory; for pictures that are new.
   void Release();
 
-  /// The grid of what is shown; null: the extinction of the transfer functions is shown.
+  /// Returns the grid of the extinction that is shown; null: that of the transfer functions is
+  /// shown.
   const Grid* ShownGrid() const;
 
-  /// Whether ranks show an extinction of their pieces, on which shadows cannot be coarser.
+  /// Returns whether ranks show the extinction of their pieces; shadows cannot be coarser than it.
   bool ShowsPiece(const FrameSettings& frame) const;
 
 private:
@@ -79,20 +80,21 @@ private:
 
   Renderer& Pictures;
   std::unique_ptr<Progressive> Optimizer;
-  vtkSmartPointer<vtkFloatArray> Base; ///< that it works with
+  vtkSmartPointer<vtkFloatArray> Base; ///< base extinction of the optimisation
   std::uint64_t SceneVersion = 0;
-  std::uint64_t SceneTimeVersion = 0; ///< of the data in it
-  std::uint64_t DataVersion = 0;      ///< of the data that the view below is for
-  bool HasView = false;               ///< whether camera and light below were set
+  std::uint64_t SceneTimeVersion = 0; ///< version of the time step of its data
+  std::uint64_t DataVersion = 0;      ///< version of the data that the view below is for
+  bool HasView = false;               ///< whether camera and light below are set
   bool IsOnceView = false;            ///< whether they are those of a first still frame
-  bool IsBaseView = false;            ///< whether nothing was to be found for them
-  Settings ViewSettings;              ///< with which they were taken
-  std::vector<Camera> ViewCameras;    ///< that the optimiser works for, in data coordinates
+  bool IsBaseView = false;            ///< whether there was nothing to optimise for them
+  Settings ViewSettings;              ///< settings of the view below
+  std::vector<Camera> ViewCameras;    ///< cameras of the optimisation, in data coordinates
   Light ViewLight;
-  std::optional<Scores> Elsewhere; ///< as the camera below sees what is kept for those above
+  std::optional<Scores> Elsewhere; ///< scores of the result for ViewCameras, seen by the camera
+                                   ///< below
   Camera ElsewhereCamera;
 
-  /// What was last seen in front of opaque geometry; fractions are of what is there.
+  /// The last known scores in front of opaque geometry; fractions refer to the matter there.
   struct KnownInFront
   {
     Camera camera;
@@ -101,7 +103,8 @@ private:
   };
   std::optional<KnownInFront> Front;
 
-  /// What the last camera that rested could see at most; fractions likewise.
+  /// The last known upper bounds, for a still camera; fractions refer to the matter in front of
+  /// opaque geometry.
   struct KnownCeiling
   {
     Camera camera;
@@ -112,9 +115,11 @@ private:
   };
   std::optional<KnownCeiling> Most;
   bool ShowsBase = true;
-  bool HidesFound = false;   ///< whether that stands in place of something that was shown before
-  std::uint64_t Changes = 1; ///< of what was found
-  std::uint64_t CasterVersion = 0; ///< of what casts shadows with the base; 0: the base does
+  bool HidesFound = false;         ///< whether the base extinction replaces a result that was shown
+                                   ///< before
+  std::uint64_t Changes = 1;       ///< version of the result
+  std::uint64_t CasterVersion = 0; ///< version of the data that cast shadows with the base; 0: the
+                                   ///< base does
   double Remaining = 0;            ///< share of the last change that has not eased in yet
 };
 }

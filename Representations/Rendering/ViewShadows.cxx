@@ -13,14 +13,14 @@ namespace limpid
 {
 namespace
 {
-// Share of a moving frame's time that shadows get at most.
+// Largest share of shadows in the time of a frame during interaction.
 constexpr double LargestShare = 0.25;
 
 // Rays of the shadow volume per voxel and axis.
 constexpr double StillDensity = 3;
 constexpr double MovingDensity = 1;
 
-// How coarse the shadows of moving frames may be, see Renderer::SetShadowCoarseness.
+// Possible coarseness of shadows during interaction, see Renderer::SetShadowCoarseness.
 constexpr std::array<int, 7> Coarsenesses{ { 1, 2, 3, 4, 6, 8, 12 } };
 }
 
@@ -54,7 +54,7 @@ void ViewShadows::MakeInTime(const FrameSettings& frame, const Grid& grid, const
   const auto start = FrameClock::SteadyClock::now();
   const bool made = this->Pictures.UpdateShadows();
   const double seconds = frame.Largest(FrameClock::SecondsSince(start));
-  // The first time on a grid, something has to be prepared that will not be again.
+  // The first time on a grid includes a preparation that is not repeated, so it is not recorded.
   if (made && this->Nodes == nodes[level])
   {
     this->Time.Learn(nodes[level], seconds);

@@ -46,7 +46,7 @@ bool HaveSameTables(const TransferFunctions& a, const TransferFunctions& b)
   return a.low == b.low && a.high == b.high && a.extinction == b.extinction && a.color == b.color;
 }
 
-// Whether single precision holds values as they are.
+// Returns whether single precision can represent values as they are.
 bool IsPlain(double low, double high)
 {
   const double largest = std::max(std::abs(low), std::abs(high));
@@ -66,7 +66,7 @@ ValueUnit UnitOf(double low, double high)
   return unit;
 }
 
-// The same where others, beyond these, are all alike.
+// Returns the unit for a range outside which all values are treated alike.
 ValueUnit UnitWithin(double low, double high)
 {
   ValueUnit unit = UnitOf(low, high);
@@ -74,7 +74,8 @@ ValueUnit UnitWithin(double low, double high)
   return unit;
 }
 
-// Calls body(node, its position in data coordinates, count), which returns whether to count.
+// Calls body(node, its position in data coordinates, count), which returns whether to count the
+// node. Returns the count.
 template <class Body>
 vtkIdType CountNodes(const Grid& grid, const Body& body)
 {
@@ -122,9 +123,9 @@ VolumeData::ArrayKey VolumeData::KeyOf(
   return key;
 }
 
-// Single precision has seven digits: enough for the values themselves unless they are huge or
-// differ from each other by far less than from zero. Huge values may stand for none, as fill values
-// do, and then the functions say which ones count.
+// Single precision has seven digits. That is enough unless values are huge, or differ from each
+// other by far less than from zero. Huge values may be fill values for missing data; then the range
+// of the functions tells which values matter.
 ValueUnit VolumeData::ChooseUnit(const FieldSource& source, const FunctionRange& functions)
 {
   double range[2] = { std::nan(""), std::nan("") };
@@ -149,8 +150,8 @@ ValueUnit VolumeData::ChooseUnit(const FieldSource& source, const FunctionRange&
     : UnitOf(this->Low, this->High);
 }
 
-// Blanked points become empty, and points outside of the crop region but those of the cells that
-// its planes cut. Returns how many values are NaN.
+// Makes blanked points empty, and points outside of the crop region except those of cells that its
+// planes cut. Returns the number of NaN values.
 vtkIdType VolumeData::EmptyScalars(const CropRegion& crop, const float* shares, float* values) const
 {
   const vtkIdType invalidScalars = CountNodes(this->NodeGrid,
@@ -175,7 +176,7 @@ vtkIdType VolumeData::EmptyScalars(const CropRegion& crop, const float* shares, 
   return invalidScalars;
 }
 
-// From an array: its share of a function that has the same extinction for all scalars.
+// Converts the extinction array to shares of a function with the same extinction for all scalars.
 void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, float* scalars)
 {
   this->ArrayUnit.reset();
@@ -191,7 +192,7 @@ void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, 
   }
 }
 
-// The number of points of all processes; one that several have counts for each of them.
+// Returns the number of points of all processes; a point on several processes counts for each.
 vtkIdType VolumeData::CountOfAll(vtkIdType here) const
 {
   std::int64_t count = here;
@@ -202,7 +203,7 @@ vtkIdType VolumeData::CountOfAll(vtkIdType here) const
   return static_cast<vtkIdType>(count);
 }
 
-// Whether a node of what is here is no other process's.
+// Returns whether this process owns a node.
 bool VolumeData::Owns(const Vec3& index) const
 {
   if (!this->Shared)
@@ -221,7 +222,7 @@ bool VolumeData::Owns(const Vec3& index) const
   return owns;
 }
 
-// Without flags that matter to one process alone.
+// Returns the image without flags that matter only to a single process.
 vtkImageData* VolumeData::Here(vtkImageData* image) const
 {
   return this->Shared ? this->Shared->Here() : image;
@@ -232,7 +233,7 @@ void VolumeData::ShareAmong(
 {
   if (ranks != this->Ranks || wholeExtent != this->WholeExtent)
   {
-    this->Release(); // there are other pieces
+    this->Release(); // pieces have changed
     this->Shared.reset();
     this->Ranks = std::move(ranks);
     this->WholeExtent = wholeExtent;
@@ -285,7 +286,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
     this->ScalarShares = this->Shared->Extended(this->ScalarShares);
     this->NodeGrid = GridOf(*this->Piece(), this->Whole());
   }
-  this->ScalarValues = values; // wholly or not at all
+  this->ScalarValues = values; // completely or not at all
   this->ScalarsKey = key;
   this->ExtinctionKey = extinctionKey;
   this->Crop = crop;
@@ -294,7 +295,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
 
 void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
 {
-  // Functions that are made on demand change the property: ask for its time afterwards.
+  // Functions that are created on demand modify the property: get its time afterwards.
   property->GetScalarOpacity(0);
   property->GetColorChannels(0) == 1 ? static_cast<void>(property->GetGrayTransferFunction(0))
                                      : static_cast<void>(property->GetRGBTransferFunction(0));
@@ -315,14 +316,15 @@ void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
   this->Property = property;
   this->PropertyTime = time;
   this->FunctionsScalars = this->ScalarChanges;
-  // A property changes with much that is no function, and VTK changes it while it draws.
+  // A property also changes for other reasons than its functions, and VTK changes it during
+  // drawing.
   const bool same = HaveSameTables(before, this->Tables) && majorant == this->Majorant &&
     exactBefore == this->Exact.time;
   this->FunctionChanges += sameScalars && same ? 0 : 1;
 }
 
-// Moves importance into [0, 1]; none where there is no value or nothing to be seen. `shares`: what
-// is left of it at each point; no values: all of it.
+// Clamps importance to [0, 1], and sets it to 0 where it has no value or nothing can be seen.
+// `shares`: what is kept of it at each point; empty: everything.
 void VolumeData::CorrectImportance(const std::vector<float>& shares)
 {
   const float* scalars = this->Scalars();
@@ -431,7 +433,7 @@ SceneFields VolumeData::Scene() const
   return scene;
 }
 
-// No two changes give the same sum, because each one adds to it.
+// The sum is unique, since each change increases it.
 std::uint64_t VolumeData::SceneVersion() const
 {
   return this->ScalarChanges + this->FunctionChanges + this->ImportanceChanges;

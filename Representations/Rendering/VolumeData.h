@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is drawn: the fields of an image and the functions of a property as the core wants them.
-// Each part is made anew only when what it is made of has changed.
+// The data of a volume in the core's form: the fields of an image and the functions of a property.
+// Each part is computed again only if its sources have changed.
 
 #ifndef limpid_VolumeData_h
 #define limpid_VolumeData_h
@@ -31,28 +31,29 @@ namespace limpid
 class VolumeData
 {
 public:
-  /// The processes that share the image from now on, with its whole extent; null: this one has all.
+  /// Sets the processes that share the image, with its whole extent; null: this process has all of
+  /// it.
   void ShareAmong(std::shared_ptr<const Communicator> ranks, const std::array<int, 6>& wholeExtent);
 
-  /// The scalar field, and the base extinction if that comes from an array, too; an array of null:
-  /// it comes from the functions. Throws when the image or an array cannot be worked with.
-  /// `property`: whose functions say which values count where some are huge.
+  /// Updates the scalar field and, if it comes from an array, the base extinction; a null array:
+  /// the functions define it. Throws if the image or an array cannot be used. `property`: its
+  /// functions define which values matter if some are huge.
   void UpdateScalars(vtkImageData* image, const FieldSource& source, const FieldSource& extinction,
     const CropRegion& crop, vtkVolumeProperty* property);
 
-  /// The transfer functions, for the present scalars. Throws when they make no sense.
+  /// Updates the transfer functions for the present scalars. Throws if they are invalid.
   void UpdateFunctions(vtkVolumeProperty* property);
 
-  /// The importance at the points of the image; an array of null: there is none. `functionTime`:
-  /// when the source's mapping was changed last.
+  /// Updates the importance at the points of the image; a null array: there is none.
+  /// `functionTime`: modification time of the source's mapping.
   void UpdateImportance(vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime);
 
-  /// Gives the memory back.
+  /// Frees memory.
   void Release();
 
-  const Grid& Nodes() const { return this->NodeGrid; } ///< that are here
+  const Grid& Nodes() const { return this->NodeGrid; } ///< of this process
 
-  /// Those of all processes, and what of these is here; null: all.
+  /// Returns the grid of all processes, and the piece of it that is here; null: all of it.
   const Grid& Whole() const { return this->Shared ? this->Shared->Whole() : this->NodeGrid; }
   std::shared_ptr<const ScenePiece> Piece() const
   {
@@ -62,7 +63,8 @@ public:
   const float* Scalars() const { return this->ScalarValues->GetPointer(0); } ///< NaN: empty
   const CropRegion& Cropped() const { return this->Crop; }
 
-  /// The part of the functions' extinction that is left at each point [0, 1]; null: all of it.
+  /// Returns the share of the functions' extinction that is kept at each point [0, 1]; null:
+  /// everything is kept.
   const float* Shares() const
   {
     return this->ScalarShares.empty() ? nullptr : this->ScalarShares.data();
@@ -71,39 +73,39 @@ public:
   const TransferFunctions& Functions() const { return this->Tables; }
   bool HasImportance() const { return this->Arrays.importance != nullptr; }
 
-  /// At each point [0, 1]. HasImportance() must be true.
+  /// Returns the importance at each point [0, 1]. Requires HasImportance().
   const float* Importance() const { return this->Arrays.importance->GetPointer(0); }
 
-  /// The scene for the optimisation. HasImportance() must be true.
+  /// Returns the scene of the optimisation. Requires HasImportance().
   SceneFields Scene() const;
 
-  /// Whose base extinction outlives this object's for those who hold it.
+  /// Returns the base extinction, which may outlive this object.
   vtkSmartPointer<vtkFloatArray> BaseExtinction() const { return this->Arrays.baseExtinction; }
 
-  /// What casts shadows, if that is less than what the scalars have, because planes cut between
-  /// points; else null.
+  /// Returns the extinction that casts shadows, if it is less than that of the scalars because
+  /// planes cut between points; else null.
   const float* ShadowCaster() const
   {
     return this->Crop.planes.empty() ? nullptr : this->Arrays.baseExtinction->GetPointer(0);
   }
 
-  /// Grows with every change of the scalars that is more than making them again.
+  /// Returns a number that grows with every change of the scalars' values.
   std::uint64_t DataVersion() const { return this->DataChanges; }
 
-  /// Grows with every change of the scalars to those of another time step.
+  /// Returns a number that grows if the scalars change to another time step.
   std::uint64_t TimeVersion() const { return this->TimeChanges; }
 
-  /// They grow with every change of a part; a change of the scalars changes the scene, too.
+  /// Numbers that grow with every change of a part; a change of the scalars also changes the scene.
   std::uint64_t ScalarsVersion() const { return this->ScalarChanges; }
   std::uint64_t FunctionsVersion() const { return this->FunctionChanges; }
   std::uint64_t ImportanceVersion() const { return this->ImportanceChanges; }
   std::uint64_t SceneVersion() const;
 
-  /// What a user has to know about values that could not be taken as they are; may be nothing.
+  /// Returns a warning about values that were not used as they are; may be empty.
   std::string Warning() const;
 
 private:
-  /// What an array was when it was converted. MTimes are unique, so nothing else has them.
+  /// Identifies the state of an array that was converted. MTimes are unique.
   struct ArrayKey
   {
     vtkMTimeType array = 0;
@@ -126,7 +128,7 @@ private:
   void CorrectImportance(const std::vector<float>& shares);
   void UpdateBaseExtinction();
 
-  std::shared_ptr<const Communicator> Ranks; ///< null: there is one
+  std::shared_ptr<const Communicator> Ranks; ///< null: one process
   std::array<int, 6> WholeExtent{ { 0, -1, 0, -1, 0, -1 } };
   std::optional<SharedVolume> Shared;
 
@@ -135,34 +137,35 @@ private:
   ArrayKey ScalarsKey;
   CropRegion Crop;
   ValueUnit Unit;
-  FunctionRange UnitFunctions;    ///< that there were when it was chosen
-  bool UnitIsOfFunctions = false; ///< whether others make another one
+  FunctionRange UnitFunctions;    ///< at the time when the unit was chosen
+  bool UnitIsOfFunctions = false; ///< whether other functions would change the unit
   double Low = 0;                 ///< smallest value of the data
   double High = 0;                ///< largest value of the data
   vtkSmartPointer<vtkFloatArray> ScalarValues;
   std::vector<float> ScalarShares; ///< see Shares
   ArrayKey ExtinctionKey;
-  std::optional<float> ArrayUnit; ///< see ArrayExtinction; none: the functions have the extinction
-  float ArrayMajorant = 0;        ///< likewise
-  vtkIdType InvalidScalars = 0;   ///< or extinctions of the array
+  std::optional<float> ArrayUnit; ///< see ArrayExtinction; none: the functions define the
+                                  ///< extinction
+  float ArrayMajorant = 0;        ///< see ArrayExtinction
+  vtkIdType InvalidScalars = 0;   ///< points whose scalar or extinction is invalid
   vtkIdType NegativeExtinctions = 0;
   std::uint64_t DataChanges = 0;
-  std::optional<double> Time; ///< of the time step; none: the data knows of none
+  std::optional<double> Time; ///< of the data; none: the data have no time
   std::uint64_t TimeChanges = 0;
   std::uint64_t ScalarChanges = 0;
 
-  vtkVolumeProperty* Property = nullptr; // only to tell one from another
+  vtkVolumeProperty* Property = nullptr; // only compared, to detect another property
   vtkMTimeType PropertyTime = 0;
-  std::uint64_t FunctionsScalars = 0; ///< version of the scalars that they were sampled for
+  std::uint64_t FunctionsScalars = 0; ///< version of the scalars they were sampled for
   TransferFunctions Tables;
   ExactExtinction Exact;
-  float Majorant = 0; ///< of the opacity function, wherever it has it, or of the array [1/length]
+  float Majorant = 0; ///< largest extinction of the opacity function or of the array [1/length]
   std::uint64_t FunctionChanges = 0;
 
   ArrayKey ImportanceKey;
-  std::uint64_t ImportanceScalars = 0; ///< version of the scalars that it was made for
+  std::uint64_t ImportanceScalars = 0; ///< version of the scalars it was computed for
   SceneArrays Arrays;                  ///< base extinction and importance
-  std::uint64_t BaseVersion = 0;       ///< version of the functions that the base was made with
+  std::uint64_t BaseVersion = 0;       ///< version of the functions the base was computed with
   std::uint64_t ImportanceChanges = 0;
 };
 }

@@ -22,12 +22,12 @@ namespace limpid
 {
 namespace
 {
-// Shares of a moving frame's time: the rays get what the optimisation and the shadows have left,
-// but never less than this. Some is for what follows: to bring the picture into the window.
+// Shares of the time of a frame during interaction. Rays get what the optimisation and the shadows
+// have left, but never less than the least share. The rest is for displaying the picture.
 constexpr double ShareOfFrame = 0.9;
 constexpr double LeastRayShare = 0.3;
 
-// Whether a GPU has failed: the processor may do the same.
+// Returns whether a GPU has failed, so that the processor may do the same work.
 bool IsOfGpu(const std::exception& error)
 {
   return dynamic_cast<const DeviceError*>(&error) != nullptr;
@@ -111,7 +111,7 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   if (this->ScalarsVersion != data.ScalarsVersion())
   {
     this->ScalarsVersion = 0;
-    this->ImportanceVersion = 0; // new scalars end it
+    this->ImportanceVersion = 0; // new scalars invalidate it
     this->Caster.SetPiece(data.Whole(), data.Piece());
     this->Caster.SetScalars(data.Nodes(), data.Scalars(), data.Shares());
     this->ScalarsVersion = data.ScalarsVersion();
@@ -129,7 +129,7 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   this->Caster.SetLighting(lighting);
 }
 
-// Without room for the importance, the volume is drawn all the same.
+// If there is no memory for the importance, the volume is drawn without it.
 void VolumeView::UseImportance(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
@@ -166,7 +166,7 @@ double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geo
     double(geometry.covered[3] - geometry.covered[2]);
   const double left = std::max(
     ShareOfFrame * frame.frameTime - this->Clock.Seconds(), LeastRayShare * frame.frameTime);
-  // Ranks draw the same pixels.
+  // All ranks must draw the same pixels.
   return frame.Largest(this->Budget.PixelSize(pixels, left));
 }
 
@@ -210,7 +210,8 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
   {
     if (frame.ranks || (IsOfGpu(error) && frame.solver.backend == BackendKind::Auto))
     {
-      throw; // of all ranks, or of the GPU that makes pictures: the optimisation helps itself
+      throw; // an error of all ranks or of the GPU of the pictures; the optimisation handles its
+             // own
     }
     const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(
@@ -219,14 +220,15 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
   }
 }
 
-// Ranks draw a frame together to its end.
+// Returns the check for aborts. Ranks draw a frame together to its end and never abort.
 std::function<bool()> VolumeView::AbortCheck() const
 {
   return [this]()
   { return !this->OnRanks && this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
 }
 
-// How the frame's renderer sees the volume, and what is in front of it; none: it does not.
+// Returns the geometry of the view and sets the depths in front of the volume; none if the volume
+// is out of view.
 std::optional<ViewGeometry> VolumeView::BeginFrame(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
@@ -268,7 +270,7 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   return geometry;
 }
 
-// Makes all that the frame's rays need. Leaves the result in LastResult.
+// Computes everything that the frame's rays need. The results are in LastResult.
 void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data,
   const ViewGeometry& geometry, FrameMessages& messages)
 {
@@ -285,7 +287,7 @@ void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data
   try
   {
     this->Optimize(frame, data, geometry, isAborted, messages, result);
-    // While there is something left to do, the next picture follows at once.
+    // While work is left, the next frame follows immediately.
     this->GoesOn = frame.still && frame.stepwise && !result.converged;
     const bool fine = frame.still && !this->GoesOn;
     const Grid* shown = this->Optimization.ShownGrid();

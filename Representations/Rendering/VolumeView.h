@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What belongs to one volume in one renderer: its optimisation, its shadows, its picture.
+// The state of one volume in one renderer: its optimisation, its shadows and its picture.
 
 #ifndef limpid_VolumeView_h
 #define limpid_VolumeView_h
@@ -36,48 +36,48 @@ class vtkObject;
 
 namespace limpid
 {
-/// With optimisation and light, and either solver; measured.
+/// Memory for optimisation and lighting with either solver; measured.
 inline const MemoryNeed drawingNeed{ 56, fewerPoints };
 
 class VolumeView
 {
 public:
-  /// `whenHidden` is called after the volume was made invisible and the memory was given back.
+  /// `whenHidden`: called after the volume was made invisible and its memory was freed.
   VolumeView(vtkRenderer* renderer, vtkVolume* volume, std::function<void()> whenHidden);
   ~VolumeView();
   VolumeView(const VolumeView&) = delete;
   VolumeView& operator=(const VolumeView&) = delete;
 
   bool IsOf(vtkRenderer* renderer, vtkVolume* volume) const;
-  bool IsOrphaned() const; ///< renderer or volume are gone
+  bool IsOrphaned() const; ///< whether renderer or volume were deleted
   bool IsHidden() const;
   bool IsIn(vtkWindow* window) const;
 
-  /// Draws the volume and returns what was shown. What went wrong but left something to be drawn
-  /// is added to the messages. Throws when nothing can be drawn.
+  /// Draws the volume and returns the results. Problems that still allow a picture are added to the
+  /// messages. Throws if nothing can be drawn.
   FrameResult Draw(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
 
-  /// Draw in two steps: makes everything that the rays of the frame's pictures need, and draws
-  /// one part of them, 0 or 1. Draws nothing where the first step threw or was aborted.
+  /// Draw in two steps: Prepare computes everything that the rays of the pictures need; DrawPart
+  /// draws a segment of them, 0 or 1. It draws nothing if the first step threw or was aborted.
   FrameResult Prepare(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void DrawPart(const RayParts& parts, std::size_t part);
 
-  /// Makes a part of the picture without optimisation beside the finished one that was shown last,
-  /// so that it is shown at once where it is asked for. Takes about as long as a moving frame, but
-  /// for shadows. Returns whether something is left to be done. Throws as Draw does.
+  /// Computes a part of the picture without optimisation for the finished view that was shown last,
+  /// so that it can be shown at once when requested. Takes about as long as a frame during
+  /// interaction, plus shadows. Returns whether work is left. Throws like Draw.
   bool PrepareOriginal(const VolumeData& data);
 
-  /// Draws the last frame's visible pixels in one colour, for a selection.
+  /// Draws the visible pixels of the last frame in one colour, for a selection.
   void DrawMask(const float color[3]);
 
-  /// Forgets what has been optimised, or gives back what can be made again; while the volume is
-  /// drawn, for instance when an observer asks for it, as soon as that is over.
+  /// Reset discards the optimisation; Release frees what can be computed again. If called while the
+  /// volume is drawn, for instance by an observer, they take effect afterwards.
   void Reset();
   void Release();
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /// Where the volume is in the present frame of the renderer. Ahead: drawn before its turn, so
-  /// that one in front of it could be drawn, or along with another one.
+  /// State of the volume in the present frame of the renderer. Ahead: drawn before its turn, so
+  /// that one in front of it could be drawn, or together with another one.
   enum class Turn
   {
     NotYet,
@@ -86,7 +86,8 @@ public:
   };
   Turn InFrame = Turn::NotYet;
 
-  /// If VTK peels the volume: how, and which volumes are drawn along with it, from back to front.
+  /// If VTK peels the volume: the peeling, and the volumes that are drawn with it, from back to
+  /// front.
   DepthPeeling Peeling;
   std::vector<vtkWeakPointer<vtkVolume>> Peeled;
 
@@ -137,36 +138,36 @@ private:
 
   bool IsDrawing = false;
   bool OnRanks = false;      ///< whether several processes draw the frame together
-  bool ResetAfter = false;   ///< of the drawing that goes on
-  bool ReleaseAfter = false; ///< likewise
+  bool ResetAfter = false;   ///< after the current drawing
+  bool ReleaseAfter = false; ///< after the current drawing
 
   Renderer Caster;
   PictureBackend Backend;
   std::uint64_t ScalarsVersion = 0;
   std::uint64_t FunctionsVersion = 0;
-  std::uint64_t ImportanceVersion = 0; ///< 0: pictures need none
+  std::uint64_t ImportanceVersion = 0; ///< 0: pictures need no importance
 
   ViewOptimization Optimization{ this->Caster };
   ViewShadows Shadows{ this->Caster };
   FrameResult LastResult;
-  std::function<void()> PrepareAgain; ///< for parts of the frame
+  std::function<void()> PrepareAgain; ///< for segments of the rays
 
   FrameBudget Budget;
   FrameClock Clock;
-  bool GoesOn = false; ///< whether the last frame was one of several on the way to the still one
+  bool GoesOn = false; ///< whether the last frame was one of several before a still one
 
-  std::optional<ViewGeometry> Geometry; ///< of the frame; none: there is nothing to be drawn
-  std::optional<OpaqueDepth> Opaque;    ///< likewise
+  std::optional<ViewGeometry> Geometry; ///< of the frame; none: there is nothing to draw
+  std::optional<OpaqueDepth> Opaque;    ///< of the frame
   PictureFrame Frame;
-  View Rays;     ///< of the frame's pictures, but for where they begin and end
-  Picture Image; ///< of the frame; of several parts, their alpha only
+  View Rays;     ///< rays of the frame's pictures, except where they begin and end
+  Picture Image; ///< of the frame; of several segments, only their alpha
   Picture Part;
-  SlicedPicture Fine;          ///< at rest, in full resolution
-  SharpenedPicture Sharpening; ///< the way there, in frames that follow each other
-  SlicedPicture Original;      ///< the finished one without optimisation, in the making
+  SlicedPicture Fine;          ///< still picture at full resolution
+  SharpenedPicture Sharpening; ///< transition to it over successive frames
+  SlicedPicture Original;      ///< the picture without optimisation, partly computed
   KeptPictures Pictures;
-  bool RestsOptimized = false; ///< whether the last frame showed a kept one with optimisation
-  double CastSeconds = 0;      ///< what the pictures of the frame took
+  bool RestsOptimized = false; ///< whether the last frame showed a kept picture with optimisation
+  double CastSeconds = 0;      ///< time of the pictures of the frame
   PictureQuad Quad;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The pictures of a volume and their way into the view.
+// Computes the pictures of a volume and draws them into the view.
 
 #include "VolumeView.h"
 
@@ -26,21 +26,22 @@ namespace limpid
 {
 namespace
 {
-// Alpha above which a pixel counts as hit by a selection.
+// Alpha above which a pixel counts as hit in a selection.
 constexpr double VisibleAlpha = 0.05;
 
-// How long a frame may work for a picture in full resolution, in times of a moving frame: about
-// as long as for a step of the optimisation.
+// Time that a frame may spend on a picture at full resolution, in units of the time limit during
+// interaction: about that of one step of the optimisation.
 constexpr double SliceShare = 3;
 
-// The time constant of becoming sharp, in those of other changes: nothing else changes meanwhile.
+// Time constant of the transition to the sharp picture, in units of that of other changes; nothing
+// else changes during it.
 constexpr double SharpeningShare = 1.0 / 3;
 
-// Each takes some time beside its rays.
+// Each slice takes some time in addition to its rays.
 constexpr double MostSlices = 16;
 }
 
-// Returns whether it was not aborted.
+// Casts the rays of a picture. Returns false if aborted.
 bool VolumeView::MakePicture(const View& view)
 {
   const auto start = FrameClock::SteadyClock::now();
@@ -52,15 +53,15 @@ bool VolumeView::MakePicture(const View& view)
   }
   catch (const Interrupted&)
   {
-    this->Part = Picture(); // VTK does not show what was aborted
+    this->Part = Picture(); // VTK does not show aborted pictures
     return false;
   }
   this->CastSeconds += FrameClock::SecondsSince(start);
   return true;
 }
 
-// What is asked of the view by observers meanwhile is done afterwards. `again`: what the processor
-// does where a GPU fails.
+// Runs an action of drawing. Requests of observers during it take effect afterwards. `again`:
+// repeats the action on the processor if a GPU fails.
 void VolumeView::WhileDrawing(const Action& action, const Action& again)
 {
   this->IsDrawing = true;
@@ -116,7 +117,7 @@ void VolumeView::DrawNow(
     return;
   }
   const OpaqueDepth& opaque = *this->Opaque;
-  // The pictures of two eyes would begin each other anew.
+  // The pictures of two eyes would restart each other.
   const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
   const bool inSteps = frame.still && frame.stepwise && !stereo;
   PictureSubject subject =
@@ -146,13 +147,13 @@ OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame, const ViewGeometry&
   OpaqueDepth opaque(this->Target, geometry);
   if (frame.ranks)
   {
-    // A process may have opaque geometry that hides the parts of others.
+    // A process may have opaque geometry that hides the pieces of others.
     opaque.TakeNearestOf(*frame.ranks);
   }
   return opaque;
 }
 
-// Returns whether it was not aborted.
+// Draws the whole picture in one step. Returns false if aborted.
 bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque)
 {
   const ViewGeometry& geometry = *this->Geometry;
@@ -162,7 +163,7 @@ bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque
     : std::vector<DepthRange>();
   if (!ranges.empty())
   {
-    this->Sharpening.Clear(); // these are two pictures
+    this->Sharpening.Clear(); // the transition would mix two pictures
     return this->DrawBetween(opaque, ranges);
   }
   const std::vector<float> depth =
@@ -184,9 +185,9 @@ bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque
 
 namespace
 {
-// Of processes that draw together, IceT puts what one has over what another one has, in 8 bits
-// without a limit: where light is brighter than what its alpha hides, white would become black. So
-// what is opaque and behind is blended here.
+// When processes draw together, IceT blends their pictures in 8 bits without clamping: where a
+// pixel's light exceeds its alpha, white would overflow to black. So opaque geometry behind is
+// blended here.
 void BlendOver(const std::uint8_t* behind, std::uint8_t* pixel)
 {
   const int passed = 255 - pixel[3];
@@ -198,7 +199,8 @@ void BlendOver(const std::uint8_t* behind, std::uint8_t* pixel)
   pixel[3] = 255;
 }
 
-// Where that is not known, less of it comes through.
+// Raises alpha to the largest channel, for pixels whose background is unknown: less of it shines
+// through, and the sum does not overflow.
 void HideAsMuchAsIsAdded(std::uint8_t* pixel)
 {
   pixel[3] = std::max({ pixel[0], pixel[1], pixel[2], pixel[3] });
@@ -218,14 +220,14 @@ bool HasSeveralVolumes(vtkRenderer* renderer)
 }
 }
 
-// Brings the frame's picture into the view.
+// Draws the frame's picture into the view.
 void VolumeView::Show(const FrameSettings& frame, const OpaqueDepth& opaque)
 {
   frame.ranks ? this->ShowShared(*frame.ranks, opaque)
               : this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
 }
 
-// Those pixels in which this process's part is foremost.
+// Draws the pixels in which this process's piece is foremost.
 void VolumeView::ShowShared(const Communicator& ranks, const OpaqueDepth& opaque)
 {
   const PictureFrame view = FrameOf(*this->Geometry, 1);
@@ -260,13 +262,13 @@ void VolumeView::ShowShared(const Communicator& ranks, const OpaqueDepth& opaque
   this->Quad.Draw(this->Target, own, view, this->Geometry->nearest);
 }
 
-// As long as the picture is not complete, there is one as in motion. Returns whether nothing was
-// aborted.
+// Draws a picture in slices over several frames. Until it is complete, a coarse one as during
+// interaction is shown. Returns false if aborted.
 bool VolumeView::DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opaque)
 {
   const ViewGeometry geometry = *this->Geometry;
   const double rays = double(this->Rays.width) * this->Rays.height;
-  constexpr float end = 1; // of the clipping range
+  constexpr float end = 1; // end of the clipping range
   SlicedPicture::Wanted wanted{ this->Rays,
     opaque.IsEmpty() ? std::vector<float>(std::size_t(rays), end) : opaque.InMiddles(this->Frame),
     this->Caster.Changes() };
@@ -280,7 +282,7 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opa
   const bool aborted =
     !this->Fine.Advance([&]() { return frame.AnyRank(FrameClock::SecondsSince(start) > seconds); },
       [this](const View& view) { return this->MakePicture(view) ? &this->Part : nullptr; });
-  this->CastSeconds = 0; // not of a whole picture
+  this->CastSeconds = 0; // it would not be the time of a whole picture
   if (aborted)
   {
     return false;
@@ -301,8 +303,8 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opa
   return this->DrawWhole(frame, opaque);
 }
 
-// Where opaque geometry begins or ends within what a coarse pixel covers, there are two colours for
-// it: of the ray that ends at the nearest depth there is, and of the one that ends at the farthest.
+// If opaque geometry begins or ends within a coarse pixel, the pixel has two colours: that of the
+// ray to the nearest depth, and that of the ray to the farthest.
 bool VolumeView::DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges)
 {
   std::vector<float> depth(ranges.size());
@@ -348,7 +350,8 @@ void VolumeView::DrawPart(const RayParts& parts, std::size_t part)
   }
 }
 
-// What is missed belongs in front of everything: the foremost part has it of the whole rays.
+// The paint of missed structures belongs in front of everything, so the foremost segment has that
+// of the whole rays.
 void VolumeView::DrawPartNow(const RayParts& parts, std::size_t part)
 {
   const std::array<int, 2>& size = this->Geometry->size;

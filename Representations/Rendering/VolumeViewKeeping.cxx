@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Finished pictures of a view at rest, which are shown again where nothing that they depend on has
+// Keeps finished pictures of a still view, and shows them again if nothing that they depend on has
 // changed.
 
 #include "OpaqueDepth.h"
@@ -17,7 +17,7 @@ namespace
 {
 constexpr float endOfRange = 1; // in clip coordinates
 
-// Each takes some time beside its rays.
+// Each slice takes some time in addition to its rays.
 constexpr double MostSlicesOfOriginal = 64;
 }
 
@@ -36,7 +36,7 @@ PictureSubject VolumeView::SubjectOf(const FrameSettings& frame, const VolumeDat
   return subject;
 }
 
-// Returns whether the frame is over.
+// Shows a kept picture if there is one. Returns whether this completes the frame.
 bool VolumeView::ShowKept(const FrameSettings& frame, const PictureSubject& subject,
   const OpaqueDepth& opaque, FrameMessages& messages)
 {
@@ -57,7 +57,7 @@ bool VolumeView::ShowKept(const FrameSettings& frame, const PictureSubject& subj
   return true;
 }
 
-// Of a frame that has come to its end.
+// Keeps the picture of a finished frame.
 void VolumeView::Keep(PictureSubject subject, const FrameMessages& messages)
 {
   if (!this->LastResult.converged || !messages.errors.empty())
@@ -80,7 +80,7 @@ bool VolumeView::PrepareOriginal(const VolumeData& data)
   return goesOn;
 }
 
-// A part of the picture. Returns whether something is left.
+// Computes a part of the picture without optimisation. Returns whether work is left.
 bool VolumeView::MakeOriginal(const VolumeData& data)
 {
   const KeptPicture* optimized = this->Pictures.Optimized();
@@ -116,7 +116,7 @@ bool VolumeView::MakeOriginal(const VolumeData& data)
     const double slices = std::ceil(this->Budget.SecondsOf(rays) / frame.frameTime);
     this->Original.Begin(
       std::move(wanted), static_cast<int>(std::clamp(slices, 1.0, MostSlicesOfOriginal)));
-    return true; // that took its time
+    return true; // this step took its time
   }
   if (!messages.errors.empty() || !this->AdvanceOriginal(frame.frameTime))
   {
@@ -131,14 +131,14 @@ bool VolumeView::MakeOriginal(const VolumeData& data)
   return false;
 }
 
-// Returns whether it was not aborted.
+// Computes slices of the picture without optimisation. Returns false if aborted.
 bool VolumeView::AdvanceOriginal(double seconds)
 {
   const auto start = FrameClock::SteadyClock::now();
   const auto isOutOfTime = [&]() { return FrameClock::SecondsSince(start) > seconds; };
   const bool goesOn = this->Original.Advance(isOutOfTime,
     [this](const View& view) { return this->MakePicture(view) ? &this->Part : nullptr; });
-  this->CastSeconds = 0; // not of a whole picture
+  this->CastSeconds = 0; // it would not be the time of a whole picture
   return goesOn;
 }
 }

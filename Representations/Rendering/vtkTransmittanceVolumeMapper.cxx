@@ -45,7 +45,7 @@ void vtkTransmittanceVolumeMapper::SetVisibilitySettings(vtkVisibilitySettings* 
 
 namespace
 {
-// Returns whether that changes it.
+// Sets the name of an array. Returns whether it has changed.
 bool Rename(std::string& array, const char* name)
 {
   const std::string before = std::exchange(array, name ? name : "");
@@ -233,7 +233,7 @@ bool vtkTransmittanceVolumeMapper::PrepareOriginal()
 
 void vtkTransmittanceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  // An observer may take this mapper off the volume, which may be all that holds it.
+  // An observer may remove this mapper from the volume, which may hold the only reference.
   const vtkSmartPointer<vtkTransmittanceVolumeMapper> alive = this;
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {

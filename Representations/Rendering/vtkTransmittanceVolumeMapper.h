@@ -3,48 +3,50 @@
 
 /**
  * @class   vtkTransmittanceVolumeMapper
- * @brief   draw a volume so that its important regions are seen
+ * @brief   draw a volume so that its important structures are visible
  *
- * A volume mapper, to be used with vtkVolume::SetMapper. It finds the extinction of Eq. (21) in
- * [HG24] for the camera and a light of the view in which it draws, and renders with it by Eqs.
- * (1)-(6): single scattering, with the transmittance of the light from a shadow volume. Backend
- * says what computes; with AUTO a graphics card where there is one, else all cores of the CPU.
+ * A volume mapper, to be used with vtkVolume::SetMapper. It computes the extinction of Eq. (21) in
+ * [HG24] for the camera and one light of the view in which it draws, and renders with it by Eqs.
+ * (1)-(6): single scattering, with the light's transmittance from a shadow volume. Backend is where
+ * it computes; AUTO is a graphics card if there is one, else all cores of the CPU.
  *
- * Input port 0: vtkImageData with an array of its points or its cells (cell arrays are averaged to
- * the points first), of any numeric type, chosen as for all volume mappers with SelectScalarArray
- * and SetScalarMode. Points with a NaN or an infinite value and hidden (blanked) points are empty.
- * Extents, spacing and direction matrices of either handedness are honoured. A second array has the
- * importance, see SetImportanceArray; a third one may have the extinction, see SetExtinctionSource.
+ * Input port 0: vtkImageData with a point or cell array of any numeric type, chosen with
+ * SelectScalarArray and SetScalarMode as for all volume mappers. Cell arrays are averaged to the
+ * points first. Points with a NaN or an infinite value and hidden (blanked) points are empty.
+ * Extents, spacing, and direction matrices of either handedness are honoured. A second array has
+ * the importance, see SetImportanceArray; a third one may have the extinction, see
+ * SetExtinctionSource.
  *
- * Colours, opacities and the unit distance are those of the first component of vtkVolumeProperty;
- * scalars are always interpolated linearly. The volume is lit if Shadows or the property's Shade is
+ * Colours, opacities and the unit distance are those of the first component of vtkVolumeProperty.
+ * Scalars are always interpolated linearly. The volume is lit if Shadows or the property's Shade is
  * on: with Shadows by single scattering with the transmittance of the light, with Shade alone by
- * the same with a transmittance of 1. With both off it emits and absorbs light, and without
- * optimization that is the picture of VTK's own mappers without shading. Gradient opacity,
- * two-dimensional transfer functions, and blend modes other than composite are not available: there
- * is a warning.
+ * single scattering with a transmittance of 1. With both off it emits and absorbs light; without
+ * optimization, this picture equals that of VTK's own mappers without shading. Gradient opacity,
+ * two-dimensional transfer functions, and blend modes other than composite are not supported; they
+ * cause a warning.
  *
- * Optimization states belong to renderer and volume: two views of the same volume do not disturb
- * each other. A still frame (the render window's DesiredUpdateRate is below 1) has full resolution,
- * the optimization is run to its end, and it does not depend on what was shown before. A moving
- * frame takes about InteractiveFrameTime: with one pass of the optimization on a grid, shadows on a
- * grid, and a picture on pixels that are as fine as the time allows, and changes ease in.
+ * The state of the optimization belongs to a renderer and a volume, so two views of a volume are
+ * independent. A still frame (the render window's DesiredUpdateRate is below 1) has full resolution
+ * and a completed optimization, and does not depend on earlier frames. A frame during interaction
+ * takes about InteractiveFrameTime: it makes one pass of the optimization on a coarser grid,
+ * computes shadows on a grid, has as many pixels as the time allows, and changes ease in.
  *
- * Opaque geometry hides and is hidden correctly. Translucent geometry does behind a volume, and
- * anywhere if the renderer peels volumes (UseDepthPeeling, UseDepthPeelingForVolumes): rays are
- * cast from surface to surface then. Without that it is drawn by VTK before any volume, and volumes
- * that overlap cannot be drawn right; there is a warning for both. Volumes that do not overlap are
- * drawn in the right order if this class draws them; see also SortBackToFront.
+ * Opaque geometry and the volume hide each other correctly. Translucent geometry is correct behind
+ * a volume; elsewhere it is if the renderer peels volumes (UseDepthPeeling,
+ * UseDepthPeelingForVolumes), where rays are cast from surface to surface. Without peeling, VTK
+ * draws it before all volumes, and overlapping volumes cannot be drawn correctly; there is a
+ * warning for both. Volumes that do not overlap are drawn in the right order if this class draws
+ * them; see also SortBackToFront.
  *
- * Clipping planes and the box of a cropping region cut the picture where they are, 16 planes at
- * most with 6 of a box; cropping regions that are no box end between points. Points outside do not
- * count in the optimization and the score and cast no shadow.
+ * Clipping planes and the box of a cropping region cut the picture exactly; at most 16 planes, of
+ * which a box takes 6. Cropping regions that are not a box are cut between points. Points outside
+ * are ignored by the optimization and the score, and cast no shadow.
  *
- * With several processes of MPI, each has its own piece of the image. With SharesImage on they draw
- * the volume together, within 1/255 of the picture of one process; else there is a warning, and
- * each draws its piece without optimization and light, and there is no score.
+ * With several MPI processes, each has its own piece of the image. With SharesImage on, they draw
+ * the volume together; the picture is within 1/255 of that of one process. With it off, each
+ * process draws its piece without optimization and light, with a warning, and there is no score.
  *
- * The unit of length is that of the input's spacing, also where the volume is scaled.
+ * The unit of length is that of the input's spacing, even if the volume is scaled.
  *
  * @sa vtkExtinctionOptimizer
  */
@@ -99,31 +101,32 @@ public:
 
   ///@{
   /**
-   * Importance, weights, own light and solver, see vtkVisibilitySettings; null changes nothing.
-   * By default, ScalarComponent is UNDECIDED here, which is MAGNITUDE with a warning if there are
-   * several components, and RestrictToView is on.
+   * The settings of importance, weights, own light and solver. Null changes nothing. By default,
+   * ScalarComponent is UNDECIDED here, which means MAGNITUDE, with a warning if there are several
+   * components, and RestrictToView is on.
    */
   virtual void SetVisibilitySettings(vtkVisibilitySettings* settings);
   vtkVisibilitySettings* GetVisibilitySettings() { return this->Settings; }
   ///@}
 
   /**
-   * The methods of vtkVisibilitySettings, documented there. Of SetMethod: VIOLA_2004 clips every
-   * ray of a picture by itself, where the filter samples the clip to the points; it and
-   * MARCHESIN_2010 are drawn without shadows, and need whole rays: with translucent geometry in the
-   * volume, or in several processes, the volume is drawn as with ORDINARY, with a message.
+   * The methods of vtkVisibilitySettings, see there. For SetMethod: VIOLA_2004 clips every ray of a
+   * picture separately, while the filter samples the clip at the points. It and MARCHESIN_2010 are
+   * drawn without shadows and need whole rays: with translucent geometry in the volume, or in
+   * several processes, the volume is drawn as with ORDINARY, with a message.
    */
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
 
   /**
-   * Settings for a purpose, see vtkVisibilitySettings::SetPreset.
+   * Applies a preset, see vtkVisibilitySettings::SetPreset.
    */
   virtual bool SetPreset(const char* name) { return this->Settings->SetPreset(name); }
 
   ///@{
   /**
-   * Name of the array with the importance, dimensionless, or with what ImportanceFunction maps to
-   * it. Empty: the array "Importance", or if there is none, the scalar array. Default is empty.
+   * Name of the array with the importance, dimensionless, or with the argument of
+   * ImportanceFunction. Empty: the array "Importance", or, if there is none, the scalar array.
+   * Default is empty.
    */
   void SetImportanceArray(const char* name);
   const char* GetImportanceArray() const;
@@ -131,11 +134,11 @@ public:
 
   ///@{
   /**
-   * Function from the scalars to importance that stands in where nothing says what is important:
-   * UseImportanceFunction is off, and ImportanceArray is empty and there is none of the name
-   * "Importance", or it is the scalar array. Null: a ramp over the largest scalars, from their 95th
-   * to their 99th percentile, or above where these are in noise, with a warning, where
-   * ImportanceArray is empty. Default is null.
+   * Function from the scalars to importance that is used if importance is not specified. This is so
+   * if UseImportanceFunction is off and either ImportanceArray is empty and there is no array
+   * "Importance", or the importance array is the scalar array. Null: if ImportanceArray is empty,
+   * importance is assumed to rise over the largest scalars, from their 95th to their 99th
+   * percentile, or above these if they lie in noise, with a warning. Default is null.
    */
   void SetAssumedImportance(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetAssumedImportance() { return this->AssumedImportance; }
@@ -143,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Where the array with the importance is: vtkDataObject::FIELD_ASSOCIATION_POINTS, _CELLS, or
-   * _POINTS_THEN_CELLS. Default is FIELD_ASSOCIATION_POINTS_THEN_CELLS.
+   * Whether the importance array is a point or cell array: vtkDataObject::FIELD_ASSOCIATION_POINTS,
+   * _CELLS, or _POINTS_THEN_CELLS. Default is FIELD_ASSOCIATION_POINTS_THEN_CELLS.
    */
   LIMPID_SET_CLAMPED(ImportanceArrayAssociation, int, vtkDataObject::FIELD_ASSOCIATION_POINTS,
     vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
@@ -153,10 +156,10 @@ public:
 
   ///@{
   /**
-   * Where the base extinction comes from: OPACITY_FUNCTION of the scalar array and its unit
-   * distance, or ARRAY, the extinction array, interpolated linearly; with that the scalars say the
-   * colours alone. Scores, too, are of what the array has: what was removed from it before does not
-   * count. Default is OPACITY_FUNCTION.
+   * Source of the base extinction. OPACITY_FUNCTION: that of the scalar array and its unit
+   * distance. ARRAY: the extinction array, interpolated linearly; the scalars then define the
+   * colours only. Scores refer to this base extinction as well: what was removed from the array
+   * before does not count. Default is OPACITY_FUNCTION.
    */
   LIMPID_SET_CLAMPED(ExtinctionSource, int, OPACITY_FUNCTION, ARRAY);
   vtkGetMacro(ExtinctionSource, int);
@@ -164,9 +167,9 @@ public:
 
   ///@{
   /**
-   * Name of the array with the extinction [1/length], one number per point or cell: not negative,
-   * else the point is empty, as where it is NaN or infinite. Empty: the array "Extinction", as
-   * vtkExtinctionOptimizer makes it. Default is empty.
+   * Name of the array with the extinction [1/length], one number per point or cell. Points where it
+   * is negative, NaN or infinite are empty. Empty: the array "Extinction", which
+   * vtkExtinctionOptimizer creates. Default is empty.
    */
   void SetExtinctionArray(const char* name);
   const char* GetExtinctionArray() const;
@@ -174,7 +177,7 @@ public:
 
   ///@{
   /**
-   * Where the array with the extinction is: as SetImportanceArrayAssociation.
+   * Whether the extinction array is a point or cell array, as for SetImportanceArrayAssociation.
    * Default is FIELD_ASSOCIATION_POINTS_THEN_CELLS.
    */
   LIMPID_SET_CLAMPED(ExtinctionArrayAssociation, int, vtkDataObject::FIELD_ASSOCIATION_POINTS,
@@ -184,10 +187,10 @@ public:
 
   ///@{
   /**
-   * OFF: the base extinction, and the score is that of it. ONCE: optimized
-   * for camera and light of the first still frame, and kept until Reset is called or the data
-   * change; changed functions and settings are followed. CONTINUOUS: optimized for every frame.
-   * Default is CONTINUOUS.
+   * When to optimize. OFF: never; the base extinction is shown and scored. ONCE: for the camera and
+   * the light of the first still frame; the result is kept until Reset is called or the data
+   * change, while changes of transfer functions and settings are followed. CONTINUOUS: for every
+   * frame. Default is CONTINUOUS.
    */
   LIMPID_SET_CLAMPED(Optimization, int, OFF, CONTINUOUS);
   vtkGetMacro(Optimization, int);
@@ -195,8 +198,8 @@ public:
 
   ///@{
   /**
-   * Whether the extinction stays as it is, whatever moves; functions that change are followed.
-   * Default is off.
+   * Whether the extinction is kept while cameras and lights move. Changes of transfer functions are
+   * followed. Default is off.
    */
   vtkSetMacro(PauseOptimization, vtkTypeBool);
   vtkGetMacro(PauseOptimization, vtkTypeBool);
@@ -204,18 +207,17 @@ public:
   ///@}
 
   /**
-   * Forgets what has been optimized, in all views; with ONCE the next still frame is the first.
+   * Discards the optimization of all views. With ONCE, the next still frame counts as the first.
    */
   void Reset();
 
   ///@{
   /**
-   * Which light casts the shadow and drives the optimization. SCENE: the strongest of the
-   * renderer's lights that are switched on, by colour and intensity; other lights are not drawn,
-   * and the strength of this one only tells which it is: how bright it is comes from
-   * LightIntensity, and it is white, so that colours can be read off a scalar bar. OWN: that of
-   * LightType and LightPosition.
-   * Default is SCENE.
+   * The light that casts the shadow and is optimized for. SCENE: the strongest of the renderer's
+   * lights that are switched on, by colour and intensity. Other lights are ignored. Its strength is
+   * only used to choose it: it is drawn in white, so that colours can be read off a scalar bar, and
+   * LightIntensity sets its brightness. OWN: the light of LightType and LightPosition. Default is
+   * SCENE.
    */
   LIMPID_SET_CLAMPED(LightSource, int, SCENE, OWN);
   vtkGetMacro(LightSource, int);
@@ -223,7 +225,7 @@ public:
 
   ///@{
   /**
-   * Whether the volume is lit by single scattering and casts shadows on itself, T_L of Eq. (4).
+   * Whether the volume is lit by single scattering and casts shadows on itself by T_L of Eq. (4).
    * Default is on.
    */
   vtkSetMacro(Shadows, vtkTypeBool);
@@ -233,7 +235,7 @@ public:
 
   ///@{
   /**
-   * Share of the shadow that is drawn, in [0, 1]. Default is 0.7.
+   * Strength of the shadow, in [0, 1]: 0 draws none, 1 all of it. Default is 0.7.
    */
   LIMPID_SET_CLAMPED(ShadowStrength, double, 0, 1);
   vtkGetMacro(ShadowStrength, double);
@@ -241,7 +243,7 @@ public:
 
   ///@{
   /**
-   * Share of the light that comes from all sides and reaches everything, in [0, 1]. Default is
+   * Share of ambient light, which comes from all sides and is not attenuated, in [0, 1]. Default is
    * 0.35.
    */
   LIMPID_SET_CLAMPED(Ambient, double, 0, 1);
@@ -250,8 +252,8 @@ public:
 
   ///@{
   /**
-   * Parameter a of the Henyey-Greenstein phase function, between -1 (light is scattered back) and
-   * 1 (it goes straight on). Default is 0.6.
+   * Parameter a of the Henyey-Greenstein phase function, in (-1, 1); other values are an error.
+   * Towards -1 light is scattered backwards, towards 1 forwards. Default is 0.6.
    */
   vtkSetMacro(Anisotropy, double);
   vtkGetMacro(Anisotropy, double);
@@ -259,8 +261,8 @@ public:
 
   ///@{
   /**
-   * Weight k_s of the Blinn-Phong term of Eq. (5) where the base extinction is steepest; elsewhere
-   * it is less in proportion to the gradient. Not below zero. Default is 2.
+   * Weight k_s of the Blinn-Phong term of Eq. (5) where the gradient of the base extinction is
+   * steepest; elsewhere it is proportional to the gradient. At least zero. Default is 2.
    */
   LIMPID_SET_CLAMPED(Specular, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(Specular, double);
@@ -268,7 +270,7 @@ public:
 
   ///@{
   /**
-   * Exponent of the Blinn-Phong term, not below zero. Default is 20.
+   * Exponent of the Blinn-Phong term, at least zero. Default is 20.
    */
   LIMPID_SET_CLAMPED(SpecularPower, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpecularPower, double);
@@ -276,9 +278,9 @@ public:
 
   ///@{
   /**
-   * Brightness of the light, not below zero. At 1, a surface that faces light and camera has the
-   * colour of the transfer function, and nothing is brighter; above, no channel is clipped alone.
-   * Default is 1.
+   * Brightness of the light, at least zero. At 1, a surface that faces both light and camera has
+   * the colour of the transfer function, and nothing is brighter. Above 1, colours that are too
+   * bright keep their hue: no channel is clipped by itself. Default is 1.
    */
   LIMPID_SET_CLAMPED(LightIntensity, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(LightIntensity, double);
@@ -286,8 +288,8 @@ public:
 
   ///@{
   /**
-   * Distance between samples along a ray, in units of the smallest spacing, above zero.
-   * Default is 1.
+   * Distance between samples along a ray, in units of the smallest spacing; above zero. Default is
+   * 1.
    */
   vtkSetMacro(SampleDistance, double);
   vtkGetMacro(SampleDistance, double);
@@ -295,8 +297,8 @@ public:
 
   ///@{
   /**
-   * Whether the samples of each ray are shifted by a fixed pseudo-random amount: noise instead of
-   * rings. Default is off.
+   * Whether the samples of each ray are shifted by a fixed pseudo-random amount, which turns rings
+   * into noise. Default is off.
    */
   vtkSetMacro(Jitter, vtkTypeBool);
   vtkGetMacro(Jitter, vtkTypeBool);
@@ -305,17 +307,17 @@ public:
 
   ///@{
   /**
-   * Whether the picture is painted over, in MissedColor, where it misses something important. What
-   * was removed is painted, and of what is hidden, that which could be seen in the same pixel if
-   * what is less important were not in front of it: the inside and the back of something that is
-   * seen, or what it hides of its own kind, is not. What is important itself and seen covers the
-   * paint of what is behind it. At most 70 % of a pixel are painted, and little
-   * where little is missed, so that noise paints nothing.
+   * Whether pixels that miss important structures are painted over with MissedColor. Structures
+   * that were removed are painted. Hidden ones are painted only if they could be seen in that pixel
+   * without less important matter in front of them; so the inside and the back of a visible
+   * structure, and what it hides of its own kind, are not painted. Visible important structures
+   * cover the paint of what is behind them. At most 70 % of a pixel's colour is painted, and little
+   * where little is missed, so that noise is not painted.
    *
-   * Moving frames have it, too: it is gathered along the rays of the very picture that it is
-   * painted over, from the extinction shown there, so it cannot be of another view. It takes about
-   * the time of the rays once more. Opaque geometry ends the rays; translucent geometry does not
-   * count as something that hides. Default is off.
+   * This also works during interaction: the paint is accumulated along the rays of the same
+   * picture, from the extinction that it shows, so it always belongs to the same view. It takes
+   * about as long as the rays again. Opaque geometry ends the rays; translucent geometry does not
+   * count as hiding anything. Default is off.
    */
   vtkSetMacro(ShowMissed, vtkTypeBool);
   vtkGetMacro(ShowMissed, vtkTypeBool);
@@ -324,7 +326,8 @@ public:
 
   ///@{
   /**
-   * Red, green and blue of what is missed, in [0, 1]. Default is magenta, (1, 0, 1).
+   * Red, green and blue of the paint of missed structures, in [0, 1]. Default is magenta, (1, 0,
+   * 1).
    */
   virtual void SetMissedColor(double red, double green, double blue);
   virtual void SetMissedColor(const double color[3]);
@@ -333,7 +336,7 @@ public:
 
   ///@{
   /**
-   * Time that a moving frame may take [s], above zero. Default is 0.1.
+   * Time limit of a frame during interaction [s]; above zero. Default is 0.1.
    */
   vtkSetMacro(InteractiveFrameTime, double);
   vtkGetMacro(InteractiveFrameTime, double);
@@ -341,8 +344,8 @@ public:
 
   ///@{
   /**
-   * Time constant with which changes of the extinction ease in while the view moves [s]; zero: they
-   * are shown at once. Default is 0.3.
+   * Time constant with which changes of the extinction ease in while the view moves [s], at least
+   * zero. Zero: changes are shown at once. Default is 0.3.
    */
   LIMPID_SET_CLAMPED(EaseTime, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(EaseTime, double);
@@ -350,8 +353,8 @@ public:
 
   ///@{
   /**
-   * Whether moving frames are made coarser to take no longer than InteractiveFrameTime. Off: they
-   * are like still frames, however long they take. Default is on.
+   * Whether frames during interaction are made coarser to meet InteractiveFrameTime. Off: they are
+   * like still frames, however long these take. Default is on.
    */
   vtkSetMacro(AdaptiveQuality, vtkTypeBool);
   vtkGetMacro(AdaptiveQuality, vtkTypeBool);
@@ -360,9 +363,8 @@ public:
 
   ///@{
   /**
-   * Whether a still frame takes one step of the optimization only, and GetConverged tells whether
-   * more frames are to be rendered. For programs with a window that stays responsive; whoever sets
-   * it renders until it has converged. Default is off.
+   * Whether a still frame makes only one step of the optimization, so that a program with a window
+   * stays responsive. The program must render until GetConverged returns true. Default is off.
    */
   vtkSetMacro(ProgressiveStill, vtkTypeBool);
   vtkGetMacro(ProgressiveStill, vtkTypeBool);
@@ -371,8 +373,9 @@ public:
 
   ///@{
   /**
-   * Whether still frames are made like moving ones, so that they leave something to do: for such a
-   * program while its user is likely to move on at once. Default is off.
+   * With ProgressiveStill, whether still frames are made like frames during interaction, which
+   * leaves the rest to later frames; useful while the user is likely to move on at once. Default is
+   * off.
    */
   vtkSetMacro(DeferStill, vtkTypeBool);
   vtkGetMacro(DeferStill, vtkTypeBool);
@@ -380,67 +383,70 @@ public:
   ///@}
 
   /**
-   * Makes a part of the picture without optimization of what the last frames showed, once they have
-   * converged with ProgressiveStill, so that the first frame of the method ORDINARY shows it. For
-   * such a program while nothing else happens: a call takes about InteractiveFrameTime, and once
-   * per picture the time of a shadow. Returns whether something is left to be done; false also
-   * where there is nothing to prepare. The picture with optimization is kept by itself.
+   * Computes a part of the unoptimized picture of the view that the last frames showed, so that the
+   * first frame with the method ORDINARY can show it. To be called with ProgressiveStill, while the
+   * program is idle and once the frames have converged. A call takes about InteractiveFrameTime
+   * and, once per picture, the time of a shadow. Returns whether work is left; false also if there
+   * is nothing to prepare. The optimized picture is kept without this.
    */
   bool PrepareOriginal();
 
   ///@{
   /**
-   * Whether all processes of the global controller draw the volume together, each of which has a
-   * piece of the image as its input, or an image without points, and WholeExtent is that of all
-   * pieces. All of them have to render the same frames, whether or not they see their piece: the
-   * bounds of the mapper are those of the whole image. A process draws the pixels in which its
-   * piece is foremost, of all that lies behind it, too. Moving frames show what was found last.
-   * Default is off.
+   * Whether all processes of the global controller draw the volume together. The input of each is a
+   * piece of the image, or an image without points, and WholeExtent is the extent of all pieces.
+   * All processes must render the same frames, even if they do not see their piece: the bounds of
+   * the mapper are those of the whole image. A process draws the pixels in which its piece is
+   * foremost, including what is behind. Frames during interaction show the extinction that was
+   * found last. Default is off.
    */
   vtkSetMacro(SharesImage, vtkTypeBool);
   vtkGetMacro(SharesImage, vtkTypeBool);
   vtkBooleanMacro(SharesImage, vtkTypeBool);
-  bool DrawsWithOthers() const; ///< whether there are any, too
+  bool DrawsWithOthers() const; ///< SharesImage, and there are other processes
   vtkSetVector6Macro(WholeExtent, int);
   vtkGetVector6Macro(WholeExtent, int);
   ///@}
 
   ///@{
   /**
-   * Visibility score of what the last frame showed, S of Eq. (32), and of the base extinction in
-   * the same view [length^2]. Zero without importance. What is behind opaque geometry that was
-   * drawn before is not seen; the optimization does not take it into account.
+   * Visibility score S of Eq. (32) of the extinction that the last frame showed, and of the base
+   * extinction in this view [length^2]. Zero without importance. What is behind opaque geometry
+   * drawn before is not visible; the optimization ignores such geometry.
    */
   double GetVisibilityScore() const;
   double GetBaseVisibilityScore() const;
   ///@}
 
   /**
-   * Whether scores and fractions were measured in the last frame: zero then says that nothing
-   * important is in view. Else they are zero because nobody knows.
+   * Whether scores and fractions were measured for the last frame. If so, zero means that nothing
+   * important is in view; if not, they are zero because they are unknown.
    */
   bool GetMeasured() const;
 
   ///@{
   /**
-   * Of the important matter in the data, the integral of importance times base extinction, the
-   * share whose light reaches the camera, in [0, 1]: what was removed is not seen, and what was
-   * made thicker is not seen twice. What is behind opaque geometry is not seen, likewise.
+   * The visible fraction of the important structures in [0, 1], with the optimized and with the
+   * base extinction: the share of the integral of importance times base extinction whose light
+   * reaches the camera. Matter that was removed is not seen, added matter does not count, and what
+   * is behind opaque geometry is not seen.
    */
   double GetVisibleFraction() const;
   double GetBaseVisibleFraction() const;
   ///@}
 
   /**
-   * The share of it that the optimization removed to show other parts, in [0, 1].
+   * The share of the important structures that the optimization removed to show other parts, in [0,
+   * 1].
    */
   double GetSacrificedFraction() const;
 
   ///@{
   /**
-   * What no extinction within the bounds could exceed in the view of the last frame:
-   * GetVisibleFraction, GetVisibilityScore, and the score of the light. Zero without importance,
-   * for methods other than OPTIMIZED, and as long as the frame has not converged.
+   * Upper bounds that no extinction within its limits could exceed in the view of the last frame:
+   * for GetVisibleFraction, for GetVisibilityScore [length^2], and for the score of the light
+   * [length^2]. Zero without importance, for methods other than OPTIMIZED, and until the frame has
+   * converged.
    */
   double GetAttainableFraction() const;
   double GetAttainableScore() const;
@@ -448,67 +454,66 @@ public:
   ///@}
 
   /**
-   * Says that nothing is shown: scores and fractions are zero until the next frame. For owners that
-   * hide the volume because there is nothing to be drawn.
+   * Tells the mapper that nothing is shown: scores and fractions are zero until the next frame. For
+   * owners that hide the volume because there is nothing to draw.
    */
   void ClearResults();
 
   /**
-   * Whether the last frame showed all that there is to show: at full resolution, the optimization
-   * at its end.
+   * Whether the last frame was complete: at full resolution, with a completed optimization.
    */
   bool GetConverged() const;
 
   /**
    * Whether the optimization of a converged frame ended because another iteration would change next
-   * to nothing, and not at MaximumIterations or MaximumSeconds.
+   * to nothing, rather than at MaximumIterations or MaximumSeconds.
    */
   bool GetSettled() const;
 
   /**
-   * Iterations of the optimization at full resolution for the last frame.
+   * Number of iterations of the optimization at full resolution for the last frame.
    */
   int GetIterations() const;
 
   /**
-   * The light of the last frame for a person to read: which one of the view, what kind of light.
+   * A readable description of the light of the last frame: which light of the view, and its kind.
    */
   const char* GetLightDescription() const;
 
   /**
-   * What computed the last optimization: "CPU, 2 threads". Empty before.
+   * The backend of the last optimization, for instance "CPU, 2 threads". Empty before the first.
    */
   const char* GetBackendName() const;
 
   /**
-   * What Method is called in panels: "Ament 2017". Empty if there is no such method.
+   * The name of Method in panels, for instance "Ament 2017". Empty if there is no such method.
    */
   const char* GetMethodName();
 
   /**
-   * The errors and warnings of the last frame, one a line, also those that were given before and
-   * are still true. Empty when all is well.
+   * The errors and warnings of the last frame, one per line, including earlier ones that still
+   * apply. Empty if there are none.
    */
   const char* GetMessages() const;
 
   /**
-   * Makes a renderer draw its props from back to front, which this class can do for volumes of its
-   * own only: by sorting in the renderer's vtkFrustumCoverageCuller, or in a new one if there is
+   * Makes a renderer draw its props from back to front, as far as this class can ensure it: for its
+   * own volumes. It sorts in the renderer's vtkFrustumCoverageCuller, or in a new one if there is
    * none.
    */
   static void SortBackToFront(vtkRenderer* renderer);
 
   /**
-   * Whether there is translucent geometry in front of a volume or reaching into it, which is drawn
-   * right only by a renderer that peels volumes; without a volume: of any visible one, whatever
-   * draws it.
+   * Whether translucent geometry is in front of or inside a volume, which only a renderer that
+   * peels volumes draws correctly. Without a volume: of any visible volume, whichever mapper draws
+   * it.
    */
   static bool NeedsDepthPeeling(vtkRenderer* renderer, vtkVolume* volume);
   static bool NeedsDepthPeeling(vtkRenderer* renderer);
 
   /**
-   * Gives back the memory of everything that can be made again: fields, optimizations, pictures.
-   * Happens by itself when the volume is made invisible.
+   * Frees the memory of everything that can be computed again: fields, optimizations, pictures.
+   * Called automatically when the volume is made invisible.
    */
   void ReleaseMemory();
 
@@ -533,7 +538,7 @@ private:
   int ImportanceArrayAssociation = 3; // vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS
   int ExtinctionSource = OPACITY_FUNCTION;
   std::string ExtinctionArray;
-  int ExtinctionArrayAssociation = 3; // likewise
+  int ExtinctionArrayAssociation = 3; // vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS
 
   int Optimization = CONTINUOUS;
   vtkTypeBool PauseOptimization = 0;
@@ -558,7 +563,7 @@ private:
   vtkTypeBool SharesImage = 0;
   int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
 
-  struct Internals; // speaks to the core, so that no core type shows here
+  struct Internals; // hides core types from this header
   std::unique_ptr<Internals> State;
 };
 

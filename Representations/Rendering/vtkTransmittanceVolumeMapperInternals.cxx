@@ -69,7 +69,7 @@ void vtkTransmittanceVolumeMapper::Internals::ReleaseMemory()
   this->ReleaseData();
 }
 
-// As soon as nothing is drawn from them.
+// Frees the data, as soon as no drawing uses them.
 void vtkTransmittanceVolumeMapper::Internals::ReleaseData()
 {
   this->ReleaseAfter = this->Drawing > 0;
@@ -81,7 +81,7 @@ void vtkTransmittanceVolumeMapper::Internals::ReleaseData()
 
 namespace
 {
-// The mapper of a volume that is to be drawn by this class; null: it is not.
+// Returns the mapper of a volume if this class will draw it; else null.
 vtkTransmittanceVolumeMapper* MapperOf(vtkVolume* volume)
 {
   auto* mapper = volume && volume->GetVisibility()
@@ -108,8 +108,8 @@ std::vector<vtkSmartPointer<vtkVolume>> VolumesOf(vtkRenderer* renderer)
 }
 }
 
-// The renderer visits volumes in the order in which they were added: the ones that this one hides
-// are drawn now, and not when it comes to them.
+// The renderer visits volumes in the order in which they were added. Volumes that this one hides
+// are drawn now, before the renderer visits them.
 void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
   vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -121,7 +121,8 @@ void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
     });
 }
 
-// Of our volumes, those that a volume hides and that have not been drawn in the frame yet.
+// Calls action for the volumes with our mapper that a volume hides and that have not been drawn in
+// this frame yet.
 void vtkTransmittanceVolumeMapper::Internals::ForThoseBehind(vtkRenderer* renderer,
   vtkVolume* volume, const std::function<void(vtkTransmittanceVolumeMapper*, vtkVolume*)>& action)
 {
@@ -139,7 +140,7 @@ void vtkTransmittanceVolumeMapper::Internals::ForThoseBehind(vtkRenderer* render
   }
 }
 
-// Whatever goes wrong ends here.
+// Runs an action of drawing. No exception leaves it: errors are reported here.
 template <class Action>
 void vtkTransmittanceVolumeMapper::Internals::WhileDrawing(const Action& action)
 {
@@ -183,12 +184,12 @@ void vtkTransmittanceVolumeMapper::Internals::RenderInTurn(vtkRenderer* renderer
   this->DrawFrame(view, renderer, volume, false);
 }
 
-// VTK comes to each volume several times per frame and does not mix what several of them give it:
-// the first one that it comes to takes the others along.
+// VTK visits each volume several times per frame and does not blend the segments of several
+// volumes. The first volume that it visits draws the others as well.
 void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer, vtkVolume* volume)
 {
   using Turn = limpid::VolumeView::Turn;
-  const vtkSmartPointer<vtkVolume> alive = volume; // an observer may take it off the renderer
+  const vtkSmartPointer<vtkVolume> alive = volume; // an observer may remove it from the renderer
   limpid::VolumeView& view = this->ViewOf(renderer, volume);
   if (view.InFrame == Turn::Ahead)
   {
@@ -243,8 +244,8 @@ void vtkTransmittanceVolumeMapper::Internals::PrepareFromBack(
   leader.Peeled.emplace_back(volume);
 }
 
-// With the messages of a frame. In parts: only makes what they need. Processes that draw together
-// fail together, and begin anew.
+// Draws a frame and collects its messages. In segments, it only computes what they need. If one of
+// several processes fails, all fail, and all start again.
 void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
@@ -257,7 +258,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
       [&]()
       {
         this->Draw(view, renderer, volume, inParts);
-        this->AnyRank(false); // all have come to the end
+        this->AnyRank(false); // a barrier for all processes
       });
   }
   catch (const std::exception& error)
@@ -269,7 +270,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   this->Log.End(&view);
 }
 
-// Of all views. What goes wrong is said by the frame that shows it.
+// Prepares the originals of all views. Errors are reported by the frame that shows an original.
 bool vtkTransmittanceVolumeMapper::Internals::PrepareOriginals()
 {
   bool isLeft = false;
@@ -304,7 +305,7 @@ void vtkTransmittanceVolumeMapper::Internals::UpdateRanks()
   this->Data.ShareAmong(this->Ranks, whole);
 }
 
-// What was made with some processes is of no use with others.
+// Discards what was computed with other processes.
 void vtkTransmittanceVolumeMapper::Internals::Disband()
 {
   if (this->Ranks)
@@ -330,7 +331,7 @@ double* vtkTransmittanceVolumeMapper::Internals::FindWholeBounds(
   return bounds;
 }
 
-// Notices values written in place, in all arrays that are drawn from.
+// Detects values that were changed in place, in all arrays that are drawn.
 void vtkTransmittanceVolumeMapper::Internals::NoticeChanges(
   vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction)
 {
@@ -362,7 +363,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     isHere ? this->ChooseImportance(image, scalars) : limpid::ImportanceChoice();
   this->AssumeImportance(image, choice);
   Importance importance;
-  std::string trouble; // with the importance
+  std::string trouble; // error message about the importance
   try
   {
     importance = isHere ? this->ImportanceOf(image, choice) : Importance();
@@ -377,7 +378,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   }
   if (this->AnyRank(!trouble.empty()))
   {
-    // Without optimisation, importance is for the score only, and for what is missed.
+    // Without optimisation, importance is used only for the score and for missed structures.
     if (frame.optimize || frame.showMissed)
     {
       this->Error((trouble.empty() ? "Another process has no importance." : trouble) +
@@ -441,8 +442,8 @@ std::string vtkTransmittanceVolumeMapper::Internals::WordsOf(const std::exceptio
     error, vtkImageData::SafeDownCast(this->Self->GetDataObjectInput()), limpid::drawingNeed);
 }
 
-// A pass of a hardware selection: ids instead of colours. Which point or cell it is cannot be told
-// from a picture, so these passes get the id of nothing.
+// Draws a pass of a hardware selection: ids instead of colours. A picture does not determine a
+// point or a cell, so passes for these get the id of nothing.
 void vtkTransmittanceVolumeMapper::Internals::RenderSelection(
   vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector)
 {

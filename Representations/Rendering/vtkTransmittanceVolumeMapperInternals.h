@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vtkTransmittanceVolumeMapper does between a call to Render and the picture: the border to
-// the core.
+// The implementation of vtkTransmittanceVolumeMapper between a call to Render and the picture; it
+// is the interface to the core.
 
 #ifndef vtkTransmittanceVolumeMapperInternals_h
 #define vtkTransmittanceVolumeMapperInternals_h
@@ -37,14 +37,14 @@ struct vtkTransmittanceVolumeMapper::Internals
   {
   }
 
-  // Several processes
+  // Several processes.
   bool IsShared() const;
   double* FindWholeBounds(vtkImageData* image, double bounds[6]) const;
   bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
   void UpdateRanks();
   void Disband();
 
-  // Drawing
+  // Drawing.
   void Render(vtkRenderer* renderer, vtkVolume* volume);
   template <class Action>
   void WhileDrawing(const Action& action);
@@ -62,15 +62,15 @@ struct vtkTransmittanceVolumeMapper::Internals
   void DrawFrame(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts);
   void Draw(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts);
 
-  // From properties to what the core wants
+  // Conversion of properties for the core.
   vtkImageData* RequireImage() const;
   limpid::FieldSource ScalarSource(vtkImageData* image, vtkVolume* volume);
   limpid::FieldSource ExtinctionSource(vtkImageData* image) const;
   struct Importance
   {
     limpid::FieldSource source;
-    vtkMTimeType functionTime = 0; ///< of the function that maps it; 0: none does
-    std::string warning;           ///< what was assumed; may be nothing
+    vtkMTimeType functionTime = 0; ///< modification time of the importance function; 0: none
+    std::string warning;           ///< says what was assumed; may be empty
   };
   limpid::ImportanceChoice ChooseImportance(
     vtkImageData* image, const limpid::FieldSource& scalars) const;
@@ -85,7 +85,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   void LeaveWhatIsNotShared(limpid::FrameSettings& frame);
   limpid::Lighting MakeLighting() const;
 
-  // Messages about what is drawn otherwise than it was meant
+  // Messages about properties that could not be drawn as requested.
   bool Speaks() const;
   void Warn(const std::string& text);
   void Error(const std::string& text);
@@ -96,17 +96,17 @@ struct vtkTransmittanceVolumeMapper::Internals
   bool ReportVolume(vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later);
 
   vtkTransmittanceVolumeMapper* Self;
-  std::shared_ptr<const limpid::Communicator> Ranks; ///< that draw together; null: there is one
+  std::shared_ptr<const limpid::Communicator> Ranks; ///< that draw together; null: one process
   limpid::ArrayContents Contents;
-  limpid::ImportanceRamp Ramp; ///< that is assumed where nothing says what is important
-  std::pair<vtkMTimeType, int> RampOf{ 0, 0 }; ///< time and component of the scalars that it is of
-  vtkTimeStamp RampTime;                       ///< when it was found
+  limpid::ImportanceRamp Ramp;                 ///< the assumption if importance is not specified
+  std::pair<vtkMTimeType, int> RampOf{ 0, 0 }; ///< scalars: time and component
+  vtkTimeStamp RampTime;                       ///< when Ramp was computed
   limpid::VolumeData Data;
   std::vector<std::unique_ptr<limpid::VolumeView>> Views;
-  limpid::FrameResult Last; ///< of the last frame, in whichever view
+  limpid::FrameResult Last; ///< result of the last frame, in any view
   limpid::MessageLog Log;
-  std::string Messages; ///< of the last frame
-  int Drawing = 0;      ///< volumes, one within the other
+  std::string Messages; ///< messages of the last frame
+  int Drawing = 0;      ///< number of nested calls to Render
   bool ReleaseAfter = false;
 };
 

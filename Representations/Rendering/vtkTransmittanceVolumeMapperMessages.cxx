@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vtkTransmittanceVolumeMapper says about things that it draws otherwise than they were meant.
+// Messages of vtkTransmittanceVolumeMapper about properties and props that it cannot draw as
+// requested.
 
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
@@ -46,7 +47,7 @@ bool HasBounds(vtkProp* prop)
   return bounds && vtkMath::AreBoundsInitialized(bounds);
 }
 
-// Whether VTK draws it, too early, before volumes that it is not wholly behind.
+// Returns whether VTK draws a prop too early: before volumes that it is not wholly behind.
 bool IsTranslucentInFront(vtkProp* prop, const limpid::Box& box, vtkRenderer* renderer)
 {
   vtkActor* actor = vtkActor::SafeDownCast(prop);
@@ -61,7 +62,7 @@ bool IsTranslucentInFront(vtkProp* prop, const limpid::Box& box, vtkRenderer* re
 }
 }
 
-// Of processes that draw together, one speaks for all.
+// If processes draw together, only rank 0 reports warnings.
 bool vtkTransmittanceVolumeMapper::Internals::Speaks() const
 {
   return !this->Ranks || this->Ranks->Rank() == 0;
@@ -76,8 +77,8 @@ void vtkTransmittanceVolumeMapper::Internals::Warn(const std::string& text)
   }
 }
 
-// Errors of the core may name coordinates, which change with every frame of the same trouble; but
-// after a change of a property, it is another one.
+// Errors of the core may contain coordinates that change in every frame, although the error is the
+// same. After a change of a property, it counts as a new one.
 void vtkTransmittanceVolumeMapper::Internals::Error(const std::string& text)
 {
   this->Messages += text + "\n";
@@ -131,7 +132,7 @@ void vtkTransmittanceVolumeMapper::Internals::ReportIgnored(vtkVolume* volume)
   }
 }
 
-// Values of functions that are no numbers would spread over the whole function.
+// Values of functions that are not numbers would invalidate the whole function.
 void vtkTransmittanceVolumeMapper::Internals::ReportNumbers(vtkVolumeProperty* property)
 {
   const auto report = [this](const char* name, auto* function, int values)
@@ -159,8 +160,8 @@ void vtkTransmittanceVolumeMapper::Internals::ReportNumbers(vtkVolumeProperty* p
                                      : report("colour", property->GetRGBTransferFunction(0), 6);
 }
 
-// `later`: whether the renderer comes to the other volume after this one. Returns whether the other
-// one is drawn by another class and out of order.
+// `later`: whether the renderer visits the other volume after this one. Returns whether another
+// class draws the other volume, out of order.
 bool vtkTransmittanceVolumeMapper::Internals::ReportVolume(
   vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later)
 {

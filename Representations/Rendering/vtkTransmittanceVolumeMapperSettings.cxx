@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// From the properties of vtkTransmittanceVolumeMapper to the scene and the settings of the core.
+// Converts the properties of vtkTransmittanceVolumeMapper to the scene and the settings of the
+// core.
 
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
@@ -55,7 +56,7 @@ void RequirePositive(const char* property, double value)
              << " (a picture needs more than none of it). Set a number above zero.");
 }
 
-// Sets where an array is; null: there is none of that name.
+// Finds an array and its association; null: there is none of that name.
 void FindArray(
   vtkImageData* image, const std::string& name, int association, limpid::FieldSource& source)
 {
@@ -121,7 +122,7 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
   return source;
 }
 
-// Its array is null where the extinction is the opacity function's.
+// Returns the extinction array; null if the opacity function defines the extinction.
 limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
   vtkImageData* image) const
 {
@@ -146,7 +147,7 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
   return source;
 }
 
-// The array that says what is important; null: there is none of its name.
+// Returns the importance array; null if there is none of that name.
 limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::GivenImportance(
   vtkImageData* image) const
 {
@@ -174,11 +175,12 @@ limpid::ImportanceChoice vtkTransmittanceVolumeMapper::Internals::ChooseImportan
   return choice;
 }
 
-// Finds what is assumed where nothing says what is important, of the scalars of all processes.
+// Computes the ramp that is assumed if importance is not specified, from the scalars of all
+// processes.
 void vtkTransmittanceVolumeMapper::Internals::AssumeImportance(
   vtkImageData* image, limpid::ImportanceChoice& choice)
 {
-  // Where some processes have an importance array, all should.
+  // If some processes have an importance array, all should have one.
   choice.isChosen = this->AnyRank(choice.isChosen || choice.array.array);
   const bool assumes = !this->Self->AssumedImportance && choice.IsAssumed(this->Self->Settings);
   if (!this->AnyRank(assumes))
@@ -230,7 +232,7 @@ limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolu
   limpid::CropRegion region;
   if (vtkPlaneCollection* planes = this->Self->GetClippingPlanes())
   {
-    // n . (M x - o) as a plane in data coordinates.
+    // The plane n . (M x - o) in data coordinates.
     const glm::dmat4 toWorld = limpid::DataToWorld(volume);
     for (int i = 0; i < planes->GetNumberOfItems(); ++i)
     {
@@ -300,7 +302,7 @@ limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
   return lighting;
 }
 
-// What needs all of the volume is done where one process has it.
+// Switches off what needs the whole volume if each process draws its piece by itself.
 void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSettings& frame)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -315,7 +317,7 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
       "may lie in another one): the volume is drawn without optimization and light, and has no "
       "score; what it misses is not shown. Set SharesImage on if all of them render the same "
       "frames, or run one process.";
-    const bool speaks = controller->GetLocalProcessId() == 0; // for all
+    const bool speaks = controller->GetLocalProcessId() == 0; // one process reports for all
     speaks ? this->Warn(text) : void(this->Messages += text + "\n");
   }
   frame.optimize = false;
@@ -324,7 +326,7 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
   frame.showMissed = false;
 }
 
-// What processes that draw together cannot do yet.
+// Switches off what is not supported if processes draw together.
 void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::FrameSettings& frame)
 {
   frame.ranks = this->Ranks.get();
@@ -373,7 +375,7 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.once = self->Optimization == ONCE;
   frame.paused = self->PauseOptimization != 0;
   frame.solver = limpid::SettingsOf(self->Settings);
-  // What another method has found stays for when Ordinary is over.
+  // The result of another method is kept for when Ordinary is switched off.
   frame.solver.method = ordinary ? limpid::Method::Optimized : frame.solver.method;
   frame.solver.Require();
   frame.views = limpid::ViewSetOf(self->Settings);

@@ -98,7 +98,7 @@ struct PictureTime
   double cpuSeconds; ///< of all threads: another program on the machine adds less to it
 };
 
-/// Of all threads, since std::clock() was asked [s].
+/// CPU time of all threads since std::clock() returned `before` [s].
 double CpuSecondsSince(std::clock_t before)
 {
   return double(std::clock() - before) / CLOCKS_PER_SEC;

@@ -106,8 +106,8 @@ std::vector<int> SidesOf(const Options& options)
 void MeasureSizes(const std::string& filling, bool skip, const std::vector<int>& sides,
   const Options& options, Json& results)
 {
-  constexpr int largeSide = 300;      // volumes from here on take seconds ...
-  constexpr int mostLargeRepeats = 3; // ... and are measured so often at most
+  constexpr int largeSide = 300;      // larger volumes take seconds
+  constexpr int mostLargeRepeats = 3; // most repeats of these
   std::vector<SceneForSolver> scenes;
   scenes.reserve(sides.size());
   for (const int side : sides)

@@ -25,10 +25,10 @@ const Options::Table known{
   { "parts",
     "memory,quality,time,paper,sizes,threads,skips,rays,stages" }, // of solvers, scaling, rendering
   { "paper-samples", "2" },     // solvers: per voxel and axis of the paper's grids
-  { "paper-iterations", "12" }, // ... timed Adam iterations on them, at most
-  { "paper-seconds", "20" },    // ... and no further one after, but at least three [s]
+  { "paper-iterations", "12" }, // timed Adam iterations on these grids, at most
+  { "paper-seconds", "20" },    // no further iteration after, but at least three [s]
   { "grid-seconds", "100" },    // errors: limit of the paper's grids, per scene [s]
-  { "grid-gigabytes", "8" },    // ... and of their memory
+  { "grid-gigabytes", "8" },    // limit of the memory of these grids
   { "largest", "512" },         // nodes along each axis of the largest procedural volume
 };
 

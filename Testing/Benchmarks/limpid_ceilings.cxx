@@ -66,7 +66,7 @@ largest visible fraction that the direction with the highest ceiling has. Times 
 | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
 )";
 
-/// Of all threads, whatever else the machine does.
+/// CPU time of all threads, independent of other programs [s].
 double ProcessorSeconds()
 {
   return double(std::clock()) / CLOCKS_PER_SEC;

@@ -79,8 +79,8 @@ private:
   mutable Traffic Sent;
 };
 
-/// Of the sweeps of a source: work of the rank that has most on a slice, over the mean, where all
-/// wait for each other on every slice.
+/// The unevenness of the sweeps of a source: the work of the busiest rank on a slice over the mean,
+/// if all ranks wait for each other on every slice.
 double UnevennessOf(const ProblemInOrder& scene, const RaySource& source, int ranks)
 {
   const SilentRanks silent(ranks);

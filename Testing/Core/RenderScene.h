@@ -62,7 +62,7 @@ inline Grid MakeGrid(const Int3& nodes, const Vec3& origin, const Vec3& spacing)
   return grid;
 }
 
-/// The same box with other nodes.
+/// Returns a grid over the same box with other nodes.
 inline Grid WithNodes(const Grid& grid, const Int3& nodes)
 {
   Grid other = grid;

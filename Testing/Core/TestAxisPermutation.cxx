@@ -131,7 +131,7 @@ TEST_P(ReorderedProblem, HasTheResultsOfTheProblem)
   IterationRecord found = reordered->Start();
   for (int iteration = 0; iteration < 4; ++iteration)
   {
-    // The same sums in another order; of voxels that two frusta share, the other one may decide.
+    // Sums are in another order, and for voxels that two frusta share, the other one may decide.
     const double scale = std::abs(expected.energy.view) + std::abs(expected.energy.light);
     EXPECT_NEAR(found.energy.Total(), expected.energy.Total(), 1e-4 * scale) << iteration;
     EXPECT_NEAR(found.meanChange, expected.meanChange, 1e-4) << iteration;

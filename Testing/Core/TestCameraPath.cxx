@@ -94,7 +94,7 @@ double SmallestTurn(const CameraPath& path)
   return smallest;
 }
 
-/// Of the way's direction, between frames.
+/// The largest change of the path's direction between frames.
 double LargestBend(const CameraPath& path)
 {
   double largest = 0;

@@ -295,7 +295,7 @@ TEST_P(CeilingOfBox, IsThatOfADevice)
     const Ceiling expected = CeilingOf(scene, *here, emphasis);
     const Ceiling found = CeilingOf(scene, *there, emphasis);
 
-    // The same operations in another order, in single precision.
+    // Both do these operations in single precision, in different orders.
     EXPECT_WITHIN(found.visibility, expected.visibility, Roundoff<float>(100, expected.visibility));
     EXPECT_WITHIN(found.fraction, expected.fraction, Roundoff<float>(100, 1));
   }

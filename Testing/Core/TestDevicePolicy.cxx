@@ -58,7 +58,7 @@ TEST_P(PolicyOfDevice, IsThatOfTheProcessor)
   for (int iteration = 0; iteration < 4; ++iteration)
   {
     const double scale = std::abs(expected.energy.view) + std::abs(expected.energy.light);
-    // The same operations in another order, in single precision.
+    // Both do these operations in single precision, in different orders.
     const double tolerance = 1e-5;
     EXPECT_NEAR(found.energy.view, expected.energy.view, tolerance * scale) << iteration;
     EXPECT_NEAR(found.energy.light, expected.energy.light, tolerance * scale) << iteration;

@@ -136,7 +136,7 @@ void StandInTheWay(RenderScene& scene)
   }
 }
 
-/// The same, and something translucent in front of it.
+/// Adds opaque geometry, and something translucent in front of it.
 void StandBetween(RenderScene& scene)
 {
   StandInTheWay(scene);
@@ -317,7 +317,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 namespace
 {
-/// The same calls to a device and to the processor.
+/// Makes each call on a device and on the processor.
 class Both
 {
 public:

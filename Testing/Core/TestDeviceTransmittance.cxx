@@ -77,8 +77,8 @@ double LargestDifference(const std::vector<float>& one, const std::vector<float>
   return largest;
 }
 
-/// The same operations, some in another order: roundings of optical depths up to the limit between
-/// rays, over a layer each, and of the cubics.
+/// The tolerance for these operations in another order: roundings of optical depths up to the limit
+/// between rays, over a layer each, and of the cubics.
 Tolerance OtherOrder()
 {
   return Tolerance{ 1e-5, "the same sums in another order, in single precision" };

@@ -28,7 +28,7 @@ double SumOf(const std::vector<double>& numbers)
   return sum.Value();
 }
 
-/// Of very different sizes and both signs.
+/// Random numbers of very different sizes and both signs.
 std::vector<double> Numbers(std::size_t count, int exponents)
 {
   std::mt19937_64 random(7);

@@ -97,7 +97,7 @@ struct Shown
       this->least.z > 0;
   }
 
-  /// Of the picture's width or height, whichever is more.
+  /// The filled share of the picture's width or height, whichever is larger.
   double Filled() const
   {
     return 0.5 * std::max(this->most.x - this->least.x, this->most.y - this->least.y);

@@ -48,7 +48,7 @@ Outcome Optimized(const BoxScene& scene)
   return { solver.Extinction(), solver.LightExtinction(), solver.BestEnergy().Total() };
 }
 
-/// Of the extinction where it is important, how much is gone: node by node.
+/// The share of the important extinction that was removed, summed over nodes.
 double Sacrificed(const BoxScene& scene, const std::vector<float>& extinction)
 {
   double kept = 0;

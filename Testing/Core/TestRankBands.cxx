@@ -179,8 +179,8 @@ TEST_P(BandsOfRanks, NeedLittleMoreThanTheirShareOfTheFields)
         most = std::max(most, FilledIn(RegionNeeded(frustum, bands, rank), occupancy));
         changed += FilledIn(RegionChanged(frustum, bands, rank), occupancy);
       }
-      // Of every slice, rays and voxels of neighbours read up to two rows on either side of a band,
-      // and what is filled need not lie as the rays that matter do.
+      // On every slice, rays and voxels of neighbours read up to two rows on either side of a band,
+      // and filled voxels need not be distributed like the rays that matter.
       const Index rows = Index(frustum.nodesU) * frustum.SliceCount() * 4;
       EXPECT_LE(most, changed * 13 / 10 / this->Ranks.Size() + rows);
     });
@@ -213,7 +213,7 @@ TEST_P(BandsOfRanks, NeedTogetherNoMoreThanIfTheyWereDividedAtRandom)
   {
     most = std::max(most, std::accumulate(ofRank.begin(), ofRank.end(), Index(0)));
   }
-  // Of so many frusta a node is in none of a rank's bands with this probability.
+  // The probability that a node is in no band of a rank, for this number of frusta.
   const double none = std::pow(1 - 1.0 / ranks, frusta);
   EXPECT_LE(double(most), double(filled) * (1 - none) + double(halos));
   const auto bytes = [](double nodes) { return nodes * sizeof(float); };

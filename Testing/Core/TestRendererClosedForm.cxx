@@ -307,7 +307,8 @@ TEST_P(HomogeneousBox, AddsTheChangeOfACoarserGridAndClampsIt)
   scene.functions.color = { color, color, color };
   scene.changeGrid = WithNodes(scene.grid, { 4, 2, 5 });
   scene.base.assign(40, 0.05f);
-  // Of the base, a share or all is kept, what exceeds it is added; up to the majorant.
+  // The changed extinction keeps all or a share of the base and adds what exceeds it, up to the
+  // majorant.
   const double most = extinction;
   for (const auto& [changed, expected] : { std::make_pair(0.09, 0.12), std::make_pair(0.01, 0.016),
          std::make_pair(0.0, 0.0), std::make_pair(most, most) })

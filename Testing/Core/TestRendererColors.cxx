@@ -115,7 +115,8 @@ struct Block
 /// The default light of a view of ParaView, the key light of its kit, and that of one of VTK.
 constexpr double lights[][2] = { { 50, 10 }, { 0, 0 } };
 
-/// Of the patch as a whole in luminance, of every pixel in hue. Pixels are never brighter.
+/// Expects the luminance of the patch as a whole and the hue of every pixel. No pixel may be
+/// brighter.
 void ExpectFacingColor(const Block& block, const Rgb& own)
 {
   const std::vector<Rgb> colors = block.Colors();

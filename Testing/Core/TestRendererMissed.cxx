@@ -71,7 +71,7 @@ double ShownOf(const std::vector<Stretch>& ray, unsigned kept)
   return shown;
 }
 
-/// Of sums of ten terms not above one, with exponentials of single precision.
+/// The rounding of sums of ten terms not above one, with exponentials in single precision.
 Tolerance RoundingOfARay()
 {
   return Roundoff<float>(10 * 8, 2);
@@ -96,7 +96,7 @@ struct Column
       Parallel(LookAt(centre - Vec3(0, 0, 20), centre, Vec3(0, 1, 0)), 1.5, 1, 10, 30);
   }
 
-  /// Of all nodes of a slice.
+  /// Returns a field with one value per slice, at all its nodes.
   template <class OfSlice>
   std::vector<float> Field(const OfSlice& ofSlice) const
   {

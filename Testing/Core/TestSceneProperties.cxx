@@ -47,8 +47,8 @@ bool AreWithin(const std::vector<float>& values, double low, double high)
     [&](float value) { return double(value) >= low && double(value) <= high; }); // NaN is not
 }
 
-/// The same nodes in another order: the axes follow each other the other way round, or one of them
-/// is counted from its end.
+/// Returns a scene with these nodes in another order: its axes are cyclically permuted, or one of
+/// them is mirrored.
 BoxScene Reordered(const BoxScene& scene, int turns, int mirrored)
 {
   const Grid& grid = scene.grid;

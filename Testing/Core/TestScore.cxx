@@ -165,8 +165,8 @@ INSTANTIATE_TEST_SUITE_P(Boxes, SeenBox,
 
 TEST(Score, OfABoxHasAClosedForm)
 {
-  // Of a thin slab seen along its normal: T = exp(-mu x), so the share that is seen of the base a
-  // in an extinction b >= a is (1 - exp(-b d)) / (b d), and of b <= a it is b / a of that.
+  // For a thin slab seen along its normal, T = exp(-mu x). So the visible share of the base a in an
+  // extinction b >= a is (1 - exp(-b d)) / (b d); for b <= a it is b / a times that.
   BoxScene scene = BoxScene::Cube(17);
   scene.camera.parallel = true;
   scene.camera.position = scene.grid.Centre() + Vec3(0, 0, 5);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whatever was asked before, in whatever order: results and pictures are those of a fresh object.
+// Results and pictures equal those of a fresh object, after any calls in any order.
 
 #include "RandomScene.h"
 #include "RenderScene.h"

@@ -107,7 +107,7 @@ TEST_P(SeveralViews, AreServedBetterTogetherThanByAnyOneOfThem)
   EXPECT_GT(together, 0.6 * best);
 }
 
-// The same energy has the same optimum.
+// Both have equal energies, hence the same optimum.
 TEST_P(SeveralViews, OfOneCameraTwiceAreThatOfOne)
 {
   const BoxScene scene = this->Scene();

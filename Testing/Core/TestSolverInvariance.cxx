@@ -48,7 +48,7 @@ BoxScene FlatOnion()
   return scene;
 }
 
-/// The same scene in another unit of length, at another place and turned.
+/// Returns a scene in another unit of length, at another place and rotated.
 BoxScene Moved(const BoxScene& scene, double unit, const Mat3& rotation, const Vec3& shift)
 {
   BoxScene moved = scene;
@@ -328,7 +328,7 @@ TEST(SolverInvariance, DoesNotMindALeftHandedDirectionMatrix)
 
 TEST(SolverInvariance, SeesTheSameAlongAllThreeAxes)
 {
-  // The same scene with its axes exchanged, so that sweeps run along x, y and z.
+  // Axes are exchanged, so that sweeps run along x, y and z.
   const BoxScene scene = BoxScene::Onion();
   const Outcome here = Optimize(scene);
   for (const int turn : { 1, 2 })

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whatever image and properties vtkExtinctionOptimizer is given, it reports an error and has no
-// output, or its fields are numbers within their bounds; and it leaves its input alone.
+// For any image and properties, vtkExtinctionOptimizer either reports an error and has no output,
+// or its fields are numbers within their bounds. It never changes its input.
 
 #include "Invented.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whatever a solver is given, it throws limpid::Error or keeps its bounds.
+// For any input, a solver throws limpid::Error or keeps its bounds.
 
 #include "Invented.h"
 

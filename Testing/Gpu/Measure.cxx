@@ -189,7 +189,8 @@ std::vector<float> MeasureRun(const SceneForSolver& scene, const Effort& effort,
   return found;
 }
 
-/// Of the importance proxy, as the viewpoint search does it.
+/// Measures the scores of many directions with the importance proxy, as the viewpoint search does
+/// it.
 Json MeasureSphere(const SceneForSolver& scene, const Effort& effort)
 {
   const std::vector<float> proxy = scene.Proxy();
@@ -277,7 +278,7 @@ Renderer MakeRenderer(std::unique_ptr<RenderBackend> backend, const SceneForSolv
   return renderer;
 }
 
-/// Of the scene with the extinction that was found [1/length].
+/// Measures pictures of the scene with the optimized extinction [1/length].
 void MeasurePictures(const std::shared_ptr<Device>& device, const SceneForSolver& scene,
   const std::vector<float>& extinction, const Effort& effort, Json& result)
 {

@@ -13,7 +13,7 @@ namespace
 struct Sizes
 {
   double all = 0;    ///< one field at all nodes
-  double filled = 0; ///< ... at those that are not empty
+  double filled = 0; ///< one field at the nodes that are not empty
   double camera = 0; ///< one value per ray and slice
   double light = 0;
 };

@@ -75,13 +75,13 @@ struct Sampling
 template <class Value>
 double VisibilityScore(const Volume<Value>& volume, const Source& source, const Sampling& sampling);
 
-/// The same without transmittance: what there is to be seen, exact [length^2].
+/// Returns the score without transmittance: what there is to be seen, exact [length^2].
 template <class Value>
 double ImportantExtinction(const Volume<Value>& volume);
 
-/// Of the important matter of a base extinction, the shares that are seen through the volume's
-/// extinction and that it has removed [0, 1]. What is kept is the lesser of both at the nodes; the
-/// volume's own `counted` does not matter.
+/// Shares of the important matter of a base extinction in [0, 1]: what is seen through the volume's
+/// extinction, and what the volume has removed. The kept extinction at a node is the lesser of
+/// both; the volume's own `counted` is not used.
 struct Shares
 {
   double visible;

@@ -12,7 +12,7 @@
 
 #include <link.h>
 
-// Of the linker's option --wrap.
+// Functions of the linker's option --wrap.
 extern "C"
 {
   void* __real_malloc(std::size_t bytes);

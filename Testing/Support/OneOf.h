@@ -9,8 +9,8 @@
 
 namespace limpid
 {
-/// Of cases at random, one of so many is enough where each takes long, as under a sanitizer: what
-/// LIMPID_ONE_OF says, else as usual.
+/// Tests that take long, for example under a sanitizer, run one case out of this number, chosen at
+/// random: the value of LIMPID_ONE_OF if set, else `usually`.
 inline int OneOf(int usually = 1)
 {
   const char* said = std::getenv("LIMPID_ONE_OF");

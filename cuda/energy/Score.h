@@ -93,8 +93,8 @@ inline Score MeanOf(const std::vector<Score>& scores)
     mean.important / count };
 }
 
-/// Of the important matter of `all`, the share that is in front of opaque geometry, of which
-/// `inFront` is a score.
+/// The share of the important matter of `all` that is in front of opaque geometry. `inFront`: the
+/// score of that part.
 inline double ShareInFront(const Score& inFront, const Score& all)
 {
   return all.important > 0 ? inFront.important / all.important : 0.0;

@@ -93,7 +93,7 @@ public:
   /// One value per node; null: there are no other terms.
   const float* Data() const { return this->Sum.Data(); }
 
-  /// ... less the pull of neighbours upon the extinction that a turn starts from.
+  /// Returns these values minus the pull of neighbours upon the extinction at the start of a turn.
   const float* WithPull(const Turn& turn, const float* last)
   {
     if (this->Pulled.Empty())

@@ -22,8 +22,8 @@ namespace limpid
 {
 namespace
 {
-/// For ProximalDescent: it doubles the regularisation at least, and moves voxels through their
-/// whole range where T (V - g) is 0.1 or more.
+/// The first proximity for ProximalDescent: it at least doubles the regularisation, and moves
+/// voxels through their whole range where T (V - g) is 0.1 or more.
 double FirstProximity(const Problem& problem)
 {
   constexpr double wholeRange = 0.1;
@@ -115,7 +115,7 @@ public:
     {
       this->GoBack();
     }
-    this->IsRefining = this->IsRefining && this->IsSmoothing; // steps are short by now
+    this->IsRefining = this->IsRefining && this->IsSmoothing; // steps are short at this stage
     this->IsSmoothing = true;
     IterationRecord record = this->Given->IsThick()
       ? this->StepResiliently(this->Given->SmoothingStrength())
@@ -195,9 +195,10 @@ private:
   using Term = VisibilityTerm<AnyDevice>;
   using Turn = PolicyTurn<AnyDevice>;
 
-  /// Whether matter may become thicker in policy sweeps, too. Not in thick media, where that hides
-  /// more than a sweep finds: what the sweeps have cleared is made thicker by resilient steps. But
-  /// what is started from, or to stay near, may be thicker already.
+  /// Returns whether policy sweeps may also raise extinction. In thick media they may not, since
+  /// raised extinction hides more than a sweep accounts for; there, resilient steps raise what the
+  /// sweeps have cleared. The initial extinction or the reference may already exceed the base,
+  /// however.
   bool SweepsEmphasise() const
   {
     return this->Warm || this->IsHardlyThick() || this->Given->previous != nullptr;
@@ -205,15 +206,15 @@ private:
 
   bool IsHardlyThick() const { return this->Given->MostNodeDepth() < hardlyThick; }
 
-  /// Whether policy sweeps have found what they can, so that resilient steps follow.
+  /// Returns whether policy sweeps have converged, so that resilient steps follow.
   bool Refines() const
   {
     return this->Given->IsThick() &&
       (this->IsRefining || this->ChangesLess(1) || this->Count >= this->Turns.SweepLimit());
   }
 
-  /// Whether the last resilient steps have gained next to nothing, at the lowest energy. Where
-  /// media are hardly thick, sweeps have found nearly all, and a few steps are enough.
+  /// Returns whether the last resilient steps have gained almost nothing, at the lowest energy. In
+  /// media that are hardly thick, sweeps have found almost everything, and a few steps are enough.
   bool HasRefined() const
   {
     const bool enough =
@@ -221,8 +222,9 @@ private:
     return enough && !(this->Steps.Lowest() > this->Lowest.energy.Total());
   }
 
-  /// Whether steps also descend from the base: where important matter is opaque and may be removed,
-  /// a sweep can remove too much of it at once. In a small volume that takes next to no time.
+  /// Returns whether steps also descend from the base: if important matter is opaque and may be
+  /// removed, a sweep can remove too much of it at once. In a small volume, this takes almost no
+  /// time.
   bool DescendsFromBase() const
   {
     constexpr double opaque = 4;
@@ -231,14 +233,15 @@ private:
     return this->Given->IsThick() && !this->Warm && (this->Given->IsSmall() || removes);
   }
 
-  /// ... and from what the first sweeps have cleared: both before sweeps go on.
+  /// Returns whether to descend from the result of the first sweeps as well; both happen before
+  /// further sweeps.
   bool DescendsFromFirstSweeps() const
   {
     return this->DescendsFromBase() && this->Given->IsSmall();
   }
 
-  /// Resilient steps from other starts than what the sweeps have cleared: from a coarser grid, and
-  /// from the base if little has been gained on it.
+  /// Makes resilient steps from other starts than the result of the sweeps: from a coarser grid,
+  /// and from the base if little has been gained on it.
   void DescendFromOtherStarts()
   {
     constexpr double little = 2; // times the energy of the base
@@ -253,8 +256,9 @@ private:
     }
   }
 
-  /// Resilient steps from an iterate and its energy. Sweeps or steps go on from the last one then.
-  /// `stepsAbove`: how many at most, as long as they are above the lowest energy.
+  /// Makes resilient steps from an iterate with a given energy. Later sweeps or steps continue from
+  /// the last iterate. `stepsAbove`: the largest number of steps while they are above the lowest
+  /// energy.
   void DescendFrom(std::size_t first, double energyThere, int stepsAbove)
   {
     const double energy = std::exchange(this->LastEnergy, energyThere);
@@ -275,9 +279,9 @@ private:
     this->LastEnergy = energy;
   }
 
-  /// Resilient steps from what is found with half as many nodes along each axis, which sees ways
-  /// through opaque matter that steps of single nodes do not. In a small volume other starts do,
-  /// and elsewhere only the most opaque matter is worth the time.
+  /// Makes resilient steps from the optimum with half as many nodes along each axis, which finds
+  /// ways through opaque matter that steps of single nodes do not. In a small volume, other starts
+  /// find them; elsewhere, only the most opaque matter is worth the time.
   void DescendFromCoarser()
   {
     constexpr double mostOpaque = 20;
@@ -294,7 +298,7 @@ private:
     this->DescendFrom(free, this->MeasureIterate(free), fewSteps);
   }
 
-  /// The optimum of another problem, of this rank's slab where ranks share it.
+  /// Returns the optimum of another problem, on this rank's slab if the problem is distributed.
   std::vector<float> FoundBy(const Problem& problem)
   {
     Policy policy(this->Device, problem, {}, false);
@@ -308,7 +312,7 @@ private:
     return { best + own.Begin(), best + own.Begin() + own.Count() };
   }
 
-  /// The energy of an iterate, which is kept if it is the best.
+  /// Returns the energy of an iterate, and keeps the iterate if it is the best.
   double MeasureIterate(std::size_t which)
   {
     const std::size_t last = std::exchange(this->Now, which);
@@ -319,14 +323,15 @@ private:
     return record.energy.Total();
   }
 
-  /// Several resilient steps. They begin at the last iterate, as one that clears much may be worth
-  /// more in the end than one of a lower energy that clears little; where they end above the lowest
-  /// energy, or begin far above it, others begin at that. Returns the record of the best.
+  /// Makes several resilient steps. They start at the last iterate, since one that clears much may
+  /// lead to a lower energy than one that has a lower energy but clears little. If they end above
+  /// the lowest energy, or start far above it, further steps start at the best iterate. Returns the
+  /// record of the best.
   IterationRecord Refine()
   {
     constexpr int stepsPerIteration = 7;
     constexpr int mostStepsAbove = 10;
-    constexpr double leastShare = 0.5; ///< of what the best has gained
+    constexpr double leastShare = 0.5; ///< of what the best iterate has gained
     const double best = this->Lowest.energy.Total();
     const bool begins = !this->IsRefining;
     if (begins && this->FirstEnergy - this->LastEnergy < leastShare * (this->FirstEnergy - best))
@@ -346,7 +351,7 @@ private:
     return this->BestRecord();
   }
 
-  /// The record of the best iterate, with the last change.
+  /// Returns the record of the best iterate, with the last change.
   IterationRecord BestRecord() const
   {
     IterationRecord record = this->Lowest;
@@ -354,7 +359,7 @@ private:
     return record;
   }
 
-  /// Makes the next resilient step the first one from the last iterate.
+  /// Lets the next resilient step be the first one, from the last iterate.
   void BeginRefinement()
   {
     this->IsRefining = false;
@@ -383,7 +388,7 @@ private:
     const std::size_t free = this->FreeIterate();
     const float* last = this->Iterates[this->Now].values;
     limpid::Iterate<AnyDevice>& next = this->Iterates[free];
-    PrepareIterate(this->Device, *this->Given, 1, last, next); // room alone
+    PrepareIterate(this->Device, *this->Given, 1, last, next); // allocates memory only
     if (!this->IsRefining)
     {
       this->Resilient.BeginAt(last);
@@ -394,14 +399,14 @@ private:
     this->LastEnergy = record.energy.Total();
     this->Change = record.meanChange;
     this->Lagged.Outdate();
-    this->Seeing.Clear(); // derivatives leave no optical depths
+    this->Seeing.Clear(); // derivatives do not store optical depths
     return record;
   }
 
-  /// Than so many times what is tolerated.
+  /// Returns whether the last change was below this multiple of the tolerance.
   bool ChangesLess(double times) const
   {
-    constexpr double little = 5; // change of the extinction, per tolerance
+    constexpr double little = 5; // change of the extinction, in units of the tolerance
     const double tolerance = times * this->Given->settings.tolerance;
     const bool gains = this->Proximal.EnergyChange() >= DescentProgress::leastGain * tolerance;
     return this->Count >= this->Turns.MainTerms() && !this->Weighed &&
@@ -418,7 +423,7 @@ private:
     return this->Energy.Measure(this->Iterates[0].values);
   }
 
-  /// Goes back to the best iterate. Returns its record, with the change that was not made.
+  /// Returns to the best iterate. Returns its record, with the change that was rejected.
   IterationRecord GoBack()
   {
     this->Now = this->BestOf;
@@ -428,7 +433,8 @@ private:
     return this->BestRecord();
   }
 
-  /// A place for the next iterate that overwrites neither the last nor the best.
+  /// Returns an index for the next iterate, which overwrites neither the last, nor the best, nor
+  /// the start of a descent.
   std::size_t FreeIterate() const
   {
     std::size_t free = 0;
@@ -439,7 +445,7 @@ private:
     return free;
   }
 
-  /// One policy sweep to the next iterate, and what that is worth.
+  /// Makes a policy sweep to the next iterate, and returns its record.
   IterationRecord Advance(const Turn& turn)
   {
     const std::size_t free = this->FreeIterate();
@@ -461,7 +467,7 @@ private:
     {
       if (const TermsOnRanks* ranks = this->Energy.OnRanks())
       {
-        PrepareIterate(this->Device, *this->Given, 1, last, next); // room alone
+        PrepareIterate(this->Device, *this->Given, 1, last, next); // allocates memory only
         if (swept.Frusta().size() > 1)
         {
           ranks->CopyNeeded(&swept.Frusta(), last, next.own.Data());
@@ -489,7 +495,7 @@ private:
     this->Seeing.Add(*turn.swept);
     if (AnyDevice::readsHostMemory && this->SweepsSameNext(turn))
     {
-      this->Lagged.Find(turn, next, this->Seeing); // sees the next iterate along the way
+      this->Lagged.Find(turn, next, this->Seeing); // also traverses the next iterate
     }
     else
     {
@@ -502,8 +508,8 @@ private:
     return this->Energy.Record();
   }
 
-  /// Whether the derivatives of the other terms by the next iterate will be needed. Waits: a device
-  /// finds them when they are.
+  /// Returns whether the derivatives of the other terms by the next iterate are needed. Waits,
+  /// since a device computes them only on demand.
   bool SweepsSameNext(const Turn& turn)
   {
     const bool again = this->Count < this->Turns.SweepLimit() &&
@@ -543,7 +549,7 @@ private:
     this->Energy.TakeSeen(*turn.swept, kept);
   }
 
-  /// What costs less to keep, the base or what was before.
+  /// Returns the reference with the stronger pull: the base or the previous result.
   const float* Cheapest() const
   {
     const Problem& problem = *this->Given;
@@ -564,23 +570,23 @@ private:
   PolicyTurns<AnyDevice> Turns;
   int Count = 0;
   double Change = 0;
-  bool Weighed = false; ///< in the last iteration, which is not stationary then
+  bool Weighed = false; ///< whether the last iteration changed weights; it is not stationary then
   ProximalDescent Proximal;
   TermsThatSee<AnyDevice> Seeing;
   LaggedDerivative<AnyDevice> Lagged;
   ResilientDescent<AnyDevice> Resilient;
-  bool IsRefining = false; ///< whether resilient steps go on from the last iterate
+  bool IsRefining = false; ///< whether resilient steps continue from the last iterate
   bool IsSmoothing = false;
-  bool HasBranched = false; ///< whether steps have begun at other starts, too
-  DescentProgress Steps;    ///< resilient steps since they began
-  double FirstEnergy = 0;   ///< of what iterations start from
-  double LastEnergy = 0;    ///< of the last iterate
-  IterationRecord Lowest;   ///< of the best iterate
+  bool HasBranched = false;                           ///< whether steps have started elsewhere, too
+  DescentProgress Steps;                              ///< resilient steps since the last start
+  double FirstEnergy = 0;                             ///< energy of the initial extinction
+  double LastEnergy = 0;                              ///< energy of the last iterate
+  IterationRecord Lowest;                             ///< record of the best iterate
   std::array<limpid::Iterate<AnyDevice>, 4> Iterates; ///< filled as needed
-  std::size_t Now = 0;                                ///< the last iterate
-  std::size_t BranchedAt = none;                      ///< where a descent began
-  std::size_t BestOf = 0;                             ///< the best
-  mutable std::vector<float> OnHost;                  ///< the best; empty: not read yet
+  std::size_t Now = 0;                                ///< index of the last iterate
+  std::size_t BranchedAt = none;                      ///< index of the start of a descent
+  std::size_t BestOf = 0;                             ///< index of the best iterate
+  mutable std::vector<float> OnHost;                  ///< the best iterate; empty: not read yet
 };
 }
 

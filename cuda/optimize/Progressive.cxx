@@ -384,8 +384,8 @@ bool Progressive::Refine()
   return this->Converged();
 }
 
-/// Whether the shown result, of another view or time, is the reference of the next one. It is
-/// while the view or the data change; at rest only the current view counts.
+/// Returns whether the shown result, of another view or time, is the reference of the next one. It
+/// is while the view or the data change; in still frames, only the current view counts.
 bool Progressive::StaysNear() const
 {
   const Internals& state = *this->State;
@@ -431,9 +431,9 @@ void Progressive::ShowNoLessThanBase()
   state.showsBase = this->IsJudged() && this->FoundScore().fraction < this->BaseScore().fraction;
 }
 
-/// Whether what is shown is to show no less than the base extinction. What only adds, or is for the
-/// light alone, or what another method does, may show less when it is finished; but what was found
-/// at another time is none of these.
+/// Returns whether the shown result must not show less than the base extinction. Exempt are
+/// converged results, results for the light alone or of other methods, and results that may add
+/// extinction, unless they are of another scene.
 bool Progressive::IsJudged() const
 {
   const Internals& state = *this->State;
@@ -555,7 +555,7 @@ Score Progressive::FoundScore() const
   return {};
 }
 
-/// Of what was kept, as all cameras of the present view see it.
+/// Returns the scores of the extinction that was kept, seen by all cameras of the present view.
 const Scores& Progressive::KeptScores() const
 {
   Internals& state = *this->State;

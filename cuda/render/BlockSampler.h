@@ -14,13 +14,13 @@
 
 namespace limpid
 {
-/// First nodes of some cells.
+/// Indices of the first nodes of cells.
 struct BlockCells
 {
   alignas(64) Index first[FloatLanes::count];
 };
 
-/// What the transfer functions say at both ends of segments that follow each other.
+/// The entries of the transfer functions at both ends of successive segments.
 class BlockOptics
 {
 public:
@@ -60,7 +60,7 @@ public:
     }
   }
 
-  /// Extinction at the rear of the segments [majorant], and its integral to there.
+  /// Returns the extinction at the rear of the segments [majorant], and its integral up to there.
   LIMPID_INLINE void Extinction(FloatLanes& value, FloatLanes& integral) const
   {
     this->Firsts<1>(value.low, integral.low);
@@ -69,7 +69,8 @@ public:
 
   LIMPID_INLINE Optical Color(int i, float ofValues, float ofIntegrals) const
   {
-    // Of four numbers each: the sum of the values, and the difference of the integrals.
+    // The first four numbers become the sum of the values, the others the difference of the
+    // integrals.
     const EightFloats signs = { 0.0f, 0.0f, 0.0f, 0.0f, -0.0f, -0.0f, -0.0f, -0.0f };
     const auto front = reinterpret_cast<EightFloats>(
       reinterpret_cast<EightInts>(this->Samples[i]) ^ reinterpret_cast<EightInts>(signs));
@@ -83,7 +84,7 @@ public:
 private:
   static constexpr int count = FloatLanes::count;
 
-  /// The first numbers of value and integral of eight samples.
+  /// Returns the first numbers of value and integral of eight samples.
   template <int Sample>
   LIMPID_INLINE void Firsts(EightFloats& values, EightFloats& integrals) const
   {
@@ -98,11 +99,12 @@ private:
     integrals = __builtin_shufflevector(some, others, 4, 5, 6, 7, 12, 13, 14, 15);
   }
 
-  EightFloats Samples[count + 1] = {}; ///< each an OpticalEntry; the first is that before the block
+  EightFloats Samples[count + 1] = {}; ///< each an OpticalEntry; the first is the sample before the
+                                       ///< block
 };
 
-/// Takes sixteen samples of a ray at a time with the registers of the processor. What is done, and
-/// in which order, is as in SingleSampler.
+/// Takes sixteen samples of a ray at a time, in vector registers. It performs the operations of
+/// SingleSampler in the same order.
 struct BlockSampler
 {
   using Lanes = FloatLanes;
@@ -174,7 +176,7 @@ struct BlockSampler
     }
   }
 
-  /// Segment by segment, so that it does not matter where blocks of them begin.
+  /// Multiplied segment by segment, so that the result does not depend on where blocks begin.
   static LIMPID_INLINE FloatLanes InFront(
     const FloatLanes& passed, float opaqueBelow, float& transmittance)
   {
@@ -200,7 +202,7 @@ struct BlockSampler
   }
 
 private:
-  /// Two nodes that follow each other along x, of some cells.
+  /// Pairs of nodes that are neighbours along x, in several cells.
   struct NodePairs
   {
     FloatLanes first;
@@ -233,7 +235,7 @@ private:
 
   static constexpr float perUnit = 1.0f / 65536.0f;
 
-  /// Eight packed numbers times 2^16: those of 16 bits become the upper halves of such of 32 bits.
+  /// Unpacks eight numbers, times 2^16: those of 16 bits become the upper halves of 32 bits.
   template <class Bytes>
   static LIMPID_INLINE void Unpack(const Bytes& bytes, EightFloats& numbers)
   {
@@ -247,7 +249,7 @@ private:
     numbers = __builtin_convertvector(reinterpret_cast<EightInts>(shifted), EightFloats);
   }
 
-  /// Reads what two nodes that follow each other along x have, times 2^16.
+  /// Reads the numbers of two nodes that are neighbours along x, times 2^16.
   struct NodesOfOne
   {
     const FourPacked* first;
@@ -260,7 +262,7 @@ private:
     }
   };
 
-  /// The same of two samples.
+  /// Reads two samples at once.
   struct NodesOfTwo
   {
     const TwoPacked* first;
@@ -277,7 +279,7 @@ private:
     }
   };
 
-  /// What such nodes have is blended along z and y, times 2^16.
+  /// Interpolates the numbers of such nodes along z and y, times 2^16.
   template <class Nodes, class Share>
   static LIMPID_INLINE void InFace(
     const CellGrid& grid, const Nodes& nodes, const Share& y, const Share& z, EightFloats& between)
@@ -295,7 +297,7 @@ private:
     between = low + y * (high - low);
   }
 
-  /// Numbers i and i + 4 of eight, four times each.
+  /// Repeats numbers i and i + 4 of eight, four times each.
   struct FourTimes
   {
     EightFloats both[4];
@@ -309,12 +311,12 @@ private:
     }
   };
 
-  /// Eight of each of two packed numbers, times 2^16.
+  /// Interpolates two packed numbers at eight samples, times 2^16.
   static LIMPID_INLINE void Interpolate(const CellGrid& grid, const TwoPacked* field,
     const Index* cells, const EightFloats& x, const EightFloats& y, const EightFloats& z,
     EightFloats* numbers)
   {
-    // Both of both nodes of samples i and i + 4 in one register ...
+    // First, both numbers of both nodes of samples i and i + 4 share a register.
     const FourTimes shareY(y);
     const FourTimes shareZ(z);
     EightFloats pairs[4];
@@ -324,7 +326,7 @@ private:
       const NodesOfTwo nodes{ field + cells[i], field + cells[i + 4] };
       InFace(grid, nodes, shareY.both[i], shareZ.both[i], pairs[i]);
     }
-    // ... then those of samples i, i + 1, i + 4 and i + 5 at either node ...
+    // Next, those of samples i, i + 1, i + 4 and i + 5 at either node.
     EightFloats blended[2];
     const EightFloats shareX[2] = { __builtin_shufflevector(x, x, 0, 0, 1, 1, 4, 4, 5, 5),
       __builtin_shufflevector(x, x, 2, 2, 3, 3, 6, 6, 7, 7) };
@@ -337,12 +339,12 @@ private:
       const EightFloats far = __builtin_shufflevector(one, other, 2, 3, 10, 11, 6, 7, 14, 15);
       blended[i] = near + shareX[i] * (far - near);
     }
-    // ... then the same number of all side by side.
+    // Last, all values of one number side by side.
     numbers[0] = __builtin_shufflevector(blended[0], blended[1], 0, 2, 8, 10, 4, 6, 12, 14);
     numbers[1] = __builtin_shufflevector(blended[0], blended[1], 1, 3, 9, 11, 5, 7, 13, 15);
   }
 
-  /// Eight of each of four packed numbers, times 2^16.
+  /// Interpolates four packed numbers at eight samples, times 2^16.
   static LIMPID_INLINE void Interpolate(const CellGrid& grid, const FourPacked* field,
     const Index* cells, const EightFloats& x, const EightFloats& y, const EightFloats& z,
     EightFloats* numbers)
@@ -351,7 +353,7 @@ private:
     alignas(32) float shareZ[8];
     std::memcpy(shareY, &y, sizeof(y));
     std::memcpy(shareZ, &z, sizeof(z));
-    // All four of samples i and i + 4 in one register ...
+    // First, all four numbers of samples i and i + 4 share a register.
     EightFloats pairs[4];
     const FourTimes share(x);
     LIMPID_UNROLL(4)
@@ -365,7 +367,7 @@ private:
       const EightFloats far = __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15);
       pairs[i] = near + share.both[i] * (far - near);
     }
-    // ... then the same number of all side by side.
+    // Last, all values of one number side by side.
     const EightFloats a = __builtin_shufflevector(pairs[0], pairs[1], 0, 8, 1, 9, 4, 12, 5, 13);
     const EightFloats b = __builtin_shufflevector(pairs[2], pairs[3], 0, 8, 1, 9, 4, 12, 5, 13);
     const EightFloats c = __builtin_shufflevector(pairs[0], pairs[1], 2, 10, 3, 11, 6, 14, 7, 15);

@@ -10,18 +10,18 @@
 
 namespace limpid
 {
-/// Where nothing is, see Bricks.
+/// The distances from bricks to non-empty ones, see Bricks.
 struct BrickDistances
 {
   static constexpr int sizeBits = 2;
-  static constexpr int size = 1 << sizeBits; ///< of a brick along each axis [cells]
+  static constexpr int size = 1 << sizeBits; ///< edge length of a brick [cells]
 
-  const std::uint8_t* distance = nullptr; ///< per brick; null: nothing is skipped
+  const std::uint8_t* distance = nullptr; ///< one per brick; null: nothing is skipped
   int cells[3] = { 0, 0, 0 };
   int columns = 0; ///< bricks along x
-  int rows = 0;    ///< ... along y
+  int rows = 0;    ///< bricks along y
 
-  /// Of the bricks of a grid with so many nodes.
+  /// Returns the bricks of a grid with these numbers of nodes. `distance`: as above.
   static BrickDistances Of(const Int3& nodes, const std::uint8_t* distance)
   {
     BrickDistances bricks;
@@ -35,23 +35,23 @@ struct BrickDistances
     return bricks;
   }
 
-  /// Number of bricks that one can move along each axis, from one on, such that all on the way are
-  /// empty; 0: it is not. Of one brick or of several. Numbers of 32 bits are enough for bricks of
-  /// grids of 2^37 nodes.
+  /// Returns the number of bricks that a ray can advance along each axis, counting this one, so
+  /// that all on the way are empty; 0: this brick is not empty. For one brick or several. 32 bits
+  /// suffice for bricks of grids of 2^37 nodes.
   template <class Integer>
   LIMPID_HD LIMPID_INLINE Integer EmptyAround(const Integer* brick) const
   {
     return Gather(this->distance, brick[0] + (brick[1] + brick[2] * this->rows) * this->columns);
   }
 
-  /// Number of the brick of a cell along an axis.
+  /// Returns the index of the brick of a cell along an axis.
   template <class Integer>
   LIMPID_HD LIMPID_INLINE static Integer BrickOf(const Integer& cell)
   {
     return cell >> sizeBits;
   }
 
-  /// The same of the cell at or next to a position [index].
+  /// Returns the brick of the cell at or next to a position [index].
   template <class Number>
   LIMPID_HD LIMPID_INLINE auto BrickAt(int axis, const Number& position) const
   {
@@ -59,7 +59,7 @@ struct BrickDistances
   }
 };
 
-/// A way along a ray, or along several at once, past empty bricks.
+/// Moves along one ray, or along several at once, and skips empty bricks.
 template <class AnyRay>
 class BrickWalk
 {
@@ -79,7 +79,7 @@ public:
     }
   }
 
-  /// The first sample from `k` on whose segment is not known to be empty.
+  /// Returns the first sample from `k` on whose segment is not known to be empty.
   LIMPID_HD LIMPID_INLINE Integer SkipEmpty(Integer k) const
   {
     Place place;
@@ -87,7 +87,7 @@ public:
     auto moves = place.emptyAround > 0;
     while (AnyOf(moves))
     {
-      // The last sample inside is empty as well as its segment, unless the next one is not.
+      // The last sample inside is also empty, as is its segment, unless the next sample is not.
       const Integer last = k + this->SamplesInside(place);
       place.Set(*this, last + 1);
       const auto empty = place.emptyAround > 0;
@@ -98,12 +98,12 @@ public:
   }
 
 private:
-  /// Where a sample is.
+  /// The place of a sample.
   struct Place
   {
     Number position[3]; ///< [index]
     Integer brick[3];
-    Integer emptyAround; ///< bricks that one can move along each axis, all on the way empty
+    Integer emptyAround; ///< number of bricks to advance along each axis such that all are empty
 
     LIMPID_HD LIMPID_INLINE void Set(const BrickWalk& walk, const Integer& k)
     {
@@ -117,8 +117,8 @@ private:
     }
   };
 
-  /// Samples from a place on in the bricks from emptyAround - 1 before to emptyAround - 1 behind
-  /// its own.
+  /// Returns the number of samples, from a place on, within emptyAround - 1 bricks on either side
+  /// of its own.
   LIMPID_HD LIMPID_INLINE Integer SamplesInside(const Place& place) const
   {
     Number steps = 1e6f;
@@ -136,7 +136,7 @@ private:
 
   const BrickDistances& Bricks;
   const AnyRay& Way;
-  Number PerPace[3]; ///< samples per cell; very many: it stays in the cell
+  Number PerPace[3]; ///< samples per cell; very large if the ray stays in the cell
 };
 }
 

@@ -13,7 +13,7 @@
 
 namespace limpid
 {
-/// Distance of bricks that are not closer to any that is not empty: what fits into a byte.
+/// The largest distance that is distinguished; it must fit into a byte.
 constexpr int farthestBrick = 255;
 
 /// The box of nodes from which the cells of a brick are interpolated.
@@ -22,14 +22,14 @@ struct BrickNodes
   Int3 first;
   Int3 last;
 
-  /// `brick`: its place among the bricks; `nodes`: of the grid.
+  /// `brick`: index of the brick along each axis; `nodes`: of the grid.
   LIMPID_HD static LIMPID_INLINE BrickNodes Of(const Int3& brick, const Int3& nodes)
   {
     const Int3 low = BrickDistances::size * brick;
     return { low, glm::min(low + BrickDistances::size, nodes - 1) };
   }
 
-  /// The nodes of an overlay that the same cells may be interpolated from.
+  /// Returns the nodes of an overlay from which these cells may be interpolated.
   LIMPID_HD LIMPID_INLINE BrickNodes On(const OverlayPlace& overlay) const
   {
     BrickNodes box{};
@@ -44,7 +44,7 @@ struct BrickNodes
       glm::clamp(box.last, Int3(0), overlay.nodes - 1) };
   }
 
-  /// Whether is(node) for any node of the box in a grid of `nodes`.
+  /// Returns whether is(node) holds for any node of the box in a grid of `nodes`.
   template <class Is>
   LIMPID_HD LIMPID_INLINE bool Any(const Int3& nodes, const Is& is) const
   {
@@ -78,7 +78,7 @@ struct ScalarRange
   }
 };
 
-/// Range of the scalars at the nodes of a brick.
+/// Computes the range of the scalars at the nodes of a brick.
 struct RangeOfBrick
 {
   Int3 nodes;
@@ -99,28 +99,29 @@ struct RangeOfBrick
   }
 };
 
-/// Whether bricks are empty from which all extinction was cleared.
+/// Whether bricks whose extinction was cleared completely count as empty.
 enum class Cleared
 {
   IsEmpty,
   IsNot
 };
 
-/// Whether the transfer function has the same extinction for all scalars. Then a segment that ends
-/// at nodes without any share of it has none; else it may, if only one of them has none.
+/// Whether the transfer function has the same extinction for all scalars. Then a segment is empty
+/// if both of its ends are at nodes without a share of that extinction. If it varies, a segment may
+/// have extinction if only one of its ends is at such nodes.
 enum class Function
 {
   Varies,
   IsUniform
 };
 
-/// 0 where a brick may have extinction, else the largest distance.
+/// Writes 0 for a brick that may have extinction, else the largest distance.
 struct EmptyBrick
 {
   Int3 nodes;
   OpticalTable table;
   const ScalarRange* ranges;
-  const std::uint8_t* unfilled; ///< not 0 where no node is filled; null: scalars alone tell
+  const std::uint8_t* unfilled; ///< not 0 where no node is filled; null: only scalars decide
   const TwoPacked* overlay;     ///< see ExtinctionOverlay; null: unchanged
   OverlayPlace overlayPlace;
   Cleared cleared;
@@ -148,7 +149,7 @@ struct EmptyBrick
   }
 };
 
-/// 0 where a field is above zero at any node of a brick, else the largest distance.
+/// Writes 0 for a brick where a field is above zero at any node, else the largest distance.
 struct ZeroBrick
 {
   Int3 nodes;
@@ -163,13 +164,13 @@ struct ZeroBrick
   }
 };
 
-/// One axis of the Chebyshev distance to the nearest zero: the largest of the distances along the
-/// axes is that of the axes before or of this one, whichever is larger.
+/// Computes one axis of the Chebyshev distance to the nearest zero: the distance is the maximum of
+/// those along the previous axes and along this one.
 struct SpreadBrick
 {
   Int3 bricks;
   int axis;
-  const std::uint8_t* before; ///< along the axes before
+  const std::uint8_t* before; ///< distances along the previous axes
   std::uint8_t* distance;     ///< out
 
   LIMPID_HD void operator()(Index brick, int i, int j, int k) const
@@ -180,7 +181,7 @@ struct SpreadBrick
     const Index stride = this->axis == 0
       ? 1
       : (this->axis == 1 ? Index(this->bricks.x) : Index(this->bricks.x) * this->bricks.y);
-    const int toEnd = at < count - 1 - at ? count - 1 - at : at; // there are no bricks farther away
+    const int toEnd = at < count - 1 - at ? count - 1 - at : at; // bricks farther away do not exist
     int least = this->before[brick];
     for (int way = 1; way < least && way <= toEnd; ++way)
     {
@@ -200,13 +201,13 @@ struct SpreadBrick
 };
 
 /**
- * Finds where a volume is empty, on a device: the cells in bricks of `size` cells along each axis.
- * Nothing waits.
+ * Finds the empty parts of a volume on a device: bricks of `size` cells along each axis. Does not
+ * wait.
  *
- * A brick is empty if no scalar that its cells can have and no change that they can have give an
- * extinction above zero, nor, of a function with one extinction, its shares at the nodes.
- * Neighbouring bricks share their nodes, so their ranges of scalars touch: a segment between
- * samples in two empty neighbours meets no extinction either.
+ * A brick is empty if no scalar and no change that are possible in its cells give an extinction
+ * above zero; for a function with a single extinction, its shares at the nodes decide. Neighbouring
+ * bricks share their nodes, so their ranges of scalars overlap: a segment between samples in two
+ * empty neighbours has no extinction either.
  */
 template <class AnyDevice>
 class Bricks
@@ -217,8 +218,8 @@ public:
   {
   }
 
-  /// Finds the ranges of the scalars at the nodes of a grid, and where none of them is filled.
-  /// `filled`: see ScalarField; null: all are.
+  /// Computes the ranges of the scalars at the nodes of a grid, and where none of them is filled.
+  /// `filled`: see ScalarField; null: all nodes are.
   void SetScalars(const Int3& nodes, const float* scalars, const float* filled)
   {
     constexpr int size = BrickDistances::size;
@@ -234,22 +235,21 @@ public:
     }
   }
 
-  /// Finds the empty bricks, and how far around each all are empty. `overlay`: at `overlayPlace`;
-  /// null: nothing is changed.
+  /// Computes the distances to non-empty bricks. `overlay`: at `overlayPlace`; null: no change.
   void FindEmpty(const OpticalTable& table, Function function, const TwoPacked* overlay,
     const OverlayPlace& overlayPlace)
   {
     this->Find(this->Distance, table, function, overlay, overlayPlace, Cleared::IsEmpty);
   }
 
-  /// Likewise, the bricks that are empty without the change, too.
+  /// Computes the distances to bricks that are not empty even without the change.
   void FindBare(const OpticalTable& table, Function function, const TwoPacked* overlay,
     const OverlayPlace& overlayPlace)
   {
     this->Find(this->BareDistance, table, function, overlay, overlayPlace, Cleared::IsNot);
   }
 
-  /// Likewise, the bricks where nothing is important, at the nodes of the scalars.
+  /// Computes the distances to bricks with important nodes, at the nodes of the scalars.
   void FindUnimportant(const float* importance)
   {
     this->Spread(this->UnimportantDistance,
@@ -258,7 +258,7 @@ public:
       });
   }
 
-  /// Gives the memory of bare and of unimportant bricks back.
+  /// Frees the memory of the distances to bare and to unimportant bricks.
   void ForgetImportance()
   {
     this->BareDistance = {};
@@ -296,7 +296,8 @@ private:
       });
   }
 
-  /// Finds distances from where a brick is empty: `emptyInto(out)` makes what writes that.
+  /// Computes distances from flags of empty bricks. `emptyInto(out)`: creates the body that writes
+  /// the flags.
   template <class EmptyInto>
   void Spread(DistanceArray& distances, const EmptyInto& emptyInto)
   {
@@ -325,9 +326,9 @@ private:
   DeviceArray<AnyDevice, ScalarRange> Ranges;
   DistanceArray Unfilled; ///< empty: all nodes are filled
   DeviceArray<AnyDevice, std::uint8_t> Distance;
-  DeviceArray<AnyDevice, std::uint8_t> BareDistance;        ///< empty: not asked for
-  DeviceArray<AnyDevice, std::uint8_t> UnimportantDistance; ///< likewise
-  DeviceArray<AnyDevice, std::uint8_t> OtherDistance;       ///< between the axes
+  DeviceArray<AnyDevice, std::uint8_t> BareDistance;        ///< empty: not requested
+  DeviceArray<AnyDevice, std::uint8_t> UnimportantDistance; ///< empty: not requested
+  DeviceArray<AnyDevice, std::uint8_t> OtherDistance;       ///< temporary, between axes
 };
 }
 

@@ -40,7 +40,7 @@ void Require(const TransferFunctions& functions)
   }
 }
 
-/// The same functions with so many entries that within a few of them nothing matters.
+/// Resamples functions to so many entries that differences within a few of them do not matter.
 TransferFunctions Refined(const TransferFunctions& functions)
 {
   constexpr std::size_t least = 1024;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Transfer functions as the rays read them.
+// Transfer functions in the form that rays read.
 
 #ifndef limpid_render_Classification_h
 #define limpid_render_Classification_h
@@ -15,7 +15,7 @@
 
 namespace limpid
 {
-/// The entries of a table, between which it is linear, as positions from 0 to the last.
+/// The positions of the entries of a table, from 0 to the last. The table is linear in between.
 struct TableAxis
 {
   float low = 0;
@@ -25,7 +25,7 @@ struct TableAxis
 
   TableAxis() = default;
 
-  /// So many entries, two or more, over scalars from `lowest` to `highest`.
+  /// Two or more entries, equally spaced over scalars from `lowest` to `highest`.
   TableAxis(double lowest, double highest, std::size_t entries)
     : low(static_cast<float>(lowest))
     , scale(static_cast<float>(double(entries - 1) / (highest - lowest)))
@@ -34,22 +34,22 @@ struct TableAxis
   {
   }
 
-  /// Position of a scalar in the table; may be outside of it.
+  /// Returns the position of a scalar in the table; it may be outside.
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number Position(const Number& scalar) const
   {
     return (scalar - this->low) * this->scale;
   }
 
-  /// The position inside the table that is closest.
+  /// Returns a position clamped to the table.
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number Inside(const Number& position) const
   {
     return Clamp(position, 0.0f, this->lastPosition);
   }
 
-  /// The entry at or before a position inside, such that there is one behind it, and the share of
-  /// the way to that one.
+  /// Returns the entry at or before a position inside, such that there is a next one, and the
+  /// fraction of the way to that one.
   template <class Number>
   LIMPID_HD LIMPID_INLINE auto Split(const Number& inside, Number& share) const
   {
@@ -59,8 +59,8 @@ struct TableAxis
   }
 };
 
-/// Transfer functions at one place of the table: extinction [majorant], red, green, blue; and the
-/// integrals of their Weighed values from its start.
+/// Transfer functions at one entry of the table: extinction [majorant], red, green, blue; and the
+/// integrals of their Weighed values from the start of the table.
 struct alignas(32) OpticalEntry
 {
   FourFloats value;
@@ -68,14 +68,15 @@ struct alignas(32) OpticalEntry
 };
 
 /**
- * Transfer functions over the table position u = (s - low) scale, and their integrals: the numbers
+ * Transfer functions over the table position u = (s - low) scale, with their integrals: the numbers
  * and addresses of a Classification.
  *
- * Between two samples along a ray the scalar is taken as linear. The mean extinction of the segment
- * is then the difference quotient of an integral over the scalar (one-dimensional pre-integration,
- * [EKE01] without the self-attenuation within a segment, which the caller adds), so that a thin
- * feature of the transfer function is never missed between samples. The mean colour is weighed with
- * the extinction plus a thousandth of the majorant, which defines it where nothing absorbs.
+ * The scalar is assumed linear between two samples of a ray. The mean extinction of the segment is
+ * then the difference quotient of an integral over the scalar, so that a thin feature of the
+ * transfer function is never missed between samples. (This is the one-dimensional pre-integration
+ * of [EKE01] without self-attenuation within a segment, which the caller adds.) The mean colour is
+ * weighted by the extinction plus a thousandth of the majorant, so that it is defined where nothing
+ * absorbs.
  */
 struct OpticalTable
 {
@@ -83,9 +84,9 @@ struct OpticalTable
 
   TableAxis axis;
   const OpticalEntry* entries = nullptr; ///< axis.last + 1
-  const float* maxima = nullptr; ///< [level][axis.last + 1]: largest of 2^level entries from i on
+  const float* maxima = nullptr; ///< [level][axis.last + 1]: maximum of 2^level entries from i on
 
-  /// Extinction [majorant] and colour at a table position.
+  /// Returns extinction [majorant] and colour at a table position.
   LIMPID_HD LIMPID_INLINE FourFloats At(float position) const
   {
     float share;
@@ -94,7 +95,7 @@ struct OpticalTable
     return Blend(entry[0].value, entry[1].value, share);
   }
 
-  /// The same and the integral from the start of the table to there.
+  /// Returns the value and its integral from the start of the table.
   LIMPID_HD LIMPID_INLINE OpticalEntry Look(float position) const
   {
     const float inside = this->axis.Inside(position);
@@ -106,20 +107,20 @@ struct OpticalTable
     return there;
   }
 
-  /// Moves on beyond an end of the table, where the functions are constant.
+  /// Extends the integrals beyond an end of the table, where the functions are constant.
   LIMPID_HD static LIMPID_INLINE void Extend(OpticalEntry& there, float beyond)
   {
     there.integral = there.integral + beyond * Weighed(there.value);
   }
 
-  /// What the integrals are of.
+  /// Returns the integrand of the integrals.
   LIMPID_HD static LIMPID_INLINE FourFloats Weighed(const FourFloats& value)
   {
     const float weight = value[0] + colorFloor;
     return { { value[0], weight * value[1], weight * value[2], weight * value[3] } };
   }
 
-  /// Largest extinction [majorant] between two table positions.
+  /// Returns the largest extinction between two table positions [majorant].
   LIMPID_HD LIMPID_INLINE float LargestBetween(float from, float to) const
   {
     const int first = static_cast<int>(this->axis.Inside(from));
@@ -137,7 +138,7 @@ struct OpticalTable
 };
 
 /// The mean of transfer functions on a segment between two samples. Its colour is ofIntegrals times
-/// the difference of the samples' integrals, and ofValues times the sum of their values.
+/// the difference of the samples' integrals plus ofValues times the sum of their values.
 template <class Number>
 struct SegmentMean
 {
@@ -147,12 +148,12 @@ struct SegmentMean
 
   SegmentMean() = default;
 
-  /// `distance`: of the table positions; `integral`: of the extinction between them; `ends`: sum of
-  /// both extinctions.
+  /// `distance`: difference of the table positions; `integral`: of the extinction between them;
+  /// `ends`: sum of both extinctions.
   LIMPID_HD LIMPID_INLINE SegmentMean(
     const Number& distance, const Number& integral, const Number& ends)
   {
-    // Close together, the difference of integrals is one of rounding errors.
+    // For close positions, the difference of integrals consists of rounding errors.
     const auto wide = Magnitude(distance) > 4.0f;
     const Number perDistance = 1.0f / Select(wide, distance, 1.0f);
     this->extinction = Select(wide, perDistance * integral, 0.5f * ends);
@@ -162,20 +163,20 @@ struct SegmentMean
   }
 };
 
-/// Transfer functions as rays read them, see OpticalTable.
+/// Transfer functions in the form that rays read, see OpticalTable.
 class Classification
 {
 public:
   Classification() = default;
   explicit Classification(const TransferFunctions& functions);
 
-  /// Numbers and addresses, which hold as long as this object stays where it is.
+  /// Returns numbers and addresses, which are valid until this object is moved.
   OpticalTable Table() const;
 
   float Majorant() const { return this->LargestExtinction; } ///< [1/length]
   bool Empty() const { return this->All.empty(); }
 
-  /// Whether all scalars have the same extinction.
+  /// Returns whether all scalars have the same extinction.
   bool IsUniform() const { return this->HasOneExtinction; }
 
   const std::vector<OpticalEntry>& Entries() const { return this->All; }
@@ -185,7 +186,7 @@ private:
   TableAxis Axis;
   float LargestExtinction = 0;
   bool HasOneExtinction = false;
-  std::vector<OpticalEntry> All; ///< see OpticalTable, like the other
+  std::vector<OpticalEntry> All; ///< entries and maxima, see OpticalTable
   std::vector<float> Maxima;
 };
 }

@@ -16,8 +16,8 @@ namespace limpid
 {
 class HostDevice;
 
-/// Moves all nodes. Returns whether a change may not be zero: whether another extinction than the
-/// base was ever given.
+/// Moves all nodes. Returns whether the overlay may change anything, that is, whether an extinction
+/// other than the base was ever given.
 template <class AnyDevice>
 bool MoveNodes(AnyDevice& device, const MovedNode& body, bool wasChanged)
 {
@@ -25,21 +25,21 @@ bool MoveNodes(AnyDevice& device, const MovedNode& body, bool wasChanged)
   return wasChanged || body.base != body.extinction;
 }
 
-/// The form for the processor knows whether any change is not zero, so that rays need not read an
-/// overlay that says nothing.
+/// The processor's version determines whether any change is nonzero, so that rays need not read an
+/// overlay without effect.
 bool MoveNodes(HostDevice& device, const MovedNode& body, bool wasChanged);
 
 /**
- * What optimisation and light add to the volume, on a device. Nothing waits.
+ * The result of optimisation and lighting for the volume, on a device. Does not wait.
  *
- * Every node of a grid over the same box has two packed numbers, the share of the transfer
- * function's extinction that is kept [1] and the extinction that is added [majorant], and the
- * transmittance from the light, rounded as those are: [packedOne].
+ * Every node of a grid over the same box has two packed numbers: the share of the transfer
+ * function's extinction that is kept [1], and the extinction that is added [majorant]. It also has
+ * the transmittance from the light, rounded in the same way [packedOne].
  *
- * The extinction of a sample is kept * mu-bar(s) + added. At a node that is the optimised
- * extinction, and where nothing was changed it is the transfer function's of the interpolated
- * scalar. What was cleared is clear between the nodes, too, whatever the transfer function does
- * between their scalars: a difference of extinctions would leave its thin layers standing.
+ * The extinction of a sample is kept * mu-bar(s) + added. At a node it equals the optimised
+ * extinction. Where nothing was changed it is the transfer function's extinction of the
+ * interpolated scalar. What was cleared is also clear between the nodes, for any transfer function;
+ * an additive difference of extinctions would leave thin layers there.
  */
 template <class AnyDevice>
 class ExtinctionOverlay
@@ -51,7 +51,7 @@ public:
   }
 
   /// Moves the change by `share` towards extinction - base. `unit`: the majorant [1/length];
-  /// `shown`: out, the extinction that is shown then [1/length]; null: it is not wanted.
+  /// `shown`: out, the extinction that results [1/length]; null: not needed.
   void MoveTo(const Grid& grid, const float* base, const float* extinction, float unit,
     double share, float* shown)
   {
@@ -64,7 +64,7 @@ public:
       this->HasChange);
   }
 
-  /// What is shown at the nodes of another grid: over the same box, or a part of it.
+  /// Returns the overlay at the nodes of another grid: over the same box, or a part of it.
   DeviceArray<AnyDevice, TwoPacked> On(const Grid& grid) const
   {
     const Int3 from = this->Place.nodes;
@@ -84,20 +84,20 @@ public:
     return numbers;
   }
 
-  /// Goes on with what others show, too, on a grid over the box of all. `changed`: see Changed.
+  /// Continues with an overlay on a grid over the box of all ranks. `changed`: see Changed.
   void GoOnWith(const Grid& grid, const std::vector<TwoPacked>& numbers, bool changed)
   {
     this->Take(grid, { this->Device, numbers, "the overlay" });
     this->HasChange = changed;
   }
 
-  /// Forgets change and shadow.
+  /// Discards change and shadow.
   void Clear() { *this = ExtinctionOverlay(this->Device); }
 
-  /// From now on nobody asks for a transmittance of the light.
+  /// Drops the transmittance of the light, which is not read any more.
   void ClearShadow() { this->HasShadow = false; }
 
-  /// Takes a transmittance at the nodes of a grid over the same box, interpolated.
+  /// Interpolates a transmittance that is given at the nodes of a grid over the same box.
   void SetShadow(const Int3& nodes, const float* transmittance)
   {
     this->HasShadow = true;
@@ -137,7 +137,7 @@ public:
         { 0, columnPlaces.Data(), slices.Data(), ofSlices, nullptr }, shadow });
   }
 
-  /// Transmittance of the light at a position [nodes]. Waits.
+  /// Returns the transmittance of the light at a position [nodes]. Waits.
   double ShadowAt(const Vec3& position) const
   {
     const CellGrid grid(this->Place.nodes);
@@ -158,15 +158,15 @@ public:
   const TwoPacked* Packed() const { return this->Numbers.Data(); }
   const float* Shadow() const { return this->Arriving.Data(); } ///< [packedOne]
   const Grid& Nodes() const { return this->Place; }
-  float Majorant() const { return this->Unit; } ///< unit of what is added [1/length]
+  float Majorant() const { return this->Unit; } ///< unit of the added extinction [1/length]
   bool Empty() const { return this->Numbers.Empty(); }
-  bool Changed() const { return this->HasChange; } ///< whether a change may not be zero
+  bool Changed() const { return this->HasChange; } ///< whether a change may be nonzero
   bool Shadowed() const { return this->HasShadow; }
 
 private:
   using Field = DeviceArray<AnyDevice, float>;
 
-  /// Makes room for the nodes of a grid, with what is shown now.
+  /// Resizes the overlay to the nodes of a grid, and interpolates the present overlay there.
   void Fit(const Grid& grid)
   {
     if (!this->Empty() && grid.nodes == this->Place.nodes && grid.spacing == this->Place.spacing &&

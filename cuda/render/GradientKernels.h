@@ -12,12 +12,12 @@
 
 namespace limpid
 {
-/// Extinction of the transfer function at a node.
+/// Computes the extinction of the transfer function at a node.
 struct ClassifiedNode
 {
   OpticalTable table;
   const float* scalars;
-  const float* filled; ///< null: all are
+  const float* filled; ///< null: all nodes are
   float majorant;      ///< unit of the result
   float* extinction;   ///< out [1/length], or [majorant] if that is 1
 
@@ -29,7 +29,7 @@ struct ClassifiedNode
   }
 };
 
-/// The gradient of a field at a node, in world directions: central differences.
+/// Computes the gradient of a field at a node by central differences, in world directions.
 struct GradientNode
 {
   const float* field;
@@ -50,7 +50,7 @@ struct GradientNode
   }
 
 private:
-  /// Difference per node along an axis of `count` nodes, of which the node is number `at`.
+  /// Returns the difference per node along an axis of `count` nodes, for the node with index `at`.
   LIMPID_HD LIMPID_INLINE float Difference(Index node, int at, int count, Index stride) const
   {
     const int before = at > 0 ? 1 : 0;
@@ -60,7 +60,7 @@ private:
   }
 };
 
-/// Square of a gradient's length.
+/// Computes the squared length of a gradient.
 struct SteepnessNode
 {
   GradientNode gradient;
@@ -74,7 +74,7 @@ struct SteepnessNode
   }
 };
 
-/// The largest of a run of values, none of which is below zero.
+/// Computes the maximum of a run of values, which are at least zero.
 struct LargestOfRun
 {
   const float* values;
@@ -92,12 +92,12 @@ struct LargestOfRun
   }
 };
 
-/// Packs a gradient over the largest length, in world directions, and the transmittance of the
-/// light, which is 1 until ShadowedGradientNode knows better.
+/// Packs a gradient, divided by the largest length, in world directions, and the transmittance of
+/// the light, which is 1 until ShadowedGradientNode sets it.
 struct PackedGradientNode
 {
   GradientNode gradient;
-  const float* largest; ///< square of that length
+  const float* largest; ///< square of the largest length
   FourPacked* packed;   ///< out
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
@@ -115,7 +115,7 @@ struct PackedGradientNode
   }
 };
 
-/// Takes the transmittance of the light of the same node.
+/// Copies the transmittance of the light at the same node.
 struct ShadowedGradientNode
 {
   const float* shadow; ///< [packedOne]

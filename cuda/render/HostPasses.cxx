@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The passes that the processor does in a form of its own.
+// Passes with a special version for the processor.
 
 #include "backend/HostDevice.h"
 #include "backend/Interruption.h"
@@ -18,7 +18,7 @@ namespace
 {
 constexpr int tileWidth = 4; // pixels
 constexpr int tileHeight = RayLanes::count / tileWidth;
-constexpr int tilesAtATime = 8; ///< along a row: they read the same nodes
+constexpr int tilesAtATime = 8; ///< neighbours along a row, which read the same nodes
 
 TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
 {
@@ -87,7 +87,7 @@ void ForTiles(const PictureRays& rays, const Action& action)
     });
 }
 
-/// Moves the beginnings of RayLanes::count rays to where they may meet anything.
+/// Advances the beginnings of RayLanes::count rays past empty bricks.
 void SkipEmptyFronts(const BrickDistances& bricks, Ray* rays)
 {
   std::int32_t begins[RayLanes::count];
@@ -152,7 +152,7 @@ bool MoveNodes(HostDevice& device, const MovedNode& body, bool)
   device.ForRows("move the overlay", body.nodes,
     [&](Index first, int j, int k)
     {
-      const MovedNode moved = body; // a copy: nothing that is written below can be part of it
+      const MovedNode moved = body; // a copy, which cannot alias the output
       bool any = false;
       for (int i = 0; i < moved.nodes.x; ++i)
       {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the processor traces a ray: the samples in blocks, by the widest registers it has. Each way
-// of compositing is compiled in a file of its own, since one takes a compiler as long as everything
-// else of a picture.
+// Tracing of a ray on the processor: samples in blocks, in the widest vector registers available.
+// Each kind of compositing is compiled in a file of its own, since one takes as long to compile as
+// the rest of rendering.
 
 #ifndef limpid_render_HostTrace_h
 #define limpid_render_HostTrace_h
@@ -25,7 +25,7 @@ void HostTrace(const RayScene& scene, const Ray& ray, HostPixel& pixel)
     { TraceAs<compositing, BlockSampler, lit, overlaid>(scene, ray, pixel); });
 }
 
-/// What traces the rays of scenes that have a gradient (lit) and an overlay, or not.
+/// The functions that trace rays for scenes with and without a gradient (lit) and an overlay.
 template <Compositing compositing>
 TraceOneRay HostTraceBy(bool lit, bool overlaid)
 {

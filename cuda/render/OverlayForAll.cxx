@@ -12,10 +12,10 @@ namespace limpid
 {
 namespace
 {
-constexpr std::size_t numbers = 2; // of a node
+constexpr std::size_t numbers = 2; // numbers per node
 
-/// The nodes of an axis whose nearest ones among `count` others over the same length are in a
-/// range.
+/// Returns those nodes of an axis whose nearest nodes among `count` others over the same length are
+/// in a range.
 Range<int> NearestTo(const Range<int>& others, int count, int nodes)
 {
   const auto isBefore = [=](int node, int end)

@@ -12,10 +12,10 @@
 
 namespace limpid
 {
-/// The numbers of an overlay that ranks have of a piece each, at the nodes of a coarse grid over
-/// the box of all, on every rank: each node's are those of the rank that owns the node of `whole`
-/// that is nearest; where nobody does, nothing is changed. `resample`: makes those of a part of the
-/// grid, whose nodes are this rank's. All ranks have to ask.
+/// Gathers the numbers of an overlay that is distributed over ranks, at the nodes of a coarse grid
+/// over the box of all ranks. Each node has the numbers of the rank that owns the nearest node of
+/// `whole`; without owner, nothing is changed. `resample`: returns the numbers of a part of the
+/// grid, whose nodes are this rank's. Collective.
 std::vector<TwoPacked> OverlayForAll(const ScenePiece& piece, const Grid& whole, const Grid& grid,
   const std::function<std::vector<TwoPacked>(const Grid& part)>& resample);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What one node of an extinction overlay does.
+// Computations at one node of an extinction overlay.
 
 #ifndef limpid_render_OverlayKernels_h
 #define limpid_render_OverlayKernels_h
@@ -12,11 +12,11 @@
 
 namespace limpid
 {
-/// Optical depth of a cell that casts shadows, at most. A surface is somewhere between two nodes,
-/// and light that reaches the one behind it through less than half a cell is not to be lost.
+/// The largest optical depth of a cell that casts shadows. A surface is somewhere between two
+/// nodes; light that reaches the node behind it through less than half a cell must not be lost.
 constexpr double mostCasting = 4;
 
-/// An extinction that is not above another one.
+/// Limits an extinction to another one.
 struct LimitedNode
 {
   float most;
@@ -28,14 +28,14 @@ struct LimitedNode
   }
 };
 
-/// A share [0, 1] in units of packedOne.
+/// Returns a share [0, 1] in units of packedOne.
 LIMPID_HD LIMPID_INLINE std::int16_t PackShare(float value)
 {
   const float inside = value < 0.0f ? 0.0f : (1.0f < value ? 1.0f : value);
   return static_cast<std::int16_t>(inside * packedOne + 0.5f);
 }
 
-/// A node where nothing is changed yet.
+/// Initialises a node without changes.
 struct UnchangedNode
 {
   TwoPacked* packed; ///< out
@@ -46,19 +46,19 @@ struct UnchangedNode
   }
 };
 
-/// Moves the change of an extinction by a share of the way to another one, and tells which
-/// extinction is shown then.
+/// Moves the change of an extinction by a share of the way to another one, and optionally writes
+/// the extinction that results.
 struct MovedNode
 {
   Int3 nodes;
   const float* base;       ///< [1/length]
-  const float* extinction; ///< where to move to [1/length]
-  float unit;              ///< of what is added: the majorant [1/length]
+  const float* extinction; ///< the extinction to move to [1/length]
+  float unit;              ///< unit of the added extinction: the majorant [1/length]
   float perUnit;           ///< 1 / unit [length]
   float share;
-  float rescale;     ///< the unit of `packed` before over the one now
+  float rescale;     ///< the previous unit of `packed` over the present one
   TwoPacked* packed; ///< in and out
-  float* shown;      ///< out [1/length]; null: it is not wanted
+  float* shown;      ///< out [1/length]; null: not needed
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
@@ -69,7 +69,7 @@ struct MovedNode
     }
   }
 
-  /// Returns whether anything is changed at the node.
+  /// Returns whether the node changes its extinction.
   LIMPID_HD LIMPID_INLINE bool Move(Index node, int i, int j, int k) const
   {
     std::int16_t* here = this->packed[node].values;
@@ -105,8 +105,8 @@ private:
     return 1.0f < kept ? 1.0f : kept;
   }
 
-  /// Share of the base extinction that is kept; where there is none, the mean of the neighbours
-  /// that have some.
+  /// Returns the share of the base extinction that is kept; where there is no base extinction, the
+  /// mean over those neighbours that have some.
   LIMPID_HD LIMPID_INLINE float Kept(Index node, int i, int j, int k) const
   {
     if (this->base[node] > 0)
@@ -134,12 +134,12 @@ private:
   }
 };
 
-/// The trilinear interpolation of an overlay on another grid.
+/// Interpolates an overlay trilinearly on another grid.
 struct ResampledNode
 {
   CellGrid from;
   const TwoPacked* packed;
-  float first[3]; ///< node of the other grid [nodes of `from`]
+  float first[3]; ///< position of its first node [nodes of `from`]
   float scale[3]; ///< nodes of `from` per node
   TwoPacked* out;
 
@@ -156,7 +156,7 @@ struct ResampledNode
   }
 };
 
-/// Takes the transmittance of the same node.
+/// Copies the transmittance at the same node.
 struct ShadowedNode
 {
   const float* transmittance;
@@ -168,13 +168,13 @@ struct ShadowedNode
   }
 };
 
-/// Where a node of an axis lies between those of another one over the same length.
+/// The position of a node of an axis between those of another one over the same length.
 struct AxisPlace
 {
-  int before;  ///< the other node at or before
-  float share; ///< of the way to the one behind it
+  int before;  ///< index of the other axis's node at or before
+  float share; ///< fraction of the way to the next node
 
-  /// `from`: nodes of the other axis; `to`: of this one.
+  /// `from`: number of nodes of the other axis; `to`: of this one.
   AxisPlace(int node, int from, int to)
   {
     const double ratio = double(from - 1) / std::max(to - 1, 1);
@@ -183,12 +183,12 @@ struct AxisPlace
   }
 };
 
-/// The linear interpolation of a field along one axis, at the nodes of a grid that differs in the
-/// number of nodes along this axis only, over the same box.
+/// Interpolates a field linearly along one axis, for a grid over the same box with another number
+/// of nodes along this axis only.
 struct InterpolatedAlong
 {
   int axis;
-  const AxisPlace* places; ///< of the nodes along the axis
+  const AxisPlace* places; ///< one per node along the axis
   const float* field;
   Int3 from; ///< nodes of the field
   float* out;
@@ -211,7 +211,7 @@ struct InterpolatedAlong
   }
 };
 
-/// Takes a transmittance that is interpolated along the last axis.
+/// Interpolates a transmittance along the last axis.
 struct InterpolatedShadowNode
 {
   InterpolatedAlong transmittance;

@@ -9,21 +9,21 @@
 
 namespace limpid
 {
-/// Where the nodes of an overlay lie among those of scalars: over the same box, or over one of
-/// which the scalars that are here are a part.
+/// The position of an overlay's nodes relative to the scalars: over the same box, or over one of
+/// which this rank's scalars are a part.
 struct OverlayPlace
 {
-  Int3 nodes{ 0 };    ///< of the overlay
-  Int3 boxNodes{ 0 }; ///< of scalars, in the box of the overlay
-  Int3 first{ 0 };    ///< of these, where those that are here begin
+  Int3 nodes{ 0 };    ///< nodes of the overlay
+  Int3 boxNodes{ 0 }; ///< number of scalars in the box of the overlay
+  Int3 first{ 0 };    ///< index of this rank's first scalar among these
 
-  /// Over the box of the scalars that are here.
+  /// Returns the place of an overlay over the box of this rank's scalars.
   static OverlayPlace Over(const Int3& scalarNodes, const Int3& nodes)
   {
     return { nodes, scalarNodes, Int3(0) };
   }
 
-  /// Nodes of the overlay per node of the scalars.
+  /// Returns the number of nodes of the overlay per node of the scalars.
   LIMPID_HD LIMPID_INLINE double Scale(int axis) const
   {
     const int cells = this->boxNodes[axis] > 1 ? this->boxNodes[axis] - 1 : 1;

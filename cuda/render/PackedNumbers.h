@@ -24,7 +24,8 @@ struct alignas(2 * Count) Packed
 using TwoPacked = Packed<2>;
 using FourPacked = Packed<4>;
 
-/// What a register of a few floats is to the processor, for devices; laid out the same in memory.
+/// A small vector for devices, in place of the processor's register; it has the same layout in
+/// memory.
 template <int Count>
 struct alignas(4 * Count) Floats
 {
@@ -69,7 +70,7 @@ LIMPID_HD LIMPID_INLINE Floats<Count> operator*(float factor, const Floats<Count
   return product;
 }
 
-/// As numbers that one can calculate with.
+/// Convert packed numbers for arithmetic.
 LIMPID_HD LIMPID_INLINE float Unpacked(float value)
 {
   return value;
@@ -86,7 +87,7 @@ LIMPID_HD LIMPID_INLINE Floats<Count> Unpacked(const Packed<Count>& packed)
   return numbers;
 }
 
-/// a + share (b - a), of numbers or registers.
+/// Returns a + share (b - a), for numbers or registers.
 template <class Value, class Share>
 LIMPID_HD LIMPID_INLINE Value Blend(const Value& a, const Value& b, const Share& share)
 {

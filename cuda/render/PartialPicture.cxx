@@ -15,17 +15,17 @@ namespace limpid
 {
 namespace
 {
-/// The pixels that a rank puts together.
+/// Returns the range of pixels that a rank composes.
 Range<Index> PixelsOf(const Communicator& ranks, int rank, Index count)
 {
   return { count * rank / ranks.Size(), count * (rank + 1) / ranks.Size() };
 }
 
-/// Values of all ranks for some pixels, rank after rank.
+/// Values of all ranks for a range of pixels, rank by rank.
 template <class Value>
 using OfRanks = std::vector<std::vector<Value>>;
 
-/// From each rank what it has for each other.
+/// Exchanges values: each rank sends a range to each other rank.
 template <class Value>
 OfRanks<Value> Exchanged(const Communicator& ranks, OfRanks<Value>& sent, OfRanks<Value>&& room)
 {

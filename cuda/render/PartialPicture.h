@@ -11,19 +11,19 @@
 
 namespace limpid
 {
-/// What the part of a pixel's ray gives that one rank has.
+/// The contribution of one rank's segment of a ray to a pixel.
 struct PartialPixel
 {
-  float light[3];      ///< red, green, blue, multiplied by alpha
-  float transmittance; ///< 1: nothing is there
-  int first;           ///< number of the first segment: parts of a ray follow each other by these
+  float light[3];      ///< red, green, blue, premultiplied by alpha
+  float transmittance; ///< 1: empty
+  int first;           ///< number of the first segment, which orders the parts of a ray
 };
 
 /**
- * Puts the parts of all rays together, which ranks have, front to back, and rounds once: the
- * picture, which every rank gets, is that of one process. `picture`: of as many pixels.
+ * Composes the partial pictures of all ranks front to back, and rounds once. Every rank gets the
+ * picture, which equals that of one process. `picture`: must have the same number of pixels.
  *
- * `opaqueBelow`: see View. All ranks have to call. Per pixel and rank 20 bytes travel, and 8 back.
+ * `opaqueBelow`: see View. Collective. Per pixel and rank, 20 bytes are sent and 8 received.
  */
 void Compose(const Communicator& ranks, const std::vector<PartialPixel>& parts, double opaqueBelow,
   Picture& picture);

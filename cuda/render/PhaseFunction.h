@@ -12,8 +12,8 @@
 namespace limpid
 {
 /**
- * Phase function f_v of Eq. (5) [HG41]: share of the light scattered per solid angle [1/steradian].
- * Integrates to 1 over the sphere.
+ * Returns the phase function f_v of Eq. (5) [HG41]: share of the light scattered per solid angle
+ * [1/steradian]. It integrates to 1 over the sphere.
  *
  * `cosine`: of the angle between the light's direction of travel and the outgoing direction.
  */
@@ -26,21 +26,21 @@ LIMPID_HD LIMPID_INLINE Number HenyeyGreenstein(Real anisotropy, const Number& c
 }
 
 /**
- * Factor of the Blinn-Phong lobe (h.n)^p with which it, times the cosine of the light, integrates
- * to 1 over the hemisphere of lights for a viewer in the direction of the normal, and to less for
- * any other [1/steradian].
+ * Returns the factor of the Blinn-Phong lobe (h.n)^p such that, times the cosine of the light, it
+ * integrates to 1 over the hemisphere of lights for a viewer in the direction of the normal, and to
+ * less for any other viewer [1/steradian].
  */
 inline double BlinnPhongNormalization(double power)
 {
   return (power + 2) * (power + 4) / (8 * pi * (std::exp2(-0.5 * power) + power));
 }
 
-/// Share of the highlight in what a surface scatters; the rest is matt.
+/// Share of the highlight in the light that a surface scatters; the rest is diffuse.
 constexpr double highlightShare = 0.25;
 
 /**
- * Surface term f_s of Eq. (5) [1/steradian]: the matt surface of Lambert and the normalised lobe of
- * Blinn and Phong. `lobe`: BlinnPhongNormalization(p) (h.n)^p, zero if h.n < 0.
+ * Returns the surface term f_s of Eq. (5) [1/steradian]: a Lambertian surface plus the normalised
+ * lobe of Blinn and Phong. `lobe`: BlinnPhongNormalization(p) (h.n)^p, zero if h.n < 0.
  */
 LIMPID_HD LIMPID_INLINE double SurfaceScattering(double lobe)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rays of a picture, the same for all backends.
+// The rays of a picture, for all backends.
 
 #ifndef limpid_render_Ray_h
 #define limpid_render_Ray_h
@@ -14,35 +14,37 @@
 
 namespace limpid
 {
-/// Distance of sample number `sample` of a ray from its entry [samples]; or of one sample of each
-/// of several rays, or of several of one.
+/// Returns the distance of sample number `sample` of a ray from its entry [samples]. Works for one
+/// sample of one ray, one sample each of several rays, or several samples of one ray.
 template <class AnyRay, class Number>
 LIMPID_HD LIMPID_INLINE Number DistanceOf(const AnyRay& ray, const Number& sample)
 {
   return Clamp(Number(sample - ray.shift), 0.0f, ray.length);
 }
 
-/// One ray, by the number of the sample from its entry into the box on.
+/// One ray, with samples numbered from its entry into the box.
 struct Ray
 {
   using Number = float;
   using Integer = std::int32_t;
 
-  float entry[3] = { 0, 0, 0 };      ///< where it enters [index]
-  float step[3] = { 0, 0, 0 };       ///< from sample to sample [index]
-  float lightEntry[3] = { 0, 0, 0 }; ///< the same from the middle of the box [radii, world]
+  float entry[3] = { 0, 0, 0 };      ///< position of the entry [index]
+  float step[3] = { 0, 0, 0 };       ///< vector from sample to sample [index]
+  float lightEntry[3] = { 0, 0, 0 }; ///< vector from the middle of the box to the entry [radii,
+                                     ///< world]
   float lightStep[3] = { 0, 0, 0 };
   float toViewer[3] = { 0, 0, 0 }; ///< unit vector, world
-  float length = 0;                ///< samples from entry to exit
-  float shift = 0;                 ///< the first sample is that far before the entry [samples]
+  float length = 0;                ///< distance from entry to exit [samples]
+  float shift = 0;                 ///< distance of the first sample before the entry [samples]
   int segments = 0;
   int begin = 0;        ///< sample before which all segments are known to be empty
-  bool skipped = false; ///< whether that is where BrickWalk ended
+  bool skipped = false; ///< whether BrickWalk ended at `begin`
 
-  /// Distance of sample `k` from the entry [samples].
+  /// Returns the distance of sample `k` from the entry [samples].
   LIMPID_HD LIMPID_INLINE float At(int k) const { return DistanceOf(*this, static_cast<float>(k)); }
 
-  /// The part from a distance [samples] on; its samples are some of those of the whole ray.
+  /// Returns the part from a distance [samples] on. Its samples are a subset of those of the whole
+  /// ray.
   LIMPID_HD LIMPID_INLINE Ray From(float distance) const
   {
     Ray part = *this;
@@ -60,7 +62,7 @@ struct Ray
     return part;
   }
 
-  /// The same samples in the opposite order. It is not to be lit.
+  /// Returns a ray with these samples in the opposite order. It must not be used for lighting.
   LIMPID_HD LIMPID_INLINE Ray Reversed() const
   {
     Ray back = *this;
@@ -77,20 +79,20 @@ struct Ray
   }
 };
 
-/// Throws limpid::Error unless rays can be made of a view.
+/// Throws limpid::Error if a view does not define rays.
 void RequireView(const View& view);
 
-/// Makes the rays of a view through the box of a grid: Eq. (11), for any projection.
+/// Computes the rays of a view through the box of a grid: Eq. (11), for any projection.
 class RayMaker
 {
 public:
   static constexpr int mostPlanes = 16;
 
-  /// `stepLength`: between samples [length].
+  /// `stepLength`: distance of samples [length].
   RayMaker(const Grid& grid, double stepLength, const View& view);
 
-  /// The ray of a pixel from clip z = `start` to `end`; false: it misses what the planes leave of
-  /// the box.
+  /// Computes the ray of a pixel from clip z = `start` to `end`. Returns false if it misses the box
+  /// as cut by the planes.
   LIMPID_HD bool Make(int column, int row, double start, double end, Ray& ray) const
   {
     if (!(end > start))
@@ -160,20 +162,22 @@ private:
     return Vec3(point) * (1 / point.w);
   }
 
-  /// Where a way through (x, y) in clip coordinates reaches clip z = `start`, as a share of it.
+  /// Returns the position of clip z = `start` on a line through (x, y) in clip coordinates, as a
+  /// fraction of the line.
   LIMPID_HD LIMPID_INLINE double ShareAt(
     double x, double y, double start, const Vec3& from, const Vec3& way) const
   {
     return start > -1 ? glm::dot(this->Point(x, y, start) - from, way) / glm::dot(way, way) : 0.0;
   }
 
-  /// The part of a way [index] between two shares of it. Returns the share that a step takes.
+  /// Describes the part of a line [index] between two fractions of it. Returns the fraction per
+  /// step.
   LIMPID_HD LIMPID_INLINE double Describe(
     const Vec3& from, const Vec3& way, double first, double last, Ray& ray) const
   {
     const Vec3 worldWay = this->Direction * (way * this->Spacing);
     const double perWay = 1 / std::sqrt(glm::dot(worldWay, worldWay));
-    const double step = this->StepLength * perWay; // in units of the way
+    const double step = this->StepLength * perWay; // as a fraction of the line
     const Vec3 entry = from + first * way;
     const Vec3 world = this->Origin + this->Direction * (entry * this->Spacing);
     const Vec3 lightEntry = (world - this->Centre) * this->PerRadius;
@@ -189,7 +193,8 @@ private:
     return step;
   }
 
-  /// A number in [0, 1) that neighbouring pixels do not share: interleaved gradient noise [Jim14].
+  /// Returns a number in [0, 1) that differs between neighbouring pixels: interleaved gradient
+  /// noise [Jim14].
   LIMPID_HD static LIMPID_INLINE float Noise(int column, int row)
   {
     const double inner = 0.06711056 * column + 0.00583715 * row;
@@ -205,7 +210,7 @@ private:
   Vec3 Origin;
   Vec3 Centre;
   Vec3 LastNode;
-  double PerRadius; ///< of the box [1/length]
+  double PerRadius; ///< radius of the box [1/length]
   double StepLength;
   int Width;
   int Height;

@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-/// Sixteen rays side by side, as far as it matters where they run; see Ray.
+/// Sixteen rays side by side, with the members that determine their course; see Ray.
 struct RayLanes
 {
   using Number = FloatLanes;

@@ -11,11 +11,11 @@ namespace limpid
 {
 namespace
 {
-/// Direction of travel of the light in the middle of the volume, and its place.
+/// Computes the direction of travel of the light at the centre of the volume, and its position.
 void PlaceLight(const Light& light, const Grid& grid, RayLight& target, Vec3& travel)
 {
   const Vec3 place = (light.position - grid.Centre()) / grid.Radius();
-  // From so far away, light is directional to single precision.
+  // At larger distances, light is directional in single precision.
   const bool point = light.type == LightType::Point && glm::length(place) < 1e6;
   travel = light.type == LightType::Point ? -place : light.focalPoint - light.position;
   const double length = glm::length(travel);
@@ -28,8 +28,8 @@ void PlaceLight(const Light& light, const Grid& grid, RayLight& target, Vec3& tr
   }
 }
 
-/// Direction to the viewer from the middle of the volume. It does not depend on where the camera
-/// looks, unless that is all that there is to know.
+/// Returns the direction to the viewer from the centre of the volume. It depends on where the
+/// camera looks only for a parallel projection and for an eye at the centre.
 Vec3 ToViewer(const Grid& grid, const View& view)
 {
   const glm::dvec4 eye = view.clipToWorld * glm::dvec4(0, 0, 1, 0);

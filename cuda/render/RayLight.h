@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a sample is lit, the same for all backends.
+// The lighting of a sample, for all backends.
 
 #ifndef limpid_render_RayLight_h
 #define limpid_render_RayLight_h
@@ -15,7 +15,7 @@
 
 namespace limpid
 {
-/// factor x^power for x in [0, 1].
+/// Computes factor x^power for x in [0, 1].
 struct Lobe
 {
   float factor = 0;
@@ -29,18 +29,19 @@ struct Lobe
   }
 };
 
-/// Least cosine between the ways to the light and to the viewer at which a surface that faces the
-/// viewer is fully lit: one that the light meets at a flatter angle is not.
+/// The least cosine between the directions to the light and to the viewer at which a surface that
+/// faces the viewer is fully lit. Light at a flatter angle lights it less.
 constexpr float leastTowards = 0.5f;
 
-/// The layer in which a surface fades into what is seen of it is to keep its colour: what takes
-/// light within so many cells is no shadow, up to this optical depth.
+/// The outermost layer of a surface must keep its colour: absorption within this number of cells
+/// does not count as shadow, up to this optical depth.
 constexpr double ownCells = 4;
 constexpr float mostOwnDepth = 4.5f;
 
-/// Share of its colour that a sample sends of direct light, for the light that reaches it and is
-/// scattered to the viewer, relative to that on a surface that faces both: 1 there, smoothly less
-/// below, and never more, so that no colour is brighter than that of the transfer function.
+/// Returns the share of its colour that a sample sends as direct light. The argument is the light
+/// that reaches the sample and is scattered to the viewer, relative to a surface that faces both.
+/// The result is 1 there, decreases smoothly below, and never exceeds 1, so that no colour is
+/// brighter than that of the transfer function.
 template <class Number>
 LIMPID_HD LIMPID_INLINE Number ToneOf(const Number& light)
 {
@@ -48,23 +49,24 @@ LIMPID_HD LIMPID_INLINE Number ToneOf(const Number& light)
   return 1.0f - lacking * SquareRoot(lacking);
 }
 
-/// The light and how it is scattered, for all rays of a picture; directions in the world.
+/// The light of a picture and its scattering, common to all rays; directions in the world.
 struct RayLight
 {
-  float origin[3] = { 0, 0, 0 }; ///< point light: its place [radii]; else against its way
+  float origin[3] = { 0, 0, 0 }; ///< point light: its position [radii]; else the direction towards
+                                 ///< it
   float isPoint = 0;             ///< 1 or 0
   float ambient = 1;
-  float diffuse = 0;    ///< share of direct light, times its intensity
-  float anisotropy = 0; ///< a of Henyey and Greenstein
-  float phaseUnit = 0;  ///< 1 / f_v in the middle of the volume [steradian]
+  float diffuse = 0;    ///< share of direct light, times intensity
+  float anisotropy = 0; ///< a of the Henyey-Greenstein function
+  float phaseUnit = 0;  ///< 1 / f_v at the centre of the volume [steradian]
   float surface = 0;    ///< k_s
   float shadow = 0;     ///< shadow strength
-  float ownLength = 0;  ///< of ownCells [length]
-  Lobe lobe;            ///< of Blinn and Phong, normalised [1/steradian]
+  float ownLength = 0;  ///< length of ownCells [length]
+  Lobe lobe;            ///< normalised Blinn-Phong lobe [1/steradian]
 
-  /// Eq. (4): the share of its colour that a sample sends to the viewer, of the light that it
-  /// scatters there (LightOnRay), of the light's transmittance to it [packedOne], and of the
-  /// extinction there [1/length].
+  /// Returns the share of its colour that a sample sends to the viewer, Eq. (4), from the scattered
+  /// share of light (LightOnRay), the light's transmittance to the sample [packedOne], and its
+  /// extinction [1/length].
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number Sent(
     const Number& scattered, const Number& transmittance, const Number& extinction) const
@@ -76,22 +78,22 @@ struct RayLight
   }
 };
 
-/// Throws limpid::Error unless a picture can be lit like this.
+/// Throws limpid::Error if the lighting is invalid.
 void RequireLighting(const Lighting& lighting);
 
-/// The light of a picture. `grid`: of the scalars.
+/// Returns the light of a picture. `grid`: of the scalars.
 RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& view);
 
-/// The light as the samples of one ray meet it.
+/// The light at the samples of one ray.
 struct LightOnRay
 {
-  float entryX; ///< its way to the ray's entry, and what is added from sample to sample [radii]
+  float entryX; ///< vector from the light to the ray's entry, and its change per sample [radii]
   float entryY;
   float entryZ;
   float stepX;
   float stepY;
   float stepZ;
-  float viewX; ///< to the viewer
+  float viewX; ///< direction to the viewer
   float viewY;
   float viewZ;
 
@@ -108,9 +110,9 @@ struct LightOnRay
   {
   }
 
-  /// The phase function of Eq. (5): what the sample at `distance` [samples] scatters to the viewer
-  /// of light that arrives, 1 on a surface that faces both (Documentation/Method.md, "Light";
-  /// deviation D10). Gradient: [packedOne].
+  /// The phase function of Eq. (5): the share of arriving light that the sample at `distance`
+  /// [samples] scatters to the viewer, 1 on a surface that faces both (Documentation/Method.md,
+  /// "Light"; deviation D10). Gradient: [packedOne].
   template <class Number>
   LIMPID_HD LIMPID_INLINE Number Scattered(const RayLight& light, const Number& distance,
     const Number& packedX, const Number& packedY, const Number& packedZ) const
@@ -125,8 +127,8 @@ struct LightOnRay
     z = z * perLength;
     const Number cosine = x * this->viewX + y * this->viewY + z * this->viewZ;
 
-    // The gradient's length is k_s, relative to its largest; its direction the normal, which points
-    // into the volume, while the halfway vector points out of it.
+    // The gradient has length k_s, relative to the largest gradient. Its direction is the normal
+    // pointing into the volume, while the halfway vector points out of it.
     const Number gradientX = packedX * (1 / packedOne);
     const Number gradientY = packedY * (1 / packedOne);
     const Number gradientZ = packedZ * (1 / packedOne);
@@ -141,7 +143,7 @@ struct LightOnRay
     const Number halfway = across / SquareRoot(squared * halfSquared);
     const Number lobe = light.lobe.At(AtLeast(halfway, 0.0f));
 
-    // The unit of what a surface reflects: what one does that faces the viewer.
+    // The unit is the reflection of a surface that faces the viewer.
     const Number towards = AtLeast(-cosine, leastTowards);
     const Number lobeOfFacing = light.lobe.At(SquareRoot(0.5f + 0.5f * towards));
     const Number ofFacing = towards * SurfaceScattering(lobeOfFacing);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The part of a ray in the nodes of one rank, the same for all backends.
+// The part of a ray in the nodes of one rank, for all backends.
 
 #ifndef limpid_render_RayPart_h
 #define limpid_render_RayPart_h
@@ -14,10 +14,9 @@
 namespace limpid
 {
 /**
- * Cuts rays through a whole grid to the segments whose middles are in a box of nodes, from its
- * first node on along each axis to the first one behind it. Boxes that share the grid have each
- * segment once, and its samples are those of the whole ray. Positions count from another node then,
- * where the arrays begin.
+ * Cuts rays through a whole grid to the segments whose midpoints are in a box of nodes, half-open
+ * along each axis. Boxes that partition the grid get each segment once, with the samples of the
+ * whole ray. Positions then count from the node where the arrays of this rank begin.
  */
 struct RayPart
 {
@@ -25,7 +24,7 @@ struct RayPart
   float high[3];
   float first[3];
 
-  /// `box`: in `whole`; at the faces of this it goes on for ever. `drawn`: the nodes of the arrays.
+  /// `box`: in `whole`; at the faces of `whole` it is unbounded. `drawn`: the nodes of the arrays.
   RayPart(const NodeBox& box, const NodeBox& drawn, const Int3& whole)
   {
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -61,8 +60,8 @@ struct RayPart
   }
 
 private:
-  /// Number of the first segment of a ray whose middle is at or above a bound, where the ray rises
-  /// along that axis, or below it, where it falls.
+  /// Returns the number of the first segment of a ray whose midpoint is at or above a bound if the
+  /// ray ascends along that axis, or below it if it descends.
   LIMPID_HD static LIMPID_INLINE int FirstBeyond(const Ray& ray, int axis, float bound)
   {
     const bool rises = ray.step[axis] >= 0;

@@ -10,7 +10,7 @@
 
 namespace limpid
 {
-/// A quantity at both ends of segments that follow each other.
+/// A quantity at both ends of successive segments.
 template <class AnySampler>
 struct Ends
 {
@@ -19,7 +19,7 @@ struct Ends
   Lanes front = 0;
   Lanes rear = 0;
 
-  /// Moves on to the next samples.
+  /// Advances to the next samples.
   LIMPID_HD LIMPID_INLINE void MoveOn(const Lanes& samples)
   {
     this->front = AnySampler::Shifted(this->rear, samples);
@@ -30,7 +30,7 @@ struct Ends
   LIMPID_HD LIMPID_INLINE Lanes Difference() const { return this->rear - this->front; }
 };
 
-/// Where samples of a ray are, in as many lanes as AnySampler takes at a time.
+/// Positions of samples of a ray, in as many lanes as AnySampler processes at a time.
 template <class AnySampler>
 struct RayPlaces
 {
@@ -39,7 +39,7 @@ struct RayPlaces
   Lanes distance; ///< from the entry [samples]
   CellPlaces<AnySampler> scalars;
 
-  /// Moves to the samples from number `k` on.
+  /// Sets the samples that begin with number `k`.
   LIMPID_HD LIMPID_INLINE void Set(const RayScene& scene, const Ray& ray, int k)
   {
     this->distance = DistanceOf(ray, ToFloat(k) + AnySampler::Numbers());
@@ -47,7 +47,8 @@ struct RayPlaces
     this->scalars.Set(scene.grid, position);
   }
 
-  /// The same among the nodes of the overlay. `apart`: for places that are none of the scalars'.
+  /// Returns these places among the nodes of the overlay. `apart`: storage for them, used if the
+  /// overlay has other nodes than the scalars.
   LIMPID_HD LIMPID_INLINE const CellPlaces<AnySampler>& InOverlay(
     const RayScene& scene, const Ray& ray, CellPlaces<AnySampler>& apart) const
   {
@@ -62,13 +63,13 @@ struct RayPlaces
   }
 
 private:
-  /// Where the samples are along an axis of the overlay [nodes].
+  /// Returns the positions of the samples along an axis of the overlay [nodes].
   LIMPID_HD LIMPID_INLINE Lanes AlongOverlay(const RayScene& scene, const Ray& ray, int axis) const
   {
     return (this->Along(ray, axis) + scene.overlayShift[axis]) * scene.overlayScale[axis];
   }
 
-  /// Where the samples are along an axis [index].
+  /// Returns the positions of the samples along an axis [index].
   LIMPID_HD LIMPID_INLINE Lanes Along(const Ray& ray, int axis) const
   {
     return ray.entry[axis] + this->distance * ray.step[axis];
@@ -76,11 +77,11 @@ private:
 };
 
 /**
- * A few consecutive samples of a ray, and the segments in front of them: what the fields hold
- * there, how it is lit, and what it adds to a pixel. Segment i ends at sample i. A run of samples
- * begins with a segment of no length, of which nothing else is to be believed.
+ * Consecutive samples of a ray and the segments in front of them: values of the fields, lighting,
+ * and contributions to a pixel. Segment i ends at sample i. A run of samples begins with a segment
+ * of length zero, whose other values are undefined.
  *
- * AnySampler says how many there are, `Overlaid` whether scene.overlay is there.
+ * The number of samples is that of AnySampler. `Overlaid`: whether there is scene.overlay.
  */
 template <class AnySampler, bool Overlaid>
 struct RaySamples
@@ -94,7 +95,7 @@ struct RaySamples
   Ends<AnySampler> position;             ///< in the table
   Ends<AnySampler> value;                ///< extinction of the transfer function [majorant]
   Ends<AnySampler> integral;             ///< see OpticalTable
-  Ends<AnySampler> filled{ 1.0f, 1.0f }; ///< 1, less beside empty nodes
+  Ends<AnySampler> filled{ 1.0f, 1.0f }; ///< 1; less beside empty nodes
   Ends<AnySampler> kept;                 ///< share of that extinction [packedOne], if Overlaid
   Ends<AnySampler> added;                ///< extinction [packedOne of scene.addedUnit]
   Ends<AnySampler> scattered;            ///< see LightOnRay
@@ -105,10 +106,11 @@ struct RaySamples
   Lanes extinction = 0; ///< of the segments [majorant]
 
   int last = -1;           ///< number of the last sample
-  bool begins = false;     ///< whether a run does
-  bool lastFilled = false; ///< whether there may be something in the brick of the last sample
+  bool begins = false;     ///< whether a run begins here
+  bool lastFilled = false; ///< whether the brick of the last sample may be non-empty
 
-  /// Moves on to the samples behind number `k` if that is the last one; else a run begins with `k`.
+  /// Advances to the samples behind number `k` if that is the last one; otherwise, a run begins
+  /// with `k`.
   LIMPID_HD LIMPID_INLINE void MoveOn(const RayScene& scene, const Ray& ray, int k)
   {
     this->begins = this->last != k;
@@ -147,8 +149,8 @@ struct RaySamples
     }
   }
 
-  /// Extinction and colour of the segments, with the change of the optimisation and without what is
-  /// empty. Returns whether any of them takes light.
+  /// Computes extinction and colour of the segments, including changes by the optimisation and
+  /// empty nodes. Returns whether any of them absorbs light.
   LIMPID_HD LIMPID_INLINE bool Classify(const RayScene& scene)
   {
     this->mean = SegmentMean<Lanes>(
@@ -160,7 +162,7 @@ struct RaySamples
     return AnyOf(this->Depth(scene) > 0.0f);
   }
 
-  /// Finds the light that the samples send, see LightOnRay.
+  /// Computes the light that the samples send, see LightOnRay.
   LIMPID_HD LIMPID_INLINE void Light(const RayScene& scene, const Ray& ray)
   {
     const int before = this->last - count;
@@ -178,22 +180,22 @@ struct RaySamples
     this->LitTo = this->last;
   }
 
-  /// The share of their colour that the segments send to the viewer, taken as a whole, from their
-  /// middles.
+  /// Returns the share of their colour that the segments send to the viewer as a whole, from their
+  /// midpoints.
   LIMPID_HD LIMPID_INLINE Lanes SentOnAverage(const RayScene& scene) const
   {
     return scene.light.Sent(0.5f * this->scattered.Sum(), 0.5f * this->transmittance.Sum(),
       this->extinction * scene.majorant);
   }
 
-  /// Optical depths of the segments.
+  /// Returns the optical depths of the segments.
   LIMPID_HD LIMPID_INLINE Lanes Depth(const RayScene& scene) const
   {
     const float lengthUnit = scene.stepLength * scene.majorant;
     return this->extinction * lengthUnit * this->distance.Difference();
   }
 
-  /// The same with the transfer function's extinction.
+  /// Returns the optical depths with the transfer function's extinction.
   LIMPID_HD LIMPID_INLINE Lanes BaseDepth(const RayScene& scene) const
   {
     const float lengthUnit = scene.stepLength * scene.majorant;
@@ -201,8 +203,8 @@ struct RaySamples
     return base * lengthUnit * this->distance.Difference();
   }
 
-  /// Adds the segments to a pixel, front to back: the sum of Eq. (6). What a segment scatters is
-  /// extinction times colour, Eq. (3).
+  /// Adds the segments to a pixel, front to back: the sum of Eq. (6). A segment scatters extinction
+  /// times colour, Eq. (3).
   template <bool Lit>
   LIMPID_HD LIMPID_INLINE void AddTo(const RayScene& scene, Pixel<Optical>& pixel) const
   {
@@ -226,7 +228,7 @@ struct RaySamples
     pixel.light = sum;
   }
 
-  /// The colour of a segment; its extinction is no part of it.
+  /// Returns the colour of a segment, without its extinction.
   LIMPID_HD LIMPID_INLINE Optical Color(int i) const
   {
     return this->optics.Color(i, LaneOf(this->mean.ofValues, i), LaneOf(this->mean.ofIntegrals, i));
@@ -243,7 +245,8 @@ private:
     return bricks.EmptyAround(brick) == 0;
   }
 
-  /// What samples scatter to the viewer; `gradient`: there, and the transmittance of the light.
+  /// Returns the light that samples scatter to the viewer; `gradient`: at the samples, with the
+  /// transmittance of the light.
   template <class Sampler>
   LIMPID_HD static LIMPID_INLINE typename Sampler::Lanes ScatteredAt(const RayScene& scene,
     const Ray& ray, const RayPlaces<Sampler>& place, typename Sampler::Lanes (&gradient)[4])

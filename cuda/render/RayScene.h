@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What all rays of a picture share: numbers and addresses, nothing else.
+// Numbers and addresses that are common to all rays of a picture.
 
 #ifndef limpid_render_RayScene_h
 #define limpid_render_RayScene_h
@@ -20,20 +20,22 @@ struct RayScene
   const float* scalars = nullptr;
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
   OpticalTable table;
-  const FourPacked* gradient = nullptr; ///< and shadow, see PackedGradientNode; null: not lit
-  const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not asked for
+  const FourPacked* gradient = nullptr; ///< see PackedGradientNode; null: not lit
+  const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not needed
   CellGrid overlayGrid;
-  const TwoPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: nothing is changed
-  const float* shadow = nullptr; ///< at its nodes, see ExtinctionOverlay; null: with the gradient
+  const TwoPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: no change
+  const float* shadow = nullptr;      ///< at the nodes of the overlay, see ExtinctionOverlay; null:
+                                      ///< stored with the gradient
   BrickDistances bricks;
-  BrickDistances unimportant;          ///< if the importance is asked for
-  bool overlaySameNodes = false;       ///< as the scalars
-  float overlayShift[3] = { 0, 0, 0 }; ///< of the scalars in the box of the overlay [nodes]
+  BrickDistances unimportant;          ///< used with importance only
+  bool overlaySameNodes = false;       ///< whether it has the nodes of the scalars
+  float overlayShift[3] = { 0, 0, 0 }; ///< position of the scalars in the box of the overlay
+                                       ///< [nodes]
   float overlayScale[3] = { 1, 1, 1 }; ///< nodes of the overlay per node of the scalars
   float opaqueBelow = 0;
-  float stepLength = 1; ///< between samples [length]
+  float stepLength = 1; ///< distance of samples [length]
   float majorant = 0;   ///< of the transfer function [1/length]
-  float addedUnit = 1;  ///< of what the overlay adds [majorant]
+  float addedUnit = 1;  ///< unit of the overlay's added extinction [majorant]
   RayLight light;
 
   void PlaceOverlay(const OverlayPlace& place, const Int3& scalarNodes)

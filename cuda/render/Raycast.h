@@ -16,7 +16,7 @@ namespace limpid
 {
 class HostDevice;
 
-/// The rays of a picture and what they are for.
+/// The rays of a picture and its output.
 struct PictureRays
 {
   RayMaker maker;
@@ -25,10 +25,10 @@ struct PictureRays
   const float* nearDepth;        ///< clip z at which the rays begin; null: -1
   const float* depth;            ///< clip z at which they end; null: 1
   Rgba* picture;                 ///< out
-  const RayPart* part = nullptr; ///< that is here, on the host; null: all
-  PartialPixel* parts = nullptr; ///< out, in place of the picture, if only a part is here
+  const RayPart* part = nullptr; ///< the part of this rank, on the host; null: the whole rays
+  PartialPixel* parts = nullptr; ///< out, instead of the picture, if this rank has a part
 
-  /// Draws a pixel. `trace(ray, received)` adds to a Pixel what a ray meets.
+  /// Draws a pixel. `trace(ray, received)`: accumulates a ray in a Pixel.
   template <class Optical, class Trace>
   LIMPID_HD LIMPID_INLINE void Draw(int column, int row, const Trace& trace) const
   {
@@ -55,7 +55,7 @@ struct PictureRays
     this->picture[pixel] = received.Shown();
   }
 
-  /// Paints over a pixel that was drawn what its ray misses. `trace(ray)` gathers a RayImportance.
+  /// Paints missed structures over a finished pixel. `trace(ray)`: returns a RayImportance.
   template <class Trace>
   LIMPID_HD LIMPID_INLINE void Paint(
     int column, int row, const MissedPaint& paint, const Trace& trace) const
@@ -68,7 +68,7 @@ struct PictureRays
     }
   }
 
-  /// The ray of a pixel; false: it meets nothing.
+  /// Computes the ray of a pixel; false: it meets nothing.
   LIMPID_HD LIMPID_INLINE bool Make(int column, int row, Ray& ray) const
   {
     const Index pixel = this->At(column, row);
@@ -92,8 +92,8 @@ private:
   }
 };
 
-/// One thread does one pixel; a warp of 32 threads does 8 x 4 of them, whose rays read the same
-/// cells. `AnyPixel`: has the rays and what is done to a pixel.
+/// Each thread processes a pixel. A warp of 32 threads processes 8 x 4 pixels, whose rays read the
+/// same cells. `AnyPixel`: has the rays and the operation on a pixel.
 template <class AnyPixel>
 struct PixelOfTile
 {
@@ -183,7 +183,8 @@ void CastRays(
   }
 }
 
-/// Paints over a picture what its rays miss of scene.importance. Likewise.
+/// Paints over a picture what its rays miss of scene.importance. All addresses are on the device.
+/// Does not wait.
 template <class AnyDevice>
 void PaintMissed(
   AnyDevice& device, const RayScene& scene, const PictureRays& rays, const MissedPaint& paint)
@@ -197,7 +198,7 @@ void PaintMissed(
                 : cast(PaintedPixel<false>{ scene, rays, paint });
 }
 
-/// The forms for the processor read and add up the samples of a ray in blocks, with vector units.
+/// The processor's versions read and accumulate the samples of a ray in blocks, with vector units.
 void CastRays(
   HostDevice& device, const RayScene& scene, const PictureRays& rays, Compositing compositing);
 void PaintMissed(

@@ -24,21 +24,21 @@
 namespace limpid
 {
 /**
- * What a Renderer does, on a device: the processor or a GPU. All fields stay there. To a GPU
- * travels what the renderer was given anew and the depths of opaque things, and the picture travels
- * back. Only Cast and LightTransmittanceAt wait.
+ * The passes of a Renderer on a device, the processor or a GPU. All fields stay there. Only new
+ * input of the renderer and the depths of opaque geometry are copied to a GPU, and the picture is
+ * copied back. Only Cast and LightTransmittanceAt wait.
  *
- * Bytes on a GPU per node: scalars 4, gradient 8, overlay 8 with the shadows, what casts them 4,
- * and 8 while two extinctions are on their way in or a gradient is found; 32 in all, and 4 for the
- * importance if what is missed is painted. At 256^3 nodes: 0.54 GB, and the plan of the shadows
- * (0.1 GB). The processor reads scalars and extinctions in place.
+ * Bytes on a GPU per node: scalars 4, gradient 8, overlay with shadows 8, the extinction that casts
+ * them 4, and temporarily 8 for two new extinctions or for a new gradient. The sum is 32, plus 4
+ * for the importance if missed structures are painted. At 256^3 nodes this is 0.54 GB, plus 0.1 GB
+ * for the plan of the shadows. The processor reads scalars and extinctions in place.
  *
- * Bytes that a picture moves, counted: 1024^2 pixels of which half see a box of 256^3 nodes, 92 M
- * samples at the distance of the nodes if nothing is empty or opaque. A lit sample in an overlay
- * reads 8 scalars, 8 nodes each of overlay and gradient, and 4 entries of the table: 192 bytes,
- * 17.7 GB through the first-level caches; its neighbours read the same nodes, and the fields
- * themselves are 0.34 GB. The picture that comes back is 4.2 MB, as are the depths that go there,
- * if any. With new shadows add those of TransmittanceSweep.
+ * Memory traffic of a picture, counted: 1024^2 pixels, of which half see a box of 256^3 nodes, have
+ * 92 M samples at the distance of the nodes if nothing is empty or opaque. A lit sample in an
+ * overlay reads 8 scalars, 8 nodes each of overlay and gradient, and 4 entries of the table: 192
+ * bytes, in total 17.7 GB through the first-level caches. Its neighbours read the same nodes, and
+ * the fields themselves have 0.34 GB. The picture that is copied back has 4.2 MB, as have the
+ * depths that are copied to the device, if any. New shadows add the traffic of TransmittanceSweep.
  */
 template <class AnyDevice>
 class RenderPasses : public RenderBackend
@@ -285,7 +285,7 @@ public:
 private:
   using Field = DeviceArray<AnyDevice, float>;
 
-  /// Moves what is shown; if that cannot be done, nothing is. `casts`: whether it casts the
+  /// Moves the shown extinction. If this fails, nothing is shown. `casts`: whether it casts the
   /// shadows.
   void Move(
     const ShownNodes& nodes, const float* base, const float* extinction, double share, bool casts)
@@ -311,7 +311,7 @@ private:
     }
   }
 
-  /// Goes on with what all ranks show of their pieces.
+  /// Gathers the extinction that all ranks show of their pieces.
   void GatherShown([[maybe_unused]] const Grid& grid)
   {
     if constexpr (AnyDevice::readsHostMemory)
@@ -337,7 +337,7 @@ private:
     return { nodes, this->Whole.nodes, { along[0].begin, along[1].begin, along[2].begin } };
   }
 
-  /// Draws the part of the rays that is here, and shares the picture.
+  /// Draws this rank's part of the rays, and composes the picture.
   void CastPart(const Casting& casting, PictureRays& rays, Picture& picture)
   {
     if constexpr (AnyDevice::readsHostMemory)
@@ -353,8 +353,8 @@ private:
     }
   }
 
-  /// Makes values of nodes 0 that other ranks own: at the faces of its box no rank has the nodes
-  /// beside.
+  /// Sets values of ghost nodes to 0, since no rank has all neighbours of nodes at the faces of its
+  /// box.
   void LeaveToOwners([[maybe_unused]] float* values) const
   {
     if constexpr (AnyDevice::readsHostMemory)
@@ -383,7 +383,7 @@ private:
     }
   }
 
-  /// The transfer function's extinction of all scalars in some unit [1/length].
+  /// Returns the transfer function's extinction of all scalars in a unit [1/length].
   Field Classified(float majorant) const
   {
     const Index count = this->Nodes.NodeCount();
@@ -394,7 +394,7 @@ private:
     return extinction;
   }
 
-  /// What casts the shadows, at the nodes of their grid.
+  /// Returns the extinction that casts the shadows, at the nodes of their grid.
   const float* ShadowExtinction(const Grid& grid)
   {
     const Grid& from = this->Shown.Nodes();
@@ -405,7 +405,7 @@ private:
     }
     if (this->CoarseOpaque.Empty() || grid.nodes != this->CoarseNodes)
     {
-      this->CoarseOpaque = {}; // first, so that there is room for the other one
+      this->CoarseOpaque = {}; // first, to free memory for the other one
       Field coarse(this->Device, std::size_t(grid.NodeCount()), "a coarser extinction");
       Resample(this->Device, from, this->Opaque.Data(), grid, coarse.Data());
       this->LimitCaster(grid, coarse.Data());
@@ -415,7 +415,7 @@ private:
     return this->CoarseOpaque.Data();
   }
 
-  /// Limits what casts shadows to what they resolve, see mostCasting.
+  /// Limits the extinction that casts shadows to what they resolve, see mostCasting.
   void LimitCaster(const Grid& grid, float* extinction)
   {
     const Vec3& spacing = grid.spacing;
@@ -424,13 +424,13 @@ private:
       LimitedNode{ float(mostCasting / cell), extinction });
   }
 
-  /// Whether the shadows are on the nodes of the gradient.
+  /// Returns whether the shadows have the nodes of the gradient.
   bool ShadowsFitGradient() const
   {
     return !this->IsOfAll && this->Shown.Nodes().nodes == this->Nodes.nodes;
   }
 
-  /// Puts such shadows beside the gradient, so that a sample reads one field for both.
+  /// Stores such shadows with the gradient, so that a sample reads both from one field.
   void ShadowGradient(const Casting& casting)
   {
     if (casting.lit && this->Shown.Shadowed() && this->ShadowsFitGradient() &&
@@ -482,7 +482,7 @@ private:
     }
   }
 
-  /// The scene of the rays that gather what is missed, which need no light.
+  /// Returns the scene of the rays that accumulate missed importance, which need no light.
   RayScene MissedSceneOf(const Casting& casting) const
   {
     RayScene scene = this->SceneOf(casting);
@@ -501,31 +501,31 @@ private:
     return this->Functions.IsUniform() ? Function::IsUniform : Function::Varies;
   }
 
-  /// Whether another extinction than the transfer function's may be shown.
+  /// Returns whether an extinction other than the transfer function's may be shown.
   bool IsChanged() const { return !this->Shown.Empty() && this->Shown.Changed(); }
 
   std::shared_ptr<AnyDevice> Device;
-  Grid Nodes;                              ///< of the scalars
-  Grid Whole;                              ///< of those of all ranks
-  std::shared_ptr<const ScenePiece> Piece; ///< that is here; null: all
-  ScalarField Mended;                      ///< what the device reads in place, if it does
+  Grid Nodes;                              ///< grid of the scalars
+  Grid Whole;                              ///< grid of the scalars of all ranks
+  std::shared_ptr<const ScenePiece> Piece; ///< piece of this rank; null: everything
+  ScalarField Mended;                      ///< if the device reads in place
   BorrowedArray<AnyDevice, float> Scalars;
-  BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are
+  BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are filled
 
   Classification Functions;
   BorrowedArray<AnyDevice, OpticalEntry> Entries;
   BorrowedArray<AnyDevice, float> Largest; ///< see OpticalTable
   OpticalTable Table;
 
-  BorrowedArray<AnyDevice, float> Importance; ///< empty: not asked for
+  BorrowedArray<AnyDevice, float> Importance; ///< empty: not needed
   DeviceArray<AnyDevice, FourPacked> Gradient;
-  bool GradientHasShadow = false; ///< that of the overlay
+  bool GradientHasShadow = false; ///< whether it includes the shadow of the overlay
   Bricks<AnyDevice> Empty;
   ExtinctionOverlay<AnyDevice> Shown;
-  bool IsOfAll = false; ///< whether that is over the box of all ranks
+  bool IsOfAll = false; ///< whether the overlay covers the box of all ranks
   ShadowVolume<AnyDevice> Shadows;
-  Field Opaque;       ///< casts the shadows, at the nodes of the extinction
-  Field CoarseOpaque; ///< the same on a coarser grid; empty: not current, or not wanted
+  Field Opaque;       ///< extinction that casts the shadows, at the nodes of the overlay
+  Field CoarseOpaque; ///< this on a coarser grid; empty: outdated or not needed
   Int3 CoarseNodes{ 0 };
 
   BorrowedArray<AnyDevice, float> NearDepth;

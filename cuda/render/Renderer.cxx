@@ -19,7 +19,7 @@ namespace limpid
 {
 namespace
 {
-/// The extinction's grid has to cover the scalars' box: rays read both by the same position.
+/// The extinction's grid must cover the box of the scalars: rays use one position for both.
 void RequireSameBox(const Grid& scalars, const Grid& extinction)
 {
   LIMPID_REQUIRE(extinction.HasVolume() && scalars.HasSameBox(extinction),
@@ -47,8 +47,8 @@ struct Renderer::Internals
   }
 
   std::unique_ptr<RenderBackend> backend;
-  Grid grid;  ///< of the scalars
-  Grid whole; ///< of those of all ranks
+  Grid grid;  ///< grid of the scalars
+  Grid whole; ///< grid of the scalars of all ranks
   bool isPiece = false;
   bool hasScalars = false;
   bool hasFunctions = false;
@@ -57,11 +57,11 @@ struct Renderer::Internals
   double shadowRayDensity = transmittanceRayDensity;
   int shadowCoarseness = 1;
   Grid extinctionGrid;
-  bool extinctionOfAll = false;      ///< whether that is over the box of all ranks
-  bool usesTransferFunction = false; ///< as the extinction, when none was given
+  bool extinctionOfAll = false;      ///< whether the extinction covers the box of all ranks
+  bool usesTransferFunction = false; ///< as the extinction, if none was given
 
   bool hasImportance = false;
-  std::optional<std::array<float, 3>> missedColor; ///< none: what is missed is not painted
+  std::optional<std::array<float, 3>> missedColor; ///< none: missed structures are not painted
   Compositing compositing = Compositing::FrontToBack;
 
   bool gradientIsCurrent = false;
@@ -70,7 +70,7 @@ struct Renderer::Internals
   bool shadowIsCurrent = false;
   std::uint64_t changes = 0;
 
-  /// Takes a new value, and notes whether it is another one.
+  /// Sets a value and records whether it has changed.
   template <class Value>
   void Take(Value& old, const Value& value)
   {
@@ -91,7 +91,7 @@ struct Renderer::Internals
     this->backend->ClearImportance();
   }
 
-  /// Without any extinction given, the transfer function's casts the shadows.
+  /// If no extinction was given, that of the transfer function casts the shadows.
   void UseTransferFunction()
   {
     this->extinctionOfAll = this->isPiece && this->shadowCoarseness > 1;
@@ -111,7 +111,7 @@ struct Renderer::Internals
     }
   }
 
-  /// The grid of the shadows.
+  /// Returns the grid of the shadows.
   Grid ShadowGrid() const
   {
     const bool isPieces = this->isPiece && !this->extinctionOfAll;
@@ -122,7 +122,7 @@ struct Renderer::Internals
 
   bool HasScene() const { return this->hasScalars && this->grid.HasVolume() && this->hasFunctions; }
 
-  /// Makes way for a given extinction. Returns whether there is one.
+  /// Prepares for a given extinction. Returns whether there is one.
   bool WillShow(const ShownNodes& nodes, const float* base, const float* extinction, double share)
   {
     ++this->changes;
@@ -146,7 +146,7 @@ struct Renderer::Internals
     return true;
   }
 
-  /// Returns whether there was anything to do.
+  /// Updates the shadow if needed. Returns whether there was work to do.
   bool UpdateShadow()
   {
     const bool wanted = this->lighting.enabled && this->lighting.shadows;
@@ -173,7 +173,7 @@ struct Renderer::Internals
     return true;
   }
 
-  /// Makes what rays read and is not current.
+  /// Updates everything that rays read and that is outdated.
   void Prepare()
   {
     if (!this->backend->HasNoExtinction())
@@ -182,8 +182,7 @@ struct Renderer::Internals
     }
     if (this->lighting.enabled)
     {
-      SourceOfLight(
-        this->lighting.light, this->whole); // says what is wrong with a light, if anything
+      SourceOfLight(this->lighting.light, this->whole); // throws if the light is invalid
     }
     this->UpdateShadow();
     if (this->lighting.enabled && !this->gradientIsCurrent)
@@ -220,7 +219,7 @@ struct Renderer::Internals
       casting.missedColor = view.paintsMissed ? this->missedColor : std::nullopt;
       casting.compositing = this->compositing;
     }
-    // Farther samples could step over a brick.
+    // Samples at a larger distance could step over a brick.
     casting.skipEmpty = view.skipEmpty && view.sampleDistance <= BrickDistances::size;
     return casting;
   }
@@ -264,7 +263,7 @@ void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* s
     scalars != nullptr, "There are no scalars (nothing tells what is where). Give an array.");
   Internals& state = *this->State;
   ++state.changes;
-  state.hasScalars = false; // in case that one of the next lines throws
+  state.hasScalars = false; // in case one of the next lines throws
   state.ForgetImportance();
   state.backend->SetScalars(grid, scalars, shares);
   state.grid = grid;
@@ -280,7 +279,7 @@ void Renderer::SetTransferFunctions(const TransferFunctions& functions)
   Internals& state = *this->State;
   const Classification classification(functions);
   ++state.changes;
-  state.hasFunctions = false; // in case that the next line throws
+  state.hasFunctions = false; // in case the next line throws
   state.backend->SetTransferFunctions(classification);
   state.majorant = classification.Majorant();
   state.hasFunctions = true;

@@ -19,7 +19,8 @@ namespace limpid
 {
 class RenderBackend;
 
-/// Transfer functions of a scalar, sampled at equal steps from `low` to `high`, constant outside.
+/// Transfer functions of a scalar, sampled at equal steps from `low` to `high` and constant
+/// outside.
 struct TransferFunctions
 {
   double low = 0;
@@ -29,74 +30,79 @@ struct TransferFunctions
 };
 
 /**
- * How the overlay is lit, Eqs. (3)-(6). Off: every sample has the colour of the transfer function.
+ * The lighting, Eqs. (3)-(6). Off: every sample has the colour of the transfer function.
  *
- * A sample sends its colour times
- *   ambient + (1 - ambient) exposure (1 - strength (1 - T_L)) (f_v' + k_s pi f_s (w_L.n)+) / (1 +
- * k_s) to the viewer: f_v' is the Henyey-Greenstein function over its value in the middle of the
- * volume, f_s see SurfaceScattering, k_s = surface |grad mu-bar| / its largest value, and exposure
- * = intensity / (1 - strength / 2), see Documentation/Method.md.
+ * A sample sends this multiple of its colour to the viewer (Documentation/Method.md):
+ *   ambient + (1 - ambient) exposure (1 - strength (1 - T_L)) L
+ *   L = (f_v' + k_s pi f_s (w_L.n)+) / (1 + k_s)
+ *   k_s = surface |grad mu-bar| / its largest value
+ *   exposure = intensity / (1 - strength / 2)
+ *
+ * f_v' is the Henyey-Greenstein function over its value at the centre of the volume. For f_s, see
+ * SurfaceScattering.
  */
 struct Lighting
 {
   bool enabled = false;
   Light light;                 ///< in world coordinates
-  double intensity = 1;        ///< 1: what faces light and viewer has its own colour, >= 0
-  double ambient = 0.35;       ///< share of the light that comes from everywhere [0, 1]
+  double intensity = 1;        ///< brightness, >= 0; at 1, what faces light and viewer has its own
+                               ///< colour
+  double ambient = 0.35;       ///< share of ambient light [0, 1]
   double anisotropy = 0.6;     ///< a of the Henyey-Greenstein function (-1, 1)
   double surface = 2;          ///< k_s where the base extinction is steepest, >= 0
   double specularPower = 20;   ///< exponent of the Blinn-Phong lobe, >= 0
   bool shadows = true;         ///< T_L of Eq. (4); off: 1
-  double shadowStrength = 0.7; ///< share of the shadow that is drawn [0, 1]
+  double shadowStrength = 0.7; ///< strength of the shadow [0, 1]
 };
 
 bool operator==(const Lighting& one, const Lighting& other);
 
-/// A picture to be made: where its rays run, where they end, how they are sampled.
+/// A picture to render: the course, the ends and the sampling of its rays.
 struct View
 {
-  int width = 0;  ///< pixels
-  int height = 0; ///< pixels, first row at the bottom
+  int width = 0;  ///< width [pixels]
+  int height = 0; ///< height [pixels], bottom row first
 
-  /// From clip coordinates of the picture, x, y, z in [-1, 1] (left, bottom, near: -1), to world
-  /// coordinates; perspective or parallel. Columns as in OpenGL.
+  /// The matrix from clip coordinates of the picture, with x, y, z in [-1, 1] (left, bottom, near:
+  /// -1), to world coordinates; perspective or parallel. Columns as in OpenGL.
   glm::dmat4 clipToWorld{ 1.0 };
 
-  /// Clip z in [-1, 1] at which the ray of a pixel ends, width * height values; null: all at 1.
+  /// Clip z in [-1, 1] where the ray of a pixel ends, width * height values; null: 1 for all.
   const float* depth = nullptr;
 
-  /// Clip z in [-1, 1] at which it begins, likewise; null: all at -1. Where it begins behind the
-  /// entry into the box, its samples are some of those of the whole ray, so that what two parts of
-  /// a ray meet adds up. A ray that ends before it begins meets nothing.
+  /// Clip z in [-1, 1] where the ray of a pixel begins, width * height values; null: -1 for all. If
+  /// a ray begins behind its entry into the box, its samples are a subset of those of the whole
+  /// ray, so that the contributions of two parts of a ray add up. A ray that ends before it begins
+  /// is empty.
   const float* nearDepth = nullptr;
 
-  /// Whether what is missed is painted over the picture, see Renderer::ShowMissed.
+  /// Whether missed structures are painted over the picture, see Renderer::ShowMissed.
   bool paintsMissed = true;
 
-  /// Clip z to which what is missed is gathered, from the viewer on, likewise; null: between the
-  /// two above. For the foremost of several parts, which are not rays of their own: what one hides
-  /// may lie in another one.
+  /// Clip z up to which missed importance is accumulated, starting at the viewer, width * height
+  /// values; null: between the two above. For the foremost of several parts of rays: what is hidden
+  /// by one part may be in another one.
   const float* missedDepth = nullptr;
 
-  /// Rays run where dot(plane, (x, y, z, 1)) >= 0 for all of these planes, in world coordinates;
-  /// RayMaker::mostPlanes at most.
+  /// Rays are limited to dot(plane, (x, y, z, 1)) >= 0 for all of these planes, in world
+  /// coordinates; at most RayMaker::mostPlanes.
   std::vector<glm::dvec4> planes;
 
-  double sampleDistance = 1; ///< between samples, in units of the smallest spacing, > 0
+  double sampleDistance = 1; ///< distance of samples, in units of the smallest spacing, > 0
   bool jitter = false;       ///< shift the samples of each ray by a fixed pseudo-random amount
-  bool skipEmpty = true;     ///< leave out what is empty; never changes the picture
-  double opaqueBelow = 1 / 1024.0; ///< a ray ends when its transmittance is below; 0: never
+  bool skipEmpty = true;     ///< skip what is empty; never changes the picture
+  double opaqueBelow = 1 / 1024.0; ///< a ray ends when its transmittance falls below this; 0: never
 };
 
-/// A picture, first row at the bottom.
+/// A picture, bottom row first.
 struct Picture
 {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba; ///< colours multiplied by alpha, 4 per pixel
+  std::vector<std::uint8_t> rgba; ///< colours premultiplied by alpha, 4 bytes per pixel
 
-  /// Where ranks have drawn: of each pixel the one whose part is foremost, whose box is sure to be
-  /// seen there; -1: there is nothing. Else empty.
+  /// If ranks have drawn together, for each pixel the rank whose part is foremost, whose box is
+  /// certainly visible there; -1: none. Otherwise empty.
   std::vector<std::int32_t> foremost;
 };
 
@@ -104,18 +110,18 @@ struct Picture
  * Renders a volume with single scattering, Eqs. (1)-(6).
  *
  * The extinction of a sample is clamp(mu-bar(s) + delta, 0, majorant): the transfer function of the
- * interpolated scalar, as ordinary volume rendering has it, plus the interpolated change that the
- * optimisation made (Documentation/Method.md).
+ * interpolated scalar, as in ordinary volume rendering, plus the interpolated change by the
+ * optimisation (Documentation/Method.md).
  *
- * Fields belong to the caller, who keeps them while the renderer uses them.
+ * Fields belong to the caller and must stay valid while the renderer uses them.
  */
 class Renderer
 {
 public:
-  /// Draws with the processor.
+  /// Draws on the processor.
   Renderer();
 
-  /// Draws with what is given.
+  /// Draws with this backend.
   explicit Renderer(std::unique_ptr<RenderBackend> backend);
 
   ~Renderer();
@@ -123,86 +129,89 @@ public:
   Renderer& operator=(Renderer&&) noexcept;
 
   /**
-   * What this rank has of a volume that ranks draw together, see ScenePiece; null: all. Fields and
-   * their grid are those of piece->nodes then, in which every rank needs two nodes along each
-   * axis at least, and around its own two more than samples are apart [nodes]: half a segment, the
-   * rest of a cell, and one for gradients. To be called before the scalars.
+   * Sets this rank's piece of a volume that ranks draw together, see ScenePiece; null: this process
+   * has everything. Fields and their grid must then be those of piece->nodes. It must have at least
+   * two nodes along each axis, and ghosts around the owned nodes: two more than the distance of
+   * samples [nodes], for half a segment, the rest of a cell, and gradients. To be called before
+   * SetScalars.
    *
-   * All ranks have to make the same calls with the same values, but for fields; every rank gets all
-   * of the pictures. Shadows of a piece's extinction are as fine as
-   * that, and there is no importance and no other compositing than front to back.
+   * With a piece, all methods are collective, with equal arguments except fields; every rank gets
+   * the whole pictures. Shadows of a piece's extinction have its resolution. Importance is not
+   * supported, nor is compositing other than front to back.
    */
   void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece);
 
-  /// The scalars at the nodes of a grid, NodeCount() values; NaN: an empty node. `shares`: the part
-  /// of the transfer function's extinction that is left at each node [0, 1]; null: all of it. They
-  /// are copied.
+  /// Sets the scalars at the nodes of a grid, NodeCount() values; NaN: an empty node. `shares`: the
+  /// share of the transfer function's extinction that is kept at each node [0, 1]; null:
+  /// everything. Both are copied.
   void SetScalars(const Grid& grid, const float* scalars, const float* shares = nullptr);
 
-  /// Call it again when a function has changed.
+  /// Sets the transfer functions; call it again after changes.
   void SetTransferFunctions(const TransferFunctions& functions);
 
   /**
-   * The extinction to be shown: `base` and `extinction` at the nodes of a grid over the same box,
-   * as fine as the scalars' or coarser, NodeCount() values each [1/length]. What counts is their
-   * difference, and for shadows `extinction` itself. Null for both: the transfer function's alone.
+   * Sets the extinction to show: `base` and `extinction` at the nodes of a grid over the same box,
+   * as fine as that of the scalars or coarser, NodeCount() values each [1/length]. Only their
+   * difference matters, and for shadows `extinction` itself. Null for both: the transfer function's
+   * extinction alone.
    *
-   * `share` in (0, 1]: how far to move from what is shown now to the new extinction; 1 at once.
-   * `lightExtinction`: what casts the shadows, if that is another extinction.
+   * `share` in (0, 1]: how far to move from the shown extinction to the new one; 1: at once.
+   * `lightExtinction`: casts the shadows, if it differs from `extinction`.
    */
   void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share = 1,
     const float* lightExtinction = nullptr);
 
-  /// The same where ranks draw together, on a grid over the box of all, of which every rank has
-  /// all: for pictures that move, in which nobody has to wait for others.
+  /// Sets the extinction if ranks draw together, on a grid over the box of all. Every rank passes
+  /// the whole field. For pictures during interaction, in which no rank waits for others.
   void SetExtinctionOfAll(const Grid& grid, const float* base, const float* extinction,
     double share = 1, const float* lightExtinction = nullptr);
 
-  /// Whether a device with a memory of its own draws.
+  /// Returns whether a device with its own memory draws.
   bool DrawsOnDevice() const;
 
-  /// SetExtinction with arrays in the memory of the device that draws, which may go after the call;
-  /// with the processor, the arrays are the caller's and stay, as above.
+  /// SetExtinction with arrays in the memory of the drawing device, which may be freed after the
+  /// call. On the processor, the arrays belong to the caller and must stay valid, as above.
   void ShowThere(const Grid& grid, const float* base, const float* extinction, double share = 1,
     const float* lightExtinction = nullptr);
 
-  /// Light for the following pictures. Shadows are computed when they are needed next.
+  /// Sets the light of the following pictures. Shadows are computed when they are needed.
   void SetLighting(const Lighting& lighting);
 
-  /// The importance at the nodes of the scalars [0, 1], for what follows here; null: there is none,
-  /// as after new scalars. The array is the caller's and stays.
+  /// Sets the importance at the nodes of the scalars [0, 1]; null: none, as after new scalars. The
+  /// array belongs to the caller and must stay valid.
   void SetImportance(const float* importance);
 
-  /// Paints over the following pictures, in a colour, where they miss something important: where it
-  /// was removed, or is hidden and could be seen in that pixel (RayImportance). None: no longer.
+  /// Sets the colour that is painted over the following pictures where they miss important
+  /// structures: these were removed, or are hidden and could be seen in that pixel (RayImportance).
+  /// None: no paint.
   void ShowMissed(const std::optional<std::array<float, 3>>& color);
 
-  /// How the following pictures are made of samples. Without importance: front to back.
+  /// Sets the compositing of the following pictures. Without importance, it must be front to back.
   void ComposeBy(Compositing compositing);
 
-  /// Rays of the shadow volume per voxel and axis. Default 3.
+  /// Sets the number of rays of the shadow volume per voxel and axis. Default 3.
   void SetShadowRayDensity(double density);
 
-  /// Shadows are computed on a grid with nodes so many times farther apart along each axis than
-  /// the extinction's, for pictures that move; where ranks show the transfer function's, on one
-  /// over the box of all, of which every rank has all. Default 1.
+  /// Sets the spacing of the nodes of the shadows along each axis, in units of that of the
+  /// extinction's nodes, for pictures during interaction. If ranks show the transfer function's
+  /// extinction, the grid covers the box of all ranks, and every rank has all of it. Default 1.
   void SetShadowCoarseness(int factor);
 
-  /// Computes the shadows now if the next picture would, and waits until they are there. Returns
-  /// whether there was anything to do.
+  /// Computes the shadows if the next picture needs them, and waits for them. Returns whether there
+  /// was work to do.
   bool UpdateShadows();
 
-  /// Makes everything for the next picture but its rays, which are all that is left to Render.
+  /// Computes everything for the next picture except its rays, which Render casts.
   void Prepare();
 
-  /// How often something has changed that pictures depend on, beside their views.
+  /// Returns a number that grows with every change that affects pictures, except changes of views.
   std::uint64_t Changes() const;
 
-  /// Throws limpid::Error when there are no scalars or transfer functions, or the view is unusable.
+  /// Throws limpid::Error if there are no scalars or transfer functions, or if the view is invalid.
   void Render(const View& view, Picture& picture);
 
-  /// Transmittance of the light at a world position [0, 1], as the shadows have it; 1 outside of
-  /// the grid and without shadows.
+  /// Returns the transmittance of the light at a world position [0, 1] by the shadow volume; 1
+  /// outside of the grid and without shadows.
   double LightTransmittanceAt(const Vec3& world);
 
 private:

@@ -12,7 +12,8 @@ namespace limpid
 {
 namespace
 {
-/// Mean of the finite values among the 26 neighbours of a node; `otherwise` if there is none.
+/// Returns the mean of the finite values among the 26 neighbours of a node; `otherwise` if there is
+/// none.
 float NeighbourMean(const Int3& nodes, const float* values, const Int3& at, float otherwise)
 {
   double sum = 0;

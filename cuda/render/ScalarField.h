@@ -10,12 +10,14 @@
 
 namespace limpid
 {
-/// The scalars of a volume and the nodes where there are none.
+/// The scalars of a volume, with a mask of empty nodes.
 struct ScalarField
 {
   const float* values = nullptr; ///< finite
-  std::vector<float> mended;     ///< the values, if some were not finite: those of a neighbour
-  std::vector<float> filled;     ///< 0 at those nodes, else what is left; empty: all are filled
+  std::vector<float> mended;     ///< the values, if some were not finite: those are replaced by
+                                 ///< neighbours
+  std::vector<float> filled;     ///< 0 at those nodes, else the share that is kept; empty: all
+                                 ///< nodes are filled
 
   ScalarField() = default;
   ScalarField(const Grid& grid, const float* scalars, const float* shares);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a segment of a ray between two samples does to a pixel, the same for all backends.
+// The effect of a ray segment between two samples on a pixel, for all backends.
 
 #ifndef limpid_render_Segment_h
 #define limpid_render_Segment_h
@@ -11,15 +11,15 @@
 
 namespace limpid
 {
-/// What decides on the extinction of a segment, summed over its two samples.
+/// Quantities that determine the extinction of a segment, summed over its two samples.
 template <class Number>
 struct SegmentEnds
 {
-  Number filled; ///< each 1, less beside empty nodes
+  Number filled; ///< each 1; less beside empty nodes
   Number kept;   ///< share of the transfer function's extinction [packedOne]
   Number added;  ///< [packedOne of addedUnit]
 
-  /// Extinction with the change of the optimisation and without what is empty [majorant].
+  /// Returns the extinction [majorant], including changes by the optimisation and empty nodes.
   /// `classified`: the transfer function's; `addedUnit`: [majorant].
   LIMPID_HD LIMPID_INLINE Number Extinction(const Number& classified, float addedUnit) const
   {
@@ -32,14 +32,14 @@ struct SegmentEnds
   }
 };
 
-/// The integral of Eq. (1) over a segment with extinction and colour constant and what lights it
-/// linear in optical depth along it.
+/// The integral of Eq. (1) over a segment whose extinction and colour are constant, and whose
+/// lighting is linear in the optical depth.
 template <class Number>
 struct Segment
 {
-  Number depth;    ///< optical
-  Number passed;   ///< share of the light from behind
-  Number absorbed; ///< 1 less that
+  Number depth;    ///< optical depth
+  Number passed;   ///< share of the light from behind that passes
+  Number absorbed; ///< 1 - passed
 
   LIMPID_HD LIMPID_INLINE explicit Segment(const Number& opticalDepth)
     : depth(opticalDepth)
@@ -48,15 +48,15 @@ struct Segment
   {
   }
 
-  /// The mean along it, as it is seen, of what is linear: its value where the viewer sees the
-  /// segment on average. Where little is absorbed, that is the middle.
+  /// Returns the mean of a linear quantity along the segment as seen by the viewer: its value at
+  /// the mean visible depth. If little is absorbed, that is the midpoint.
   LIMPID_HD LIMPID_INLINE Number Mean(const Number& front, const Number& rear) const
   {
     return front + this->WeightOfRear() * (rear - front);
   }
 
 private:
-  /// 1 / d - exp(-d) / (1 - exp(-d)), or its series.
+  /// Returns 1 / d - exp(-d) / (1 - exp(-d)), or its series.
   LIMPID_HD LIMPID_INLINE Number WeightOfRear() const
   {
     const Number series = 0.5f - this->depth * (1.0f / 12.0f);
@@ -71,15 +71,15 @@ struct alignas(4) Rgba
   std::uint8_t values[4];
 };
 
-/// What a pixel has received so far.
+/// The light that a pixel has received so far.
 template <class Optical>
 struct Pixel
 {
   Optical light = { 0, 0, 0, 0 }; ///< second to fourth: red, green, blue
   float transmittance = 1;
 
-  /// In 8 bits. Strong light is toned down where its brightest channel would not fit over what is
-  /// behind the pixel, all channels alike, so that the hue stays.
+  /// Returns the pixel in 8 bits. If the brightest channel would exceed the range over what is
+  /// behind the pixel, all channels are scaled down equally, so that the hue is kept.
   LIMPID_HD LIMPID_INLINE Rgba Shown() const
   {
     const float alpha = 1.0f - this->transmittance;

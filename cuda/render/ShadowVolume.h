@@ -14,7 +14,7 @@
 
 namespace limpid
 {
-/// Finds how much light arrives at the nodes of a grid, on a device.
+/// Computes the light that arrives at the nodes of a grid, on a device.
 template <class AnyDevice>
 class ShadowVolume
 {
@@ -24,14 +24,15 @@ public:
   {
   }
 
-  /// FillTransmittance on the device, where both fields are. Does not wait.
+  /// FillTransmittance on the device, with both fields in its memory. Does not wait.
   void Fill(const Grid& grid, const float* extinction, const RaySource& light, double rayDensity,
     float* transmittance)
   {
     if (!this->Now || !this->Now->IsOf(grid, light, rayDensity))
     {
-      this->Now.reset(); // first, so that there is room for the other one
-      // Of a volume that is filled everywhere, so that it lasts when the extinction changes.
+      this->Now.reset(); // first, to free memory for the other one
+      // The plan is that of a completely filled volume, so that it stays valid if the extinction
+      // changes.
       const std::vector<float> nothing(static_cast<std::size_t>(grid.NodeCount()));
       const Occupancy everywhere(grid, nothing.data(), nothing.data(), false);
       this->Now.emplace(
@@ -41,7 +42,7 @@ public:
   }
 
 private:
-  /// The rays from one light through one grid, whatever the extinction.
+  /// The rays from one light through one grid, independent of the extinction.
   struct Plan
   {
     Grid grid;
@@ -62,7 +63,7 @@ private:
   std::optional<Plan> Now;
 };
 
-/// The processor has a sweep of its own.
+/// The processor has its own sweep.
 template <>
 class ShadowVolume<HostDevice>
 {

@@ -9,27 +9,27 @@
 
 namespace limpid
 {
-/// What the transfer functions say at both ends of a segment.
+/// The entries of the transfer functions at both ends of a segment.
 struct SingleOptics
 {
   OpticalEntry front = {};
   OpticalEntry rear = {};
 
-  /// Moves on to the next sample, which is at this table position.
+  /// Advances to the next sample, at this table position.
   LIMPID_HD LIMPID_INLINE void Read(const OpticalTable& table, float position)
   {
     this->front = this->rear;
     this->rear = table.Look(position);
   }
 
-  /// Extinction at the rear of the segments [majorant], and its integral to there.
+  /// Returns the extinction at the rear of the segment [majorant], and its integral up to there.
   LIMPID_HD LIMPID_INLINE void Extinction(float& value, float& integral) const
   {
     value = this->rear.value[0];
     integral = this->rear.integral[0];
   }
 
-  /// The colour of a segment by the weights of SegmentMean.
+  /// Returns the colour of a segment by the weights of SegmentMean.
   LIMPID_HD LIMPID_INLINE FourFloats Color(int, float ofValues, float ofIntegrals) const
   {
     return ofValues * (this->front.value + this->rear.value) +
@@ -37,8 +37,8 @@ struct SingleOptics
   }
 };
 
-/// Takes the samples of a ray one by one, number by number: for devices. BlockSampler does the same
-/// in the same order of operations with the registers of the processor.
+/// Takes the samples of a ray one by one: for devices. BlockSampler performs these operations in
+/// the same order in vector registers.
 struct SingleSampler
 {
   using Lanes = float;
@@ -48,16 +48,16 @@ struct SingleSampler
   using Optics = SingleOptics;
   static constexpr int count = 1; ///< samples at a time
 
-  /// 0 to count - 1.
+  /// Returns 0 to count - 1.
   LIMPID_HD static LIMPID_INLINE float Numbers() { return 0; }
 
   LIMPID_HD static LIMPID_INLINE float First(float samples) { return samples; }
   LIMPID_HD static LIMPID_INLINE int Last(int samples) { return samples; }
 
-  /// The last of some samples, and all but the last of those behind them.
+  /// Returns the last of the previous samples, followed by all but the last of the present ones.
   LIMPID_HD static LIMPID_INLINE float Shifted(float before, float) { return before; }
 
-  /// The first nodes of cells.
+  /// Returns the first nodes of cells.
   LIMPID_HD static LIMPID_INLINE void FindFirst(
     const CellGrid& grid, const int* before, Index& first)
   {
@@ -85,9 +85,9 @@ struct SingleSampler
     }
   }
 
-  /// The transmittance in front of each of some segments that let `passed` through. The one given,
-  /// in front of the first, becomes that behind the last segment with more than `opaqueBelow` in
-  /// front.
+  /// Computes the transmittance in front of each segment, given the shares `passed` of the
+  /// segments. `transmittance`: in front of the first segment; becomes that behind the last segment
+  /// with more than `opaqueBelow` in front.
   LIMPID_HD static LIMPID_INLINE float InFront(float passed, float, float& transmittance)
   {
     const float before = transmittance;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rays whose samples count by their importance; scene.importance is there.
+// Rays that weight samples by importance. Requires scene.importance.
 
 #ifndef limpid_render_TraceByImportance_h
 #define limpid_render_TraceByImportance_h
@@ -13,8 +13,8 @@
 namespace limpid
 {
 /**
- * Adds to a pixel what its ray meets from its most important object on (RayObject), Eqs. (1) to
- * (6). Bricks without importance (scene.unimportant) are no objects: there, nothing is read.
+ * Adds the part of a ray from its most important object on (RayObject) to a pixel, Eqs. (1) to (6).
+ * Bricks without importance (scene.unimportant) contain no objects and are not read.
  */
 template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceFromObject(
@@ -23,7 +23,7 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
   const BrickWalk<Ray> walk(scene.unimportant, ray);
   RayObject object;
   RayPlaces<AnySampler> place;
-  int nextBrick = 0; // sample from which on another brick is looked up
+  int nextBrick = 0; // first sample of the next brick
   for (int k = 0; k <= ray.segments; k += AnySampler::count)
   {
     if (scene.unimportant.distance && k >= nextBrick && k < ray.segments)
@@ -52,9 +52,9 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
 }
 
 /**
- * Gives a pixel the mean colour of its ray by importance (WeighedMean). Where something important
- * was met, what is not important counts for the opacity alone: it is not lit, and skipped where the
- * pixel is opaque (scene.opaqueBelow).
+ * Sets a pixel to the mean colour of its ray weighted by importance (WeighedMean). If the ray meets
+ * important structures, unimportant matter only contributes to the opacity: it is not lit, and
+ * skipped if the pixel is opaque (scene.opaqueBelow).
  */
 template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceMean(
@@ -65,7 +65,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
   WeighedMean<typename AnySampler::Optical> mean;
   RaySamples<AnySampler, Overlaid> samples;
   Ends<AnySampler> importance;
-  // Whether the brick of sample k is known to be filled, or the walk past empty ones to end there.
+  // Whether the brick of sample k is known to be filled, or the walk past empty ones ended there.
   bool goOn = ray.skipped;
   for (int k = ray.begin; k < ray.segments; k = samples.last, goOn = samples.lastFilled)
   {
@@ -109,7 +109,7 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
   pixel.transmittance = mean.Transmittance();
 }
 
-/// Adds to a pixel what its ray meets, in the way of a method.
+/// Traces a ray by the given kind of compositing and adds it to a pixel.
 template <Compositing compositing, class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceAs(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)

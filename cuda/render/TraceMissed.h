@@ -10,11 +10,11 @@
 namespace limpid
 {
 /**
- * Gathers what a ray shows and could show of what is important, from its end to the viewer. It
- * skips what lies behind everything important, and what is bare: scene.bricks are those of
+ * Accumulates what a ray shows and could show of important structures, from its end to the viewer.
+ * It skips what is behind all important matter, and bare bricks: scene.bricks are those of
  * Bricks::BareDistances.
  *
- * `Overlaid`: whether scene.overlay is there. scene.importance is.
+ * `Overlaid`: whether there is scene.overlay. Requires scene.importance.
  */
 template <class AnySampler, bool Overlaid>
 LIMPID_HD LIMPID_INLINE RayImportance TraceMissed(const RayScene& scene, const Ray& ray)

@@ -9,11 +9,11 @@
 namespace limpid
 {
 /**
- * Adds to a pixel what its ray meets, Eqs. (1) to (6): it skips what is empty, moves on by as many
- * samples as AnySampler takes at a time, finds the extinction between them, lights them if there is
+ * Adds a ray to a pixel, Eqs. (1) to (6). It skips empty parts, advances by as many samples as
+ * AnySampler processes at a time, computes the extinction between them, lights them if there is
  * any, and adds the segments front to back until the pixel is opaque.
  *
- * `Lit`: whether scene.gradient is there; `Overlaid`: whether scene.overlay is.
+ * `Lit`: whether there is scene.gradient; `Overlaid`: whether there is scene.overlay.
  */
 template <class AnySampler, bool Lit, bool Overlaid>
 LIMPID_HD LIMPID_INLINE void TraceRay(
@@ -21,8 +21,8 @@ LIMPID_HD LIMPID_INLINE void TraceRay(
 {
   const BrickWalk<Ray> walk(scene.bricks, ray);
   RaySamples<AnySampler, Overlaid> samples;
-  Pixel<typename AnySampler::Optical> received = pixel; // nothing else can change that meanwhile
-  // Whether the brick of sample k is known to be filled, or the walk past empty ones to end there.
+  Pixel<typename AnySampler::Optical> received = pixel; // a local copy, which cannot alias anything
+  // Whether the brick of sample k is known to be filled, or the walk past empty ones ended there.
   bool goOn = ray.skipped;
   for (int k = ray.begin; k < ray.segments && received.transmittance > scene.opaqueBelow;
        k = samples.last, goOn = samples.lastFilled)

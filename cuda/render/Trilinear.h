@@ -11,13 +11,13 @@
 
 namespace limpid
 {
-/// A grid's nodes as trilinear interpolation reads them.
+/// The nodes of a grid in the form for trilinear interpolation.
 struct CellGrid
 {
   float lastNode[3] = { 0, 0, 0 };
   float lastCell[3] = { 0, 0, 0 };
   Index stride[3] = { 1, 1, 1 };
-  int rows = 1; ///< of a slice
+  int rows = 1; ///< rows per slice
 
   CellGrid() = default;
   explicit CellGrid(const Int3& nodes)
@@ -28,7 +28,7 @@ struct CellGrid
   {
   }
 
-  /// Splits a coordinate into the node before and the fraction of a cell.
+  /// Splits a coordinate into the node before it and the fraction of a cell.
   template <class Number>
   LIMPID_HD LIMPID_INLINE auto Split(int axis, const Number& position, Number& fraction) const
   {
@@ -38,7 +38,7 @@ struct CellGrid
     return before;
   }
 
-  /// The first node of a cell. Vector units multiply numbers of 32 bits only.
+  /// Returns the first node of a cell. Vector units multiply only 32-bit numbers.
   LIMPID_HD LIMPID_INLINE Index First(int x, int y, int z) const
   {
     const auto row = static_cast<std::uint32_t>(y + this->rows * z);
@@ -47,14 +47,14 @@ struct CellGrid
   }
 };
 
-/// Positions in a grid, as many as AnySampler takes at a time.
+/// Positions in a grid, as many as AnySampler processes at a time.
 template <class AnySampler>
 struct CellPlaces
 {
   using Lanes = typename AnySampler::Lanes;
 
   Lanes fraction[3];                       ///< of the cell
-  typename AnySampler::Integers before[3]; ///< the node before, along each axis
+  typename AnySampler::Integers before[3]; ///< index of the node before, along each axis
   typename AnySampler::Cells cell;         ///< first node of the cell
 
   CellPlaces() = default;
@@ -75,7 +75,8 @@ struct CellPlaces
   }
 };
 
-/// Blends the nodes of a cell along z, y and x. `first`: its first node; x, y, z: fractions of it.
+/// Interpolates between the nodes of a cell along z, y and x. `first`: its first node; x, y, z:
+/// fractions of the cell.
 template <class Node>
 LIMPID_HD LIMPID_INLINE auto InCell(
   const CellGrid& grid, const Node* first, float x, float y, float z)

@@ -24,7 +24,7 @@ Vec3 InOrder(const Vec3& vector, const Int3& axes)
   return { vector[axes[0]], vector[axes[1]], vector[axes[2]] };
 }
 
-/// Rows of both fields run along the same axis.
+/// Copies a field if rows of both fields run along the same axis.
 void CopyRows(const Int3& nodes, const Strides& source, const float* from, float* to)
 {
   ParallelFor(Index(nodes.y) * nodes.z, 16,
@@ -35,8 +35,8 @@ void CopyRows(const Int3& nodes, const Strides& source, const float* from, float
     });
 }
 
-/// Rows of the source run along axis `along` of the target, which is not its first: goes through
-/// tiles that are a cache line wide in both.
+/// Copies a field if rows of the source run along axis `along` of the target, which is not its
+/// first axis: in tiles that are a cache line wide in both fields.
 void CopyAcross(const Int3& nodes, const Strides& source, int along, const float* from, float* to)
 {
   constexpr int tile = 16;

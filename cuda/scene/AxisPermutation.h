@@ -9,24 +9,25 @@
 
 namespace limpid
 {
-/// Another order of a grid's axes in memory: first, second and third are these axes of the grid.
+/// An order of a grid's axes in memory: the first, second and third axis are these axes of the
+/// grid.
 struct AxisPermutation
 {
   Int3 axes{ 0, 1, 2 };
 
   bool Changes() const { return this->axes != Int3(0, 1, 2); }
 
-  /// The same nodes at the same places, their axes in this order.
+  /// Returns a grid with these nodes at the same places, its axes in this order.
   Grid Of(const Grid& grid) const;
 
-  /// The same rays in the index space of that grid.
+  /// Returns these rays in the index space of that grid.
   RaySource Of(const RaySource& source) const;
 };
 
-/// Copies a field on a grid to the other order, whole.
+/// Copies a whole field on a grid to the permuted order.
 void Permute(const Grid& grid, const AxisPermutation& order, const float* field, float* permuted);
 
-/// Copies it back.
+/// Copies a whole field back from the permuted order.
 void PermuteBack(
   const Grid& grid, const AxisPermutation& order, const float* permuted, float* field);
 }

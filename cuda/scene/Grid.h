@@ -8,17 +8,18 @@
 
 namespace limpid
 {
-/// Lengths within which single precision holds whatever is computed of them and of extinctions
-/// (SceneProperties.DoNotDependOnTheUnitOfLength); beyond 1e-23 and 1e26 results change.
+/// Range of lengths within which single precision can represent all quantities that are computed
+/// from them and from extinctions (SceneProperties.DoNotDependOnTheUnitOfLength). Below 1e-23 and
+/// above 1e26 results change.
 constexpr double leastLength = 1e-20;
 constexpr double mostLength = 1e24;
 
 /**
- * The nodes of an image: where they are, and how index space maps to the world.
+ * The nodes of an image: their positions, and the map from index space to the world.
  *
  * Index space has its origin at the first node and one unit per node along each axis. All sweeps
- * work in it, so anisotropic spacing, extents and direction matrices need no further thought.
- * Fields over a grid are arrays of NodeCount() values, first axis fastest.
+ * work in it, so they need not handle anisotropic spacing, extents and direction matrices. Fields
+ * over a grid are arrays of NodeCount() values, first axis fastest.
  */
 struct Grid
 {
@@ -29,26 +30,27 @@ struct Grid
 
   Index NodeCount() const { return Index(nodes.x) * nodes.y * nodes.z; }
 
-  /// Whether the box of the nodes has a volume, that is, at least two nodes along each axis.
+  /// Returns whether the box of the nodes has a volume: at least two nodes along each axis.
   bool HasVolume() const { return nodes.x > 1 && nodes.y > 1 && nodes.z > 1; }
 
-  /// Volume of one cell [length^3].
+  /// Returns the volume of one cell [length^3].
   double CellVolume() const { return spacing.x * spacing.y * spacing.z; }
 
   Vec3 PointToIndex(const Vec3& world) const;
   Vec3 PointToWorld(const Vec3& index) const;
   Vec3 DirectionToIndex(const Vec3& world) const;
 
-  /// Centre of the box of the nodes [length].
+  /// Returns the centre of the box of the nodes [length].
   Vec3 Centre() const;
 
-  /// R of the normalised coordinates: half the diagonal of the box of the nodes [length].
+  /// Returns R of the normalised coordinates: half the diagonal of the box of the nodes [length].
   double Radius() const;
 
-  /// Whether the first and the last node are those of another grid, to 1e-4 of the radius.
+  /// Returns whether the first and the last node equal those of another grid, to 1e-4 of the
+  /// radius.
   bool HasSameBox(const Grid& other) const;
 
-  /// Throws limpid::Error unless sizes, spacing and direction can be worked with.
+  /// Throws limpid::Error if sizes, spacing or direction are invalid.
   void Require() const;
 };
 }

@@ -10,7 +10,7 @@
 
 namespace limpid
 {
-/// The eight corners of the box of a grid's nodes [length].
+/// Returns the eight corners of the box of a grid's nodes [length].
 inline std::vector<Vec3> CornersOf(const Grid& grid)
 {
   const Vec3 last = Vec3(grid.nodes) - 1.0;

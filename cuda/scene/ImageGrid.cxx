@@ -9,12 +9,12 @@ namespace limpid
 {
 namespace
 {
-/// What is left of rounding in double precision, and in what NearestOrthonormal returns.
+/// Tolerance of rounding in double precision, which results of NearestOrthonormal satisfy.
 constexpr double noRounding = 1e-12;
 
-/// The orthonormal matrix nearest to one that is almost so: the factor U of the polar decomposition
-/// M = U P, by Newton's iteration M <- (M + M^-T) / 2. Every step squares the distance: three of
-/// them take it from 2e-3 to below 1e-20.
+/// Returns the orthonormal matrix nearest to one that is almost orthonormal: the factor U of the
+/// polar decomposition M = U P, by Newton's iteration M <- (M + M^-T) / 2. Every step squares the
+/// distance: three steps take it from 2e-3 to below 1e-20.
 Mat3 NearestOrthonormal(Mat3 matrix)
 {
   for (int step = 0; step < 3; ++step)

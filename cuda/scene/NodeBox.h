@@ -12,7 +12,7 @@
 
 namespace limpid
 {
-/// Nodes of a grid, from begin to end along each axis.
+/// A box of nodes of a grid: half-open ranges along each axis.
 struct NodeBox
 {
   std::array<Range<int>, 3> along;
@@ -45,7 +45,8 @@ struct NodeBox
       { return one.begin == other.begin && one.end == other.end; });
   }
 
-  /// The box with so many nodes more on every side, as far as a grid goes; of an empty one, itself.
+  /// Returns the box extended by this number of nodes on every side, clipped to the grid; an empty
+  /// box is unchanged.
   NodeBox Grown(int nodes, const Int3& grid) const
   {
     NodeBox grown = *this;

@@ -13,7 +13,7 @@ namespace limpid
 {
 NodeValues::NodeValues(Index count)
 {
-  // Of large fields these are pages of zeros that nobody has to write.
+  // For large fields, the system supplies pages of zeros that need not be written.
   const auto values = static_cast<std::size_t>(std::max<Index>(count, 1));
   this->Memory.reset(static_cast<float*>(AllocateZeroPages(values * sizeof(float))));
   if (!this->Memory)

@@ -10,8 +10,8 @@
 
 namespace limpid
 {
-/// A value per node of a grid, 0 at first. What stays 0 need not be written, and where it is not,
-/// a large field takes no memory.
+/// One value per node of a grid, initially 0. Zeros need not be written, and parts of a large field
+/// that are never written take no memory.
 class NodeValues
 {
 public:

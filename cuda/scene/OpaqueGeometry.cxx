@@ -12,24 +12,25 @@ namespace limpid
 {
 namespace
 {
-/// What counts of a node that so many nodes are between and a plane behind it, below zero: in front
-/// of it. Interpolated, the column of nodes has the extent of what lies in front of the plane, and,
-/// as far as nothing is below zero, its centre: for what changes linearly, they are the same.
+/// Returns the share of a node in front of a plane at this distance [nodes], negative if the plane
+/// is in front of the node. The interpolation of the column of nodes has the extent of what is in
+/// front of the plane and, unless a share would be negative, its centre: both agree for functions
+/// that vary linearly.
 float ShareInFront(double distance)
 {
-  constexpr double rounding = 2e-3; // of depths; both nodes beside a plane on one of them agree
+  constexpr double rounding = 2e-3; // of depths; for a plane on a node, its neighbours agree
   const bool onNode = std::abs(distance - std::round(distance)) < rounding;
   const double nodes = onNode ? std::round(distance) : distance;
   if (nodes >= 1 || nodes <= -1)
   {
     return nodes > 0 ? 1.0f : 0.0f;
   }
-  const double lastInFront = nodes < 0 ? nodes + 1 : nodes; // node to plane
+  const double lastInFront = nodes < 0 ? nodes + 1 : nodes; // from node to plane
   const double next = std::max(0.0, 0.5 * lastInFront * lastInFront - 1.0 / 6);
   return static_cast<float>(nodes < 0 ? next : 0.5 + lastInFront - next);
 }
 
-/// How much of a node is in front of the geometry.
+/// Computes the share of a node that is in front of the geometry.
 class NodeInFront
 {
 public:
@@ -47,8 +48,8 @@ public:
     this->Reach = glm::sqrt(this->Reach);
   }
 
-  /// The mean over what of the picture is closer to the node than to others: edges of the geometry
-  /// run between nodes.
+  /// Returns the mean over the part of the picture that is closer to this node than to others:
+  /// edges of the geometry run between nodes.
   float operator()(const Vec3& index) const
   {
     const Vec3 node = this->Nodes.PointToWorld(index);
@@ -70,10 +71,10 @@ public:
   }
 
 private:
-  static constexpr int across = 3; ///< samples
+  static constexpr int across = 3; ///< number of samples along each axis
 
-  /// `place`: of the node; `beside`: the same or close to it, where the geometry is looked up. Both
-  /// in clip coordinates.
+  /// `place`: position of the node; `beside`: the same or close to it, where the depth is looked
+  /// up. Both in clip coordinates.
   float At(const Vec3& node, const Vec3& place, const glm::dvec2& beside) const
   {
     const double column = (beside.x + 1) * 0.5 * this->Geometry.width;
@@ -90,7 +91,8 @@ private:
                    : 1.0f;
   }
 
-  /// From a node to a point in clip coordinates on its ray, below zero if that is in front [nodes].
+  /// Returns the distance from a node to a point in clip coordinates on its ray; negative if the
+  /// point is in front [nodes].
   double NodesTo(const Vec3& node, const Vec3& clip, bool behind) const
   {
     const glm::dvec4 point = this->Geometry.clipToWorld * glm::dvec4(clip, 1);
@@ -101,7 +103,7 @@ private:
   const OpaqueGeometry& Geometry;
   const Grid& Nodes;
   glm::dmat4 WorldToClip;
-  glm::dvec2 Reach{ 0.0 }; ///< width and height of a node, but for the division by w
+  glm::dvec2 Reach{ 0.0 }; ///< width and height of a node, before the division by w
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Opaque geometry in front of a part of the volume, as a picture of its depth.
+// Opaque geometry in front of parts of the volume, as a picture of its depth.
 
 #ifndef limpid_scene_OpaqueGeometry_h
 #define limpid_scene_OpaqueGeometry_h
@@ -13,22 +13,22 @@
 namespace limpid
 {
 /**
- * Where the rays of a camera end. They see nothing of what lies behind: to them, an importance is
- * what of it lies in front.
+ * The depths where the rays of a camera end. What is behind is not visible, so for these rays an
+ * importance is reduced to its part in front.
  */
 struct OpaqueGeometry
 {
-  int width = 0;  ///< pixels
-  int height = 0; ///< pixels, first row at the bottom
+  int width = 0;  ///< width of the picture [pixels]
+  int height = 0; ///< height of the picture [pixels], bottom row first
 
-  /// From clip coordinates of the picture to world coordinates, see View.
+  /// The matrix from clip coordinates of the picture to world coordinates, see View.
   glm::dmat4 clipToWorld{ 1.0 };
 
-  /// Clip z in [-1, 1] of what is opaque, of each pixel; 1: there is nothing.
+  /// Clip z of the geometry at each pixel, in [-1, 1]; 1: there is none.
   std::vector<float> depth;
 
-  /// An importance at the nodes of a grid, so that between them it is that in front; all of it
-  /// beside the picture.
+  /// Returns an importance at the nodes of a grid such that its interpolation is the part in front.
+  /// Outside of the picture, all of it is kept.
   std::vector<float> InFront(const Grid& grid, const float* importance) const;
 
   bool operator==(const OpaqueGeometry& other) const

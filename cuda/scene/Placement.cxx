@@ -19,7 +19,7 @@ double RadiansOf(double degrees)
   return degrees * (pi / 180);
 }
 
-// Some unit vector at right angles to a vector.
+// Returns a unit vector perpendicular to a vector.
 Vec3 AcrossOf(const Vec3& vector)
 {
   const Vec3 unit = vector / glm::length(vector);
@@ -32,7 +32,7 @@ Vec3 AcrossOf(const Vec3& vector)
   return across / glm::length(across);
 }
 
-// Some direction at right angles to both, or to the first if they are parallel.
+// Returns a direction perpendicular to both, or to the first if they are parallel.
 Vec3 RightOf(const Vec3& back, const Vec3& up)
 {
   const Vec3 right = glm::cross(up, back);
@@ -68,7 +68,7 @@ void PlaceLight(const Camera& camera, Light& light)
   const double distance = glm::distance(camera.position, camera.focalPoint);
   if (!(distance > 0))
   {
-    return; // the camera has no direction: the solver says so
+    return; // the camera has no direction: the solver reports it
   }
   const Vec3 back = (camera.position - camera.focalPoint) / distance;
   const Vec3 right = RightOf(back, camera.viewUp);

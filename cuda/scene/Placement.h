@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where camera and light stand when nobody has placed them.
+// Automatic placement of camera and light.
 
 #ifndef limpid_scene_Placement_h
 #define limpid_scene_Placement_h
@@ -12,19 +12,19 @@ struct Camera;
 struct Grid;
 struct Light;
 
-/// Whether a camera still has the position and the focal point of a new one.
+/// Returns whether a camera still has the position and the focal point of a new one.
 bool IsUnplaced(const Camera& camera);
 
-/// Whether a light still has the position of a new one.
+/// Returns whether a light still has the position of a new one.
 bool IsUnplaced(const Light& light);
 
-/// Puts the camera where VTK's renderers put a new one when they reset it: on the z axis through
-/// the centre of the data, at the distance from which the sphere around the data fills the view
-/// angle.
+/// Places the camera where VTK's renderers place a new one when they reset it: on the z axis
+/// through the centre of the data, at the distance where the bounding sphere of the data fills the
+/// view angle.
 void PlaceCamera(const Grid& grid, Camera& camera);
 
-/// Puts the light where the key light of ParaView's light kit shines from: 50 degrees above and 10
-/// degrees to the right of the camera, as far from the focal point as the camera.
+/// Places the light like the key light of ParaView's light kit: 50 degrees above and 10 degrees to
+/// the right of the camera, at the camera's distance from the focal point.
 void PlaceLight(const Camera& camera, Light& light);
 }
 

@@ -30,11 +30,12 @@ std::ostream& operator<<(std::ostream& stream, const Text& text)
   return stream << '(' << text.v.x << ", " << text.v.y << ", " << text.v.z << ')';
 }
 
-/// What conversions to index space may be off by, relative to what goes in.
+/// Bound of the relative rounding errors of conversions to index space.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// A position in index space; on a plane of nodes where only rounding puts it beside. On which side
-/// of a face an eye is decides whether it sees along the face.
+/// Converts a position to index space. If only rounding separates it from a plane of nodes, it is
+/// moved onto that plane: the side of a face that an eye is on decides whether it sees along the
+/// face.
 Vec3 IndexOf(const Vec3& position, const Grid& grid)
 {
   Vec3 index = grid.PointToIndex(position);
@@ -48,7 +49,7 @@ Vec3 IndexOf(const Vec3& position, const Grid& grid)
   return index;
 }
 
-/// From `from` to `to`, normalised.
+/// Returns the unit vector from `from` to `to`.
 Vec3 DirectionOf(const char* what, const Vec3& from, const Vec3& to)
 {
   LIMPID_REQUIRE(IsFinite(from) && IsFinite(to),
@@ -62,7 +63,7 @@ Vec3 DirectionOf(const char* what, const Vec3& from, const Vec3& to)
   return difference / length;
 }
 
-/// DirectionOf in index space; along a plane of nodes where only rounding lets it leave one.
+/// Returns this direction in index space; parallel to a plane of nodes if only rounding tilts it.
 Vec3 IndexDirectionOf(const char* what, const Vec3& from, const Vec3& to, const Grid& grid)
 {
   Vec3 index = grid.DirectionToIndex(DirectionOf(what, from, to));
@@ -75,7 +76,8 @@ Vec3 IndexDirectionOf(const char* what, const Vec3& from, const Vec3& to, const 
   return index;
 }
 
-/// A world plane through `point` with inward `normal` as a condition on rays in index space.
+/// Converts a world plane through `point` with inward `normal` to a condition on rays in index
+/// space.
 RaySource::Plane PlaneOf(const Grid& grid, const Vec3& normal, const Vec3& point, bool parallel)
 {
   // n . (x - p) with x = origin + D S i has the index-space normal S D^T n.
@@ -85,13 +87,13 @@ RaySource::Plane PlaneOf(const Grid& grid, const Vec3& normal, const Vec3& point
   return plane;
 }
 
-/// The planes of a picture with a given opening.
+/// Adds the planes of a picture with a given opening.
 void AddOpening(RaySource& eye, const Camera& camera, const Grid& grid, const Vec3& forward)
 {
   Vec3 right = glm::cross(forward, camera.viewUp);
   if (!(glm::length(right) > 1e-12 * glm::length(camera.viewUp)))
   {
-    // View-up along the view direction: any upright will do, as for VTK.
+    // If view-up is parallel to the view direction, any upright direction is used, as in VTK.
     right = glm::cross(forward, std::abs(forward.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
   }
   right = glm::normalize(right);
@@ -132,7 +134,7 @@ void RequireOpening(const Camera& camera)
                                      << " (the picture has no width). Set a ratio above zero.");
 }
 
-/// The planes through neighbouring corners of a picture and along the rays there.
+/// Adds the planes through neighbouring corners of a picture and along the rays there.
 void AddCorners(RaySource& eye, const Camera& camera, const Grid& grid, const Vec3& forward)
 {
   const std::vector<Vec3>& corners = camera.corners;
@@ -142,7 +144,7 @@ void AddCorners(RaySource& eye, const Camera& camera, const Grid& grid, const Ve
     const Vec3& corner = corners[i];
     const Vec3 along = camera.parallel ? forward : corner - camera.position;
     Vec3 normal = glm::cross(along, corners[(i + 1) % 4] - corner);
-    // The picture is on the inner side, whichever way round the corners are.
+    // The picture is on the inner side, for either orientation of the corners.
     const double inside = glm::dot(normal, middle - corner);
     const double size = glm::length(normal);
     LIMPID_REQUIRE(std::abs(inside) > 1e-12 * size * glm::length(middle - corner),

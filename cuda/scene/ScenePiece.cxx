@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::size_t endsOfBox = 6;
 
-/// The boxes of all ranks.
+/// Gathers the boxes of all ranks.
 std::vector<NodeBox> BoxesOf(const Communicator& ranks, const NodeBox& own)
 {
   const auto count = static_cast<std::size_t>(ranks.Size());
@@ -38,8 +38,8 @@ std::vector<NodeBox> BoxesOf(const Communicator& ranks, const NodeBox& own)
   return boxes;
 }
 
-/// Along which axis two boxes that overlap begin one behind the other, and by how many layers they
-/// overlap there; the axis of the fewest; -1: none.
+/// Returns the axis along which two overlapping boxes begin one after the other, and the number of
+/// layers of their overlap; the axis with the fewest layers; -1 if there is none.
 int AxisOfOverlap(const NodeBox& one, const NodeBox& other)
 {
   int found = -1;
@@ -65,8 +65,8 @@ bool Contains(const NodeBox& box, const NodeBox& other)
   return other.Empty() || Intersection(box, other).Count() == other.Count();
 }
 
-/// Cuts off `one` and `other` what counts to the other one of two boxes, `a` and `b`, that they are
-/// parts of.
+/// Removes from `one` and `other`, which are parts of the boxes `a` and `b`, what the other rank
+/// owns.
 void Part(const NodeBox& a, const NodeBox& b, NodeBox& one, NodeBox& other)
 {
   if (Intersection(a, b).Empty())
@@ -93,7 +93,7 @@ void Part(const NodeBox& a, const NodeBox& b, NodeBox& one, NodeBox& other)
   }
 }
 
-/// Parts of boxes that have no node in common and leave none out.
+/// Returns disjoint parts of the boxes that cover their union.
 std::vector<NodeBox> Parted(const std::vector<NodeBox>& boxes)
 {
   std::vector<NodeBox> parts = boxes;

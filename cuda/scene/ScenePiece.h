@@ -13,43 +13,44 @@
 
 namespace limpid
 {
-/// Where ranks have fields that the rays of several sources go through.
+/// The nodes whose field values a rank keeps, given that the rays of several sources need them.
 enum class FieldPlaces
 {
-  Chosen,          ///< the first of these that takes little more memory than a share
-  BesideAllRays,   ///< a rank has the nodes beside its rays of every source
-  BesideFirstRays, ///< of the first source; sweeps of others visit these, slices at a time
-  InSlabs          ///< it has a slab, and all sweeps visit these: an even share, and the slowest
+  Chosen,          ///< the first of these that needs little more memory than an even share
+  BesideAllRays,   ///< the nodes beside its rays of every source
+  BesideFirstRays, ///< those of the first source; for sweeps of others, slices are sent when needed
+  InSlabs          ///< one slab per rank, sent for all sweeps: an even share, and the slowest
 };
 
-/// What ranks have of a scene that they share: of each a box of nodes, in arrays of these alone,
-/// first axis fastest. Boxes may be empty and may overlap; what nobody has is empty.
+/// The decomposition of a scene: one box of nodes per rank. Arrays of a rank have only the nodes of
+/// its box, first axis fastest. Boxes may be empty and may overlap; nodes in no box are empty.
 struct ScenePiece
 {
   std::shared_ptr<const Communicator> ranks;
-  NodeBox nodes;              ///< of this rank
-  std::vector<NodeBox> boxes; ///< of all ranks
+  NodeBox nodes;              ///< box of this rank
+  std::vector<NodeBox> boxes; ///< boxes of all ranks
 
-  /// Whose values count where boxes overlap: parts of them of which no two have a node in common.
-  /// Where they overlap by layers, each counts to the middle of these.
+  /// The nodes that each rank owns, as disjoint parts of the boxes. Where boxes overlap by layers,
+  /// each rank owns half of the layers.
   std::vector<NodeBox> owned;
 
-  FieldPlaces places = FieldPlaces::Chosen; ///< the same on all ranks
+  FieldPlaces places = FieldPlaces::Chosen; ///< equal on all ranks
 
-  /// Tells all ranks what they have. Throws JointError on all of them where a box is not within the
-  /// grid, or boxes overlap so that no parts of them are boxes.
+  /// Broadcasts the boxes. Throws JointError on all ranks if a box is not within the grid, or if
+  /// boxes overlap such that owned parts cannot be boxes.
   ScenePiece(std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own);
 };
 
-/// Pieces of the nodes that ranks own and so many more on every side, as far as the grid goes; a
-/// rank that owns none has two nodes along each axis for its own use.
+/// Returns pieces of the owned nodes plus this number of ghost nodes on every side, clipped to the
+/// grid. A rank that owns nothing gets two nodes along each axis for its own use.
 std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& grid, int nodes);
 
-/// The grid of a box of nodes, and of a rank's.
+/// Return the grid of a box of nodes, and of this rank's box.
 Grid GridOf(const NodeBox& box, const Grid& whole);
 Grid GridOf(const ScenePiece& piece, const Grid& whole);
 
-/// Whether every rank has the same box in both; nulls, where one has all, are the same.
+/// Returns whether every rank has the same box in both. Null, which means one rank with everything,
+/// equals null.
 bool HaveSameBoxes(const ScenePiece* one, const ScenePiece* other);
 }
 

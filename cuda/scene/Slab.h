@@ -11,11 +11,11 @@
 
 namespace limpid
 {
-/// Whole slices of a grid along its last axis, which lie one after the other in memory: what a rank
-/// has of work on voxels that need no rays.
+/// Whole slices of a grid along its last axis, which are contiguous in memory: a rank's share of
+/// work on voxels that needs no rays.
 struct Slab
 {
-  Int3 nodes; ///< of the grid
+  Int3 nodes; ///< of the whole grid
   Range<int> slices;
 
   static Slab Of(const Int3& nodes) { return { nodes, { 0, nodes.z } }; }
@@ -32,10 +32,11 @@ struct Slab
   }
 };
 
-/// Of each rank its slab: together they are the grid, and no slab has two slices more than another.
+/// Returns one slab per rank. Together they are the grid; their numbers of slices differ by at most
+/// one.
 std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes);
 
-/// The slab of this rank.
+/// Returns the slab of this rank.
 Slab OwnSlab(const Communicator& ranks, const Int3& nodes);
 }
 

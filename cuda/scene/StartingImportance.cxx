@@ -27,7 +27,8 @@ ImportanceRamp RampOf(const std::vector<double>& sorted, const std::array<double
     range };
   if (!ramp.IsKnown())
   {
-    // Many are alike up there, as in a mask: from the next smaller value on, or to the largest.
+    // Many of the largest values are equal, as in a mask: the ramp begins at the next smaller value
+    // or ends at the largest.
     const auto first = std::lower_bound(sorted.begin(), sorted.end(), ramp.end);
     ramp = first != sorted.begin() ? ImportanceRamp{ *(first - 1), ramp.end, range }
                                    : ImportanceRamp{ ramp.begin, sorted.back(), range };

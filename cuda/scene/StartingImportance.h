@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is taken for important where nobody has said it.
+// Assumption about importance if it is not specified.
 
 #ifndef limpid_scene_StartingImportance_h
 #define limpid_scene_StartingImportance_h
@@ -15,36 +15,36 @@
 
 namespace limpid
 {
-/// Shares of the values of an array that lie below those at which what may be important begins, and
-/// is important in full.
+/// Quantiles of the values of an array at which the assumed importance begins to rise and reaches
+/// 1.
 constexpr double ImportanceBegins = 0.95;
 constexpr double ImportanceIsFull = 0.99;
 
-/// So many values tell the quantiles to a thousandth.
+/// With this number of values, quantiles are accurate to a thousandth.
 constexpr long long mostSamplesOfQuantiles = 1 << 20;
 
-/// Importance rises from 0 to 1 between two values of an array.
+/// Importance that rises linearly from 0 to 1 between two values of an array.
 struct ImportanceRamp
 {
   double begin = 0;
-  double end = 0;                   ///< where it is 1
+  double end = 0;                   ///< value where it reaches 1
   std::array<double, 2> range = {}; ///< of all values of the array
 
-  /// Not where all values are alike, or none is a number: nothing stands out of them.
+  /// Returns false if all values are alike or none is a number, so that none stands out.
   bool IsKnown() const { return this->begin < this->end; }
 };
 
-/// A value of an image, and the eighth largest of its 26 neighbours: what a value above it is worth
-/// to the median that takes specks out of the importance, see Despeckle.
+/// A value of an image, and the eighth largest of its 26 neighbours, to which the median that
+/// removes specks from the importance reduces a larger value, see Despeckle.
 struct ValueAmongOthers
 {
   double value;
   double eighth;
 };
 
-/// The eighth largest of the values of a node's 26 neighbours in an image of `size` nodes; on the
-/// border, its nodes stand for those beyond. What is no number is smaller than all numbers.
-/// `valueAt`: of a node (i, j, k).
+/// Returns the eighth largest of the values of a node's 26 neighbours in an image of `size` nodes.
+/// Outside of the image, the nearest border nodes are used. NaN counts as smaller than all numbers.
+/// `valueAt`: returns the value of a node (i, j, k).
 template <class ValueAt>
 double EighthLargestNeighbour(
   const std::array<int, 3>& size, const std::array<int, 3>& node, const ValueAt& valueAt)
@@ -61,27 +61,28 @@ double EighthLargestNeighbour(
     const double value = valueAt(other[0], other[1], other[2]);
     values[std::size_t(number)] = value == value ? value : -std::numeric_limits<double>::infinity();
   }
-  values[13] = -std::numeric_limits<double>::infinity(); // the node itself
+  values[13] = -std::numeric_limits<double>::infinity(); // excludes the node itself
   std::nth_element(values.begin(), values.begin() + 7, values.end(), std::greater<double>());
   return values[7];
 }
 
-/// Largest share of the importance that may be in specks, which the median removes. Volumes that
-/// are not noisy have at most 0.08.
+/// Largest acceptable share of importance in specks, which the median removes. For volumes without
+/// much noise it is at most 0.08.
 constexpr double mostSpecks = 0.1;
 
-/// The share of the importance that the median removes; 0 where nothing is important.
+/// Returns the share of the importance that the median removes; 0 if nothing is important.
 double SpecksOf(const ImportanceRamp& ramp, const std::vector<ValueAmongOthers>& values);
 
-/// The largest few per cent of values, of which there are usually few that matter most: bones,
-/// vessels, cores. `sorted`: finite samples of the values, ascending; `range`: of all values.
+/// Returns the ramp over the largest few per cent of the values. Usually few values matter most:
+/// those of bones, vessels, cores. `sorted`: finite samples of the values, ascending; `range`: of
+/// all values.
 ImportanceRamp RampOf(const std::vector<double>& sorted, const std::array<double, 2>& range);
 
 /**
- * That ramp, or where more than mostSpecks of its importance are noise, the first one above it that
- * has no more; or if all have, the one with the least. Its ends are quantiles, too: up to the
- * largest 0.3 and 0.06 % of the values. `values`: samples that are above the begin of the first
- * ramp.
+ * Returns the first ramp, or, if more than mostSpecks of its importance is noise, the next higher
+ * one for which it is not; if there is none, the one with the least noise. Its ends are also
+ * quantiles, up to the largest 0.3 and 0.06 % of the values. `values`: samples above the begin of
+ * the first ramp.
  */
 ImportanceRamp CleanRamp(const ImportanceRamp& first, const std::vector<double>& sorted,
   const std::vector<ValueAmongOthers>& values);

@@ -13,12 +13,12 @@ namespace limpid
 {
 namespace
 {
-/// How far an axis is from being upwards in a picture [radians].
+/// Returns the angle between an axis and the upward direction of a picture [radians].
 double TiltOf(const Vec3& axis, const Vec3& right, const Vec3& up, const Vec3& back)
 {
-  constexpr double endOn = 0.1; // so short in the picture, it has no direction there
+  constexpr double endOn = 0.1; // an axis this short in the picture has no direction there
   constexpr double above = 0.02;
-  constexpr double below = 0.06; // decides between axes of one plane, in which the camera looks
+  constexpr double below = 0.06; // decides between two axes if the camera looks along their plane
   const double along = glm::dot(axis, up);
   const double across = std::abs(glm::dot(axis, right));
   if (std::hypot(along, across) < endOn)

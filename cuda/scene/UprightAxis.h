@@ -9,11 +9,11 @@
 namespace limpid
 {
 /**
- * The axis of the world, of unit length, that is upwards in the picture of a camera. The camera's
- * own view-up does not tell: seen from 50 degrees above the horizon, it is nearer to an axis that
- * points away. Here it is the axis that is least rolled about the axis of view. Where there are
- * two, since the camera looks along the plane of both, it is the one that the camera is above
- * rather than below.
+ * Returns the world axis, as a unit vector, that points upwards in a camera's picture. The camera's
+ * own view-up is not sufficient: seen from 50 degrees above the horizon, it is closer to an axis
+ * that points away from the camera. This is the axis that is least rolled about the view direction.
+ * If there are two, since the camera looks along their plane, it is the one that the camera is
+ * above rather than below.
  */
 Vec3 UprightAxis(const Camera& camera);
 }

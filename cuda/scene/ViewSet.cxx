@@ -14,17 +14,16 @@ namespace limpid
 {
 namespace
 {
-constexpr int mostViews = 360; // a degree apart
+constexpr int mostViews = 360; // one per degree
 
-/// A vector turned about an axis of unit length [radians].
+/// Rotates a vector about an axis of unit length by an angle [radians].
 Vec3 Turned(const Vec3& vector, const Vec3& axis, double angle)
 {
   return std::cos(angle) * vector + std::sin(angle) * glm::cross(axis, vector) +
     (1 - std::cos(angle)) * glm::dot(axis, vector) * axis;
 }
 
-/// A camera turned about an axis of unit length through its focal point, with its picture
-/// [radians].
+/// Rotates a camera and its picture about an axis of unit length through its focal point [radians].
 Camera TurnedRound(const Camera& camera, const Vec3& axis, double angle)
 {
   const auto turned = [&](const Vec3& point)
@@ -56,7 +55,7 @@ std::vector<Camera> OrbitOf(const Camera& camera, int count, OrbitStart start)
   {
     const Vec3 offset = camera.position - camera.focalPoint;
     const Vec3 across = offset - glm::dot(offset, axis) * axis;
-    const Vec3 fixed(axis.z, axis.x, axis.y); // at right angles to the axis
+    const Vec3 fixed(axis.z, axis.x, axis.y); // perpendicular to the axis
     first = std::atan2(glm::dot(glm::cross(across, fixed), axis), glm::dot(across, fixed));
   }
   std::vector<Camera> cameras;

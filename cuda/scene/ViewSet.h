@@ -12,35 +12,35 @@ namespace limpid
 {
 enum class ViewKind
 {
-  Single,     ///< the camera alone
+  Single,     ///< the camera only
   StereoPair, ///< the two eyes of a viewer
-  Orbit       ///< all round
+  Orbit       ///< cameras all around
 };
 
-/// Which cameras an extinction is for, beside the one that is there.
+/// The cameras that an extinction is optimised for, given one camera.
 struct ViewSet
 {
   ViewKind kind = ViewKind::Single;
-  int count = 8;       ///< cameras of an orbit [1, 360]
-  double eyeAngle = 2; ///< between eyes, as seen from the focal point [degrees]
+  int count = 8;       ///< number of cameras of an orbit [1, 360]
+  double eyeAngle = 2; ///< angle between the eyes, seen from the focal point [degrees]
 
-  /// Throws limpid::Error on a value that cannot be worked with.
+  /// Throws limpid::Error if a value is invalid.
   void Require() const;
 };
 
-/// Where an orbit begins.
+/// The first direction of an orbit.
 enum class OrbitStart
 {
   AtCamera,
-  Fixed ///< in a direction that all cameras of the same orbit have in common
+  Fixed ///< a fixed direction, common to all cameras of the same orbit
 };
 
 /**
- * The cameras of a set, one at least, that look at the focal point of a camera as it does.
+ * Returns the cameras of a set, at least one. They have the focal point of the given camera.
  *
- * Eyes are left and right of it about its focal point. An orbit is about the axis of the world that
- * is upwards in the camera's picture (UprightAxis), through its focal point, as high above that and
- * as far away as the camera; its cameras are equally spaced.
+ * Eyes are to the left and right of the camera, rotated about its focal point. An orbit is around
+ * the world axis that points upwards in the camera's picture (UprightAxis), through its focal
+ * point, at the camera's height and distance; its cameras are equally spaced.
  */
 std::vector<Camera> CamerasOf(const ViewSet& views, const Camera& camera, OrbitStart start);
 }

@@ -16,7 +16,8 @@ namespace limpid::benchmark
 struct Effort
 {
   double marchRays;             ///< per voxel and axis, of the reference
-  double worthRays;             ///< ... of what runs reach; no neighbour of the sweeps' rays
+  double worthRays;             ///< rays per voxel and axis for the energies that runs reach; must
+                                ///< differ from those of the sweeps
   int repeats;                  ///< of whole runs
   double secondsPerSetting = 3; ///< no further repeat after [s]
   double warmLimit = 2;         ///< a first run that takes longer counts [s]
