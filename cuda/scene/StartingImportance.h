@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -43,8 +44,8 @@ struct ValueAmongOthers
 };
 
 /// The eighth largest of the values of a node's 26 neighbours in an image of `size` nodes; on the
-/// border, its nodes stand for those beyond. What is no number is smaller than all numbers.
-/// `valueAt`: of a node (i, j, k).
+/// border, its nodes stand for those beyond. What is no finite number is smaller than all numbers,
+/// as such points are empty. `valueAt`: of a node (i, j, k).
 template <class ValueAt>
 double EighthLargestNeighbour(
   const std::array<int, 3>& size, const std::array<int, 3>& node, const ValueAt& valueAt)
@@ -59,7 +60,8 @@ double EighthLargestNeighbour(
       other[axis] = std::min(std::max(node[axis] + offset[axis], 0), size[axis] - 1);
     }
     const double value = valueAt(other[0], other[1], other[2]);
-    values[std::size_t(number)] = value == value ? value : -std::numeric_limits<double>::infinity();
+    values[std::size_t(number)] =
+      std::isfinite(value) ? value : -std::numeric_limits<double>::infinity();
   }
   values[13] = -std::numeric_limits<double>::infinity(); // the node itself
   std::nth_element(values.begin(), values.begin() + 7, values.end(), std::greater<double>());
