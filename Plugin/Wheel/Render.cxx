@@ -83,8 +83,7 @@ void BindLighting(nb::module_& module)
     .def_rw("specular", &Lighting::surface)
     .def_rw("specular_power", &Lighting::specularPower)
     .def_rw("shadows", &Lighting::shadows)
-    .def_rw("shadow_strength", &Lighting::shadowStrength)
-    .def_rw("color", &Lighting::color);
+    .def_rw("shadow_strength", &Lighting::shadowStrength);
 }
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -165,6 +166,17 @@ TEST(StartingImportance, KnowsSpecksAsTheMedianDoes)
     image.At(0, number % 5, number / 5) = 1;
   }
   EXPECT_NEAR(SpecksOf({ 0, 1, {} }, image.Above(0)), 1.0 / 26, 1e-12);
+}
+
+TEST(StartingImportance, TakesNeighboursThatAreNoNumbersForEmpty)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double none : { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity })
+  {
+    const auto valueAt = [none](int i, int j, int k) { return i * j * k == 1 ? 1.0 : none; };
+
+    EXPECT_EQ(limpid::EighthLargestNeighbour({ { 3, 3, 3 } }, { { 1, 1, 1 } }, valueAt), -infinity);
+  }
 }
 
 TEST(StartingImportance, IsNotKnownWhereNothingStandsOut)

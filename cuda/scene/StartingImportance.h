@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -43,8 +44,9 @@ struct ValueAmongOthers
 };
 
 /// Returns the eighth largest of the values of a node's 26 neighbours in an image of `size` nodes.
-/// Outside of the image, the nearest border nodes are used. NaN counts as smaller than all numbers.
-/// `valueAt`: returns the value of a node (i, j, k).
+/// Outside of the image, the nearest border nodes are used. Values that are not finite
+/// count as smaller than all numbers, as such points are empty. `valueAt`: returns the value of a
+/// node (i, j, k).
 template <class ValueAt>
 double EighthLargestNeighbour(
   const std::array<int, 3>& size, const std::array<int, 3>& node, const ValueAt& valueAt)
@@ -59,7 +61,8 @@ double EighthLargestNeighbour(
       other[axis] = std::min(std::max(node[axis] + offset[axis], 0), size[axis] - 1);
     }
     const double value = valueAt(other[0], other[1], other[2]);
-    values[std::size_t(number)] = value == value ? value : -std::numeric_limits<double>::infinity();
+    values[std::size_t(number)] =
+      std::isfinite(value) ? value : -std::numeric_limits<double>::infinity();
   }
   values[13] = -std::numeric_limits<double>::infinity(); // excludes the node itself
   std::nth_element(values.begin(), values.begin() + 7, values.end(), std::greater<double>());

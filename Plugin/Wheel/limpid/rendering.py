@@ -6,7 +6,7 @@
 import numpy as np
 
 from . import _core
-from .arguments import number, vector, whole_number
+from .arguments import number, whole_number
 from .fields import Layout, converted, emptied, mapped
 from .functions import table_of
 from .scene import extinction_function_of, ramp_of, unit_distance_of
@@ -75,7 +75,7 @@ def render(volume, *, color_function, scalars=None, extinction_function=None,
            opacity_function=None, unit_distance=None, spacing=None, origin=None, direction=None,
            extinction=None, light_extinction=None, camera=None, width=600, height=600, light=None,
            lit=True, shadows=True, shadow_strength=0.7, ambient=0.35, anisotropy=0.6, specular=2.0,
-           specular_power=20.0, light_intensity=1.0, light_color=(1, 1, 1), sample_distance=1.0):
+           specular_power=20.0, light_intensity=1.0, sample_distance=1.0):
     """Draws a volume with single scattering, Eqs. (1)-(6), as the display Optimized Volume does.
 
     volume, scalars, extinction_function, opacity_function, unit_distance, spacing, origin,
@@ -116,7 +116,6 @@ def render(volume, *, color_function, scalars=None, extinction_function=None,
     lighting.enabled = bool(lit)
     lighting.light = light_of(light, view).in_core(view)
     lighting.shadows = bool(shadows)
-    lighting.color = vector("light_color", light_color, "the volume is lit by it")
     for name, value in {"shadow_strength": shadow_strength, "ambient": ambient,
                         "anisotropy": anisotropy, "specular": specular,
                         "specular_power": specular_power,
