@@ -344,7 +344,6 @@ void VolumeView::ReleaseNow()
   this->FunctionsVersion = 0;
   this->ImportanceVersion = 0;
   this->Geometry.reset();
-  this->Opaque.reset();
   this->Image = Picture();
   this->Part = Picture();
   this->Fine.Clear();
