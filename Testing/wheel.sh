@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Builds the Python package for numpy as a source distribution and that as a wheel, installs it with
-# VTK, PyVista, xarray and SimpleITK into a virtual environment that has nothing else, and tests it
-# there.
+# VTK, PyVista, xarray, SimpleITK and what source distributions are made with into a virtual
+# environment that has nothing else, and tests it there.
 #   bash Testing/wheel.sh [FOLDER]
 # FOLDER (build/wheel) keeps both in dist/, the environment in venv/, and what was compiled.
 # Packages come from where pip and apt have them. LIMPID_PYTHON_PATH: where the VTK modules' Python
@@ -37,7 +37,7 @@ start=$SECONDS
   --config-settings="build-dir=$folder/compiled" "$folder/unpacked"
 echo "Built $(du -h "$folder"/dist/*.whl | cut -f1) in $((SECONDS - start)) s:" "$folder"/dist/*.whl
 wheel=("$folder"/dist/*.whl)
-"${pip[@]}" install --quiet "${wheel[0]}[pyvista]" xarray SimpleITK
+"${pip[@]}" install --quiet "${wheel[0]}[pyvista]" xarray SimpleITK 'scikit-build-core>=0.10'
 
 export LIMPID_PYTHON="$python"
 export LIMPID_PYTHON_PATH="${LIMPID_PYTHON_PATH:-${modules[0]:-}}"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The package against the filter vtkExtinctionOptimizer, each in a process of its own: the same
-# defaults, the same scores, and no more memory.
+# defaults, the same importance where it is not given, the same scores, and no more memory.
 
 import dataclasses
 import inspect
@@ -20,6 +20,8 @@ import limpid
 from limpid.settings import CHOICES
 from limpid.sphere import SAMPLINGS
 from limpid.viewpoint_search import OF_SEARCH
+
+import phantom
 
 HERE = pathlib.Path(__file__).resolve().parent
 DATA = os.environ.get("LIMPID_TEST_DATA", "")
@@ -51,8 +53,9 @@ class TestAgainstFilter(unittest.TestCase):
         arguments = {name: argument.default for name, argument in inspect.signature(
             limpid.viewpoints).parameters.items() if name in (
                 "sampling", "number_of_directions", "camera_distance", "camera_view_angle",
-                "camera_parallel_projection", "camera_aspect_ratio", "camera_view_up", "elevation_range",
-                "avoidance_angle", "number_of_viewpoints", "separation_angle", "refine")}
+                "camera_parallel_projection", "camera_aspect_ratio", "camera_view_up",
+                "elevation_range", "avoidance_angle", "number_of_viewpoints", "separation_angle",
+                "refine")}
         self.compare_defaults("vtkViewpointSearch", {**own, **arguments})
 
     def compare_defaults(self, filter_name, settings):
@@ -65,6 +68,22 @@ class TestAgainstFilter(unittest.TestCase):
             expected = filters[name]
             self.assertEqual(default, tuple(expected) if isinstance(expected, list) else expected,
                              name)
+
+    def test_the_same_is_important_where_nobody_says_what_is(self):
+        for order in "FC":
+            for missing in (np.s_[:0], np.s_[3, 7, 20:]):
+                values = np.asarray(phantom.noisy_ball(), order=order)
+                values[missing] = np.nan
+                with self.subTest(order=order, missing=missing), \
+                        tempfile.TemporaryDirectory() as folder:
+                    scalars = pathlib.Path(folder, "scalars.npy")
+                    np.save(scalars, values)
+                    package, filters = [printed_by("print_importance.py", side, scalars,
+                                                   with_filter=with_filter)
+                                        for side, with_filter in (
+                                            ("package", False), ("filter", True))]
+                    np.testing.assert_allclose(package, filters, rtol=0, atol=SINGLE)
+                    self.assertEqual(np.max(package), 1)
 
     def scene_and_scalars(self, name, folder):
         import pyvista

@@ -138,6 +138,9 @@ class TestViewpointsRefuses(Refusals):
         self.refuses("separation_angle is 270", separation_angle=270)
         self.refuses("camera_distance is 0.5", camera_distance=0.5)
         self.refuses("camera_view_angle is 180", camera_view_angle=180)
+        for aspect in (0, -1.5, np.inf, np.nan, "wide"):
+            self.refuses(f"camera_aspect_ratio is {aspect!r}", "width over height",
+                         camera_aspect_ratio=aspect)
         self.refuses("camera_focal_point", "radii", camera_focal_point=(50, 0, 0))
         self.refuses("field is 'all'", "'base_extinction'", field="all")
         self.refuses("backend is 'gpu'", backend="gpu")

@@ -11,7 +11,7 @@ import warnings
 import numpy as np
 
 import limpid
-from limpid.scene import scene_of
+from limpid.scene import eighth_largest_neighbours, scene_of
 
 import phantom
 from phantom import ORIGIN, SCENE, SHAPE, SPACING, VIEW
@@ -250,6 +250,29 @@ class TestAssumedImportance(unittest.TestCase):
             scene = scene_of(more, extinction_function=phantom.EXTINCTION)
         np.testing.assert_array_equal(scene.importance[:-1], self.assumed(values)[0])
         self.assertEqual(len(caught), 2)
+
+    def test_it_begins_above_the_noise_in_every_order(self):
+        values = phantom.noisy_ball()
+        importance, text = self.assumed(values)
+
+        begin = values[importance == 0].max()
+        self.assertGreater(begin, np.quantile(values, 0.95))
+        self.assertGreater(importance.max(), 0)
+        self.assertEqual(text, self.assumed(np.asfortranarray(values))[1])
+
+    def test_neighbours_are_those_of_the_median(self):
+        values = phantom.noisy_ball()
+        hidden = values > 1.2
+        beyond = np.pad(np.where(hidden, -np.inf, values), 1, mode="edge")
+        places = np.argwhere(np.ones(values.shape, dtype=bool))[::7]
+        expected = []
+        for place in places:
+            around = beyond[tuple(slice(start, start + 3) for start in place)].ravel()
+            expected.append(np.sort(np.delete(around, 13))[-8])
+
+        np.testing.assert_array_equal(eighth_largest_neighbours(values, hidden, places), expected)
+        np.testing.assert_array_equal(eighth_largest_neighbours(
+            np.where(hidden, np.nan, values), None, places), expected)
 
     def test_searches_and_runs_assume_the_same(self):
         with self.assertWarnsRegex(UserWarning, "Nobody has said") as caught:

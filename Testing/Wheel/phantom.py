@@ -31,6 +31,15 @@ def scalars(order="F", dtype=np.float32):
     return np.asarray(np.clip(values, 0, 1), dtype=dtype, order=order)
 
 
+def noisy_ball():
+    """A ball of 1 in 0.5 in nothing, with so much noise that the largest 5 % are mostly specks."""
+    x, y, z = np.indices((30, 29, 28)) - np.reshape([14.5, 14, 13.5], (3, 1, 1, 1))
+    radius = np.sqrt(x * x + y * y + z * z)
+    inside = np.where(radius < 5, 1, np.where(radius < 12.5, 0.5, 0))
+    noise = 0.09 * np.random.default_rng(3).standard_normal((2, *inside.shape))
+    return np.hypot(inside + noise[0], noise[1]).astype(np.float32)
+
+
 def fields(order="F"):
     """Base extinction and importance of the scene, float32."""
     values = scalars().astype(float)

@@ -116,8 +116,8 @@ def assumed_importance(scalars, mask):
     ordered = np.sort(samples[np.isfinite(samples)])
     ramp = _core.starting_importance(ordered)
     if ramp is None:
-        raise ValueError("There is no importance, and the scalars are all alike (nothing stands out "
-                         "of them). Give an importance, or an importance_function.")
+        raise ValueError("Nobody has said what is important, and the scalars are all alike (nothing "
+                         "stands out of them). Give an importance, or an importance_function.")
     above = np.isfinite(samples) & (samples > ramp[0])
     eighths = eighth_largest_neighbours(scalars, mask, places[above])
     ramp = _core.clean_importance(ramp, ordered, samples[above], eighths)

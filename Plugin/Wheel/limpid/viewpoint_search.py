@@ -28,7 +28,8 @@ class Viewpoint(CameraPosition):
     view_angle: float  #: [degrees]
     parallel_projection: bool
     parallel_scale: float  #: [length]
-    direction: tuple  #: unit vector from the centre to the camera
+    aspect_ratio: float  #: width of the picture over its height
+    direction: tuple  #: unit vector to the camera from the volume's centre, or camera_focal_point
     visibility_score: float  #: S of Eq. (32) [length^2]
     visible_fraction: float  #: share of the important matter whose light reaches the camera [0, 1]
 
@@ -42,7 +43,7 @@ class Viewpoints:
     """
 
     viewpoints: tuple  #: of Viewpoint, best first
-    directions: np.ndarray  #: (n, 3), unit vectors from the centre to the cameras
+    directions: np.ndarray  #: (n, 3), unit vectors like Viewpoint.direction
     triangles: np.ndarray  #: (2n - 4, 3), indices of directions, counterclockwise from outside
     visibility_scores: np.ndarray  #: (n,), S of every direction, NaN if stopped before [length^2]
     visible_fractions: np.ndarray  #: (n,), see Viewpoint [0, 1]
@@ -73,13 +74,14 @@ def orbit_of(grid, focal_point, distance, view_angle, parallel, aspect, up):
     distance = number_between(
         "camera_distance", distance, 1, math.inf, "below 1 some of the cameras would stand inside "
         "the volume, and what is behind them could not be seen", "Give 1 or more, for instance 3.")
-    number("camera_view_angle", view_angle, "no picture has it", "Give degrees.")
+    view_angle = number("camera_view_angle", view_angle, "no picture has it", "Give degrees.")
     if not 0 < view_angle < 180:
-        raise ValueError(f"camera_view_angle is {view_angle} degrees (no picture has it). Give an "
+        raise ValueError(f"camera_view_angle is {view_angle:g} degrees (no picture has it). Give an "
                          "angle between 0 and 180 degrees.")
-    number("camera_aspect_ratio", aspect, "a picture has a shape", "Give width over height.")
-    if not 0 < aspect < math.inf:
-        raise ValueError(f"camera_aspect_ratio is {aspect} (a picture without a width shows "
+    aspect = number("camera_aspect_ratio", aspect, "a picture has a shape",
+                    "Give width over height of the picture.")
+    if not aspect > 0:
+        raise ValueError(f"camera_aspect_ratio is {aspect:g} (a picture without a width shows "
                          "nothing). Give width over height of the picture.")
     centre = grid.centre()
     if focal_point is not None:
@@ -93,8 +95,8 @@ def orbit_of(grid, focal_point, distance, view_angle, parallel, aspect, up):
                              f"{1 + offset:.3g} or more.")
         centre = focal_point
     return {"centre": tuple(centre), "distance": distance * grid.radius(),
-            "view_angle": float(view_angle), "parallel_projection": bool(parallel),
-            "parallel_scale": grid.radius(), "aspect_ratio": float(aspect), "up": up}
+            "view_angle": view_angle, "parallel_projection": bool(parallel),
+            "parallel_scale": grid.radius(), "aspect_ratio": aspect, "up": up}
 
 
 def search_settings(number_of_viewpoints, separation_angle, refine, directions, allowed):
@@ -180,16 +182,15 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
                importance_component=None, field="attainable", sampling="icosphere",
                number_of_directions=642, camera_focal_point=None, camera_distance=3.0,
                camera_view_angle=30.0, camera_parallel_projection=False, camera_aspect_ratio=1.0,
-               camera_view_up=(0, 1, 0),
-               elevation_range=(-90, 90), avoided_directions=(), avoidance_angle=30.0,
-               number_of_viewpoints=4, separation_angle=30.0, refine=True, progress=None,
-               **settings):
+               camera_view_up=(0, 1, 0), elevation_range=(-90, 90), avoided_directions=(),
+               avoidance_angle=30.0, number_of_viewpoints=4, separation_angle=30.0, refine=True,
+               progress=None, **settings):
     """Scores views from all around a volume by S of Eq. (32), climbs from the best of them along
     its derivative (Eqs. (29)-(31)), and ranks what is reached.
 
     Views are scored from a sphere round the volume's centre, upright by Eq. (10). The cameras of
-    the ranked viewpoints stand where the volume's box fills 95 % of the width or height of their
-    pictures.
+    the ranked viewpoints stand in the same directions, where the volume's box fills 95 % of the
+    width or height of their pictures.
 
     volume ... importance_component: as for optimize.
     field: the extinction that is looked at. "attainable": one of its own for every ray, the best
@@ -205,7 +206,7 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
     camera_focal_point: what the cameras look at [length]; None: the volume.
     camera_distance: from where views are scored: distance from the focal point or the centre, in
         radii of the sphere round the volume, not below 1.
-    camera_view_angle: height of the pictures; has no influence on scores [degrees].
+    camera_view_angle: of the pictures from below to above; has no influence on scores [degrees].
     camera_parallel_projection: whether the cameras look along parallel rays.
     camera_aspect_ratio: width of the pictures over their height, likewise.
     camera_view_up: what is upwards in pictures, and what elevations are above; of any length.
@@ -256,7 +257,8 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
     ranked = tuple(Viewpoint(position=tuple(position), focal_point=tuple(focal_point),
                              view_up=tuple(view_up), view_angle=orbit["view_angle"],
                              parallel_projection=orbit["parallel_projection"],
-                             parallel_scale=scale, direction=tuple(way), visibility_score=score,
+                             parallel_scale=scale, aspect_ratio=orbit["aspect_ratio"],
+                             direction=tuple(way), visibility_score=score,
                              visible_fraction=fraction)
                    for way, position, focal_point, view_up, scale, score, fraction
                    in found["viewpoints"])
