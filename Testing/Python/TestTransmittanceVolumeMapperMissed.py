@@ -273,18 +273,21 @@ class TestMissed(MapperTest):
                                    atol=ROUNDING)
         np.testing.assert_allclose(picture[100, 225], 255 * slab_on(BACKGROUND), atol=ROUNDING)
 
-    def test_says_when_nothing_is_important(self):
+    def test_says_when_the_importance_is_not_there(self):
         image = image_of((9, 9, 9), scalars=np.linspace(0, 1, 729).astype(np.float32))
-        view, mapper = show(image, Method=Mapper.ORDINARY)
+        view, mapper = show(image, Method=Mapper.ORDINARY, ImportanceArray="Nowhere")
         without = view.picture()
         self.assert_fine(view)
         mapper.ShowMissedOn()
-        self.assert_says(view, "\"Importance\"", "ShowMissed off", "not painted")
+        self.assert_says(view, "\"Nowhere\"", "not painted")
         np.testing.assert_array_equal(view.picture(), without)
 
-    def test_rejects_a_colour_that_is_none(self):
-        view, mapper = show(ShowMissed=1, MissedColor=(0.5, 1.5, 0))
-        self.assert_says(view, "MissedColor", "1.5")
+    def test_moves_a_colour_that_is_none_into_its_range(self):
+        view, mapper = show(ShowMissed=1)
+        mapper.SetMissedColor(0.5, 1.5, 0)
+        self.assertEqual(mapper.GetMissedColor(), (0.5, 1, 0))
+        self.assertEqual(len(view.messages), 1)
+        self.assertIn("MissedColor is 1.5", view.messages[0])
 
     def test_an_abort_at_any_check_leaves_a_mapper_that_draws(self):
         self.assert_survives_aborts(*show(size=(500, 500), ShowMissed=1))
