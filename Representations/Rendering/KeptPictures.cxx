@@ -16,7 +16,7 @@ bool AreSameSets(const ViewSet& one, const ViewSet& other)
 
 bool AreSameLights(const ChosenLight& one, const ChosenLight& other)
 {
-  return one.found == other.found && one.light == other.light && one.color == other.color &&
+  return one.found == other.found && one.light == other.light &&
     one.movesWithCamera == other.movesWithCamera && one.description == other.description;
 }
 
