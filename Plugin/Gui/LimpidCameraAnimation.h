@@ -14,10 +14,9 @@
 
 class vtkSMRenderViewProxy;
 
-/// Makes the animation of a view's camera a round trip through cameras that look at one point, in
-/// place of what it was: one frame for each of them, and the first one again at the end. `up`: what
-/// is upwards in all pictures. It can be undone, and the trace has it.
-void AnimateCamera(
-  vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up);
+/// Makes the animation of a view's camera a round trip through cameras that share all but their
+/// position, in place of what it was: one frame for each of them, and the first one again at the
+/// end. It can be undone, and the trace has it.
+void AnimateCamera(vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames);
 
 #endif
