@@ -17,21 +17,20 @@
 
 namespace
 {
-vtkSmartPointer<vtkSMProxy> NewProxy(vtkSMProxy* scene, const char* group, const char* name)
+// `set`: gives the new proxy its values. A controller knows only what it has itself begun.
+template <class Set>
+vtkSmartPointer<vtkSMProxy> NewProxy(
+  vtkSMProxy* scene, const char* group, const char* name, const Set& set)
 {
   vtkSmartPointer<vtkSMProxy> proxy;
   proxy.TakeReference(scene->GetSessionProxyManager()->NewProxy(group, name));
   vtkNew<vtkSMParaViewPipelineController> controller;
   controller->PreInitializeProxy(proxy);
-  return proxy;
-}
-
-void Register(vtkSMProxy* proxy)
-{
-  vtkNew<vtkSMParaViewPipelineController> controller;
+  set(proxy.Get());
   controller->PostInitializeProxy(proxy);
   proxy->UpdateVTKObjects();
   controller->RegisterAnimationProxy(proxy);
+  return proxy;
 }
 
 // A view has one track for its camera.
@@ -47,9 +46,8 @@ vtkSmartPointer<vtkSMProxy> CameraTrackOf(vtkSMProxy* view, vtkSMProxy* scene)
       return track;
     }
   }
-  vtkSmartPointer<vtkSMProxy> track = NewProxy(scene, "animation", "CameraAnimationCue");
-  vtkSMPropertyHelper(track, "AnimatedProxy").Set(view);
-  Register(track);
+  vtkSmartPointer<vtkSMProxy> track = NewProxy(scene, "animation", "CameraAnimationCue",
+    [view](vtkSMProxy* proxy) { vtkSMPropertyHelper(proxy, "AnimatedProxy").Set(view); });
   tracks.Add(track);
   scene->UpdateVTKObjects();
   return track;
@@ -74,17 +72,18 @@ vtkSmartPointer<vtkSMProxy> KeyFrameAt(
   double time, const std::vector<limpid::Camera>& frames, vtkSMProxy* scene)
 {
   const std::vector<double> points = PathThrough(frames);
-  vtkSmartPointer<vtkSMProxy> frame = NewProxy(scene, "animation_keyframes", "CameraKeyFrame");
-  vtkSMPropertyHelper(frame, "KeyTime").Set(time);
-  vtkSMPropertyHelper(frame, "PositionPathPoints")
-    .Set(points.data(), static_cast<unsigned int>(points.size()));
-  vtkSMPropertyHelper(frame, "ClosedPositionPath").Set(1);
-  vtkSMPropertyHelper(frame, "FocalPathPoints").Set(&frames.front().focalPoint.x, 3);
-  vtkSMPropertyHelper(frame, "ViewUp").Set(&frames.front().viewUp.x, 3);
-  vtkSMPropertyHelper(frame, "ViewAngle").Set(frames.front().viewAngle);
-  vtkSMPropertyHelper(frame, "ParallelScale").Set(frames.front().parallelScale);
-  Register(frame);
-  return frame;
+  const auto set = [&](vtkSMProxy* frame)
+  {
+    vtkSMPropertyHelper(frame, "KeyTime").Set(time);
+    vtkSMPropertyHelper(frame, "PositionPathPoints")
+      .Set(points.data(), static_cast<unsigned int>(points.size()));
+    vtkSMPropertyHelper(frame, "ClosedPositionPath").Set(1);
+    vtkSMPropertyHelper(frame, "FocalPathPoints").Set(&frames.front().focalPoint.x, 3);
+    vtkSMPropertyHelper(frame, "ViewUp").Set(&frames.front().viewUp.x, 3);
+    vtkSMPropertyHelper(frame, "ViewAngle").Set(frames.front().viewAngle);
+    vtkSMPropertyHelper(frame, "ParallelScale").Set(frames.front().parallelScale);
+  };
+  return NewProxy(scene, "animation_keyframes", "CameraKeyFrame", set);
 }
 
 void SetKeyFrames(vtkSMProxy* track, const std::vector<limpid::Camera>& frames, vtkSMProxy* scene)
