@@ -107,6 +107,7 @@ void SetCamera(vtkSMRenderViewProxy* view, const limpid::Camera& camera)
 void LookFrom(const limpid::Camera& camera, const limpid::Vec3& centre, pqRenderView* view,
   const QString& comment)
 {
+  SCOPED_UNDO_EXCLUDE(); // "Camera Undo" has a stack of its own
   vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
   proxy->SynchronizeCameraProperties();
   {

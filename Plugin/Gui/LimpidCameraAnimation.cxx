@@ -17,21 +17,20 @@
 
 namespace
 {
-vtkSmartPointer<vtkSMProxy> NewProxy(vtkSMProxy* scene, const char* group, const char* name)
+// `set`: gives the new proxy its values. A controller knows only what it has itself begun.
+template <class Set>
+vtkSmartPointer<vtkSMProxy> NewProxy(
+  vtkSMProxy* scene, const char* group, const char* name, const Set& set)
 {
   vtkSmartPointer<vtkSMProxy> proxy;
   proxy.TakeReference(scene->GetSessionProxyManager()->NewProxy(group, name));
   vtkNew<vtkSMParaViewPipelineController> controller;
   controller->PreInitializeProxy(proxy);
-  return proxy;
-}
-
-void Register(vtkSMProxy* proxy)
-{
-  vtkNew<vtkSMParaViewPipelineController> controller;
+  set(proxy.Get());
   controller->PostInitializeProxy(proxy);
   proxy->UpdateVTKObjects();
   controller->RegisterAnimationProxy(proxy);
+  return proxy;
 }
 
 // Returns the track of a view's camera. A view has one.
@@ -47,39 +46,47 @@ vtkSmartPointer<vtkSMProxy> CameraTrackOf(vtkSMProxy* view, vtkSMProxy* scene)
       return track;
     }
   }
-  vtkSmartPointer<vtkSMProxy> track = NewProxy(scene, "animation", "CameraAnimationCue");
-  vtkSMPropertyHelper(track, "AnimatedProxy").Set(view);
-  Register(track);
+  vtkSmartPointer<vtkSMProxy> track = NewProxy(scene, "animation", "CameraAnimationCue",
+    [view](vtkSMProxy* proxy) { vtkSMPropertyHelper(proxy, "AnimatedProxy").Set(view); });
   tracks.Add(track);
   scene->UpdateVTKObjects();
   return track;
 }
 
-// Returns a key frame at which a path through the cameras begins. That of the last key frame is
-// not used.
-vtkSmartPointer<vtkSMProxy> KeyFrameAt(
-  double time, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up, vtkSMProxy* scene)
+// ParaView rolls the camera along its path, whatever the view-up is, if the path's first step is
+// along the view-up. The first point stands twice, so that this step has no direction. The path is
+// the same.
+std::vector<double> PathThrough(const std::vector<limpid::Camera>& frames)
 {
-  std::vector<double> points;
+  const limpid::Vec3& first = frames.front().position;
+  std::vector<double> points(&first.x, &first.x + 3);
   for (const limpid::Camera& camera : frames)
   {
     points.insert(points.end(), &camera.position.x, &camera.position.x + 3);
   }
-  vtkSmartPointer<vtkSMProxy> frame = NewProxy(scene, "animation_keyframes", "CameraKeyFrame");
-  vtkSMPropertyHelper(frame, "KeyTime").Set(time);
-  vtkSMPropertyHelper(frame, "PositionPathPoints")
-    .Set(points.data(), static_cast<unsigned int>(points.size()));
-  vtkSMPropertyHelper(frame, "ClosedPositionPath").Set(1);
-  vtkSMPropertyHelper(frame, "FocalPathPoints").Set(&frames.front().focalPoint.x, 3);
-  vtkSMPropertyHelper(frame, "ViewUp").Set(&up.x, 3);
-  vtkSMPropertyHelper(frame, "ViewAngle").Set(frames.front().viewAngle);
-  vtkSMPropertyHelper(frame, "ParallelScale").Set(frames.front().parallelScale);
-  Register(frame);
-  return frame;
+  return points;
 }
 
-void SetKeyFrames(vtkSMProxy* track, const std::vector<limpid::Camera>& frames,
-  const limpid::Vec3& up, vtkSMProxy* scene)
+// A way through points, from the beginning on; at the end nothing new begins.
+vtkSmartPointer<vtkSMProxy> KeyFrameAt(
+  double time, const std::vector<limpid::Camera>& frames, vtkSMProxy* scene)
+{
+  const std::vector<double> points = PathThrough(frames);
+  const auto set = [&](vtkSMProxy* frame)
+  {
+    vtkSMPropertyHelper(frame, "KeyTime").Set(time);
+    vtkSMPropertyHelper(frame, "PositionPathPoints")
+      .Set(points.data(), static_cast<unsigned int>(points.size()));
+    vtkSMPropertyHelper(frame, "ClosedPositionPath").Set(1);
+    vtkSMPropertyHelper(frame, "FocalPathPoints").Set(&frames.front().focalPoint.x, 3);
+    vtkSMPropertyHelper(frame, "ViewUp").Set(&frames.front().viewUp.x, 3);
+    vtkSMPropertyHelper(frame, "ViewAngle").Set(frames.front().viewAngle);
+    vtkSMPropertyHelper(frame, "ParallelScale").Set(frames.front().parallelScale);
+  };
+  return NewProxy(scene, "animation_keyframes", "CameraKeyFrame", set);
+}
+
+void SetKeyFrames(vtkSMProxy* track, const std::vector<limpid::Camera>& frames, vtkSMProxy* scene)
 {
   vtkSMPropertyHelper keyFrames(track, "KeyFrames");
   std::vector<vtkSmartPointer<vtkSMProxy>> before;
@@ -87,8 +94,8 @@ void SetKeyFrames(vtkSMProxy* track, const std::vector<limpid::Camera>& frames,
   {
     before.emplace_back(keyFrames.GetAsProxy(i));
   }
-  const vtkSmartPointer<vtkSMProxy> now[] = { KeyFrameAt(0, frames, up, scene),
-    KeyFrameAt(1, frames, up, scene) };
+  const vtkSmartPointer<vtkSMProxy> now[] = { KeyFrameAt(0, frames, scene),
+    KeyFrameAt(1, frames, scene) };
   keyFrames.RemoveAllValues();
   for (vtkSMProxy* each : now)
   {
@@ -105,8 +112,7 @@ void SetKeyFrames(vtkSMProxy* track, const std::vector<limpid::Camera>& frames,
 }
 }
 
-void AnimateCamera(
-  vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up)
+void AnimateCamera(vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames)
 {
   vtkNew<vtkSMParaViewPipelineController> controller;
   vtkSMProxy* scene = controller->GetAnimationScene(view->GetSession());
@@ -116,7 +122,7 @@ void AnimateCamera(
   }
   SCOPED_UNDO_SET(QCoreApplication::translate("LimpidCameraAnimation", "Make Movie"));
   const vtkSmartPointer<vtkSMProxy> track = CameraTrackOf(view, scene);
-  SetKeyFrames(track, frames, up, scene);
+  SetKeyFrames(track, frames, scene);
   {
     SM_SCOPED_TRACE(CreateAnimationTrack).arg("cue", track);
   }

@@ -14,10 +14,9 @@
 
 class vtkSMRenderViewProxy;
 
-/// Replaces the animation of a view's camera by a round trip through cameras with a common focal
-/// point: one frame for each of them, and the first one again at the end. `up`: up direction of all
-/// pictures. The change is part of undo and trace.
-void AnimateCamera(
-  vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames, const limpid::Vec3& up);
+/// Replaces the animation of a view's camera by a round trip through cameras that share everything
+/// but their position: one frame for each of them, and the first one again at the end. The change
+/// is part of undo and trace.
+void AnimateCamera(vtkSMRenderViewProxy* view, const std::vector<limpid::Camera>& frames);
 
 #endif

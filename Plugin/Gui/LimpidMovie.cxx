@@ -52,6 +52,8 @@ double NumberOf(vtkFieldData* arrays, const char* name)
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0;
 }
 
+// All have the axis that is upright in the path's pictures as their view-up, as ParaView's path of
+// a camera has one: the preview and the first frame are then the animation's own cameras.
 std::vector<limpid::Camera> CamerasOf(vtkPolyData* path)
 {
   vtkFieldData* fields = path->GetFieldData();
@@ -61,7 +63,7 @@ std::vector<limpid::Camera> CamerasOf(vtkPolyData* path)
     limpid::Camera camera;
     camera.position = VectorOf(path->GetPointData(), "CameraPosition", i);
     camera.focalPoint = VectorOf(path->GetPointData(), "CameraFocalPoint", i);
-    camera.viewUp = VectorOf(path->GetPointData(), "CameraViewUp", i);
+    camera.viewUp = VectorOf(fields, "CameraUpAxis", 0);
     camera.viewAngle = NumberOf(fields, "CameraViewAngle");
     camera.parallel = NumberOf(fields, "CameraParallelProjection") != 0;
     camera.parallelScale = NumberOf(fields, "CameraParallelScale");
@@ -154,6 +156,7 @@ void LimpidMovie::findPath()
   {
     return;
   }
+  SCOPED_UNDO_EXCLUDE(); // the path is no part of the session
   vtkSMPropertyHelper(this->Path, "NumberOfKeyViews").Set(this->KeyViews->value());
   vtkSMPropertyHelper(this->Path, "NumberOfFrames").Set(this->FrameCount->value());
   this->Path->UpdateVTKObjects();
@@ -161,7 +164,6 @@ void LimpidMovie::findPath()
   const auto output = BringToClient(this->Path, 0, VTK_POLY_DATA, time);
   auto* path = vtkPolyData::SafeDownCast(output);
   this->Frames = path ? CamerasOf(path) : std::vector<limpid::Camera>();
-  this->Up = path ? VectorOf(path->GetFieldData(), "CameraUpAxis", 0) : this->Up;
 
   const int count = static_cast<int>(this->Frames.size());
   this->Says->setText(count > 0
@@ -234,7 +236,7 @@ void LimpidMovie::accept()
     // "Camera Undo" leads to where the view was, and the animation has an undo of its own.
     SetCamera(this->View->getRenderViewProxy(), this->Before);
     LookFrom(first, first.focalPoint, this->View, tr(" first frame of the movie"));
-    AnimateCamera(this->View->getRenderViewProxy(), this->Frames, this->Up);
+    AnimateCamera(this->View->getRenderViewProxy(), this->Frames);
   }
   this->close(first, QDialog::Accepted);
 }

@@ -59,7 +59,6 @@ private:
   QPointer<pqRenderView> View;
   limpid::Camera Before; // of the view, when the dialog opened
   std::vector<limpid::Camera> Frames;
-  limpid::Vec3 Up{ 0.0, 1.0, 0.0 };
   QSpinBox* KeyViews;
   QSpinBox* FrameCount;
   QLabel* Says;

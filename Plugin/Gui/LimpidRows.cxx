@@ -3,12 +3,33 @@
 #include "LimpidRows.h"
 
 #include "LimpidImportanceEditor.h"
+#include "pqCoreUtilities.h"
 #include "pqPropertyWidget.h"
+#include "vtkCommand.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
+#include <algorithm>
 #include <cstring>
+
+namespace
+{
+// Returns whether the row's function is there.
+bool AddEditor(pqPropertyWidget* row)
+{
+  vtkSMPropertyHelper functions(row->property());
+  if (functions.GetNumberOfElements() == 0 || !functions.GetAsProxy())
+  {
+    return false;
+  }
+  if (row->layout())
+  {
+    new LimpidImportanceEditor(row, functions.GetAsProxy());
+  }
+  return true;
+}
+}
 
 LimpidRows::LimpidRows(QObject* parentObject)
   : QObject(parentObject)
@@ -23,9 +44,17 @@ void LimpidRows::createDefaultWidgetDecorators(pqPropertyWidget* row)
   {
     return;
   }
-  vtkSMPropertyHelper functions(row->property());
-  if (functions.GetNumberOfElements() > 0 && functions.GetAsProxy() && row->layout())
+  if (!AddEditor(row))
   {
-    new LimpidImportanceEditor(row, functions.GetAsProxy());
+    // Undo makes rows of a display before it is complete.
+    this->Waiting.append(row);
+    pqCoreUtilities::connect(property, vtkCommand::ModifiedEvent, this, SLOT(addEditors()));
   }
+}
+
+void LimpidRows::addEditors()
+{
+  const auto isOver = [](const QPointer<pqPropertyWidget>& row) { return !row || AddEditor(row); };
+  this->Waiting.erase(
+    std::remove_if(this->Waiting.begin(), this->Waiting.end(), isOver), this->Waiting.end());
 }

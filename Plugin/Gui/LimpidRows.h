@@ -13,7 +13,11 @@
 
 #include "pqPropertyWidgetInterface.h"
 
+#include <QList>
 #include <QObject>
+#include <QPointer>
+
+class pqPropertyWidget;
 
 class LimpidRows
   : public QObject
@@ -26,6 +30,12 @@ public:
   explicit LimpidRows(QObject* parent = nullptr);
 
   void createDefaultWidgetDecorators(pqPropertyWidget* row) override;
+
+private Q_SLOTS:
+  void addEditors();
+
+private:
+  QList<QPointer<pqPropertyWidget>> Waiting; // rows whose function is not there yet
 };
 
 #endif

@@ -112,6 +112,12 @@ def tell():
     expect_deleted("redone")
     yield
     expect_as_before("undone again")
+    simple.SetActiveSource(list(simple.GetSources().values())[0])
+    story.live(1)
+    yield
+
+    points = points_of(display_of(views()[0]), "ImportanceFunction")
+    expect(points != before[0]["ImportanceFunction"], f"its curve can be edited {points}")
 
 
 story.begin(tell())

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # A movie of the best views, made by a button of the volume: previewed and cancelled, then made,
-# undone, redone, and traced for TestMovie.replay.py. TestMovie.xml has the events.
+# undone by one step, redone, and traced for TestMovie.replay.py. TestMovie.xml has the events.
 
 import json
 
 import numpy as np
 import story
 from paraview import simple, smtrace
+from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager
 from story import expect
 
 PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
@@ -20,14 +21,39 @@ def camera_of(view):
     return [list(view.GetProperty(name)) for name in CAMERA]
 
 
-def camera_at(view, share):
-    simple.GetAnimationScene().AnimationTime = share
-    return camera_of(view)
+def cameras_of_movie(view):
+    """Of all frames, none of which is rendered."""
+    scene = simple.GetAnimationScene().GetClientSideObject()
+    scene.SetOverrideStillRender(True)
+    cameras = []
+    for frame in range(FRAMES + 1):
+        scene.SetSceneTime(frame / FRAMES)
+        view.SMProxy.SynchronizeCameraProperties()
+        cameras.append(camera_of(view))
+        if frame in (0, 7, 15):
+            expect_in_window(view, simple.GetActiveSource(), f"frame {frame}")
+    scene.SetOverrideStillRender(False)
+    return cameras
 
 
 def tracks_of(view):
     return [cue for cue in simple.GetAnimationScene().Cues
             if cue.GetXMLName() == "CameraAnimationCue" and cue.AnimatedProxy == view]
+
+
+def undo_steps():
+    steps = vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder().GetUndoStack()
+    return [steps.GetUndoSetLabel(i) for i in range(steps.GetNumberOfUndoSets())]
+
+
+def state_of_session():
+    """All that a movie may change, but the camera."""
+    scene = simple.GetAnimationScene()
+    manager = vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
+    groups = ("animation", "animation_keyframes", "sources", "representations")
+    return ([scene.GetProperty(name).GetData()
+             for name in ("PlayMode", "NumberOfFrames", "StartTime", "EndTime")],
+            len(scene.Cues), [manager.GetNumberOfProxies(group) for group in groups])
 
 
 def expect_in_window(view, source, what):
@@ -58,6 +84,8 @@ def tell():
     story.listen(view)
     expect(frames.settle(PATIENCE), "the first picture is finished")
     before = camera_of(view)
+    session = state_of_session()
+    steps = undo_steps()
     story.screenshot("window-before.png")
     yield
 
@@ -75,41 +103,46 @@ def tell():
 
     frames.settle(PATIENCE)
     expect(np.allclose(camera_of(view), before), "to cancel leads back to where the view was")
-    expect(not tracks_of(view), "and there is no animation")
-    expect(len(simple.GetSources()) == 1, "and nothing in the pipeline browser")
+    expect(state_of_session() == session, "and nothing is left of it")
+    expect(undo_steps() == steps, f"and there is nothing to undo: {undo_steps()}")
     yield
 
     frames.settle(PATIENCE)
+    shown = camera_of(view)
+    made = undo_steps()
+    expect(made == ["Make Movie"] + steps, f"the movie is one step of undo: {made}")
+    with open("trace.py", "w", encoding="utf-8") as file:
+        file.write(smtrace.stop_trace())
     expect(len(simple.GetSources()) == 1, "the movie leaves nothing in the pipeline browser")
     scene = simple.GetAnimationScene()
     expect(len(tracks_of(view)) == 1, "the view's camera has one track")
     expect(scene.NumberOfFrames == FRAMES + 1, f"{scene.NumberOfFrames} frames")
     expect(scene.PlayMode == "Sequence", "in sequence")
-    cameras = [camera_at(view, frame / FRAMES) for frame in range(FRAMES + 1)]
+    with_movie = state_of_session()
+    yield
+
+    undone = state_of_session()
+    expect(undone == session, f"one step of undo restores all: {undone}, it was {session}")
+    expect(not tracks_of(view), "the view's camera has no track")
+    expect(undo_steps() == steps, f"no other step was undone: {undo_steps()}")
+    yield
+
+    expect(state_of_session() == with_movie, f"redo brings all back: {state_of_session()}")
+    cameras = cameras_of_movie(view)
     expect(np.allclose(cameras[0], cameras[-1], atol=1e-4), "the last frame is the first one")
+    expect(np.allclose(cameras[0], shown, atol=1e-4), "which the view shows when it is made")
     away = np.array([np.subtract(*camera[:2]) for camera in cameras])
     distances = np.linalg.norm(away, axis=1)
     expect(np.ptp(distances) < 0.02 * distances.mean(), f"all from one distance: {distances}")
     away /= distances[:, np.newaxis]
     turns = np.degrees(np.arccos(np.clip((away[1:] * away[:-1]).sum(axis=1), -1, 1)))
     expect(turns.min() > 0.5 * turns.max() > 0, f"at even speed: {turns.min()} {turns.max()}")
-    for frame in (0, 7, 15):
-        camera_at(view, frame / FRAMES)
-        expect_in_window(view, source, f"frame {frame}")
+    expect(np.ptp([up for _, _, up in cameras], axis=0).max() < 1e-6, "and upright")
     with open("cameras.json", "w", encoding="utf-8") as file:
         json.dump(cameras, file)
-    with open("trace.py", "w", encoding="utf-8") as file:
-        file.write(smtrace.stop_trace())
-    camera_at(view, 0.4)
+    simple.GetAnimationScene().AnimationTime = 0.4
     frames.settle(PATIENCE)
     story.screenshot("window-movie.png")
-    yield
-
-    expect(not tracks_of(view), "one step of undo takes the animation away")
-    yield
-
-    expect(len(tracks_of(view)) == 1, "redo brings it back")
-    expect(np.allclose(camera_at(view, 7 / FRAMES), cameras[7]), "as it was")
 
 
 story.begin(tell())

@@ -20,8 +20,11 @@ with open("../cameras.json", encoding="utf-8") as file:
     wanted = json.load(file)
 if scene.NumberOfFrames != len(wanted):
     sys.exit(f"The trace makes {scene.NumberOfFrames} frames, not {len(wanted)}. Read trace.py.")
+player = scene.GetClientSideObject()
+player.SetOverrideStillRender(True)  # the cameras matter here, not the pictures
 for number, camera in enumerate(wanted):
-    scene.AnimationTime = number / (len(wanted) - 1)
+    player.SetSceneTime(number / (len(wanted) - 1))
+    view.SMProxy.SynchronizeCameraProperties()
     got = [view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp]
     if not np.allclose(got, camera, atol=1e-6):
         sys.exit(f"Frame {number} of the trace is {got}, not {camera}. Read trace.py.")
