@@ -19,6 +19,7 @@ class Shown:
 
     def __init__(self, display, view):
         self.display = display
+        self.display.ScoreInScreenshots = 1  # as in the window
         self.view = view
         self.frames = story.Frames(view)
         self.last = None

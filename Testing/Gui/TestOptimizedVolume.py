@@ -42,6 +42,7 @@ def compare(first, second, same, what):
 def tell():
     view = simple.GetActiveView()
     display = simple.GetDisplayProperties()
+    display.ScoreInScreenshots = 1  # pictures are compared with the window, which has the score
     frames, recorder = story.Frames(view), story.Recorder(view)
     story.listen(view)
 
