@@ -42,7 +42,7 @@ def compare(first, second, same, what):
 def tell():
     view = simple.GetActiveView()
     display = simple.GetDisplayProperties()
-    display.ScoreInScreenshots = 1  # pictures are compared with the window, which has the score
+    display.ShowScore = 0  # saved pictures, which are compared with the window, have no score
     frames, recorder = story.Frames(view), story.Recorder(view)
     story.listen(view)
 
