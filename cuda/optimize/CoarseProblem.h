@@ -10,8 +10,8 @@
 
 namespace limpid
 {
-/// Resamples a field from a rank's own slab of one grid to its own slab of another grid over the
-/// same box, see Problem::OwnSlab and Resampled.
+/// Resamples a field from the own slab of one grid to the own slab of another grid over the same
+/// box, see Problem::OwnSlab and Resampled.
 std::vector<float> MovedTo(
   const Problem& problem, const Grid& from, const float* field, const Grid& to);
 

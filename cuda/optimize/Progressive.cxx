@@ -106,9 +106,8 @@ struct Progressive::Internals
   bool hasView = false;
 
   Shown shown = Shown::Nothing;
-  bool showsBase =
-    false;            ///< whether the result shows less than the base extinction, which is shown
-  Camera shownCamera; ///< the camera for which the result was found
+  bool showsBase = false; ///< because the result shows less than the base extinction
+  Camera shownCamera;     ///< the camera for which the result was found
   Light shownLight;
   Settings shownSettings;
   double shownLikeness = 1;

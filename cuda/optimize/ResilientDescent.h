@@ -117,7 +117,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   const Problem* Given;
   Terms<AnyDevice>* Energy;
-  Slab Own; ///< voxels of this rank
+  Slab Own; ///< see Problem::OwnSlab
   mutable DeviceArray<AnyDevice, float> Gradient;
   mutable DeviceArray<AnyDevice, float> State;
 };

@@ -84,7 +84,7 @@ public:
     return numbers;
   }
 
-  /// Continues with an overlay on a grid over the box of all ranks. `changed`: see Changed.
+  /// Continues with an overlay on a grid over the box of all pieces. `changed`: see Changed.
   void GoOnWith(const Grid& grid, const std::vector<TwoPacked>& numbers, bool changed)
   {
     this->Take(grid, { this->Device, numbers, "the overlay" });

@@ -10,14 +10,14 @@
 namespace limpid
 {
 /// The position of an overlay's nodes relative to the scalars: over the same box, or over one of
-/// which this rank's scalars are a part.
+/// which the scalars are a part.
 struct OverlayPlace
 {
   Int3 nodes{ 0 };    ///< nodes of the overlay
   Int3 boxNodes{ 0 }; ///< number of scalars in the box of the overlay
-  Int3 first{ 0 };    ///< index of this rank's first scalar among these
+  Int3 first{ 0 };    ///< index of the first scalar among these
 
-  /// Returns the place of an overlay over the box of this rank's scalars.
+  /// Returns the place of an overlay over the box of the scalars.
   static OverlayPlace Over(const Int3& scalarNodes, const Int3& nodes)
   {
     return { nodes, scalarNodes, Int3(0) };

@@ -25,8 +25,8 @@ struct PictureRays
   const float* nearDepth;        ///< clip z at which the rays begin; null: -1
   const float* depth;            ///< clip z at which they end; null: 1
   Rgba* picture;                 ///< out
-  const RayPart* part = nullptr; ///< the part of this rank, on the host; null: the whole rays
-  PartialPixel* parts = nullptr; ///< out, instead of the picture, if this rank has a part
+  const RayPart* part = nullptr; ///< the part that is drawn here, on the host; null: the whole rays
+  PartialPixel* parts = nullptr; ///< out, instead of the picture, if only a part is drawn here
 
   /// Draws a pixel. `trace(ray, received)`: accumulates a ray in a Pixel.
   template <class Optical, class Trace>

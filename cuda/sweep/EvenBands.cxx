@@ -193,7 +193,7 @@ std::vector<std::vector<int>> FindEvenBands(const FaceFrustum& frustum, int band
   const std::size_t count = stretches.size();
   if (!frustum.HasVoxels())
   {
-    stretches = { SumOf(stretches) }; // ranks do not wait before the end
+    stretches = { SumOf(stretches) }; // no band waits for another before the end
   }
   std::vector<std::vector<int>> begins(
     stretches.size(), std::vector<int>(std::size_t(bands) + 1, 0));

@@ -13,7 +13,7 @@ namespace limpid
 /// Number of slices in a stretch, which has one decomposition of the rows of rays.
 constexpr int slicesPerStretch = 8;
 
-/// Cost of moving a ray to another rank: up to 70 bytes are packed, sent and unpacked [ns].
+/// Cost of moving a ray to another band: up to 70 bytes are packed, sent and unpacked [ns].
 constexpr Index timeOfPassing = 20;
 
 /// Estimates the time that one processor spends on each row of rays of slice `s`, including the
@@ -22,7 +22,7 @@ std::vector<Index> WorkOfRows(const FaceFrustum& frustum, int s);
 
 /**
  * Decomposes the rows of rays of a frustum into subdomains, bands of consecutive rows, of about
- * equal work, because ranks wait for each other on every slice. Each stretch has its own bands.
+ * equal work, because bands wait for each other on every slice. Each stretch has its own bands.
  *
  * Between stretches, rows change bands together with all values that their rays carry, which has a
  * cost. For each border between two bands, the function picks the positions that minimise
