@@ -106,13 +106,7 @@ public:
         this->Energy->Fields().importance.Data(), last, this->Sum.Data(),
         static_cast<float>(turn.smoothing), this->Pulled.Data() },
       this->Given->OwnSlab().slices);
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (const TermsOnRanks* ranks = this->Energy->OnRanks())
-      {
-        ranks->Pass(this->Pulled.Data(), TermsOnRanks::slabs, &turn.swept->Frusta());
-      }
-    }
+    this->Energy->PassFromSlabs(this->Pulled.Data(), *turn.swept);
     return this->Pulled.Data();
   }
 

@@ -220,14 +220,32 @@ void Terms<AnyDevice>::FillGradient(
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::Pass([[maybe_unused]] float* derivative,
-  const VisibilityTerm<AnyDevice>* from, [[maybe_unused]] const VisibilityTerm<AnyDevice>* to) const
+void Terms<AnyDevice>::Pass(float* derivative, const VisibilityTerm<AnyDevice>* from,
+  const VisibilityTerm<AnyDevice>* to) const
+{
+  if (from)
+  {
+    this->Redistribute(derivative, from, to);
+  }
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::PassFromSlabs(float* field, const VisibilityTerm<AnyDevice>& to) const
+{
+  this->Redistribute(field, nullptr, &to);
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::Redistribute([[maybe_unused]] float* field,
+  [[maybe_unused]] const VisibilityTerm<AnyDevice>* from,
+  [[maybe_unused]] const VisibilityTerm<AnyDevice>* to) const
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    if (from && this->Shared)
+    if (this->Shared)
     {
-      this->Shared->Pass(derivative, &from->Frusta(), to ? &to->Frusta() : TermsOnRanks::slabs);
+      this->Shared->Pass(field, from ? &from->Frusta() : TermsOnRanks::slabs,
+        to ? &to->Frusta() : TermsOnRanks::slabs);
     }
   }
 }

@@ -62,6 +62,9 @@ public:
   void Pass(float* derivative, const VisibilityTerm<AnyDevice>* from,
     const VisibilityTerm<AnyDevice>* to) const;
 
+  /// In distributed runs, redistributes a field from the slabs to where a term is swept.
+  void PassFromSlabs(float* field, const VisibilityTerm<AnyDevice>& to) const;
+
   /// Computes `kept` times `gradient` plus the weighted derivative of one visibility term. Also
   /// measures the extinction for the next record. Only voxels that the term depends on are
   /// written, the same ones each time.
@@ -131,6 +134,10 @@ public:
   std::vector<VisibilityTerm<AnyDevice>*> All();
 
 private:
+  /// Redistributes a field between the places of two terms; null: the slabs.
+  void Redistribute(
+    float* field, const VisibilityTerm<AnyDevice>* from, const VisibilityTerm<AnyDevice>* to) const;
+
   /// What the next record includes but was not summed yet.
   struct Taken
   {
