@@ -101,20 +101,19 @@ private:
     const ViewGeometry& geometry, FrameMessages& messages);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void DrawNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
-  PictureSubject SubjectOf(const FrameSettings& frame, const VolumeData& data,
-    const ViewGeometry& geometry, const OpaqueDepth& opaque) const;
-  bool ShowKept(const FrameSettings& frame, const PictureSubject& subject,
-    const OpaqueDepth& opaque, FrameMessages& messages);
+  PictureSubject SubjectOf(
+    const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry) const;
+  bool ShowKept(const FrameSettings& frame, const PictureSubject& subject, FrameMessages& messages);
   void Keep(PictureSubject subject, const FrameMessages& messages);
   bool MakeOriginal(const VolumeData& data);
   bool AdvanceOriginal(double seconds);
   bool MakePicture(const View& view);
   OpaqueDepth OpaqueOf(const FrameSettings& frame, const ViewGeometry& geometry) const;
-  bool DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque);
-  bool DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opaque);
-  void Show(const FrameSettings& frame, const OpaqueDepth& opaque);
-  void ShowShared(const Communicator& ranks, const OpaqueDepth& opaque);
-  bool DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges);
+  bool DrawWhole(const FrameSettings& frame);
+  bool DrawInSlices(const FrameSettings& frame);
+  void Show(const FrameSettings& frame);
+  void ShowShared(const Communicator& ranks);
+  bool DrawBetween(const std::vector<DepthRange>& ranges);
   void DrawPartNow(const RayParts& parts, std::size_t part);
   void EndDrawing();
   void ReleaseNow();

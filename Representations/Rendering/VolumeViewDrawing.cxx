@@ -116,13 +116,11 @@ void VolumeView::DrawNow(
   {
     return;
   }
-  const OpaqueDepth& opaque = *this->Opaque;
   // The pictures of two eyes would restart each other.
   const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
   const bool inSteps = frame.still && frame.stepwise && !stereo;
-  PictureSubject subject =
-    inSteps ? this->SubjectOf(frame, data, *geometry, opaque) : PictureSubject();
-  if (inSteps && this->ShowKept(frame, subject, opaque, messages))
+  PictureSubject subject = inSteps ? this->SubjectOf(frame, data, *geometry) : PictureSubject();
+  if (inSteps && this->ShowKept(frame, subject, messages))
   {
     return;
   }
@@ -132,7 +130,7 @@ void VolumeView::DrawNow(
     return;
   }
   const bool inSlices = inSteps && !this->GoesOn;
-  if (!(inSlices ? this->DrawInSlices(frame, opaque) : this->DrawWhole(frame, opaque)))
+  if (!(inSlices ? this->DrawInSlices(frame) : this->DrawWhole(frame)))
   {
     this->LastResult.converged = false;
   }
@@ -154,8 +152,9 @@ OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame, const ViewGeometry&
 }
 
 // Draws the whole picture in one step. Returns false if aborted.
-bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque)
+bool VolumeView::DrawWhole(const FrameSettings& frame)
 {
+  const OpaqueDepth& opaque = *this->Opaque;
   const ViewGeometry& geometry = *this->Geometry;
   const bool coarse = this->Frame.whole != geometry.size;
   const std::vector<DepthRange> ranges = coarse && !opaque.IsEmpty() && !frame.ranks
@@ -164,7 +163,7 @@ bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque
   if (!ranges.empty())
   {
     this->Sharpening.Clear(); // the transition would mix two pictures
-    return this->DrawBetween(opaque, ranges);
+    return this->DrawBetween(ranges);
   }
   const std::vector<float> depth =
     opaque.IsEmpty() ? std::vector<float>() : opaque.InMiddles(this->Frame);
@@ -175,7 +174,7 @@ bool VolumeView::DrawWhole(const FrameSettings& frame, const OpaqueDepth& opaque
     return false;
   }
   this->Image = std::move(this->Part);
-  this->Show(frame, opaque);
+  this->Show(frame);
   if (frame.stepwise || !frame.still)
   {
     this->Sharpening.Begin(this->Image, this->Frame, geometry);
@@ -221,14 +220,14 @@ bool HasSeveralVolumes(vtkRenderer* renderer)
 }
 
 // Draws the frame's picture into the view.
-void VolumeView::Show(const FrameSettings& frame, const OpaqueDepth& opaque)
+void VolumeView::Show(const FrameSettings& frame)
 {
-  frame.ranks ? this->ShowShared(*frame.ranks, opaque)
+  frame.ranks ? this->ShowShared(*frame.ranks)
               : this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
 }
 
 // Draws the pixels in which this process's piece is foremost.
-void VolumeView::ShowShared(const Communicator& ranks, const OpaqueDepth& opaque)
+void VolumeView::ShowShared(const Communicator& ranks)
 {
   const PictureFrame view = FrameOf(*this->Geometry, 1);
   Picture own = this->Frame.whole == view.whole
@@ -244,7 +243,7 @@ void VolumeView::ShowShared(const Communicator& ranks, const OpaqueDepth& opaque
       {
         const std::size_t at = std::size_t(row) * std::size_t(own.width) + std::size_t(column);
         std::uint8_t* pixel = &own.rgba[4 * at];
-        const std::uint8_t* behind = opaque.ColorAt(view, column, static_cast<int>(row));
+        const std::uint8_t* behind = this->Opaque->ColorAt(view, column, static_cast<int>(row));
         if (own.foremost[at] != rank)
         {
           std::fill_n(pixel, 4, std::uint8_t(0));
@@ -264,8 +263,9 @@ void VolumeView::ShowShared(const Communicator& ranks, const OpaqueDepth& opaque
 
 // Draws a picture in slices over several frames. Until it is complete, a coarse one as during
 // interaction is shown. Returns false if aborted.
-bool VolumeView::DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opaque)
+bool VolumeView::DrawInSlices(const FrameSettings& frame)
 {
+  const OpaqueDepth& opaque = *this->Opaque;
   const ViewGeometry geometry = *this->Geometry;
   const double rays = double(this->Rays.width) * this->Rays.height;
   constexpr float end = 1; // end of the clipping range
@@ -291,7 +291,7 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opa
   {
     this->Image = this->Sharpening.Advance(this->Fine.Whole(), this->Frame, geometry,
       frame.Largest(this->Clock.SecondsSinceLast()), SharpeningShare * frame.easeTime);
-    this->Show(frame, opaque);
+    this->Show(frame);
     this->GoesOn = !this->Sharpening.IsOver();
     this->LastResult.converged = this->LastResult.converged && !this->GoesOn;
     return true;
@@ -300,12 +300,12 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame, const OpaqueDepth& opa
   this->GoesOn = true;
   const std::vector<glm::dvec4> planes = this->Rays.planes;
   this->PlacePicture(frame, geometry, planes, this->PixelSize(frame, geometry));
-  return this->DrawWhole(frame, opaque);
+  return this->DrawWhole(frame);
 }
 
 // If opaque geometry begins or ends within a coarse pixel, the pixel has two colours: that of the
 // ray to the nearest depth, and that of the ray to the farthest.
-bool VolumeView::DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthRange>& ranges)
+bool VolumeView::DrawBetween(const std::vector<DepthRange>& ranges)
 {
   std::vector<float> depth(ranges.size());
   View view = this->Rays;
@@ -332,7 +332,7 @@ bool VolumeView::DrawBetween(const OpaqueDepth& opaque, const std::vector<DepthR
     }
   }
   this->Quad.DrawBetween(
-    this->Target, { this->Part, this->Image, ranges, opaque }, this->Frame, *this->Geometry);
+    this->Target, { this->Part, this->Image, ranges, *this->Opaque }, this->Frame, *this->Geometry);
   return true;
 }
 

@@ -21,15 +21,15 @@ constexpr float endOfRange = 1; // in clip coordinates
 constexpr double MostSlicesOfOriginal = 64;
 }
 
-PictureSubject VolumeView::SubjectOf(const FrameSettings& frame, const VolumeData& data,
-  const ViewGeometry& geometry, const OpaqueDepth& opaque) const
+PictureSubject VolumeView::SubjectOf(
+  const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry) const
 {
   PictureSubject subject;
   subject.frame = frame;
   subject.geometry = geometry;
   const PictureFrame whole = FrameOf(geometry, 1);
   subject.rays = RaysOf(frame, geometry, data.Cropped().planes, whole);
-  subject.depth = opaque.IsEmpty() ? std::vector<float>() : opaque.InMiddles(whole);
+  subject.depth = this->Opaque->IsEmpty() ? std::vector<float>() : this->Opaque->InMiddles(whole);
   subject.data = { { data.ScalarsVersion(), data.FunctionsVersion(), data.ImportanceVersion(),
     data.SceneVersion() } };
   subject.found = frame.optimize ? this->Optimization.Version() : 0;
@@ -37,8 +37,8 @@ PictureSubject VolumeView::SubjectOf(const FrameSettings& frame, const VolumeDat
 }
 
 // Shows a kept picture if there is one. Returns whether this completes the frame.
-bool VolumeView::ShowKept(const FrameSettings& frame, const PictureSubject& subject,
-  const OpaqueDepth& opaque, FrameMessages& messages)
+bool VolumeView::ShowKept(
+  const FrameSettings& frame, const PictureSubject& subject, FrameMessages& messages)
 {
   const KeptPicture* kept = this->Pictures.Find(subject);
   if (frame.AnyRank(!kept))
@@ -53,7 +53,7 @@ bool VolumeView::ShowKept(const FrameSettings& frame, const PictureSubject& subj
   this->GoesOn = false;
   this->RestsOptimized = frame.optimize;
   messages = kept->messages;
-  this->Show(frame, opaque);
+  this->Show(frame);
   return true;
 }
 
