@@ -26,16 +26,6 @@ void AddValue(const char* name, const Value& value, vtkFieldData* output)
   output->AddArray(array);
 }
 
-/// Adds an array with one tuple of three components.
-inline void AddVector(const char* name, const Vec3& vector, vtkFieldData* output)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->InsertNextTuple3(vector.x, vector.y, vector.z);
-  output->AddArray(array);
-}
-
 /// Adds an array with one tuple that has the components of all vectors.
 inline void AddTuple(const char* name, const std::vector<Vec3>& vectors, vtkFieldData* output)
 {
@@ -44,6 +34,12 @@ inline void AddTuple(const char* name, const std::vector<Vec3>& vectors, vtkFiel
   array->SetNumberOfComponents(static_cast<int>(3 * vectors.size()));
   array->InsertNextTuple(&vectors.front().x);
   output->AddArray(array);
+}
+
+/// Adds an array with one tuple of three components.
+inline void AddVector(const char* name, const Vec3& vector, vtkFieldData* output)
+{
+  AddTuple(name, { vector }, output);
 }
 }
 

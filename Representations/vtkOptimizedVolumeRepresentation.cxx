@@ -3,6 +3,7 @@
 
 #include "vtkOptimizedVolumeRepresentation.h"
 
+#include "CapturedView.h"
 #include "Choices.h"
 #include "ScoreText.h"
 #include "vtkOptimizedVolumeRepresentationInternals.h"
@@ -38,17 +39,6 @@ void GetBounds(vtkDataObject* input, double bounds[6])
   }
 }
 
-// A view reveals only to its own class whether its picture will be saved.
-struct CaptureOfView : vtkPVRenderView
-{
-  using vtkPVRenderView::GetInCaptureScreenshot;
-};
-
-bool IsCaptured(vtkPVRenderView* view)
-{
-  return (view->*&CaptureOfView::GetInCaptureScreenshot)();
-}
-
 bool HasSeveralOptimizedVolumes(vtkRenderer* renderer)
 {
   int count = 0;
@@ -77,7 +67,7 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
       const Internals& state = *this->State;
       const std::string name = state.TellsName ? state.SourceName : std::string();
       const bool speaks = !this->Others() || this->Others()->GetLocalProcessId() == 0;
-      const bool isSaved = state.View && IsCaptured(state.View);
+      const bool isSaved = state.View && limpid::IsCaptured(state.View);
       const bool isWanted = state.ShowScore && (!isSaved || state.ScoreInScreenshots);
       return speaks && isWanted && (state.Mapper->HasDrawn || this->HasSomethingToDraw())
         ? limpid::ScoreText(state.Mapper, state.Mapper->HasDrawn, name)

@@ -59,22 +59,30 @@ vtkSMProxy* ChooseDisplay(vtkSMRenderViewProxy* view)
   return first;
 }
 
-// Runs a search by a filter that is not in the pipeline browser and not in the undo stack.
+// Returns a search with the settings of a display.
 vtkSmartPointer<vtkSMSourceProxy> Search(vtkSMProxy* display, vtkSMRenderViewProxy* view)
 {
   SCOPED_UNDO_EXCLUDE();
-  vtkSmartPointer<vtkSMSourceProxy> search;
-  search.TakeReference(vtkSMSourceProxy::SafeDownCast(
-    display->GetSessionProxyManager()->NewProxy("filters", "ViewpointSearch")));
-  vtkNew<vtkSMParaViewPipelineController> controller;
-  controller->PreInitializeProxy(search);
   vtkSMPropertyHelper input(display, "Input");
-  vtkSMPropertyHelper(search, "Input").Set(input.GetAsProxy(), input.GetOutputPort());
-  controller->PostInitializeProxy(search);
+  const auto search = NewHiddenFilter("ViewpointSearch", input.GetAsProxy(), input.GetOutputPort());
   vtkSMPropertyHelper(search, "NumberOfDirections").Set(DIRECTIONS);
   TakeOverDisplay(search, display, view);
   return search;
 }
+}
+
+vtkSmartPointer<vtkSMSourceProxy> NewHiddenFilter(
+  const char* name, vtkSMProxy* input, unsigned int port)
+{
+  SCOPED_UNDO_EXCLUDE();
+  vtkSmartPointer<vtkSMSourceProxy> filter;
+  filter.TakeReference(
+    vtkSMSourceProxy::SafeDownCast(input->GetSessionProxyManager()->NewProxy("filters", name)));
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  controller->PreInitializeProxy(filter);
+  vtkSMPropertyHelper(filter, "Input").Set(input, port);
+  controller->PostInitializeProxy(filter);
+  return filter;
 }
 
 limpid::Camera PresentCamera(vtkSMRenderViewProxy* view)

@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 
 class pqRenderView;
+class vtkSMProxy;
 class vtkSMRenderViewProxy;
 class vtkSMSourceProxy;
 class QIcon;
@@ -32,6 +33,11 @@ void LookFrom(const limpid::Camera& camera, const limpid::Vec3& centre, pqRender
   const QString& comment);
 void LookFrom(const LimpidViewpoint& viewpoint, pqRenderView* view, const QString& comment);
 ///@}
+
+/// Returns a filter of an output of `input`. It is neither in the pipeline browser nor in the undo
+/// stack.
+vtkSmartPointer<vtkSMSourceProxy> NewHiddenFilter(
+  const char* name, vtkSMProxy* input, unsigned int port);
 
 /// Runs a ViewpointSearch for the optimised volume in the active view (for the active one if there
 /// are several) with the volume's own settings. The search is not in the pipeline browser. Null:

@@ -6,18 +6,16 @@
 #include "LimpidCameraAnimation.h"
 #include "LimpidDataArray.h"
 #include "LimpidOptimizedVolumes.h"
+#include "LimpidTuples.h"
 
 #include "pqActiveObjects.h"
 #include "pqCoreUtilities.h"
 #include "pqRenderView.h"
 #include "pqUndoStack.h"
-#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMParaViewPipelineController.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
 #include <QCoreApplication>
@@ -35,23 +33,6 @@ namespace
 {
 const int FRAMES_PER_SECOND = 25;
 
-limpid::Vec3 VectorOf(vtkFieldData* arrays, const char* name, vtkIdType tuple)
-{
-  limpid::Vec3 vector(0.0);
-  vtkDataArray* array = arrays->GetArray(name);
-  if (array && array->GetNumberOfComponents() == 3 && tuple < array->GetNumberOfTuples())
-  {
-    array->GetTuple(tuple, &vector.x);
-  }
-  return vector;
-}
-
-double NumberOf(vtkFieldData* arrays, const char* name)
-{
-  vtkDataArray* array = arrays->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0;
-}
-
 // All have the axis that is upright in the path's pictures as their view-up, as ParaView's path of
 // a camera has one: the preview and the first frame are then the animation's own cameras.
 std::vector<limpid::Camera> CamerasOf(vtkPolyData* path)
@@ -61,35 +42,21 @@ std::vector<limpid::Camera> CamerasOf(vtkPolyData* path)
   for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
   {
     limpid::Camera camera;
-    camera.position = VectorOf(path->GetPointData(), "CameraPosition", i);
-    camera.focalPoint = VectorOf(path->GetPointData(), "CameraFocalPoint", i);
-    camera.viewUp = VectorOf(fields, "CameraUpAxis", 0);
-    camera.viewAngle = NumberOf(fields, "CameraViewAngle");
-    camera.parallel = NumberOf(fields, "CameraParallelProjection") != 0;
-    camera.parallelScale = NumberOf(fields, "CameraParallelScale");
+    camera.position = LimpidTuples(path->GetPointData(), "CameraPosition").Vector(i);
+    camera.focalPoint = LimpidTuples(path->GetPointData(), "CameraFocalPoint").Vector(i);
+    camera.viewUp = LimpidTuples(fields, "CameraUpAxis").Vector(0);
+    camera.viewAngle = LimpidTuples(fields, "CameraViewAngle").Number(0);
+    camera.parallel = LimpidTuples(fields, "CameraParallelProjection").Number(0) != 0;
+    camera.parallelScale = LimpidTuples(fields, "CameraParallelScale").Number(0);
     cameras.push_back(camera);
   }
   return cameras;
-}
-
-vtkSmartPointer<vtkSMSourceProxy> NewPath(vtkSMSourceProxy* search)
-{
-  SCOPED_UNDO_EXCLUDE();
-  vtkSmartPointer<vtkSMSourceProxy> path;
-  path.TakeReference(vtkSMSourceProxy::SafeDownCast(
-    search->GetSessionProxyManager()->NewProxy("filters", "CameraPath")));
-  vtkNew<vtkSMParaViewPipelineController> controller;
-  controller->PreInitializeProxy(path);
-  vtkSMPropertyHelper(path, "Input").Set(search);
-  controller->PostInitializeProxy(path);
-  return path;
 }
 }
 
 LimpidMovie::LimpidMovie(vtkSMSourceProxy* search, pqRenderView* view, QWidget* parentWidget)
   : QDialog(parentWidget)
-  , Search(search)
-  , Path(NewPath(search))
+  , Path(NewHiddenFilter("CameraPath", search, 0))
   , View(view)
   , Before(PresentCamera(view->getRenderViewProxy()))
   , KeyViews(this->addNumber("KeyViews", 1, 20, 4))

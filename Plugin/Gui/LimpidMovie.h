@@ -54,7 +54,6 @@ private:
   void createPreview();
   void close(const limpid::Camera& camera, int result);
 
-  vtkSmartPointer<vtkSMSourceProxy> Search;
   vtkSmartPointer<vtkSMSourceProxy> Path;
   QPointer<pqRenderView> View;
   limpid::Camera Before; // of the view, when the dialog opened

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidProgressiveView.h"
 
+#include "CapturedView.h"
 #include "LimpidOptimizedVolumes.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
-#include "vtkPVView.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSMProxy.h"
 #include "vtkSMRenderViewProxy.h"
@@ -25,12 +25,6 @@ const int WHEEL_REST = 400;
 
 // Time after the last picture of a still view until the unoptimized pictures are computed [ms].
 const int REST = 1000;
-
-// Reads a protected state of views; no object of this type is ever created.
-struct CaptureState : public vtkPVView
-{
-  static bool Of(vtkPVView* view) { return (view->*(&CaptureState::GetInCaptureScreenshot))(); }
-};
 
 bool IsSet(void* interactive)
 {
@@ -146,7 +140,7 @@ void LimpidProgressiveView::wheelTurned()
 bool LimpidProgressiveView::isCapturing() const
 {
   auto* view = vtkPVView::SafeDownCast(this->Proxy->GetClientSideObject());
-  return view && CaptureState::Of(view);
+  return view && limpid::IsCaptured(view);
 }
 
 void LimpidProgressiveView::scheduleStep()

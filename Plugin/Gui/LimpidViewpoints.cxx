@@ -3,8 +3,8 @@
 #include "LimpidViewpoints.h"
 
 #include "LimpidDataArray.h"
+#include "LimpidTuples.h"
 
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPointData.h"
@@ -25,57 +25,20 @@ vtkSmartPointer<vtkDataSet> Bring(vtkSMSourceProxy* source, unsigned int port, d
   return vtkDataSet::SafeDownCast(BringToClient(source, port, type, time));
 }
 
-// The tuples of an array; zeros if there is no array.
-class Tuples
-{
-public:
-  Tuples(vtkFieldData* arrays, const std::string& name)
-    : Array(arrays->GetArray(name.c_str()))
-  {
-  }
-
-  std::vector<limpid::Vec3> Vectors(vtkIdType tuple) const
-  {
-    std::vector<limpid::Vec3> vectors;
-    const int count = this->Array && this->Has(tuple) ? this->Array->GetNumberOfComponents() : 0;
-    for (int i = 0; i + 2 < count; i += 3)
-    {
-      vectors.emplace_back(this->Array->GetComponent(tuple, i),
-        this->Array->GetComponent(tuple, i + 1), this->Array->GetComponent(tuple, i + 2));
-    }
-    return vectors;
-  }
-
-  limpid::Vec3 Vector(vtkIdType tuple) const
-  {
-    const std::vector<limpid::Vec3> vectors = this->Vectors(tuple);
-    return vectors.empty() ? limpid::Vec3(0.0) : vectors.front();
-  }
-
-  double Number(vtkIdType tuple) const
-  {
-    return this->Array && this->Has(tuple) ? this->Array->GetComponent(tuple, 0) : 0.0;
-  }
-
-private:
-  bool Has(vtkIdType tuple) const { return tuple < this->Array->GetNumberOfTuples(); }
-
-  vtkDataArray* Array;
-};
-
 // Returns what all views of a search have in common; for a parallel projection, this includes the
 // distance.
 LimpidViewpoint CommonOf(vtkSMSourceProxy* search, vtkDataSet* viewpoints)
 {
   vtkFieldData* fields = viewpoints->GetFieldData();
   LimpidViewpoint view;
-  view.Orbit.centre = Tuples(fields, "CameraFocalPoint").Vector(0);
-  view.Orbit.up = Tuples(fields, "CameraUpAxis").Vector(0);
-  view.Orbit.viewAngle = Tuples(fields, "CameraViewAngle").Number(0);
-  view.Orbit.parallel = Tuples(fields, "CameraParallelProjection").Number(0) != 0;
-  const limpid::Vec3 position = Tuples(viewpoints->GetPointData(), "CameraPosition").Vector(0);
+  view.Orbit.centre = LimpidTuples(fields, "CameraFocalPoint").Vector(0);
+  view.Orbit.up = LimpidTuples(fields, "CameraUpAxis").Vector(0);
+  view.Orbit.viewAngle = LimpidTuples(fields, "CameraViewAngle").Number(0);
+  view.Orbit.parallel = LimpidTuples(fields, "CameraParallelProjection").Number(0) != 0;
+  const limpid::Vec3 position =
+    LimpidTuples(viewpoints->GetPointData(), "CameraPosition").Vector(0);
   view.Orbit.distance = glm::distance(position, view.Orbit.centre);
-  view.Corners = Tuples(fields, "ImageCorners").Vectors(0);
+  view.Corners = LimpidTuples(fields, "ImageCorners").Vectors(0);
   const bool aimsAtCentre = vtkSMPropertyHelper(search, "UseFocalPoint").GetAsInt() != 0;
   view.Aim = aimsAtCentre ? limpid::Aim::Centre : limpid::Aim::Box;
   return view;
@@ -85,8 +48,8 @@ LimpidViewpoint CommonOf(vtkSMSourceProxy* search, vtkDataSet* viewpoints)
 LimpidViewpoint ViewOf(const LimpidViewpoint& common, vtkFieldData* arrays, vtkIdType point)
 {
   LimpidViewpoint view = common;
-  view.Direction = Tuples(arrays, "ViewDirection").Vector(point);
-  view.VisibleFraction = Tuples(arrays, "VisibleFraction").Number(point);
+  view.Direction = LimpidTuples(arrays, "ViewDirection").Vector(point);
+  view.VisibleFraction = LimpidTuples(arrays, "VisibleFraction").Number(point);
   return view;
 }
 
@@ -94,8 +57,8 @@ LimpidViewpoint WorstOf(const LimpidViewpoint& common, vtkFieldData* fields)
 {
   LimpidViewpoint view = common;
   view.Direction =
-    glm::normalize(Tuples(fields, "WorstCameraPosition").Vector(0) - common.Orbit.centre);
-  view.VisibleFraction = Tuples(fields, "WorstVisibleFraction").Number(0);
+    glm::normalize(LimpidTuples(fields, "WorstCameraPosition").Vector(0) - common.Orbit.centre);
+  view.VisibleFraction = LimpidTuples(fields, "WorstVisibleFraction").Number(0);
   return view;
 }
 }
@@ -156,7 +119,7 @@ std::optional<LimpidViewpoint> FindBestSelected(vtkSMSourceProxy* search, double
     const auto data = Bring(selected, 0, time);
     for (vtkIdType point = 0; data && point < data->GetNumberOfPoints(); ++point)
     {
-      const double score = Tuples(data->GetPointData(), "VisibilityScore").Number(point);
+      const double score = LimpidTuples(data->GetPointData(), "VisibilityScore").Number(point);
       if (!best || score > bestScore)
       {
         best = ViewOf(CommonOf(search, viewpoints), data->GetPointData(), point);

@@ -92,10 +92,11 @@ nb::list SamplesOf(const std::vector<ScoredView>& views)
 nb::list ViewpointsOf(
   const std::vector<ScoredView>& views, const Orbit& orbit, const Grid& grid, Aim aim)
 {
+  const std::vector<Vec3> corners = CornersOf(grid);
   nb::list rows;
   for (const ScoredView& view : views)
   {
-    const Camera camera = FittedCamera(orbit, CornersOf(grid), view.direction, aim);
+    const Camera camera = FittedCamera(orbit, corners, view.direction, aim);
     rows.append(nb::make_tuple(ToTriple(view.direction), ToTriple(camera.position),
       ToTriple(camera.focalPoint), ToTriple(camera.viewUp), camera.parallelScale,
       view.score.visibility, view.score.fraction));
