@@ -7,13 +7,13 @@ import math
 import unittest
 
 import numpy as np
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
 from volume_views import (View, actor_of, colors_of, gray_property, image_of, opacity_of,
-                          plain_mapper, property_of, save)
+                          plain_mapper, property_of, save, sphere)
 
 NODES = 41
 SPACING = 2.0 / (NODES - 1)
@@ -102,12 +102,7 @@ def blob_view(**properties):
 
 
 def ball(center, radius):
-    source = vtkSphereSource()
-    source.SetCenter(*center)
-    source.SetRadius(radius)
-    source.SetThetaResolution(160)
-    source.SetPhiResolution(160)
-    return source
+    return sphere(center, radius, resolution=160)
 
 
 def ball_ends(center, radius):

@@ -64,12 +64,12 @@ def phantom_property():
         opacity_of((0, 0), (0.2, 0.02), (1, 0.2)), 0.05)
 
 
-def sphere(center, radius):
+def sphere(center, radius, resolution=32):
     source = vtkSphereSource()
     source.SetCenter(*center)
     source.SetRadius(radius)
-    source.SetThetaResolution(32)
-    source.SetPhiResolution(32)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
     return source
 
 
