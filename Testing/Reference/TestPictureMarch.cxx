@@ -162,7 +162,7 @@ TEST(PictureMarch, ShadesAHomogeneousMediumLitFromTheViewer)
   Medium medium = Cube(3, mu, white, One);
   medium.light.enabled = true;
   medium.light.ambient = 0.3;
-  medium.light.shadowStrength = 1; // twice the exposure
+  medium.light.shadowStrength = 1;
   medium.light.intensity = 0.75;
   medium.light.lamp = Source::Parallel({ { 0, 0, 1 } });
   const int steps = 2000;
@@ -170,16 +170,17 @@ TEST(PictureMarch, ShadesAHomogeneousMediumLitFromTheViewer)
 
   const Color color = march.Pixel(OneRay(0.3, -0.2), 0, 0);
 
-  // T_L = T_V = exp(-mu t), so half of the light that enters comes back.
-  const double radiance = 0.3 * -std::expm1(-2 * mu) + 0.7 * 1.5 * 0.5 * -std::expm1(-2 * 2 * mu);
+  // T_L = T_V = exp(-mu t): with the absorbed share a, the integral of 1 - a^1.5 over a.
+  const double absorbed = -std::expm1(-2 * mu);
+  const double radiance = 0.3 * absorbed + 0.7 * 0.75 * (absorbed - std::pow(absorbed, 2.5) / 2.5);
   EXPECT_WITHIN(color.rgba[0], radiance,
     (Tolerance{ color.secondOrder / std::pow(double(steps), 2), "second order" }));
 }
 
-TEST(PictureMarch, ReflectsFromAPlaneSurfaceByTheFormula)
+/// Radiance of a thin medium with light that travels in the plane of x and z, over that without.
+/// Its extinction grows along z, away from the viewer: n = z, k = 1 in the cube of two nodes.
+double RatioOfLitToUnlit(const Vector& travel)
 {
-  // Extinction grows along z: n = z, k = 1 in the cube of two nodes. Light and viewer in the plane
-  // of x and z; alpha of a thin medium is small, so what is compared is the ratio of lit to unlit.
   const auto ramp = [](const Vector& x) { return 0.5 * (x[2] + 1); };
   Medium medium = Cube(2, 1, white, ramp);
   const PictureMarch unlit(medium, Shadow::Interpolated, 100);
@@ -188,18 +189,31 @@ TEST(PictureMarch, ReflectsFromAPlaneSurfaceByTheFormula)
   medium.light.shadowStrength = 0;
   medium.light.surface = 0.8;
   medium.light.specularPower = 10;
-  medium.light.lamp = Source::Parallel({ { 0.6, 0, 0.8 } });
+  medium.light.lamp = Source::Parallel(travel);
   const PictureMarch lit(medium, Shadow::Interpolated, 100);
   const Frame frame = OneRay(0, 0);
+  return lit.Pixel(frame, 0, 0).rgba[0] / unlit.Pixel(frame, 0, 0).rgba[0];
+}
 
-  const double ratio = lit.Pixel(frame, 0, 0).rgba[0] / unlit.Pixel(frame, 0, 0).rgba[0];
+TEST(PictureMarch, ReflectsFromAPlaneSurfaceByTheFormula)
+{
+  const double ratio = RatioOfLitToUnlit({ { 0.96, 0, 0.28 } });
 
-  // Half way between (-0.6, 0, -0.8) and (0, 0, -1): the cosine to the normal is cos(theta/2).
-  const double half = std::sqrt((1 + 0.8) / 2);
-  const double normalization = 12.0 * 14 / (8 * truth::pi * (std::pow(2.0, -5) + 10));
-  const double surface =
-    0.8 * truth::pi * 0.8 * (0.75 / truth::pi + 0.25 * normalization * std::pow(half, 10));
-  EXPECT_WITHIN(ratio, 0.25 + 0.75 * (1 + surface) / (1 + 0.8), Roundoff<double>(1000, 2));
+  // The half vector of (-0.96, 0, -0.28) and (0, 0, -1) is at cos(theta/2) = 0.8 to the normal; a
+  // surface that faces the viewer is lit from 60 degrees at most.
+  const auto scattered = [](double cosineOfHalf)
+  {
+    const double normalization = 12.0 * 14 / (8 * truth::pi * (std::pow(2.0, -5) + 10));
+    return 0.75 / truth::pi + 0.25 * normalization * std::pow(cosineOfHalf, 10);
+  };
+  const double surface = 0.8 * 0.28 * scattered(0.8) / (0.5 * scattered(std::sqrt(0.75)));
+  const double tone = 1 - std::pow(1 - (1 + surface) / (1 + 0.8), 1.5);
+  EXPECT_WITHIN(ratio, 0.25 + 0.75 * tone, Roundoff<double>(1000, 2));
+}
+
+TEST(PictureMarch, GivesASurfaceThatFacesTheViewerItsOwnColor)
+{
+  EXPECT_WITHIN(RatioOfLitToUnlit({ { 0.6, 0, 0.8 } }), 1.0, Roundoff<double>(1000, 2));
 }
 
 TEST(PictureMarch, ConvergesWithinItsOwnBound)
