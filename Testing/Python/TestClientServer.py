@@ -138,10 +138,11 @@ def ordinary_from_the_side(view):
     return ordinary(view, [5, 0.3, 0.2])  # onto the edge where two pieces meet
 
 
-def with_a_white_ball(view):
+def with_a_white_box(view):
     display = displays.show_head(view)
-    ball = simple.Sphere(Center=[0.3, -0.4, 0.3], Radius=0.4, ThetaResolution=40, PhiResolution=40)
-    simple.Show(ball, view).AmbientColor = [1, 1, 1]
+    # Pieces of a Sphere have coordinates rounded in their own way, so that the depths differ.
+    box = simple.Box(Center=[0.3, -0.4, 0.3], XLength=0.5, YLength=0.5, ZLength=0.5)
+    simple.Show(box, view).AmbientColor = [1, 1, 1]
     simple.Render(view)
     return Shown(view, display)
 
@@ -167,7 +168,7 @@ STORIES = (optimized, with_score, with_own_light, after_moving, in_motion,
            by_importance_function, hidden_and_shown, of_its_own_choice, by_another_method, without_importance, ordinary)
 STORIES_OF_SEVERAL = (optimized, with_own_light, after_moving, in_motion,
                       by_importance_function, hidden_and_shown, of_its_own_choice, without_importance, ordinary,
-                      ordinary_from_above, ordinary_from_the_side, with_a_white_ball, in_a_corner,
+                      ordinary_from_above, ordinary_from_the_side, with_a_white_box, in_a_corner,
                       turned_away)
 
 

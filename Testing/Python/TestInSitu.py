@@ -44,7 +44,7 @@ class TestInSitu(unittest.TestCase):
 
     def test_every_step_has_a_picture_of_its_own(self):
         for one, next_one in zip(self.alone, self.alone[1:]):
-            self.assertGreater(np.abs(one - next_one).max(), 20)
+            self.assertGreater(np.abs(one - next_one).max(), 10)  # the same step: 1
 
     def test_two_processes_draw_the_pictures_of_one(self):
         for alone, together in zip(self.alone, self.together):
