@@ -132,6 +132,7 @@ ScenePiece::ScenePiece(
   , owned(Parted(this->boxes))
 {
   const NodeBox whole = NodeBox::Of(grid.nodes);
+  Index covered = 0;
   for (std::size_t rank = 0; rank < this->boxes.size(); ++rank)
   {
     if (!Contains(whole, this->boxes[rank]))
@@ -140,6 +141,14 @@ ScenePiece::ScenePiece(
         " is not within the image (it has nodes that are none). Give every rank a part of the same "
         "image.");
     }
+    covered += this->owned[rank].Count();
+  }
+  if (covered != whole.Count())
+  {
+    throw JointError("No rank has " + std::to_string(whole.Count() - covered) + " of the " +
+      std::to_string(whole.Count()) +
+      " points of the image (their extinction is unknown). Give ranks pieces that cover the image "
+      "without gaps.");
   }
 }
 
