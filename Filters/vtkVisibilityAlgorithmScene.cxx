@@ -121,7 +121,7 @@ void vtkVisibilityAlgorithm::SceneReader::RequireUnitDistance() const
   LIMPID_REQUIRE(unitDistance == 0 ||
       (unitDistance >= limpid::leastLength && unitDistance <= limpid::mostLength),
     "ScalarOpacityUnitDistance is "
-      << unitDistance << " (in single precision, extinctions are representable for distances from "
+      << unitDistance << " (extinctions in single precision allow distances from "
       << limpid::leastLength << " to " << limpid::mostLength
       << "). Set a distance in this range, or zero for the mean length of a cell.");
 }

@@ -345,8 +345,8 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
   LIMPID_REQUIRE(!inParts || !this->Ranks,
-    "Processes share the image, and the renderer peels volumes (depth peeling is not supported "
-    "when processes share an image). Switch UseDepthPeelingForVolumes off.");
+    "Processes share the image, and the renderer peels volumes (this combination is not "
+    "supported). Switch UseDepthPeelingForVolumes off.");
   vtkImageData* image = this->RequireImage();
   const bool isHere = image->GetNumberOfPoints() > 0;
   this->RequirePossibleNumbers();

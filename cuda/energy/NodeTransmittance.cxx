@@ -18,7 +18,7 @@ NodeRays::NodeRays(const Grid& grid, const RaySource& source)
   , PlaneCount(static_cast<int>(source.viewPlanes.size()))
 {
   LIMPID_REQUIRE(source.viewPlanes.size() <= std::size(this->Planes),
-    "The picture has " << source.viewPlanes.size() << " sides (rays can be bounded by "
+    "The picture has " << source.viewPlanes.size() << " sides (it can be bounded by "
                        << std::size(this->Planes) << " planes). Give it four corners.");
   std::copy(source.viewPlanes.begin(), source.viewPlanes.end(), this->Planes);
 }

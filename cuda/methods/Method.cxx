@@ -45,7 +45,7 @@ void AmentWeights::Require() const
   LIMPID_REQUIRE(this->smoothingPasses >= 0 && this->smoothingPasses <= 100,
     "The number of smoothing passes of Ament 2017 is "
       << this->smoothingPasses
-      << " (it cannot be negative, and 100 passes already smooth everything away). Set 0 to 100.");
+      << " (it cannot be negative, and 100 passes smooth everything away). Set 0 to 100.");
 }
 
 bool operator==(const AmentWeights& one, const AmentWeights& other)
