@@ -39,8 +39,7 @@ vtkUnsignedCharArray* FlagsOf(vtkDataSetAttributes* data, vtkIdType count, const
     "The array \"" << name << "\" has " << array->GetNumberOfTuples() << " tuples of " << components
                    << (components == 1 ? " component" : " components") << " of type "
                    << array->GetDataTypeAsString() << " for " << count << " " << what
-                   << " (which of them are blanked cannot be told). Give it one unsigned char for "
-                      "each, or remove it.");
+                   << " (ghost flags need one unsigned char for each). Correct or remove it.");
   return flags;
 }
 }

@@ -33,16 +33,17 @@ std::string NamesIn(vtkFieldData* attributes)
 void RequireAngle(const char* property, double degrees)
 {
   LIMPID_REQUIRE(degrees >= 0 && degrees <= 180,
-    property << " is " << degrees
-             << " degrees (no two directions have it). Set an angle from 0 to 180 degrees.");
+    property
+      << " is " << degrees
+      << " degrees (directions are 0 to 180 degrees apart). Set an angle from 0 to 180 degrees.");
 }
 
 void RequireElevations(const double range[2])
 {
   LIMPID_REQUIRE(range[0] >= -90 && range[0] <= range[1] && range[1] <= 90,
     "ElevationRange is " << range[0] << " to " << range[1]
-                         << " degrees (no direction has it). Set two angles from -90 to 90, the "
-                            "smaller one first.");
+                         << " degrees (no direction lies in this range). Set two angles from -90 "
+                            "to 90, the smaller one first.");
 }
 
 void RequireComponent(const char* property, vtkDataArray* array, int component)
@@ -71,16 +72,16 @@ std::string RefusalOf(vtkDataObject* input, const std::string& worker)
     return {};
   }
   const std::string what = "The input is a " + std::string(input->GetClassName()) + " (" + worker +
-    " one image with the same spacing everywhere). ";
+    " a single image with uniform spacing). ";
   if (vtkCompositeDataSet::SafeDownCast(input))
   {
     return what +
-      "Take one of its blocks with the filter Extract Block, or make an image of all of them with "
-      "Merge Blocks and Resample To Image.";
+      "Choose one of its blocks with the filter Extract Block, or make an image of all of them "
+      "with Merge Blocks and Resample To Image.";
   }
   return what +
     (vtkDataSet::SafeDownCast(input)
         ? "Make it one with the filter Resample To Image."
-        : "Connect an image, or points and cells that the filter Resample To Image makes one of.");
+        : "Connect an image, or data that the filter Resample To Image can convert.");
 }
 }

@@ -28,8 +28,8 @@ struct MemoryNeed
 
 /// The advice of filters of images.
 constexpr const char* fewerPoints =
-  "Give an image with fewer points, for instance from Resample To Image or Extract Subset, or run "
-  "it where there is more memory.";
+  "Give an image with fewer points, for instance from Resample To Image or Extract Subset, or use "
+  "a machine with more memory.";
 
 /// Returns an array of one component for `count` values, which are not initialised. Throws
 /// std::bad_alloc if there is no memory; VTK's own allocation may end the process.

@@ -122,14 +122,14 @@ std::string SceneArrays::Warning() const
     }
   };
   report(this->invalidPoints,
-    "a NaN or an infinite value (nothing can be computed from it) and are taken as empty. Replace "
+    "a NaN or an infinite value (the scene is undefined there) and are treated as empty. Replace "
     "these values if they should count.");
   report(this->negativePoints,
-    "a negative extinction (it would make light from nothing) and are taken as empty. Give an "
-    "extinction of zero or more.");
+    "a negative extinction (it would amplify light) and are treated as empty. Give an extinction "
+    "of zero or more.");
   report(this->clampedPoints,
-    "an importance outside [0, 1] (it is a share) and get 0 or 1. Map the values to importance "
-    "with ImportanceFunction.");
+    "an importance outside [0, 1] (the energy is not defined there) and are clamped to this range. "
+    "Map the values to importance with ImportanceFunction.");
   return text.str();
 }
 
@@ -176,7 +176,7 @@ vtkSmartPointer<vtkFloatArray> ConvertField(
     "The array \""
       << NameOf(source.array) << "\" has " << source.array->GetNumberOfTuples() << " values for "
       << expected << (source.onCells ? " cells" : " points")
-      << " (values cannot be told apart by place). Give an array with one value for each.");
+      << " (values cannot be assigned to positions). Give an array with one value for each.");
 
   if (source.onCells)
   {

@@ -88,8 +88,8 @@ ScalarMapping ImportanceMapping(vtkVisibilitySettings* settings)
   }
   vtkPiecewiseFunction* function = settings->GetImportanceFunction();
   LIMPID_REQUIRE(function && function->GetSize() > 0,
-    "UseImportanceFunction is on, but ImportanceFunction has no points (no value would have an "
-    "importance). Add points to the function or turn it off.");
+    "UseImportanceFunction is on, but ImportanceFunction has no points (importance would be "
+    "undefined). Add points to the function or turn it off.");
   return Evaluate(function);
 }
 }

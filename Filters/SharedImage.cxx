@@ -34,7 +34,7 @@ Grid GridOfAll(const Communicator& ranks, vtkImageData* input, const std::array<
   ranks.TakeLeast(&first, 1);
   if (first == ranks.Size())
   {
-    throw JointError("The input has no points on any rank (there is nothing to be seen). Give it "
+    throw JointError("The input has no points on any rank (there is nothing to process). Give it "
                      "an image with data.");
   }
   ImagePlacement placement{};

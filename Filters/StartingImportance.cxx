@@ -30,7 +30,7 @@ ImportanceRamp StartingImportance(const SharedArray& array)
 ScalarMapping MappingOf(const ImportanceRamp& ramp)
 {
   LIMPID_REQUIRE(ramp.IsKnown(),
-    "Nobody has said what is important, and the scalars are all alike (nothing stands out of "
+    "No importance is set, and all scalars are equal (no important structures can be derived from "
     "them). Choose an importance array, or set ImportanceFunction.");
   return Ramp(ramp.begin, ramp.end);
 }
@@ -38,10 +38,10 @@ ScalarMapping MappingOf(const ImportanceRamp& ramp)
 std::string WarningOf(const ImportanceRamp& ramp)
 {
   std::ostringstream text;
-  text << "Nobody has said what is important: the largest scalars are, from " << ramp.begin
+  text << "No importance is set: the largest scalars are taken as important, from " << ramp.begin
        << " (0) to " << ramp.end
-       << " (1) (what is cleared depends on it). If that is right, give ImportanceFunction these "
-          "two points and set UseImportanceFunction; else choose an importance array.";
+       << " (1) (what is cleared depends on this). If that is right, give ImportanceFunction these "
+          "two points and turn UseImportanceFunction on; else choose an importance array.";
   return text.str();
 }
 
@@ -56,8 +56,8 @@ FieldSource ImportanceChoice::Source(
   FieldSource source = this->IsOfScalars() ? this->scalars : this->array;
   LIMPID_REQUIRE(source.array,
     "The importance array \"" << this->name
-                              << "\" is not among the input's numeric arrays (what is to be seen "
-                                 "is not known). Choose one of these: "
+                              << "\" is not among the input's numeric arrays (it defines which "
+                                 "structures to reveal). Choose one of these: "
                               << ArrayNames(image) << ".");
   if (!this->IsOfScalars())
   {

@@ -48,10 +48,9 @@ vtkDataArray* RequireArray(vtkPolyData* sphere, const char* name, int components
 {
   vtkDataArray* array = sphere->GetPointData()->GetArray(name);
   LIMPID_REQUIRE(array && array->GetNumberOfComponents() == components,
-    "The input has no point array \""
-      << name
-      << "\" (it is not known what is seen from where). Connect the "
-         "first output of a viewpoint search, its sphere.");
+    "The input has no point array \"" << name
+                                      << "\" (the path is computed from it). Connect the first "
+                                         "output of a viewpoint search, its sphere.");
   return array;
 }
 
@@ -75,14 +74,14 @@ limpid::DirectionMesh MeshOf(vtkPolyData* sphere)
   {
     sphere->GetPolys()->GetCellAtId(i, corners);
     LIMPID_REQUIRE(corners->GetNumberOfIds() == 3,
-      "The input has faces that are no triangles (it is no sphere of a search). Connect the first "
-      "output of a viewpoint search.");
+      "The input has faces that are not triangles (it is not the sphere of a search). Connect the "
+      "first output of a viewpoint search.");
     mesh.triangles.push_back({ { static_cast<int>(corners->GetId(0)),
       static_cast<int>(corners->GetId(1)), static_cast<int>(corners->GetId(2)) } });
   }
   LIMPID_REQUIRE(!mesh.triangles.empty(),
     "The input has no triangles (there is no sphere to move on). Connect the first output of a "
-    "viewpoint search, and see what that says.");
+    "viewpoint search, and check its messages.");
   return mesh;
 }
 
@@ -124,8 +123,8 @@ std::vector<limpid::Vec3> CornersOf(vtkPolyData* sphere)
 {
   vtkDataArray* numbers = sphere->GetFieldData()->GetArray("ImageCorners");
   LIMPID_REQUIRE(numbers && numbers->GetNumberOfTuples() == 1,
-    "The input has no field data \"ImageCorners\" (it is not known what has to be in the "
-    "pictures). Connect the first output of a viewpoint search.");
+    "The input has no field data \"ImageCorners\" (the cameras are fitted to these corners). "
+    "Connect the first output of a viewpoint search.");
   std::vector<limpid::Vec3> corners;
   for (int i = 0; i + 2 < numbers->GetNumberOfComponents(); i += 3)
   {
@@ -175,11 +174,11 @@ void vtkCameraPath::Internals::RequireSettings() const
   limpid::RequireAngle("SeparationAngle", this->Self->SeparationAngle);
   LIMPID_REQUIRE(this->Self->LeastShare >= 0 && this->Self->LeastShare <= 1,
     "LeastShare is " << this->Self->LeastShare
-                     << " (it is a share of a score). Set it between 0 and 1.");
+                     << " (it is a fraction of the best score). Set it between 0 and 1.");
   limpid::RequireElevations(this->Self->ElevationRange);
   LIMPID_REQUIRE(!this->GoesThroughTime() || !this->Times.empty(),
-    "The input has no time steps (there is nothing to follow). Connect data of several time steps, "
-    "or set Way to Round Trip.");
+    "The input has no time steps (a path through time has one frame per time step). Connect data "
+    "of several time steps, or set Way to Round Trip.");
 }
 
 // Updates the input to a time step, and returns whether it succeeded. The usual way,
@@ -201,8 +200,8 @@ void vtkCameraPath::Internals::RequireStep(
   LIMPID_REQUIRE(isThere,
     "The input cannot be computed at time step "
       << step << " of 0.." << (this->Times.size() - 1) << ", time " << this->Times[step]
-      << " (a way through time needs the scores of all of them). Mend it, or take this time step "
-         "out of the data. The input says: "
+      << " (a path through time needs the scores of all of them). Fix the input, or remove this "
+         "time step from it. It reports: "
       << (why.empty() ? "nothing" : why));
 }
 
@@ -218,8 +217,8 @@ void vtkCameraPath::Internals::ReadStep(std::size_t step, vtkInformation* input,
   limpid::DirectionMesh present = MeshOf(sphere);
   LIMPID_REQUIRE(found.scores.empty() || present.directions == found.mesh.directions,
     "The directions of time step " << step
-                                   << " are others than before (a way has one sphere). Leave "
-                                      "Sampling and NumberOfDirections as they are.");
+                                   << " differ from those before (a path needs one sphere). Do not "
+                                      "change Sampling and NumberOfDirections.");
   found.mesh = std::move(present);
   found.scores.push_back(ScoresOf(sphere));
   const std::vector<limpid::Vec3> corners = CornersOf(sphere);
@@ -269,8 +268,8 @@ limpid::CameraPath vtkCameraPath::Internals::Find(const Found& found, const limp
     ? limpid::PathThroughTime(found.mesh, found.scores, settings)
     : limpid::RoundTrip(found.mesh, found.scores.back(), settings);
   LIMPID_REQUIRE(!path.directions.empty(),
-    "No direction of the sphere is within ElevationRange (there is nowhere to go). Widen it, or "
-    "raise NumberOfDirections of the search.");
+    "No direction of the sphere is within ElevationRange (no camera position is allowed). Widen "
+    "it, or raise NumberOfDirections of the search.");
   return path;
 }
 

@@ -284,9 +284,9 @@ limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid&
   if (this->Self->AutomaticPlacement && limpid::IsUnplaced(camera))
   {
     LIMPID_REQUIRE(camera.viewAngle > 0 && camera.viewAngle < 180,
-      "CameraViewAngle is "
-        << camera.viewAngle
-        << " degrees (no distance shows all of the data). Set an angle between 0 and 180 degrees.");
+      "CameraViewAngle is " << camera.viewAngle
+                            << " degrees (no camera distance would show the whole image). Set an "
+                               "angle between 0 and 180 degrees.");
     limpid::PlaceCamera(grid, camera);
   }
   return camera;
@@ -325,13 +325,12 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   if (this->Self->OptimizeViewpoint)
   {
     LIMPID_REQUIRE(settings.method == limpid::Method::Optimized,
-      "OptimizeViewpoint is on and Method is "
-        << limpid::InfoOf(settings.method).name
-        << " (the camera climbs with the optimised extinction). Set Method to Optimized or "
-           "OptimizeViewpoint off.");
+      "OptimizeViewpoint is on and Method is " << limpid::InfoOf(settings.method).name
+                                               << " (only the method Optimized supports this). Set "
+                                                  "Method to Optimized or OptimizeViewpoint off.");
     LIMPID_REQUIRE(cameras.size() == 1,
-      "OptimizeViewpoint is on and Views are several (only one camera can climb). Set Views to "
-      "Single View or OptimizeViewpoint off.");
+      "OptimizeViewpoint is on and Views is not Single View (only a single camera can be "
+      "optimised). Set Views to Single View or OptimizeViewpoint off.");
     const auto guide = static_cast<limpid::Guide>(this->Self->ViewpointGuide);
     result = limpid::OptimizeConcurrently(scene, camera, light, settings, guide, progress);
   }
@@ -369,8 +368,8 @@ void vtkExtinctionOptimizer::Internals::WriteUnsolved(
   vtkWarningWithObjectMacro(this->Self,
     "The image has " << scene.grid.nodes.x << " x " << scene.grid.nodes.y << " x "
                      << scene.grid.nodes.z
-                     << " points (without a volume nothing can hide anything): the extinction "
-                        "stays as it is. Give an image with at least two points per axis.");
+                     << " points (it has no volume, so nothing is occluded): the extinction is not "
+                        "changed. Give an image with at least two points per axis.");
   limpid::AddUnsolvedFields(scene.arrays, scene.unitDistance, this->HasTwoExtinctions(), output);
 }
 
@@ -395,10 +394,10 @@ void vtkExtinctionOptimizer::Internals::ReportReplaced(
   if (!names.empty())
   {
     vtkWarningWithObjectMacro(this->Self,
-      "The input has arrays with names of results, "
+      "The input has arrays with the names of results, "
         << names
-        << " (there is one array of a name, so the output has the results instead). Give them "
-           "other names before this filter if you need them behind it.");
+        << " (array names are unique, so the output has the results instead). Rename them before "
+           "this filter if you need them after it.");
   }
 }
 

@@ -120,8 +120,8 @@ limpid::ImageScene vtkViewpointSearch::Internals::Read(vtkInformationVector** in
     return this->Reader.Read(input, source);
   }
   LIMPID_REQUIRE(this->Self->Field != OPTIMIZE_PER_VIEW,
-    "Field is Optimize Per View, and no process has the whole image (views are optimised by one "
-    "process each). Choose another Field, or read from a source that can give the whole image to "
+    "Field is Optimize Per View, and no process has the whole image (each view is optimised by a "
+    "single process). Choose another Field, or read from a source that can give the whole image to "
     "each process.");
   return this->Reader.ReadShared(this->Ranks, inputVector, source);
 }
@@ -152,8 +152,8 @@ void vtkViewpointSearch::Internals::Search(
   LIMPID_REQUIRE(image.grid.HasVolume(),
     "The image has " << image.grid.nodes.x << " x " << image.grid.nodes.y << " x "
                      << image.grid.nodes.z
-                     << " points (without a volume nothing hides anything from any side). Give an "
-                        "image with at least two points per axis.");
+                     << " points (it has no volume, so nothing is occluded). Give an image with at "
+                        "least two points per axis.");
   const auto scene = this->Interruptibly(
     [&image] { return std::make_shared<limpid::PreparedScene>(image.Fields()); });
   this->WarnOfSceneWithoutScore(*scene);
@@ -184,7 +184,7 @@ void vtkViewpointSearch::Internals::Search(
   {
     vtkWarningWithObjectMacro(this->Self,
       "No direction that was scored is within ElevationRange and far enough from all avoided ones "
-      "(there are no viewpoints). Widen the range, avoid less, or raise NumberOfDirections.");
+      "(no viewpoint can be ranked). Widen the range, avoid less, or raise NumberOfDirections.");
   }
 
   limpid::FillSphere(found, outputs[0]);
@@ -251,10 +251,9 @@ void vtkViewpointSearch::Internals::SearchOptimizedFields(
           if (isFirst && expected > LongSeconds)
           {
             vtkWarningWithObjectMacro(this->Self,
-              "Optimising the extinction for each of " << count << " views will take about "
-                                                       << std::lround(expected / 60)
-                                                       << " minutes. Set NumberOfDirections or "
-                                                          "Field to something else to be faster.");
+              "Optimising the extinction for each of "
+                << count << " views will take about " << std::lround(expected / 60)
+                << " minutes. Reduce NumberOfDirections or choose another Field to be faster.");
           }
           isFirst = isFirst && !(share > 0);
           return progress(share);
@@ -343,22 +342,22 @@ void vtkViewpointSearch::Internals::RequirePossibleSettings() const
   LIMPID_REQUIRE(self->CameraDistance >= 1 && std::isfinite(self->CameraDistance),
     "CameraDistance is "
       << self->CameraDistance
-      << " radii of the sphere round the image (below 1 some of the cameras would stand inside the "
-         "image, and what is behind them could not be seen). Set it to 1 or more, for instance 3.");
+      << " radii of the sphere round the image (below 1, some cameras would be inside the image "
+         "and would not see what is behind them). Set it to 1 or more, for instance 3.");
   LIMPID_REQUIRE(self->CameraViewAngle > 0 && self->CameraViewAngle < 180,
-    "CameraViewAngle is "
-      << self->CameraViewAngle
-      << " degrees (no picture has it). Set an angle between 0 and 180 degrees.");
+    "CameraViewAngle is " << self->CameraViewAngle
+                          << " degrees (the perspective projection is undefined). Set an angle "
+                             "between 0 and 180 degrees.");
   LIMPID_REQUIRE(self->CameraAspectRatio > 0 && std::isfinite(self->CameraAspectRatio),
     "CameraAspectRatio is "
       << self->CameraAspectRatio
-      << " (a picture without a width shows nothing). Set it to width over height of the picture.");
+      << " (the picture would have no width). Set it to the width of the picture over its height.");
   this->RequireAllowedViews();
   limpid::RequireAngle("SeparationAngle", self->SeparationAngle);
   LIMPID_REQUIRE(self->SphereRadius > 0 && std::isfinite(self->SphereRadius),
     "SphereRadius is " << self->SphereRadius
                        << " radii of the sphere round the image (there would be no surface to show "
-                          "scores on). Set it above 0, for instance to 1.1.");
+                          "the scores on). Set it above 0, for instance to 1.1.");
 }
 
 void vtkViewpointSearch::Internals::WarnOfSceneWithoutScore(
@@ -369,9 +368,10 @@ void vtkViewpointSearch::Internals::WarnOfSceneWithoutScore(
     vtkWarningWithObjectMacro(this->Self,
       "The largest extinction is "
         << scene.Majorant() << ", and "
-        << (scene.Majorant() > 0 ? "nothing is important" : "without extinction nothing is seen")
-        << " (every view has the score 0, and none is better than "
-           "another). Check the importance and the extinction.");
+        << (scene.Majorant() > 0 ? "no structure is important"
+                                 : "without extinction nothing is visible")
+        << " (every view has the score 0, so none is better than another). Check the importance "
+           "and the extinction.");
   }
 }
 
@@ -388,8 +388,8 @@ limpid::Vec3 vtkViewpointSearch::Internals::FocalPoint(const limpid::Grid& grid)
       << focalPoint.x << " " << focalPoint.y << " " << focalPoint.z << ", " << offset
       << " radii of the sphere round the image from its centre, and CameraDistance is "
       << this->Self->CameraDistance
-      << " radii (some of the cameras would stand inside the image, and what is behind them could "
-         "not be seen). Move the focal point closer to the centre, or set CameraDistance to "
+      << " radii (some cameras would be inside the image and would not see what is behind them). "
+         "Move the focal point closer to the centre, or set CameraDistance to "
       << (1 + offset) << " or more.");
   return focalPoint;
 }
@@ -420,17 +420,17 @@ void vtkViewpointSearch::Internals::RequireAllowedViews() const
   const auto isDirection = [](const limpid::Vec3& vector)
   { return std::isfinite(glm::length(vector)) && glm::length(vector) > 0; };
   LIMPID_REQUIRE(isDirection(limpid::ToVec3(self->CameraViewUp)),
-    "CameraViewUp is " << self->CameraViewUp[0] << " " << self->CameraViewUp[1] << " "
-                       << self->CameraViewUp[2]
-                       << " (it is no direction, so nothing is upwards). Set it to an axis, for "
-                          "instance 0 0 1.");
+    "CameraViewUp is "
+      << self->CameraViewUp[0] << " " << self->CameraViewUp[1] << " " << self->CameraViewUp[2]
+      << " (it does not define a direction). Set it to an axis, for instance 0 0 1.");
   limpid::RequireElevations(self->ElevationRange);
   limpid::RequireAngle("AvoidanceAngle", self->AvoidanceAngle);
   for (const limpid::Vec3& direction : this->Avoided)
   {
     LIMPID_REQUIRE(isDirection(direction),
-      "An avoided direction is " << direction.x << " " << direction.y << " " << direction.z
-                                 << " (it leads nowhere). Remove it or give a direction.");
+      "An avoided direction is "
+        << direction.x << " " << direction.y << " " << direction.z
+        << " (it does not define a direction). Remove it or give a nonzero vector.");
   }
 }
 
@@ -456,9 +456,9 @@ limpid::Settings vtkViewpointSearch::Internals::MakeSettings() const
 {
   limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
   LIMPID_REQUIRE(settings.method == limpid::Method::Optimized,
-    "Method is " << limpid::InfoOf(settings.method).name
-                 << " (the search finds views for the optimised extinction). Set Method to "
-                    "Optimized.");
+    "Method is "
+      << limpid::InfoOf(settings.method).name
+      << " (the search scores the extinction of the method Optimized). Set Method to Optimized.");
   settings.restrictToView = false; // the whole image counts, even if a picture would show only part
                                    // of it
   return settings;

@@ -94,20 +94,20 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   LIMPID_REQUIRE(refusal.empty(), refusal);
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   LIMPID_REQUIRE(input && input->GetNumberOfPoints() > 0,
-    "The input has no points (there is nothing to be seen). Give it an image with data.");
+    "The input has no points (there is nothing to process). Give it an image with data.");
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   const int* extent = input->GetExtent();
   LIMPID_REQUIRE(!whole || Covers(extent, whole),
     (AreSeveralProcesses() ? "This process has only the extent " : "The input has only the extent ")
       << WordsOfExtent(extent) << " of " << WordsOfExtent(whole)
-      << " (what hides a structure may lie in the rest, so the result would be wrong, and filters "
-         "behind this one would read the rest from memory that nobody wrote). "
+      << " (occluders in the rest would be missed, and filters after this one would read the rest "
+         "from uninitialized memory). "
       << (AreSeveralProcesses()
              ? "Run with one process, or read from a source that can give the whole image to each "
                "process."
-             : "Give an image with all points of the whole extent that its source announces, or "
-               "let the source announce the extent that it gives."));
+             : "Give an image that covers the whole extent its source announces, or let the source "
+               "announce the extent it produces."));
   return input;
 }
 
@@ -116,14 +116,14 @@ void vtkVisibilityAlgorithm::SceneReader::RequireUnitDistance() const
   const double unitDistance = this->Self->ScalarOpacityUnitDistance;
   LIMPID_REQUIRE(unitDistance >= 0 && std::isfinite(unitDistance),
     "ScalarOpacityUnitDistance is " << unitDistance
-                                    << " (opacity is light lost on a distance). Set a length above "
-                                       "zero, or zero for the mean length of a cell.");
+                                    << " (it is the distance over which opacities apply). Set a "
+                                       "length above zero, or zero for the mean length of a cell.");
   LIMPID_REQUIRE(unitDistance == 0 ||
       (unitDistance >= limpid::leastLength && unitDistance <= limpid::mostLength),
     "ScalarOpacityUnitDistance is "
-      << unitDistance << " (single precision holds extinctions for distances from "
+      << unitDistance << " (extinctions in single precision allow distances from "
       << limpid::leastLength << " to " << limpid::mostLength
-      << "). Set one of them, or zero for the mean length of a cell.");
+      << "). Set a distance in this range, or zero for the mean length of a cell.");
 }
 
 limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
@@ -343,7 +343,7 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::RequireArray(
   LIMPID_REQUIRE(source.array,
     "The " << role << " array \""
            << (chosen.empty() ? (fallback ? fallback : "(the active scalars)") : chosen)
-           << "\" is not among the input's numeric arrays (the scene cannot be made without it). "
+           << "\" is not among the input's numeric arrays (the scene cannot be built without it). "
               "Choose one of these: "
            << limpid::ArrayNames(input) << ".");
   return source;

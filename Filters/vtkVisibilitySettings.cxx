@@ -37,10 +37,9 @@ double limpid::Clamped(
   {
     range << " or more";
   }
-  vtkWarningWithObjectMacro(
-    owner, << property << " is " << value
-           << " (there is no such value, so nothing could be computed). It is " << nearest
-           << " now; set it to " << range.str() << ".");
+  vtkWarningWithObjectMacro(owner, << property << " is " << value
+                                   << " (this is outside the valid range). It was clamped to "
+                                   << nearest << "; set it to " << range.str() << ".");
   return nearest;
 }
 

@@ -269,15 +269,15 @@ void vtkOptimizedVolumeRepresentation::AddUnavailable(
   }
   if (components > 1 && !this->State->MapsScalars)
   {
-    messages.emplace_back("Map Scalars is off (the components would be colors and an opacity "
-                          "themselves; Optimized Volume takes both from functions of one "
-                          "component). Turn it on.");
+    messages.emplace_back(
+      "Map Scalars is off (the components would be used directly as color and opacity; Optimized "
+      "Volume takes both from functions of one component). Turn it on.");
   }
   if (components > 1 && this->State->MapsComponents)
   {
-    messages.emplace_back("Multi Components Mapping is on (the last component would be the "
-                          "opacity; Optimized Volume takes color and opacity from one "
-                          "component). Turn it off.");
+    messages.emplace_back(
+      "Multi Components Mapping is on (the last component would be used as opacity; Optimized "
+      "Volume takes color and opacity from one component). Turn it off.");
   }
   if (!this->State->Interpolates)
   {

@@ -47,7 +47,7 @@ void vtkSMPresetProperty::OnChosen()
   else
   {
     vtkErrorMacro("There is no preset number "
-      << chosen << " (nothing is changed). Choose one of these by its name: "
+      << chosen << " (no setting was changed). Choose one of these by its name: "
       << limpid::NamesOf(presets) << ".");
   }
 }

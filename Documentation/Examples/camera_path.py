@@ -33,7 +33,7 @@ def animate(path, view):
     line = servermanager.Fetch(path)
     count = line.GetNumberOfPoints()
     if count == 0:
-        raise RuntimeError("The camera path is empty (there is nowhere to go). Read its message.")
+        raise RuntimeError("The camera path is empty (no camera position is allowed). Read its message.")
     values, fields = line.GetPointData(), line.GetFieldData()
     closed = line.GetCell(0).GetNumberOfPoints() > count
     first, last = (values.GetArray("Time").GetTuple1(at) for at in (0, count - 1))

@@ -175,5 +175,5 @@ QIcon BestViewIcon()
 QString BestViewToolTip()
 {
   return QCoreApplication::translate("LimpidBestView",
-    "Look from where most of the important structures can be seen. Camera Undo goes back.");
+    "Look from where the most of the important structures can be seen. Camera Undo goes back.");
 }

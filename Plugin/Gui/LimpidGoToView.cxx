@@ -47,13 +47,13 @@ LimpidGoToView::LimpidGoToView(vtkSMProxy* proxy, vtkSMProperty* number, QWidget
   , Search(vtkSMSourceProxy::SafeDownCast(proxy))
   , Row(new pqIntVectorPropertyWidget(number, proxy, this))
   , Best(this->addButton("GoToBest", tr("Go to Best View"),
-      tr("Look from the viewpoint that shows most of the important structures.")))
+      tr("Look from the viewpoint that shows the most of the important structures.")))
   , Next(this->addButton("GoToNext", tr("Next"), tr("Look from the next best viewpoint.")))
   , Worst(this->addButton("GoToWorst", tr("Worst"),
-      tr("Look from the direction that shows least of the important structures.")))
+      tr("Look from the direction that shows the least of the important structures.")))
   , Selected(this->addButton("LookFromSelected", tr("Look from Selected Point"),
-      tr("Look from the selected point of the sphere, or the best of them. Select Points On, or "
-         "the key D, selects.")))
+      tr("Look from the selected point of the sphere, or from the best of several. Select points "
+         "with Select Points On or the key D.")))
   , Where(new QLabel(this))
 {
   this->Row->setProperty(number);

@@ -61,7 +61,7 @@ LimpidImportanceEditor::LimpidImportanceEditor(pqPropertyWidget* row, vtkSMProxy
   , Function(function)
   , Chart(new pqTransferFunctionWidget(this))
   , Value(
-      NewField("PointValue", tr("Value of the point of the curve that was clicked last."), this))
+      NewField("PointValue", tr("Value of the point of the curve that was last clicked."), this))
   , Importance(NewField("PointImportance", tr("How important that value is, from 0 to 1."), this))
 {
   this->setObjectName("ImportanceEditor");
@@ -125,8 +125,8 @@ void LimpidImportanceEditor::takeOverRow()
   if (QAction* action = reset ? reset->defaultAction() : nullptr)
   {
     action->disconnect(this->Row);
-    action->setToolTip(tr("Take the largest values of the data for important: from the 95th to the "
-                          "99th percentile."));
+    action->setToolTip(tr(
+      "Treat the largest values of the data as important: from the 95th to the 99th percentile."));
     this->connect(action, &QAction::triggered, this, &LimpidImportanceEditor::suggest);
   }
 }

@@ -106,7 +106,7 @@ void LimpidMovie::createPreview()
 {
   this->Slider = new QSlider(Qt::Horizontal, this);
   this->Slider->setObjectName("Preview");
-  this->Slider->setToolTip(tr("Looks from a frame of the movie."));
+  this->Slider->setToolTip(tr("Shows a frame of the movie."));
   this->connect(this->Slider, &QSlider::valueChanged, this, &LimpidMovie::showFrame);
   this->Play = new QPushButton(tr("Play"), this);
   this->Play->setObjectName("Play");
@@ -135,7 +135,7 @@ void LimpidMovie::findPath()
   const int count = static_cast<int>(this->Frames.size());
   this->Says->setText(count > 0
       ? tr("%1 frames, %2 s at %3 per second, round the volume and back to the best view. File > "
-           "Save Animation writes them when the movie is made.")
+           "Save Animation saves them when the movie is made.")
           .arg(count)
           .arg(double(count) / FRAMES_PER_SECOND, 0, 'f', 1)
           .arg(FRAMES_PER_SECOND)
@@ -234,6 +234,6 @@ QIcon MovieIcon()
 
 QString MovieToolTip()
 {
-  return QCoreApplication::translate(
-    "LimpidMovie", "Move the camera evenly through the best views, as an animation of the view.");
+  return QCoreApplication::translate("LimpidMovie",
+    "Move the camera at constant speed through the best views, as an animation of the view.");
 }

@@ -137,8 +137,8 @@ void LimpidReveal::createSlider()
 {
   this->Slider->setObjectName("Reveal");
   this->Slider->setToolTip(
-    tr("How much of what hides important structures is cleared. To the left all stays as the "
-       "transfer functions make it. Sets the Clearing Threshold."));
+    tr("How much of what hides important structures is cleared. On the left, everything stays as "
+       "the transfer functions define it. Sets the Clearing Threshold."));
   this->Slider->setRange(0, static_cast<int>(MOST * STEPS));
   this->Slider->setSingleStep(STEPS / 10);
   this->Slider->setPageStep(STEPS / 2);

@@ -37,9 +37,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-  "Given a scalar field and what is important in it, makes transparent what\n\
-hides the important structures, and only that, and says how much of them\n\
-can be seen.")
+  "Given a scalar field and the important structures in it, makes transparent\n\
+what hides them, and only that, and reports how much of them can be seen.")
 if (LIMPID_ENABLE_PARAVIEW)
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "see important structures inside volumes (ParaView plugin)")
   # ParaView refuses plugins that were made for another minor version.

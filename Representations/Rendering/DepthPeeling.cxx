@@ -125,8 +125,8 @@ void DepthPeeling::RunShader(vtkRenderer* renderer, vtkProp* volume, vtkAbstract
   }
   vtkOpenGLQuadHelper quad(WindowOf(renderer), nullptr, shader.c_str(), nullptr);
   LIMPID_REQUIRE(quad.Program && shader.find("//VTK::CallWorker::Impl") == std::string::npos,
-    "Depth peeling of volumes works in another way in this VTK (volume and translucent geometry "
-    "cannot be mingled). Call UseDepthPeelingForVolumesOff of the renderer.");
+    "This version of VTK peels volumes differently (the volume and translucent geometry cannot be "
+    "blended). Call UseDepthPeelingForVolumesOff of the renderer.");
 
   vtkOpenGLState* state = WindowOf(renderer)->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, gl::cullFace);
@@ -191,9 +191,10 @@ RayParts DepthPeeling::Ask(vtkRenderer* renderer, vtkProp* volume, vtkAbstractMa
   parts.depths.resize(4 * std::size_t(size[0]) * size[1]);
   LIMPID_REQUIRE(
     buffer && buffer->Download2D(VTK_FLOAT, parts.depths.data(), size.data(), 4, gaps.data()),
-    "What depth peeling wants of " << size[0] << " x " << size[1]
-                                   << " pixels cannot be read (the volume cannot be mingled with "
-                                      "translucent geometry). Check the graphics driver.");
+    "The buffers of depth peeling of "
+      << size[0] << " x " << size[1]
+      << " pixels cannot be read (the volume and translucent geometry cannot be blended). Check "
+         "the graphics driver.");
   return parts;
 }
 

@@ -59,7 +59,7 @@ void OpaqueDepth::TakeNearestOf(const Communicator& ranks)
     left, bottom, left + this->Covered[0] - 1, bottom + this->Covered[1] - 1, 0, drawn);
   LIMPID_REQUIRE(read != 0 && drawn->GetNumberOfValues() == vtkIdType(4 * count),
     "The colors of " << this->Covered[0] << " x " << this->Covered[1]
-                     << " pixels cannot be read (what is opaque would shine through the volume). "
+                     << " pixels cannot be read (opaque geometry would shine through the volume). "
                         "Use a render window with a color buffer.");
   std::memcpy(this->Colors.data(), drawn->GetPointer(0), 4 * count);
   // Depths are at least zero, so they are ordered like their bits.

@@ -32,7 +32,7 @@ bool PictureBackend::GiveUpGpu(const std::string& reason)
     return false;
   }
   this->FailedFor = this->For;
-  this->Words = reason + " Until Backend is changed, the processor draws the volume.";
+  this->Words = reason + " Until Backend is changed, the CPU draws the volume.";
   this->OnGpu = false;
   return true;
 }

@@ -223,8 +223,8 @@ void PictureQuad::Ready(vtkRenderer* renderer)
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
   }
   LIMPID_REQUIRE(this->Quad->Program,
-    "The shader that draws pictures could not be made (OpenGL is too old or gone). Check the "
-    "graphics driver.");
+    "The shader that draws pictures could not be compiled (the OpenGL context is too old or lost). "
+    "Check the graphics driver.");
 }
 
 void PictureQuad::Blend(

@@ -44,7 +44,8 @@ std::string Describe(vtkLight* light, int number, int count)
   std::ostringstream text;
   text << "light " << number << " of " << count << ": " << KindOf(light) << ", "
        << (light->GetPositional() ? "positional" : "directional") << ", intensity "
-       << light->GetIntensity() << (cone ? ", shining to all sides (its cone is not drawn)" : "");
+       << light->GetIntensity()
+       << (cone ? ", shining in all directions (its cone is ignored)" : "");
   return text.str();
 }
 }

@@ -234,7 +234,8 @@ TransferFunctions SampleFunctions(vtkVolumeProperty* property, double low, doubl
   const double unitDistance = property->GetScalarOpacityUnitDistance(0);
   LIMPID_REQUIRE(unitDistance > 0 && std::isfinite(unitDistance),
     "The scalar opacity unit distance is "
-      << unitDistance << " (opacity is light lost on a distance). Set a length above zero.");
+      << unitDistance
+      << " (it is the distance over which opacities apply). Set a length above zero.");
 
   const ScalarRange interval = SampledRange(RangeOfFunctions(property, true), low, high);
   const Sampling sampling = SamplingOf(property, interval, true);

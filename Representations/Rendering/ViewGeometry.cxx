@@ -52,8 +52,8 @@ glm::dmat4 Inverse(const glm::dmat4& matrix, const char* whose)
   }
   LIMPID_REQUIRE(finite,
     "The matrix of the " << whose << " has the determinant " << glm::determinant(matrix)
-                         << " (without a way back from the picture no ray can be found). Check "
-                            "scale, orientation, position and clipping range.");
+                         << " (it must be invertible to map pixels to rays). Check scale, "
+                            "orientation, position and clipping range.");
   return inverse;
 }
 

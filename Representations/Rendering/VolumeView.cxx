@@ -153,8 +153,8 @@ void VolumeView::UseImportance(
     }
     const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(WordsOf(error, &points[0], drawingNeed) +
-      " What the picture misses is not painted over it, and it is that of ordinary rendering if it "
-      "needs importance.");
+      " Missed structures are not painted, and methods that need importance are replaced by "
+      "ordinary rendering.");
   }
   this->Caster.ShowMissed(frame.showMissed ? std::optional(frame.missedColor) : std::nullopt);
   this->Caster.ComposeBy(frame.Composing());
@@ -263,8 +263,8 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   if (!frame.light.found && (frame.lit || frame.optimize))
   {
     messages.warnings.emplace_back(
-      "No light of the view is switched on (nothing can be lit, and nothing casts a shadow): the "
-      "volume is drawn without light. Switch a light on, or set LightSource to Own.");
+      "No light of the view is switched on (nothing is lit, and there are no shadows): the volume "
+      "is drawn without light. Switch a light on, or set LightSource to Own.");
   }
   this->Opaque = this->OpaqueOf(frame, geometry);
   return geometry;

@@ -345,8 +345,8 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
   LIMPID_REQUIRE(!inParts || !this->Ranks,
-    "Processes share the image, and the renderer peels volumes (a ray is one for all of them). "
-    "Switch UseDepthPeelingForVolumes off.");
+    "Processes share the image, and the renderer peels volumes (this combination is not "
+    "supported). Switch UseDepthPeelingForVolumes off.");
   vtkImageData* image = this->RequireImage();
   const bool isHere = image->GetNumberOfPoints() > 0;
   this->RequirePossibleNumbers();
@@ -383,7 +383,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     {
       this->Error((trouble.empty() ? "Another process has no importance." : trouble) +
         (frame.optimize ? " The volume is drawn without optimization."
-                        : " What the picture misses is not painted over it."));
+                        : " Missed structures are not painted."));
     }
     this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
     frame.optimize = false;
@@ -400,9 +400,8 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   if (inParts && frame.Composing() != limpid::Compositing::FrontToBack)
   {
     this->Warn(std::string("Method is ") + limpid::InfoOf(frame.solver.method).name +
-      " and there are translucent surfaces (it looks at whole rays, which these divide): the "
-      "volume "
-      "is drawn in the ordinary way. Make the surfaces opaque or hide them, or set Method to "
+      " and there are translucent surfaces (this method needs whole rays, but surfaces divide "
+      "them): ordinary rendering is used. Make the surfaces opaque or hide them, or set Method to "
       "Optimized, Ordinary or Ament 2017.");
     frame.optimize = false;
   }
@@ -416,8 +415,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     const auto& nodes = this->Data.Whole().nodes;
     this->Warn("The image has " + std::to_string(nodes.x) + " x " + std::to_string(nodes.y) +
       " x " + std::to_string(nodes.z) +
-      " points (without a volume nothing can be seen of it). Give an image with at least two "
-      "points per axis.");
+      " points (it has no volume to draw). Give an image with at least two points per axis.");
     this->Last = limpid::FrameResult();
     return;
   }

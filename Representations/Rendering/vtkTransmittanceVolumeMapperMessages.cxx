@@ -95,40 +95,39 @@ void vtkTransmittanceVolumeMapper::Internals::ReportIgnored(vtkVolume* volume)
   if (this->Self->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
   {
     this->Warn("The blend mode is " + std::to_string(this->Self->GetBlendMode()) +
-      " (transmittance has a meaning for composite blending only): the volume is drawn with "
-      "composite blending. Set the blend mode to composite, 0.");
+      " (transmittance is defined for composite blending only): the volume is drawn with composite "
+      "blending. Set the blend mode to composite, 0.");
   }
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
-    this->Warn("The transfer function is two-dimensional (the extinction would depend on more than "
-               "the scalar): the one-dimensional functions are used. Set the transfer function "
-               "mode to 1D.");
+    this->Warn(
+      "The transfer function is two-dimensional (extinction must be a function of the scalar "
+      "alone): the one-dimensional functions are used. Set the transfer function mode to 1D.");
   }
   vtkPiecewiseFunction* gradient =
     property->GetDisableGradientOpacity(0) ? nullptr : property->GetStoredGradientOpacity(0);
   if (gradient && gradient->GetSize() > 0 && gradient->GetType() &&
     !(std::string(gradient->GetType()) == "Constant" && gradient->GetValue(0) == 1))
   {
-    this->Warn(
-      "The volume property has a gradient opacity function (the extinction would depend on "
-      "more than the scalar): it is not used. Disable the gradient opacity.");
+    this->Warn("The volume property has a gradient opacity function (extinction must be a function "
+               "of the scalar alone): it is not used. Disable the gradient opacity.");
   }
   if (property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
   {
-    this->Warn("The interpolation type of the volume property is nearest (light has no gradient in "
-               "steps to be reflected by): scalars are interpolated linearly. Call "
-               "SetInterpolationTypeToLinear.");
+    this->Warn(
+      "The interpolation type of the volume property is nearest (shading needs a gradient, which "
+      "steps do not have): scalars are interpolated linearly. Call SetInterpolationTypeToLinear.");
   }
   if (volume->GetShaderProperty()->GetNumberOfShaderReplacements() > 0)
   {
-    this->Warn("The volume has replacements for parts of VTK's shaders (this mapper draws without "
-               "them): they are not used. Call ClearAllShaderReplacements of its shader property.");
+    this->Warn("The volume has shader replacements (this mapper does not use VTK's shaders): they "
+               "are not used. Call ClearAllShaderReplacements of its shader property.");
   }
   this->ReportNumbers(property);
   const bool opacityCounts = this->Self->ExtinctionSource == OPACITY_FUNCTION;
   if (opacityCounts && property->GetScalarOpacity(0)->GetSize() == 0)
   {
-    this->Warn("The scalar opacity function has no points (nothing can be seen). Add points.");
+    this->Warn("The scalar opacity function has no points (the volume is invisible). Add points.");
   }
 }
 
@@ -146,8 +145,7 @@ void vtkTransmittanceVolumeMapper::Internals::ReportNumbers(vtkVolumeProperty* p
         this->Warn(std::string("The scalar ") + name +
           " function has a value that is nan or "
           "infinite at its point " +
-          std::to_string(i) +
-          " (what it makes of others cannot be told): it counts as 0. Set finite values.");
+          std::to_string(i) + " (it cannot be interpolated): 0 is used. Set finite values.");
         return;
       }
     }
@@ -171,11 +169,10 @@ bool vtkTransmittanceVolumeMapper::Internals::ReportVolume(
   const limpid::Order order = limpid::OrderOf(box, otherBox, renderer);
   if (order == limpid::Order::Overlapping)
   {
-    this->Warn(
-      "The bounds of this volume and another one overlap (each volume is one picture, and "
-      "no order of two pictures is right where their contents are mingled): where both are "
-      "seen, one is drawn wholly in front of the other, and neither shades nor clears the "
-      "other. Move them apart, or put both into one image.");
+    this->Warn("The bounds of this volume and another one overlap (each volume is drawn as one "
+               "picture, and pictures cannot be interleaved): where both are visible, one is drawn "
+               "entirely in front of the other, and neither shades nor clears the other. Move them "
+               "apart, or put both into one image.");
   }
   const bool wrong =
     later ? order == limpid::Order::SecondFirst : order == limpid::Order::FirstFirst;
@@ -204,16 +201,15 @@ void vtkTransmittanceVolumeMapper::Internals::ReportNeighbours(
   }
   if (inParts && foreign)
   {
-    this->Warn("A volume that another mapper draws is in a view that peels volumes (VTK does not "
-               "mix two volumes that it peels): where both are seen, each channel is that of the "
-               "brighter one. Call UseDepthPeelingForVolumesOff of the renderer.");
+    this->Warn("A volume of another mapper is in a view that peels volumes (VTK does not blend two "
+               "peeled volumes): where both are visible, each channel is that of the brighter one. "
+               "Call UseDepthPeelingForVolumesOff of the renderer.");
   }
   if (!inParts && outOfOrder && !IsSortingBackToFront(renderer))
   {
-    this->Warn(
-      "A volume that another mapper draws is on the wrong side of this one (the renderer "
-      "draws volumes in the order in which they were added): the farther one is drawn over "
-      "the nearer one. Call vtkTransmittanceVolumeMapper::SortBackToFront for the renderer.");
+    this->Warn("A volume of another mapper is on the wrong side of this one (the renderer draws "
+               "volumes in the order in which they were added): the farther one is drawn over the "
+               "nearer one. Call vtkTransmittanceVolumeMapper::SortBackToFront for the renderer.");
   }
   if (!inParts && vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer, volume))
   {

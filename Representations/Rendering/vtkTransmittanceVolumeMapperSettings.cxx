@@ -39,21 +39,20 @@ constexpr int FieldFlag = 2;
 void RequireShare(const char* property, double value)
 {
   LIMPID_REQUIRE(value >= 0 && value <= 1,
-    property << " is " << value << " (it is a share). Set a number from 0 to 1.");
+    property << " is " << value << " (it is a fraction). Set a number from 0 to 1.");
 }
 
 void RequireNotNegative(const char* property, double value)
 {
   LIMPID_REQUIRE(value >= 0 && std::isfinite(value),
     property << " is " << value
-             << " (less than none of it makes no sense). Set a number not below 0.");
+             << " (it must be finite and not negative). Set 0 or a positive number.");
 }
 
 void RequirePositive(const char* property, double value)
 {
   LIMPID_REQUIRE(value > 0 && std::isfinite(value),
-    property << " is " << value
-             << " (a picture needs more than none of it). Set a number above zero.");
+    property << " is " << value << " (it must be finite and positive). Set a number above zero.");
 }
 
 // Finds an array and its association; null: there is none of that name.
@@ -80,10 +79,10 @@ vtkImageData* vtkTransmittanceVolumeMapper::Internals::RequireImage() const
   vtkImageData* image = vtkImageData::SafeDownCast(input);
   LIMPID_REQUIRE(image,
     "The input is a " << (input ? input->GetClassName() : "null pointer")
-                      << " (this mapper works on points at equal distances). Give it a "
-                         "vtkImageData, for instance from Resample To Image (vtkResampleToImage).");
+                      << " (this mapper needs uniformly spaced points). Give it a vtkImageData, "
+                         "for instance from Resample To Image (vtkResampleToImage).");
   LIMPID_REQUIRE(image->GetNumberOfPoints() > 0 || this->Ranks,
-    "The input has 0 points (there is nothing to be seen). Give it an image with data.");
+    "The input has 0 points (there is nothing to draw). Give it an image with data.");
   return image;
 }
 
@@ -97,8 +96,8 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
     this->Self->GetArrayAccessMode(), this->Self->GetArrayId(), name, flag);
   LIMPID_REQUIRE(source.array && flag != FieldFlag,
     "The scalar array \"" << (name && *name ? name : "(the active scalars)")
-                          << "\" is not among the input's numeric arrays (there is nothing to be "
-                             "coloured). Choose one of these: "
+                          << "\" is not among the input's numeric arrays (the volume is coloured "
+                             "by it). Choose one of these: "
                           << limpid::ArrayNames(image) << ".");
   source.onCells = flag == CellFlag;
 
@@ -137,7 +136,7 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
   LIMPID_REQUIRE(source.array,
     "The extinction array \"" << name
                               << "\" is not among the input's numeric arrays (there is nothing to "
-                                 "be drawn). Choose one of these: "
+                                 "draw). Choose one of these: "
                               << limpid::ArrayNames(image)
                               << "; or set ExtinctionSource to Opacity Function.");
   LIMPID_REQUIRE(source.array->GetNumberOfComponents() == 1,
@@ -276,7 +275,7 @@ void vtkTransmittanceVolumeMapper::Internals::RequirePossibleNumbers() const
   LIMPID_REQUIRE(std::abs(self->Anisotropy) < 1,
     "Anisotropy is "
       << self->Anisotropy
-      << " (the phase function has no such parameter). Set a number above -1 and below 1.");
+      << " (the phase function is not defined for it). Set a number above -1 and below 1.");
   RequireNotNegative("Specular", self->Specular);
   RequireNotNegative("SpecularPower", self->SpecularPower);
   RequireNotNegative("LightIntensity", self->LightIntensity);
@@ -313,10 +312,10 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSet
   if (frame.optimize || frame.lit || frame.showMissed)
   {
     const std::string text = "There are " + std::to_string(controller->GetNumberOfProcesses()) +
-      " processes (each has its own piece of the volume, and what hides a structure or shades it "
-      "may lie in another one): the volume is drawn without optimization and light, and has no "
-      "score; what it misses is not shown. Set SharesImage on if all of them render the same "
-      "frames, or run one process.";
+      " processes (each has its own piece of the volume, and occluders may be in the pieces of "
+      "others): the volume is drawn without optimization, light and score, and missed structures "
+      "are not shown. Set SharesImage on if all of them render the same frames, or run one "
+      "process.";
     const bool speaks = controller->GetLocalProcessId() == 0; // one process reports for all
     speaks ? this->Warn(text) : void(this->Messages += text + "\n");
   }
@@ -339,22 +338,22 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::Frame
   if (frame.optimize && frame.solver.method != limpid::Method::Optimized)
   {
     this->Warn(std::string("Method is ") + limpid::InfoOf(frame.solver.method).name +
-      " and several processes share the image (they cannot do that together yet): the volume is "
-      "drawn in the ordinary way. Set Method to Optimized or Ordinary.");
+      " and several processes share the image (this is not supported in distributed runs): "
+      "ordinary rendering is used. Set Method to Optimized or Ordinary.");
     frame.optimize = false;
     frame.solver.method = limpid::Method::Optimized;
   }
   if (frame.showMissed)
   {
-    this->Warn("ShowMissed is on and several processes share the image (they cannot tell together "
-               "yet): what the picture misses is not shown. Run one process for that.");
+    this->Warn("ShowMissed is on and several processes share the image (this is not supported in "
+               "distributed runs): missed structures are not shown. Run one process.");
     frame.showMissed = false;
   }
   if (frame.sampleDistance > limpid::farthestShared)
   {
     this->Warn("SampleDistance is " + std::to_string(frame.sampleDistance) +
-      " and several processes share the image (each has a few nodes of its neighbours'): 2 is "
-      "used. Set it to 2 or less.");
+      " and several processes share the image (each has only a few ghost nodes): 2 is used. Set it "
+      "to 2 or less.");
     frame.sampleDistance = limpid::farthestShared;
   }
   if (frame.solver.backend == limpid::BackendKind::Auto)

@@ -391,7 +391,7 @@ TEST(Ranks, AreRefusedPiecesThatAreNone)
     EXPECT_EQ(messages.Get()[0], messages.Get()[1]);
     return messages.Get()[0];
   };
-  EXPECT_NE(messageOf(outside).find("not within the image"), std::string::npos);
+  EXPECT_NE(messageOf(outside).find("outside the image"), std::string::npos);
   EXPECT_NE(messageOf(inACorner).find("in a corner"), std::string::npos);
   const int nodesOfGap = 2 * scene.grid.nodes.y * scene.grid.nodes.z;
   EXPECT_NE(

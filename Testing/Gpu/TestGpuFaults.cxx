@@ -75,7 +75,7 @@ TEST_P(GpuFaults, LeaveTheProcessorItsOwnResult)
       // It may have been told before the failure, by sums in another order.
       ASSERT_NEAR(found.best.visibility, truth.best.visibility, 1e-5 * truth.best.visibility);
       ASSERT_EQ(found.iterations, truth.iterations);
-      ASSERT_NE(found.backend.find("no CUDA: The pretended GPU fails"), std::string::npos)
+      ASSERT_NE(found.backend.find("no CUDA: The simulated GPU fails"), std::string::npos)
         << found.backend;
       ASSERT_EQ(found.backend.find('\n'), std::string::npos);
     }

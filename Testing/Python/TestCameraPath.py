@@ -246,7 +246,7 @@ class TestCameraPath(FilterTest):
                     self.assert_refuses(name, filter_=path_of(searched, **{name: value}))
         self.assert_refuses("no time steps", filter_=path_of(
             searched, Way=vtkCameraPath.THROUGH_TIME))
-        self.assert_refuses("nowhere to go", filter_=path_of(
+        self.assert_refuses("no camera position is allowed", filter_=path_of(
             search(phantom(12), CameraViewUp=(0.3, 1, 0.2)), ElevationRange=(89.9, 90)))
         self.assert_refuses("ViewDirection", "viewpoint search", filter_=path_of(vtkSphereSource()))
 

@@ -438,7 +438,7 @@ class TestArraysWithNamesOfResults(OptimizerTest):
         text, output = self.warning(image)
 
         self.assertIn('"Opacity", "Extinction", "Energy"', text)
-        self.assertIn("other names", text)
+        self.assertIn("Rename them", text)
         plain = self.run_filter(self.scene())
         for name in ("Opacity", "Extinction"):
             np.testing.assert_array_equal(values(output, name), values(plain, name))
@@ -544,7 +544,7 @@ class TestImportanceNotGiven(OptimizerTest):
 
         np.testing.assert_allclose(importance, starting_importance(scalars), atol=2 * SINGLE)
         self.assertEqual(len(told), 1)
-        self.assertIn("Nobody has said what is important", told[0])
+        self.assertIn("No importance is set", told[0])
 
     def test_they_are_the_component_that_counts(self):
         vectors = np.sort(np.random.default_rng(2).normal(0, 100, (1320, 3)), axis=0)
@@ -580,7 +580,7 @@ class TestImportanceNotGiven(OptimizerTest):
     def test_scalars_that_are_all_alike_say_nothing(self):
         image = self.scene(density=np.ones(1320))
         image.GetPointData().SetActiveScalars("density")
-        self.assert_refuses("Nobody has said", "all alike", filter_=optimizer(image))
+        self.assert_refuses("No importance is set", "all scalars are equal", filter_=optimizer(image))
 
     def test_without_scalars_the_array_is_missing(self):
         self.assert_refuses('"Importance" is not among', filter_=optimizer(self.scene()))
@@ -609,7 +609,7 @@ class TestDegenerateInput(OptimizerTest):
         for extent in ((0, 11, 0, 11, 0, 8), (1, 11, 0, 11, 0, 11)):
             result = with_input(optimizer(image), PartOf(image, extent))
             self.assert_refuses("only the extent {}..{} {}..{} {}..{}".format(*extent),
-                                "0..11 0..11 0..11", "nobody wrote", filter_=result)
+                                "0..11 0..11 0..11", "uninitialized", filter_=result)
         result = with_input(optimizer(image), PartOf(image, image.GetExtent()))
         result.Update()
         self.assert_no_error(result)
@@ -759,7 +759,7 @@ class TestViewpoint(OptimizerTest):
         self.assertLessEqual(number(found, "VisibleFraction"),
                              number(found, "HighestAttainableFraction"))
         proof = found.GetFieldData().GetAbstractArray("Proof").GetValue(0)
-        self.assertRegex(proof, "^What is visible is [0-9.]+ % of the ceiling of its view, and that "
+        self.assertRegex(proof, "^The result reaches [0-9.]+ % of the ceiling of its view, which "
                                 "is [0-9.]+ % of the highest ceiling of [0-9]+ views.$")
         self.assertIsNone(alone.GetOutput().GetFieldData().GetAbstractArray("Proof"))
 

@@ -71,7 +71,7 @@ class TestFilter(FilterTest):
         orbit = {"Views": vtkExtinctionOptimizer.ORBIT}
         self.assert_refuses("eyes is 180", filter_=optimizer(
             EyeAngle=180, Views=vtkExtinctionOptimizer.STEREO_PAIR))
-        self.assert_refuses("only one camera can climb",
+        self.assert_refuses("only a single camera can be optimised",
                             filter_=optimizer(OptimizeViewpoint=1, **orbit))
 
 

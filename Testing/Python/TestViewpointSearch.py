@@ -761,7 +761,7 @@ class TestDegenerateInput(SearchTest):
         self.assert_refuses("vtkUnstructuredGrid", "Resample To Image", filter_=result)
         self.assertEqual(len(executive), 1, executive)  # that the request has failed
         part = PartOf(phantom(12), (0, 11, 0, 11, 0, 8))
-        self.assert_refuses("0..11 0..11 0..8", "nobody wrote",
+        self.assert_refuses("0..11 0..11 0..8", "uninitialized",
                             filter_=with_input(search(phantom(12)), part))
 
     def test_images_without_a_volume_are_refused(self):

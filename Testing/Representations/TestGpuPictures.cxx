@@ -65,8 +65,8 @@ void ExpectTheProcessorsPicture(SmallWindow& scene, bool forGood)
     ASSERT_LE(scene.warnings.size(), failed ? 1u : 0u) << scene.warnings.back();
     if (!scene.warnings.empty())
     {
-      EXPECT_NE(scene.warnings[0].find("The pretended GPU fails"), std::string::npos);
-      EXPECT_NE(scene.warnings[0].find("the processor draws the volume"), std::string::npos);
+      EXPECT_NE(scene.warnings[0].find("The simulated GPU fails"), std::string::npos);
+      EXPECT_NE(scene.warnings[0].find("the CPU draws the volume"), std::string::npos);
       ++withWarning;
     }
     scene.mapper->ReleaseMemory();

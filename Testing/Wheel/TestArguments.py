@@ -39,7 +39,7 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("'density'", "a name", scalars="density")
         self.refuses("There is no importance", volume=None, importance_function=None,
                      extinction_function=None, extinction=mu)
-        self.refuses("scalars are all alike", volume=np.ones((4, 5, 6)), importance_function=None)
+        self.refuses("all scalars are equal", volume=np.ones((4, 5, 6)), importance_function=None)
         self.refuses("extinction and a function", extinction=mu)
 
     def test_values_of_cells(self):
@@ -49,7 +49,7 @@ class TestOptimizeRefuses(Refusals):
     def test_functions_that_are_none(self):
         for nodes in ([], [1, 2], "steep", [[1, 2, 3]], [[0, "a"]]):
             self.refuses("extinction_function is not a list of nodes", extinction_function=nodes)
-        self.refuses("behind", "order of their values", extinction_function=[[1, 0], [0, 1]])
+        self.refuses("after", "Sort nodes by their values", extinction_function=[[1, 0], [0, 1]])
         self.refuses("[1.0, -2.0]", extinction_function=[[0, 0], [1, -2]])
         self.refuses("[0.0, nan]", extinction_function=[[0, np.nan]])
         self.refuses("[1.0, 1.5]", extinction_function=None, opacity_function=[[0, 0], [1, 1.5]])
@@ -82,9 +82,9 @@ class TestOptimizeRefuses(Refusals):
 
     def test_views_that_do_not_go_together(self):
         self.refuses("number of views is 400", views="orbit", number_of_views=400)
-        self.refuses("angle between eyes is 180", views="stereo_pair", eye_angle=180)
+        self.refuses("eye angle is 180", views="stereo_pair", eye_angle=180)
         self.refuses("views is 'orbit' and method 'ordinary'", views="orbit", method="ordinary")
-        self.refuses("only one camera can move", views="orbit", optimize_viewpoint=True)
+        self.refuses("only a single camera can be optimised", views="orbit", optimize_viewpoint=True)
         self.refuses("method is 'ordinary'", method="ordinary", optimize_viewpoint=True)
 
     def test_previous_results_that_are_none(self):
@@ -92,7 +92,7 @@ class TestOptimizeRefuses(Refusals):
         plain = limpid.optimize(VALUES, **SCENE)
         for name, value in (("warm_start", True), ("temporal_coherence", 0.2)):
             self.refuses("there is no previous", **{name: value})
-        self.refuses("it would not count", previous=found)
+        self.refuses("it would have no effect", previous=found)
         self.refuses("previous is a ndarray", previous=found.extinction, warm_start=True)
         self.refuses("found without it", previous=plain, temporal_coherence=0.2)
         self.refuses("previous is of a box", previous=found, warm_start=True, origin=(0, 0, 9))
@@ -139,8 +139,8 @@ class TestViewpointsRefuses(Refusals):
         self.refuses("camera_distance is 0.5", camera_distance=0.5)
         self.refuses("camera_view_angle is 180", camera_view_angle=180)
         for aspect in (0, -1.5, np.inf, np.nan, "wide"):
-            self.refuses(f"camera_aspect_ratio is {aspect!r}", "width over height",
-                         camera_aspect_ratio=aspect)
+            self.refuses(f"camera_aspect_ratio is {aspect!r}",
+                         "the width of the picture over its height", camera_aspect_ratio=aspect)
         self.refuses("camera_focal_point", "radii", camera_focal_point=(50, 0, 0))
         self.refuses("field is 'all'", "'base_extinction'", field="all")
         self.refuses("backend is 'gpu'", backend="gpu")

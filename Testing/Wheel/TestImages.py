@@ -157,13 +157,13 @@ class TestPyVista(unittest.TestCase):
         for data, words in (
                 (pyvista.RectilinearGrid(*ticks), ("a RectilinearGrid", "pyvista.create_grid")),
                 (pyvista.StructuredGrid(*np.meshgrid(*ticks)), ("a StructuredGrid", "sample")),
-                (pyvista.Sphere(), ("a PolyData", "nothing inside")),
+                (pyvista.Sphere(), ("a PolyData", "without an inside")),
                 (pyvista.MultiBlock([self.image()]), ("a MultiBlock", "one of its blocks"))):
             for function, more in ((limpid.optimize, FUNCTIONS), (limpid.viewpoints, FUNCTIONS),
                                    (limpid.render, {"color_function": phantom.COLORS})):
                 with self.assertRaises(ValueError) as caught:
                     function(data, **more)
-                for word in (*words, "same spacing everywhere"):
+                for word in (*words, "uniform spacing"):
                     self.assertIn(word, str(caught.exception))
 
         grid = pyvista.RectilinearGrid(*ticks)
@@ -177,7 +177,7 @@ class TestPyVista(unittest.TestCase):
         for arguments in ({"scalars": "density"}, {}, {"scalars": image.cell_data["density"]}):
             with self.assertRaises(ValueError) as caught:
                 limpid.optimize(image, **FUNCTIONS, **arguments)
-            self.assertIn("values belong to points", str(caught.exception))
+            self.assertIn("values must be given at points", str(caught.exception))
             self.assertIn("cell_data_to_point_data()", str(caught.exception))
 
         limpid.optimize(image.cell_data_to_point_data(), **FUNCTIONS)

@@ -120,8 +120,8 @@ class TestResult(unittest.TestCase):
             optimize(clearing_threshold=0.1).visible_fraction)
 
     def test_nothing_to_see_is_told(self):
-        for nothing, words in (("importance_function", "nothing is important"),
-                               ("extinction_function", "without extinction nothing is seen")):
+        for nothing, words in (("importance_function", "no structure is important"),
+                               ("extinction_function", "without extinction nothing is visible")):
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 optimize(**{nothing: [[0, 0]]})
@@ -275,10 +275,10 @@ class TestAssumedImportance(unittest.TestCase):
             np.where(hidden, np.nan, values), None, places), expected)
 
     def test_searches_and_runs_assume_the_same(self):
-        with self.assertWarnsRegex(UserWarning, "Nobody has said") as caught:
+        with self.assertWarnsRegex(UserWarning, "No importance is set") as caught:
             found = optimize(importance_function=None)
         self.assertEqual(caught.filename, __file__)
-        with self.assertWarnsRegex(UserWarning, "Nobody has said"):
+        with self.assertWarnsRegex(UserWarning, "No importance is set"):
             limpid.viewpoints(phantom.scalars(), number_of_directions=12, refine=False,
                               **{**SCENE, "importance_function": None})
         self.assertGreater(found.visible_fraction, found.base_visible_fraction)

@@ -140,7 +140,7 @@ class TestSearch(unittest.TestCase):
         self.assertEqual(len(found.visibility_scores), FEW)
 
     def test_nowhere_to_look_from_is_told(self):
-        with self.assertWarnsRegex(UserWarning, "no viewpoints") as caught:
+        with self.assertWarnsRegex(UserWarning, "no viewpoint can be ranked") as caught:
             found = search(avoided_directions=[(0, 1, 0), (0, -1, 0)], avoidance_angle=100,
                            refine=False)
 
@@ -184,7 +184,7 @@ class TestSearch(unittest.TestCase):
             warnings.simplefilter("always")
             search(importance_function=[[0, 0]], refine=False)
 
-        self.assertIn("nothing is important", str(caught[0].message))
+        self.assertIn("no structure is important", str(caught[0].message))
         self.assertEqual(caught[0].filename, __file__)
 
 

@@ -27,7 +27,8 @@ std::string Obstacle(const GpuNeed& need)
   std::ostringstream text;
   if (need.nodes > mostNodes)
   {
-    text << "the scene has " << need.nodes << " points, on a GPU there can be " << mostNodes;
+    text << "the scene has " << need.nodes << " points, and the GPU code supports at most "
+         << mostNodes;
     return text.str();
   }
   const std::size_t free = FreeCudaBytes();
@@ -35,7 +36,7 @@ std::string Obstacle(const GpuNeed& need)
   {
     return {};
   }
-  text << "the scene needs about " << need.bytes / 1000000 << " MB, " << free / 1000000
+  text << "the scene needs about " << need.bytes / 1000000 << " MB, and only " << free / 1000000
        << " MB are free on the " << cuda.name;
   return text.str();
 }
@@ -55,7 +56,7 @@ BackendChoice ChooseBackend(BackendKind wish, const GpuNeed& need)
   const std::string obstacle = Obstacle(need);
   LIMPID_REQUIRE(wish == BackendKind::Auto || obstacle.empty(),
     "CUDA was asked for, but " << obstacle
-                               << " (nothing would run on a GPU). Choose the backend Auto or CPU.");
+                               << " (the GPU cannot be used). Choose the backend Auto or CPU.");
   if (obstacle.empty())
   {
     return { true, "CUDA, " + FindCuda().name };

@@ -123,8 +123,8 @@ void Jointly(const Communicator* ranks, const std::function<void()>& work)
   }
   catch (const std::bad_alloc&)
   {
-    failure = "There is not enough memory (a rank could not get what its part takes). Use more "
-              "ranks, or machines with more memory.";
+    failure = "There is not enough memory (a rank could not allocate its part of the scene). Use "
+              "more ranks, or machines with more memory.";
     first = ranks->Rank();
   }
   ranks->TakeLeast(&first, 1);

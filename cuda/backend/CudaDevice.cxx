@@ -19,7 +19,7 @@ void detail::RequireCuda(cudaError_t status, const char* call)
     return;
   }
   cudaGetLastError(); // clears the error, which is reported here
-  throw DeviceError(std::string("CUDA says \"") + cudaGetErrorString(status) + "\" (" + call +
+  throw DeviceError(std::string("CUDA reports \"") + cudaGetErrorString(status) + "\" (" + call +
     "; the result would be wrong). Use the backend CPU, and report this if it happens again.");
 }
 
@@ -83,7 +83,7 @@ void* CudaDevice::Allocate(std::size_t bytes, const char* what)
     std::size_t total = 0;
     LIMPID_CUDA(cudaMemGetInfo(&free, &total));
     const auto megabytes = [](std::size_t size) { return std::to_string(size / 1000000); };
-    throw DeviceError("The GPU has no " + megabytes(bytes) + " MB left for " + what + " (" +
+    throw DeviceError("The GPU cannot allocate " + megabytes(bytes) + " MB for " + what + " (" +
       megabytes(free) + " of " + megabytes(total) +
       " MB are free). Use a smaller volume or the backend CPU.");
   }

@@ -37,7 +37,7 @@ std::string WhyNone(cudaError_t status)
   }
   return status == cudaErrorNoDevice
     ? std::string("there is no NVIDIA GPU")
-    : std::string("CUDA says \"") + cudaGetErrorString(status) + '"';
+    : std::string("CUDA reports \"") + cudaGetErrorString(status) + '"';
 }
 
 __global__ void DoNothing() {}
@@ -67,17 +67,17 @@ CudaState Look()
   if (loaded != cudaSuccess)
   {
     cudaGetLastError();
-    state.reason = "the GPU " + state.name + " is not one that this build has code for";
+    state.reason = "the GPU " + state.name + " is not supported by this build";
     return state;
   }
   if (!properties.cooperativeLaunch)
   {
-    state.reason = "the GPU " + state.name + " cannot start kernels that wait for each other";
+    state.reason = "the GPU " + state.name + " does not support cooperative launches";
     return state;
   }
   if (!properties.memoryPoolsSupported)
   {
-    state.reason = "the GPU " + state.name + " or its driver has no memory pools";
+    state.reason = "the GPU " + state.name + " or its driver does not support memory pools";
     return state;
   }
   state.usable = true;

@@ -38,8 +38,8 @@ void SimulatedDevice::MayFail(const char* what)
   }
   if (left == 0 || (left == Failed && this->FailsForGood))
   {
-    throw DeviceError(
-      std::string("The pretended GPU fails (") + what + "; it was told to). Use the backend CPU.");
+    throw DeviceError(std::string("The simulated GPU fails (") + what +
+      "; a test requested this). Use the backend CPU.");
   }
 }
 

@@ -18,8 +18,8 @@ NodeRays::NodeRays(const Grid& grid, const RaySource& source)
   , PlaneCount(static_cast<int>(source.viewPlanes.size()))
 {
   LIMPID_REQUIRE(source.viewPlanes.size() <= std::size(this->Planes),
-    "A picture has " << source.viewPlanes.size() << " sides (rays know " << std::size(this->Planes)
-                     << "). Give it four corners.");
+    "The picture has " << source.viewPlanes.size() << " sides (it can be bounded by "
+                       << std::size(this->Planes) << " planes). Give it four corners.");
   std::copy(source.viewPlanes.begin(), source.viewPlanes.end(), this->Planes);
 }
 }

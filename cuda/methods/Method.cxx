@@ -30,21 +30,22 @@ void AmentWeights::Require() const
     double value;
   } weights[] = { { "exponent", this->exponent }, { "weight against occluders", this->occluders },
     { "weight against the background", this->background },
-    { "weight against what shadows", this->lightOccluders },
-    { "weight against what lies behind for the light", this->lightBackground } };
+    { "weight against occluders for the shadows", this->lightOccluders },
+    { "weight against the background for the shadows", this->lightBackground } };
   for (const auto& weight : weights)
   {
     LIMPID_REQUIRE(std::isfinite(weight.value) && weight.value >= 0,
       "The " << weight.name << " of Ament 2017 is " << weight.value
-             << " (what matters would be hidden on purpose). Set it to zero or more.");
+             << " (a negative value would hide important structures). Set it to zero or more.");
   }
   LIMPID_REQUIRE(std::isfinite(this->regularization) && this->regularization > 0,
     "The regularization of Ament 2017 is "
       << this->regularization
-      << " (without it the least weight removes everything). Set it above zero.");
+      << " (at zero, the smallest weight would remove everything). Set it above zero.");
   LIMPID_REQUIRE(this->smoothingPasses >= 0 && this->smoothingPasses <= 100,
     "The number of smoothing passes of Ament 2017 is "
-      << this->smoothingPasses << " (it is a count, and 100 leave nothing). Set 0 to 100.");
+      << this->smoothingPasses
+      << " (it cannot be negative, and 100 passes smooth everything away). Set 0 to 100.");
 }
 
 bool operator==(const AmentWeights& one, const AmentWeights& other)

@@ -64,7 +64,7 @@ std::vector<float> Applied(const SceneFields& scene, float majorant, const Carri
     [&]
     {
       LIMPID_REQUIRE(Index(ofBase.size()) == change.ValueCount(),
-        "A change that is to be carried on has "
+        "The previous change has "
           << ofBase.size() << " values for " << change.ValueCount()
           << " nodes (it belongs to another grid). Give one value per node.");
     });

@@ -24,7 +24,7 @@ void RequireFields(const SceneFields& scene)
   LIMPID_REQUIRE(scene.baseExtinction != nullptr || scene.ValueCount() == 0,
     "There is no base extinction (the optimisation starts from it). Give an array.");
   LIMPID_REQUIRE(scene.importance != nullptr || scene.ValueCount() == 0,
-    "There is no importance (nothing tells what is to be seen). Give an array.");
+    "There is no importance (it defines which structures to reveal). Give an array.");
   LIMPID_REQUIRE(scene.majorant >= 0 && scene.majorant <= LargestValue,
     "The majorant is " << scene.majorant
                        << " (Eq. (25) needs an upper bound of the extinction). Give the largest "
@@ -124,7 +124,7 @@ void RequireRange(const SceneFields& scene, const CheckedField& field, const Fie
   }
   LIMPID_REQUIRE(voxel == count,
     "The " << field.name << " of voxel " << NumberOf(scene, voxel) << " is " << field.values[voxel]
-           << " (the energy of Eq. (21) is not defined there). Keep it " << field.range << '.');
+           << " (the energy of Eq. (21) is not defined for it). Keep it " << field.range << '.');
 }
 
 void RequireDistance(const char* what, const RaySource& source, const Grid& grid)
@@ -132,8 +132,8 @@ void RequireDistance(const char* what, const RaySource& source, const Grid& grid
   const double distance = glm::length(source.origin - 0.5 * Vec3(grid.nodes - 1));
   LIMPID_REQUIRE(source.parallel || distance < 1e12 * glm::length(Vec3(grid.nodes)),
     "The " << what << " is " << distance / glm::length(Vec3(grid.nodes))
-           << " image diagonals away (its rays cannot be told apart). Move it closer or use a "
-              "parallel projection.");
+           << " image diagonals away (its rays would be numerically parallel). Move it closer or "
+              "use a parallel projection.");
 }
 }
 

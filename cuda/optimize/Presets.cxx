@@ -36,7 +36,7 @@ const SettingsPreset& PresetNamed(const std::string& name)
   const auto* const found = std::find_if(std::begin(settingsPresets), std::end(settingsPresets),
     [wanted = Lower(name)](const SettingsPreset& preset) { return Lower(preset.name) == wanted; });
   LIMPID_REQUIRE(found != std::end(settingsPresets),
-    "There is no preset \"" << name << "\" (nothing is changed). Choose one of these: "
+    "There is no preset \"" << name << "\" (no setting was changed). Choose one of these: "
                             << AllNames() << ".");
   return *found;
 }

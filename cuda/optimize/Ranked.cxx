@@ -252,8 +252,8 @@ public:
 
   void SweepPolicyOnce(double, std::vector<float>&) override
   {
-    throw JointError("A preview was asked for where ranks share the scene (they cannot make one "
-                     "together yet). Use Solver.");
+    throw JointError(
+      "A preview was requested in a distributed run (this is not supported). Use Solver.");
   }
 
 private:
@@ -425,8 +425,8 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
   if (!AreAlike(ranks, { double(numbers.size()) }) || !AreAlike(ranks, numbers))
   {
     throw JointError(
-      "The ranks differ in the camera, the light, the settings or where the image is "
-      "(what they say to each other follows from these). Give all of them the same.");
+      "The ranks differ in the camera, the light, the settings or the position of the image "
+      "(distributed runs need these to be equal). Give all ranks the same.");
   }
 }
 

@@ -29,46 +29,45 @@ void Settings::Require() const
     RequireNotNegative(info.name, info.whyNotNegative, this->weights.*info.weight);
   }
   RequireNotNegative(
-    "clearing threshold", "less than nothing cannot be at stake", this->clearingThreshold);
-  RequireNotNegative("tolerance", "no change can be smaller", this->tolerance);
-  RequireNotNegative("time limit", "it has passed already", this->maximumSeconds);
+    "clearing threshold", "the energy of Eq. (21) would have no minimum", this->clearingThreshold);
+  RequireNotNegative("tolerance", "changes cannot be negative", this->tolerance);
+  RequireNotNegative("time limit", "durations cannot be negative", this->maximumSeconds);
   LIMPID_REQUIRE(this->protectImportance >= 0 && this->protectImportance <= 1,
-    "The protection of important matter is "
+    "The protection of important structures is "
       << this->protectImportance
-      << " (it is the share of its extinction that is kept). Set it between 0 and 1.");
+      << " (it is the fraction of their extinction that is kept). Set it between 0 and 1.");
   LIMPID_REQUIRE(this->emphasis >= 0 && this->emphasis <= 1,
-    "The emphasis is "
-      << this->emphasis
-      << " (it is the share of the way from the data's extinction to the largest extinction that "
-         "matter may rise). Set it between 0 and 1.");
+    "The emphasis is " << this->emphasis
+                       << " (0 limits the extinction to that of the data, 1 to the largest "
+                          "extinction). Set it between 0 and 1.");
   LIMPID_REQUIRE(this->smoothness >= 0 && this->smoothness <= 10,
     "The smoothness is "
       << this->smoothness
-      << " (at 10 neighbours outweigh all that can be gained). Set it between 0 and 10.");
-  RequireNotNegative("temporal coherence", "what was shown before would be left on purpose",
+      << " (at 10, neighbours already outweigh any gain). Set it between 0 and 10.");
+  RequireNotNegative("temporal coherence", "the result would be driven away from the previous one",
     this->temporalCoherence);
   LIMPID_REQUIRE(this->otherCameras.empty() || InfoOf(this->method).iterates,
-    "Several cameras were given to " << InfoOf(this->method).name
-                                     << " (it knows of one). Use the method Optimized or one "
-                                        "camera.");
+    "Several cameras were given to "
+      << InfoOf(this->method).name
+      << " (this method supports one camera only). Use the method Optimized or one camera.");
   LIMPID_REQUIRE(
     std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
     "The ray density is " << this->rayDensity
-                          << " rays per voxel (fewer miss structures, more only take time). Set it "
-                             "between 0.1 and 16.");
+                          << " rays per voxel (fewer would miss structures, more would only take "
+                             "longer). Set it between 0.1 and 16.");
   LIMPID_REQUIRE(
     std::isfinite(this->learningRate) && this->learningRate > 0 && this->learningRate <= 1,
     "The learning rate is " << this->learningRate
-                            << " of the largest extinction (a step leaves the valid range or does "
-                               "nothing). Set it above 0 and at most 1.");
+                            << " of the largest extinction (steps would leave the valid range or "
+                               "change nothing). Set it above 0 and at most 1.");
   LIMPID_REQUIRE(this->maximumIterations >= 0,
     "The number of iterations is " << this->maximumIterations
-                                   << " (it is a count). Set it to zero or more.");
+                                   << " (it cannot be negative). Set it to zero or more.");
   for (const int iterations : this->iterationsPerLevel)
   {
     LIMPID_REQUIRE(iterations >= 0,
-      "The number of iterations of a level is " << iterations
-                                                << " (it is a count). Set it to zero or more.");
+      "The number of iterations of a level is "
+        << iterations << " (it cannot be negative). Set it to zero or more.");
   }
 }
 
@@ -113,11 +112,11 @@ Settings ForRanks(Settings settings)
   const std::string left = NotOnRanks(settings);
   LIMPID_REQUIRE(left.empty(),
     "Ranks share the scene, and " << left
-                                  << " is wanted (ranks cannot do that together yet). Turn it off, "
-                                     "or give one rank all of the scene.");
+                                  << " is set (this is not supported in distributed runs). Turn it "
+                                     "off, or give one rank the whole scene.");
   LIMPID_REQUIRE(settings.backend != BackendKind::Cuda,
-    "Ranks share the scene, and the backend is CUDA (ranks compute on processors so far). Use the "
-    "backend Auto or CPU.");
+    "Ranks share the scene, and the backend is CUDA (distributed runs are supported on CPUs only). "
+    "Use the backend Auto or CPU.");
   settings.backend = BackendKind::Cpu;
   return settings;
 }

@@ -69,8 +69,8 @@ struct WeightInfo
 inline constexpr WeightInfo allWeights[] = {
   { &Weights::regularization, "regularization weight",
     "the energy of Eq. (21) would have no minimum" },
-  { &Weights::view, "view weight", "important structures would be hidden on purpose" },
-  { &Weights::light, "light weight", "important structures would be darkened on purpose" },
+  { &Weights::view, "view weight", "a negative weight would hide important structures" },
+  { &Weights::light, "light weight", "a negative weight would darken important structures" },
 };
 
 struct Settings

@@ -38,10 +38,11 @@ void Solver::SetInitialExtinction(const float* extinction)
 {
   Internals& state = *this->State;
   LIMPID_REQUIRE(state.Minimizes(),
-    "An initial extinction was given to " << InfoOf(state.settings.method).name
-                                          << " (it does not iterate). Use the method Optimized.");
+    "An initial extinction was given to "
+      << InfoOf(state.settings.method).name
+      << " (this method does not iterate). Use the method Optimized.");
   LIMPID_REQUIRE(state.settings.mode == Mode::Joint,
-    "An initial extinction was given in separate mode (there are two extinctions to start). Use "
+    "An initial extinction was given in separate mode (this mode optimises two extinctions). Use "
     "the joint mode.");
   state.initial.emplace(extinction, extinction + state.scene.ValueCount());
   state.warm = true;

@@ -17,26 +17,26 @@ void Require(const TransferFunctions& functions)
 {
   const std::size_t count = functions.extinction.size();
   LIMPID_REQUIRE(count >= 2 && functions.color.size() == count,
-    "The transfer functions have " << count << " extinctions and " << functions.color.size()
-                                   << " colours (every scalar needs both). Give two or more, as "
-                                      "many of one as of the other.");
+    "The transfer functions have "
+      << count << " extinctions and " << functions.color.size()
+      << " colours (each entry needs both). Give two or more entries of each, in equal numbers.");
   LIMPID_REQUIRE(
     std::isfinite(functions.low) && functions.high > functions.low && std::isfinite(functions.high),
-    "The transfer functions reach from " << functions.low << " to " << functions.high
-                                         << " (no scalar is between). Give an ascending range.");
+    "The transfer functions range from "
+      << functions.low << " to " << functions.high
+      << " (no scalar lies in this range). Give an ascending range.");
   for (const float value : functions.extinction)
   {
     LIMPID_REQUIRE(value >= 0 && std::isfinite(value),
       "The transfer function has the extinction "
         << value
-        << " (light can neither grow nor vanish at once). Keep it finite and not "
-           "negative.");
+        << " (the transmittance would be undefined or exceed 1). Keep it finite and not negative.");
   }
   for (const std::array<float, 3>& color : functions.color)
   {
     LIMPID_REQUIRE(std::isfinite(color[0]) && std::isfinite(color[1]) && std::isfinite(color[2]),
       "The transfer function has the colour (" << color[0] << ", " << color[1] << ", " << color[2]
-                                               << ") (no pixel can show it). Keep it finite.");
+                                               << ") (it cannot be displayed). Keep it finite.");
   }
 }
 

@@ -20,19 +20,19 @@ void RequireView(const View& view)
     }
   }
   LIMPID_REQUIRE(finite && glm::determinant(view.clipToWorld) != 0,
-    "The view's matrix is singular or not finite (no ray belongs to a pixel). Check the camera: "
-    "position, focal point, clipping range.");
+    "The view's matrix is singular or not finite (pixels cannot be mapped to rays). Check the "
+    "camera: position, focal point, clipping range.");
   LIMPID_REQUIRE(view.sampleDistance > 0 && std::isfinite(view.sampleDistance),
     "The sample distance is " << view.sampleDistance
                               << " (rays would not advance). Set a number above zero.");
   LIMPID_REQUIRE(view.opaqueBelow >= 0 && view.opaqueBelow < 1,
-    "Rays end below the transmittance " << view.opaqueBelow
-                                        << " (transmittance lies between 0 and 1, and a ray begins "
-                                           "with 1). Set a number from 0 to below 1.");
+    "Rays are terminated below the transmittance "
+      << view.opaqueBelow
+      << " (transmittance starts at 1 and decreases towards 0). Set a number from 0 to below 1.");
   LIMPID_REQUIRE(view.planes.size() <= std::size_t(RayMaker::mostPlanes),
     "There are " << view.planes.size()
-                 << " clipping planes, with 6 for a crop box (rays are cut by "
-                 << RayMaker::mostPlanes << " at most). Remove some.");
+                 << " clipping planes, counting a crop box as 6 (rays are clipped by at most "
+                 << RayMaker::mostPlanes << "). Remove some.");
 }
 
 RayMaker::RayMaker(const Grid& grid, double stepLength, const View& view)

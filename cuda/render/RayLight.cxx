@@ -57,14 +57,14 @@ void RequireLighting(const Lighting& lighting)
                              << " (the highlight would not be finite). Keep it at or above zero.");
   LIMPID_REQUIRE(lighting.intensity >= 0 && std::isfinite(lighting.intensity) &&
       lighting.surface >= 0 && std::isfinite(lighting.surface),
-    "The light's intensity is " << lighting.intensity << " and the surface share "
-                                << lighting.surface
-                                << " (light does not become less than none). Keep both finite and "
-                                   "at or above zero.");
+    "The light's intensity is "
+      << lighting.intensity << " and the surface share " << lighting.surface
+      << " (light cannot be negative). Keep both finite and at or above zero.");
   LIMPID_REQUIRE(lighting.ambient >= 0 && lighting.ambient <= 1 && lighting.shadowStrength >= 0 &&
       lighting.shadowStrength <= 1,
     "The ambient light is " << lighting.ambient << " and the strength of shadows "
-                            << lighting.shadowStrength << " (both are shares). Keep them between 0 "
+                            << lighting.shadowStrength
+                            << " (both are fractions of the light). Keep them between 0 "
                             << "and 1.");
 }
 

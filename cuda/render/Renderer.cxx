@@ -138,10 +138,10 @@ struct Renderer::Internals
     }
     LIMPID_REQUIRE(share > 0 && share <= 1,
       "The share is " << share
-                      << " (the picture moves that far towards the new extinction). Keep it above "
-                         "0 and at most 1.");
+                      << " (it blends the displayed extinction with the new one). Keep it above 0 "
+                         "and at most 1.");
     LIMPID_REQUIRE(this->hasFunctions,
-      "The extinction was given before the transfer functions (they have its unit). Set them "
+      "The extinction was given before the transfer functions (they define its unit). Set them "
       "first.");
     return true;
   }
@@ -243,8 +243,8 @@ void Renderer::SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> pie
 {
   Internals& state = *this->State;
   LIMPID_REQUIRE(!piece || !state.backend->IsDevice(),
-    "Ranks share the picture, and a GPU draws (ranks draw with processors so far). Use the backend "
-    "Auto or CPU.");
+    "Ranks share the picture, and a GPU draws it (distributed rendering is supported on CPUs "
+    "only). Use the backend Auto or CPU.");
   if (!piece && state.extinctionOfAll)
   {
     state.backend->ClearExtinction();
@@ -260,7 +260,7 @@ void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* s
 {
   grid.Require();
   LIMPID_REQUIRE(
-    scalars != nullptr, "There are no scalars (nothing tells what is where). Give an array.");
+    scalars != nullptr, "There are no scalars (there is nothing to draw). Give an array.");
   Internals& state = *this->State;
   ++state.changes;
   state.hasScalars = false; // in case one of the next lines throws
@@ -298,7 +298,7 @@ void Renderer::SetImportance(const float* importance)
     return;
   }
   LIMPID_REQUIRE(state.hasScalars,
-    "The importance was given before the scalars (it has their nodes). Set them first.");
+    "The importance was given before the scalars (it is defined on their grid). Set them first.");
   if (state.grid.HasVolume())
   {
     state.backend->SetImportance(importance);
@@ -311,8 +311,8 @@ void Renderer::ShowMissed(const std::optional<std::array<float, 3>>& color)
   for (const float channel : color.value_or(std::array<float, 3>{}))
   {
     LIMPID_REQUIRE(channel >= 0 && channel <= 1,
-      "A channel of the colour of what is missed is "
-        << channel << " (a picture has nothing brighter than 1). Keep it between 0 and 1.");
+      "A channel of the colour for missed structures is "
+        << channel << " (channels outside [0, 1] cannot be displayed). Keep it between 0 and 1.");
   }
   this->State->Take(this->State->missedColor, color);
 }
@@ -371,9 +371,8 @@ void Renderer::SetLighting(const Lighting& lighting)
 void Renderer::SetShadowRayDensity(double density)
 {
   LIMPID_REQUIRE(density > 0 && density <= 16,
-    "The ray density of shadows is " << density
-                                     << " (rays per voxel and axis). Keep it above 0 and at most "
-                                        "16.");
+    "The ray density of shadows is "
+      << density << " (it is in rays per voxel and axis). Keep it above 0 and at most 16.");
   this->State->shadowIsCurrent =
     this->State->shadowIsCurrent && density == this->State->shadowRayDensity;
   this->State->Take(this->State->shadowRayDensity, density);
@@ -383,7 +382,7 @@ void Renderer::SetShadowCoarseness(int factor)
 {
   LIMPID_REQUIRE(factor >= 1,
     "The coarseness of shadows is " << factor
-                                    << " (times the distance of the nodes). Set 1 or more.");
+                                    << " (it is a multiple of the grid spacing). Set 1 or more.");
   Internals& state = *this->State;
   if (factor != state.shadowCoarseness)
   {

@@ -52,24 +52,24 @@ void Grid::Require() const
   for (int axis = 0; axis < 3; ++axis)
   {
     LIMPID_REQUIRE(std::isfinite(this->spacing[axis]) && this->spacing[axis] > 0,
-      "The spacing along axis " << axis << " is " << this->spacing[axis]
-                                << " (lengths along a ray are made from it). Set a spacing above "
-                                   "zero.");
+      "The spacing along axis "
+        << axis << " is " << this->spacing[axis]
+        << " (lengths along rays are computed from it). Set a spacing above zero.");
     LIMPID_REQUIRE(this->spacing[axis] >= leastLength && this->spacing[axis] <= mostLength,
       "The spacing along axis " << axis << " is " << this->spacing[axis]
                                 << " (lengths and extinctions are computed in single precision, "
-                                   "which holds for spacings from "
+                                   "which supports spacings from "
                                 << leastLength << " to " << mostLength
                                 << "). Give lengths in another unit.");
     LIMPID_REQUIRE(std::isfinite(this->origin[axis]),
-      "The origin along axis " << axis << " is " << this->origin[axis]
-                               << " (rays cannot reach it). Set a finite origin.");
+      "The origin along axis "
+        << axis << " is " << this->origin[axis]
+        << " (the position of the image is undefined). Set a finite origin.");
   }
   const double distance = DistanceFromOrthonormal(this->direction);
   LIMPID_REQUIRE(distance < 1e-6,
     "The direction matrix is not orthonormal, by "
-      << distance
-      << " (a sheared image has no single spacing; only what rounding to three digits leaves, "
-      << mostRounding << " at most, is corrected). Resample it to an orthonormal image.");
+      << distance << " (sheared images are not supported; only rounding errors, " << mostRounding
+      << " at most, are corrected). Resample it to an orthonormal image.");
 }
 }

@@ -54,12 +54,12 @@ Vec3 DirectionOf(const char* what, const Vec3& from, const Vec3& to)
 {
   LIMPID_REQUIRE(IsFinite(from) && IsFinite(to),
     "The position " << Text{ from } << " or focal point " << Text{ to } << " of the " << what
-                    << " is not finite (no ray starts there). Set finite coordinates.");
+                    << " is not finite (rays cannot be constructed). Set finite coordinates.");
   const Vec3 difference = to - from;
   const double length = glm::length(difference);
   LIMPID_REQUIRE(length > 0,
     "The " << what << " is at its own focal point " << Text{ to }
-           << " (it looks in no direction). Move one of the two.");
+           << " (its direction is undefined). Move one of the two.");
   return difference / length;
 }
 
@@ -124,14 +124,14 @@ void RequireOpening(const Camera& camera)
 {
   LIMPID_REQUIRE(camera.parallel || (camera.viewAngle > 0 && camera.viewAngle < 180),
     "The camera's view angle is " << camera.viewAngle
-                                  << " degrees (no picture has that opening). Set an angle above 0 "
-                                     "and below 180 degrees.");
+                                  << " degrees (the perspective projection is undefined). Set an "
+                                     "angle above 0 and below 180 degrees.");
   LIMPID_REQUIRE(!camera.parallel || camera.parallelScale > 0,
-    "The camera's parallel scale is " << camera.parallelScale
-                                      << " (the picture has no height). Set a scale above zero.");
+    "The camera's parallel scale is "
+      << camera.parallelScale << " (the picture would have no height). Set a scale above zero.");
   LIMPID_REQUIRE(camera.aspect > 0,
-    "The picture's aspect ratio is " << camera.aspect
-                                     << " (the picture has no width). Set a ratio above zero.");
+    "The picture's aspect ratio is "
+      << camera.aspect << " (the picture would have no width). Set a ratio above zero.");
 }
 
 /// Adds the planes through neighbouring corners of a picture and along the rays there.
@@ -150,8 +150,8 @@ void AddCorners(RaySource& eye, const Camera& camera, const Grid& grid, const Ve
     LIMPID_REQUIRE(std::abs(inside) > 1e-12 * size * glm::length(middle - corner),
       "The picture's corners " << Text{ corners[0] } << ", " << Text{ corners[1] } << ", "
                                << Text{ corners[2] } << ", " << Text{ corners[3] }
-                               << " span no area as seen from the camera (no ray is in view). Set "
-                                  "corners that do.");
+                               << " span no area as seen from the camera (the view would contain "
+                                  "no rays). Set corners that do.");
     normal *= (inside > 0 ? 1 : -1) / size;
     eye.viewPlanes.push_back(PlaneOf(grid, normal, corner, camera.parallel));
   }
@@ -161,13 +161,13 @@ void RequireCorners(const Camera& camera)
 {
   LIMPID_REQUIRE(camera.corners.size() == 4,
     "The picture has " << camera.corners.size()
-                       << " corners (four planes bound the rays). Give four or none.");
+                       << " corners (the view is bounded by four planes). Give four or none.");
   for (const Vec3& corner : camera.corners)
   {
     LIMPID_REQUIRE(IsFinite(corner),
       "The corner " << Text{ corner }
-                    << " of the picture is not finite (no plane runs through it). Set finite "
-                       "coordinates.");
+                    << " of the picture is not finite (the planes that bound the view are "
+                       "undefined). Set finite coordinates.");
   }
 }
 }
@@ -216,8 +216,9 @@ RaySource SourceOfLight(const Light& light, const Grid& grid)
   else
   {
     LIMPID_REQUIRE(IsFinite(light.position),
-      "The light's position " << Text{ light.position }
-                              << " is not finite (no ray starts there). Set finite coordinates.");
+      "The light's position "
+        << Text{ light.position }
+        << " is not finite (rays cannot be constructed). Set finite coordinates.");
   }
   eye.origin = IndexOf(light.position, grid);
   return eye;

@@ -116,8 +116,8 @@ std::vector<NodeBox> Parted(const std::vector<NodeBox>& boxes)
     if (!apart || counted != boxes[rank].Count())
     {
       throw JointError("The piece of rank " + std::to_string(rank) +
-        " overlaps others in a corner (what each counts for would be no box). Give ranks pieces "
-        "that overlap by layers, or not at all.");
+        " overlaps others in a corner (the nodes that each rank owns would not form a box). Give "
+        "ranks pieces that overlap by layers, or not at all.");
     }
   }
   return parts;
@@ -138,8 +138,8 @@ ScenePiece::ScenePiece(
     if (!Contains(whole, this->boxes[rank]))
     {
       throw JointError("The piece of rank " + std::to_string(rank) +
-        " is not within the image (it has nodes that are none). Give every rank a part of the same "
-        "image.");
+        " extends outside the image (its fields would not fit the grid). Give every rank a part of "
+        "the same image.");
     }
     covered += this->owned[rank].Count();
   }

@@ -71,12 +71,12 @@ std::vector<Camera> OrbitOf(const Camera& camera, int count, OrbitStart start)
 void ViewSet::Require() const
 {
   LIMPID_REQUIRE(this->count >= 1 && this->count <= mostViews,
-    "The number of views is " << this->count << " (an orbit has one to " << mostViews
-                              << "). Set it between these.");
+    "The number of views is " << this->count << " (an orbit has 1 to " << mostViews
+                              << " views). Set a number in this range.");
   LIMPID_REQUIRE(this->eyeAngle >= 0 && this->eyeAngle < 180,
-    "The angle between eyes is " << this->eyeAngle
-                                 << " degrees (they do not look at the same). Set it from 0 to "
-                                    "below 180 degrees.");
+    "The eye angle is "
+      << this->eyeAngle
+      << " degrees (it must be in [0, 180) degrees). Set it from 0 to below 180 degrees.");
 }
 
 std::vector<Camera> CamerasOf(const ViewSet& views, const Camera& camera, OrbitStart start)

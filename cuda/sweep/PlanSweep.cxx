@@ -368,11 +368,11 @@ void RequireMemory(const FaceFrustum& frustum, const Grid& grid, std::size_t sli
   const double bytes =
     bytesOfRay * rays + bytesOfPlace * double(slices) * (double(frustum.columns) + frustum.rows);
   LIMPID_REQUIRE(bytes < most * PhysicalMemory(),
-    "Seen from there, an image of "
-      << grid.nodes.x << " x " << grid.nodes.y << " x " << grid.nodes.z << " points takes " << rays
-      << " rays (they would need " << bytes / gigabyte << " GiB of memory; this machine has "
+    "From this position, an image of "
+      << grid.nodes.x << " x " << grid.nodes.y << " x " << grid.nodes.z << " points needs " << rays
+      << " rays (they would take " << bytes / gigabyte << " GiB of memory; this machine has "
       << PhysicalMemory() / gigabyte
-      << "). Look along the image or straight at one of its sides, or resample it to fewer "
+      << " GiB). Look along the image or straight at one of its sides, or resample it to fewer "
          "points.");
 }
 

@@ -301,8 +301,8 @@ std::string ConcurrentResult::Proof() const
     return {};
   }
   const double found = this->solver->BestScore().fraction;
-  return "What is visible is " + Percent(found / ceiling) +
-    " of the ceiling of its view, and that is " +
+  return "The result reaches " + Percent(found / ceiling) +
+    " of the ceiling of its view, which is " +
     Percent(std::min(ceiling / this->highestCeiling, 1.0)) + " of the highest ceiling of " +
     std::to_string(this->views) + " views.";
 }

@@ -182,11 +182,11 @@ private:
 Camera FittedCamera(
   const Orbit& orbit, const std::vector<Vec3>& corners, const Vec3& direction, Aim aim)
 {
-  LIMPID_REQUIRE(!corners.empty(),
-    "There are no corners (nothing has to be in the picture). Give those of a box.");
+  LIMPID_REQUIRE(
+    !corners.empty(), "There are no corners (the camera is fitted to them). Give those of a box.");
   LIMPID_REQUIRE(orbit.aspect > 0 && std::isfinite(orbit.aspect),
-    "The picture's aspect ratio is " << orbit.aspect
-                                     << " (the picture has no area). Set a ratio above zero.");
+    "The picture's aspect ratio is "
+      << orbit.aspect << " (the picture would have no area). Set a ratio above zero.");
   if (!orbit.parallel)
   {
     return Fit(orbit, corners, direction, aim).Best();

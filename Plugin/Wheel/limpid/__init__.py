@@ -3,7 +3,7 @@
 
 """Limpid: see what matters in a volume, with arrays of numpy and images of PyVista.
 
-  optimize(...)    finds the extinction that makes what is important visible;
+  optimize(...)    finds the extinction that makes important structures visible;
   viewpoints(...)  finds from where most of it can be seen;
   render(...)      draws a volume, before or after, lit and shadowed.
 

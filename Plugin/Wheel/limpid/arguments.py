@@ -64,8 +64,8 @@ def vector(name, value, why):
 def require_choice(name, value, choices):
     """Raises ValueError unless `value` is one of the choices."""
     if value not in choices:
-        raise ValueError(f"{name} is {value!r} (there is no such choice). "
-                         f"Choose one of {', '.join(map(repr, choices))}.")
+        raise ValueError(f"{name} is {value!r} (this is not a valid choice). Choose one of "
+                         f"{', '.join(map(repr, choices))}.")
 
 
 def choice(name, value, enumeration):

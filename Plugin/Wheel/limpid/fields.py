@@ -136,12 +136,12 @@ def corrected(extinction, importance, layout):
         clamped += np.count_nonzero((g < 0) | (g > 1))
         np.clip(g, 0, 1, out=g)
     warn_of_points({
-        "a NaN or an infinite value (nothing can be computed from it) and are taken as empty. "
+        "a NaN or an infinite value (the scene is undefined there) and are treated as empty. "
         "Replace these values if they should count.": invalid,
-        "a negative extinction (it would make light from nothing) and are taken as empty. Give an "
+        "a negative extinction (it would amplify light) and are treated as empty. Give an "
         "extinction of zero or more.": negative,
-        "an importance outside [0, 1] (it is a share) and get 0 or 1. Map the values to importance "
-        "with importance_function.": clamped}, extinction.size)
+        "an importance outside [0, 1] (the energy is not defined there) and are clamped to this "
+        "range. Map the values to importance with importance_function.": clamped}, extinction.size)
     return extinction, importance
 
 

@@ -21,8 +21,8 @@ class PiecewiseLinear:
         table = table_of(name, nodes, 2)
         if not np.all((table[:, 1] >= least) & (table[:, 1] <= most)):
             wrong = table[~((table[:, 1] >= least) & (table[:, 1] <= most))][0]
-            raise ValueError(f"{name} has the node {wrong.tolist()} (results lie between {least:g} "
-                             f"and {most:g}). Give results in that range.")
+            raise ValueError(f"{name} has the node {wrong.tolist()} (results must lie between "
+                             f"{least:g} and {most:g}). Give results in that range.")
         self.positions, self.results = np.ascontiguousarray(table.T)
 
     def __call__(self, values):
@@ -45,16 +45,16 @@ def table_of(name, nodes, columns):
         table = np.empty(0)
     if table.ndim != 2 or table.shape[0] < 1 or table.shape[1] != columns:
         kind = {2: "[value, result]", 4: "[value, red, green, blue]"}[columns]
-        raise ValueError(f"{name} is not a list of nodes {kind} (the volume is classified by it). "
-                         f"Give nodes like {[0.0] * columns}.")
+        raise ValueError(f"{name} is not a list of nodes {kind} (the volume is classified with "
+                         f"it). Give nodes like {[0.0] * columns}.")
     if not np.all(np.isfinite(table)):
-        raise ValueError(f"{name} has the node {table[~np.isfinite(table).all(axis=1)][0].tolist()}"
-                         " (no value lies there). Give finite numbers.")
+        raise ValueError(f"{name} has the node "
+                         f"{table[~np.isfinite(table).all(axis=1)][0].tolist()} (functions are "
+                         "defined on finite values). Give finite numbers.")
     if np.any(np.diff(table[:, 0]) < 0):
         at = int(np.argmax(np.diff(table[:, 0]) < 0))
-        raise ValueError(f"{name} has the value {table[at + 1, 0]:g} behind {table[at, 0]:g} "
-                         "(between nodes there are straight lines). Put nodes in the order of "
-                         "their values.")
+        raise ValueError(f"{name} has the value {table[at + 1, 0]:g} after {table[at, 0]:g} (nodes "
+                         "are interpolated in this order). Sort nodes by their values.")
     return table
 
 

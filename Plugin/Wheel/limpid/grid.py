@@ -38,8 +38,9 @@ class Grid:
         direction = np.eye(3) if self.direction is None else matrix_of(self.direction)
         object.__setattr__(self, "direction", direction)
         object.__setattr__(self, "spacing",
-                           vector("spacing", self.spacing, "lengths are made from it"))
-        object.__setattr__(self, "origin", vector("origin", self.origin, "the volume is there"))
+                           vector("spacing", self.spacing, "lengths are computed from it"))
+        object.__setattr__(self, "origin",
+                           vector("origin", self.origin, "it is the position of the volume"))
 
     @classmethod
     def of_image(cls, image):

@@ -39,9 +39,9 @@ def axes_of(array):
         return None
     names = [str(name).lower() for name in array.dims]
     if any(names.count(axis) != 1 for axis in XYZ):
-        raise ValueError(f"The array has the dims {tuple(array.dims)} (which of them are x, y and "
-                         "z cannot be told). Rename them with array.rename(...), or give "
-                         "array.values, indexed [x, y, z].")
+        raise ValueError(f"The array has the dims {tuple(array.dims)} (x, y and z cannot be "
+                         "identified). Rename them with array.rename(...), or give array.values, "
+                         "indexed [x, y, z].")
     return (*(names.index(axis) for axis in XYZ),
             *(axis for axis, name in enumerate(names) if name not in XYZ))
 
@@ -81,9 +81,9 @@ def first_and_step(name, array):
     mean = steps.mean() if len(steps) else 1.0
     if not (np.isfinite(mean) and mean > 0 and np.abs(steps - mean).max(initial=0) <= 1e-3 * mean):
         raise ValueError(f"The coordinates of the array along {name!r} are not ascending numbers "
-                         "at even steps (rays are followed through evenly spaced points). Sort or "
-                         f"interpolate it, as by array.sortby({name!r}), or leave them out with "
-                         f"array.drop_vars({name!r}).")
+                         "at even steps (rays are traced through evenly spaced points). Sort or "
+                         f"interpolate it, for instance with array.sortby({name!r}), or leave them "
+                         f"out with array.drop_vars({name!r}).")
     return float(positions[0]), float(mean)
 
 
@@ -109,6 +109,6 @@ def doubt_about_axes(shape, spacing):
         return None
     return (f"The array has the shape {tuple(shape)}, in which {XYZ[of_shape]} differs, and the "
             f"spacing {tuple(float(step) for step in spacing)}, in which {XYZ[of_spacing]} differs "
-            "(arrays are indexed [x, y, z], those that SimpleITK, scikit-image and files of DICOM "
-            "give [z, y, x]: the volume may be distorted). Give array.transpose(2, 1, 0), which is "
-            "not a copy, or the spacing in the order of the axes.")
+            "(arrays are indexed [x, y, z], those of SimpleITK, scikit-image and DICOM files [z, "
+            "y, x]: the volume may be distorted). Give array.transpose(2, 1, 0), which is not a "
+            "copy, or the spacing in the order of the axes.")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Finds the extinction that makes what is important visible."""
+"""Finds the extinction that makes important structures visible."""
 
 import dataclasses
 
@@ -62,8 +62,8 @@ class Optimization:
 
     def __repr__(self):
         return (f"<limpid.Optimization of {' x '.join(map(str, self.dimensions))} points: "
-                f"{100 * self.base_visible_fraction:.1f} % of what is important visible before, "
-                f"{100 * self.visible_fraction:.1f} % after, "
+                f"{100 * self.base_visible_fraction:.1f} % of the important structures visible "
+                f"before, {100 * self.visible_fraction:.1f} % after, "
                 f"{100 * self.attainable_fraction:.1f} % at most, "
                 f"{100 * self.sacrificed_fraction:.1f} % removed; "
                 f"S {self.base_visibility_score:.6g} before, {self.visibility_score:.6g} after; "
@@ -73,15 +73,15 @@ class Optimization:
 def require_one_camera(settings, before):
     """Raises ValueError for what cannot go together with a camera that moves."""
     if settings.views != "single_view":
-        raise ValueError(f"optimize_viewpoint is on and views is {settings.views!r} (only one "
-                         "camera can move). Leave one of them out.")
+        raise ValueError(f"optimize_viewpoint is on and views is {settings.views!r} (only a single "
+                         "camera can be optimised). Leave one of them out.")
     if settings.method != "optimized":
-        raise ValueError(f"optimize_viewpoint is on and method is {settings.method!r} (the camera "
-                         "moves with the optimised extinction). Use the method 'optimized', or "
-                         "leave optimize_viewpoint out.")
+        raise ValueError(f"optimize_viewpoint is on and method is {settings.method!r} (only the "
+                         "method 'optimized' supports this). Use the method 'optimized', or leave "
+                         "optimize_viewpoint out.")
     if before.counts:
-        raise ValueError("optimize_viewpoint is on and previous is given (the camera may go where "
-                         "that says nothing). Leave one of them out.")
+        raise ValueError("optimize_viewpoint is on and previous is given (the previous result may "
+                         "not cover the new view). Leave one of them out.")
 
 
 def optimize(volume=None, *, scalars=None, importance=None, importance_function=None,

@@ -53,8 +53,8 @@ class Previous:
         unsaid = isinstance(found, tuple) and not found
         if unsaid and (settings.warm_start or settings.temporal_coherence > 0):
             raise ValueError("warm_start or temporal_coherence is set, and there is no previous "
-                             "(there is nothing to start from, or to stay near). Give previous=, "
-                             "what optimize returned last, or None for the first run.")
+                             "(these settings refer to a previous result). Give previous=, the "
+                             "last result of optimize, or None for the first run.")
         self.found = None if unsaid else found
         self.warm = settings.warm_start
         self.coherent = settings.temporal_coherence > 0
@@ -62,14 +62,14 @@ class Previous:
         if self.found is None:
             return
         if not isinstance(getattr(found, "memory", None), Memory):
-            raise ValueError(f"previous is a {type(found).__name__} (the next run starts from what "
-                             "the last one returned). Give what optimize returned, or None.")
+            raise ValueError(f"previous is a {type(found).__name__} (a run continues from a result "
+                             "of optimize). Give such a result, or None.")
         if not self.counts:
             raise ValueError("previous is given, warm_start is off and temporal_coherence 0 (it "
-                             "would not count). Set one of these, or leave previous out.")
+                             "would have no effect). Set one of these, or leave previous out.")
         if self.coherent and found.memory.change is None:
-            raise ValueError("temporal_coherence is set, and previous was found without it (so "
-                             "what it changed was not kept). Set it in both runs.")
+            raise ValueError("temporal_coherence is set, and previous was found without it (so its "
+                             "change was not stored). Set it in both runs.")
 
     def layout(self):
         """The order of axes that fields are wanted in; None: any."""
@@ -85,10 +85,10 @@ class Previous:
         if not np.allclose(*ends, rtol=0, atol=1e-4 * grid.radius()):
             raise ValueError(f"previous is of a box from {ends[0][0]} to {ends[0][1].tolist()}, "
                              f"and the volume is one from {ends[1][0]} to {ends[1][1].tolist()} "
-                             "(its extinction belongs elsewhere). Leave previous out.")
+                             "(its extinction belongs to another box). Leave previous out.")
         if self.warm and before.shape != grid.shape:
             raise ValueError(f"previous has {before.shape} points, and the volume {grid.shape} (a "
-                             "run starts from a value for each point). Leave warm_start out.")
+                             "warm start needs one value per point). Leave warm_start out.")
 
     def initial(self, scene):
         """The extinction to start from, flat; None: the base extinction."""

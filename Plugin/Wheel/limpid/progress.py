@@ -32,6 +32,6 @@ class Report:
 def report_to(progress):
     """A Report, checked; None: nobody wants to know."""
     if progress is not None and not callable(progress):
-        raise ValueError(f"progress is {progress!r} (it is called with the share of the work that "
-                         "is done and a text). Give a function, like print.")
+        raise ValueError(f"progress is {progress!r} (it is called with the fraction of the work "
+                         "done and a text). Give a function, like print.")
     return None if progress is None else Report(progress)

@@ -37,8 +37,8 @@ def color_nodes(color_function):
     """Nodes (n, 4), checked."""
     nodes = table_of("color_function", color_function, 4)
     if not np.all((nodes[:, 1:] >= 0) & (nodes[:, 1:] <= 1)):
-        raise ValueError("color_function has a channel outside [0, 1] (a picture has nothing "
-                         "brighter than 1). Divide by 255 if the colors are bytes.")
+        raise ValueError("color_function has a channel outside [0, 1] (channels outside this range "
+                         "cannot be displayed). Divide by 255 if the colors are bytes.")
     return nodes
 
 
@@ -106,8 +106,8 @@ def render(volume, *, color_function, scalars=None, extinction_function=None,
     mask = source.mask  # of the scalars
     found = field_like_scalars(source, "extinction", extinction, layout)
     if found is None and light_extinction is not None:
-        raise ValueError("light_extinction is given without extinction (it goes with what was "
-                         "found for the camera). Give both.")
+        raise ValueError("light_extinction is given without extinction (it complements the "
+                         "extinction for the camera). Give both.")
     base = None if found is None else np.nan_to_num(
         layout.flat(*emptied((mapped(values, function, layout),), mask)), copy=False)
     view = camera_of(camera, source.grid)
@@ -120,9 +120,9 @@ def render(volume, *, color_function, scalars=None, extinction_function=None,
                         "anisotropy": anisotropy, "specular": specular,
                         "specular_power": specular_power,
                         "light_intensity": light_intensity}.items():
-        setattr(lighting, name, number(name, value, "brightness is made from it",
+        setattr(lighting, name, number(name, value, "brightness is computed from it",
                                        "Give a finite number."))
-    size = [whole_number(name, value, 1, LARGEST_PICTURE, "the picture has so many pixels",
+    size = [whole_number(name, value, 1, LARGEST_PICTURE, "it is a number of pixels",
                          f"Give a whole number from 1 to {LARGEST_PICTURE}.")
             for name, value in (("width", width), ("height", height))]
     matrix = clip_to_world(view, source.grid, size[0] / size[1])

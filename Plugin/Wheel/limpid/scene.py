@@ -43,7 +43,8 @@ class Scene:
         largest = self.largest_extinction()
         if largest > 0 and self.importance.max() > 0:
             return
-        what = "nothing is important" if largest > 0 else "without extinction nothing is seen"
+        what = ("no structure is important" if largest > 0 else
+                "without extinction nothing is visible")
         warn(f"The largest extinction is {largest:g}, and {what} ({consequence}). Check the "
              "importance and the extinction.")
 
@@ -58,15 +59,15 @@ def unit_distance_of(given, grid):
     if given is None:
         return grid.cell_length()
     if not (isinstance(given, (int, float, np.number)) and 0 < given < math.inf):
-        raise ValueError(f"unit_distance is {given!r} (opacity is light lost on a distance). Give "
-                         "a length above zero, or None for the mean length of a cell.")
+        raise ValueError(f"unit_distance is {given!r} (it is the distance over which opacities "
+                         "apply). Give a length above zero, or None for the mean length of a cell.")
     return float(given)
 
 
 def extinction_function_of(extinction_function, opacity_function, unit_distance):
     """The extinction of a scalar [1/length]; None: neither function is given."""
     if extinction_function is not None and opacity_function is not None:
-        raise ValueError("extinction_function and opacity_function are given (each tells the "
+        raise ValueError("extinction_function and opacity_function are given (each defines the "
                          "extinction of a scalar). Give one of them.")
     if extinction_function is not None:
         return PiecewiseLinear("extinction_function", extinction_function)
@@ -116,13 +117,14 @@ def assumed_importance(scalars, mask):
     ordered = np.sort(samples[np.isfinite(samples)])
     ramp = _core.starting_importance(ordered)
     if ramp is None:
-        raise ValueError("Nobody has said what is important, and the scalars are all alike (nothing "
-                         "stands out of them). Give an importance, or an importance_function.")
+        raise ValueError("No importance is set, and all scalars are equal (no important structures "
+                         "can be derived from them). Give an importance, or an "
+                         "importance_function.")
     above = np.isfinite(samples) & (samples > ramp[0])
     eighths = eighth_largest_neighbours(scalars, mask, places[above])
     ramp = _core.clean_importance(ramp, ordered, samples[above], eighths)
-    warn(f"Nobody has said what is important: the largest scalars are, from {ramp[0]:g} (0) to "
-         f"{ramp[1]:g} (1) (what is cleared depends on it). Give "
+    warn(f"No importance is set: the largest scalars are taken as important, from {ramp[0]:g} (0) "
+         f"to {ramp[1]:g} (1) (what is cleared depends on this). Give "
          f"importance_function=[[{ramp[0]:g}, 0], [{ramp[1]:g}, 1]] if that is right, or an "
          "importance.")
     return [[ramp[0], 0.0], [ramp[1], 1.0]]
@@ -137,13 +139,14 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
     """
     if importance_component is not None:
         importance_component = whole_number(
-            "importance_component", importance_component, -1, 2 ** 31 - 1, "arrays have components "
-            "from 0 on", "Give one of these, or -1 for the length of the tuple.")
+            "importance_component", importance_component, -1, 2 ** 31 - 1,
+            "components are numbered from 0",
+            "Give one of these, or -1 for the length of the tuple.")
     source = Volume(volume, [scalars, extinction, importance], spacing, origin, direction)
     distance = unit_distance_of(unit_distance, source.grid)
     function = extinction_function_of(extinction_function, opacity_function, distance)
     if extinction is not None and function is not None:
-        raise ValueError("extinction and a function of the scalars are given (both tell the base "
+        raise ValueError("extinction and a function of the scalars are given (both define the base "
                          "extinction). Give one of them.")
 
     own_extinction = extinction is not None

@@ -39,8 +39,8 @@ CONVERSIONS = {bool: whether, int: operator.index, float: float,
 
 def wrong_kind(field, value):
     """What to say of a value that is of another kind than the default."""
-    return (f"{field.name} is {reprlib.repr(value)} (it is of the kind of {field.default!r}, its "
-            "default). Give such a value.")
+    return (f"{field.name} is {reprlib.repr(value)} (it must be of the type of "
+            f"{field.default!r}, its default). Give such a value.")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -100,8 +100,8 @@ class Settings:
         if self.regularization_weight != type(self).regularization_weight and \
                 self.clearing_threshold > 0:
             warn(f"regularization_weight is {self.regularization_weight:g}, and clearing_threshold "
-                 f"{self.clearing_threshold:g} (it takes the place of the weight, which does not "
-                 "count). Set clearing_threshold=0 for the weight, or leave the weight out.")
+                 f"{self.clearing_threshold:g} (it replaces the weight, which has no effect). Set "
+                 "clearing_threshold=0 to use the weight, or leave the weight out.")
 
     @classmethod
     def preset(cls, name):
@@ -139,10 +139,10 @@ class Settings:
         if preset is not None:
             raise ValueError(f"preset {preset!r} and settings are given (each has a value for "
                              "every setting). Give one of them; limpid.Settings.preset(...) and "
-                             "dataclasses.replace make one of both.")
+                             "dataclasses.replace combine both.")
         if not isinstance(settings, cls):
-            raise TypeError(f"settings is {reprlib.repr(settings)} (it has no settings). Give a "
-                            "limpid.Settings, or settings by their names.")
+            raise TypeError(f"settings is {reprlib.repr(settings)} (this is not a settings "
+                            "object). Give a limpid.Settings, or settings by their names.")
         return settings
 
     def in_core(self):
@@ -164,12 +164,12 @@ class Settings:
     def views_in_core(self):
         """For which cameras the extinction is to be, as the core has it, which checks it."""
         if self.views != "single_view" and self.method != "optimized":
-            raise ValueError(f"views is {self.views!r} and method {self.method!r} (only the "
-                             "optimised extinction is for several cameras). Use the views "
-                             "'single_view' or the method 'optimized'.")
+            raise ValueError(f"views is {self.views!r} and method {self.method!r} (only the method "
+                             "'optimized' supports several cameras). Use the views 'single_view' "
+                             "or the method 'optimized'.")
         try:
             return _core.ViewSet(choice("views", self.views, _core.Views), self.number_of_views,
                                  self.eye_angle)
         except (TypeError, OverflowError):
-            raise ValueError(f"number_of_views is {self.number_of_views} (an orbit has one to "
-                             "360). Give one of these.") from None
+            raise ValueError(f"number_of_views is {self.number_of_views} (an orbit has 1 to 360 "
+                             "views). Give a number in this range.") from None

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Finds from where most of what is important can be seen."""
+"""Finds from where most of the important structures can be seen."""
 
 import dataclasses
 import math
@@ -64,7 +64,7 @@ class Viewpoints:
         best = self.viewpoints[0]
         return (f"<limpid.Viewpoints: {len(self)} ranked, the best at "
                 f"({', '.join(f'{x:.6g}' for x in best.position)}), from where "
-                f"{100 * best.visible_fraction:.1f} % of what is important can be seen, S "
+                f"{100 * best.visible_fraction:.1f} % of the important structures can be seen, S "
                 f"{best.visibility_score:.6g}; {len(self.directions)} directions in "
                 f"{self.seconds:.2f} s on {self.backend}>")
 
@@ -72,27 +72,28 @@ class Viewpoints:
 def orbit_of(grid, focal_point, distance, view_angle, parallel, aspect, up):
     """The arguments of the core's orbit, checked, for cameras round a grid; see viewpoints."""
     distance = number_between(
-        "camera_distance", distance, 1, math.inf, "below 1 some of the cameras would stand inside "
-        "the volume, and what is behind them could not be seen", "Give 1 or more, for instance 3.")
-    view_angle = number("camera_view_angle", view_angle, "no picture has it", "Give degrees.")
+        "camera_distance", distance, 1, math.inf, "below 1, some cameras would be inside the "
+        "volume and would not see what is behind them", "Give 1 or more, for instance 3.")
+    view_angle = number("camera_view_angle", view_angle,
+                        "the perspective projection is undefined", "Give degrees.")
     if not 0 < view_angle < 180:
-        raise ValueError(f"camera_view_angle is {view_angle:g} degrees (no picture has it). Give an "
-                         "angle between 0 and 180 degrees.")
-    aspect = number("camera_aspect_ratio", aspect, "a picture has a shape",
-                    "Give width over height of the picture.")
+        raise ValueError(f"camera_view_angle is {view_angle:g} degrees (the perspective projection "
+                         "is undefined). Give an angle between 0 and 180 degrees.")
+    aspect = number("camera_aspect_ratio", aspect, "it is the shape of the picture",
+                    "Give the width of the picture over its height.")
     if not aspect > 0:
-        raise ValueError(f"camera_aspect_ratio is {aspect:g} (a picture without a width shows "
-                         "nothing). Give width over height of the picture.")
+        raise ValueError(f"camera_aspect_ratio is {aspect:g} (the picture would have no width). "
+                         "Give the width of the picture over its height.")
     centre = grid.centre()
     if focal_point is not None:
-        focal_point = vector("camera_focal_point", focal_point, "the cameras look there")
+        focal_point = vector("camera_focal_point", focal_point, "the cameras look at this point")
         offset = np.linalg.norm(focal_point - centre) / grid.radius()
         if distance < 1 + offset:
             raise ValueError(f"camera_focal_point is {focal_point}, {offset:.3g} radii of the "
-                             f"sphere round the volume from its centre, and camera_distance is "
-                             f"{distance:g} radii (some of the cameras would stand inside the "
-                             "volume). Move it closer to the centre, or give camera_distance "
-                             f"{1 + offset:.3g} or more.")
+                             "sphere round the volume from its centre, and camera_distance is "
+                             f"{distance:g} radii (some cameras would be inside the volume). Move "
+                             f"it closer to the centre, or give camera_distance {1 + offset:.3g} "
+                             "or more.")
         centre = focal_point
     return {"centre": tuple(centre), "distance": distance * grid.radius(),
             "view_angle": view_angle, "parallel_projection": bool(parallel),
@@ -104,9 +105,9 @@ def search_settings(number_of_viewpoints, separation_angle, refine, directions, 
     search = _core.SearchSettings()
     search.viewpoints = whole_number(
         "number_of_viewpoints", number_of_viewpoints, 1, 2 ** 31 - 1,
-        "a search is for at least one", "Give a whole number, 1 or more.")
+        "a search needs at least one", "Give a whole number, 1 or more.")
     search.separation = math.radians(number_between(
-        "separation_angle", separation_angle, 0, 180, "no two directions have it",
+        "separation_angle", separation_angle, 0, 180, "directions are 0 to 180 degrees apart",
         "Give an angle from 0 to 180 degrees."))
     search.refine = bool(refine)
     search.first_step = 0.5 * sphere.spacing(directions)
@@ -121,13 +122,13 @@ def allowed_views(up, elevation_range, avoided_directions, avoidance_angle):
     except (TypeError, ValueError):
         lowest = highest = math.nan
     if not -90 <= lowest <= highest <= 90:
-        raise ValueError(f"elevation_range is {elevation_range!r} (a view is from the angle of one "
-                         "to that of the other above what is level). Give two angles from -90 to "
-                         "90 degrees, the smaller one first, like (0, 90).")
-    angle = number_between("avoidance_angle", avoidance_angle, 0, 180, "no direction is so far "
-                           "from another", "Give an angle from 0 to 180 degrees.")
-    avoided = np.array([unit_vector("An avoided direction", direction, "nothing is kept away from "
-                                    "it") for direction in avoided_directions]).reshape(-1, 3)
+        raise ValueError(f"elevation_range is {elevation_range!r} (it limits the elevation of "
+                         "views above the horizon). Give two angles from -90 to 90 degrees, the "
+                         "smaller one first, like (0, 90).")
+    angle = number_between("avoidance_angle", avoidance_angle, 0, 180, "directions are 0 to "
+                           "180 degrees apart", "Give an angle from 0 to 180 degrees.")
+    avoided = np.array([unit_vector("An avoided direction", direction, "nothing would be "
+                                    "avoided") for direction in avoided_directions]).reshape(-1, 3)
     return _core.AllowedViews(up, math.radians(lowest), math.radians(highest), avoided,
                               math.radians(angle))
 
@@ -137,14 +138,14 @@ def unit_vector(name, value, why):
     given = vector(name, value, why)
     length = math.hypot(*given)
     if not length > 0:
-        raise ValueError(f"{name} is {given} (it leads nowhere: {why}). Give a direction, like "
-                         "(0, 0, 1).")
+        raise ValueError(f"{name} is {given} (it is not a direction: {why}). Give a direction, "
+                         "like (0, 0, 1).")
     return tuple(x / length for x in given)
 
 
 def proxy_of(scene, field):
     """The extinction that is looked at, flat; None: the base extinction. See viewpoints."""
-    scene.warn_of_nothing_to_see("every view has the score 0, and none is better than another")
+    scene.warn_of_nothing_to_see("every view has the score 0, so none is better than another")
     if field != "importance_proxy":
         return None
     return np.float32(scene.largest_extinction()) * scene.layout.flat(scene.importance)
@@ -164,15 +165,15 @@ def settings_of_search(given):
     no use for."""
     for name in given:
         if name not in (*OF_SEARCH, "preset", "settings"):
-            raise TypeError(f"A search has no setting {name!r} (it would not count). Use these: "
-                            f"{', '.join(OF_SEARCH)}, preset, settings.")
+            raise TypeError(f"A search has no setting {name!r} (it would have no effect). Use "
+                            f"these: {', '.join(OF_SEARCH)}, preset, settings.")
     settings = Settings.of(given)
     if settings.method != "optimized":
-        raise ValueError(f"method is {settings.method!r} (the search finds views for the optimised "
-                         "extinction). Use the method 'optimized'.")
+        raise ValueError(f"method is {settings.method!r} (the search scores the extinction of the "
+                         "method 'optimized'). Use the method 'optimized'.")
     if settings.views != "single_view" or settings.warm_start or settings.temporal_coherence > 0:
-        raise ValueError("views, warm_start or temporal_coherence is set (a search looks from one "
-                         "direction after the other, whatever was before). Leave them out.")
+        raise ValueError("views, warm_start or temporal_coherence is set (a search scores each "
+                         "direction independently). Leave them out.")
     return settings
 
 
@@ -232,10 +233,10 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
     require_choice("sampling", sampling, tuple(sphere.SAMPLINGS))
     report = report_to(progress)
     count = whole_number("number_of_directions", number_of_directions, 1, sphere.MOST_POINTS,
-                         "without any there is nothing to compare, and more cannot be told apart",
+                         "a search needs at least one, and more are not distinguishable",
                          f"Give a whole number from 1 to {sphere.MOST_POINTS}.")
     directions, triangles = sphere.SAMPLINGS[sampling](count)
-    up = unit_vector("camera_view_up", camera_view_up, "nothing would be upwards")
+    up = unit_vector("camera_view_up", camera_view_up, "pictures need an upward direction")
     allowed = allowed_views(up, elevation_range, avoided_directions, avoidance_angle)
     search = search_settings(number_of_viewpoints, separation_angle, refine, directions, allowed)
     scene = scene_of(volume, scalars, importance, importance_function, extinction,
@@ -251,7 +252,7 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
         report.finish()
     if not found["viewpoints"] and not (report and report.is_stopped):
         warn("No direction that was scored is within elevation_range and far enough from all "
-             "avoided ones (there are no viewpoints). Widen the range, avoid less, or raise "
+             "avoided ones (no viewpoint can be ranked). Widen the range, avoid less, or raise "
              "number_of_directions.")
 
     ranked = tuple(Viewpoint(position=tuple(position), focal_point=tuple(focal_point),

@@ -49,11 +49,12 @@ class Camera(CameraPosition):
 
     def __post_init__(self):
         for name in ("position", "focal_point", "view_up"):
-            value = vector(f"The camera's {name}", getattr(self, name), "it is where rays begin")
+            value = vector(f"The camera's {name}", getattr(self, name),
+                           "rays are constructed from it")
             object.__setattr__(self, name, value)
         for name in ("view_angle", "parallel_scale", "aspect_ratio"):
-            value = number(f"The camera's {name}", getattr(self, name), "a picture is so large",
-                           "Give a finite number.")
+            value = number(f"The camera's {name}", getattr(self, name),
+                           "the size of the picture depends on it", "Give a finite number.")
             object.__setattr__(self, name, value)
         object.__setattr__(self, "parallel_projection", bool(self.parallel_projection))
 
@@ -67,8 +68,8 @@ class Camera(CameraPosition):
         way = np.subtract(self.focal_point, self.position)
         distance = np.linalg.norm(way)
         if not distance > 0:
-            raise ValueError(f"The camera's position and focal_point are {self.position} (it looks "
-                             "in no direction). Move one of the two.")
+            raise ValueError(f"The camera's position and focal_point are {self.position} (the view "
+                             "direction is undefined). Move one of the two.")
         right = np.cross(way, self.view_up)
         if not np.linalg.norm(right) > 1e-12 * distance * np.linalg.norm(self.view_up):
             right = np.cross(way, np.eye(3)[np.argmin(np.abs(way))])  # any will do
@@ -86,11 +87,12 @@ class Light:
     focal_point: tuple = None  #: directional only; None: the camera's
 
     def __post_init__(self):
-        position = vector("The light's position", self.position, "the light is there")
+        position = vector("The light's position", self.position, "shadows are computed from it")
         object.__setattr__(self, "position", position)
         object.__setattr__(self, "directional", bool(self.directional))
         if self.focal_point is not None:
-            focal_point = vector("The light's focal_point", self.focal_point, "it shines there")
+            focal_point = vector("The light's focal_point", self.focal_point,
+                                 "it is the target of the light")
             object.__setattr__(self, "focal_point", focal_point)
 
     def in_core(self, camera):
@@ -126,8 +128,9 @@ def camera_of(given, grid):
             hasattr(given, "__len__") and len(given) == 3:
         members = dict(zip(("position", "focal_point", "view_up"), given))
     if "position" not in members or "focal_point" not in members:
-        raise ValueError(f"camera is {given!r} (it has no position and focal_point). Give a "
-                         "limpid.Camera, a camera of PyVista, or (position, focal point, view up).")
+        raise ValueError(f"camera is {given!r} (a camera needs a position and a focal_point). Give "
+                         "a limpid.Camera, a camera of PyVista, or (position, focal point, view "
+                         "up).")
     return Camera(**members)
 
 

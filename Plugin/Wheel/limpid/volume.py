@@ -29,12 +29,12 @@ def refuse_other_data(volume):
     elif hasattr(volume, "GetNumberOfBlocks"):
         advice = "Choose one of its blocks."
     elif hasattr(volume, "GetPolys"):
-        advice = "It has a surface and nothing inside: give the volume that it was made from."
+        advice = "It is a surface without an inside: give the volume that it was made from."
     else:
-        advice = ("Make it one, in PyVista by pyvista.create_grid(volume, dimensions=(100, 100, "
+        advice = ("Convert it, in PyVista with pyvista.create_grid(volume, dimensions=(100, 100, "
                   "100)).sample(volume).")
-    raise ValueError(f"The volume is a {type(volume).__name__} (rays are followed through one "
-                     f"image with the same spacing everywhere). {advice}")
+    raise ValueError(f"The volume is a {type(volume).__name__} (rays are traced through a single "
+                     f"image with uniform spacing). {advice}")
 
 
 def refuse_blanked(image):
@@ -42,8 +42,8 @@ def refuse_blanked(image):
     for place, flags in BLANKED.items():
         data = getattr(image, place)
         if "vtkGhostType" in data.keys() and np.any(np.asarray(data["vtkGhostType"]) & flags):
-            raise ValueError(f"The image has blanked parts, by vtkGhostType in its {place} (they "
-                             "would be taken as if they were there). Set their scalars to NaN and "
+            raise ValueError(f"The image has blanked parts, by vtkGhostType in its {place} "
+                             "(blanking is not supported here). Set their scalars to NaN and "
                              "remove that array.")
 
 
@@ -65,27 +65,27 @@ class Volume:
         self.mask = None  #: where a masked array has no value, shape grid.shape; None: nowhere
         if self.image is not None:
             if given:
-                raise ValueError(f"{' and '.join(given)} and an image are given (the image has its "
+                raise ValueError(f"{' and '.join(given)} and an image are given (an image has its "
                                  "own). Leave them out, or give an array.")
             refuse_blanked(self.image)
             self.grid = Grid.of_image(self.image)
         else:
             self.grid = self._grid([volume, *others], given)
         if not self.grid.has_volume():
-            raise ValueError(f"The volume has {' x '.join(map(str, self.grid.shape))} points "
-                             "(without a volume nothing can hide anything). Give at least two "
-                             "points along each axis.")
+            raise ValueError(f"The volume has {' x '.join(map(str, self.grid.shape))} points (it "
+                             "has no volume, so nothing is occluded). Give at least two points "
+                             "along each axis.")
 
     def _grid(self, arrays, given):
         first = next((array for array in arrays if has_shape(array)), None)
         if first is None:
             raise ValueError("There is neither a volume nor an array of extinction and importance "
-                             "(there is nothing to be seen). Give an image or arrays.")
+                             "(there is nothing to process). Give an image or arrays.")
         axes = axes_of(first)
         shape = np.shape(values_of(first))
         if len(shape) not in (3, 4):
-            raise ValueError(f"The volume has the shape {shape} (its axes are x, y and z). Give an "
-                             "array with three axes.")
+            raise ValueError(f"The volume has the shape {shape} (the axes must be x, y and z). "
+                             "Give an array with three axes.")
         self.axes = self.axes if axes is None else axes[:3]
         grid = Grid(tuple(shape[axis] for axis in self.axes), **{**placement_of(first), **given})
         self._compare(given, Grid(grid.shape, **placement_of(first)), placement_of(first))
@@ -101,8 +101,8 @@ class Volume:
             ours, theirs = getattr(own, name), getattr(Grid(own.shape, **{name: given[name]}), name)
             if not np.allclose(ours, theirs, rtol=1e-6, atol=1e-6 * own.diagonal()):
                 raise ValueError(f"{name} is {given[name]!r}, and the array's own is "
-                                 f"{np.asarray(ours).tolist()} (one of the two is wrong). Leave "
-                                 f"{name} out, or give the array without it.")
+                                 f"{np.asarray(ours).tolist()} (these contradict each other). "
+                                 f"Leave {name} out, or give the array without it.")
 
     def as_given(self, field):
         """A field of shape grid.shape as the volume itself is: arrays in the order of its axes,
@@ -123,7 +123,7 @@ class Volume:
         if given is None and self.image is None and default is None:
             given = self.scalars
         if given is None and self.image is None:
-            raise ValueError(f"There is no {role} (the scene cannot be made without it). Give an "
+            raise ValueError(f"There is no {role} (the scene cannot be built without it). Give an "
                              "array, or an image with one.")
         if given is None:
             given = default or self._active_name()
@@ -131,7 +131,7 @@ class Volume:
             given = self._named(role, given)
         array = self._in_order(given)
         if array.dtype.kind not in "fiub":
-            raise ValueError(f"The {role} array has the type {array.dtype} (its values are "
+            raise ValueError(f"The {role} array has the type {array.dtype} (values must be real "
                              "numbers). Give an array of real numbers.")
         self._require_points(role, array)
         array = component_of(role, array, component)
@@ -154,12 +154,13 @@ class Volume:
         cells = tuple(count - 1 for count in shape)
         if array.shape[:3] == cells or array.shape[:1] == (int(np.prod(cells)),):
             raise ValueError(f"The {role} array has the shape {array.shape}, one value for each of "
-                             f"the volume's {cells} cells (values belong to points). Give values "
-                             "at points: in PyVista, those of image.cell_data_to_point_data().")
+                             f"the volume's {cells} cells (values must be given at points). Give "
+                             "values at points: in PyVista, those of "
+                             "image.cell_data_to_point_data().")
         if array.shape[:3] != shape or array.ndim > 4:
             raise ValueError(f"The {role} array has the shape {array.shape} and the volume has "
-                             f"{shape} points (values belong to points). Give one number "
-                             "for each point, indexed [x, y, z].")
+                             f"{shape} points (the shapes must be equal). Give one number for each "
+                             "point, indexed [x, y, z].")
 
     def _add_mask(self, mask):
         if mask is not np.ma.nomask and mask.any():
@@ -180,19 +181,18 @@ class Volume:
     def _named(self, role, name):
         if self.image is None:
             raise ValueError(f"The {role} is {name!r}, a name, and the volume is an array (only "
-                             "images have names for arrays). Give the array itself.")
+                             "images have named arrays). Give the array itself.")
         names = list(self.image.point_data.keys())
         if name in names:
             return np.asarray(self.image.point_data[name])
         of_cells = list(self.image.cell_data.keys())
         if name in of_cells or not names and of_cells:
             raise ValueError(f"The {role} array {name!r} is not among the image's arrays of "
-                             "points, and those of its cells are "
-                             f"{', '.join(map(repr, of_cells))} (values belong to points). Give "
-                             "the image with values at points: in PyVista, "
-                             "image.cell_data_to_point_data().")
+                             f"points, and those of its cells are {', '.join(map(repr, of_cells))} "
+                             "(values must be given at points). Give the image with values at "
+                             "points: in PyVista, image.cell_data_to_point_data().")
         raise ValueError(f"The {role} array {name!r} is not among the image's arrays of points "
-                         "(the scene cannot be made without it). Choose one of these: "
+                         "(the scene cannot be built without it). Choose one of these: "
                          f"{', '.join(map(repr, names)) or 'there is none'}.")
 
 
@@ -202,12 +202,12 @@ def component_of(role, array, component):
     if component is None and count > 1:
         advice = ("Choose one with importance_component, from 0 on, or -1 for the length of the "
                   "tuple." if role == "importance" else "Give one of them, array[..., 0] say.")
-        raise ValueError(f"The {role} array has {count} values per point (one number is meant). "
+        raise ValueError(f"The {role} array has {count} values per point (a scalar is needed). "
                          f"{advice}")
     if component is not None and not -1 <= component < count:
         raise ValueError(f"The component of the {role} is {component}, and its array has {count} "
-                         "(there is no such component). Choose one from 0 on, or -1 for the length "
-                         "of the tuple.")
+                         "(this component does not exist). Choose one from 0 on, or -1 for the "
+                         "length of the tuple.")
     if array.ndim == 3:
         return array
     if component == -1 and count > 1:
