@@ -4,72 +4,52 @@
 #include "optimize/Settings.h"
 
 #include "math/Require.h"
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <tuple>
+#include "optimize/SettingsTable.h"
 
 namespace limpid
 {
 namespace
 {
-void RequireNotNegative(const char* name, const char* why, double value)
+/// Calls visit(number) for a value, or for each of several.
+template <class Value, class Visitor>
+void ForEachNumber(const Value& value, Visitor&& visit)
 {
-  LIMPID_REQUIRE(std::isfinite(value) && value >= 0,
-    "The " << name << " is " << value << " (" << why << "). Set it to zero or more.");
+  visit(static_cast<double>(value));
+}
+
+template <class Value, std::size_t Count, class Visitor>
+void ForEachNumber(const std::array<Value, Count>& values, Visitor&& visit)
+{
+  for (const Value value : values)
+  {
+    visit(static_cast<double>(value));
+  }
 }
 }
 
 void Settings::Require() const
 {
-  this->ament.Require();
-  for (const WeightInfo& info : allWeights)
+  const auto require = [](const Valid& valid, double value)
   {
-    RequireNotNegative(info.name, info.whyNotNegative, this->weights.*info.weight);
-  }
-  RequireNotNegative(
-    "clearing threshold", "less than nothing cannot be at stake", this->clearingThreshold);
-  RequireNotNegative("tolerance", "no change can be smaller", this->tolerance);
-  RequireNotNegative("time limit", "it has passed already", this->maximumSeconds);
-  LIMPID_REQUIRE(this->protectImportance >= 0 && this->protectImportance <= 1,
-    "The protection of important matter is "
-      << this->protectImportance
-      << " (it is the share of its extinction that is kept). Set it between 0 and 1.");
-  LIMPID_REQUIRE(this->emphasis >= 0 && this->emphasis <= 1,
-    "The emphasis is "
-      << this->emphasis
-      << " (it is the share of the way from the data's extinction to the largest extinction that "
-         "matter may rise). Set it between 0 and 1.");
-  LIMPID_REQUIRE(this->smoothness >= 0 && this->smoothness <= 10,
-    "The smoothness is "
-      << this->smoothness
-      << " (at 10 neighbours outweigh all that can be gained). Set it between 0 and 10.");
-  RequireNotNegative("temporal coherence", "what was shown before would be left on purpose",
-    this->temporalCoherence);
+    LIMPID_REQUIRE(valid(value),
+      "The " << valid.name << " is " << value << valid.unit << " (" << valid.why << "). "
+             << valid.advice);
+  };
+  ForEachSetting([&](const Valid& valid, auto&& member)
+    { ForEachNumber(member(*this), [&](double value) { require(valid, value); }); });
   LIMPID_REQUIRE(this->otherCameras.empty() || InfoOf(this->method).iterates,
     "Several cameras were given to " << InfoOf(this->method).name
                                      << " (it knows of one). Use the method Optimized or one "
                                         "camera.");
-  LIMPID_REQUIRE(
-    std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
-    "The ray density is " << this->rayDensity
-                          << " rays per voxel (fewer miss structures, more only take time). Set it "
-                             "between 0.1 and 16.");
-  LIMPID_REQUIRE(
-    std::isfinite(this->learningRate) && this->learningRate > 0 && this->learningRate <= 1,
-    "The learning rate is " << this->learningRate
-                            << " of the largest extinction (a step leaves the valid range or does "
-                               "nothing). Set it above 0 and at most 1.");
-  LIMPID_REQUIRE(this->maximumIterations >= 0,
-    "The number of iterations is " << this->maximumIterations
-                                   << " (it is a count). Set it to zero or more.");
-  for (const int iterations : this->iterationsPerLevel)
-  {
-    LIMPID_REQUIRE(iterations >= 0,
-      "The number of iterations of a level is " << iterations
-                                                << " (it is a count). Set it to zero or more.");
-  }
+}
+
+std::vector<double> NumbersOf(const Settings& settings)
+{
+  std::vector<double> numbers;
+  ForEachSetting([&](const Valid&, auto&& member)
+    { ForEachNumber(member(settings), [&](double number) { numbers.push_back(number); }); });
+  numbers.push_back(settings.scoreIterations);
+  return numbers;
 }
 
 bool SeesWhatScoresAreOf(const Settings& settings)
@@ -86,17 +66,7 @@ Settings ForCameras(Settings settings, const std::vector<Camera>& cameras)
 
 bool operator==(const Settings& one, const Settings& other)
 {
-  const auto values = [](const Settings& s)
-  {
-    return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
-      s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
-      s.restrictToView, s.protectImportance, s.emphasis, s.clearingThreshold, s.importanceSmoothing,
-      s.smoothness, s.temporalCoherence, s.scoreIterations, s.otherCameras, s.backend);
-  };
-  const auto sameWeight = [&](const WeightInfo& info)
-  { return one.weights.*info.weight == other.weights.*info.weight; };
-  return values(one) == values(other) &&
-    std::all_of(std::begin(allWeights), std::end(allWeights), sameWeight);
+  return NumbersOf(one) == NumbersOf(other) && one.otherCameras == other.otherCameras;
 }
 
 std::string NotOnRanks(const Settings& settings)
