@@ -5,8 +5,9 @@
 
   python3 settings.py TEMPLATE OUTPUT
 
-writes OUTPUT, if that changes it: TEMPLATE, in which lines with a mark, @limpid_...@, are replaced
-by what the table has for it (MARKS), and elements Setting of the server manager's XML by entries.
+writes OUTPUT, if that changes it: TEMPLATE, in which lines with a mark, @limpid_...@, and elements
+of the server manager's XML, such as Setting, are replaced by what the table has for them: see MARKS
+and ELEMENTS.
 """
 
 import pathlib
@@ -17,7 +18,7 @@ import xml.etree.ElementTree as ElementTree
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cuda/optimize/Settings.xml"
 
 #: Elements of an entry that the server manager does not know.
-OWN = ("Core",)
+OWN = ("Core", "In", "Panel")
 
 
 class Interval:
@@ -55,6 +56,16 @@ class Setting:
         element = self.element.find(tag)
         return {} if element is None else {
             name: " ".join(value.split()) for name, value in element.attrib.items()}
+
+    def shown_if(self):
+        return {name: value for name, value in self.of("Panel").items() if name == "shown_if"}
+
+    def in_proxy(self, proxy):
+        """What is different in a proxy."""
+        for element in self.element.findall("In"):
+            if element.get("proxy") == proxy:
+                return {name: value for name, value in element.attrib.items() if name != "proxy"}
+        return {}
 
     def property(self):
         """The opening tag and the content of the server manager's property."""
@@ -99,28 +110,67 @@ def core_entries(settings):
 MARKS = {"core_entries": core_entries}
 
 
-def expanded(use, settings):
-    """The property that an element <Setting name="ViewWeight" shown_if="Method=0" .../> stands for:
-    shown_if names another property of the proxy and the value with which this one is shown; other
-    attributes replace those of the entry."""
-    attributes = dict(re.findall(r'(\w+)="([^"]*)"', use))
-    found = [setting for setting in settings if setting.name == attributes["name"]]
-    if not found:
-        raise ValueError(f"{TABLE.name} has no entry for {use}")
-    tag, content = found[0].property()
+def attributes_of(use):
+    """The attributes of an element as they are written."""
+    return dict(re.findall(r'(\w+)="([^"]*)"', use))
+
+
+def expanded(setting, attributes):
+    """The property of an entry for a proxy. Its attributes replace those of the entry; shown_if,
+    such as "Method=0", names another property and the value with which this one is shown."""
+    tag, content = setting.property()
     for name, value in attributes.items():
         if name == "shown_if":
             other, shown = value.split("=")
             content += ('<Hints><PropertyWidgetDecorator type="GenericDecorator" '
                         f'mode="visibility" property="{other}" value="{shown}"/></Hints>\n')
-        elif name != "name":
+        else:
             tag = re.sub(rf'\s+{name}="[^"]*"', "", tag)[:-1] + f' {name}="{value}">'
-    return f"{tag}{content}</{found[0].element.tag}>"
+    return f"{tag}{content}</{setting.element.tag}>"
+
+
+def one(attributes, settings):
+    """The property for <Setting name="ViewWeight" .../>."""
+    name = attributes.pop("name")
+    for setting in settings:
+        if setting.name == name:
+            return [expanded(setting, attributes)]
+    raise ValueError(f"{TABLE.name} has no entry for {name}")
+
+
+def of_group(group, proxy, settings):
+    """The entries of a group that a proxy has, and what is different in it."""
+    found = [(setting, setting.in_proxy(proxy)) for setting in settings
+             if setting.of("Panel").get("group") == group]
+    if not found:
+        raise ValueError(f"{TABLE.name} has no entry of the group {group}")
+    return [(setting, own) for setting, own in found if "absent" not in own]
+
+
+def several(attributes, settings):
+    """The properties for <Settings group="Views" proxy="ViewpointSearch" .../>."""
+    found = of_group(attributes.pop("group"), attributes.pop("proxy"), settings)
+    return [expanded(setting, {**attributes, **setting.shown_if(), **own}) for setting, own in found]
+
+
+def names(attributes, settings):
+    """What a panel's group has for <SettingNames group="Views" proxy="ViewpointSearch"/>."""
+    return [f'<Property name="{setting.name}"/>'
+            for setting, _ in of_group(attributes["group"], attributes["proxy"], settings)]
+
+
+#: What replaces an element of the server manager's XML.
+ELEMENTS = {"Setting": one, "Settings": several, "SettingNames": names}
 
 
 def filled(template, settings):
     """The text of a template with all that the table has for it."""
-    text = re.sub(r"<Setting [^>]*/>", lambda use: expanded(use.group(0), settings), template)
+    def with_indent(use):
+        indent, kind, attributes = use.groups()
+        return "\n".join(indent + text for text in
+                         ELEMENTS[kind](attributes_of(attributes), settings))
+
+    text = re.sub(rf"^( *)<({'|'.join(ELEMENTS)})\b([^>]*)/>$", with_indent, template, flags=re.M)
     return re.sub(r"^ *@limpid_(\w+)@$", lambda mark: MARKS[mark.group(1)](settings), text,
                   flags=re.M)
 
