@@ -13,12 +13,13 @@ and ELEMENTS.
 import pathlib
 import re
 import sys
+import textwrap
 import xml.etree.ElementTree as ElementTree
 
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cuda/optimize/Settings.xml"
 
 #: Elements of an entry that the server manager does not know.
-OWN = ("Core", "In", "Panel")
+OWN = ("Class", "Core", "In", "Panel")
 
 
 class Interval:
@@ -30,6 +31,10 @@ class Interval:
             raise ValueError(f'"{text}" is not an interval like "[0, inf)"')
         self.least, self.most = found.group(2, 3)
         self.has_least, self.has_most = found.group(1) == "[", found.group(4) == "]"
+
+    def is_closed(self):
+        """Whether there is a nearest valid value to every number."""
+        return self.has_least and (self.has_most or self.most == "inf")
 
     def advice(self):
         """What to do about a value that is not valid."""
@@ -56,6 +61,40 @@ class Setting:
         element = self.element.find(tag)
         return {} if element is None else {
             name: " ".join(value.split()) for name, value in element.attrib.items()}
+
+    def of_class(self):
+        """Whether vtkVisibilitySettings has it."""
+        return self.element.find("Class") is not None
+
+    def text(self, tag):
+        return " ".join((self.element.findtext(tag) or "").split())
+
+    @property
+    def default(self):
+        """A list of texts."""
+        return self.element.get("default_values", "").split()
+
+    @property
+    def valid(self):
+        valid = self.of("Core").get("valid")
+        return Interval(valid) if valid else None
+
+    @property
+    def constants(self):
+        """The names in C++ of what can be chosen, by their values; empty if it is no choice."""
+        entries = self.element.findall("EnumerationDomain/Entry")
+        names = self.of("Class").get("constants", "").split() or [
+            entry.get("text").upper().replace(" ", "_") for entry in entries]
+        return dict(zip([entry.get("value") for entry in entries], names))
+
+    @property
+    def type(self):
+        """The type in VTK of a value, or of each of several."""
+        if self.element.tag == "ProxyProperty":
+            return "vtkPiecewiseFunction*"
+        if self.element.find("BooleanDomain") is not None:
+            return "vtkTypeBool"
+        return "int" if self.element.tag.startswith("Int") else "double"
 
     def shown_if(self):
         return {name: value for name, value in self.of("Panel").items() if name == "shown_if"}
@@ -106,8 +145,126 @@ def core_entries(settings):
     return "\n".join(core_entry(setting) for setting in settings if "member" in setting.of("Core"))
 
 
+def of_class(settings):
+    """Settings that vtkVisibilitySettings has."""
+    return [setting for setting in settings if setting.of_class()]
+
+
+def choices(settings):
+    """The enumerations of vtkVisibilitySettings, as lines of a macro."""
+    lines = []
+    for setting in of_class(settings):
+        if setting.constants:
+            name = setting.of("Class").get("choices", f"{setting.name}s")
+            values = [f"    {constant} = {value}" for value, constant in setting.constants.items()]
+            lines += [f"  enum {name}", "  {", *",\n".join(values).split("\n"), "  };"]
+    return in_macro(lines)
+
+
+def default_in_prose(setting):
+    """The default as the documentation of a class says it."""
+    if setting.type == "vtkTypeBool":
+        return "on" if setting.default == ["1"] else "off"
+    if not setting.default:
+        return "none"
+    values = [setting.constants.get(value, value) for value in setting.default]
+    return values[0] if len(values) == 1 else f"({', '.join(values)})"
+
+
+def setter(setting):
+    """What defines or declares SetName of a class."""
+    name, kind, count = setting.name, setting.type, len(setting.default)
+    by_hand = setting.of("Class").get("set")
+    valid = setting.valid
+    if by_hand:
+        lines = [f"virtual void Set{name}({by_hand});"]
+        if count > 1:
+            each = ", ".join(f"values[{index}]" for index in range(count))
+            lines += [f"virtual void Set{name}(const {kind} values[{count}])", "{",
+                      f"  this->Set{name}({each});", "}"]
+        return lines
+    if kind.endswith("*"):
+        return [f"virtual void Set{name}({kind});"]
+    if count > 1:
+        return [f"vtkSetVector{count}Macro({name}, {kind});"]
+    if setting.constants:
+        ends = list(setting.constants.values())
+        return [f"LIMPID_SET_CLAMPED({name}, {kind}, {ends[0]}, {ends[-1]});"]
+    if valid and valid.is_closed():
+        most = {"int": "VTK_INT_MAX", "double": "VTK_DOUBLE_MAX"}[kind] \
+            if valid.most == "inf" else valid.most
+        return [f"LIMPID_SET_CLAMPED({name}, {kind}, {valid.least}, {most});"]
+    return [f"vtkSetMacro({name}, {kind});"]
+
+
+def getter(setting):
+    """What defines GetName of a class, and for a switch NameOn and NameOff."""
+    name, kind, count = setting.name, setting.type, len(setting.default)
+    if kind.endswith("*"):
+        return [f"vtkGetObjectMacro({name}, {kind[:-1]});"]
+    if count > 1:
+        return [f"vtkGetVector{count}Macro({name}, {kind});"]
+    switch = [f"vtkBooleanMacro({name}, {kind});"] if kind == "vtkTypeBool" else []
+    return [f"vtkGetMacro({name}, {kind});", *switch]
+
+
+def methods(settings):
+    """Setters and getters of vtkVisibilitySettings with their documentation."""
+    text = ""
+    for setting in of_class(settings):
+        prose = setting.text("Class")
+        if "Default is" not in prose:
+            prose += f" Default is {default_in_prose(setting)}."
+        comment = textwrap.wrap(prose, 95, break_long_words=False, break_on_hyphens=False)
+        text += "\n".join(["  ///@{", "  /**", *[f"   * {line}" for line in comment], "   */",
+                           *[f"  {line}" for line in setter(setting) + getter(setting)],
+                           "  ///@}", "", ""])
+    return text.rstrip()
+
+
+def members(settings):
+    """The members of vtkVisibilitySettings."""
+    lines = []
+    for setting in of_class(settings):
+        values = [setting.constants.get(value, value) for value in setting.default] or ["nullptr"]
+        count = f"[{len(values)}]" if len(values) > 1 else ""
+        value = f"{{ {', '.join(values)} }}" if len(values) > 1 else values[0]
+        lines.append(f"  {setting.type} {setting.name}{count} = {value};")
+    return "\n".join(lines)
+
+
+def forwarding(settings):
+    """What owners of settings pass on, as lines of a macro."""
+    lines = []
+    for setting in of_class(settings):
+        count = len(setting.default)
+        if setting.type == "vtkTypeBool":
+            lines.append(f"  LIMPID_FORWARD_SWITCH({setting.name})")
+        else:
+            kind = f"VECTOR{count}" if count > 1 else "SETTING"
+            lines.append(f"  LIMPID_FORWARD_{kind}({setting.name}, {setting.type})")
+    return in_macro(lines)
+
+
+def every(settings):
+    """DO of every setting of vtkVisibilitySettings, as lines of a macro."""
+    return in_macro([f"  DO({setting.name})" for setting in of_class(settings)])
+
+
+def every_of_core(settings):
+    """DO of every setting of the core and its member, as lines of a macro."""
+    return in_macro([f'  DO({setting.name}, {setting.of("Core")["member"]})'
+                     for setting in settings if "member" in setting.of("Core")])
+
+
+def in_macro(lines):
+    return "\n".join(f"{line:<99}\\" for line in lines)
+
+
 #: What replaces a mark, of all settings.
-MARKS = {"core_entries": core_entries}
+MARKS = {"choices": choices, "core_entries": core_entries, "every": every,
+         "every_of_core": every_of_core, "forwarding": forwarding, "members": members,
+         "methods": methods}
 
 
 def attributes_of(use):
