@@ -38,7 +38,7 @@ void Convert(From* values, std::array<To, Count>& member)
 Settings SettingsOf(vtkVisibilitySettings* settings)
 {
   Settings result;
-#define LIMPID_CONVERT(name, member) Convert(settings->Get##name(), result.member);
+#define LIMPID_CONVERT(name, inPython, member) Convert(settings->Get##name(), result.member);
   LIMPID_EVERY_CORE_SETTING(LIMPID_CONVERT);
 #undef LIMPID_CONVERT
   return result;

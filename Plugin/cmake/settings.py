@@ -19,7 +19,7 @@ import xml.etree.ElementTree as ElementTree
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cuda/optimize/Settings.xml"
 
 #: Elements of an entry that the server manager does not know.
-OWN = ("Class", "Core", "In", "Panel")
+OWN = ("Class", "Core", "In", "Panel", "Python")
 
 
 class Interval:
@@ -80,9 +80,18 @@ class Setting:
         return Interval(valid) if valid else None
 
     @property
+    def in_python(self):
+        """The name in the Python package."""
+        return re.sub(r"(?<!^)([A-Z])", r"_\1", self.name).lower()
+
+    def entries(self):
+        """Of an enumeration."""
+        return self.element.findall("EnumerationDomain/Entry")
+
+    @property
     def constants(self):
         """The names in C++ of what can be chosen, by their values; empty if it is no choice."""
-        entries = self.element.findall("EnumerationDomain/Entry")
+        entries = self.entries()
         names = self.of("Class").get("constants", "").split() or [
             entry.get("text").upper().replace(" ", "_") for entry in entries]
         return dict(zip([entry.get("value") for entry in entries], names))
@@ -252,8 +261,8 @@ def every(settings):
 
 
 def every_of_core(settings):
-    """DO of every setting of the core and its member, as lines of a macro."""
-    return in_macro([f'  DO({setting.name}, {setting.of("Core")["member"]})'
+    """DO of every setting of the core, its name in Python and its member, as lines of a macro."""
+    return in_macro([f'  DO({setting.name}, {setting.in_python}, {setting.of("Core")["member"]})'
                      for setting in settings if "member" in setting.of("Core")])
 
 
@@ -261,10 +270,43 @@ def in_macro(lines):
     return "\n".join(f"{line:<99}\\" for line in lines)
 
 
+def python_field(setting):
+    """A field of the Python package's Settings."""
+    defaults = setting.in_proxy("ExtinctionOptimizer").get("default_values", "").split()
+    values = defaults or setting.default
+    if setting.constants:
+        texts = {entry.get("value"): entry.get("text") for entry in setting.entries()}
+        kind, value = "str", f'"{texts[values[0]].lower().replace(" ", "_")}"'
+    elif len(values) > 1:
+        kind, value = "tuple", f"({', '.join(values)})"
+    elif setting.type == "vtkTypeBool":
+        kind, value = "bool", str(values == ["1"])
+    elif setting.type == "int":
+        kind, value = "int", values[0]
+    else:
+        kind, value = "float", values[0] if re.search("[.e]", values[0]) else f"{values[0]}.0"
+    return f"    {setting.in_python}: {kind} = {value}  #: {setting.text('Python')}"
+
+
+def of_python(settings):
+    return [setting for setting in settings if setting.text("Python")]
+
+
+def python_fields(settings):
+    """The fields of the Python package's Settings."""
+    return "\n".join(map(python_field, of_python(settings)))
+
+
+def python_choices(settings):
+    """The enumerations of the extension module for settings that are a choice."""
+    return "\n".join(f'    "{setting.in_python}": _core.{setting.name},'
+                     for setting in of_python(settings) if setting.constants)
+
+
 #: What replaces a mark, of all settings.
 MARKS = {"choices": choices, "core_entries": core_entries, "every": every,
          "every_of_core": every_of_core, "forwarding": forwarding, "members": members,
-         "methods": methods}
+         "methods": methods, "python_choices": python_choices, "python_fields": python_fields}
 
 
 def attributes_of(use):
