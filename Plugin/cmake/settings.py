@@ -7,7 +7,8 @@
 
 writes OUTPUT, if that changes it: TEMPLATE, in which lines with a mark, @limpid_...@, and elements
 of the server manager's XML, such as Setting, are replaced by what the table has for them: see MARKS
-and ELEMENTS.
+and ELEMENTS. In a page, what stands between <!-- limpid_... --> and <!-- end --> is replaced, so
+that the page is its own template.
 """
 
 import pathlib
@@ -18,8 +19,9 @@ import xml.etree.ElementTree as ElementTree
 
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cuda/optimize/Settings.xml"
 
-#: Elements of an entry that the server manager does not know.
-OWN = ("Class", "Core", "In", "Panel", "Python")
+#: Elements of an entry that the server manager does not know, and their attributes.
+OWN = {"Class": {"choices", "constants", "set"}, "Core": {"member", "valid", "name", "unit", "error"},
+       "In": None, "Panel": {"group", "shown_if"}, "Python": set()}
 
 
 class Interval:
@@ -31,6 +33,10 @@ class Interval:
             raise ValueError(f'"{text}" is not an interval like "[0, inf)"')
         self.least, self.most = found.group(2, 3)
         self.has_least, self.has_most = found.group(1) == "[", found.group(4) == "]"
+
+    def __str__(self):
+        first, last = "[" if self.has_least else "(", "]" if self.has_most else ")"
+        return f"{first}{self.least}, {self.most}{last}"
 
     def is_closed(self):
         """Whether there is a nearest valid value to every number."""
@@ -94,6 +100,8 @@ class Setting:
         entries = self.entries()
         names = self.of("Class").get("constants", "").split() or [
             entry.get("text").upper().replace(" ", "_") for entry in entries]
+        if len(names) != len(entries):
+            raise ValueError(f"{self.name} has {len(names)} constants for {len(entries)} entries")
         return dict(zip([entry.get("value") for entry in entries], names))
 
     @property
@@ -124,11 +132,22 @@ class Setting:
         return tag, content
 
 
-def read_table():
+def check(element):
+    """Raises ValueError for what an entry cannot have."""
+    for tag, known in OWN.items():
+        for own in element.findall(tag):
+            unknown = set() if known is None else set(own.attrib) - known
+            if unknown:
+                raise ValueError(f"{element.get('name')}: {tag} has {', '.join(sorted(unknown))} "
+                                 f"(it may have {', '.join(sorted(known)) or 'no attributes'})")
+
+
+def read_table(text=None):
     """All entries in their order."""
-    text = TABLE.read_text(encoding="utf-8")
+    text = text or TABLE.read_text(encoding="utf-8")
     settings = []
     for element in ElementTree.fromstring(text):
+        check(element)
         source = re.search(rf'<{element.tag} name="{element.get("name")}".*?</{element.tag}>', text,
                            re.S)
         settings.append(Setting(element, source.group(0)))
@@ -303,10 +322,40 @@ def python_choices(settings):
                      for setting in of_python(settings) if setting.constants)
 
 
+def values_in_prose(setting):
+    """The valid values as a page says them."""
+    if setting.constants:
+        return ", ".join(entry.get("text") for entry in setting.entries())
+    if setting.type == "vtkTypeBool":
+        return "off, on"
+    valid = str(setting.valid or "")
+    return f"{len(setting.default)} of {valid}" if len(setting.default) > 1 and valid else valid
+
+
+def reference(settings):
+    """A table of all settings, for a page."""
+    lines = ["| property | in Python | values | default | what it is |",
+             "| --- | --- | --- | --- | --- |"]
+    for setting in of_class(settings):
+        shown = {entry.get("value"): entry.get("text") for entry in setting.entries()}
+        own = [f", {element.get('proxy')} {element.get('default_values')}"
+               for element in setting.element.findall("In") if element.get("default_values")]
+        default = " ".join(shown.get(value, value) for value in setting.default)
+        if setting.type == "vtkTypeBool":
+            default, own = [re.sub("0$", "off", re.sub("1$", "on", text))
+                            for text in (default, "".join(own))]
+        sentence = re.match(r"(.*?(?<!Eq)(?<!Eqs)\.)( |$)", setting.text("Class")).group(1)
+        in_python = f"`{setting.in_python}`" if setting.text("Python") else ""
+        lines.append(f"| `{setting.name}` | {in_python} | {values_in_prose(setting)} | "
+                     f"{default}{''.join(own)} | {sentence} |")
+    return "\n".join(lines)
+
+
 #: What replaces a mark, of all settings.
 MARKS = {"choices": choices, "core_entries": core_entries, "every": every,
          "every_of_core": every_of_core, "forwarding": forwarding, "members": members,
-         "methods": methods, "python_choices": python_choices, "python_fields": python_fields}
+         "methods": methods, "python_choices": python_choices, "python_fields": python_fields,
+         "reference": reference}
 
 
 def attributes_of(use):
@@ -329,11 +378,11 @@ def expanded(setting, attributes):
 
 
 def one(attributes, settings):
-    """The property for <Setting name="ViewWeight" .../>."""
-    name = attributes.pop("name")
+    """The property for <Setting name="ViewWeight" proxy="ViewpointSearch" .../>."""
+    name, proxy = attributes.pop("name"), attributes.pop("proxy", None)
     for setting in settings:
         if setting.name == name:
-            return [expanded(setting, attributes)]
+            return [expanded(setting, {**attributes, **setting.in_proxy(proxy)})]
     raise ValueError(f"{TABLE.name} has no entry for {name}")
 
 
@@ -370,6 +419,9 @@ def filled(template, settings):
                          ELEMENTS[kind](attributes_of(attributes), settings))
 
     text = re.sub(rf"^( *)<({'|'.join(ELEMENTS)})\b([^>]*)/>$", with_indent, template, flags=re.M)
+    text = re.sub(r"(?<=^<!-- limpid_)(\w+)( -->\n).*?(?=^<!-- end -->)",
+                  lambda mark: f"{mark.group(1)}{mark.group(2)}{MARKS[mark.group(1)](settings)}\n",
+                  text, flags=re.M | re.S)
     return re.sub(r"^ *@limpid_(\w+)@$", lambda mark: MARKS[mark.group(1)](settings), text,
                   flags=re.M)
 

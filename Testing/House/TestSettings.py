@@ -54,9 +54,34 @@ class TestSettings(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no entry for .*Nothing"):
             settings.filled('<Setting name="Nothing"/>', self.table)
 
+    def test_an_unknown_attribute_is_an_error(self):
+        entry = '<Settings><X name="Speed"><Core membr="speed"/></X></Settings>'
+        with self.assertRaisesRegex(ValueError, "Speed: Core has membr .it may have error, member"):
+            settings.read_table(entry)
+
+    def test_every_choice_has_a_constant(self):
+        entry = ('<Settings><X name="Speed"><EnumerationDomain><Entry value="0" text="Low"/>'
+                 '</EnumerationDomain><Class constants="LOW HIGH"/></X></Settings>')
+        with self.assertRaisesRegex(ValueError, "Speed has 2 constants for 1 entries"):
+            self.assertTrue(settings.read_table(entry)[0].constants)
+
     def test_the_server_manager_gets_what_it_knows_alone(self):
         for entry in self.table:
-            self.assertNotIn("<Core", "".join(entry.property()))
+            for own in settings.OWN:
+                self.assertNotRegex("".join(entry.property()), rf"<{own}\b")
+
+    def test_every_template_can_be_filled(self):
+        templates = [path for path in house.files("*.in", under=["Filters", "Plugin", "cuda"])
+                     if "@limpid_" in house.text(path)]
+        self.assertGreater(len(templates), 3)
+        for path in templates:
+            self.assertNotIn("@limpid_", settings.filled(house.text(path), self.table), path)
+
+    def test_the_page_of_parameters_is_up_to_date(self):
+        page = house.text("Documentation/Parameters.md")
+        self.assertIn("| `ViewWeight` |", page)
+        self.assertEqual(page, settings.filled(page, self.table), "Run: python3 "
+                         "Plugin/cmake/settings.py " + 2 * "Documentation/Parameters.md ")
 
 
 if __name__ == "__main__":
