@@ -9,55 +9,38 @@
 #include "vtkVisibilitySettings.h"
 
 #include "math/Require.h"
+#include "optimize/SettingsTable.h"
 #include "optimize/Solver.h"
 #include "scene/ViewSet.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace limpid
 {
 namespace
 {
-AmentWeights AmentWeightsOf(vtkVisibilitySettings* settings)
+/// Converts the value of a property to that of a member.
+template <class From, class To>
+void Convert(From value, To& member)
 {
-  AmentWeights weights;
-  weights.exponent = settings->GetAmentExponent();
-  weights.regularization = settings->GetAmentRegularization();
-  weights.occluders = settings->GetAmentOccluders();
-  weights.background = settings->GetAmentBackground();
-  weights.lightOccluders = settings->GetAmentLightOccluders();
-  weights.lightBackground = settings->GetAmentLightBackground();
-  weights.smoothingPasses = settings->GetAmentSmoothing();
-  return weights;
+  member = static_cast<To>(value);
+}
+
+template <class From, class To, std::size_t Count>
+void Convert(From* values, std::array<To, Count>& member)
+{
+  std::copy_n(values, Count, member.begin());
 }
 }
 
 Settings SettingsOf(vtkVisibilitySettings* settings)
 {
   Settings result;
-  result.method = static_cast<Method>(settings->GetMethod());
-  result.ament = AmentWeightsOf(settings);
-  result.clearingThreshold = settings->GetClearingThreshold();
-  result.weights.regularization = settings->GetRegularizationWeight();
-  result.weights.view = settings->GetViewWeight();
-  result.weights.light = settings->GetLightWeight();
-  result.mode = static_cast<Mode>(settings->GetMode());
-  result.solver = static_cast<SolverKind>(settings->GetSolver());
-  result.maximumIterations = settings->GetMaximumIterations();
-  std::copy_n(settings->GetIterationsPerLevel(), 3, result.iterationsPerLevel.begin());
-  result.learningRate = settings->GetLearningRate();
-  result.tolerance = settings->GetTolerance();
-  result.maximumSeconds = settings->GetMaximumSeconds();
-  result.derivative = static_cast<Derivative>(settings->GetDerivative());
-  result.rayDensity = settings->GetRayDensity();
-  result.skipUnneeded = settings->GetSkipUnneeded() != 0;
-  result.restrictToView = settings->GetRestrictToView() != 0;
-  result.protectImportance = settings->GetProtectImportance();
-  result.emphasis = settings->GetEmphasis();
-  result.importanceSmoothing = static_cast<ImportanceSmoothing>(settings->GetImportanceSmoothing());
-  result.smoothness = settings->GetSmoothness();
-  result.temporalCoherence = settings->GetTemporalCoherence();
-  result.backend = static_cast<BackendKind>(settings->GetBackend());
+#define LIMPID_CONVERT(name, inPython, member) Convert(settings->Get##name(), result.member);
+  LIMPID_EVERY_CORE_SETTING(LIMPID_CONVERT);
+#undef LIMPID_CONVERT
   return result;
 }
 

@@ -124,42 +124,7 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
   const limpid::PropertyPrinter print{ os, indent };
 
   this->Superclass::PrintSelf(os, indent);
-  print("ScalarComponent", this->ScalarComponent);
-  print("ImportanceComponent", this->ImportanceComponent);
-  print("UseImportanceFunction", this->UseImportanceFunction);
-  print("ImportanceFunction", static_cast<void*>(this->ImportanceFunction));
-  print("Method", this->Method);
-  print("AmentExponent", this->AmentExponent);
-  print("AmentRegularization", this->AmentRegularization);
-  print("AmentOccluders", this->AmentOccluders);
-  print("AmentBackground", this->AmentBackground);
-  print("AmentLightOccluders", this->AmentLightOccluders);
-  print("AmentLightBackground", this->AmentLightBackground);
-  print("AmentSmoothing", this->AmentSmoothing);
-  print("ClearingThreshold", this->ClearingThreshold);
-  print("RegularizationWeight", this->RegularizationWeight);
-  print("ViewWeight", this->ViewWeight);
-  print("LightWeight", this->LightWeight);
-  print("LightType", this->LightType);
-  print("LightPosition", this->LightPosition);
-  print("Mode", this->Mode);
-  print("Solver", this->Solver);
-  print("MaximumIterations", this->MaximumIterations);
-  print("IterationsPerLevel", this->IterationsPerLevel);
-  print("LearningRate", this->LearningRate);
-  print("Tolerance", this->Tolerance);
-  print("MaximumSeconds", this->MaximumSeconds);
-  print("Derivative", this->Derivative);
-  print("RayDensity", this->RayDensity);
-  print("SkipUnneeded", this->SkipUnneeded);
-  print("RestrictToView", this->RestrictToView);
-  print("Views", this->Views);
-  print("NumberOfViews", this->NumberOfViews);
-  print("EyeAngle", this->EyeAngle);
-  print("ProtectImportance", this->ProtectImportance);
-  print("Emphasis", this->Emphasis);
-  print("ImportanceSmoothing", this->ImportanceSmoothing);
-  print("Smoothness", this->Smoothness);
-  print("TemporalCoherence", this->TemporalCoherence);
-  print("Backend", this->Backend);
+#define LIMPID_PRINT(name) print(#name, this->name);
+  LIMPID_EVERY_VISIBILITY_SETTING(LIMPID_PRINT);
+#undef LIMPID_PRINT
 }

@@ -5,6 +5,7 @@
 
 #include "optimize/Presets.h"
 #include "optimize/Settings.h"
+#include "optimize/SettingsTable.h"
 #include "scene/ViewSet.h"
 #include "viewpoint/Concurrent.h"
 
@@ -53,51 +54,19 @@ void BindChoices(nb::module_& module)
     .value("orbit", ViewKind::Orbit);
 }
 
-// Binds a member of a member of the settings as a property.
-template <class Part, class Value>
-void BindPart(
-  nb::class_<Settings>& settings, const char* name, Part Settings::*part, Value Part::*member)
-{
-  settings.def_prop_rw(
-    name, [part, member](const Settings& self) { return self.*part.*member; },
-    [part, member](Settings& self, Value value) { self.*part.*member = value; });
-}
+// Binds a member of the settings, or of one of its members, as a property.
+#define LIMPID_BIND(property, name, member)                                                        \
+  settings.def_prop_rw(                                                                            \
+    #name, [](const Settings& self) { return self.member; },                                       \
+    [](Settings& self, decltype(Settings().member) value) { self.member = value; });
 }
 
 void BindSettings(nb::module_& module)
 {
   BindChoices(module);
   nb::class_<Settings> settings(module, "Settings");
-  settings.def(nb::init<>())
-    .def_rw("method", &Settings::method)
-    .def_rw("clearing_threshold", &Settings::clearingThreshold)
-    .def_rw("mode", &Settings::mode)
-    .def_rw("solver", &Settings::solver)
-    .def_rw("maximum_iterations", &Settings::maximumIterations)
-    .def_rw("iterations_per_level", &Settings::iterationsPerLevel)
-    .def_rw("learning_rate", &Settings::learningRate)
-    .def_rw("tolerance", &Settings::tolerance)
-    .def_rw("maximum_seconds", &Settings::maximumSeconds)
-    .def_rw("derivative", &Settings::derivative)
-    .def_rw("ray_density", &Settings::rayDensity)
-    .def_rw("skip_unneeded", &Settings::skipUnneeded)
-    .def_rw("restrict_to_view", &Settings::restrictToView)
-    .def_rw("protect_importance", &Settings::protectImportance)
-    .def_rw("emphasis", &Settings::emphasis)
-    .def_rw("importance_smoothing", &Settings::importanceSmoothing)
-    .def_rw("smoothness", &Settings::smoothness)
-    .def_rw("temporal_coherence", &Settings::temporalCoherence)
-    .def_rw("backend", &Settings::backend);
-  BindPart(settings, "regularization_weight", &Settings::weights, &Weights::regularization);
-  BindPart(settings, "view_weight", &Settings::weights, &Weights::view);
-  BindPart(settings, "light_weight", &Settings::weights, &Weights::light);
-  BindPart(settings, "ament_exponent", &Settings::ament, &AmentWeights::exponent);
-  BindPart(settings, "ament_regularization", &Settings::ament, &AmentWeights::regularization);
-  BindPart(settings, "ament_occluders", &Settings::ament, &AmentWeights::occluders);
-  BindPart(settings, "ament_background", &Settings::ament, &AmentWeights::background);
-  BindPart(settings, "ament_light_occluders", &Settings::ament, &AmentWeights::lightOccluders);
-  BindPart(settings, "ament_light_background", &Settings::ament, &AmentWeights::lightBackground);
-  BindPart(settings, "ament_smoothing", &Settings::ament, &AmentWeights::smoothingPasses);
+  settings.def(nb::init<>());
+  LIMPID_EVERY_CORE_SETTING(LIMPID_BIND);
   nb::class_<ViewSet>(module, "ViewSet")
     .def(
       "__init__",

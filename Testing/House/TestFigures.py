@@ -47,8 +47,8 @@ def core_default(member):
 
 
 def panel_default(name):
-    """Of Filters/VisibilitySettings.xml; an entry of an enumeration by its text."""
-    xml = house.text("Filters/VisibilitySettings.xml")
+    """Of cuda/optimize/Settings.xml; an entry of an enumeration by its text."""
+    xml = house.text("cuda/optimize/Settings.xml")
     found = re.search(rf'name="{name.replace(" ", "")}"[^>]*default_values="([^"]*)"[^>]*>(.*?)'
                       r"</\w*Property>", xml, re.DOTALL)
     entry = re.search(rf'<Entry value="{found.group(1)}" text="([^"]+)"', found.group(2))

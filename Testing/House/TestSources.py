@@ -72,7 +72,7 @@ class TestSources(unittest.TestCase):
                     core("*.h", "*.cxx", "CMakeLists.txt"), "cuda/ knows no VTK.")
 
     def test_headers_of_vtk_classes_know_no_core(self):
-        headers = [path for path in house.files("vtk*.h", under=["Filters", "Representations"])
+        headers = [path for path in house.files("vtk*.h", "vtk*.h.in", under=["Filters", "Representations"])
                    if "vtkTypeMacro" in house.text(path)]
         names = "|".join({folder_of(path) for path in core("*.h")} - {None})
         self.refuse(rf'#\s*include\s*"({names})/', headers, "A core type in a VTK header.")

@@ -49,12 +49,7 @@ struct AmentWeights
   double lightOccluders = 100; ///< q for the light
   double lightBackground = 0;
   int smoothingPasses = 1; ///< >= 0
-
-  /// Throws limpid::Error if a value is invalid.
-  void Require() const;
 };
-
-bool operator==(const AmentWeights& one, const AmentWeights& other);
 }
 
 #endif

@@ -411,17 +411,11 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
   numbers.push_back(double(light.type));
   Add(light.position, numbers);
   Add(light.focalPoint, numbers);
-  const Weights& weights = settings.weights;
-  numbers.insert(numbers.end(),
-    { weights.regularization, weights.view, weights.light, double(settings.mode),
-      double(settings.maximumIterations), settings.tolerance, settings.maximumSeconds,
-      double(settings.derivative), settings.rayDensity, double(settings.skipUnneeded),
-      double(settings.restrictToView), settings.protectImportance, settings.emphasis,
-      settings.clearingThreshold, double(settings.importanceSmoothing), double(settings.method),
-      double(settings.solver), settings.learningRate, settings.smoothness,
-      settings.temporalCoherence, double(settings.scoreIterations), nearness });
-  numbers.insert(
-    numbers.end(), settings.iterationsPerLevel.begin(), settings.iterationsPerLevel.end());
+  Settings compared = settings;
+  compared.backend = BackendKind::Cpu; // of ranks, whatever each of them says
+  const std::vector<double> values = NumbersOf(compared);
+  numbers.insert(numbers.end(), values.begin(), values.end());
+  numbers.push_back(nearness);
   if (!AreAlike(ranks, { double(numbers.size()) }) || !AreAlike(ranks, numbers))
   {
     throw JointError(

@@ -4,71 +4,52 @@
 #include "optimize/Settings.h"
 
 #include "math/Require.h"
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <tuple>
+#include "optimize/SettingsTable.h"
 
 namespace limpid
 {
 namespace
 {
-void RequireNotNegative(const char* name, const char* why, double value)
+/// Calls visit(number) for a value, or for each of several.
+template <class Value, class Visitor>
+void ForEachNumber(const Value& value, Visitor&& visit)
 {
-  LIMPID_REQUIRE(std::isfinite(value) && value >= 0,
-    "The " << name << " is " << value << " (" << why << "). Set it to zero or more.");
+  visit(static_cast<double>(value));
+}
+
+template <class Value, std::size_t Count, class Visitor>
+void ForEachNumber(const std::array<Value, Count>& values, Visitor&& visit)
+{
+  for (const Value value : values)
+  {
+    visit(static_cast<double>(value));
+  }
 }
 }
 
 void Settings::Require() const
 {
-  this->ament.Require();
-  for (const WeightInfo& info : allWeights)
+  const auto require = [](const Valid& valid, double value)
   {
-    RequireNotNegative(info.name, info.whyNotNegative, this->weights.*info.weight);
-  }
-  RequireNotNegative(
-    "clearing threshold", "the energy of Eq. (21) would have no minimum", this->clearingThreshold);
-  RequireNotNegative("tolerance", "changes cannot be negative", this->tolerance);
-  RequireNotNegative("time limit", "durations cannot be negative", this->maximumSeconds);
-  LIMPID_REQUIRE(this->protectImportance >= 0 && this->protectImportance <= 1,
-    "The protection of important structures is "
-      << this->protectImportance
-      << " (it is the fraction of their extinction that is kept). Set it between 0 and 1.");
-  LIMPID_REQUIRE(this->emphasis >= 0 && this->emphasis <= 1,
-    "The emphasis is " << this->emphasis
-                       << " (0 limits the extinction to that of the data, 1 to the largest "
-                          "extinction). Set it between 0 and 1.");
-  LIMPID_REQUIRE(this->smoothness >= 0 && this->smoothness <= 10,
-    "The smoothness is "
-      << this->smoothness
-      << " (at 10, neighbours already outweigh any gain). Set it between 0 and 10.");
-  RequireNotNegative("temporal coherence", "the result would be driven away from the previous one",
-    this->temporalCoherence);
+    LIMPID_REQUIRE(valid(value),
+      "The " << valid.name << " is " << value << valid.unit << " (" << valid.why << "). "
+             << valid.advice);
+  };
+  ForEachSetting([&](const Valid& valid, auto&& member)
+    { ForEachNumber(member(*this), [&](double value) { require(valid, value); }); });
   LIMPID_REQUIRE(this->otherCameras.empty() || InfoOf(this->method).iterates,
     "Several cameras were given to "
       << InfoOf(this->method).name
       << " (this method supports one camera only). Use the method Optimized or one camera.");
-  LIMPID_REQUIRE(
-    std::isfinite(this->rayDensity) && this->rayDensity >= 0.1 && this->rayDensity <= 16,
-    "The ray density is " << this->rayDensity
-                          << " rays per voxel (fewer would miss structures, more would only take "
-                             "longer). Set it between 0.1 and 16.");
-  LIMPID_REQUIRE(
-    std::isfinite(this->learningRate) && this->learningRate > 0 && this->learningRate <= 1,
-    "The learning rate is " << this->learningRate
-                            << " of the largest extinction (steps would leave the valid range or "
-                               "change nothing). Set it above 0 and at most 1.");
-  LIMPID_REQUIRE(this->maximumIterations >= 0,
-    "The number of iterations is " << this->maximumIterations
-                                   << " (it cannot be negative). Set it to zero or more.");
-  for (const int iterations : this->iterationsPerLevel)
-  {
-    LIMPID_REQUIRE(iterations >= 0,
-      "The number of iterations of a level is "
-        << iterations << " (it cannot be negative). Set it to zero or more.");
-  }
+}
+
+std::vector<double> NumbersOf(const Settings& settings)
+{
+  std::vector<double> numbers;
+  ForEachSetting([&](const Valid&, auto&& member)
+    { ForEachNumber(member(settings), [&](double number) { numbers.push_back(number); }); });
+  numbers.push_back(settings.scoreIterations);
+  return numbers;
 }
 
 bool SeesWhatScoresAreOf(const Settings& settings)
@@ -85,17 +66,7 @@ Settings ForCameras(Settings settings, const std::vector<Camera>& cameras)
 
 bool operator==(const Settings& one, const Settings& other)
 {
-  const auto values = [](const Settings& s)
-  {
-    return std::tie(s.method, s.ament, s.mode, s.solver, s.maximumIterations, s.iterationsPerLevel,
-      s.learningRate, s.tolerance, s.maximumSeconds, s.derivative, s.rayDensity, s.skipUnneeded,
-      s.restrictToView, s.protectImportance, s.emphasis, s.clearingThreshold, s.importanceSmoothing,
-      s.smoothness, s.temporalCoherence, s.scoreIterations, s.otherCameras, s.backend);
-  };
-  const auto sameWeight = [&](const WeightInfo& info)
-  { return one.weights.*info.weight == other.weights.*info.weight; };
-  return values(one) == values(other) &&
-    std::all_of(std::begin(allWeights), std::end(allWeights), sameWeight);
+  return NumbersOf(one) == NumbersOf(other) && one.otherCameras == other.otherCameras;
 }
 
 std::string NotOnRanks(const Settings& settings)

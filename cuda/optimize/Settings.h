@@ -55,24 +55,8 @@ enum class ImportanceSmoothing
   Median ///< see Despeckle
 };
 
-using WeightOf = double Weights::*;
-
-/// A weight and the texts for the error if it is negative.
-struct WeightInfo
-{
-  WeightOf weight;
-  const char* name;
-  const char* whyNotNegative;
-};
-
-/// All weights.
-inline constexpr WeightInfo allWeights[] = {
-  { &Weights::regularization, "regularization weight",
-    "the energy of Eq. (21) would have no minimum" },
-  { &Weights::view, "view weight", "a negative weight would hide important structures" },
-  { &Weights::light, "light weight", "a negative weight would darken important structures" },
-};
-
+/// What the optimisation is to do. Members that a user can set are in the table
+/// optimize/Settings.xml, which has their valid values.
 struct Settings
 {
   Method method = Method::Optimized;
@@ -133,6 +117,9 @@ struct Settings
 };
 
 bool operator==(const Settings& one, const Settings& other);
+
+/// Returns the values of all members but otherCameras.
+std::vector<double> NumbersOf(const Settings& settings);
 
 /// Returns the settings for several cameras, at least one: the first is the main one, the rest
 /// become otherCameras.

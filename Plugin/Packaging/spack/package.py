@@ -31,6 +31,7 @@ class Limpid(CMakePackage, CudaPackage):
     depends_on("cxx", type="build")
     depends_on("cmake@3.22:", type="build")
     depends_on("ninja", type="build")
+    depends_on("python@3.8:", type="build")
     generator("ninja")
 
     depends_on("glm")
