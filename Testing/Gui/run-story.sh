@@ -35,12 +35,8 @@ else
   pvpython "$here/write_phantom.py" "${plugins[0]}" volume.vti
 fi
 
-# The events, in words of the ParaView that is there; <proceed/> is a press of the macro "Proceed",
-# <proceed quietly="1"/> of the key that story.listen waits for.
-viewport=pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.0/CentralWidgetFrame/Viewport
-macro='object="pqClientMainWindow/MacrosToolbar/1QToolButton0" command="activate" arguments=""'
-key="object=\"$viewport/1QVTKOpenGLNativeWidget0\" command=\"keyEvent\" arguments=\"6:16777272:0::0:1\"" # F9
-words=(-e "s|<proceed/>|<pqevent $macro />|" -e "s|<proceed quietly=\"1\"/>|<pqevent $key />|")
+# The events, in words of the ParaView that is there.
+words=(-f "$here/events.sed")
 version="$(pvpython --version 2>&1 | grep -oE '[0-9]+\.[0-9]+' | tail -1)"
 if [[ "$(printf '5.12\n%s\n' "$version" | sort -V | head -1)" == 5.12 ]]; then
   words+=(-e 's|pqRescaleRangeDialog|RescaleScalarRangeToCustomDialog|')

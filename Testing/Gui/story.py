@@ -3,9 +3,9 @@
 
 """Tests in ParaView's window that take turns: events press what a person presses, Python looks.
 
-NAME.xml has the events for ParaView's test player, and <proceed/> between them (run-story.sh makes
-events of it). NAME.py has a generator: it runs from one `yield` to the next at each <proceed/>, and
-may wait while the window goes on living. What it finds is in report.txt of the working directory,
+NAME.xml has the events for ParaView's test player, some in words of events.sed, and <proceed/> between
+them. NAME.py has a generator: it runs from one `yield` to the next at each <proceed/>, and may wait
+while the window goes on living. What it finds is in report.txt of the working directory,
 whose last line is ENDED if nothing was wrong.
 """
 
