@@ -20,6 +20,7 @@ out="$(cd "$2" && pwd)"
 volume="$(realpath "$3")"
 story="$(mktemp -d)"
 trap 'rm -rf "$story"' EXIT
+export LIMPID_WINDOW=1305x933 # a view of about 1000 x 700 pixels
 bash "$root/Testing/with-display.sh" bash "$root/Testing/Gui/run-story.sh" TestTutorial "$story" \
   "$volume" "$plugins/Limpid/Limpid.so" "$plugins/LimpidGui/LimpidGui.so"
 cd "$story"

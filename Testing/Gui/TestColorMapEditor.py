@@ -11,8 +11,6 @@ import story
 from paraview import simple
 from story import expect
 
-PATIENCE = 60.0  # seconds
-
 
 class Shown:
     """What is seen of a display when everything has come to rest."""
@@ -26,9 +24,7 @@ class Shown:
 
     def changed(self, what, least=0.1):
         """A picture that differs from the last one, optimised to the end, without messages."""
-        expect(self.frames.settle(PATIENCE), f"{what}: rendering ends")
-        self.display.UpdatePropertyInformation()
-        expect(self.display.Converged == 1, f"{what}: nothing is left to do")
+        self.frames.expect_end(self.display, what)
         expect(self.display.Messages == "", f"{what}: no messages ({self.display.Messages!r})")
         picture = story.shown(self.view)
         if self.last is not None:

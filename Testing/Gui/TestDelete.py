@@ -14,7 +14,6 @@ from paraview import simple
 from paraview.modules.vtkRemotingServerManager import vtkSMPropertyHelper, vtkSMProxyManager
 from story import expect
 
-PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
 PROPERTIES = ("Representation", "ImportanceArray", "UseImportanceFunction", "LightWeight")
 
 _frames = []
@@ -74,7 +73,7 @@ def show_in_second_view():
 
 
 def settled(what):
-    expect(all(frames.settle(PATIENCE) for frames in _frames), f"{what}: rendering ends")
+    expect(all(frames.settle() for frames in _frames), f"{what}: rendering ends")
 
 
 def tell():

@@ -11,8 +11,6 @@ import story
 from paraview import simple, smtrace
 from story import expect
 
-PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
-
 # What filters take from the display, and from the view.
 SETTINGS = ["UseImportanceFunction", "ClearingThreshold", "ProtectImportance", "ViewWeight",
             "LightWeight", "ImportanceSmoothing", "Smoothness", "Method", "Mode",
@@ -61,7 +59,7 @@ def tell():
     display = simple.GetDisplayProperties()
     frames = story.Frames(view)
     story.listen(view)
-    expect(frames.settle(PATIENCE), "the first picture is finished")
+    expect(frames.settle(), "the first picture is finished")
     display.UpdatePropertyInformation()
     first = display.VisibleFraction
     expect(display.Messages == "", f"no message: {display.Messages!r}")
@@ -72,7 +70,7 @@ def tell():
     frames.clear()
     yield
 
-    expect(frames.settle(PATIENCE), "the best view is finished")
+    expect(frames.settle(), "the best view is finished")
     display.UpdatePropertyInformation()
     expect(display.VisibleFraction > 1.2 * first,
            f"from the best view {100 * display.VisibleFraction:.1f} %")

@@ -23,7 +23,7 @@ def tell():
     view = simple.GetActiveView()
     result = simple.GetActiveSource()
     frames = story.Frames(view)
-    expect(frames.settle(60), "the view comes to rest")
+    expect(frames.settle(), "the view comes to rest")
     expect(len(simple.GetViews()) == 1, f"there are {len(simple.GetViews())} views")
     display = simple.GetDisplayProperties(result, view)
     shown = (display.Representation, display.ExtinctionSource, display.ExtinctionArray[1],
@@ -39,7 +39,7 @@ def tell():
     result.ViewWeight = 5
     yield
 
-    expect(frames.settle(60), "the view comes to rest again")
+    expect(frames.settle(), "the view comes to rest again")
     expect((display.Method, display.ExtinctionArray[1]) == ("Optimized", "BaseExtinction"),
            "what was chosen stays after Apply")
     expect(len(simple.GetViews()) == 1, "there is still one view")

@@ -16,7 +16,6 @@ from paraview import simple
 from server import Server
 from story import expect
 
-PATIENCE = 60.0  # seconds
 SOON = 0.1  # seconds: an optimisation is under way then, and far from its end
 
 
@@ -54,12 +53,6 @@ def nothing_is_rendered(frames, what):
     expect(frames.all() == 0, f"{what}: {frames.all()} renders in 2 s")
 
 
-def the_end_is_reached(frames, display, what):
-    expect(frames.settle(PATIENCE), f"{what}: rendering ends")
-    display.UpdatePropertyInformation()
-    expect(display.Converged == 1, f"{what}: nothing is left to do")
-
-
 def other_types(view, frames):
     phantom, display = show(view)
     for name in ["Volume", "Surface", "Outline", "Slice"]:
@@ -67,7 +60,7 @@ def other_types(view, frames):
         simple.Render(view)
         display.SetRepresentationType("Optimized Volume")
         start(view)
-    the_end_is_reached(frames, display, "back from other types")
+    frames.expect_end(display, "back from other types")
     start(view)
     display.SetRepresentationType("Surface")
     simple.Render(view)
@@ -86,7 +79,7 @@ def hidden(view, frames):
     nothing_is_rendered(frames, "hidden")
     simple.Show(phantom, view)
     simple.Render(view)
-    the_end_is_reached(frames, display, "shown again")
+    frames.expect_end(display, "shown again")
     simple.Delete(phantom)
 
 
@@ -96,11 +89,11 @@ def two_volumes(view, frames):
     displays.move(simple.GetDisplayProperties(other, view), [2.5, 0, 0])
     simple.ResetCamera(view)
     start(view)
-    the_end_is_reached(frames, display, "two volumes")
+    frames.expect_end(display, "two volumes")
     start(view)
     simple.Delete(other)
     simple.Render(view)
-    the_end_is_reached(frames, display, "one of two volumes deleted")
+    frames.expect_end(display, "one of two volumes deleted")
     simple.Delete(phantom)
 
 
@@ -111,18 +104,18 @@ def two_views(view, frames):
     second_frames = story.Frames(second)
     start(view)
     start(second)
-    the_end_is_reached(frames, display, "the first of two views")
-    the_end_is_reached(second_frames, other, "the second of two views")
+    frames.expect_end(display, "the first of two views")
+    second_frames.expect_end(other, "the second of two views")
     before = story.shown(second)
     story.turn(view, 5)
     story.let_go(view)
-    the_end_is_reached(frames, display, "one of two views turned")
+    frames.expect_end(display, "one of two views turned")
     mean, _ = pictures.difference(before, story.shown(second))
     expect(mean == 0, f"the other one has its picture (mean absolute difference {mean:.3f})")
     start(second)
     simple.Delete(second)
     start(view)
-    the_end_is_reached(frames, display, "one of two views closed")
+    frames.expect_end(display, "one of two views closed")
     simple.Delete(phantom)
 
 
@@ -138,7 +131,7 @@ def animation(view, frames):
     scene.Play()
     count = frames.all()
     expect(count <= 8, f"{count} renders while an animation of 4 frames plays")
-    the_end_is_reached(frames, display, "after the animation")
+    frames.expect_end(display, "after the animation")
     simple.Delete(track)
     simple.Delete(phantom)
 

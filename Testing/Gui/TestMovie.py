@@ -12,7 +12,6 @@ from paraview import simple, smtrace
 from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager
 from story import expect
 
-PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
 FRAMES = 24
 CAMERA = ["CameraPosition", "CameraFocalPoint", "CameraViewUp"]
 
@@ -82,32 +81,32 @@ def tell():
     source = simple.GetActiveSource()
     frames = story.Frames(view)
     story.listen(view)
-    expect(frames.settle(PATIENCE), "the first picture is finished")
+    expect(frames.settle(), "the first picture is finished")
     before = camera_of(view)
     session = state_of_session()
     steps = undo_steps()
     story.screenshot("window-before.png")
     yield
 
-    frames.settle(PATIENCE)
+    frames.settle()
     first = camera_of(view)
     expect(first != before, "the preview looks from the best view")
     expect_in_window(view, source, "the preview")
     story.screenshot("window-dialog.png")
     yield
 
-    frames.settle(PATIENCE)
+    frames.settle()
     expect(camera_of(view) != first, "the preview follows its slider")
     expect_in_window(view, source, "another frame of the preview")
     yield
 
-    frames.settle(PATIENCE)
+    frames.settle()
     expect(np.allclose(camera_of(view), before), "to cancel leads back to where the view was")
     expect(state_of_session() == session, "and nothing is left of it")
     expect(undo_steps() == steps, f"and there is nothing to undo: {undo_steps()}")
     yield
 
-    frames.settle(PATIENCE)
+    frames.settle()
     shown = camera_of(view)
     made = undo_steps()
     expect(made == ["Make Movie"] + steps, f"the movie is one step of undo: {made}")
@@ -141,7 +140,7 @@ def tell():
     with open("cameras.json", "w", encoding="utf-8") as file:
         json.dump(cameras, file)
     simple.GetAnimationScene().AnimationTime = 0.4
-    frames.settle(PATIENCE)
+    frames.settle()
     story.screenshot("window-movie.png")
 
 

@@ -11,14 +11,10 @@ import story
 from paraview import simple, smtrace
 from story import expect
 
-PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
-
 
 def the_end_is_reached(frames, display, what):
     frames.clear()
-    expect(frames.settle(PATIENCE), f"{what}: rendering ends ({frames.still} still renders)")
-    display.UpdatePropertyInformation()
-    expect(display.Converged == 1, f"{what}: nothing is left to do")
+    frames.expect_end(display, what)
 
 
 def the_first_frame_is_finished(recorder, before, what):

@@ -56,7 +56,7 @@ def tell():
     yield
 
     expect_values(display, [10, 1, 1, 0.1], "the slider is at its left end")
-    frames.settle(60)
+    frames.settle()
     frames.clear()
     yield
     first = display.ClearingThreshold

@@ -13,7 +13,6 @@ import story
 from paraview import simple
 from story import expect
 
-PATIENCE = 60.0
 VISIBLE = 0.3  # mean change of a frame, of 255, that is one
 
 
@@ -21,21 +20,15 @@ def apart(one, other):
     return float(np.abs(one - other).mean())
 
 
-def settled(frames, display, what):
-    expect(frames.settle(PATIENCE), f"{what}: rendering ends")
-    display.UpdatePropertyInformation()
-    expect(display.Converged == 1, f"{what}: nothing is left to do")
-
-
 def original_of(view, frames, display):
     """The finished picture of the volume without optimization."""
     display.Method = "Ordinary"
     simple.Render(view)
-    settled(frames, display, "original")
+    frames.expect_end(display, "original")
     picture = story.shown(view)
     display.Method = "Optimized"
     simple.Render(view)
-    settled(frames, display, "optimized again")
+    frames.expect_end(display, "optimized again")
     return picture
 
 
@@ -52,7 +45,7 @@ def tell():
     simple.ResetCamera(view)
     frames, recorder = story.Frames(view), story.Recorder(view)
     simple.Render(view)
-    settled(frames, display, "shown")
+    frames.expect_end(display, "shown")
 
     def release():
         story.turn(view, 15)
@@ -72,7 +65,7 @@ def tell():
         before = story.shown(view)
         recorder.clear()
         act()
-        settled(frames, display, name)
+        frames.expect_end(display, name)
         pictures = list(recorder.pictures)
         final = story.shown(view)
         original = original_of(view, frames, display)

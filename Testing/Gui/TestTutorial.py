@@ -10,7 +10,6 @@ import story
 from paraview import simple
 from story import expect
 
-PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
 FRAMES = 6
 
 
@@ -28,7 +27,7 @@ def tell():
     frames = story.Frames(view)
 
     def finished(name):
-        expect(frames.settle(PATIENCE) and not display.Messages,
+        expect(frames.settle() and not display.Messages,
                f"{name}: {share(display):.1f} % of what is important shows {display.Messages}")
         story.screenshot(f"tutorial-{name}.png")
 
@@ -54,16 +53,16 @@ def tell():
     expect(share(display) < revealed, "less of what is important shows with more context")
     yield
 
-    frames.settle(PATIENCE)
+    frames.settle()
     expect(share(display) == revealed, "as much as before")
     yield
 
-    frames.settle(PATIENCE)
+    frames.settle()
     story.screenshot("tutorial-original.png")
     expect(share(display) < 0.5 * revealed, "less shows while Show Original is held down")
     yield
 
-    frames.settle(PATIENCE)
+    frames.settle()
     search = simple.GetActiveSource()
     expect(search.FieldData["BestVisibilityScore"].GetRange()[0]
            > search.FieldData["WorstVisibilityScore"].GetRange()[0], "the sphere has scores")

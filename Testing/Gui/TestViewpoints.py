@@ -124,7 +124,7 @@ def tell():
     expect_colors(display, search, "the scores of the importance proxy")
     yield
 
-    frames.settle(20)
+    frames.settle()
     expect_colors(display, search, "after Apply those of the base extinction, which are smaller")
 
 

@@ -5,8 +5,9 @@
 # Plays a story (story.py) in ParaView's window, then its NAME.replay.py, if any, in pvpython.
 #   bash run-story.sh NAME FOLDER VOLUME PLUGIN...
 # FOLDER is emptied, and holds afterwards what the story leaves. The story finds there the plugins
-# and, as volume.vti with the point array "ct", the file VOLUME: a phantom where there is no such
-# file. Needs a display.
+# and, as volume.vti, the file VOLUME, which has the point array "ct". Needs a display.
+# LIMPID_WINDOW=WIDTHxHEIGHT in the environment sets the size of the window, which is small: where
+# it is pressed does not depend on the size, how long a picture takes does.
 
 set -euo pipefail
 
@@ -15,6 +16,10 @@ name="$1"
 folder="$2"
 volume="$3"
 plugins=("${@:4}")
+if [[ ! -f "$volume" ]]; then
+  echo "There is no file $volume for the story to open. Name one with a point array \"ct\"." >&2
+  exit 2
+fi
 rm -rf "$folder"
 mkdir -p "$folder/replay"
 cd "$folder"
@@ -28,19 +33,10 @@ export PYTHONPATH="$here:$here/../Python${PYTHONPATH:+:$PYTHONPATH}"
 for plugin in "${plugins[@]}"; do
   ln -s "$plugin" .
 done
-if [[ -f "$volume" ]]; then
-  ln -s "$volume" volume.vti
-else
-  echo "$volume is not there: the story is told of a phantom. Set LIMPID_TEST_DATA."
-  pvpython "$here/write_phantom.py" "${plugins[0]}" volume.vti
-fi
+ln -s "$volume" volume.vti
 
-# The events, in words of the ParaView that is there; <proceed/> is a press of the macro "Proceed",
-# <proceed quietly="1"/> of the key that story.listen waits for.
-viewport=pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.0/CentralWidgetFrame/Viewport
-macro='object="pqClientMainWindow/MacrosToolbar/1QToolButton0" command="activate" arguments=""'
-key="object=\"$viewport/1QVTKOpenGLNativeWidget0\" command=\"keyEvent\" arguments=\"6:16777272:0::0:1\"" # F9
-words=(-e "s|<proceed/>|<pqevent $macro />|" -e "s|<proceed quietly=\"1\"/>|<pqevent $key />|")
+# The events, in words of the ParaView that is there.
+words=(-f "$here/events.sed")
 version="$(pvpython --version 2>&1 | grep -oE '[0-9]+\.[0-9]+' | tail -1)"
 if [[ "$(printf '5.12\n%s\n' "$version" | sort -V | head -1)" == 5.12 ]]; then
   words+=(-e 's|pqRescaleRangeDialog|RescaleScalarRangeToCustomDialog|')
@@ -48,9 +44,8 @@ if [[ "$(printf '5.12\n%s\n' "$version" | sort -V | head -1)" == 5.12 ]]; then
 fi
 sed "${words[@]}" "$here/$name.xml" > events.xml
 
-# A window with a view of about 1000 x 700 pixels. Not for ever: an event that fails can leave a
-# dialog open.
-timeout --kill-after=5 540 paraview --dr -geometry 1305x933+0+0 --test-directory="$folder" \
+# Not for ever: an event that fails can leave a dialog open.
+timeout --kill-after=5 540 paraview --dr -geometry "${LIMPID_WINDOW:-805x633}+0+0" --test-directory="$folder" \
   --script="$here/$name.py" --test-script="$folder/events.xml" --exit ||
   echo "ParaView ended with $?."
 cat report.txt

@@ -3,9 +3,9 @@
 
 """Tests in ParaView's window that take turns: events press what a person presses, Python looks.
 
-NAME.xml has the events for ParaView's test player, and <proceed/> between them (run-story.sh makes
-events of it). NAME.py has a generator: it runs from one `yield` to the next at each <proceed/>, and
-may wait while the window goes on living. What it finds is in report.txt of the working directory,
+NAME.xml has the events for ParaView's test player, some in words of events.sed, and <proceed/> between
+them. NAME.py has a generator: it runs from one `yield` to the next at each <proceed/>, and may wait
+while the window goes on living. What it finds is in report.txt of the working directory,
 whose last line is ENDED if nothing was wrong.
 """
 
@@ -23,6 +23,7 @@ from paraview.vtk.util.numpy_support import vtk_to_numpy
 from paraview.vtk.vtkRenderingCore import vtkWindowToImageFilter
 
 ENDED = "The story ended well."
+PATIENCE = 60.0  # seconds in which everything must have settled, on a slow and busy machine
 
 _report = open("report.txt", "w", encoding="utf-8")
 _begin = time.monotonic()
@@ -155,15 +156,21 @@ class Frames:
         return (f"frames while moving: median {statistics.median(milliseconds):.0f} ms, "
                 f"first {milliseconds[0]:.0f} ms, longest {max(milliseconds):.0f} ms")
 
-    def settle(self, seconds, quiet=0.8):
+    def settle(self, quiet=0.8):
         """Lives on until nothing was rendered for `quiet` seconds, which is longer than ParaView
         waits with a still render after an interaction. Whether that came to pass."""
-        end = time.monotonic() + seconds
+        end = time.monotonic() + PATIENCE
         count = -1
         while count != self.all() and time.monotonic() < end:
             count = self.all()
             live(quiet)
         return count == self.all()
+
+    def expect_end(self, display, what):
+        """Rendering settles, and the display is optimised to the end."""
+        expect(self.settle(), f"{what}: rendering ends")
+        display.UpdatePropertyInformation()
+        expect(display.Converged == 1, f"{what}: nothing is left to do")
 
 
 class Recorder:
