@@ -196,6 +196,20 @@ class Results(unittest.TestCase):
         self.assertEqual(figures(r"at 5 % it is (\d+) to (\d+) times", page),
                          [round(min(at_five)), round(max(at_five))])
 
+    def test_all_figures_take_as_long_as_their_pages_say(self):
+        folder = "Documentation/Examples/figures/"
+        seconds = {name: found["seconds"] for name, found in json.loads(house.text(
+            "Documentation/Pictures/figures/figures.json")).items()}
+        study = seconds.pop("table_methods")
+        wanted = [round(sum(seconds.values()) / 60), round(study / 60)]
+        pages = [" ".join(house.text(folder + name).replace("#", "").split())
+                 for name in ("README.md", "all.sh")]
+
+        self.assertEqual([figures(r"(\d+) minutes on two cores", pages[0])[0],
+                          figures(r"Ament 2017: (\d+) minutes", pages[0])[0]], wanted)
+        self.assertEqual(figures(r"Takes (\d+) minutes on two cores.*another (\d+) minutes",
+                                 pages[1]), wanted)
+
     def test_the_best_view_is_sought_on_as_many_sides_as_the_tutorial_says(self):
         said = figures(r"(\d+) sides are scored", house.text(TUTORIAL))
 
