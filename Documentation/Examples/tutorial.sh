@@ -26,6 +26,6 @@ bash "$root/Testing/with-display.sh" bash "$root/Testing/Gui/run-story.sh" TestT
 cd "$story"
 for picture in tutorial-*.png; do # the window, which is smaller than the screen
   name="${picture#tutorial-}"
-  convert "$picture" -crop 1306x934+0+0 +repage -resize 900x -quality 82 "$out/${name%.png}.jpg"
+  convert "$picture" -crop 1306x934+0+0 +repage -resize 900x -quality 78 "$out/${name%.png}.jpg"
 done
 montage movie.*.png -tile 3x -geometry 298x+1+1 -quality 82 "$out/movie.jpg"

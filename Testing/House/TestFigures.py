@@ -16,6 +16,7 @@ from fronts import equal_errors  # pylint: disable=wrong-import-position
 
 PARAMETERS = "Documentation/Parameters.md"
 DEVIATIONS = "Documentation/Deviations.md"
+TUTORIAL = "Documentation/Tutorial.md"
 PROPERTIES = {"Clearing Threshold": "clearingThreshold", "Protect Importance": "protectImportance",
               "Emphasis": "emphasis", "Importance Smoothing": "importanceSmoothing",
               "Smoothness": "smoothness", "Temporal Coherence": "temporalCoherence",
@@ -145,6 +146,14 @@ class Results(unittest.TestCase):
         self.assertEqual([least, most], [paper / weights[0], weights[1] / paper])
         self.assertNotRegex(paragraph("D4"), r"[\d.]+ % below")  # of the page it refers to
 
+    def test_scores_are_as_near_to_the_march_as_it_says(self):
+        bound, = figures(r"scores within ([\d.]+) % of the march", paragraph("D3"))
+        for scene in measured("Solvers")["scenes"]:
+            quality = scene["quality"]
+            for score in (quality["base"], quality["policy"]["S"], quality["adam"]["S"]):
+                self.assertLessEqual(abs(score["reported"] / score["march"] - 1), bound / 100,
+                                     scene["scene"])
+
     def test_shares_of_an_orbit_are_those_of_their_page(self):
         shares = [100 * scene["joint"] / scene["single"]
                   for scene in measured("Orbits")["scenes"].values()]
@@ -187,11 +196,31 @@ class Results(unittest.TestCase):
         self.assertEqual(figures(r"at 5 % it is (\d+) to (\d+) times", page),
                          [round(min(at_five)), round(max(at_five))])
 
+    def test_all_figures_take_as_long_as_their_pages_say(self):
+        folder = "Documentation/Examples/figures/"
+        seconds = {name: found["seconds"] for name, found in json.loads(house.text(
+            "Documentation/Pictures/figures/figures.json")).items()}
+        study = seconds.pop("table_methods")
+        wanted = [round(sum(seconds.values()) / 60), round(study / 60)]
+        pages = [" ".join(house.text(folder + name).replace("#", "").split())
+                 for name in ("README.md", "all.sh")]
+
+        self.assertEqual([figures(r"(\d+) minutes on two cores", pages[0])[0],
+                          figures(r"Ament 2017: (\d+) minutes", pages[0])[0]], wanted)
+        self.assertEqual(figures(r"Takes (\d+) minutes on two cores.*another (\d+) minutes",
+                                 pages[1]), wanted)
+
     def test_the_best_view_is_sought_on_as_many_sides_as_the_tutorial_says(self):
-        said = figures(r"(\d+) sides are scored", house.text("Documentation/Tutorial.md"))
+        said = figures(r"(\d+) sides are scored", house.text(TUTORIAL))
 
         self.assertEqual(said, figures(r"const int DIRECTIONS = (\d+);",
                                        house.text("Plugin/Gui/LimpidBestView.cxx")))
+
+    def test_the_tutorial_begins_with_the_shares_of_its_table(self):
+        said = figures(r"Of the bone ([\d.]+) % can be seen, ([\d.]+) % without",
+                       " ".join(house.text(TUTORIAL).split()))
+
+        self.assertEqual(said, columns(house.rows(TUTORIAL, "## Other data"), 1, 2)["visible_male"])
 
     def test_large_volumes_fit_into_the_memory_that_the_page_asks_for(self):
         rows = house.rows("Documentation/Benchmarks/LargeVolumes.md", "# Large volumes")

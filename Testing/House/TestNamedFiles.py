@@ -67,6 +67,17 @@ class TestNamedFiles(unittest.TestCase):
         self.expect_all(self.mentions(r"\]\(([^)#]+)[^)]*\)"),
                         lambda document, name: (house.ROOT / document.parent / name).exists())
 
+    def test_pictures_are_on_pages_that_say_how_to_make_them(self):
+        pages = documents()
+        without = []
+        for picture in house.files("*.png", "*.jpg", under=["Documentation/Pictures"]):
+            shown = [house.text(page) for page in pages
+                     if any((page.parent / link) == picture for link in
+                            re.findall(r"!\[[^\]]*\]\(([^)]+)\)", house.text(page)))]
+            if not any(re.search(r"Documentation/Examples/[\w/]+\.(sh|py) ", text) for text in shown):
+                without.append(str(picture))
+        self.assertFalse(without, "No page shows these pictures and the command that makes them.")
+
     def test_paths_exist(self):
         self.expect_all(self.words_in_quotes(), lambda document, name:
                         not self.is_a_path(name) or self.exists(name, document))

@@ -91,8 +91,8 @@ def head(title, measured, command=None):
         text += ("\n**The machine was not idle: times are preliminary.** Scores, energies and "
                  "memory do not depend on the load.\n")
     if title in RESULTS and machine["date"] < RESULTS_CHANGED:
-        text += (f"\n**These results are older than the code: scores, energies and iterations "
-                 f"changed until {RESULTS_CHANGED}. To be measured anew by the command above.**\n")
+        text += (f"\n**Not measured since {machine['date']}: the code's scores, energies and iterations "
+                 f"changed until {RESULTS_CHANGED}. The command above measures them anew.**\n")
     if "load_after" in machine:
         text += (f"\nLoad average at the end: {machine['load_after']:.2f}, this program "
                  "included.\n")
