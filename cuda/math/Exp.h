@@ -58,9 +58,10 @@ LIMPID_HD LIMPID_INLINE double Attenuate(double depth)
 
 /// Returns 1 - exp(-depth) for depth >= 0, vectorisable; within 2 units in the last place, even if
 /// small.
-LIMPID_HD LIMPID_INLINE float Stop(float depth)
+template <class Number>
+LIMPID_HD LIMPID_INLINE Number Stop(const Number& depth)
 {
-  const detail::ReducedExp<float> parts(AtMost(depth, detail::deepest));
+  const detail::ReducedExp<Number> parts(AtMost(depth, detail::deepest));
   return (1.0f - parts.power) - parts.power * parts.growth;
 }
 

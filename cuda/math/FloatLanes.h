@@ -138,6 +138,11 @@ LIMPID_INLINE bool AnyOf(const IntLanes& condition)
   return ((words[0] | words[1]) | (words[2] | words[3])) != 0;
 }
 
+LIMPID_INLINE FloatLanes Quotient(const FloatLanes& a, const FloatLanes& b)
+{
+  return a / b;
+}
+
 LIMPID_INLINE IntLanes And(const IntLanes& one, const IntLanes& other)
 {
   return one & other;

@@ -37,7 +37,8 @@ struct Slice
   LIMPID_HD LIMPID_INLINE float RelativeDepth() const { return this->layer.front; }
 
   /// Weight of the second slice at the position `share` of the layer's thickness.
-  LIMPID_HD LIMPID_INLINE float FractionAt(float share) const
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number FractionAt(const Number& share) const
   {
     constexpr float first = float(gaussPoints[0]);
     constexpr float inverse = float(1.0 / (gaussPoints[1] - gaussPoints[0]));

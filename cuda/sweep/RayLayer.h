@@ -45,6 +45,12 @@ enum class Passage
   Clipped
 };
 
+/// Whether a ray with this range inside the box (RayInLayer::Inside) is there throughout the layer.
+LIMPID_HD LIMPID_INLINE bool IsWhole(const Range<float>& inside)
+{
+  return inside.begin <= 0.0f && inside.end >= 1.0f;
+}
+
 /// The effect of a layer on the light of a ray, inside the box.
 struct LayerLight
 {
@@ -106,6 +112,12 @@ struct RayInLayer
     const float back = this->layer.front + this->layer.thickness;
     const float exit = this->column.end < this->row.end ? this->column.end : this->row.end;
     return this->Entry() <= this->layer.front && exit >= back;
+  }
+
+  /// Range inside the box, as fractions of the layer's thickness.
+  LIMPID_HD LIMPID_INLINE Range<float> Inside() const
+  {
+    return ClippedRange(this->layer, { 0.0f, 1.0f }, this->column, this->row);
   }
 
   /// Whether any sample is important.

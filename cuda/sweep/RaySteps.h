@@ -234,8 +234,9 @@ struct CarryStep
     }
   }
 
-  template <class Sampler, class Cuts>
-  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
+  /// `Resolved`: ResolvedRay or LitRay.
+  template <class Resolved>
+  LIMPID_HD LIMPID_INLINE void operator()(const Resolved& here, Index i) const
   {
     const RayInLayer<Passage::Clipped>& plain = here.plain;
     const LayerLight light = here.Light();
@@ -394,8 +395,9 @@ struct EffectStep
     this->Gain(here.Light(), i);
   }
 
-  template <class Sampler, class Cuts>
-  LIMPID_HD LIMPID_INLINE void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
+  /// `Resolved`: ResolvedRay or LitRay.
+  template <class Resolved>
+  LIMPID_HD LIMPID_INLINE void operator()(const Resolved& here, Index i) const
   {
     const float transmittance = this->TransmittanceTo(here.plain, i);
     LayerEffect effect;
@@ -425,6 +427,12 @@ private:
     }
   }
 };
+
+/// Whether a step needs LayerEffect of resolved layers.
+template <class Step>
+constexpr bool findsEffects = false;
+template <Kept kept>
+constexpr bool findsEffects<EffectStep<kept>> = true;
 
 /// Carries visible importance to the middle of the layer (RayStates::ahead).
 struct LookAheadStep

@@ -114,7 +114,7 @@ RowSampler::RowSampler(
 {
   const auto columns = std::size_t(frustum.columns);
   const std::size_t blend = RowScratch(std::max(frustum.nodesU, frustum.columns));
-  float* memory = ThreadScratch(6 * columns + 6 * blend + more);
+  float* memory = ThreadScratch(8 * columns + 6 * blend + more);
   const auto take = [&memory](std::size_t count)
   {
     float* taken = memory;
@@ -133,6 +133,8 @@ RowSampler::RowSampler(
     this->Rays.extinction[half] = this->Rays.importance[half] = this->Samples.extinction[half];
     this->Rays.kept[half] = this->Samples.extinction[half];
   }
+  this->Samples.densest = take(columns);
+  this->Samples.important = take(columns);
   this->More = memory;
   this->Rays.EnterRow(frustum, row);
 }

@@ -9,7 +9,10 @@
 
 #include "backend/Simd.h"
 #include "sweep/RaySteps.h"
+#include "sweep/ResolvedRows.h"
 #include "sweep/SliceWindow.h"
+
+#include <type_traits>
 
 namespace limpid
 {
@@ -261,6 +264,8 @@ private:
     float* kept[2];
     float* blend[2];
     float* lesser[2][2]; ///< rows of voxels, see RowsOfLesser
+    float* densest;      ///< see FindResolved
+    float* important;    ///< largest importance in the layer
   };
 
   /// Returns the longest path of the given rays through the layer [length].
@@ -269,10 +274,26 @@ private:
   /// Returns whether any of the given rays has an extinction sample above a bound.
   bool HasAbove(const Range<int>& columns, float bound) const;
 
-  /// Calls step for the given rays, with a ResolvedRay where the layer is resolved.
+  /// Calls step for the given rays, with the resolved layer where it is resolved: a LitRay if the
+  /// step accepts one, a ResolvedRay otherwise.
   template <Passage passage, class Resolve, class Step>
   void StepWhere(const Range<int>& columns, const RayFields<Field>& fields, const Resolve& resolve,
     const Step& step) const
+  {
+    if constexpr (std::is_invocable_v<Step, const LitRay&, Index>)
+    {
+      this->StepInLanes<passage>(columns, fields, resolve, step);
+    }
+    else
+    {
+      this->StepOneByOne<passage>(columns, fields, resolve, step);
+    }
+  }
+
+  /// Calls step for the given rays, with a ResolvedRay where the layer is resolved.
+  template <Passage passage, class Resolve, class Step>
+  void StepOneByOne(const Range<int>& columns, const RayFields<Field>& fields,
+    const Resolve& resolve, const Step& step) const
   {
     int begin = columns.begin;
     for (int i = columns.begin; i < columns.end; ++i)
@@ -290,15 +311,97 @@ private:
     this->StepPlain<passage>({ begin, columns.end }, step);
   }
 
+  /// Calls step for the given rays, with a LitRay where the layer is resolved.
+  template <Passage passage, class Resolve, class Step>
+  void StepInLanes(const Range<int>& columns, const RayFields<Field>& fields,
+    const Resolve& resolve, const Step& step) const
+  {
+    constexpr Effects effects = findsEffects<Step> ? Effects::Found : Effects::Ignored;
+    const RowBetweenSlices layer{ this->Frustum, this->S, this->RowNumber, this->Rays, fields };
+    const float* densest = this->FindResolved(columns, layer, resolve);
+    const float* behind = this->States().behind;
+    RaysInLanes lanes;
+    int begin = columns.begin;
+    const auto stepAll = [&]
+    {
+      if (lanes.count > 0)
+      {
+        layer.FindLight<typename Resolve::Cuts, effects>(lanes);
+      }
+      for (int lane = 0; lane < lanes.count; ++lane)
+      {
+        const int i = lanes.column[lane];
+        this->StepPlain<passage>({ begin, i }, step);
+        const RayInLayer<Passage::Clipped> ray = this->Rays.template At<Passage::Clipped>(i);
+        step(LitRay{ ray, lanes.light[lane], lanes.effect[lane] }, i);
+        begin = i + 1;
+      }
+      lanes.count = 0;
+    };
+    for (int i = columns.begin; i < columns.end; ++i)
+    {
+      if (densest[i] >= 0.0f)
+      {
+        lanes.Add(i, densest[i], behind[i]);
+        if (lanes.count == RaysInLanes::most)
+        {
+          stepAll();
+        }
+      }
+    }
+    stepAll();
+    this->StepPlain<passage>({ begin, columns.end }, step);
+  }
+
+  /// Finds the rays whose layers are resolved, see StepResolved. Returns their densest extinction,
+  /// and -1 for all others.
+  template <class Resolve>
+  const float* FindResolved(
+    const Range<int>& columns, const RowBetweenSlices& layer, const Resolve& resolve) const
+  {
+    using Cuts = typename Resolve::Cuts;
+    float* const densest = this->Samples.densest;
+    float* const important = this->Samples.important;
+    detail::StepAllAs<Passage::Clipped>(this->RaysAt(columns),
+      [densest, important, resolve](const RayInLayer<Passage::Clipped>& ray, int i)
+        LIMPID_INLINE_LAMBDA
+      {
+        const float front = ray.importance[0];
+        const float rear = ray.importance[1];
+        densest[i] = DensestOf(ray);
+        important[i] = front > rear ? front : rear;
+      });
+    if (Cuts::atFaces)
+    {
+      layer.IncludeEnds(columns, densest, important);
+    }
+    detail::StepAllAs<Passage::Clipped>(this->RaysAt(columns),
+      [densest, important, resolve](const RayInLayer<Passage::Clipped>& ray, int i)
+        LIMPID_INLINE_LAMBDA
+      {
+        const bool inside = ray.StaysInside();
+        const float most = resolve.Densest(densest[i]);
+        const bool thick =
+          most * ray.layer.thickness * ray.length > Cuts::thick && resolve.Reaches(i);
+        densest[i] = important[i] > 0.0f && (!inside || thick) ? most : -1.0f;
+      });
+    return densest;
+  }
+
+  RayRow RaysAt(const Range<int>& columns) const
+  {
+    RayRow part = this->Rays;
+    part.columns = columns;
+    return part;
+  }
+
   /// Calls step for the given rays; all are treated as `passage` says.
   template <Passage passage, class Step>
   void StepPlain(const Range<int>& columns, const Step& step) const
   {
     if (!columns.Empty())
     {
-      RayRow part = this->Rays;
-      part.columns = columns;
-      detail::StepAllAs<passage>(part, step);
+      detail::StepAllAs<passage>(this->RaysAt(columns), step);
     }
   }
 

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Resolved layers of rays side by side are those of each ray alone, bit by bit.
+
+#include "backend/HostDevice.h"
+#include "sweep/FrustumRays.h"
+#include "sweep/RowSampler.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
+
+using namespace limpid;
+
+namespace
+{
+/// What a step finds for one ray.
+struct Found
+{
+  LayerLight light;
+  LayerEffect effect{ 0, 0 };
+
+  /// All numbers, for comparisons.
+  std::vector<float> All() const
+  {
+    return { this->light.passed, this->light.visible, this->light.unattenuated,
+      this->light.keptVisible, this->light.keptUnattenuated, this->light.opticalDepth,
+      this->effect.front, this->effect.back };
+  }
+};
+
+using FoundByColumn = std::map<Index, Found>;
+
+/// Steps that record the light of resolved layers, of rays side by side and of each ray alone.
+template <bool withEffects>
+struct RecordTogether
+{
+  FoundByColumn* found;
+  float behind;
+
+  template <Passage passage>
+  void operator()(const RayInLayer<passage>&, Index) const
+  {
+  }
+
+  void operator()(const LitRay& here, Index i) const
+  {
+    Found& one = (*this->found)[i];
+    one.light = withEffects ? here.Light(this->behind, one.effect) : here.Light();
+  }
+};
+
+template <bool withEffects>
+struct RecordAlone
+{
+  FoundByColumn* found;
+  float behind;
+
+  template <Passage passage>
+  void operator()(const RayInLayer<passage>&, Index) const
+  {
+  }
+
+  template <class Sampler, class Cuts>
+  void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
+  {
+    Found& one = (*this->found)[i];
+    one.light = withEffects ? here.Light(this->behind, one.effect) : here.Light();
+  }
+};
+}
+
+namespace limpid
+{
+template <>
+constexpr bool findsEffects<RecordTogether<true>> = true;
+}
+
+namespace
+{
+/// Opaque, half-opaque and empty nodes at random, of which some are important.
+struct RandomScene
+{
+  Grid grid;
+  std::vector<float> extinction;
+  std::vector<float> importance;
+  std::vector<float> base;
+
+  explicit RandomScene(unsigned int seed)
+  {
+    this->grid.nodes = { 19, 23, 17 };
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> share(0, 1);
+    for (Index i = 0; i < this->grid.NodeCount(); ++i)
+    {
+      this->extinction.push_back(share(random) < 0.3f ? 0.0f : std::pow(100.0f, share(random)));
+      this->importance.push_back(share(random) < 0.5f ? 0.0f : share(random));
+      this->base.push_back(20 * share(random));
+    }
+  }
+
+  /// Compares all layers of all rays from a source. Returns the number of resolved layers.
+  template <class Cuts, bool withEffects>
+  int Compare(const RaySource& source, bool countsKept) const
+  {
+    const auto device = std::make_shared<HostDevice>();
+    const Occupancy occupancy(this->grid, this->extinction.data(), this->importance.data(), true);
+    int resolved = 0;
+    for (const PlannedFrustum& frustum :
+      PlanSweep(this->grid, occupancy, source, { 1, Placement::ForIntegrals }))
+    {
+      RayImages<HostDevice> images(device, frustum.RayCount());
+      const RayStates states = images.States();
+      SlabPool pool;
+      SliceWindow windows[3] = { { frustum, nullptr, pool, this->extinction.data(), { 1 } },
+        { frustum, nullptr, pool, this->importance.data(), { 1 } },
+        { frustum, nullptr, pool, this->base.data(), { 1 } } };
+      for (SliceWindow& window : windows)
+      {
+        window.Load({ 0, frustum.SliceCount() });
+      }
+      for (int row = 0; row < frustum.rows; ++row)
+      {
+        for (int s = 0; s < frustum.lastSlice; ++s)
+        {
+          RowSampler rays(frustum, states, row);
+          if (rays.EnterLayer(s, true))
+          {
+            resolved += CompareRow<Cuts, withEffects>(rays,
+              { &windows[0], &windows[1], countsKept ? &windows[2] : nullptr }, frustum.columns);
+          }
+        }
+      }
+    }
+    return resolved;
+  }
+
+private:
+  template <class Cuts, bool withEffects>
+  static int CompareRow(RowSampler& rays, const RayFields<SliceWindow*>& fields, int columns)
+  {
+    const float behind = 0.3f;
+    const RayStates states = rays.States();
+    for (int i = 0; i < columns; ++i)
+    {
+      states.opticalDepth[i] = i % 7 == 0 ? 20 : 0.1 * i; // some are in the dark
+      states.behind[i] = behind;
+    }
+    rays.SampleExtinction(fields.extinction);
+    rays.SampleImportance(fields.importance);
+    if (fields.base)
+    {
+      rays.SampleKept(fields.extinction, fields.base);
+    }
+    FoundByColumn together;
+    FoundByColumn alone;
+    const ResolveLit<Cuts> resolve{ states.opticalDepth };
+    rays.ForEachResolved(fields, resolve, RecordTogether<withEffects>{ &together, behind });
+    rays.ForEachResolved(fields, resolve, RecordAlone<withEffects>{ &alone, behind });
+    EXPECT_EQ(together.size(), alone.size());
+    for (const auto& [column, one] : alone)
+    {
+      EXPECT_EQ(together[column].All(), one.All()) << "column " << column;
+    }
+    return static_cast<int>(alone.size());
+  }
+};
+
+RaySource EyeAt(double x, double y, double z)
+{
+  RaySource eye;
+  eye.origin = { x, y, z };
+  return eye;
+}
+}
+
+TEST(ResolvedRows, AreThoseOfEachRayAloneWithTheirEffects)
+{
+  const RandomScene scene(1);
+
+  for (const RaySource& eye : { EyeAt(-9, 12, 8), EyeAt(7, 40, 3), EyeAt(9, 9, -6) })
+  {
+    EXPECT_GT((scene.Compare<UsualCuts, true>(eye, true)), 1000);
+    EXPECT_GT((scene.Compare<UsualCuts, true>(eye, false)), 1000);
+  }
+}
+
+TEST(ResolvedRows, AreThoseOfEachRayAloneInScores)
+{
+  const RandomScene scene(2);
+
+  for (const RaySource& eye : { EyeAt(-9, 12, 8), EyeAt(7, 40, 3), EyeAt(9, 9, -6) })
+  {
+    EXPECT_GT((scene.Compare<FineCuts, false>(eye, true)), 1000);
+    EXPECT_GT((scene.Compare<UsualCuts, false>(eye, false)), 1000);
+  }
+}
