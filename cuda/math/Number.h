@@ -88,6 +88,14 @@ LIMPID_HD LIMPID_INLINE double Quotient(double a, double b)
   return a / b;
 }
 
+/// Returns part / whole, at most 1, for non-negative numbers; 1 if both are 0. Smaller wholes count
+/// as the least normal number: on a GPU the quotient of zero and a number below 2^-128 is NaN.
+LIMPID_HD LIMPID_INLINE float Share(float part, float whole)
+{
+  constexpr float least = 1.17549435e-38f;
+  return part < whole ? Quotient(part, AtLeast(whole, least)) : 1.0f;
+}
+
 LIMPID_HD LIMPID_INLINE float SquareRoot(float x)
 {
   return std::sqrt(x);

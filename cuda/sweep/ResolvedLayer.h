@@ -485,7 +485,7 @@ private:
     const float area = this->AreaAt(piece.place, piece.size);
     piece.front = area * importance(shares[0]);
     piece.back = area * importance(shares[1]);
-    piece.keptShare = keptMean < mean ? Quotient(keptMean, mean) : 1.0f;
+    piece.keptShare = Share(keptMean, mean);
     piece.keptTilt = (keptEnds[1] - keptEnds[0]) * length * (1.0f / 12);
     return piece;
   }
