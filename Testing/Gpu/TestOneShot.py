@@ -41,7 +41,8 @@ if [[ "{name} $*|" == *"$(cat "{state}/hangs")"* ]]; then
 fi
 """
 COMPILER = """
-while [[ $1 != -o ]]; do shift; done
+while (($# > 0)) && [[ $1 != -o ]]; do shift; done
+(($# > 0)) || exit 0
 printf '#!{bash}\\necho latencies\\n' > "$2" && chmod +x "$2"
 """
 WRAPPER = """
