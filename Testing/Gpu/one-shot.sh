@@ -101,7 +101,7 @@ figures() { # NAME LIMIT OPTION...
   local name="$1" limit="$2"
   shift 2
   step "bench_$name" "$limit" benchmark.log "$bench" "$@" --append --output "$out/Gpu.json"
-  [[ -f $out/Gpu.json ]] || return
+  [[ -s $out/Gpu.json ]] || return
   python3 -B "$root/Testing/Benchmarks/pages/make.py" --pages gpu --no-plots "$out" >> "$out/benchmark.log" 2>&1 ||
     { note "page of $name" "FAILED" 0; fail; }
   python3 - "$out/Gpu.json" << 'PYTHON'
