@@ -10,9 +10,11 @@
 #include <cctype>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <system_error>
 #include <thread>
 
 namespace limpid::benchmark
@@ -54,17 +56,26 @@ std::string Line(const char* path, const std::string& begin)
   return "unknown";
 }
 
+void RequireWritten(bool good, const std::string& path)
+{
+  LIMPID_REQUIRE(
+    good, "The file " << path << " cannot be written (the results would be lost). Choose another.");
+}
+
+/// Replaces the file as a whole, so that it is complete whenever this program ends.
 void Save(const std::string& path, const Json& json)
 {
-  std::ofstream file;
-  if (!path.empty())
+  const std::string text = json.dump(1);
+  if (path.empty())
   {
-    file.open(path);
+    std::cout << text << std::endl;
+    return;
   }
-  std::ostream& stream = path.empty() ? std::cout : file;
-  stream << json.dump(1) << std::endl;
-  LIMPID_REQUIRE(stream.good(),
-    "The file " << path << " cannot be written (the results would be lost). Choose another.");
+  const std::string unfinished = path + ".part";
+  RequireWritten((std::ofstream(unfinished) << text << std::endl).good(), path);
+  std::error_code failed;
+  std::filesystem::rename(unfinished, path, failed);
+  RequireWritten(!failed, path);
 }
 }
 
@@ -187,7 +198,11 @@ int RunProgram(int argc, char* argv[], const Options::Table& known, const Measur
     };
     const bool toFile = !options.Text("output").empty();
     const auto saveInFile = [&] { toFile ? save() : void(); };
-    saveInFile(); // can it be written?
+    if (toFile)
+    {
+      const std::string path = options.Text("output");
+      RequireWritten(std::ofstream(path, std::ios::app).good(), path);
+    }
     measure(options, results, saveInFile);
     save();
     return 0;

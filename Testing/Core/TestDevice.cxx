@@ -7,6 +7,7 @@
 #include "TestedDevice.h"
 
 #include "backend/SumOnDevice.h"
+#include "math/Number.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/SolverBackend.h"
 
@@ -31,6 +32,19 @@ std::vector<float> Counted(std::size_t count)
   }
   return values;
 }
+
+/// The share of every number in every other one.
+struct ShareOfPair
+{
+  const float* numbers;
+  Index count;
+  float* out;
+
+  LIMPID_HD void operator()(Index pair) const
+  {
+    this->out[pair] = Share(this->numbers[pair % this->count], this->numbers[pair / this->count]);
+  }
+};
 
 /// The best extinction after some iterations, and their energies.
 std::vector<float> Optimized(
@@ -76,6 +90,45 @@ TEST(Device, KeepsWhatItIsGiven)
   copy.SetZero();
   copy.Download(back.data());
   EXPECT_EQ(back, std::vector<float>(values.size(), 0.0f));
+}
+
+TEST(Device, HasReadWhatItIsGiven)
+{
+  const auto device = MakeTestedDevice();
+  const std::vector<float> values = Counted(10000019);
+  std::vector<float> given = values;
+  const DeviceArray<TestedDevice, float> there(device, given, "a test");
+  std::fill(given.begin(), given.end(), 0.0f); // at once, while a copy could be under way
+  std::vector<float> back(values.size());
+
+  there.Download(back.data());
+
+  EXPECT_EQ(back, values);
+}
+
+// Numbers below 2^-128 have no reciprocal.
+TEST(Device, FindsSharesOfAnyNumbers)
+{
+  const auto device = MakeTestedDevice();
+  const std::vector<float> wholes{ 0.0f, 1e-45f, 1e-40f, 2e-38f, 1.0f, 3e38f };
+  const DeviceArray<TestedDevice, float> there(device, wholes, "a test");
+  const auto count = static_cast<Index>(wholes.size());
+  DeviceArray<TestedDevice, float> shares(device, wholes.size() * wholes.size(), "a test");
+  std::vector<float> found(shares.Size());
+
+  device->ForIndices("shares", count * count, ShareOfPair{ there.Data(), count, shares.Data() });
+  shares.Download(found.data());
+
+  for (Index n = 0; n < count * count; ++n)
+  {
+    const float part = wholes[static_cast<std::size_t>(n % count)];
+    const float whole = wholes[static_cast<std::size_t>(n / count)];
+    const float share = found[static_cast<std::size_t>(n)];
+    EXPECT_GE(share, 0.0f) << part << " of " << whole;
+    EXPECT_LE(share, 1.0f) << part << " of " << whole;
+    EXPECT_TRUE(part > 0 || whole == 0 || share == 0.0f) << share << " of " << whole;
+    EXPECT_TRUE(part < whole || share == 1.0f) << part << " of " << whole;
+  }
 }
 
 TEST(Device, CopiesBorrowedValuesOnlyIfItCannotReadThem)

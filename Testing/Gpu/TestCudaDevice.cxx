@@ -13,7 +13,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cuda_runtime.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <thread>
@@ -200,6 +203,27 @@ TEST(CudaDevice, GivesTheSameBitsEachTime)
   {
     ASSERT_EQ(run(), first) << "run " << n << ": threads do not wait for each other";
   }
+}
+
+// The device of a process stays until its end.
+TEST(CudaDevice, GivesMemoryBackWhenNothingIsHeld)
+{
+  constexpr std::size_t much = std::size_t(1) << 28;
+  const auto device = MakeTestedDevice();
+  cudaMemPool_t pool{};
+  ASSERT_EQ(cudaDeviceGetDefaultMemPool(&pool, FindCuda().device), cudaSuccess);
+  const auto reserved = [&]
+  {
+    std::uint64_t bytes = 0;
+    cudaMemPoolGetAttribute(pool, cudaMemPoolAttrReservedMemCurrent, &bytes);
+    return bytes;
+  };
+  {
+    const Bytes some(device, 1, "a test");
+    Bytes(device, much, "a test");
+    EXPECT_GE(reserved(), much) << "it is kept for what comes next";
+  }
+  EXPECT_EQ(reserved(), 0u);
 }
 
 TEST(CudaDevice, GivesItsMemoryBack)

@@ -3,8 +3,6 @@
 
 #include "Traffic.h"
 
-#include "sweep/PlanSweep.h"
-
 namespace limpid::benchmark
 {
 namespace
@@ -14,25 +12,12 @@ struct Sizes
 {
   double all = 0;    ///< one field at all nodes
   double filled = 0; ///< one field at the nodes that are not empty
-  double camera = 0; ///< one value per ray and slice
-  double light = 0;
 };
-
-double RaysOf(const Problem& problem, const RaySource& source)
-{
-  double rays = 0;
-  for (const PlannedFrustum& frustum :
-    PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity }))
-  {
-    rays += double(frustum.RayCount()) * double(frustum.SliceCount());
-  }
-  return rays;
-}
 
 Sizes SizesOf(const Problem& problem)
 {
-  return { 4.0 * double(problem.grid.NodeCount()), 4.0 * double(problem.occupancy->FilledVoxels()),
-    4 * RaysOf(problem, problem.camera), 4 * RaysOf(problem, problem.light) };
+  return { 4.0 * double(problem.grid.NodeCount()),
+    4.0 * double(problem.occupancy->FilledVoxels()) };
 }
 
 void AddSums(Traffic& bytes, const Sizes& size)
@@ -40,11 +25,10 @@ void AddSums(Traffic& bytes, const Sizes& size)
   bytes["sums"] = 4 * size.all; // extinction and base, extinction and the last one
 }
 
-/// The derivative of one term whose optical depths are known; `rays`: its values per ray and slice.
-void AddDerivative(Traffic& bytes, const Sizes& size, double rays)
+/// The derivative of one term whose optical depths are known.
+void AddDerivative(Traffic& bytes, const Sizes& size)
 {
-  // Extinction, importance twice, derivative twice; images are written and read.
-  bytes["derivative"] += 5 * size.filled + 6 * rays;
+  bytes["derivative"] += 5 * size.filled; // extinction, importance twice, derivative twice
 }
 }
 
@@ -55,7 +39,7 @@ Traffic PolicyTraffic(const Problem& problem)
   // Base, importance twice, last, derivative of the light; next is written and read.
   bytes["policy sweep"] = 7 * size.filled;
   bytes["forward sweep"] = 2 * size.filled; // extinction, importance
-  AddDerivative(bytes, size, size.light);
+  AddDerivative(bytes, size);
   AddSums(bytes, size);
   return bytes;
 }
@@ -66,8 +50,8 @@ Traffic AdamTraffic(const Problem& problem)
   Traffic bytes;
   bytes["set to zero"] = size.all;
   bytes["optical depths"] = 2 * size.filled; // extinction
-  AddDerivative(bytes, size, size.camera);
-  AddDerivative(bytes, size, size.light);
+  AddDerivative(bytes, size);
+  AddDerivative(bytes, size);
   bytes["copy"] = 2 * size.all; // of the best extinction
   // Base is read; derivative, which becomes the change, both means and the extinction are read and
   // written.

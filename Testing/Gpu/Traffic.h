@@ -3,8 +3,8 @@
 
 // How many bytes the launches of an iteration move at the least: every field that a launch reads or
 // writes counts once, 4 bytes a node, however often it is read. Sweeps count the nodes that are not
-// empty, a device's sums all of them. What fits into caches, tables and the rays of one slice, does
-// not count; images of rays that a sweep leaves for the voxels do.
+// empty, a device's sums all of them. What fits into caches does not count: tables, rays, and their
+// images of two slabs (SlabImages.h).
 
 #ifndef limpid_testing_gpu_Traffic_h
 #define limpid_testing_gpu_Traffic_h

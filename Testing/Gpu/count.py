@@ -12,7 +12,8 @@ import time
 
 REGISTERS = 65536  # of a multiprocessor of sm_90, given to warps in blocks of 8 per thread
 MOST_THREADS = 2048
-SWEEPS = {"VisitTiles": "the policy's sweep", "VisitPhases": "the derivative's sweep"}
+SWEEPS = {"BackwardTiles": "the policy's sweep", "SlabPhases": "the derivative's sweep",
+          "DrawnPixelILNS_11CompositingE0ELb1ELb1E": "a picture's ray, lit, with the overlay"}
 KINDS = {"loads": ("LDG",), "stores": ("STG",),
          "generic": ("LD", "ST"),  # of memory that the compiler does not know the kind of
          "spilled": ("LDL", "STL"), "branches": ("BRA",),
@@ -71,7 +72,8 @@ def main():
         "compiler": re.search(r"release [\d.]+", version.stdout).group(),
         "iteration": counts(scene["policy"]["parts"]), "frame": counts(scene["frame"]["parts"]),
         "iterations": scene["frame"]["iterations"],
-        "kernels": sorted((kernel(name, codes[name], used[name]) for name in codes),
+        "kernels": sorted((kernel(name, codes[name], used[name]) for name in codes
+                           if not name.startswith("_Z") or any(part in name for part in SWEEPS)),
                           key=lambda row: row["kernel"])}
     with open(output, "w", encoding="utf-8") as file:
         file.write(json.dumps(measured, indent=1) + "\n")

@@ -8,7 +8,7 @@
 # processor in the role of a GPU; instructions, loads and registers from the compiler's output.
 # FOLDERs: with limpid_bench_pretended_gpu (build; bash Testing/build.sh --tests), for the page
 # (Documentation/Benchmarks). Needs nvcc and cuobjdump, which comes with the CUDA toolkit or with
-# pip's nvidia-cuda-cuobjdump, on PATH. Builds nothing else. Takes a minute.
+# pip's nvidia-cuda-cuobjdump and nvidia-cuda-nvdisasm, on PATH. Builds nothing else. Takes a minute.
 
 set -euo pipefail
 
@@ -34,10 +34,10 @@ if [[ ! -x "$program" ]]; then
   echo "There is no $program (it counts launches). Build it: bash Testing/build.sh --tests" >&2
   exit 1
 fi
-for tool in nvcc cuobjdump; do
+for tool in nvcc cuobjdump nvdisasm; do
   if ! command -v "$tool" > /dev/null; then
     echo "There is no $tool (the compiler's output cannot be counted). Install the CUDA toolkit, or" \
-      "pip's nvidia-cuda-cuobjdump, and add it to PATH." >&2
+      "pip's nvidia-cuda-cuobjdump and nvidia-cuda-nvdisasm, and add it to PATH." >&2
     exit 1
   fi
 done
@@ -47,9 +47,13 @@ mkdir -p "$parts" "$output"
 echo "== launches"
 "$program" --quick --sizes 64 --scenes onion --output "$parts/launches.json"
 echo "== instructions"
-nvcc -std=c++17 -O3 -arch=sm_90 --expt-relaxed-constexpr -I "$root/cuda" -cubin \
-  -o "$parts/counted.cubin" "$here/cuda/Counted.cu"
-cuobjdump -sass "$parts/counted.cubin" > "$parts/counted.sass"
-cuobjdump -res-usage "$parts/counted.cubin" > "$parts/registers.txt" 2>&1
+: > "$parts/counted.sass"
+: > "$parts/registers.txt"
+for source in "$here/cuda/Counted.cu" "$root/cuda/compute/CudaBackend.cxx"; do
+  nvcc -std=c++17 -O3 -arch=sm_90 --expt-relaxed-constexpr -x cu -I "$root/cuda" -cubin \
+    -o "$parts/counted.cubin" "$source"
+  cuobjdump -sass "$parts/counted.cubin" >> "$parts/counted.sass"
+  cuobjdump -res-usage "$parts/counted.cubin" >> "$parts/registers.txt" 2>&1
+done
 /usr/bin/python3 -B "$here/count.py" "$parts" "$output/Counts.json"
 /usr/bin/python3 -B "$root/Testing/Benchmarks/pages/make.py" "$output" --pages counts --no-plots

@@ -4,11 +4,12 @@
 // How long the steps of the optimisation take on a GPU, at the sizes of Table 1 of [HG24].
 //
 //   limpid_bench_gpu [--sizes 256,304,472] [--scenes onion,dense,waves] [--quick] [--along-x]
-//     [--files A.scene.json,B.scene.json] [--output FILE.json]
+//     [--files A.scene.json,B.scene.json] [--output FILE.json] [--append]
 //
 // With --files those scenes (pack-scenes.py) instead of formulas. --along-x looks along
 // that axis.
-// Writes FILE.json after every scene, or the numbers to standard output.
+// Writes FILE.json after every part of a scene, or the numbers to standard output. With --append
+// the scenes of an earlier run stay in FILE.json, and the device is measured only if there is none.
 
 #include "Measure.h"
 #include "Volume.h"
@@ -16,7 +17,39 @@
 #include "backend/Choice.h"
 #include "math/Require.h"
 
+#include <fstream>
 #include <iostream>
+
+namespace limpid::benchmark
+{
+namespace
+{
+/// The device and the scenes that a file of results has; null if there are none.
+Json Earlier(const std::string& path)
+{
+  std::ifstream file(path);
+  if (file.peek() == std::ifstream::traits_type::eof())
+  {
+    return nullptr;
+  }
+  Json results = Json::parse(file, nullptr, false);
+  LIMPID_REQUIRE(results.contains("scenes"),
+    "The file " << path << " has no scenes (nothing can be added to it). Choose another, or leave "
+                << "out --append.");
+  results.erase("machine"); // those of this run are written
+  results.erase("options");
+  return results;
+}
+
+/// An empty list of scenes on a device.
+Json Nothing(const Effort& effort)
+{
+  Json results = MeasureDevice(effort);
+  results["scenes"] = Json::array();
+  return results;
+}
+}
+}
 
 int main(int argc, char* argv[])
 {
@@ -24,15 +57,21 @@ int main(int argc, char* argv[])
   using namespace limpid::benchmark;
   return RunProgram(argc, argv,
     { { "sizes", "256,304,472" }, { "scenes", "onion,dense,waves" }, { "along-x", "no" },
-      { "files", "" } },
+      { "files", "" }, { "append", "no" } },
     [](const Options& options, Json& results, const std::function<void()>& save)
     {
       LIMPID_REQUIRE(FindCuda().usable,
         "There is nothing to measure on: "
           << FindCuda().reason << " (this program times a GPU). Run it where there is one.");
       const Effort effort = options.Flag("quick") ? Effort{ 2, 0.2, 12, 64, 1 << 22 } : Effort();
-      results = MeasureDevice(effort);
-      results["scenes"] = Json::array();
+      if (options.Flag("append"))
+      {
+        results = Earlier(options.Text("output"));
+      }
+      if (results.empty())
+      {
+        results = Nothing(effort);
+      }
       const auto measure = [&](SceneForSolver scene)
       {
         if (options.Flag("along-x"))

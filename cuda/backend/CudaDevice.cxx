@@ -49,15 +49,20 @@ CudaDevice::CudaDevice(int number)
   LIMPID_CUDA(cudaStreamCreateWithFlags(&this->Stream, cudaStreamNonBlocking));
   cudaMemPool_t pool{};
   LIMPID_CUDA(cudaDeviceGetDefaultMemPool(&pool, number));
-  std::uint64_t keep = UINT64_MAX; // keep freed memory until the device is destroyed
+  std::uint64_t keep = UINT64_MAX; // until Trim
   LIMPID_CUDA(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &keep));
 }
 
 CudaDevice::~CudaDevice()
 {
-  cudaSetDevice(this->Number);
-  cudaStreamSynchronize(this->Stream);
+  this->Trim();
   cudaStreamDestroy(this->Stream);
+}
+
+void CudaDevice::Trim() noexcept
+{
+  cudaSetDevice(this->Number);
+  cudaStreamSynchronize(this->Stream); // what is freed may still be in use
   cudaMemPool_t pool{};
   if (cudaDeviceGetDefaultMemPool(&pool, this->Number) == cudaSuccess)
   {
@@ -103,6 +108,10 @@ void CudaDevice::Free(void* memory, std::size_t bytes) noexcept
 {
   cudaFreeAsync(memory, this->Stream);
   this->Memory.Remove(bytes);
+  if (this->Memory.Bytes() == 0)
+  {
+    this->Trim();
+  }
 }
 
 void CudaDevice::Upload(void* to, const void* from, std::size_t bytes)
@@ -110,6 +119,7 @@ void CudaDevice::Upload(void* to, const void* from, std::size_t bytes)
   this->Use();
   const Timed timed(*this, { "upload", double(bytes) });
   LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, this->Stream));
+  this->Wait(); // the copy of pageable memory may be under way
 }
 
 void CudaDevice::Download(void* to, const void* from, std::size_t bytes)

@@ -151,7 +151,8 @@ __global__ void __launch_bounds__(Body::tileThreads, residentTileThreads / Body:
 
 #define LIMPID_CUDA(call) ::limpid::detail::RequireCuda((call), #call)
 
-/// A GPU with one stream. All operations are executed in order; only Download and Wait block.
+/// A GPU with one stream. All operations are executed in order. Upload, Download and Wait block,
+/// and Free where nothing else is allocated.
 class CudaDevice
 {
 public:
@@ -180,8 +181,11 @@ public:
 
   /// Allocates memory that is filled with 0.
   void* AllocateZeros(std::size_t bytes, const char* what);
+
+  /// Memory that is freed is kept for later allocations, until nothing is allocated any more.
   void Free(void* memory, std::size_t bytes) noexcept;
 
+  /// Has read all of `from` when it returns.
   void Upload(void* to, const void* from, std::size_t bytes);
   void Download(void* to, const void* from, std::size_t bytes);
   void Copy(void* to, const void* from, std::size_t bytes);
@@ -276,6 +280,9 @@ public:
   }
 
 private:
+  /// Returns freed memory to the system.
+  void Trim() noexcept;
+
   /// Makes it the current device of the calling thread.
   void Use() const;
 

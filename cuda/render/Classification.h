@@ -92,7 +92,7 @@ struct OpticalTable
     float share;
     const OpticalEntry* entry =
       this->entries + this->axis.Split(this->axis.Inside(position), share);
-    return Blend(entry[0].value, entry[1].value, share);
+    return Blend(LoadAtOnce(entry[0].value), LoadAtOnce(entry[1].value), share);
   }
 
   /// Returns the value and its integral from the start of the table.
@@ -101,8 +101,8 @@ struct OpticalTable
     const float inside = this->axis.Inside(position);
     float share;
     const OpticalEntry* entry = this->entries + this->axis.Split(inside, share);
-    OpticalEntry there{ Blend(entry[0].value, entry[1].value, share),
-      Blend(entry[0].integral, entry[1].integral, share) };
+    OpticalEntry there{ Blend(LoadAtOnce(entry[0].value), LoadAtOnce(entry[1].value), share),
+      Blend(LoadAtOnce(entry[0].integral), LoadAtOnce(entry[1].integral), share) };
     Extend(there, position - inside);
     return there;
   }

@@ -5,6 +5,7 @@
 #define limpid_render_PackedNumbers_h
 
 #include "backend/Simd.h"
+#include "backend/WideLoad.h"
 #include "math/Vec.h"
 
 #include <cstdint>
@@ -79,10 +80,11 @@ LIMPID_HD LIMPID_INLINE float Unpacked(float value)
 template <int Count>
 LIMPID_HD LIMPID_INLINE Floats<Count> Unpacked(const Packed<Count>& packed)
 {
+  const Packed<Count> all = LoadAtOnce(packed);
   Floats<Count> numbers;
   for (int i = 0; i < Count; ++i)
   {
-    numbers[i] = packed.values[i];
+    numbers[i] = all.values[i];
   }
   return numbers;
 }

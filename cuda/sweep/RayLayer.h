@@ -136,9 +136,7 @@ struct RayInLayer
   /// Share of a half's extinction that is kept base extinction [0, 1].
   LIMPID_HD LIMPID_INLINE float KeptShare(int half) const
   {
-    return this->kept[half] < this->extinction[half]
-      ? Quotient(this->kept[half], this->extinction[half])
-      : 1.0f;
+    return Share(this->kept[half], this->extinction[half]);
   }
 
   LIMPID_HD LIMPID_INLINE float WholeDepth() const

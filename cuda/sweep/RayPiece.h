@@ -168,7 +168,7 @@ LIMPID_HD LIMPID_INLINE RayPieceOf<Number> PartOfLayer<Number>::Piece(
   const Number area = AreaOf(layer, piece.place, piece.size);
   piece.front = area * importance(0);
   piece.back = area * importance(1);
-  piece.keptShare = Select(keptMean < mean, Quotient(keptMean, mean), 1.0f);
+  piece.keptShare = Select(keptMean < mean, Quotient(keptMean, AtLeast(mean, leastNormal)), 1.0f);
   piece.keptTilt = (keptEnds[1] - keptEnds[0]) * this->length * (1.0f / 12);
   return piece;
 }

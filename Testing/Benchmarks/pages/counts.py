@@ -56,7 +56,8 @@ from the sides of the box. Else **all paths together**, of which none takes all:
 leave in the layer and rays that cross it, voxels near the sides and voxels inside. *Threads*: how
 many a multiprocessor holds with so many registers; *stack*: bytes of memory of a thread's own, into
 which the compiler moves what finds no register; *spilled*: instructions that do so, or fetch it back;
-*generic*: loads and stores of memory that the compiler does not know the kind of.
+*generic*: loads and stores of memory that the compiler does not know the kind of; the one of each
+sweep is the wait's own.
 """ + table(measured["kernels"], [
         ("kernel", lambda k: k["kernel"]), ("instructions", lambda k: k["instructions"]),
         *((kind, lambda k, kind=kind: k[kind])
