@@ -47,8 +47,7 @@ bool VolumeView::MakePicture(const View& view)
   const auto start = FrameClock::SteadyClock::now();
   try
   {
-    const std::function<bool()> isAborted = this->AbortCheck();
-    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+    const Interruptible interruptible([this](double share) { return !this->IsAborted(share); });
     this->Caster.Render(view, this->Part);
   }
   catch (const Interrupted&)

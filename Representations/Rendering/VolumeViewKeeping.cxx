@@ -83,6 +83,7 @@ bool VolumeView::PrepareOriginal(const VolumeData& data)
 // Computes a part of the picture without optimisation. Returns whether work is left.
 bool VolumeView::MakeOriginal(const VolumeData& data)
 {
+  this->Reports = false;
   const KeptPicture* optimized = this->Pictures.Optimized();
   if (!this->RestsOptimized || !optimized || optimized->subject.frame.ranks)
   {
