@@ -345,6 +345,7 @@ void VolumeView::Reset()
     return;
   }
   this->Optimization.Reset();
+  this->Pictures.ClearTiles();
 }
 
 void VolumeView::Release()

@@ -51,7 +51,7 @@ bool VolumeView::ShowKept(
   this->Image = kept->picture;
   this->LastResult = kept->result;
   this->GoesOn = false;
-  this->RestsOptimized = frame.optimize;
+  this->RestsOptimized = frame.stepwise && frame.optimize;
   messages = kept->messages;
   this->Show(frame);
   return true;
@@ -64,8 +64,13 @@ void VolumeView::Keep(PictureSubject subject, const FrameMessages& messages)
   {
     return;
   }
+  subject.found = subject.frame.optimize ? this->Optimization.Version() : 0;
+  if (!subject.frame.stepwise)
+  {
+    this->Pictures.KeepTile({ std::move(subject), this->Image, this->LastResult, messages });
+    return;
+  }
   this->RestsOptimized = subject.frame.optimize;
-  subject.found = this->RestsOptimized ? this->Optimization.Version() : 0;
   this->Pictures.Keep({ std::move(subject), this->Image, this->LastResult, messages });
   this->Fine.Clear();
 }
