@@ -3,6 +3,8 @@
 
 #include "KeptPictures.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace limpid
@@ -36,6 +38,24 @@ bool AreSameGeometries(const ViewGeometry& one, const ViewGeometry& other)
     one.nearest == other.nearest && one.farthest == other.farthest &&
     one.clipToData == other.clipToData && one.camera == other.camera;
 }
+
+// Returns whether two subjects may be tiles of one picture, or the pictures of two eyes.
+bool MayBeTilesOfOne(const PictureSubject& one, const PictureSubject& other)
+{
+  return one.data == other.data && one.found == other.found &&
+    AreSameFrames(one.frame, other.frame) && one.geometry.size == other.geometry.size &&
+    AreSame(one.geometry.camera, other.geometry.camera);
+}
+
+// Size up to which tiles are kept: a picture of 7680 x 4320 pixels. With opaque geometry, its
+// depths take as much again.
+constexpr std::size_t MostBytes = std::size_t(4) * 7680 * 4320;
+
+std::size_t BytesOf(const std::vector<KeptPicture>& tiles)
+{
+  return std::accumulate(tiles.begin(), tiles.end(), std::size_t(0),
+    [](std::size_t bytes, const KeptPicture& tile) { return bytes + tile.picture.rgba.size(); });
+}
 }
 
 bool AreSameRays(const View& one, const View& other)
@@ -64,12 +84,31 @@ bool operator==(const PictureSubject& one, const PictureSubject& other)
 const KeptPicture* KeptPictures::Find(const PictureSubject& subject) const
 {
   const std::optional<KeptPicture>& slot = this->Slots[subject.frame.optimize ? 1 : 0];
-  return slot && slot->subject == subject ? &*slot : nullptr;
+  if (slot && slot->subject == subject)
+  {
+    return &*slot;
+  }
+  const auto tile = std::find_if(this->Tiles.begin(), this->Tiles.end(),
+    [&](const KeptPicture& kept) { return kept.subject == subject; });
+  return tile != this->Tiles.end() ? &*tile : nullptr;
 }
 
 void KeptPictures::Keep(KeptPicture kept)
 {
   this->Slots[kept.subject.frame.optimize ? 1 : 0] = std::move(kept);
+}
+
+void KeptPictures::KeepTile(KeptPicture kept)
+{
+  const auto isOfAnother = [&](const KeptPicture& other)
+  { return !MayBeTilesOfOne(other.subject, kept.subject); };
+  this->Tiles.erase(
+    std::remove_if(this->Tiles.begin(), this->Tiles.end(), isOfAnother), this->Tiles.end());
+  this->Tiles.push_back(std::move(kept));
+  while (BytesOf(this->Tiles) > MostBytes)
+  {
+    this->Tiles.erase(this->Tiles.begin());
+  }
 }
 
 void KeptPictures::Clear()

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Keeps the finished pictures of a still view with and without optimisation, so that either can be
-// shown again at once.
+// shown again at once, and the tiles of the last whole picture, so that they are not computed again
+// if it is drawn over another background.
 
 #ifndef limpid_KeptPictures_h
 #define limpid_KeptPictures_h
@@ -55,10 +56,16 @@ public:
   /// Replaces the last picture with, or without, optimisation.
   void Keep(KeptPicture kept);
 
+  /// Adds a tile: a part of a picture that is drawn in several frames, or all of it. Discards those
+  /// of other pictures.
+  void KeepTile(KeptPicture kept);
+  void ClearTiles() { this->Tiles.clear(); }
+
   void Clear();
 
 private:
   std::array<std::optional<KeptPicture>, 2> Slots; ///< without and with optimisation
+  std::vector<KeptPicture> Tiles;
 };
 
 /// Returns whether two views have the same rays, except where these begin and end.

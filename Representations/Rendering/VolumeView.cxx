@@ -34,10 +34,12 @@ bool IsOfGpu(const std::exception& error)
 }
 }
 
-VolumeView::VolumeView(vtkRenderer* renderer, vtkVolume* volume, std::function<void()> whenHidden)
+VolumeView::VolumeView(vtkRenderer* renderer, vtkVolume* volume, std::function<void()> whenHidden,
+  std::function<bool(double share)> goesOn)
   : Target(renderer)
   , Volume(volume)
   , WhenHidden(std::move(whenHidden))
+  , GoesOnAfter(std::move(goesOn))
 {
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(&VolumeView::OnEvent);
@@ -220,11 +222,29 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
   }
 }
 
-// Returns the check for aborts. Ranks draw a frame together to its end and never abort.
-std::function<bool()> VolumeView::AbortCheck() const
+// Reports the share of a picture's rays that have been cast, and returns whether to abort. A frame
+// may cast several pictures. Ranks draw a frame together to its end and never abort.
+bool VolumeView::IsAborted(double share)
 {
-  return [this]()
-  { return !this->OnRanks && this->Target->GetRenderWindow()->CheckAbortStatus() != 0; };
+  const auto windowOf = [this]()
+  { return this->Target ? this->Target->GetRenderWindow() : nullptr; };
+  vtkRenderWindow* window = windowOf();
+  if (!this->OnRanks && (!window || window->GetAbortRender()))
+  {
+    return true;
+  }
+  this->RaysDone = std::max(this->RaysDone, share);
+  const bool goesOn = !this->Reports || this->GoesOnAfter(this->RaysDone);
+  window = windowOf(); // an observer may have removed the renderer
+  if (this->OnRanks || !window)
+  {
+    return !this->OnRanks;
+  }
+  if (!goesOn)
+  {
+    window->SetAbortRender(1); // so that the window keeps the picture that it shows
+  }
+  return window->CheckAbortStatus() != 0;
 }
 
 // Returns the geometry of the view and sets the depths in front of the volume; none if the volume
@@ -235,6 +255,8 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   messages = FrameMessages();
   this->RestsOptimized = false;
   this->OnRanks = frame.ranks != nullptr;
+  this->Reports = frame.still && !frame.stepwise;
+  this->RaysDone = 0;
   this->Clock.Begin(this->GoesOn);
   if (this->CastSeconds > 0)
   {
@@ -283,7 +305,7 @@ void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data
 
   FrameResult result;
   result.light = frame.light.description;
-  const std::function<bool()> isAborted = this->AbortCheck();
+  const std::function<bool()> isAborted = [this]() { return this->IsAborted(0); };
   try
   {
     this->Optimize(frame, data, geometry, isAborted, messages, result);
@@ -323,6 +345,7 @@ void VolumeView::Reset()
     return;
   }
   this->Optimization.Reset();
+  this->Pictures.ClearTiles();
 }
 
 void VolumeView::Release()

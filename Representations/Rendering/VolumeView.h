@@ -43,7 +43,10 @@ class VolumeView
 {
 public:
   /// `whenHidden`: called after the volume was made invisible and its memory was freed.
-  VolumeView(vtkRenderer* renderer, vtkVolume* volume, std::function<void()> whenHidden);
+  /// `goesOn`: called regularly while a still frame that is not made in steps is drawn, with the
+  /// share of its rays that have been cast; returns false to abort the frame.
+  VolumeView(vtkRenderer* renderer, vtkVolume* volume, std::function<void()> whenHidden,
+    std::function<bool(double share)> goesOn);
   ~VolumeView();
   VolumeView(const VolumeView&) = delete;
   VolumeView& operator=(const VolumeView&) = delete;
@@ -128,15 +131,18 @@ private:
     const std::vector<glm::dvec4>& planes, const PictureFrame& picture);
   void PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
     const std::vector<glm::dvec4>& planes, double pixelSize);
-  std::function<bool()> AbortCheck() const;
+  bool IsAborted(double share);
 
   vtkWeakPointer<vtkRenderer> Target;
   vtkWeakPointer<vtkVolume> Volume;
   std::function<void()> WhenHidden;
+  std::function<bool(double)> GoesOnAfter;
   vtkNew<vtkCallbackCommand> Observer;
 
   bool IsDrawing = false;
   bool OnRanks = false;      ///< whether several processes draw the frame together
+  bool Reports = false;      ///< whether the frame tells GoesOnAfter its progress
+  double RaysDone = 0;       ///< share of the frame's rays that have been cast
   bool ResetAfter = false;   ///< after the current drawing
   bool ReleaseAfter = false; ///< after the current drawing
 

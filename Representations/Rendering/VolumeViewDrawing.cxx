@@ -47,8 +47,7 @@ bool VolumeView::MakePicture(const View& view)
   const auto start = FrameClock::SteadyClock::now();
   try
   {
-    const std::function<bool()> isAborted = this->AbortCheck();
-    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+    const Interruptible interruptible([this](double share) { return !this->IsAborted(share); });
     this->Caster.Render(view, this->Part);
   }
   catch (const Interrupted&)
@@ -119,8 +118,9 @@ void VolumeView::DrawNow(
   // The pictures of two eyes would restart each other.
   const bool stereo = this->Target->GetRenderWindow()->GetStereoRender() != 0;
   const bool inSteps = frame.still && frame.stepwise && !stereo;
-  PictureSubject subject = inSteps ? this->SubjectOf(frame, data, *geometry) : PictureSubject();
-  if (inSteps && this->ShowKept(frame, subject, messages))
+  const bool isKept = inSteps || (frame.still && !frame.stepwise);
+  PictureSubject subject = isKept ? this->SubjectOf(frame, data, *geometry) : PictureSubject();
+  if (isKept && this->ShowKept(frame, subject, messages))
   {
     return;
   }
@@ -134,7 +134,7 @@ void VolumeView::DrawNow(
   {
     this->LastResult.converged = false;
   }
-  if (inSlices)
+  if (isKept)
   {
     this->Keep(std::move(subject), messages);
   }

@@ -51,7 +51,7 @@ bool VolumeView::ShowKept(
   this->Image = kept->picture;
   this->LastResult = kept->result;
   this->GoesOn = false;
-  this->RestsOptimized = frame.optimize;
+  this->RestsOptimized = frame.stepwise && frame.optimize;
   messages = kept->messages;
   this->Show(frame);
   return true;
@@ -64,8 +64,13 @@ void VolumeView::Keep(PictureSubject subject, const FrameMessages& messages)
   {
     return;
   }
+  subject.found = subject.frame.optimize ? this->Optimization.Version() : 0;
+  if (!subject.frame.stepwise)
+  {
+    this->Pictures.KeepTile({ std::move(subject), this->Image, this->LastResult, messages });
+    return;
+  }
   this->RestsOptimized = subject.frame.optimize;
-  subject.found = this->RestsOptimized ? this->Optimization.Version() : 0;
   this->Pictures.Keep({ std::move(subject), this->Image, this->LastResult, messages });
   this->Fine.Clear();
 }
@@ -83,6 +88,7 @@ bool VolumeView::PrepareOriginal(const VolumeData& data)
 // Computes a part of the picture without optimisation. Returns whether work is left.
 bool VolumeView::MakeOriginal(const VolumeData& data)
 {
+  this->Reports = false;
   const KeptPicture* optimized = this->Pictures.Optimized();
   if (!this->RestsOptimized || !optimized || optimized->subject.frame.ranks)
   {

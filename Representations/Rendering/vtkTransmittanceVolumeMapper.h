@@ -31,6 +31,13 @@
  * takes about InteractiveFrameTime: it makes one pass of the optimization on a coarser grid,
  * computes shadows on a grid, has as many pixels as the time allows, and changes ease in.
  *
+ * A still frame that is not made in steps (ProgressiveStill) invokes ProgressEvent with the share
+ * of its rays that have been cast. Its observers may abort it with SetAbortExecute(1), as observers
+ * of the render window's AbortCheckEvent may with SetAbortRender(1) in any frame. The window then
+ * keeps what it shows, and the next frame starts anew. The picture is kept, up to 7680 x 4320
+ * pixels in several tiles: if only what is behind the volume has changed, it is drawn without
+ * casting rays.
+ *
  * Opaque geometry and the volume hide each other correctly. Translucent geometry is correct behind
  * a volume; elsewhere it is if the renderer peels volumes (UseDepthPeeling,
  * UseDepthPeelingForVolumes), where rays are cast from surface to surface. Without peeling, VTK

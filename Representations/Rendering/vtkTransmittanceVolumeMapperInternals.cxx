@@ -56,7 +56,13 @@ limpid::VolumeView& vtkTransmittanceVolumeMapper::Internals::ViewOf(
       this->ReleaseData();
     }
   };
-  this->Views.push_back(std::make_unique<limpid::VolumeView>(renderer, volume, releaseUnused));
+  const auto goesOn = [this](double share)
+  {
+    this->Self->UpdateProgress(share);
+    return this->Self->GetAbortExecute() == 0;
+  };
+  this->Views.push_back(
+    std::make_unique<limpid::VolumeView>(renderer, volume, releaseUnused, goesOn));
   return *this->Views.back();
 }
 
@@ -251,6 +257,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
 {
   this->Log.Begin();
   this->Messages.clear();
+  this->Self->SetAbortExecute(0);
   this->UpdateRanks();
   try
   {

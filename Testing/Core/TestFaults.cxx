@@ -430,6 +430,28 @@ TEST(Faults, InterruptTheInnermostOnly)
   EXPECT_GT(outerAsked, 0);
 }
 
+TEST(Faults, TellHowMuchOfALoopIsDone)
+{
+  std::vector<double> told;
+  const Interruptible interruptible(
+    [&](double share)
+    {
+      told.push_back(share);
+      return share < 0.5;
+    },
+    0);
+  const auto loop = []
+  {
+    for (int done = 0; done < 4; ++done)
+    {
+      Interruptible::Check(done / 4.0);
+    }
+  };
+  Interruptible::Check();
+  EXPECT_THROW(loop(), Interrupted);
+  EXPECT_EQ(told, (std::vector<double>{ 0, 0, 0.25, 0.5 }));
+}
+
 /// Wherever an allocation fails while several threads work, the next run is right.
 TEST(Faults, OnSeveralThreads)
 {

@@ -21,14 +21,14 @@ from paraview.vtk.vtkCommonDataModel import vtkImageData
 from paraview.vtk.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 
-def read(path):
-    """Rows from the bottom, columns, red green blue; 0 to 255."""
+def read(path, channels=3):
+    """Rows from the bottom, columns, red green blue, and alpha if four channels; 0 to 255."""
     reader = vtkPNGReader()
     reader.SetFileName(path)
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return pixels.reshape(height, width, -1)[:, :, :3].astype(float)
+    return pixels.reshape(height, width, -1)[:, :, :channels].astype(float)
 
 
 def write(path, picture):
@@ -42,12 +42,13 @@ def write(path, picture):
     writer.Write()
 
 
-def take(view, resolution=None):
-    """A screenshot of a view or a layout."""
+def take(view, resolution=None, **settings):
+    """A screenshot of a view or a layout, with settings of simple.SaveScreenshot."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "picture.png")
-        simple.SaveScreenshot(path, view, ImageResolution=resolution or view.ViewSize)
-        return read(path)
+        simple.SaveScreenshot(path, view, ImageResolution=resolution or view.ViewSize,
+                              **settings)
+        return read(path, 4 if settings.get("TransparentBackground") else 3)
 
 
 def difference(first, second):

@@ -60,6 +60,7 @@ void ExpectTheProcessorsPicture(SmallWindow& scene, bool forGood)
       ASSERT_LE(Difference(scene.Picture(), truth), oneStep) << "operation " << operation;
       failed = Gpu().HasFailed();
     }
+    scene.mapper->Reset(); // else the picture that is kept would be shown
     ASSERT_LE(Difference(scene.Picture(), truth), oneStep) << "after operation " << operation;
     EXPECT_EQ(scene.errors, 0) << "operation " << operation;
     ASSERT_LE(scene.warnings.size(), failed ? 1u : 0u) << scene.warnings.back();

@@ -10,6 +10,11 @@ namespace limpid
 thread_local Interruptible* Interruptible::Innermost = nullptr;
 
 Interruptible::Interruptible(std::function<bool()> goOn, double seconds)
+  : Interruptible([ask = std::move(goOn)](double) { return ask(); }, seconds)
+{
+}
+
+Interruptible::Interruptible(std::function<bool(double)> goOn, double seconds)
   : GoOn(std::move(goOn))
   , Interval(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
   , Outer(std::exchange(Innermost, this))
@@ -39,7 +44,7 @@ void Interruptible::Ask()
   if (!this->Stopped && Clock::now() >= this->Next)
   {
     const Pause pause;
-    this->Stopped = !this->GoOn();
+    this->Stopped = !this->GoOn(this->Done);
     this->Next = Clock::now() + this->Interval;
   }
   if (this->Stopped)

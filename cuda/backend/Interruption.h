@@ -24,6 +24,10 @@ class Interruptible
 public:
   /// `goOn` is called by this thread, at most once per `seconds`; it may do anything.
   explicit Interruptible(std::function<bool()> goOn, double seconds = 0.03);
+
+  /// `goOn` gets the share of the last loop that has been done, see Check(share); 0 before that.
+  explicit Interruptible(std::function<bool(double share)> goOn, double seconds = 0.03);
+
   ~Interruptible();
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
@@ -38,6 +42,16 @@ public:
     }
   }
 
+  /// Check, from a loop of which this share has been done, in [0, 1].
+  static void Check(double share)
+  {
+    if (Innermost)
+    {
+      Innermost->Done = share;
+      Innermost->Ask();
+    }
+  }
+
 private:
   using Clock = std::chrono::steady_clock;
 
@@ -47,10 +61,11 @@ private:
 
   static thread_local Interruptible* Innermost;
 
-  std::function<bool()> GoOn;
+  std::function<bool(double)> GoOn;
   Clock::duration Interval;
   Clock::time_point Next; ///< time of the next question
   bool Stopped = false;
+  double Done = 0;
   Interruptible* Outer;
 };
 }

@@ -65,17 +65,20 @@ struct Tile
   }
 };
 
-/// Calls action(tile) for all tiles of a picture. Can be interrupted.
+/// Calls action(tile) for all tiles of a picture. Can be interrupted, and tells the share that has
+/// been done.
 template <class Action>
 void ForTiles(const PictureRays& rays, const Action& action)
 {
   const int across = (rays.columns + tileWidth - 1) / tileWidth;
   const int down = (rays.rows + tileHeight - 1) / tileHeight;
   const int tasks = (across + tilesAtATime - 1) / tilesAtATime;
-  ParallelFor(Index(tasks) * down,
+  const Index count = Index(tasks) * down;
+  std::atomic<Index> finished{ 0 };
+  ParallelFor(count,
     [&](Index task)
     {
-      Interruptible::Check();
+      Interruptible::Check(double(finished) / double(count));
       const int bottom = int(task / tasks) * tileHeight;
       const int first = int(task % tasks) * tilesAtATime;
       for (int column = first; column < std::min(first + tilesAtATime, across); ++column)
@@ -84,6 +87,7 @@ void ForTiles(const PictureRays& rays, const Action& action)
         action(Tile{ left, bottom, std::min(left + tileWidth, rays.columns),
           std::min(bottom + tileHeight, rays.rows) });
       }
+      ++finished;
     });
 }
 

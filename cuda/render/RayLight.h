@@ -84,6 +84,21 @@ void RequireLighting(const Lighting& lighting);
 /// Returns the light of a picture. `grid`: of the scalars.
 RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& view);
 
+/// What the direction of the light determines at a sample.
+template <class Number>
+struct LightDirection
+{
+  Number x; ///< direction of travel of the light, a unit vector
+  Number y;
+  Number z;
+  Number halfX; ///< halfway vector, not normalised, and its squared length
+  Number halfY;
+  Number halfZ;
+  Number halfSquared;
+  Number ofFacing;  ///< unit of what a surface reflects: that of a surface that faces the viewer
+  Number scattered; ///< by matter without a surface
+};
+
 /// The light at the samples of one ray.
 struct LightOnRay
 {
@@ -110,51 +125,61 @@ struct LightOnRay
   {
   }
 
-  /// The phase function of Eq. (5): the share of arriving light that the sample at `distance`
-  /// [samples] scatters to the viewer, 1 on a surface that faces both (Documentation/Method.md,
-  /// "Light"; deviation D10). Gradient: [packedOne].
+  /// Returns what the light's direction determines at the samples at `distance` [samples]. It is
+  /// the same at all samples of a ray unless the light has a position.
   template <class Number>
-  LIMPID_HD LIMPID_INLINE Number Scattered(const RayLight& light, const Number& distance,
-    const Number& packedX, const Number& packedY, const Number& packedZ) const
+  LIMPID_HD LIMPID_INLINE LightDirection<Number> DirectionAt(
+    const RayLight& light, const Number& distance) const
   {
-    // Direction of travel of the light.
-    Number x = this->entryX + distance * this->stepX;
-    Number y = this->entryY + distance * this->stepY;
-    Number z = this->entryZ + distance * this->stepZ;
-    const Number perLength = 1.0f / SquareRoot(x * x + y * y + z * z + 1e-30f);
-    x = x * perLength;
-    y = y * perLength;
-    z = z * perLength;
-    const Number cosine = x * this->viewX + y * this->viewY + z * this->viewZ;
+    LightDirection<Number> of;
+    of.x = this->entryX + distance * this->stepX;
+    of.y = this->entryY + distance * this->stepY;
+    of.z = this->entryZ + distance * this->stepZ;
+    const Number perLength = 1.0f / SquareRoot(of.x * of.x + of.y * of.y + of.z * of.z + 1e-30f);
+    of.x = of.x * perLength;
+    of.y = of.y * perLength;
+    of.z = of.z * perLength;
+    const Number cosine = of.x * this->viewX + of.y * this->viewY + of.z * this->viewZ;
 
-    // The gradient has length k_s, relative to the largest gradient. Its direction is the normal
-    // pointing into the volume, while the halfway vector points out of it.
-    const Number gradientX = packedX * (1 / packedOne);
-    const Number gradientY = packedY * (1 / packedOne);
-    const Number gradientZ = packedZ * (1 / packedOne);
-    const Number squared =
-      gradientX * gradientX + gradientY * gradientY + gradientZ * gradientZ + 1e-20f;
-    const Number facing = x * gradientX + y * gradientY + z * gradientZ; // k_s (w_L . n)
-    const Number halfX = x - this->viewX;
-    const Number halfY = y - this->viewY;
-    const Number halfZ = z - this->viewZ;
-    const Number across = halfX * gradientX + halfY * gradientY + halfZ * gradientZ;
-    const Number halfSquared = halfX * halfX + halfY * halfY + halfZ * halfZ + 1e-20f;
-    const Number halfway = across / SquareRoot(squared * halfSquared);
-    const Number lobe = light.lobe.At(AtLeast(halfway, 0.0f));
+    // The halfway vector points out of the volume.
+    of.halfX = of.x - this->viewX;
+    of.halfY = of.y - this->viewY;
+    of.halfZ = of.z - this->viewZ;
+    of.halfSquared = of.halfX * of.halfX + of.halfY * of.halfY + of.halfZ * of.halfZ + 1e-20f;
 
-    // The unit is the reflection of a surface that faces the viewer.
     const Number towards = AtLeast(-cosine, leastTowards);
     const Number lobeOfFacing = light.lobe.At(SquareRoot(0.5f + 0.5f * towards));
-    const Number ofFacing = towards * SurfaceScattering(lobeOfFacing);
-
-    const Number scattered = HenyeyGreenstein(light.anisotropy, cosine) * light.phaseUnit;
-    const Number reflected =
-      light.surface * SurfaceScattering(lobe) * AtLeast(facing, 0.0f) / ofFacing;
-    const Number steepness = light.surface * SquareRoot(squared); // k_s, with k_v = 1
-    return (scattered + reflected) / (1.0f + steepness);
+    of.ofFacing = towards * SurfaceScattering(lobeOfFacing);
+    of.scattered = HenyeyGreenstein(light.anisotropy, cosine) * light.phaseUnit;
+    return of;
   }
 };
+
+/// The phase function of Eq. (5): returns the share of arriving light that samples scatter to the
+/// viewer, 1 on a surface that faces both (Documentation/Method.md, "Light"; deviation D10).
+/// Gradient: [packedOne].
+template <class Number>
+LIMPID_HD LIMPID_INLINE Number Scattered(const RayLight& light, const LightDirection<Number>& of,
+  const Number& packedX, const Number& packedY, const Number& packedZ)
+{
+  // The gradient has length k_s, relative to the largest gradient. Its direction is the normal
+  // pointing into the volume.
+  const Number gradientX = packedX * (1 / packedOne);
+  const Number gradientY = packedY * (1 / packedOne);
+  const Number gradientZ = packedZ * (1 / packedOne);
+  const Number squared =
+    gradientX * gradientX + gradientY * gradientY + gradientZ * gradientZ + 1e-20f;
+  // k_s (w_L . n)
+  const Number facing = of.x * gradientX + of.y * gradientY + of.z * gradientZ;
+  const Number across = of.halfX * gradientX + of.halfY * gradientY + of.halfZ * gradientZ;
+  const Number halfway = across / SquareRoot(squared * of.halfSquared);
+  const Number lobe = light.lobe.At(AtLeast(halfway, 0.0f));
+
+  const Number reflected =
+    light.surface * SurfaceScattering(lobe) * AtLeast(facing, 0.0f) / of.ofFacing;
+  const Number steepness = light.surface * SquareRoot(squared); // k_s, with k_v = 1
+  return (of.scattered + reflected) / (1.0f + steepness);
+}
 }
 
 #endif

@@ -165,17 +165,21 @@ struct RaySamples
   /// Computes the light that the samples send, see LightOnRay.
   LIMPID_HD LIMPID_INLINE void Light(const RayScene& scene, const Ray& ray)
   {
+    const LightOnRay onRay(scene.light, ray);
     const int before = this->last - count;
     if (!this->begins && this->LitTo != before)
     {
       RayPlaces<SingleSampler> there;
       there.Set(scene, ray, before);
       float ofGradient[4];
-      this->scattered.rear = ScatteredAt<SingleSampler>(scene, ray, there, ofGradient);
+      GradientAt(scene, ray, there, ofGradient);
+      this->scattered.rear = Scattered(scene.light, onRay.DirectionAt(scene.light, there.distance),
+        ofGradient[0], ofGradient[1], ofGradient[2]);
       this->transmittance.rear = ofGradient[3];
     }
     Lanes ofGradient[4];
-    this->scattered.MoveOn(ScatteredAt<AnySampler>(scene, ray, this->place, ofGradient));
+    GradientAt(scene, ray, this->place, ofGradient);
+    this->scattered.MoveOn(this->ScatteredAt(scene.light, onRay, ofGradient));
     this->transmittance.MoveOn(ofGradient[3]);
     this->LitTo = this->last;
   }
@@ -245,11 +249,10 @@ private:
     return bricks.EmptyAround(brick) == 0;
   }
 
-  /// Returns the light that samples scatter to the viewer; `gradient`: at the samples, with the
-  /// transmittance of the light.
+  /// Reads the gradient at samples, with the transmittance of the light.
   template <class Sampler>
-  LIMPID_HD static LIMPID_INLINE typename Sampler::Lanes ScatteredAt(const RayScene& scene,
-    const Ray& ray, const RayPlaces<Sampler>& place, typename Sampler::Lanes (&gradient)[4])
+  LIMPID_HD static LIMPID_INLINE void GradientAt(const RayScene& scene, const Ray& ray,
+    const RayPlaces<Sampler>& place, typename Sampler::Lanes (&gradient)[4])
   {
     Sampler::InterpolateAll(scene.grid, scene.gradient, place.scalars, gradient);
     if (scene.shadow)
@@ -258,11 +261,28 @@ private:
       gradient[3] = Sampler::InterpolateAll(
         scene.overlayGrid, scene.shadow, place.InOverlay(scene, ray, apart));
     }
-    return LightOnRay(scene.light, ray)
-      .Scattered(scene.light, place.distance, gradient[0], gradient[1], gradient[2]);
   }
 
-  int LitTo = -1; ///< number of the last sample that was lit
+  /// Returns the light that the samples scatter to the viewer. The direction of a light without a
+  /// position is computed once per ray; a device computes it again rather than keep it in
+  /// registers.
+  LIMPID_HD LIMPID_INLINE Lanes ScatteredAt(
+    const RayLight& light, const LightOnRay& onRay, const Lanes (&gradient)[4])
+  {
+    if (count == 1 || light.isPoint != 0)
+    {
+      return Scattered(light, onRay.DirectionAt(light, this->place.distance), gradient[0],
+        gradient[1], gradient[2]);
+    }
+    if (this->LitTo < 0)
+    {
+      this->Direction = onRay.DirectionAt(light, this->place.distance);
+    }
+    return Scattered(light, this->Direction, gradient[0], gradient[1], gradient[2]);
+  }
+
+  int LitTo = -1;                  ///< number of the last sample that was lit
+  LightDirection<Lanes> Direction; ///< of a light without a position
 };
 }
 
