@@ -108,6 +108,30 @@ TEST(LongImages, HaveTheScoreOfAMarch)
   }
 }
 
+// Most rays of an eye near a long box leave it after a few slices.
+TEST(LongImages, TakeFewRaysFromNearby)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    BoxScene scene = LongBox(2, 5000, axis);
+    scene.Fill(Everywhere(0.01), Everywhere(1));
+    const Occupancy filled(scene.grid, scene.extinction.data(), scene.importance.data(), true);
+    // Inside, in front of an end, and beside the middle.
+    for (const Vec3& from : { Vec3(0.3, 0.1, 0.2), Vec3(2502, 0.1, 0), Vec3(0, 3, 0.1) })
+    {
+      SCOPED_TRACE(::testing::Message() << axis << ' ' << from.x << ' ' << from.y);
+      double rays = 0;
+      for (const PlannedFrustum& frustum : PlanSweep(scene.grid, filled,
+             PointAt(scene.grid.Centre() + Turned(from, axis)), { 1, Placement::ForIntegrals }))
+      {
+        rays += double(frustum.RayCount());
+      }
+
+      EXPECT_LE(rays, 8 * double(scene.grid.NodeCount()));
+    }
+  }
+}
+
 // Rays of a point eye that leave through a side are placed less densely (SideDensity).
 TEST(LongImages, HaveTheScoreOfAMarchFromNearby)
 {
