@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "backend/LargePages.h"
 #include "optimize/RestoringMinimizer.h"
+#include "sweep/Registers.h"
 
 #include <algorithm>
 #include <utility>
@@ -186,7 +187,12 @@ AxisPermutation OrderFor(const Problem& problem)
   {
     ++first;
   }
-  return { { first, 3 - first - last, last } };
+  // Rows of a few voxels take nearly as long as rows that fill a register.
+  const int second = 3 - first - last;
+  const Int3& nodes = problem.grid.nodes;
+  const bool exchanged =
+    second != avoided && nodes[first] < registerLanes && nodes[second] > nodes[first];
+  return { exchanged ? Int3(second, first, last) : Int3(first, second, last) };
 }
 
 std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, StartingExtinction&& start,

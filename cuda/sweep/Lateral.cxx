@@ -4,6 +4,7 @@
 #include "sweep/Lateral.h"
 
 #include "backend/Simd.h"
+#include "sweep/SideDensity.h"
 
 #include <algorithm>
 #include <array>
@@ -33,11 +34,7 @@ double FewestAcross(double layers)
 /// Divides an interval into parts of density `perUnit`, but at least `fewest`.
 void AddParts(double begin, double end, double perUnit, double fewest, std::vector<double>& edges)
 {
-  constexpr double most = 1e6;
-  constexpr double margin = 1e-9; // tolerance when rounding to integers
-  const double wanted =
-    std::max(std::ceil((end - begin) * perUnit - margin), std::floor(fewest + margin));
-  const int parts = static_cast<int>(std::min(std::max(wanted, 1.0), most));
+  const int parts = PartCount((end - begin) * perUnit, fewest);
   for (int part = 1; part < parts; ++part)
   {
     edges.push_back(begin + (end - begin) * part / parts);
@@ -233,28 +230,39 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
     return;
   }
   const double fewest = FewestAcross(farDepth - nearDepth);
-  const double perUnit =
-    std::max(rayDensity * (this->parallel ? 1.0 : farDepth), (fewest - 1e-6) / size);
+  const double leastPerUnit = (fewest - 1e-6) / size;
+  const double perUnit = std::max(rayDensity * (this->parallel ? 1.0 : farDepth), leastPerUnit);
   std::vector<double> edges{ outlines.front() };
-  if (placement == Placement::ForNodes)
+  // A side seen at a grazing angle is a thin strip, but it needs enough rays for its whole depth.
+  const double alongSide = placement == Placement::ForNodes ? 1.0
+                                                            : rayDensity *
+      std::min(facePart * (farDepth - nearDepth), std::max(mostPart * last, 0.25 * fewest));
+  bool uniform = true;
+  for (std::size_t i = 0; i + 1 < outlines.size(); ++i)
   {
+    const Range<double> strip{ outlines[i], outlines[i + 1] };
+    if (!(strip.end - strip.begin > 1e-9 * size))
+    {
+      continue;
+    }
+    const double side = strip.end > 0 ? last - this->eye : this->eye;
+    const SideDensity density(strip, side, last, rayDensity, perUnit, leastPerUnit);
+    if (this->parallel || density.IsUniform())
+    {
+      AddParts(strip.begin, strip.end, perUnit, alongSide, edges);
+    }
+    else
+    {
+      density.Divide(alongSide, edges);
+      uniform = false;
+    }
+  }
+  if (uniform && placement == Placement::ForNodes)
+  {
+    edges.resize(1);
     AddParts(outlines.front(), outlines.back(), perUnit, 1, edges);
   }
-  else
-  {
-    // A side seen at a grazing angle is a thin strip, but it needs enough rays for its whole
-    // depth.
-    const double alongSide = rayDensity *
-      std::min(facePart * (farDepth - nearDepth), std::max(mostPart * last, 0.25 * fewest));
-    for (std::size_t i = 0; i + 1 < outlines.size(); ++i)
-    {
-      if (outlines[i + 1] - outlines[i] > 1e-9 * size)
-      {
-        AddParts(outlines[i], outlines[i + 1], perUnit, alongSide, edges);
-      }
-    }
-    edges.back() = outlines.back();
-  }
+  edges.back() = outlines.back();
   this->PutBetween(std::move(edges));
 }
 
