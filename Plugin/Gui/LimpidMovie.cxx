@@ -219,6 +219,8 @@ void MakeMovie()
   if (const vtkSmartPointer<vtkSMSourceProxy> search = SearchActiveVolume())
   {
     QWidget* window = pqCoreUtilities::mainWidget();
+    // A dialog that was closed may wait for Qt to delete it, and answer to the same name meanwhile.
+    delete window->findChild<LimpidMovie*>(QString(), Qt::FindDirectChildrenOnly);
     auto* dialog = new LimpidMovie(search, view, window);
     dialog->setModal(true);
     dialog->show();

@@ -9,6 +9,7 @@
 
 #include "backend/HostDevice.h"
 #include "math/Require.h"
+#include "optimize/ResilientVoxel.h"
 #include "optimize/Smoothing.h"
 
 #include <gtest/gtest.h>
@@ -186,6 +187,36 @@ double VariationOf(const BoxScene& scene, const std::vector<float>& extinction)
     });
   return variation / sum;
 }
+}
+
+// Where nothing else acts, a resilient step ends where the pull of smoothing leads, as a policy
+// sweep does, and not a step length away.
+TEST(Smoothing, EndsResilientStepsWhereItPulls)
+{
+  constexpr float sigma = 0.5f;
+  constexpr float base = 1.0f;
+  constexpr float importance = 0.0f;
+  for (const float change : { 0.0f, -0.01f, -0.3f })
+  {
+    const float gradient = -sigma * change;
+    float extinction = base;
+    float state = 0.4f; // a step length that the derivative does not reduce
+    ResilientVoxel step{};
+    step.gradient = &gradient;
+    step.base = &base;
+    step.importance = &importance;
+    step.state = &state;
+    step.extinction = &extinction;
+    step.regularization = sigma;
+    step.smooths = true;
+    step.longest = 0.4f;
+    step.bounds.majorant = 10;
+
+    step(0);
+
+    // The slope, its ratio to sigma and the difference are rounded, each relative to the base.
+    EXPECT_WITHIN(extinction, base + change, Roundoff<float>(4, base));
+  }
 }
 
 class SmoothedBy : public ::testing::TestWithParam<SolverKind>

@@ -92,6 +92,7 @@ def tell():
     first = camera_of(view)
     expect(first != before, "the preview looks from the best view")
     expect_in_window(view, source, "the preview")
+    expect(story.dialog_is_open(), "the dialog is open")
     story.screenshot("window-dialog.png")
     yield
 
@@ -101,6 +102,7 @@ def tell():
     yield
 
     frames.settle()
+    expect(not story.dialog_is_open(), "to cancel closes the dialog")
     expect(np.allclose(camera_of(view), before), "to cancel leads back to where the view was")
     expect(state_of_session() == session, "and nothing is left of it")
     expect(undo_steps() == steps, f"and there is nothing to undo: {undo_steps()}")
@@ -108,6 +110,7 @@ def tell():
 
     frames.settle()
     shown = camera_of(view)
+    expect(not story.dialog_is_open(), "to make the movie closes the dialog")
     made = undo_steps()
     expect(made == ["Make Movie"] + steps, f"the movie is one step of undo: {made}")
     with open("trace.py", "w", encoding="utf-8") as file:

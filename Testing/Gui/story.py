@@ -48,11 +48,23 @@ def load_plugins():
         simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=vars(simple))
 
 
+def _qt(function):
+    """A function of Qt, by its name in the libraries: ParaView offers it to C++ alone. Observers in
+    Python may be called meanwhile, so that Python must not be let go (CDLL would)."""
+    return ctypes.PyDLL(None)[function]
+
+
+def dialog_is_open():
+    """Whether a dialog keeps everything else from being pressed."""
+    dialog = _qt("_ZN12QApplication17activeModalWidgetEv")
+    dialog.restype = ctypes.c_void_p
+    return dialog() is not None
+
+
 def live(seconds):
-    """Lets the window handle its events. ParaView offers this to C++ alone. Observers in Python are
-    called meanwhile, so that Python must not be let go (CDLL would)."""
-    process_events = ctypes.PyDLL(None)[
-        "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
+    """Lets the window handle its events."""
+    process_events = _qt(
+        "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE")
     end = time.monotonic() + seconds
     process_events(0)
     while time.monotonic() < end:

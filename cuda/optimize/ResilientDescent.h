@@ -108,6 +108,7 @@ private:
     step.extinction = extinction;
     step.regularization = static_cast<float>(this->Given->RegularizationWeight() + smoothing);
     step.coherence = static_cast<float>(this->Given->CoherenceWeight());
+    step.smooths = smoothing > 0;
     step.longest = this->LengthOf(mostChange, mostDepth);
     step.floor = static_cast<float>(roundingOfSum * std::max(weights.view, weights.light));
     step.bounds = BoundsOf(*this->Given);

@@ -15,6 +15,10 @@ namespace limpid
  * when the sign changes. The magnitude of the derivative does not matter, so voxels that receive
  * little light move like all others.
  *
+ * Steps that smooth end at the minimum of the quadratic terms at the latest, with the visibility
+ * terms taken as linear: smoothing has a few steps, in which what hides nothing would only follow
+ * the first step lengths.
+ *
  * The state of a voxel is one number: its step length with the sign of its last derivative.
  */
 struct ResilientVoxel
@@ -29,8 +33,9 @@ struct ResilientVoxel
   float* extinction;       ///< [1/length]
   float regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
   float coherence;         ///< weight of (mu - mu_previous) [length]
-  float longest;           ///< maximum step [1/length]
-  float floor;             ///< smaller derivatives are rounding errors
+  bool smooths;  ///< whether `gradient` and `regularization` include the pull of smoothing
+  float longest; ///< maximum step [1/length]
+  float floor;   ///< smaller derivatives are rounding errors
   ExtinctionBounds<float> bounds;
 
   LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
@@ -51,7 +56,9 @@ struct ResilientVoxel
     const float product = slope * last;
     const float grown = AtMost(growth * before, this->longest);
     const float length = product > 0.0f ? grown : product < 0.0f ? shrinkage * before : before;
-    const float step = slope > 0.0f ? length : slope < 0.0f ? -length : 0.0f;
+    const float pulls = this->regularization + (this->previous ? this->coherence : 0.0f);
+    const float taken = this->smooths ? AtMost(length, Magnitude(slope) / pulls) : length;
+    const float step = slope > 0.0f ? taken : slope < 0.0f ? -taken : 0.0f;
     this->state[voxel] = slope < 0.0f ? -length : length;
     this->extinction[voxel] = this->bounds.Clamp(now - step, this->importance[voxel], original);
   }
