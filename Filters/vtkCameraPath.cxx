@@ -240,7 +240,7 @@ bool vtkCameraPath::Internals::Read(
     {
       return false;
     }
-    limpid::Jointly(ranks,
+    limpid::RequireOnAllRanks(ranks,
       [&]
       {
         this->RequireStep(step, isThere, errors.First());
@@ -377,7 +377,7 @@ int vtkCameraPath::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const Internals& state = *this->State;
   const auto ranks =
-    limpid::AllAreAsked(outputVector->GetInformationObject(0)) ? limpid::MakeRanks() : nullptr;
+    limpid::AllRanksUpdate(outputVector->GetInformationObject(0)) ? limpid::MakeRanks() : nullptr;
   try
   {
     state.RequireSettings();

@@ -10,7 +10,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 
-#include "sweep/RankRegions.h"
+#include "sweep/ExchangePlan.h"
 
 #include <algorithm>
 

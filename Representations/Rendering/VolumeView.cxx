@@ -67,7 +67,7 @@ void VolumeView::OnEvent(vtkObject* caller, unsigned long event, void* self, voi
   }
   else if (caller == view->Target)
   {
-    view->InFrame = Turn::NotYet;
+    view->InFrame = FrameStage::NotYet;
   }
   else if (view->IsHidden())
   {
@@ -152,7 +152,7 @@ void VolumeView::UseImportance(
       throw;
     }
     const Int3& points = data.Nodes().nodes;
-    messages.errors.push_back(WordsOf(error, &points[0], drawingNeed) +
+    messages.errors.push_back(MessageOf(error, &points[0], drawingNeed) +
       " What the picture misses is not painted over it, and it is that of ordinary rendering if it "
       "needs importance.");
   }
@@ -215,7 +215,7 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
     }
     const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(
-      WordsOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
+      MessageOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
     this->Optimization.Stop();
   }
 }

@@ -9,7 +9,7 @@
 #include "ThreadRanks.h"
 
 #include "optimize/Solver.h"
-#include "sweep/RankRegions.h"
+#include "sweep/ExchangePlan.h"
 
 #include <gtest/gtest.h>
 

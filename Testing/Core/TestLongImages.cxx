@@ -35,7 +35,7 @@ double WorkPerNode(const BoxScene& scene, const RaySource& eye)
   const Occupancy filled(scene.grid, scene.extinction.data(), scene.importance.data(), true);
   double work = 0;
   for (const PlannedFrustum& frustum :
-    PlanSweep(scene.grid, filled, eye, { 1, Placement::ForIntegrals }))
+    PlanSweep(scene.grid, filled, eye, { 1, RayPlacement::ForIntegrals }))
   {
     work += double(frustum.columns) * frustum.rows * (frustum.lastSlice + 1);
   }

@@ -8,9 +8,9 @@
 #include "SilentRanks.h"
 
 #include "optimize/PreparedScene.h"
+#include "sweep/BandDecomposition.h"
+#include "sweep/ExchangePlan.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/RankBands.h"
-#include "sweep/RankRegions.h"
 
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ protected:
       for (const PlannedFrustum& frustum :
         PlanSweep(problem.grid, *problem.occupancy, source, PlanSettings{}))
       {
-        what(frustum, RankBands(frustum, this->Ranks), *problem.occupancy);
+        what(frustum, BandDecomposition(frustum, this->Ranks), *problem.occupancy);
       }
     }
   }
@@ -111,7 +111,7 @@ protected:
 TEST_P(BandsOfRanks, HaveEveryRowAndEveryVoxelOnce)
 {
   this->ForFrusta(
-    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
+    [this](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy&)
     {
       for (int s = 0; s <= frustum.lastSlice; ++s)
       {
@@ -141,7 +141,7 @@ TEST_P(BandsOfRanks, HaveEveryRowAndEveryVoxelOnce)
 TEST_P(BandsOfRanks, AreEvenAtTheLeastCost)
 {
   this->ForFrusta(
-    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
+    [this](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy&)
     {
       const int ranks = this->Ranks.Size();
       for (int border = 1; border < ranks; ++border)
@@ -170,7 +170,7 @@ TEST_P(BandsOfRanks, AreEvenAtTheLeastCost)
 TEST_P(BandsOfRanks, NeedLittleMoreThanTheirShareOfTheFields)
 {
   this->ForFrusta(
-    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy& occupancy)
+    [this](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy& occupancy)
     {
       Index most = 0;
       Index changed = 0;
@@ -194,7 +194,7 @@ TEST_P(BandsOfRanks, NeedTogetherNoMoreThanIfTheyWereDividedAtRandom)
   Index halos = 0;
   int frusta = 0;
   this->ForFrusta(
-    [&](const FaceFrustum& frustum, const RankBands& bands, const Occupancy& occupancy)
+    [&](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy& occupancy)
     {
       needed.resize(std::size_t(ranks), std::vector<char>(std::size_t(this->Nodes()), 0));
       for (int rank = 0; rank < ranks; ++rank)

@@ -108,7 +108,7 @@ public:
 /// Runs collective work. If it fails on this rank, the others are notified (Communicator::GiveUp).
 /// `ranks` is null for one process.
 template <class Work>
-decltype(auto) TellingRanks(const Communicator* ranks, const Work& work)
+decltype(auto) NotifyingOnFailure(const Communicator* ranks, const Work& work)
 {
   const auto giveUp = [ranks](const char* why, bool interrupted)
   {
@@ -140,7 +140,7 @@ decltype(auto) TellingRanks(const Communicator* ranks, const Work& work)
 /// Runs work that must succeed on all ranks. If it fails on any, all ranks throw JointError with
 /// the message of the first that failed. The work itself must not communicate. If `ranks` is null,
 /// exceptions are passed on unchanged.
-void Jointly(const Communicator* ranks, const std::function<void()>& work);
+void RequireOnAllRanks(const Communicator* ranks, const std::function<void()>& work);
 }
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "scene/Grid.h"
 #include "scene/NodeValues.h"
-#include "sweep/RankRegions.h"
+#include "sweep/ExchangePlan.h"
 
 #include <vector>
 

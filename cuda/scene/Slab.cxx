@@ -15,7 +15,7 @@ Slab SlabOf(const Communicator& ranks, int rank, const Int3& nodes)
 }
 }
 
-std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes)
+std::vector<NodeBox> EvenSlabs(const Communicator& ranks, const Int3& nodes)
 {
   std::vector<NodeBox> boxes;
   boxes.reserve(std::size_t(ranks.Size()));

@@ -34,7 +34,7 @@ struct Slab
 
 /// Returns one slab per rank. Together they are the grid; their numbers of slices differ by at most
 /// one.
-std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes);
+std::vector<NodeBox> EvenSlabs(const Communicator& ranks, const Int3& nodes);
 
 /// Returns the slab of this rank.
 Slab OwnSlab(const Communicator& ranks, const Int3& nodes);

@@ -198,11 +198,11 @@ void Lateral::PutBetween(std::vector<double> edges)
   }
 }
 
-void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placement placement)
+void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, RayPlacement placement)
 {
   const double last = this->nodes - 1;
   constexpr double straight = 1e-3; // largest lateral shift of straight rays in the box [index]
-  if (this->parallel && placement == Placement::ForNodes &&
+  if (this->parallel && placement == RayPlacement::ForNodes &&
     std::abs(this->shear) * (farDepth - nearDepth) < straight)
   {
     std::vector<double> edges;
@@ -236,7 +236,7 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
   const double perUnit =
     std::max(rayDensity * (this->parallel ? 1.0 : farDepth), (fewest - 1e-6) / size);
   std::vector<double> edges{ outlines.front() };
-  if (placement == Placement::ForNodes)
+  if (placement == RayPlacement::ForNodes)
   {
     AddParts(outlines.front(), outlines.back(), perUnit, 1, edges);
   }

@@ -34,7 +34,7 @@ struct RayRow
   /// whether any ray of the row has to be visited there.
   bool EnterLayer(const FaceFrustum& frustum, int s, int number);
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_INLINE RayInLayer<passage> At(int i) const
   {
     return { this->layer, this->length[i], { this->columnEntry[i], this->columnExit[i] }, this->row,
@@ -71,19 +71,19 @@ void StepThroughLayer(const RayRow& row, const Step& step)
       {
         for (int i = part.begin; i < part.end; ++i)
         {
-          body(rays.template At<Passage::Clipped>(i), i);
+          body(rays.template At<LayerCrossing::Clipped>(i), i);
         }
       }
       LIMPID_IVDEP
       for (int i = through.begin; i < through.end; ++i)
       {
-        body(rays.template At<Passage::Through>(i), i);
+        body(rays.template At<LayerCrossing::Through>(i), i);
       }
     });
 }
 
 /// Calls step(ray, column) for all columns of a row; all rays are treated as `passage` says.
-template <Passage passage, class Step>
+template <LayerCrossing passage, class Step>
 void StepAllAs(const RayRow& row, const Step& step)
 {
   RunMultiversioned(
@@ -194,15 +194,15 @@ public:
     for (const Range<int>& side :
       { Range<int>{ columns.begin, through.begin }, Range<int>{ through.end, columns.end } })
     {
-      this->StepWhere<Passage::Clipped>(side, fields, resolve, step);
+      this->StepWhere<LayerCrossing::Clipped>(side, fields, resolve, step);
     }
     if (this->HasAbove(through, resolve.LeastOnWay(this->LongestWay(through))))
     {
-      this->StepWhere<Passage::Through>(through, fields, resolve, step);
+      this->StepWhere<LayerCrossing::Through>(through, fields, resolve, step);
     }
     else
     {
-      this->StepPlain<Passage::Through>(through, step);
+      this->StepPlain<LayerCrossing::Through>(through, step);
     }
   }
 
@@ -218,7 +218,7 @@ public:
   template <class Step>
   void ForEachRegardless(const Step& step) const
   {
-    detail::StepAllAs<Passage::Through>(this->Rays, step);
+    detail::StepAllAs<LayerCrossing::Through>(this->Rays, step);
   }
 
   template <class Step>
@@ -240,7 +240,7 @@ public:
       part.columns = Intersection(all, columns);
       if (!part.columns.Empty())
       {
-        detail::StepAllAs<Passage::Through>(part, step);
+        detail::StepAllAs<LayerCrossing::Through>(part, step);
       }
     }
   }
@@ -270,7 +270,7 @@ private:
   bool HasAbove(const Range<int>& columns, float bound) const;
 
   /// Calls step for the given rays, with a ResolvedRay where the layer is resolved.
-  template <Passage passage, class Resolve, class Step>
+  template <LayerCrossing passage, class Resolve, class Step>
   void StepWhere(const Range<int>& columns, const RayFields<Field>& fields, const Resolve& resolve,
     const Step& step) const
   {
@@ -278,7 +278,7 @@ private:
     for (int i = columns.begin; i < columns.end; ++i)
     {
       StepResolved(
-        this->Rays.template At<Passage::Clipped>(i), *this, fields, resolve, i, i,
+        this->Rays.template At<LayerCrossing::Clipped>(i), *this, fields, resolve, i, i,
         [&](const auto& ray, Index)
         {
           this->StepPlain<passage>({ begin, i }, step);
@@ -291,7 +291,7 @@ private:
   }
 
   /// Calls step for the given rays; all are treated as `passage` says.
-  template <Passage passage, class Step>
+  template <LayerCrossing passage, class Step>
   void StepPlain(const Range<int>& columns, const Step& step) const
   {
     if (!columns.Empty())

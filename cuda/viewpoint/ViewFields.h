@@ -8,7 +8,7 @@
 #include "scene/RaySource.h"
 #include "scene/ScenePiece.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/SlabDelivery.h"
+#include "sweep/SlabExchange.h"
 
 #include <memory>
 #include <vector>
@@ -39,7 +39,7 @@ struct SweptFields
   std::vector<float> base;
   std::vector<float> least;
   std::unique_ptr<const Occupancy> occupancy; ///< null if nothing can be seen
-  std::unique_ptr<const HomeOfFields> home; ///< the distribution among ranks; null for one process
+  std::unique_ptr<const FieldLayout> home; ///< the distribution among ranks; null for one process
 };
 
 /**

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "sweep/RankRegions.h"
+#include "sweep/ExchangePlan.h"
 
-#include "sweep/RankBands.h"
+#include "sweep/BandDecomposition.h"
 
 #include <algorithm>
 #include <utility>
@@ -58,7 +58,7 @@ NodeBox SliceOf(
 
 /// Calls what(box) for the intersections of the boxes of both regions, in a fixed order.
 template <class What>
-void ForBoth(const Region& one, const Region& other, const What& what)
+void ForIntersections(const Region& one, const Region& other, const What& what)
 {
   NodeBox hull;
   for (const NodeBox& box : other)
@@ -136,7 +136,7 @@ std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes)
   return regions;
 }
 
-Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank)
+Region RegionChanged(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
 {
   Region region;
   for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
@@ -148,7 +148,7 @@ Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int ran
   return region;
 }
 
-Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank)
+Region RegionNeeded(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
 {
   // Find the voxels that any ray reads; a layer is read together with the slice in front of it.
   std::vector<Range<int>> columns(std::size_t(bands.Depth()));
@@ -239,10 +239,10 @@ Region Intersection(const Region& region, const NodeBox& box)
   return inside;
 }
 
-Passages::WithRank Passages::Between(const Region& had, const Region& needed) const
+ExchangePlan::WithRank ExchangePlan::Between(const Region& had, const Region& needed) const
 {
   WithRank passing;
-  ForBoth(had, needed,
+  ForIntersections(had, needed,
     [&](const NodeBox& box)
     {
       passing.boxes.push_back(box);
@@ -261,9 +261,9 @@ Passages::WithRank Passages::Between(const Region& had, const Region& needed) co
   return passing;
 }
 
-Passages::Passages(const Communicator& ranks, const std::vector<Region>& had,
+ExchangePlan::ExchangePlan(const Communicator& ranks, const std::vector<Region>& had,
   const std::vector<Region>& needed, const Occupancy* filled,
-  const std::shared_ptr<PassageRoom>& room, Keep keep, int axis)
+  const std::shared_ptr<ExchangeBuffers>& room, Keep keep, int axis)
   : All(&ranks)
   , Filled(filled)
   , Room(room)
@@ -277,12 +277,12 @@ Passages::Passages(const Communicator& ranks, const std::vector<Region>& had,
     this->Sent.push_back(isOther ? this->Between(had[own], needed[rank]) : WithRank());
     this->Received.push_back(isOther ? this->Between(had[rank], needed[own]) : WithRank());
   }
-  ForBoth(had[own], needed[own], [this](const NodeBox& box) { this->Own.push_back(box); });
+  ForIntersections(had[own], needed[own], [this](const NodeBox& box) { this->Own.push_back(box); });
 }
 
 /// Calls what(first node, count) for the rows of an exchange.
 template <class What>
-void Passages::ForRows(const WithRank& passing, const What& what) const
+void ExchangePlan::ForRows(const WithRank& passing, const What& what) const
 {
   if (this->Kept == Keep::Rows)
   {
@@ -299,7 +299,7 @@ void Passages::ForRows(const WithRank& passing, const What& what) const
 }
 
 /// Returns one message for each rank with which values are exchanged, and allocates its values.
-std::vector<Communicator::Message> Passages::MessagesOf(
+std::vector<Communicator::Message> ExchangePlan::MessagesOf(
   const std::vector<WithRank>& passing, std::size_t fields, std::vector<std::vector<float>>& values)
 {
   values.resize(std::max(values.size(), passing.size()));
@@ -316,9 +316,9 @@ std::vector<Communicator::Message> Passages::MessagesOf(
   return messages;
 }
 
-void Passages::Bring(const std::vector<Field>& fields) const
+void ExchangePlan::Bring(const std::vector<Field>& fields) const
 {
-  PassageRoom& room = *this->Room;
+  ExchangeBuffers& room = *this->Room;
   const std::vector<Communicator::Message> sent = MessagesOf(this->Sent, fields.size(), room.sent);
   const std::vector<Communicator::Message> received =
     MessagesOf(this->Received, fields.size(), room.received);

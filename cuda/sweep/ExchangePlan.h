@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_sweep_RankRegions_h
-#define limpid_sweep_RankRegions_h
+#ifndef limpid_sweep_ExchangePlan_h
+#define limpid_sweep_ExchangePlan_h
 
 #include "backend/Communicator.h"
 #include "scene/NodeBox.h"
@@ -15,7 +15,7 @@
 
 namespace limpid
 {
-class RankBands;
+class BandDecomposition;
 
 /// A set of nodes of a grid, given as boxes, which may overlap.
 using Region = std::vector<NodeBox>;
@@ -24,10 +24,10 @@ using Region = std::vector<NodeBox>;
 std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes);
 
 /// Returns the nodes that a rank owns in the sweep of a frustum. No other rank changes them.
-Region RegionChanged(const FaceFrustum& frustum, const RankBands& bands, int rank);
+Region RegionChanged(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
 
 /// Returns the nodes that a rank owns or reads in the sweep of a frustum.
-Region RegionNeeded(const FaceFrustum& frustum, const RankBands& bands, int rank);
+Region RegionNeeded(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
 
 /// A strided field: the value of node (i, j, k) is values[i stride.x + j stride.y + k stride.z].
 struct FieldView
@@ -103,7 +103,7 @@ Occupancy OccupancyOnRanks(const Communicator& ranks, const Grid& grid, const No
 Region Intersection(const Region& region, const NodeBox& box);
 
 /// Message buffers, to be reused by consecutive exchanges.
-struct PassageRoom
+struct ExchangeBuffers
 {
   std::vector<std::vector<float>> sent;     ///< [rank]
   std::vector<std::vector<float>> received; ///< [rank]
@@ -113,7 +113,7 @@ struct PassageRoom
  * An exchange plan: redistributes fields from the nodes that each rank has to the nodes that each
  * rank needs. Build it once for fields that are exchanged often.
  */
-class Passages
+class ExchangePlan
 {
 public:
   /// Whether the filled part of every row is stored (more memory) or looked up each time (slower).
@@ -126,9 +126,9 @@ public:
   /// `filled`: fields are 0 outside of it and need not be sent there; null if nothing is known.
   /// `ranks` and `filled` must outlive this object. `axis`: direction of the rows in messages, 0
   /// or 1.
-  Passages(const Communicator& ranks, const std::vector<Region>& had,
+  ExchangePlan(const Communicator& ranks, const std::vector<Region>& had,
     const std::vector<Region>& needed, const Occupancy* filled = nullptr,
-    const std::shared_ptr<PassageRoom>& room = std::make_shared<PassageRoom>(),
+    const std::shared_ptr<ExchangeBuffers>& room = std::make_shared<ExchangeBuffers>(),
     Keep keep = Keep::Rows, int axis = 0);
 
   /// Source and target of a field that is redistributed.
@@ -166,7 +166,7 @@ private:
 
   const Communicator* All;
   const Occupancy* Filled;
-  std::shared_ptr<PassageRoom> Room;
+  std::shared_ptr<ExchangeBuffers> Room;
   Keep Kept;
   int Axis;
   std::vector<WithRank> Sent;     ///< [rank]
@@ -174,11 +174,11 @@ private:
   Region Own;                     ///< nodes that this rank both has and needs
 };
 
-/// Redistributes a field once, see Passages.
+/// Redistributes a field once, see ExchangePlan.
 inline void Spread(const Communicator& ranks, const FieldView& from, const std::vector<Region>& had,
   const FieldView& to, const std::vector<Region>& needed, const Occupancy* filled = nullptr)
 {
-  Passages(ranks, had, needed, filled).Bring({ { from, to } });
+  ExchangePlan(ranks, had, needed, filled).Bring({ { from, to } });
 }
 }
 
