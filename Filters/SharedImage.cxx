@@ -13,7 +13,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include "sweep/ExchangePlan.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "vtkLimpidFiltersModule.h" // for export macro
 
-#include "scene/ScenePiece.h"
+#include "distributed/ScenePiece.h"
 
 #include "vtkSmartPointer.h"
 

@@ -26,7 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 #include "math/Require.h"
 #include "viewpoint/CameraPath.h"
 #include "viewpoint/FittedCamera.h"

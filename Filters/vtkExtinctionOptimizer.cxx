@@ -25,8 +25,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
-#include "backend/Communicator.h"
 #include "backend/Interruption.h"
+#include "distributed/Communicator.h"
 #include "math/Require.h"
 #include "optimize/Solver.h"
 #include "scene/Placement.h"

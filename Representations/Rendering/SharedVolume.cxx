@@ -10,7 +10,8 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 
-#include "sweep/ExchangePlan.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 

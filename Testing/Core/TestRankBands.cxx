@@ -8,8 +8,8 @@
 #include "SilentRanks.h"
 
 #include "optimize/PreparedScene.h"
+#include "scene/FieldView.h"
 #include "sweep/BandDecomposition.h"
-#include "sweep/ExchangePlan.h"
 #include "sweep/PlanSweep.h"
 
 #include <gtest/gtest.h>
@@ -176,8 +176,8 @@ TEST_P(BandsOfRanks, NeedLittleMoreThanTheirShareOfTheFields)
       Index changed = 0;
       for (int rank = 0; rank < this->Ranks.Size(); ++rank)
       {
-        most = std::max(most, FilledIn(RegionNeeded(frustum, bands, rank), occupancy));
-        changed += FilledIn(RegionChanged(frustum, bands, rank), occupancy);
+        most = std::max(most, FilledIn(NeededRegion(frustum, bands, rank), occupancy));
+        changed += FilledIn(OwnedRegion(frustum, bands, rank), occupancy);
       }
       // On every slice, rays and voxels of neighbours read up to two rows on either side of a band,
       // and filled voxels need not be distributed like the rays that matter.
@@ -199,7 +199,7 @@ TEST_P(BandsOfRanks, NeedTogetherNoMoreThanIfTheyWereDividedAtRandom)
       needed.resize(std::size_t(ranks), std::vector<char>(std::size_t(this->Nodes()), 0));
       for (int rank = 0; rank < ranks; ++rank)
       {
-        for (const NodeBox& box : RegionNeeded(frustum, bands, rank))
+        for (const NodeBox& box : NeededRegion(frustum, bands, rank))
         {
           this->Mark(box, occupancy, needed[std::size_t(rank)]);
         }

@@ -5,8 +5,8 @@
 
 #include "backend/Backend.h"
 #include "backend/LargePages.h"
+#include "distributed/DistributedFields.h"
 #include "optimize/CoarseProblem.h"
-#include "optimize/DistributedFields.h"
 #include "optimize/Levels.h"
 
 #include <numeric>

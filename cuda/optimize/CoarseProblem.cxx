@@ -4,8 +4,9 @@
 #include "optimize/CoarseProblem.h"
 
 #include "backend/Backend.h"
+#include "distributed/DistributedFields.h"
+#include "distributed/OccupancyOnRanks.h"
 #include "energy/NodeImportance.h"
-#include "optimize/DistributedFields.h"
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/Levels.h"
 #include "optimize/Neighbourhood.h"
@@ -146,7 +147,7 @@ void CoarseProblem::ShareFields()
     fields->previous = fieldOf(this->Previous);
   }
   problem.Use(fields);
-  problem.occupancy = std::make_shared<const Occupancy>(*ranks, problem.grid, own,
-    this->Base.data(), this->NodeImportance.data(), problem.settings.skipUnneeded);
+  problem.occupancy = std::make_shared<const Occupancy>(OccupancyOnRanks(*ranks, problem.grid, own,
+    fields->base.piece, fields->nodeImportance.piece, problem.settings.skipUnneeded));
 }
 }

@@ -5,10 +5,11 @@
 
 #include "backend/Interruption.h"
 #include "backend/LargePages.h"
+#include "distributed/DistributedFields.h"
+#include "distributed/OccupancyOnRanks.h"
 #include "energy/NodeTransmittance.h"
 #include "energy/TransmittanceSweep.h"
 #include "energy/VisibilityTerm.h"
-#include "optimize/DistributedFields.h"
 #include "optimize/Permuted.h"
 #include "optimize/RestoringMinimizer.h"
 #include "optimize/SolverBackend.h"

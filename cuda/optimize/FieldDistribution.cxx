@@ -3,7 +3,7 @@
 
 #include "optimize/FieldDistribution.h"
 
-#include "scene/Slab.h"
+#include "distributed/Slab.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,8 +133,8 @@ void FieldDistribution::AddTerm(const OfTerm& term)
     Regions regions;
     for (int rank = 0; rank < this->All->Size(); ++rank)
     {
-      regions.changed.push_back(RegionChanged(rays.Plan(), *rays.Bands(), rank));
-      regions.needed.push_back(RegionNeeded(rays.Plan(), *rays.Bands(), rank));
+      regions.changed.push_back(OwnedRegion(rays.Plan(), *rays.Bands(), rank));
+      regions.needed.push_back(NeededRegion(rays.Plan(), *rays.Bands(), rank));
     }
     ofFrusta.push_back(std::move(regions));
   }

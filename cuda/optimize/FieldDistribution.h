@@ -4,8 +4,9 @@
 #ifndef limpid_optimize_FieldDistribution_h
 #define limpid_optimize_FieldDistribution_h
 
-#include "scene/ScenePiece.h"
-#include "sweep/ExchangePlan.h"
+#include "distributed/ExchangePlan.h"
+#include "distributed/ScenePiece.h"
+#include "scene/FieldView.h"
 #include "sweep/FrustumRays.h"
 
 #include <array>

@@ -4,8 +4,9 @@
 #include "optimize/Levels.h"
 
 #include "backend/HostDevice.h"
+#include "distributed/ExchangePlan.h"
+#include "distributed/Slab.h"
 #include "optimize/AxisFilter.h"
-#include "scene/Slab.h"
 
 #include <algorithm>
 #include <cmath>

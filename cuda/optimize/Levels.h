@@ -4,8 +4,9 @@
 #ifndef limpid_optimize_Levels_h
 #define limpid_optimize_Levels_h
 
+#include "distributed/Communicator.h"
+#include "scene/FieldView.h"
 #include "scene/Grid.h"
-#include "sweep/ExchangePlan.h"
 
 #include <vector>
 

@@ -5,9 +5,9 @@
 
 #include "optimize/Policy.h"
 
+#include "distributed/DistributedFields.h"
 #include "optimize/CoarseProblem.h"
 #include "optimize/DescentProgress.h"
-#include "optimize/DistributedFields.h"
 #include "optimize/Iterate.h"
 #include "optimize/LaggedDerivative.h"
 #include "optimize/PolicyTurns.h"

@@ -4,8 +4,8 @@
 #include "optimize/Problem.h"
 
 #include "backend/Backend.h"
+#include "distributed/DistributedFields.h"
 #include "optimize/Differences.h"
-#include "optimize/DistributedFields.h"
 #include "optimize/ExtinctionBounds.h"
 #include "sweep/ResolvedLayer.h"
 

@@ -4,15 +4,15 @@
 #ifndef limpid_optimize_Problem_h
 #define limpid_optimize_Problem_h
 
+#include "distributed/ScenePiece.h"
+#include "distributed/Slab.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
+#include "scene/FieldView.h"
 #include "scene/Grid.h"
 #include "scene/NodeValues.h"
+#include "scene/Occupancy.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
-#include "scene/Slab.h"
-#include "sweep/ExchangePlan.h"
-#include "sweep/Occupancy.h"
 
 #include <functional>
 #include <memory>

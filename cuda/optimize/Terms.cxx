@@ -5,7 +5,7 @@
 
 #include "optimize/Terms.h"
 
-#include "optimize/DistributedFields.h"
+#include "distributed/DistributedFields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,8 @@
 
 #include "render/GatheredOverlay.h"
 
-#include "sweep/ExchangePlan.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 #include <array>

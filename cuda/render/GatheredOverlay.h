@@ -4,8 +4,8 @@
 #ifndef limpid_render_GatheredOverlay_h
 #define limpid_render_GatheredOverlay_h
 
+#include "distributed/ScenePiece.h"
 #include "render/PackedNumbers.h"
-#include "scene/ScenePiece.h"
 
 #include <functional>
 #include <vector>

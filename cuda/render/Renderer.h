@@ -4,10 +4,10 @@
 #ifndef limpid_render_Renderer_h
 #define limpid_render_Renderer_h
 
+#include "distributed/ScenePiece.h"
 #include "methods/Method.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
 
 #include <array>
 #include <cstdint>

@@ -154,6 +154,50 @@ Range<int> BandDecomposition::RaysReadBy(int rank, int s, int more) const
 
 namespace
 {
+/// Adds a box, or extends the last one if the box continues it along an axis.
+void Add(const NodeBox& box, int axis, Region& region)
+{
+  if (box.Empty())
+  {
+    return;
+  }
+  const auto along = std::size_t(axis);
+  if (!region.empty())
+  {
+    NodeBox joined = region.back();
+    Range<int>& depth = joined.along[along];
+    const Range<int>& next = box.along[along];
+    const bool before = next.end == depth.begin;
+    if (before || next.begin == depth.end)
+    {
+      depth = before ? Range<int>{ next.begin, depth.end } : Range<int>{ depth.begin, next.end };
+      bool goesOn = true;
+      for (std::size_t other = 0; other < 3; ++other)
+      {
+        const Range<int>& one = joined.along[other];
+        const Range<int>& two = box.along[other];
+        goesOn = goesOn && (other == along || (one.begin == two.begin && one.end == two.end));
+      }
+      if (goesOn)
+      {
+        region.back() = joined;
+        return;
+      }
+    }
+  }
+  region.push_back(box);
+}
+
+NodeBox SliceOf(
+  const FaceFrustum& frustum, int node, const Range<int>& columns, const Range<int>& rows)
+{
+  NodeBox box;
+  box.along[std::size_t(frustum.axisU)] = columns;
+  box.along[std::size_t(frustum.axisV)] = rows;
+  box.along[std::size_t(frustum.axisW)] = { node, node + 1 };
+  return box;
+}
+
 /// Contiguous values in memory.
 struct Segment
 {
@@ -293,5 +337,45 @@ void BandDecomposition::ExchangeVoxels(int s, const std::vector<SliceWindow*>& f
         AddSegment(field->Row(this->Frustum.SliceAt(s).node, v), 0, columns, segments);
       }
     });
+}
+
+Region OwnedRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
+{
+  Region region;
+  for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
+  {
+    const Slice& slice = frustum.SliceAt(s);
+    Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)), frustum.axisW,
+      region);
+  }
+  return region;
+}
+
+Region NeededRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
+{
+  // Find the voxels that any ray reads; a layer is read together with the slice in front of it.
+  std::vector<Range<int>> columns(std::size_t(bands.Depth()));
+  std::vector<Range<int>> rows(columns.size());
+  for (int s = 0; s < frustum.SliceCount(); ++s)
+  {
+    const Slice& slice = frustum.SliceAt(s);
+    for (const int node : { slice.node, slice.nodes[0], slice.nodes[1] })
+    {
+      if (node >= 0)
+      {
+        const auto at = std::size_t(node);
+        columns[at] = Hull(columns[at], slice.touchedColumns);
+        rows[at] = Hull(rows[at], slice.touchedRows);
+      }
+    }
+  }
+  Region region;
+  for (int node = 0; node < bands.Depth(); ++node)
+  {
+    const auto at = std::size_t(node);
+    Add(SliceOf(frustum, node, columns[at], Intersection(rows[at], bands.VoxelsNeeded(rank, node))),
+      frustum.axisW, region);
+  }
+  return region;
 }
 }

@@ -4,7 +4,8 @@
 #ifndef limpid_sweep_BandDecomposition_h
 #define limpid_sweep_BandDecomposition_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
+#include "scene/FieldView.h"
 #include "sweep/EvenBands.h"
 #include "sweep/FaceFrustum.h"
 #include "sweep/RaySteps.h"
@@ -102,6 +103,12 @@ private:
   std::vector<OnSlice> Rays[2];    ///< [cubic][slice]
   std::vector<OnSlice> Voxels;     ///< [slice]
 };
+
+/// Returns the nodes that a rank owns in the sweep of a frustum. No other rank changes them.
+Region OwnedRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
+
+/// Returns the nodes that a rank owns or reads in the sweep of a frustum.
+Region NeededRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
 }
 
 #endif

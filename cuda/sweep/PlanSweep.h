@@ -5,10 +5,10 @@
 #define limpid_sweep_PlanSweep_h
 
 #include "scene/Grid.h"
+#include "scene/Occupancy.h"
 #include "scene/RaySource.h"
 #include "sweep/FaceFrustum.h"
 #include "sweep/Lateral.h"
-#include "sweep/Occupancy.h"
 
 #include <array>
 #include <vector>

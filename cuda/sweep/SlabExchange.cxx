@@ -96,12 +96,12 @@ SlabExchange::SlabExchange(const FaceFrustum& frustum, const BandDecomposition& 
   std::vector<Region> changed;
   for (int rank = 0; rank < bands.Ranks().Size(); ++rank)
   {
-    needed.push_back(RegionNeeded(frustum, bands, rank));
+    needed.push_back(NeededRegion(frustum, bands, rank));
     for (NodeBox& box : needed.back())
     {
       Grow(frustum, margin, box);
     }
-    changed.push_back(RegionChanged(frustum, bands, rank));
+    changed.push_back(OwnedRegion(frustum, bands, rank));
   }
   // Restricts all regions to the slices and to their columns and rows.
   const auto part = [&](std::vector<Region> regions, const Range<int>& slices,

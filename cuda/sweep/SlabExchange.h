@@ -4,7 +4,9 @@
 #ifndef limpid_sweep_SlabExchange_h
 #define limpid_sweep_SlabExchange_h
 
-#include "sweep/ExchangePlan.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
+#include "sweep/FaceFrustum.h"
 
 #include <array>
 #include <memory>
@@ -12,6 +14,8 @@
 
 namespace limpid
 {
+class BandDecomposition;
+
 constexpr int slicesCopied = 16;     ///< floats in a cache line of 64 bytes
 constexpr int mostSlicesBehind = 2;  ///< maximum number of slices behind that sweeps read
 constexpr int mostSlicesInFront = 1; ///< maximum number of slices in front that sweeps read

@@ -4,6 +4,7 @@
 #include "viewpoint/ViewFields.h"
 
 #include "backend/Backend.h"
+#include "distributed/OccupancyOnRanks.h"
 
 #include <algorithm>
 #include <utility>

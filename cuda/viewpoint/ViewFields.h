@@ -4,9 +4,9 @@
 #ifndef limpid_viewpoint_ViewFields_h
 #define limpid_viewpoint_ViewFields_h
 
+#include "distributed/ScenePiece.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/SlabExchange.h"
 

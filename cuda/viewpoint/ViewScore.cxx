@@ -4,9 +4,10 @@
 #include "viewpoint/ViewScore.h"
 
 #include "backend/ComputeBackend.h"
+#include "distributed/ExchangePlan.h"
+#include "distributed/Slab.h"
 #include "energy/NodeImportance.h"
-#include "scene/Slab.h"
-#include "sweep/ExchangePlan.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 #include <cmath>

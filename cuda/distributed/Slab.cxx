@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "scene/Slab.h"
+#include "distributed/Slab.h"
 
 namespace limpid
 {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_backend_Communicator_h
-#define limpid_backend_Communicator_h
+#ifndef limpid_distributed_Communicator_h
+#define limpid_distributed_Communicator_h
 
-#include "backend/ExactSum.h"
 #include "backend/Interruption.h"
+#include "distributed/ExactSum.h"
 #include "math/Require.h"
 
 #include <cstddef>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_optimize_DistributedFields_h
-#define limpid_optimize_DistributedFields_h
+#ifndef limpid_distributed_DistributedFields_h
+#define limpid_distributed_DistributedFields_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
+#include "distributed/ScenePiece.h"
+#include "scene/FieldView.h"
 #include "scene/NodeValues.h"
-#include "scene/ScenePiece.h"
-#include "sweep/ExchangePlan.h"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 
 #include <algorithm>
 #include <cstring>
