@@ -7,8 +7,8 @@
 #include "vtkMultiProcessController.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "backend/Communicator.h"
 #include "backend/Interruption.h"
+#include "distributed/Communicator.h"
 
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
 #include "vtkMPICommunicator.h"
@@ -29,7 +29,7 @@ namespace
 constexpr std::size_t mostBytes = std::size_t(1) << 30;
 
 /// The final message of a rank: whether it was interrupted, and its error message.
-using LastWords = std::array<char, 1024>;
+using FailureText = std::array<char, 1024>;
 
 class ControllerRanks : public Communicator
 {
@@ -94,7 +94,7 @@ public:
 
   void GiveUp(const std::string& why, bool interrupted) const noexcept override
   {
-    LastWords words{};
+    FailureText words{};
     words[0] = interrupted ? 1 : 0;
     std::copy_n(why.begin(), std::min(why.size(), words.size() - 2), words.begin() + 1);
     for (int rank = 0; rank < this->Size() && !this->HasGivenUp; ++rank)
@@ -134,7 +134,7 @@ private:
     this->Mpi->Iprobe(vtkMultiProcessController::ANY_SOURCE, this->Tag + 1, &there, &rank);
     if (there)
     {
-      LastWords words{};
+      FailureText words{};
       this->Mpi->Receive(words.data(), vtkIdType(words.size()), rank, this->Tag + 1);
       if (words[0])
       {
@@ -164,7 +164,7 @@ bool AreSeveral()
   return mpi && mpi->GetNumberOfProcesses() > 1;
 }
 
-bool AllAreAsked(vtkInformation* outInfo)
+bool AllRanksUpdate(vtkInformation* outInfo)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkMPICommunicator* mpi = GlobalMpi();
@@ -183,7 +183,7 @@ bool AreSeveral()
   return false;
 }
 
-bool AllAreAsked(vtkInformation*)
+bool AllRanksUpdate(vtkInformation*)
 {
   return false;
 }

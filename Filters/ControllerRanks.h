@@ -18,7 +18,7 @@ class Communicator;
 
 /// Returns whether there are several MPI processes, each of which is asked for its own piece of an
 /// output, so that they can share the work.
-VTKLIMPIDFILTERS_EXPORT bool AllAreAsked(vtkInformation* outInfo);
+VTKLIMPIDFILTERS_EXPORT bool AllRanksUpdate(vtkInformation* outInfo);
 
 /// Returns whether there are several MPI processes.
 VTKLIMPIDFILTERS_EXPORT bool AreSeveral();

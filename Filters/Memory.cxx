@@ -11,7 +11,7 @@
 
 namespace limpid
 {
-std::string WordsOf(const std::exception& error, const int points[3], const MemoryNeed& need)
+std::string MessageOf(const std::exception& error, const int points[3], const MemoryNeed& need)
 {
   if (!dynamic_cast<const std::bad_alloc*>(&error))
   {
@@ -25,8 +25,8 @@ std::string WordsOf(const std::exception& error, const int points[3], const Memo
   return text.str();
 }
 
-std::string WordsOf(const std::exception& error, vtkImageData* image, const MemoryNeed& need)
+std::string MessageOf(const std::exception& error, vtkImageData* image, const MemoryNeed& need)
 {
-  return image ? WordsOf(error, image->GetDimensions(), need) : error.what();
+  return image ? MessageOf(error, image->GetDimensions(), need) : error.what();
 }
 }

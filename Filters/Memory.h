@@ -46,11 +46,11 @@ vtkSmartPointer<ArrayType> NewArray(const char* name, vtkIdType count)
 
 /// Returns the message for an exception: its own text, or, for a failed allocation, how much memory
 /// an image with this number of points along each axis needs.
-VTKLIMPIDFILTERS_EXPORT std::string WordsOf(
+VTKLIMPIDFILTERS_EXPORT std::string MessageOf(
   const std::exception& error, const int points[3], const MemoryNeed& need);
 
 /// Returns this message for an image, which may be null.
-VTKLIMPIDFILTERS_EXPORT std::string WordsOf(
+VTKLIMPIDFILTERS_EXPORT std::string MessageOf(
   const std::exception& error, vtkImageData* image, const MemoryNeed& need);
 }
 

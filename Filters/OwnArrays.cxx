@@ -27,7 +27,7 @@ bool IsOwn(vtkAbstractArray* array)
 }
 }
 
-void MarkAsOwn(vtkAbstractArray* array)
+void MarkAsGenerated(vtkAbstractArray* array)
 {
   OwnKey()->Set(array->GetInformation(), 1);
 }
@@ -48,7 +48,7 @@ std::vector<vtkAbstractArray*> MarkResults(vtkFieldData* input, vtkFieldData* ou
     {
       replaced.push_back(before);
     }
-    MarkAsOwn(result);
+    MarkAsGenerated(result);
   }
   return replaced;
 }

@@ -15,7 +15,7 @@ namespace limpid
 {
 /// Marks an array as created by Limpid. Copies of it are marked as well, but files do not keep the
 /// mark.
-void MarkAsOwn(vtkAbstractArray* array);
+void MarkAsGenerated(vtkAbstractArray* array);
 
 /// Marks all arrays of `output` that `input` does not have. Returns the arrays of `input` that were
 /// replaced by one of the same name and were not created by Limpid.

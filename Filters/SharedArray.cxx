@@ -139,7 +139,7 @@ std::vector<double> SharedArray::Samples(long long most) const
   return samples;
 }
 
-std::vector<ValueAmongOthers> SharedArray::SamplesAbove(double value, long long most) const
+std::vector<ValueWithNeighbours> SharedArray::SamplesAbove(double value, long long most) const
 {
   std::vector<double> here;
   this->VisitSamples(most,
@@ -153,14 +153,14 @@ std::vector<ValueAmongOthers> SharedArray::SamplesAbove(double value, long long 
       }
     });
   const std::vector<double> all = this->Gathered(std::move(here));
-  std::vector<ValueAmongOthers> samples(all.size() / 2);
+  std::vector<ValueWithNeighbours> samples(all.size() / 2);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     samples[i] = { all[2 * i], all[2 * i + 1] };
   }
   // Sorted, so that sums are the same for any number of processes.
   std::sort(samples.begin(), samples.end(),
-    [](const ValueAmongOthers& a, const ValueAmongOthers& b)
+    [](const ValueWithNeighbours& a, const ValueWithNeighbours& b)
     { return std::tie(a.value, a.eighth) < std::tie(b.value, b.eighth); });
   return samples;
 }

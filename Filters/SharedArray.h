@@ -41,7 +41,7 @@ public:
 
   /// Returns those of these samples that are above a value, with their neighbours. If the pieces of
   /// processes do not overlap, the border of a piece is treated like that of the image.
-  std::vector<ValueAmongOthers> SamplesAbove(double value, long long most) const;
+  std::vector<ValueWithNeighbours> SamplesAbove(double value, long long most) const;
 
 private:
   double ValueAt(int i, int j, int k) const;

@@ -13,7 +13,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include "sweep/RankRegions.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,7 @@ SharedImage::SharedImage(
   this->piece = std::make_shared<const ScenePiece>(std::move(ranks), this->grid, box);
 }
 
-void SharedImage::TakeOwners(vtkFloatArray* field) const
+void SharedImage::CopyFromOwners(vtkFloatArray* field) const
 {
   const FieldView view = FieldView::Part(field->GetPointer(0), this->piece->nodes);
   Spread(

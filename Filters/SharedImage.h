@@ -8,7 +8,7 @@
 
 #include "vtkLimpidFiltersModule.h" // for export macro
 
-#include "scene/ScenePiece.h"
+#include "distributed/ScenePiece.h"
 
 #include "vtkSmartPointer.h"
 
@@ -35,7 +35,7 @@ struct VTKLIMPIDFILTERS_EXPORT SharedImage
 
   /// Sets ghost points to the values of their owner, the only rank that is sure to know all cells
   /// around a point.
-  void TakeOwners(vtkFloatArray* field) const;
+  void CopyFromOwners(vtkFloatArray* field) const;
 };
 
 /// Reduces `low` to the least and `high` to the largest of all ranks; NaN: this rank has none.

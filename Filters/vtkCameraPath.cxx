@@ -26,7 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 #include "math/Require.h"
 #include "viewpoint/CameraPath.h"
 #include "viewpoint/FittedCamera.h"
@@ -239,7 +239,7 @@ bool vtkCameraPath::Internals::Read(
     {
       return false;
     }
-    limpid::Jointly(ranks,
+    limpid::RequireOnAllRanks(ranks,
       [&]
       {
         this->RequireStep(step, isThere, errors.First());
@@ -376,7 +376,7 @@ int vtkCameraPath::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const Internals& state = *this->State;
   const auto ranks =
-    limpid::AllAreAsked(outputVector->GetInformationObject(0)) ? limpid::MakeRanks() : nullptr;
+    limpid::AllRanksUpdate(outputVector->GetInformationObject(0)) ? limpid::MakeRanks() : nullptr;
   try
   {
     state.RequireSettings();

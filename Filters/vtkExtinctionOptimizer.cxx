@@ -25,8 +25,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
-#include "backend/Communicator.h"
 #include "backend/Interruption.h"
+#include "distributed/Communicator.h"
 #include "math/Require.h"
 #include "optimize/Solver.h"
 #include "scene/Placement.h"
@@ -148,7 +148,7 @@ int vtkExtinctionOptimizer::RequestUpdateExtent(
 bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) const
 {
   const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
-  return limpid::AllAreAsked(outInfo) && limpid::NotOnRanks(settings).empty() &&
+  return limpid::AllRanksUpdate(outInfo) && limpid::NotOnRanks(settings).empty() &&
     settings.backend != limpid::BackendKind::Cuda && !this->Self->OptimizeViewpoint;
 }
 
@@ -171,7 +171,7 @@ int vtkExtinctionOptimizer::RequestData(
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(0);
     this->State->Ranks = this->State->RanksShare(outInfo) ? limpid::MakeRanks() : nullptr;
-    limpid::TellingRanks(
+    limpid::NotifyingOnFailure(
       this->State->Ranks.get(), [&] { this->Optimize(inputVector, output, convergence); });
     KeepRequestedPiece(outInfo, SceneReader::WholeExtentOf(inputVector), output);
     return 1;
@@ -187,7 +187,7 @@ int vtkExtinctionOptimizer::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< limpid::WordsOf(error, vtkImageData::GetData(inputVector[0]),
+    vtkErrorMacro(<< limpid::MessageOf(error, vtkImageData::GetData(inputVector[0]),
                     limpid::MemoryNeed{ this->State->BytesPerPoint(), limpid::fewerPoints }));
     output->Initialize(); // no half-optimised field
     convergence->Initialize();

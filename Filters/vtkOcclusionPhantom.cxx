@@ -31,7 +31,7 @@ const limpid::MemoryNeed Need{ 3 * sizeof(float), "Set a smaller Resolution." };
 vtkSmartPointer<vtkFloatArray> NewField(const char* name, vtkIdType count)
 {
   vtkSmartPointer<vtkFloatArray> field = limpid::NewArray<vtkFloatArray>(name, count);
-  limpid::MarkAsOwn(field);
+  limpid::MarkAsGenerated(field);
   return field;
 }
 
@@ -107,7 +107,7 @@ int vtkOcclusionPhantom::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< limpid::WordsOf(error, output, Need));
+    vtkErrorMacro(<< limpid::MessageOf(error, output, Need));
     output->Initialize();
     return 1; // if 0, the executive would join this extent with that of the next request
   }

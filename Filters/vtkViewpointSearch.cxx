@@ -15,8 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "backend/Communicator.h"
 #include "backend/Interruption.h"
+#include "distributed/Communicator.h"
 
 #include <algorithm>
 #include <exception>
@@ -119,7 +119,7 @@ int vtkViewpointSearch::RequestUpdateExtent(
 {
   const int result = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   vtkInformation* requested = RequestedOf(request, outputVector);
-  if (limpid::AllAreAsked(requested) && this->State->IsLarge(inputVector))
+  if (limpid::AllRanksUpdate(requested) && this->State->IsLarge(inputVector))
   {
     SceneReader::RequestPiece(requested, inputVector);
   }
@@ -145,8 +145,8 @@ int vtkViewpointSearch::RequestData(
   {
     vtkInformation* requested = RequestedOf(request, outputVector);
     const bool isLaterPiece = requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
-    this->State->Ranks = limpid::AllAreAsked(requested) ? limpid::MakeRanks() : nullptr;
-    limpid::TellingRanks(
+    this->State->Ranks = limpid::AllRanksUpdate(requested) ? limpid::MakeRanks() : nullptr;
+    limpid::NotifyingOnFailure(
       this->State->Ranks.get(), [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
     return 1;
   }
@@ -160,7 +160,7 @@ int vtkViewpointSearch::RequestData(
     const limpid::MemoryNeed need{
       this->Field == OPTIMIZE_PER_VIEW ? 50.0 : Internals::BytesPerPoint, limpid::fewerPoints
     };
-    vtkErrorMacro(<< limpid::WordsOf(error, vtkImageData::GetData(inputVector[0]), need));
+    vtkErrorMacro(<< limpid::MessageOf(error, vtkImageData::GetData(inputVector[0]), need));
     clear();
     return 0;
   }

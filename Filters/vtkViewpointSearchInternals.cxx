@@ -105,7 +105,7 @@ bool vtkViewpointSearch::Internals::IsLarge(vtkInformationVector** inputVector) 
 }
 
 // Returns whether `here` is true; if all ranks do the same steps, whether it is true on any rank.
-bool vtkViewpointSearch::Internals::IsSaidByAny(bool here) const
+bool vtkViewpointSearch::Internals::IsTrueOnAnyRank(bool here) const
 {
   return limpid::AnyRank(this->SharesImage ? this->Ranks.get() : nullptr, here);
 }
@@ -322,13 +322,13 @@ void vtkViewpointSearch::Internals::ScoreAndFind(
   found.samples = this->ScoreTogether(found.sphere.directions,
     [&](const std::vector<limpid::Vec3>& directions)
     {
-      const bool isStopped = this->IsSaidByAny(!progress(0));
+      const bool isStopped = this->IsTrueOnAnyRank(!progress(0));
       return isStopped ? Unscored(directions) : score(directions, progress);
     });
   if (!this->Ranks || this->SharesImage || this->Ranks->Rank() == 0)
   {
     self->SetProgressText("Climbing to better views");
-    search.refine = !this->IsSaidByAny(report.IsStopped()) && search.refine;
+    search.refine = !this->IsTrueOnAnyRank(report.IsStopped()) && search.refine;
     found.search = find(search, report.Part(share, 1));
   }
   self->SetProgressText(nullptr);

@@ -57,7 +57,7 @@ struct vtkViewpointSearch::Internals
   template <class Score, class Find>
   void ScoreAndFind(const Score& score, const Find& find, limpid::FoundViews& found) const;
   limpid::ImageScene Read(vtkInformationVector** inputVector) const;
-  bool IsSaidByAny(bool here) const;
+  bool IsTrueOnAnyRank(bool here) const;
   static bool HasWholeImage(vtkInformationVector** inputVector);
   bool IsLarge(vtkInformationVector** inputVector) const;
 

@@ -66,7 +66,7 @@ bool Covers(const int extent[6], const int part[6])
   return covers;
 }
 
-std::string WordsOfExtent(const int extent[6])
+std::string FormatExtent(const int extent[6])
 {
   std::ostringstream words;
   words << extent[0] << ".." << extent[1] << " " << extent[2] << ".." << extent[3] << " "
@@ -100,7 +100,7 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   const int* extent = input->GetExtent();
   LIMPID_REQUIRE(!whole || Covers(extent, whole),
     (AreSeveralProcesses() ? "This process has only the extent " : "The input has only the extent ")
-      << WordsOfExtent(extent) << " of " << WordsOfExtent(whole)
+      << FormatExtent(extent) << " of " << FormatExtent(whole)
       << " (occluders in the rest would be missed, and filters after this one would read the rest "
          "from uninitialized memory). "
       << (AreSeveralProcesses()
@@ -198,11 +198,12 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
   ScalarRange& range = assumed.range = { none, none };
   if (extinctionSource != ARRAY && !this->HasOpacityFunction())
   {
-    limpid::Jointly(&ranks, [&] { range = empty ? range : this->RangeOfScalars(shared.image); });
+    limpid::RequireOnAllRanks(
+      &ranks, [&] { range = empty ? range : this->RangeOfScalars(shared.image); });
     limpid::JoinRange(ranks, range[0], range[1]);
   }
   this->AssumeShared(shared, WholeExtentOf(inputVector), assumed);
-  limpid::Jointly(&ranks,
+  limpid::RequireOnAllRanks(&ranks,
     [&]
     {
       scene.arrays = empty
@@ -210,8 +211,8 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
             limpid::NewArray<vtkFloatArray>("Importance", 0), 0, 0, 0 }
         : this->Convert(shared.image, extinctionSource, assumed, scene);
     });
-  shared.TakeOwners(scene.arrays.baseExtinction);
-  shared.TakeOwners(scene.arrays.importance);
+  shared.CopyFromOwners(scene.arrays.baseExtinction);
+  shared.CopyFromOwners(scene.arrays.importance);
   this->Warn(assumed, scene);
   return scene;
 }
@@ -225,7 +226,7 @@ void vtkVisibilityAlgorithm::SceneReader::AssumeShared(
   limpid::FieldSource scalars;
   bool isThere = false;
   bool assumes = false;
-  limpid::Jointly(&ranks,
+  limpid::RequireOnAllRanks(&ranks,
     [&]
     {
       if (!shared.piece->nodes.Empty())

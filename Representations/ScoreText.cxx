@@ -85,7 +85,7 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
 
 std::string MissedText(vtkTransmittanceVolumeMapper* mapper)
 {
-  const bool painted = mapper->GetShowMissed() && !mapper->DrawsWithOthers();
+  const bool painted = mapper->GetShowMissed() && !mapper->DrawsOnSeveralRanks();
   return painted ? "This color: removed or hidden" : "";
 }
 }

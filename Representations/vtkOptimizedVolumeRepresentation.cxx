@@ -202,7 +202,7 @@ void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned lo
   this->State->Mapper->HasDrawn = false;
   auto* renderer = static_cast<vtkRenderer*>(object);
   this->State->TellsName = HasSeveralOptimizedVolumes(renderer);
-  const bool needed = !this->State->Mapper->DrawsWithOthers() &&
+  const bool needed = !this->State->Mapper->DrawsOnSeveralRanks() &&
     vtkTransmittanceVolumeMapper::NeedsDepthPeeling(renderer);
   this->State->PeelsVolumes =
     this->GetVisibility() && renderer->GetUseDepthPeelingForVolumes() && !needed;

@@ -81,8 +81,9 @@ limpid::ScalarChoice WhatToShow(vtkInformation* chosen, const std::string& impor
 // Returns the processes that draw together; null: one process.
 vtkMultiProcessController* vtkOptimizedVolumeRepresentation::Others() const
 {
-  return this->State->Mapper->DrawsWithOthers() ? vtkMultiProcessController::GetGlobalController()
-                                                : nullptr;
+  return this->State->Mapper->DrawsOnSeveralRanks()
+    ? vtkMultiProcessController::GetGlobalController()
+    : nullptr;
 }
 
 limpid::SharedArray vtkOptimizedVolumeRepresentation::Shared(

@@ -230,11 +230,11 @@ void vtkSMOptimizedVolumeRepresentationProxy::TellSourceName(vtkObject*, unsigne
   vtkSMProxy* source = vtkSMPropertyHelper(this->GetParentProxy(), "Input").GetAsProxy();
   const char* registered = this->GetSessionProxyManager()->GetProxyName("sources", source);
   const std::string name = registered ? registered : "";
-  if (name == this->ToldName)
+  if (name == this->AnnouncedName)
   {
     return;
   }
-  this->ToldName = name;
+  this->AnnouncedName = name;
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetSourceName" << name
          << vtkClientServerStream::End;

@@ -83,7 +83,7 @@ private:
   bool FunctionIsOn = false;          // whether the suggestion switched the function on
   bool IsTaking = false;
   std::vector<double> Suggested; // points of the function as suggested
-  std::string ToldName;          // name of the source that the drawing process has
+  std::string AnnouncedName;     // name of the source that the drawing process has
   // Views that show it, with the tags of their observers.
   std::map<vtkSMProxy*, std::array<unsigned long, 2>> Views;
 };

@@ -95,7 +95,7 @@ std::string vtkScoreAnnotation::CurrentLegend()
 }
 
 // Returns the lower end of the annotations that were drawn before this one in this frame.
-double vtkScoreAnnotation::BottomOfOthers(vtkViewport* viewport)
+double vtkScoreAnnotation::LowestOtherAnnotation(vtkViewport* viewport)
 {
   double bottom = 1;
   vtkPropCollection* props = viewport->GetViewProps();
@@ -138,7 +138,7 @@ int vtkScoreAnnotation::DrawPlate(
 
 int vtkScoreAnnotation::RenderOverlay(vtkViewport* viewport)
 {
-  this->Bottom = this->BottomOfOthers(viewport);
+  this->Bottom = this->LowestOtherAnnotation(viewport);
   const int text = this->DrawPlate(viewport, this->CurrentText(), this->Actor);
   const int legend = this->DrawPlate(viewport, this->CurrentLegend(), this->Legend);
   return text + legend;

@@ -58,7 +58,7 @@ private:
 
   std::string CurrentText();
   std::string CurrentLegend();
-  double BottomOfOthers(vtkViewport* viewport);
+  double LowestOtherAnnotation(vtkViewport* viewport);
   int DrawPlate(vtkViewport* viewport, const std::string& text, vtkTextActor* actor);
 
   std::function<std::string()> TextSource;

@@ -78,7 +78,7 @@ std::array<double, 2> CleanImportance(const std::array<double, 2>& ramp, const S
   const Samples& values, const Samples& eighths)
 {
   const std::vector<double> samples(sorted.data(), sorted.data() + sorted.size());
-  std::vector<ValueAmongOthers> amongOthers(values.size());
+  std::vector<ValueWithNeighbours> amongOthers(values.size());
   for (std::size_t i = 0; i < amongOthers.size(); ++i)
   {
     amongOthers[i] = { values.data()[i], eighths.data()[i] };

@@ -11,7 +11,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 
 #include <algorithm>
 #include <atomic>

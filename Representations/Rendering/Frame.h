@@ -8,7 +8,7 @@
 
 #include "SceneLight.h"
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 #include "optimize/Solver.h"
 #include "render/Renderer.h"
 #include "scene/ViewSet.h"

@@ -8,7 +8,7 @@
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 #include "math/Require.h"
 
 #include <algorithm>

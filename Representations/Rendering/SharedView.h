@@ -9,7 +9,7 @@
 #include "SceneLight.h"
 #include "ViewGeometry.h"
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 
 namespace limpid
 {

@@ -10,7 +10,8 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 
-#include "sweep/RankRegions.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #ifndef limpid_SharedVolume_h
 #define limpid_SharedVolume_h
 
-#include "scene/ScenePiece.h"
+#include "distributed/ScenePiece.h"
 
 #include "vtkSmartPointer.h"
 

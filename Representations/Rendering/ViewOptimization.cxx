@@ -158,8 +158,9 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
   }
   else
   {
-    const auto set = frame.ranks && !this->Optimizer->ShowsPiece() ? &Renderer::SetExtinctionOfAll
-                                                                   : &Renderer::SetExtinction;
+    const auto set = frame.ranks && !this->Optimizer->ShowsPiece()
+      ? &Renderer::SetGatheredExtinction
+      : &Renderer::SetExtinction;
     (this->Pictures.*set)(grid, this->Optimizer->BaseExtinction(), this->Optimizer->Extinction(),
       share, separate ? this->Optimizer->LightExtinction() : nullptr);
   }

@@ -193,7 +193,7 @@ void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, 
 }
 
 // Returns the number of points of all processes; a point on several processes counts for each.
-vtkIdType VolumeData::CountOfAll(vtkIdType here) const
+vtkIdType VolumeData::SumOverRanks(vtkIdType here) const
 {
   std::int64_t count = here;
   if (this->Ranks)
@@ -278,8 +278,8 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   this->ScalarShares = Blanking(here).Shares(source.onCells);
   this->InvalidScalars = this->EmptyScalars(crop, this->Shares(), values->GetPointer(0));
   this->TakeExtinction(here, extinction, values->GetPointer(0));
-  this->InvalidScalars = this->CountOfAll(this->InvalidScalars);
-  this->NegativeExtinctions = this->CountOfAll(this->NegativeExtinctions);
+  this->InvalidScalars = this->SumOverRanks(this->InvalidScalars);
+  this->NegativeExtinctions = this->SumOverRanks(this->NegativeExtinctions);
   if (this->Shared)
   {
     values = this->Shared->Extended(values, Empty);
@@ -332,7 +332,7 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
   const bool isCut = !this->Crop.planes.empty();
   this->Arrays.allPoints = this->Whole().NodeCount();
   this->Arrays.invalidPoints = this->InvalidScalars +
-    this->CountOfAll(CountNodes(this->NodeGrid,
+    this->SumOverRanks(CountNodes(this->NodeGrid,
       [=, &shares](vtkIdType node, const Vec3& index)
       {
         const bool blanked = !shares.empty() && shares[std::size_t(node)] == 0;
@@ -342,7 +342,7 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
         importance[node] = empty || invalid ? 0.0F : importance[node];
         return invalid && this->Owns(index);
       }));
-  this->Arrays.clampedPoints = this->CountOfAll(CountNodes(this->NodeGrid,
+  this->Arrays.clampedPoints = this->SumOverRanks(CountNodes(this->NodeGrid,
     [=](vtkIdType node, const Vec3& index)
     {
       const float value = importance[node];

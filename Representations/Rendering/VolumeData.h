@@ -117,7 +117,7 @@ private:
   };
 
   bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
-  vtkIdType CountOfAll(vtkIdType here) const;
+  vtkIdType SumOverRanks(vtkIdType here) const;
   bool Owns(const Vec3& index) const;
   vtkImageData* Here(vtkImageData* image) const;
   static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);

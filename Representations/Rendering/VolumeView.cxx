@@ -69,7 +69,7 @@ void VolumeView::OnEvent(vtkObject* caller, unsigned long event, void* self, voi
   }
   else if (caller == view->Target)
   {
-    view->InFrame = Turn::NotYet;
+    view->InFrame = FrameStage::NotYet;
   }
   else if (view->IsHidden())
   {
@@ -154,7 +154,7 @@ void VolumeView::UseImportance(
       throw;
     }
     const Int3& points = data.Nodes().nodes;
-    messages.errors.push_back(WordsOf(error, &points[0], drawingNeed) +
+    messages.errors.push_back(MessageOf(error, &points[0], drawingNeed) +
       " Missed structures are not painted, and methods that need importance are replaced by "
       "ordinary rendering.");
   }
@@ -217,7 +217,7 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
     }
     const Int3& points = data.Nodes().nodes;
     messages.errors.push_back(
-      WordsOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
+      MessageOf(error, &points[0], drawingNeed) + " The volume is drawn without optimization.");
     this->Optimization.Stop();
   }
 }

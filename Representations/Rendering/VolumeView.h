@@ -81,13 +81,13 @@ public:
 
   /// State of the volume in the present frame of the renderer. Ahead: drawn before its turn, so
   /// that one in front of it could be drawn, or together with another one.
-  enum class Turn
+  enum class FrameStage
   {
     NotYet,
     Ahead,
     Over
   };
-  Turn InFrame = Turn::NotYet;
+  FrameStage InFrame = FrameStage::NotYet;
 
   /// If VTK peels the volume: the peeling, and the volumes that are drawn with it, from back to
   /// front.

@@ -265,7 +265,7 @@ void vtkTransmittanceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-bool vtkTransmittanceVolumeMapper::DrawsWithOthers() const
+bool vtkTransmittanceVolumeMapper::DrawsOnSeveralRanks() const
 {
   return this->State->IsShared();
 }

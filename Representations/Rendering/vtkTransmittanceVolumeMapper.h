@@ -410,7 +410,7 @@ public:
   vtkSetMacro(SharesImage, vtkTypeBool);
   vtkGetMacro(SharesImage, vtkTypeBool);
   vtkBooleanMacro(SharesImage, vtkTypeBool);
-  bool DrawsWithOthers() const; ///< SharesImage, and there are other processes
+  bool DrawsOnSeveralRanks() const; ///< SharesImage, and there are other processes
   vtkSetVector6Macro(WholeExtent, int);
   vtkGetVector6Macro(WholeExtent, int);
   ///@}

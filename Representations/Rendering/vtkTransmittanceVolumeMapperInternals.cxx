@@ -119,17 +119,17 @@ std::vector<vtkSmartPointer<vtkVolume>> VolumesOf(vtkRenderer* renderer)
 void vtkTransmittanceVolumeMapper::Internals::DrawWhatIsBehind(
   vtkRenderer* renderer, vtkVolume* volume)
 {
-  this->ForThoseBehind(renderer, volume,
+  this->ForVolumesBehind(renderer, volume,
     [renderer](vtkTransmittanceVolumeMapper* mapper, vtkVolume* other)
     {
       mapper->State->Render(renderer, other);
-      mapper->State->ViewOf(renderer, other).InFrame = limpid::VolumeView::Turn::Ahead;
+      mapper->State->ViewOf(renderer, other).InFrame = limpid::VolumeView::FrameStage::Ahead;
     });
 }
 
 // Calls action for the volumes with our mapper that a volume hides and that have not been drawn in
 // this frame yet.
-void vtkTransmittanceVolumeMapper::Internals::ForThoseBehind(vtkRenderer* renderer,
+void vtkTransmittanceVolumeMapper::Internals::ForVolumesBehind(vtkRenderer* renderer,
   vtkVolume* volume, const std::function<void(vtkTransmittanceVolumeMapper*, vtkVolume*)>& action)
 {
   const limpid::Box box = limpid::BoxOf(volume);
@@ -138,7 +138,7 @@ void vtkTransmittanceVolumeMapper::Internals::ForThoseBehind(vtkRenderer* render
     vtkTransmittanceVolumeMapper* mapper = MapperOf(other);
     if (mapper && other != volume &&
       limpid::OrderOf(box, limpid::BoxOf(other), renderer) == limpid::Order::SecondFirst &&
-      mapper->State->ViewOf(renderer, other).InFrame == limpid::VolumeView::Turn::NotYet)
+      mapper->State->ViewOf(renderer, other).InFrame == limpid::VolumeView::FrameStage::NotYet)
     {
       other->Update();
       action(mapper, other);
@@ -157,7 +157,7 @@ void vtkTransmittanceVolumeMapper::Internals::WhileDrawing(const Action& action)
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(this->Self, << this->WordsOf(error));
+    vtkErrorWithObjectMacro(this->Self, << this->MessageOf(error));
   }
   --this->Drawing;
   if (this->ReleaseAfter)
@@ -178,10 +178,10 @@ void vtkTransmittanceVolumeMapper::Internals::Render(vtkRenderer* renderer, vtkV
 
 void vtkTransmittanceVolumeMapper::Internals::RenderInTurn(vtkRenderer* renderer, vtkVolume* volume)
 {
-  using Turn = limpid::VolumeView::Turn;
+  using FrameStage = limpid::VolumeView::FrameStage;
   limpid::VolumeView& view = this->ViewOf(renderer, volume);
-  const bool ahead = view.InFrame == Turn::Ahead;
-  view.InFrame = Turn::Over;
+  const bool ahead = view.InFrame == FrameStage::Ahead;
+  view.InFrame = FrameStage::Over;
   if (ahead)
   {
     return;
@@ -194,14 +194,14 @@ void vtkTransmittanceVolumeMapper::Internals::RenderInTurn(vtkRenderer* renderer
 // volumes. The first volume that it visits draws the others as well.
 void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer, vtkVolume* volume)
 {
-  using Turn = limpid::VolumeView::Turn;
+  using FrameStage = limpid::VolumeView::FrameStage;
   const vtkSmartPointer<vtkVolume> alive = volume; // an observer may remove it from the renderer
   limpid::VolumeView& view = this->ViewOf(renderer, volume);
-  if (view.InFrame == Turn::Ahead)
+  if (view.InFrame == FrameStage::Ahead)
   {
     return;
   }
-  const bool outermost = view.InFrame == Turn::NotYet;
+  const bool outermost = view.InFrame == FrameStage::NotYet;
   if (outermost)
   {
     view.Peeled.clear();
@@ -213,7 +213,7 @@ void vtkTransmittanceVolumeMapper::Internals::RenderParts(vtkRenderer* renderer,
         mapper->State->PrepareFromBack(renderer, other, view);
       }
     }
-    view.InFrame = Turn::Over;
+    view.InFrame = FrameStage::Over;
   }
   limpid::RayParts parts = view.Peeling.Ask(renderer, volume, this->Self);
   parts.outermost = outermost;
@@ -238,12 +238,12 @@ void vtkTransmittanceVolumeMapper::Internals::PrepareFromBack(
   vtkRenderer* renderer, vtkVolume* volume, limpid::VolumeView& leader)
 {
   limpid::VolumeView& view = this->ViewOf(renderer, volume);
-  if (view.InFrame != limpid::VolumeView::Turn::NotYet)
+  if (view.InFrame != limpid::VolumeView::FrameStage::NotYet)
   {
     return;
   }
-  view.InFrame = limpid::VolumeView::Turn::Ahead;
-  this->ForThoseBehind(renderer, volume,
+  view.InFrame = limpid::VolumeView::FrameStage::Ahead;
+  this->ForVolumesBehind(renderer, volume,
     [&](vtkTransmittanceVolumeMapper* mapper, vtkVolume* other)
     { mapper->State->PrepareFromBack(renderer, other, leader); });
   this->WhileDrawing([&]() { this->DrawFrame(view, renderer, volume, true); });
@@ -261,7 +261,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   this->UpdateRanks();
   try
   {
-    limpid::TellingRanks(this->Ranks.get(),
+    limpid::NotifyingOnFailure(this->Ranks.get(),
       [&]()
       {
         this->Draw(view, renderer, volume, inParts);
@@ -270,7 +270,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   }
   catch (const std::exception& error)
   {
-    this->Error(this->WordsOf(error));
+    this->Error(this->MessageOf(error));
     this->Last = limpid::FrameResult();
     this->Disband();
   }
@@ -381,7 +381,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   }
   catch (const std::exception& error)
   {
-    trouble = this->WordsOf(error);
+    trouble = this->MessageOf(error);
   }
   if (this->AnyRank(!trouble.empty()))
   {
@@ -441,9 +441,9 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   }
 }
 
-std::string vtkTransmittanceVolumeMapper::Internals::WordsOf(const std::exception& error) const
+std::string vtkTransmittanceVolumeMapper::Internals::MessageOf(const std::exception& error) const
 {
-  return limpid::WordsOf(
+  return limpid::MessageOf(
     error, vtkImageData::SafeDownCast(this->Self->GetDataObjectInput()), limpid::drawingNeed);
 }
 
@@ -465,7 +465,7 @@ void vtkTransmittanceVolumeMapper::Internals::RenderSelection(
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(this->Self, << this->WordsOf(error));
+    vtkErrorWithObjectMacro(this->Self, << this->MessageOf(error));
   }
   selector->EndRenderProp();
 }

@@ -57,7 +57,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);
   void DrawWhatIsBehind(vtkRenderer* renderer, vtkVolume* volume);
   void PrepareFromBack(vtkRenderer* renderer, vtkVolume* volume, limpid::VolumeView& leader);
-  void ForThoseBehind(vtkRenderer* renderer, vtkVolume* volume,
+  void ForVolumesBehind(vtkRenderer* renderer, vtkVolume* volume,
     const std::function<void(vtkTransmittanceVolumeMapper*, vtkVolume*)>& action);
   void DrawFrame(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts);
   void Draw(limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts);
@@ -81,15 +81,15 @@ struct vtkTransmittanceVolumeMapper::Internals
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequirePossibleNumbers() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
-  void LeaveToOneProcess(limpid::FrameSettings& frame);
+  void DropUnsupportedOnRanks(limpid::FrameSettings& frame);
   void LeaveWhatIsNotShared(limpid::FrameSettings& frame);
   limpid::Lighting MakeLighting() const;
 
   // Messages about properties that could not be drawn as requested.
-  bool Speaks() const;
+  bool ReportsMessages() const;
   void Warn(const std::string& text);
   void Error(const std::string& text);
-  std::string WordsOf(const std::exception& error) const;
+  std::string MessageOf(const std::exception& error) const;
   void ReportIgnored(vtkVolume* volume);
   void ReportNumbers(vtkVolumeProperty* property);
   void ReportNeighbours(vtkRenderer* renderer, vtkVolume* volume, bool inParts);

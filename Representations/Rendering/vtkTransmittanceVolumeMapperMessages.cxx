@@ -63,7 +63,7 @@ bool IsTranslucentInFront(vtkProp* prop, const limpid::Box& box, vtkRenderer* re
 }
 
 // If processes draw together, only rank 0 reports warnings.
-bool vtkTransmittanceVolumeMapper::Internals::Speaks() const
+bool vtkTransmittanceVolumeMapper::Internals::ReportsMessages() const
 {
   return !this->Ranks || this->Ranks->Rank() == 0;
 }
@@ -71,7 +71,7 @@ bool vtkTransmittanceVolumeMapper::Internals::Speaks() const
 void vtkTransmittanceVolumeMapper::Internals::Warn(const std::string& text)
 {
   this->Messages += text + "\n";
-  if (this->Log.IsNew(text) && this->Speaks())
+  if (this->Log.IsNew(text) && this->ReportsMessages())
   {
     vtkWarningWithObjectMacro(this->Self, << text);
   }
@@ -83,7 +83,7 @@ void vtkTransmittanceVolumeMapper::Internals::Error(const std::string& text)
 {
   this->Messages += text + "\n";
   if (this->Log.IsNew(limpid::WithoutNumbers(text) + std::to_string(this->Self->GetMTime())) &&
-    this->Speaks())
+    this->ReportsMessages())
   {
     vtkErrorWithObjectMacro(this->Self, << text);
   }

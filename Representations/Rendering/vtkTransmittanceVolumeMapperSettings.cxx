@@ -302,7 +302,7 @@ limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
 }
 
 // Switches off what needs the whole volume if each process draws its piece by itself.
-void vtkTransmittanceVolumeMapper::Internals::LeaveToOneProcess(limpid::FrameSettings& frame)
+void vtkTransmittanceVolumeMapper::Internals::DropUnsupportedOnRanks(limpid::FrameSettings& frame)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() < 2 || this->Ranks)
@@ -393,7 +393,7 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.easeTime = self->EaseTime;
   frame.stepwise = self->ProgressiveStill != 0;
 
-  this->LeaveToOneProcess(frame);
+  this->DropUnsupportedOnRanks(frame);
   this->LeaveWhatIsNotShared(frame);
   return frame;
 }

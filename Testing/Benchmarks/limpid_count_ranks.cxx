@@ -12,8 +12,8 @@
 
 #include "optimize/PreparedScene.h"
 #include "optimize/Solver.h"
+#include "sweep/BandDecomposition.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/RankBands.h"
 
 #include <nlohmann/json.hpp>
 
@@ -89,7 +89,7 @@ double UnevennessOf(const ProblemInOrder& scene, const RaySource& source, int ra
   for (const PlannedFrustum& frustum :
     PlanSweep(scene.problem.grid, scene.occupancy, source, { scene.problem.settings.rayDensity }))
   {
-    const RankBands bands(frustum, silent);
+    const BandDecomposition bands(frustum, silent);
     for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
     {
       const std::vector<Index> work = WorkOfRows(frustum, s);

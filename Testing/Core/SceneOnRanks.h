@@ -9,7 +9,7 @@
 #include "ThreadRanks.h"
 
 #include "optimize/Solver.h"
-#include "sweep/RankRegions.h"
+#include "scene/FieldView.h"
 
 #include <gtest/gtest.h>
 

@@ -35,7 +35,7 @@ double WorkPerNode(const BoxScene& scene, const RaySource& eye)
   const Occupancy filled(scene.grid, scene.extinction.data(), scene.importance.data(), true);
   double work = 0;
   for (const PlannedFrustum& frustum :
-    PlanSweep(scene.grid, filled, eye, { 1, Placement::ForIntegrals }))
+    PlanSweep(scene.grid, filled, eye, { 1, RayPlacement::ForIntegrals }))
   {
     work += double(frustum.columns) * frustum.rows * (frustum.lastSlice + 1);
   }
@@ -122,7 +122,7 @@ TEST(LongImages, TakeFewRaysFromNearby)
       SCOPED_TRACE(::testing::Message() << axis << ' ' << from.x << ' ' << from.y);
       double rays = 0;
       for (const PlannedFrustum& frustum : PlanSweep(scene.grid, filled,
-             PointAt(scene.grid.Centre() + Turned(from, axis)), { 1, Placement::ForIntegrals }))
+             PointAt(scene.grid.Centre() + Turned(from, axis)), { 1, RayPlacement::ForIntegrals }))
       {
         rays += double(frustum.RayCount());
       }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "sweep/Occupancy.h"
+#include "scene/Occupancy.h"
 
 #include <gtest/gtest.h>
 

@@ -157,7 +157,7 @@ void MakeMovie(Renderer& renderer, const Drawn& drawn, const Drawn& all, const L
     {
       extinction[node] *= 0.3f;
     }
-    renderer.SetExtinctionOfAll(grid, base.data(), extinction.data(), share);
+    renderer.SetGatheredExtinction(grid, base.data(), extinction.data(), share);
     renderer.SetShadowCoarseness(2);
     shoot();
   };

@@ -59,7 +59,7 @@ struct Viewing
   const char* name;
   RaySource eye;
   double rayDensity = 1;
-  Placement placement = Placement::ForIntegrals;
+  RayPlacement placement = RayPlacement::ForIntegrals;
 };
 
 std::ostream& operator<<(std::ostream& stream, const Viewing& viewing)
@@ -75,12 +75,12 @@ const Viewing viewings[] = {
   { "InFrontOfAFace", PointAt(Vec3(9.3, 8.1, -0.3)), 2.3 },
   { "OnAFace", PointAt(Vec3(0, 8.1, 11)) },
   { "Inside", PointAt(Vec3(9.3, 11.9, 14.2)), 1.7 },
-  { "OnAVoxel", PointAt(Vec3(9, 11, 14)), 1, Placement::ForNodes },
+  { "OnAVoxel", PointAt(Vec3(9, 11, 14)), 1, RayPlacement::ForNodes },
   { "FarAway", PointAt(Vec3(3e7, 2e7, -4e7)) },
   { "FewRays", PointAt(Vec3(-30, 60, 13)), 0.2 },
   { "Parallel", Parallel(Vec3(0.4, -0.3, 0.9)) },
-  { "ParallelAlongTheAxis", Parallel(Vec3(0, 1, 0)), 1, Placement::ForNodes },
-  { "ParallelAlongTheDiagonal", Parallel(Vec3(-1, 1, -1)), 3, Placement::ForNodes },
+  { "ParallelAlongTheAxis", Parallel(Vec3(0, 1, 0)), 1, RayPlacement::ForNodes },
+  { "ParallelAlongTheDiagonal", Parallel(Vec3(-1, 1, -1)), 3, RayPlacement::ForNodes },
 };
 
 class PlanOf : public ::testing::TestWithParam<Viewing>

@@ -8,9 +8,9 @@
 #include "SilentRanks.h"
 
 #include "optimize/PreparedScene.h"
+#include "scene/FieldView.h"
+#include "sweep/BandDecomposition.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/RankBands.h"
-#include "sweep/RankRegions.h"
 
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ protected:
       for (const PlannedFrustum& frustum :
         PlanSweep(problem.grid, *problem.occupancy, source, PlanSettings{}))
       {
-        what(frustum, RankBands(frustum, this->Ranks), *problem.occupancy);
+        what(frustum, BandDecomposition(frustum, this->Ranks), *problem.occupancy);
       }
     }
   }
@@ -111,7 +111,7 @@ protected:
 TEST_P(BandsOfRanks, HaveEveryRowAndEveryVoxelOnce)
 {
   this->ForFrusta(
-    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
+    [this](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy&)
     {
       for (int s = 0; s <= frustum.lastSlice; ++s)
       {
@@ -141,7 +141,7 @@ TEST_P(BandsOfRanks, HaveEveryRowAndEveryVoxelOnce)
 TEST_P(BandsOfRanks, AreEvenAtTheLeastCost)
 {
   this->ForFrusta(
-    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy&)
+    [this](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy&)
     {
       const int ranks = this->Ranks.Size();
       for (int border = 1; border < ranks; ++border)
@@ -170,14 +170,14 @@ TEST_P(BandsOfRanks, AreEvenAtTheLeastCost)
 TEST_P(BandsOfRanks, NeedLittleMoreThanTheirShareOfTheFields)
 {
   this->ForFrusta(
-    [this](const FaceFrustum& frustum, const RankBands& bands, const Occupancy& occupancy)
+    [this](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy& occupancy)
     {
       Index most = 0;
       Index changed = 0;
       for (int rank = 0; rank < this->Ranks.Size(); ++rank)
       {
-        most = std::max(most, FilledIn(RegionNeeded(frustum, bands, rank), occupancy));
-        changed += FilledIn(RegionChanged(frustum, bands, rank), occupancy);
+        most = std::max(most, FilledIn(NeededRegion(frustum, bands, rank), occupancy));
+        changed += FilledIn(OwnedRegion(frustum, bands, rank), occupancy);
       }
       // On every slice, rays and voxels of neighbours read up to two rows on either side of a band,
       // and filled voxels need not be distributed like the rays that matter.
@@ -194,12 +194,12 @@ TEST_P(BandsOfRanks, NeedTogetherNoMoreThanIfTheyWereDividedAtRandom)
   Index halos = 0;
   int frusta = 0;
   this->ForFrusta(
-    [&](const FaceFrustum& frustum, const RankBands& bands, const Occupancy& occupancy)
+    [&](const FaceFrustum& frustum, const BandDecomposition& bands, const Occupancy& occupancy)
     {
       needed.resize(std::size_t(ranks), std::vector<char>(std::size_t(this->Nodes()), 0));
       for (int rank = 0; rank < ranks; ++rank)
       {
-        for (const NodeBox& box : RegionNeeded(frustum, bands, rank))
+        for (const NodeBox& box : NeededRegion(frustum, bands, rank))
         {
           this->Mark(box, occupancy, needed[std::size_t(rank)]);
         }

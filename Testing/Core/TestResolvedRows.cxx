@@ -43,7 +43,7 @@ struct RecordTogether
   FoundByColumn* found;
   float behind;
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   void operator()(const RayInLayer<passage>&, Index) const
   {
   }
@@ -61,7 +61,7 @@ struct RecordAlone
   FoundByColumn* found;
   float behind;
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   void operator()(const RayInLayer<passage>&, Index) const
   {
   }

@@ -47,7 +47,8 @@ struct SlicedScene
     RaySource eye;
     eye.origin = { eyeX, 28, 11 };
     this->frusta = PlanSweep(this->grid, this->MakeOccupancy(), eye,
-      { 1, Placement::ForIntegrals, nullptr, Readers::RaysAndVoxels, { { true, false, false } } });
+      { 1, RayPlacement::ForIntegrals, nullptr, Readers::RaysAndVoxels,
+        { { true, false, false } } });
   }
 
   Occupancy MakeOccupancy() const

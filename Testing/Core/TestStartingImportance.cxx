@@ -21,8 +21,8 @@ using limpid::CleanRamp;
 using limpid::ImportanceRamp;
 using limpid::mostSpecks;
 using limpid::RampOf;
-using limpid::SpecksOf;
-using limpid::ValueAmongOthers;
+using limpid::SpeckShare;
+using limpid::ValueWithNeighbours;
 
 /// Values of size^3 nodes.
 struct Image
@@ -42,9 +42,9 @@ struct Image
     return sorted;
   }
 
-  std::vector<ValueAmongOthers> Above(double least) const
+  std::vector<ValueWithNeighbours> Above(double least) const
   {
-    std::vector<ValueAmongOthers> above;
+    std::vector<ValueWithNeighbours> above;
     const auto valueAt = [this](int i, int j, int k)
     { return this->values[static_cast<std::size_t>((k * this->size + j) * this->size + i)]; };
     for (int node = 0; node < this->size * this->size * this->size; ++node)
@@ -120,7 +120,7 @@ TEST(StartingImportance, OfCleanValuesStaysWhatItIs)
   const ImportanceRamp first = RampOf(image.Sorted(), {});
   const ImportanceRamp ramp = CleanRamp(first, image.Sorted(), image.Above(first.begin));
 
-  EXPECT_LT(SpecksOf(first, image.Above(first.begin)), mostSpecks);
+  EXPECT_LT(SpeckShare(first, image.Above(first.begin)), mostSpecks);
   EXPECT_EQ(ramp.begin, first.begin);
   EXPECT_EQ(ramp.end, first.end);
 }
@@ -133,11 +133,11 @@ TEST(StartingImportance, MovesUpOutOfTheNoise)
     const Image image = Ball(noise);
 
     const ImportanceRamp first = RampOf(image.Sorted(), {});
-    const std::vector<ValueAmongOthers> above = image.Above(first.begin);
+    const std::vector<ValueWithNeighbours> above = image.Above(first.begin);
     const ImportanceRamp ramp = CleanRamp(first, image.Sorted(), above);
 
-    EXPECT_GT(SpecksOf(first, above), mostSpecks) << noise;
-    EXPECT_LT(SpecksOf(ramp, above), mostSpecks) << noise;
+    EXPECT_GT(SpeckShare(first, above), mostSpecks) << noise;
+    EXPECT_LT(SpeckShare(ramp, above), mostSpecks) << noise;
     EXPECT_GT(ramp.begin, first.begin) << noise;
     EXPECT_LT(ramp.end, 1 + 3 * noise) << "the ball is still important";
   }
@@ -148,10 +148,10 @@ TEST(StartingImportance, OfNothingButNoiseIsTheLeastNoisyOne)
   const Image image = Ball(10.0);
 
   const ImportanceRamp first = RampOf(image.Sorted(), {});
-  const std::vector<ValueAmongOthers> above = image.Above(first.begin);
+  const std::vector<ValueWithNeighbours> above = image.Above(first.begin);
   const ImportanceRamp ramp = CleanRamp(first, image.Sorted(), above);
 
-  EXPECT_LE(SpecksOf(ramp, above), SpecksOf(first, above));
+  EXPECT_LE(SpeckShare(ramp, above), SpeckShare(first, above));
   EXPECT_TRUE(ramp.IsKnown());
 }
 
@@ -160,12 +160,12 @@ TEST(StartingImportance, KnowsSpecksAsTheMedianDoes)
   // One node alone, a wall, and what the border stands for.
   Image image{ 5, std::vector<double>(125, 0.0) };
   image.At(2, 2, 2) = 1;
-  EXPECT_EQ(SpecksOf({ 0, 1, {} }, image.Above(0)), 1);
+  EXPECT_EQ(SpeckShare({ 0, 1, {} }, image.Above(0)), 1);
   for (int number = 0; number < 25; ++number)
   {
     image.At(0, number % 5, number / 5) = 1;
   }
-  EXPECT_NEAR(SpecksOf({ 0, 1, {} }, image.Above(0)), 1.0 / 26, 1e-12);
+  EXPECT_NEAR(SpeckShare({ 0, 1, {} }, image.Above(0)), 1.0 / 26, 1e-12);
 }
 
 TEST(StartingImportance, TakesNeighboursThatAreNoNumbersForEmpty)

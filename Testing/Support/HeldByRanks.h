@@ -8,8 +8,8 @@
 
 #include "ThreadRanks.h"
 
+#include "optimize/FieldDistribution.h"
 #include "optimize/Permuted.h"
-#include "optimize/TermsOnRanks.h"
 
 #include <algorithm>
 #include <mutex>
@@ -53,11 +53,11 @@ inline Index MostNodesHeld(const ProblemInOrder& scene, int ranks)
       const auto raysOf = [&](const RaySource& source)
       {
         return PlanRays(HostDevice::Shared(), problem.grid, scene.occupancy, source,
-          { problem.settings.rayDensity, Placement::ForIntegrals, all.get() });
+          { problem.settings.rayDensity, RayPlacement::ForIntegrals, all.get() });
       };
-      TermsOnRanks::Frusta camera = raysOf(problem.camera);
-      TermsOnRanks::Frusta light = raysOf(problem.light);
-      const TermsOnRanks terms(*all, problem.grid.nodes,
+      FieldDistribution::Frusta camera = raysOf(problem.camera);
+      FieldDistribution::Frusta light = raysOf(problem.light);
+      const FieldDistribution terms(*all, problem.grid.nodes,
         { { &camera, &problem.camera }, { &light, &problem.light } }, scene.occupancy, false,
         FieldPlaces::Chosen);
       const std::lock_guard<std::mutex> lock(access);

@@ -4,7 +4,7 @@
 #ifndef limpid_testing_SilentRanks_h
 #define limpid_testing_SilentRanks_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 
 #include <string>
 #include <vector>

@@ -6,8 +6,8 @@
 #ifndef limpid_testing_ThreadRanks_h
 #define limpid_testing_ThreadRanks_h
 
-#include "backend/Communicator.h"
 #include "backend/Interruption.h"
+#include "distributed/Communicator.h"
 
 #include <condition_variable>
 #include <cstring>

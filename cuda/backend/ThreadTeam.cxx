@@ -20,7 +20,7 @@ namespace limpid
 namespace
 {
 /// Waits for a moment; after many calls it yields the processor.
-class Patience
+class StallLimit
 {
 public:
   void Wait()
@@ -112,7 +112,7 @@ public:
     }
     this->Loops.fetch_add(1, std::memory_order_release);
     this->Work(0);
-    Patience patience;
+    StallLimit patience;
     while (this->Finished.load(std::memory_order_acquire) < count)
     {
       patience.Wait();
@@ -147,7 +147,7 @@ private:
     }
     working = true;
     std::uint64_t seen = 0;
-    Patience patience;
+    StallLimit patience;
     while (!this->Over.load(std::memory_order_relaxed))
     {
       const std::uint64_t loops = this->Loops.load(std::memory_order_acquire);

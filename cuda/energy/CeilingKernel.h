@@ -107,7 +107,7 @@ struct CeilingStep
   MostExtinction<float> most;
 
   /// RayInLayer::extinction is the base extinction, RayInLayer::kept the lower bound.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
     this->Through(here, 1, i);
@@ -160,7 +160,7 @@ private:
     return { piece.keptShare * piece.opticalDepth, piece.keptTilt };
   }
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE void Through(const RayInLayer<passage>& here, int half, Index i) const
   {
     const float base = here.extinction[half];
@@ -180,11 +180,11 @@ private:
   }
 
   /// The part of a half inside the box, with another extinction [1/length].
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE static HalfLayer<float> HalfOf(
     const RayInLayer<passage>& here, int half, float extinction)
   {
-    return passage == Passage::Through
+    return passage == LayerCrossing::Through
       ? WholeHalf<float>(
           here.layer, RangeOfHalf(half), here.length, extinction, here.importance[half])
       : CutHalf<Cut::Both>(
@@ -193,7 +193,7 @@ private:
 
   /// Returns the ceiling in front of a half whose extinction is in `bounds` [1/length]. `most`:
   /// the half at the upper bound.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE static float Best(const RayInLayer<passage>& here, int half,
     const Range<float>& bounds, const HalfLayer<float>& most, float behind)
   {
@@ -213,7 +213,7 @@ private:
   ///
   /// The error of the maximum is of second order in that. For large x, where the maximum is flat,
   /// the upper bound is used.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE static float TurningPoint(
     const RayInLayer<passage>& here, int half, float behind)
   {

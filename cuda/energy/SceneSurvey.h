@@ -6,7 +6,7 @@
 
 #include "scene/Grid.h"
 #include "scene/NodeValues.h"
-#include "sweep/Occupancy.h"
+#include "scene/Occupancy.h"
 
 #include <memory>
 

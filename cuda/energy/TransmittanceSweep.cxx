@@ -26,8 +26,8 @@ TransmittanceSweep<AnyDevice>::TransmittanceSweep(std::shared_ptr<AnyDevice> dev
   const Communicator* ranks)
   : Device(std::move(device))
   , Nodes(grid.NodeCount())
-  , Rays(
-      PlanRays(this->Device, grid, occupancy, source, { rayDensity, Placement::ForNodes, ranks }))
+  , Rays(PlanRays(
+      this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForNodes, ranks }))
 {
 }
 

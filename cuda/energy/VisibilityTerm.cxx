@@ -18,7 +18,7 @@ VisibilityTerm<AnyDevice>::VisibilityTerm(std::shared_ptr<AnyDevice> device, con
   : Device(std::move(device))
   , Filled(&occupancy)
   , Rays(PlanRays(
-      this->Device, grid, occupancy, source, { rayDensity, Placement::ForIntegrals, ranks }))
+      this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForIntegrals, ranks }))
   , Fine(fine)
   , Add(this->Device)
 {

@@ -6,8 +6,8 @@
 
 #include "methods/Method.h"
 #include "scene/Grid.h"
+#include "scene/Occupancy.h"
 #include "scene/RaySource.h"
-#include "sweep/Occupancy.h"
 #include "sweep/SumRays.h"
 
 #include <memory>

@@ -5,8 +5,8 @@
 
 #include "backend/Backend.h"
 #include "backend/LargePages.h"
+#include "distributed/DistributedFields.h"
 #include "optimize/CoarseProblem.h"
-#include "optimize/FieldsOfRanks.h"
 #include "optimize/Levels.h"
 
 #include <numeric>
@@ -108,10 +108,10 @@ public:
       this->Smoother->BestToPiece(piece);
       return;
     }
-    const FieldsOfRanks& fields = *this->Given.shared;
+    const DistributedFields& fields = *this->Given.shared;
     const Slab own = this->Given.OwnSlab();
     Spread(*fields.ranks, FieldView::Part(const_cast<float*>(this->Best().data()), own.Box()),
-      RegionsOf(SlabsOf(*fields.ranks, own.nodes)), piece, fields.wanted,
+      RegionsOf(EvenSlabs(*fields.ranks, own.nodes)), piece, fields.wanted,
       this->Given.occupancy.get());
   }
 

@@ -60,7 +60,7 @@ std::vector<float> Applied(const SceneFields& scene, float majorant, const Carri
   {
     return {};
   }
-  Jointly(ranks,
+  RequireOnAllRanks(ranks,
     [&]
     {
       LIMPID_REQUIRE(Index(ofBase.size()) == change.ValueCount(),
@@ -129,7 +129,7 @@ CarriedChange ForAllRanks(CarriedChange change, const Grid& grid)
   {
     if (piece.ranks->AnyOf(!values->empty()))
     {
-      *values = ResampledForAll(
+      *values = GatheredResampling(
         *piece.ranks, change.grid, FieldView::Part(values->data(), piece.nodes), piece.owned, grid);
     }
   }

@@ -4,10 +4,10 @@
 #ifndef limpid_optimize_CarriedChange_h
 #define limpid_optimize_CarriedChange_h
 
+#include "distributed/ScenePiece.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
 
 #include <memory>
 #include <vector>

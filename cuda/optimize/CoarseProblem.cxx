@@ -4,9 +4,10 @@
 #include "optimize/CoarseProblem.h"
 
 #include "backend/Backend.h"
+#include "distributed/DistributedFields.h"
+#include "distributed/OccupancyOnRanks.h"
 #include "energy/NodeImportance.h"
 #include "optimize/ExtinctionBounds.h"
-#include "optimize/FieldsOfRanks.h"
 #include "optimize/Levels.h"
 #include "optimize/Neighbourhood.h"
 
@@ -41,7 +42,7 @@ std::vector<float> MovedTo(
   const Communicator& ranks = *problem.shared->ranks;
   return ResampledBox(ranks, from,
     FieldView::Part(const_cast<float*>(field), OwnSlab(ranks, from.nodes).Box()),
-    SlabsOf(ranks, from.nodes), to, SlabsOf(ranks, to.nodes));
+    EvenSlabs(ranks, from.nodes), to, EvenSlabs(ranks, to.nodes));
 }
 
 CoarseProblem::CoarseProblem(const Problem& given, int factor)
@@ -120,7 +121,7 @@ void CoarseProblem::ShareFields()
   Problem& problem = this->Coarse;
   const std::shared_ptr<const Communicator> ranks = problem.shared->ranks;
   const bool staysNear = problem.previous != nullptr;
-  const std::vector<NodeBox> slabs = SlabsOf(*ranks, problem.grid.nodes);
+  const std::vector<NodeBox> slabs = EvenSlabs(*ranks, problem.grid.nodes);
   const NodeBox own = slabs[std::size_t(ranks->Rank())];
   const Neighbourhood around(*ranks, problem.grid, slabs, slabs);
   const NodeValues bases = around.Extended(this->Base.data());
@@ -130,10 +131,10 @@ void CoarseProblem::ShareFields()
   this->NodeImportance.assign(nodeImportance.Data(), nodeImportance.Data() + own.Count());
   const auto fieldOf = [&](std::vector<float>& values)
   {
-    return FieldsOfRanks::Field{ FieldView::Part(values.data(), own),
+    return DistributedFields::Field{ FieldView::Part(values.data(), own),
       NodeValues(problem.grid.NodeCount()) };
   };
-  const auto fields = std::make_shared<FieldsOfRanks>();
+  const auto fields = std::make_shared<DistributedFields>();
   fields->ranks = ranks;
   fields->pieces = RegionsOf(slabs);
   fields->inSlabs = true;
@@ -146,7 +147,7 @@ void CoarseProblem::ShareFields()
     fields->previous = fieldOf(this->Previous);
   }
   problem.Use(fields);
-  problem.occupancy = std::make_shared<const Occupancy>(*ranks, problem.grid, own,
-    this->Base.data(), this->NodeImportance.data(), problem.settings.skipUnneeded);
+  problem.occupancy = std::make_shared<const Occupancy>(OccupancyOnRanks(*ranks, problem.grid, own,
+    fields->base.piece, fields->nodeImportance.piece, problem.settings.skipUnneeded));
 }
 }

@@ -19,12 +19,12 @@ public:
 
   explicit DescentProgress(const Problem& problem)
     : LeastGain(leastGain * problem.settings.tolerance)
-    , Patience(problem.IsSmall() ? 6 : 3)
+    , StallLimit(problem.IsSmall() ? 6 : 3)
   {
   }
 
   /// Resets before the first step.
-  void Begin() { *this = DescentProgress(this->LeastGain, this->Patience); }
+  void Begin() { *this = DescentProgress(this->LeastGain, this->StallLimit); }
 
   /// Records a step from one energy to another.
   void Step(double from, double to)
@@ -42,17 +42,17 @@ public:
   double Lowest() const { return this->Least; }
 
   /// Whether the last steps gained next to nothing.
-  bool HasStalled() const { return this->StepsWithoutGain >= this->Patience; }
+  bool HasStalled() const { return this->StepsWithoutGain >= this->StallLimit; }
 
 private:
   DescentProgress(double gain, int patience)
     : LeastGain(gain)
-    , Patience(patience)
+    , StallLimit(patience)
   {
   }
 
   double LeastGain; ///< smallest gain that counts, as a fraction of the energy
-  int Patience;     ///< number of steps without gain that are allowed
+  int StallLimit;   ///< number of steps without gain that are allowed
   int Made = 0;
   int StepsWithoutGain = 0; ///< since the last step with a gain
   double Least = 0;

@@ -4,8 +4,8 @@
 #ifndef limpid_optimize_Differences_h
 #define limpid_optimize_Differences_h
 
-#include "backend/Communicator.h"
-#include "scene/Slab.h"
+#include "distributed/Communicator.h"
+#include "distributed/Slab.h"
 
 #include <functional>
 

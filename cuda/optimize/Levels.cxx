@@ -4,8 +4,9 @@
 #include "optimize/Levels.h"
 
 #include "backend/HostDevice.h"
+#include "distributed/ExchangePlan.h"
+#include "distributed/Slab.h"
 #include "optimize/AxisFilter.h"
-#include "scene/Slab.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,10 +169,10 @@ std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, con
   return Resampled(filter, values.data(), wanted[own]);
 }
 
-std::vector<float> ResampledForAll(const Communicator& ranks, const Grid& from,
+std::vector<float> GatheredResampling(const Communicator& ranks, const Grid& from,
   const FieldView& field, const std::vector<NodeBox>& had, const Grid& to)
 {
-  const std::vector<NodeBox> slabs = SlabsOf(ranks, to.nodes);
+  const std::vector<NodeBox> slabs = EvenSlabs(ranks, to.nodes);
   std::vector<float> own = ResampledBox(ranks, from, field, had, to, slabs);
   std::vector<float> all(std::size_t(to.NodeCount()));
   Spread(ranks, FieldView::Part(own.data(), slabs[std::size_t(ranks.Rank())]), RegionsOf(slabs),

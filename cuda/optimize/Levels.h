@@ -4,8 +4,9 @@
 #ifndef limpid_optimize_Levels_h
 #define limpid_optimize_Levels_h
 
+#include "distributed/Communicator.h"
+#include "scene/FieldView.h"
 #include "scene/Grid.h"
-#include "sweep/RankRegions.h"
 
 #include <vector>
 
@@ -25,7 +26,7 @@ std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, con
   const std::vector<NodeBox>& had, const Grid& to, const std::vector<NodeBox>& wanted);
 
 /// Resamples a distributed field to all nodes of the other grid, on every rank.
-std::vector<float> ResampledForAll(const Communicator& ranks, const Grid& from,
+std::vector<float> GatheredResampling(const Communicator& ranks, const Grid& from,
   const FieldView& field, const std::vector<NodeBox>& had, const Grid& to);
 
 /// Resamples a field that this process holds completely to a box of nodes.

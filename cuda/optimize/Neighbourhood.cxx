@@ -3,6 +3,8 @@
 
 #include "optimize/Neighbourhood.h"
 
+#include "distributed/ExchangePlan.h"
+
 namespace limpid
 {
 Neighbourhood::Neighbourhood(const Communicator& ranks, const Grid& grid,

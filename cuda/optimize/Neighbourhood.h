@@ -4,9 +4,10 @@
 #ifndef limpid_optimize_Neighbourhood_h
 #define limpid_optimize_Neighbourhood_h
 
+#include "distributed/Communicator.h"
+#include "scene/FieldView.h"
 #include "scene/Grid.h"
 #include "scene/NodeValues.h"
-#include "sweep/RankRegions.h"
 
 #include <vector>
 

@@ -5,9 +5,9 @@
 
 #include "optimize/Policy.h"
 
+#include "distributed/DistributedFields.h"
 #include "optimize/CoarseProblem.h"
 #include "optimize/DescentProgress.h"
-#include "optimize/FieldsOfRanks.h"
 #include "optimize/Iterate.h"
 #include "optimize/LaggedDerivative.h"
 #include "optimize/PolicyTurns.h"
@@ -465,7 +465,7 @@ private:
   {
     if constexpr (AnyDevice::readsHostMemory)
     {
-      if (const TermsOnRanks* ranks = this->Energy.OnRanks())
+      if (const FieldDistribution* ranks = this->Energy.OnRanks())
       {
         PrepareIterate(this->Device, *this->Given, 1, last, next); // allocates memory only
         if (swept.Frusta().size() > 1)
@@ -535,7 +535,7 @@ private:
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
-      if (const TermsOnRanks* ranks = this->Energy.OnRanks())
+      if (const FieldDistribution* ranks = this->Energy.OnRanks())
       {
         moved.SumOver(ranks->Ranks());
         ranks->Share(next, &turn.swept->Frusta());

@@ -42,7 +42,7 @@ struct PolicySweep
   double smoothing = 0; ///< sigma of SmoothedChange [length], if `lagged` includes its pull
   const float* previous = nullptr; ///< reference extinction [1/length]; null if none
   bool emphasises = true; ///< whether extinction may rise above the base, within its bounds
-  const TermsOnRanks* ranks = nullptr; ///< of a distributed sweep; null for one process
+  const FieldDistribution* ranks = nullptr; ///< of a distributed sweep; null for one process
 };
 
 /// Sweeps all frusta of a term. Afterwards the rays hold the visible importance and the optical

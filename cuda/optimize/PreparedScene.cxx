@@ -80,7 +80,7 @@ SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const fl
 }
 
 /// Returns the despeckled importance, see Despeckle.
-NodeValues WithoutSpecks(const SceneFields& scene)
+NodeValues DespeckledImportance(const SceneFields& scene)
 {
   if (!scene.piece)
   {
@@ -174,12 +174,12 @@ PreparedScene::PreparedScene(const SceneFields& scene)
   : Fields(scene)
 {
   const Communicator* ranks = scene.piece ? scene.piece->ranks.get() : nullptr;
-  Jointly(ranks, [&] { RequireFields(scene); });
+  RequireOnAllRanks(ranks, [&] { RequireFields(scene); });
   const CheckedField extinction{ scene.baseExtinction, LargestValue, "base extinction",
     "finite and not negative" };
   const CheckedField importance{ scene.importance, 1, "importance", "between 0 and 1" };
   SceneSurvey found = Survey(scene, extinction.most, importance.values);
-  Jointly(ranks,
+  RequireOnAllRanks(ranks,
     [&]
     {
       RequireRange(scene, extinction, found.extinction);
@@ -217,7 +217,7 @@ PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smooth
     made->values = scene.despeckled;
     if (!scene.despeckled)
     {
-      made->own = WithoutSpecks(scene);
+      made->own = DespeckledImportance(scene);
       made->values = made->own.Data();
     }
     SceneSurvey found = Survey(scene, LargestValue, made->values);

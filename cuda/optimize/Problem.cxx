@@ -4,9 +4,9 @@
 #include "optimize/Problem.h"
 
 #include "backend/Backend.h"
+#include "distributed/DistributedFields.h"
 #include "optimize/Differences.h"
 #include "optimize/ExtinctionBounds.h"
-#include "optimize/FieldsOfRanks.h"
 #include "sweep/ResolvedLayer.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace limpid
 {
-void Problem::Use(const std::shared_ptr<FieldsOfRanks>& fields)
+void Problem::Use(const std::shared_ptr<DistributedFields>& fields)
 {
   this->baseExtinction = fields->base.values.Data();
   this->importance = fields->importance.values.Data();

@@ -4,15 +4,15 @@
 #ifndef limpid_optimize_Problem_h
 #define limpid_optimize_Problem_h
 
+#include "distributed/ScenePiece.h"
+#include "distributed/Slab.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
+#include "scene/FieldView.h"
 #include "scene/Grid.h"
 #include "scene/NodeValues.h"
+#include "scene/Occupancy.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
-#include "scene/Slab.h"
-#include "sweep/Occupancy.h"
-#include "sweep/RankRegions.h"
 
 #include <functional>
 #include <memory>
@@ -23,7 +23,7 @@
 namespace limpid
 {
 struct PermutedFields;
-struct FieldsOfRanks;
+struct DistributedFields;
 
 /// Data that solvers cache for all problems of a scene.
 struct Resident
@@ -43,9 +43,10 @@ struct Problem
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
   std::shared_ptr<const ScenePiece> piece;    ///< this rank's subdomain; null for one process
-  std::shared_ptr<FieldsOfRanks> shared; ///< fields of a distributed problem; null for one process
-  float majorant = 0;                    ///< upper bound of the extinction [1/length]
-  double nearness = 1;                   ///< see CarriedChange::NearnessTo
+  std::shared_ptr<DistributedFields>
+    shared;                        ///< fields of a distributed problem; null for one process
+  float majorant = 0;              ///< upper bound of the extinction [1/length]
+  double nearness = 1;             ///< see CarriedChange::NearnessTo
   const float* previous = nullptr; ///< reference extinction, to which coherence pulls [1/length];
                                    ///< null if none
   RaySource camera;
@@ -73,7 +74,7 @@ struct Problem
   double CoherenceWeight() const;
 
   /// Uses the fields of a distributed problem.
-  void Use(const std::shared_ptr<FieldsOfRanks>& fields);
+  void Use(const std::shared_ptr<DistributedFields>& fields);
 
   /// Returns the slab in which this rank does work on voxels that needs no rays; all nodes for one
   /// process.

@@ -27,7 +27,7 @@ std::vector<float> Restrict(const SceneFields& scene, const float* field, const 
     return Restrict(scene.grid, field, grid);
   }
   const ScenePiece& piece = *scene.piece;
-  return ResampledForAll(*piece.ranks, scene.grid,
+  return GatheredResampling(*piece.ranks, scene.grid,
     FieldView::Part(const_cast<float*>(field), piece.nodes), piece.owned, grid);
 }
 
@@ -74,7 +74,7 @@ struct CoarseScene
   }
 };
 
-struct Level
+struct PreviewLevel
 {
   std::unique_ptr<CoarseScene> fields;  ///< null if the level uses the scene's own fields
   std::unique_ptr<PreviewPass> preview; ///< created on first use
@@ -96,7 +96,7 @@ struct Progressive::Internals
   std::optional<Grid> pieceGrid; ///< grid of this rank's subdomain; empty if it has all
   std::vector<Grid> grids;       ///< of previews, finest first; small enough for every rank
   std::vector<Index> nodes;
-  std::vector<Level> levels;
+  std::vector<PreviewLevel> levels;
   PassTime time;
   Stopwatch stopwatch = TimePass;
 
@@ -157,7 +157,7 @@ struct Progressive::Internals
 
   PreviewPass& PreviewOn(std::size_t number)
   {
-    Level& wanted = this->levels[number];
+    PreviewLevel& wanted = this->levels[number];
     const ImportanceSmoothing smoothing = this->settings.importanceSmoothing;
     if (!wanted.preview || (wanted.fields && !wanted.fields->Has(smoothing)))
     {

@@ -4,12 +4,12 @@
 #ifndef limpid_optimize_Solver_h
 #define limpid_optimize_Solver_h
 
+#include "distributed/ScenePiece.h"
 #include "optimize/CarriedChange.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
 
 #include <array>
 #include <memory>

@@ -9,10 +9,10 @@
 #include "energy/TransmittanceSweep.h"
 #include "optimize/Adam.h"
 #include "optimize/ClosedForm.h"
+#include "optimize/DistributedMinimizer.h"
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"
 #include "optimize/PolicySweep.h"
-#include "optimize/Ranked.h"
 
 #include <optional>
 
@@ -131,10 +131,10 @@ std::unique_ptr<Minimizer> MakeMinimizerOn(const std::shared_ptr<AnyDevice>& dev
 }
 
 template <class AnyDevice>
-class BackendOn : public SolverBackend
+class SolverBackendOn : public SolverBackend
 {
 public:
-  explicit BackendOn(std::shared_ptr<AnyDevice> device)
+  explicit SolverBackendOn(std::shared_ptr<AnyDevice> device)
     : Device(std::move(device))
   {
   }
@@ -146,7 +146,7 @@ public:
     {
       if (problem.piece)
       {
-        return MakeRanked(problem, start,
+        return MakeDistributed(problem, start,
           [this, warm](const Problem& shared, StartingExtinction&& first)
           { return MakeMinimizerOn(this->Device, shared, std::move(first), warm); });
       }
@@ -233,7 +233,7 @@ private:
 template <class AnyDevice>
 std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice> device)
 {
-  return std::make_unique<BackendOn<AnyDevice>>(std::move(device));
+  return std::make_unique<SolverBackendOn<AnyDevice>>(std::move(device));
 }
 
 #define LIMPID_INSTANTIATE(AnyDevice)                                                              \

@@ -7,9 +7,9 @@
 #include "backend/Backend.h"
 #include "energy/TransmittanceSweep.h"
 #include "math/Require.h"
+#include "optimize/DistributedMinimizer.h"
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/PreparedScene.h"
-#include "optimize/Ranked.h"
 #include "optimize/Smoothing.h"
 #include "optimize/Solver.h"
 #include "optimize/SolverBackend.h"
@@ -138,7 +138,7 @@ struct Solver::Internals
       }
       this->stopped = wasStopped;
     };
-    return TellingRanks(
+    return NotifyingOnFailure(
       this->Ranks(), [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
   }
 

@@ -5,7 +5,7 @@
 
 #include "optimize/Terms.h"
 
-#include "optimize/FieldsOfRanks.h"
+#include "distributed/DistributedFields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
     };
     add(problem.camera);
     std::for_each(problem.otherCameras.begin(), problem.otherCameras.end(), add);
-    this->FoundByOthers =
+    this->SumsOfOtherCameras =
       DeviceArray<AnyDevice, Seen>::Zeros(this->Device, problem.otherCameras.size(), "sums");
   }
   if (settings.weights.light > 0)
@@ -80,8 +80,8 @@ void Terms<AnyDevice>::ShareFields()
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    FieldsOfRanks& shared = *this->Given->shared;
-    std::vector<TermsOnRanks::OfTerm> terms;
+    DistributedFields& shared = *this->Given->shared;
+    std::vector<FieldDistribution::OfTerm> terms;
     const RaySource* other = this->Given->otherCameras.data();
     for (VisibilityTerm<AnyDevice>& camera : this->cameras)
     {
@@ -91,10 +91,10 @@ void Terms<AnyDevice>::ShareFields()
     {
       terms.push_back({ &this->light->Frusta(), &this->Given->light });
     }
-    this->Shared = std::make_unique<const TermsOnRanks>(*shared.ranks, this->Given->grid.nodes,
+    this->Shared = std::make_unique<const FieldDistribution>(*shared.ranks, this->Given->grid.nodes,
       terms, *this->Given->occupancy, shared.inSlabs, shared.places);
-    std::vector<TermsOnRanks::Input> inputs;
-    for (FieldsOfRanks::Field* field :
+    std::vector<FieldDistribution::Input> inputs;
+    for (DistributedFields::Field* field :
       { &shared.base, &shared.importance, &shared.nodeImportance, &shared.previous })
     {
       if (!field->values.Empty())
@@ -244,8 +244,8 @@ void Terms<AnyDevice>::Redistribute([[maybe_unused]] float* field,
   {
     if (this->Shared)
     {
-      this->Shared->Pass(field, from ? &from->Frusta() : TermsOnRanks::slabs,
-        to ? &to->Frusta() : TermsOnRanks::slabs);
+      this->Shared->Pass(field, from ? &from->Frusta() : FieldDistribution::slabs,
+        to ? &to->Frusta() : FieldDistribution::slabs);
     }
   }
 }
@@ -272,7 +272,7 @@ void Terms<AnyDevice>::ShareSlabs([[maybe_unused]] float* extinction) const
   {
     if (this->Shared)
     {
-      this->Shared->Share(extinction, TermsOnRanks::slabs);
+      this->Shared->Share(extinction, FieldDistribution::slabs);
     }
   }
 }
@@ -338,7 +338,7 @@ Seen* Terms<AnyDevice>::SumOf(const VisibilityTerm<AnyDevice>& term)
   {
     ++number;
   }
-  return number == 0 ? &this->Sums()->camera : this->FoundByOthers.Data() + (number - 1);
+  return number == 0 ? &this->Sums()->camera : this->SumsOfOtherCameras.Data() + (number - 1);
 }
 
 template <class AnyDevice>
@@ -465,7 +465,7 @@ std::vector<Seen> Terms<AnyDevice>::ReadCameras(const TermSums& sums)
   seen[0] = sums.camera;
   if (seen.size() > 1)
   {
-    this->FoundByOthers.Download(seen.data() + 1);
+    this->SumsOfOtherCameras.Download(seen.data() + 1);
   }
   return seen;
 }

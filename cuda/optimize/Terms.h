@@ -6,8 +6,8 @@
 
 #include "energy/VisibilityTerm.h"
 #include "optimize/Differences.h"
+#include "optimize/FieldDistribution.h"
 #include "optimize/ProblemFields.h"
-#include "optimize/TermsOnRanks.h"
 
 #include <deque>
 #include <memory>
@@ -114,7 +114,7 @@ public:
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
   /// The distribution of the fields among ranks; null for one process.
-  const TermsOnRanks* OnRanks() const { return this->Shared.get(); }
+  const FieldDistribution* OnRanks() const { return this->Shared.get(); }
 
   /// Uploads an extinction to the device. In distributed runs, redistributes the ranks' slabs to
   /// all that need them.
@@ -171,11 +171,11 @@ private:
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
-  BorrowedArray<AnyDevice, float> Before;     ///< see Problem::previous; empty if null
-  std::unique_ptr<const TermsOnRanks> Shared; ///< on processors only
+  BorrowedArray<AnyDevice, float> Before;          ///< see Problem::previous; empty if null
+  std::unique_ptr<const FieldDistribution> Shared; ///< on processors only
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
-  DeviceArray<AnyDevice, Seen> FoundByOthers; ///< sums of all cameras but the first
+  DeviceArray<AnyDevice, Seen> SumsOfOtherCameras; ///< sums of all cameras but the first
   Taken Unsummed;
   std::vector<Visible> Base; ///< [camera]; empty before SeeBase or if iterations record no scores
 };

@@ -30,7 +30,7 @@ struct BrickNodes
   }
 
   /// Returns the nodes of an overlay from which these cells may be interpolated.
-  LIMPID_HD LIMPID_INLINE BrickNodes On(const OverlayPlace& overlay) const
+  LIMPID_HD LIMPID_INLINE BrickNodes On(const OverlayGeometry& overlay) const
   {
     BrickNodes box{};
     for (int axis = 0; axis < 3; ++axis)
@@ -123,7 +123,7 @@ struct EmptyBrick
   const ScalarRange* ranges;
   const std::uint8_t* unfilled; ///< not 0 where no node is filled; null: only scalars decide
   const TwoPacked* overlay;     ///< see ExtinctionOverlay; null: unchanged
-  OverlayPlace overlayPlace;
+  OverlayGeometry overlayPlace;
   Cleared cleared;
   std::uint8_t* distance; ///< out
 
@@ -237,14 +237,14 @@ public:
 
   /// Computes the distances to non-empty bricks. `overlay`: at `overlayPlace`; null: no change.
   void FindEmpty(const OpticalTable& table, Function function, const TwoPacked* overlay,
-    const OverlayPlace& overlayPlace)
+    const OverlayGeometry& overlayPlace)
   {
     this->Find(this->Distance, table, function, overlay, overlayPlace, Cleared::IsEmpty);
   }
 
   /// Computes the distances to bricks that are not empty even without the change.
   void FindBare(const OpticalTable& table, Function function, const TwoPacked* overlay,
-    const OverlayPlace& overlayPlace)
+    const OverlayGeometry& overlayPlace)
   {
     this->Find(this->BareDistance, table, function, overlay, overlayPlace, Cleared::IsNot);
   }
@@ -284,7 +284,7 @@ private:
   using DistanceArray = DeviceArray<AnyDevice, std::uint8_t>;
 
   void Find(DistanceArray& distances, const OpticalTable& table, Function function,
-    const TwoPacked* overlay, const OverlayPlace& overlayPlace, Cleared cleared)
+    const TwoPacked* overlay, const OverlayGeometry& overlayPlace, Cleared cleared)
   {
     const std::uint8_t* unfilled =
       function == Function::IsUniform ? this->Unfilled.Data() : nullptr;

@@ -4,7 +4,7 @@
 #ifndef limpid_render_PartialPicture_h
 #define limpid_render_PartialPicture_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 #include "render/Renderer.h"
 
 #include <vector>

@@ -8,7 +8,7 @@
 
 #include "render/BrickDistances.h"
 #include "render/Classification.h"
-#include "render/OverlayPlace.h"
+#include "render/OverlayGeometry.h"
 #include "render/RayLight.h"
 #include "render/Trilinear.h"
 
@@ -38,7 +38,7 @@ struct RayScene
   float addedUnit = 1;  ///< unit of the overlay's added extinction [majorant]
   RayLight light;
 
-  void PlaceOverlay(const OverlayPlace& place, const Int3& scalarNodes)
+  void PlaceOverlay(const OverlayGeometry& place, const Int3& scalarNodes)
   {
     this->overlayGrid = CellGrid(place.nodes);
     this->overlaySameNodes = place.nodes == scalarNodes && place.boxNodes == scalarNodes;

@@ -5,12 +5,12 @@
 #define limpid_render_RenderPasses_h
 
 #include "optimize/AxisFilter.h"
+#include "optimize/DistributedMinimizer.h"
 #include "optimize/Levels.h"
-#include "optimize/Ranked.h"
 #include "render/Bricks.h"
 #include "render/ExtinctionOverlay.h"
+#include "render/GatheredOverlay.h"
 #include "render/GradientKernels.h"
-#include "render/OverlayForAll.h"
 #include "render/Raycast.h"
 #include "render/RenderBackend.h"
 #include "render/ScalarField.h"
@@ -138,7 +138,7 @@ public:
       {
         const ScenePiece& piece = *this->Piece;
         base = Field(this->Device,
-          ResampledForAll(*piece.ranks, this->Whole, FieldView::Part(base.Data(), piece.nodes),
+          GatheredResampling(*piece.ranks, this->Whole, FieldView::Part(base.Data(), piece.nodes),
             piece.owned, grid),
           what);
       }
@@ -157,7 +157,7 @@ public:
     this->CoarseOpaque = {};
     this->Opaque = {};
     this->Shown.Clear();
-    this->IsOfAll = false;
+    this->CoversAllRanks = false;
   }
 
   bool HasNoExtinction() const override { return this->Shown.Empty(); }
@@ -168,7 +168,7 @@ public:
     Field transmittance(this->Device, std::size_t(grid.NodeCount()), "the shadows");
     if constexpr (AnyDevice::readsHostMemory)
     {
-      this->Piece && !this->IsOfAll
+      this->Piece && !this->CoversAllRanks
         ? FindTransmittanceOnRanks(
             this->Whole, *this->Piece, light, rayDensity, opaque, transmittance.Data())
         : this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
@@ -198,7 +198,7 @@ public:
     Field ofSlices(this->Device, std::size_t(nodes.z), what);
     Field largest(this->Device, 1, what);
     this->Device->ForNodes("steepness", nodes, SteepnessNode{ gradient, ofNodes.Data() });
-    this->LeaveToOwners(ofNodes.Data());
+    this->ClearUnowned(ofNodes.Data());
     const auto find = [&](const Field& values, int length, Field& ofRuns)
     {
       this->Device->ForIndices(
@@ -296,11 +296,11 @@ private:
       const auto count = static_cast<std::size_t>(grid.NodeCount());
       float* opaque = this->Opaque.RoomFor(this->Device, count, "what casts the shadows");
       this->CoarseOpaque = {};
-      if (nodes.ofAll && !this->IsOfAll && !this->Shown.Empty())
+      if (nodes.ofAll && !this->CoversAllRanks && !this->Shown.Empty())
       {
         this->GatherShown(grid);
       }
-      this->IsOfAll = nodes.ofAll;
+      this->CoversAllRanks = nodes.ofAll;
       this->Shown.MoveTo(
         grid, base, extinction, this->Functions.Majorant(), share, casts ? opaque : nullptr);
     }
@@ -321,17 +321,18 @@ private:
         const auto numbers = this->Shown.On(part);
         return std::vector<TwoPacked>(numbers.Data(), numbers.Data() + numbers.Size());
       };
-      const std::vector<TwoPacked> ofAll = OverlayForAll(*this->Piece, this->Whole, grid, resample);
+      const std::vector<TwoPacked> ofAll =
+        GatheredOverlay(*this->Piece, this->Whole, grid, resample);
       this->Shown.GoOnWith(grid, ofAll, this->Piece->ranks->AnyOf(this->Shown.Changed()));
     }
   }
 
-  OverlayPlace PlaceOfShown() const
+  OverlayGeometry PlaceOfShown() const
   {
     const Int3& nodes = this->Shown.Nodes().nodes;
-    if (!this->IsOfAll)
+    if (!this->CoversAllRanks)
     {
-      return OverlayPlace::Over(this->Nodes.nodes, nodes);
+      return OverlayGeometry::Over(this->Nodes.nodes, nodes);
     }
     const std::array<Range<int>, 3>& along = this->Piece->nodes.along;
     return { nodes, this->Whole.nodes, { along[0].begin, along[1].begin, along[2].begin } };
@@ -355,7 +356,7 @@ private:
 
   /// Sets values of ghost nodes to 0, since no rank has all neighbours of nodes at the faces of its
   /// box.
-  void LeaveToOwners([[maybe_unused]] float* values) const
+  void ClearUnowned([[maybe_unused]] float* values) const
   {
     if constexpr (AnyDevice::readsHostMemory)
     {
@@ -427,7 +428,7 @@ private:
   /// Returns whether the shadows have the nodes of the gradient.
   bool ShadowsFitGradient() const
   {
-    return !this->IsOfAll && this->Shown.Nodes().nodes == this->Nodes.nodes;
+    return !this->CoversAllRanks && this->Shown.Nodes().nodes == this->Nodes.nodes;
   }
 
   /// Stores such shadows with the gradient, so that a sample reads both from one field.
@@ -522,7 +523,7 @@ private:
   bool GradientHasShadow = false; ///< whether it includes the shadow of the overlay
   Bricks<AnyDevice> Empty;
   ExtinctionOverlay<AnyDevice> Shown;
-  bool IsOfAll = false; ///< whether the overlay covers the box of all ranks
+  bool CoversAllRanks = false; ///< whether the overlay covers the box of all ranks
   ShadowVolume<AnyDevice> Shadows;
   Field Opaque;       ///< extinction that casts the shadows, at the nodes of the overlay
   Field CoarseOpaque; ///< this on a coarser grid; empty: outdated or not needed

@@ -332,7 +332,7 @@ void Renderer::SetExtinction(const Grid& grid, const float* base, const float* e
   }
 }
 
-void Renderer::SetExtinctionOfAll(const Grid& grid, const float* base, const float* extinction,
+void Renderer::SetGatheredExtinction(const Grid& grid, const float* base, const float* extinction,
   double share, const float* lightExtinction)
 {
   const ShownNodes nodes{ grid, this->State->isPiece };

@@ -4,10 +4,10 @@
 #ifndef limpid_render_Renderer_h
 #define limpid_render_Renderer_h
 
+#include "distributed/ScenePiece.h"
 #include "methods/Method.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
 
 #include <array>
 #include <cstdint>
@@ -163,7 +163,7 @@ public:
 
   /// Sets the extinction if ranks draw together, on a grid over the box of all. Every rank passes
   /// the whole field. For pictures during interaction, in which no rank waits for others.
-  void SetExtinctionOfAll(const Grid& grid, const float* base, const float* extinction,
+  void SetGatheredExtinction(const Grid& grid, const float* base, const float* extinction,
     double share = 1, const float* lightExtinction = nullptr);
 
   /// Returns whether a device with its own memory draws.

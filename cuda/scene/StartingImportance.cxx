@@ -36,13 +36,13 @@ ImportanceRamp RampOf(const std::vector<double>& sorted, const std::array<double
   return ramp;
 }
 
-double SpecksOf(const ImportanceRamp& ramp, const std::vector<ValueAmongOthers>& values)
+double SpeckShare(const ImportanceRamp& ramp, const std::vector<ValueWithNeighbours>& values)
 {
   const auto importance = [&ramp](double value)
   { return std::min(std::max((value - ramp.begin) / (ramp.end - ramp.begin), 0.0), 1.0); };
   double all = 0;
   double removed = 0;
-  for (const ValueAmongOthers& sample : values)
+  for (const ValueWithNeighbours& sample : values)
   {
     const double own = importance(sample.value);
     all += own;
@@ -52,17 +52,17 @@ double SpecksOf(const ImportanceRamp& ramp, const std::vector<ValueAmongOthers>&
 }
 
 ImportanceRamp CleanRamp(const ImportanceRamp& first, const std::vector<double>& sorted,
-  const std::vector<ValueAmongOthers>& values)
+  const std::vector<ValueWithNeighbours>& values)
 {
   ImportanceRamp cleanest = first;
-  double least = first.IsKnown() ? SpecksOf(first, values) : 0;
+  double least = first.IsKnown() ? SpeckShare(first, values) : 0;
   constexpr int steps = 8;
   for (int step = 1; step <= steps && least > mostSpecks; ++step)
   {
     const double fewer = std::pow(0.5, 0.5 * step);
     const ImportanceRamp ramp{ QuantileOf(sorted, 1 - fewer * (1 - ImportanceBegins)),
       QuantileOf(sorted, 1 - fewer * (1 - ImportanceIsFull)), first.range };
-    const double specks = ramp.IsKnown() ? SpecksOf(ramp, values) : 1;
+    const double specks = ramp.IsKnown() ? SpeckShare(ramp, values) : 1;
     if (specks < least)
     {
       cleanest = ramp;

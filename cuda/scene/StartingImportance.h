@@ -37,7 +37,7 @@ struct ImportanceRamp
 
 /// A value of an image, and the eighth largest of its 26 neighbours, to which the median that
 /// removes specks from the importance reduces a larger value, see Despeckle.
-struct ValueAmongOthers
+struct ValueWithNeighbours
 {
   double value;
   double eighth;
@@ -74,7 +74,7 @@ double EighthLargestNeighbour(
 constexpr double mostSpecks = 0.1;
 
 /// Returns the share of the importance that the median removes; 0 if nothing is important.
-double SpecksOf(const ImportanceRamp& ramp, const std::vector<ValueAmongOthers>& values);
+double SpeckShare(const ImportanceRamp& ramp, const std::vector<ValueWithNeighbours>& values);
 
 /// Returns the ramp over the largest few per cent of the values. Usually few values matter most:
 /// those of bones, vessels, cores. `sorted`: finite samples of the values, ascending; `range`: of
@@ -88,7 +88,7 @@ ImportanceRamp RampOf(const std::vector<double>& sorted, const std::array<double
  * the first ramp.
  */
 ImportanceRamp CleanRamp(const ImportanceRamp& first, const std::vector<double>& sorted,
-  const std::vector<ValueAmongOthers>& values);
+  const std::vector<ValueWithNeighbours>& values);
 }
 
 #endif

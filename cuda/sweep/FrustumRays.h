@@ -8,9 +8,9 @@
 
 #include "backend/DeviceArray.h"
 #include "backend/HostDevice.h"
+#include "sweep/BandDecomposition.h"
 #include "sweep/HatOfVoxel.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/RankBands.h"
 #include "sweep/RaySteps.h"
 #include "sweep/RayTiles.h"
 #include "sweep/SliceWindow.h"
@@ -131,7 +131,8 @@ public:
     const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned, const PlanSettings& settings)
     : Planned(std::move(planned))
     , Pool(std::make_unique<SlabPool>())
-    , Shared(settings.ranks ? std::make_unique<RankBands>(this->Planned, *settings.ranks) : nullptr)
+    , Shared(settings.ranks ? std::make_unique<BandDecomposition>(this->Planned, *settings.ranks)
+                            : nullptr)
   {
   }
 
@@ -139,18 +140,18 @@ public:
   SlabPool& Pooled() const { return *this->Pool; }
 
   /// The decomposition among ranks; null if there is one rank.
-  const RankBands* Bands() const { return this->Shared.get(); }
+  const BandDecomposition* Bands() const { return this->Shared.get(); }
 
-  /// From now on sweeps read and write distributed fields through a SlabDelivery.
-  void SweepFieldsOf(const HomeOfFields& home, const Occupancy* filled,
-    const std::shared_ptr<PassageRoom>& room, int margin = 0)
+  /// From now on sweeps read and write distributed fields through a SlabExchange.
+  void SweepFieldsOf(const FieldLayout& home, const Occupancy* filled,
+    const std::shared_ptr<ExchangeBuffers>& room, int margin = 0)
   {
     this->Delivered =
-      std::make_unique<SlabDelivery>(this->Planned, *this->Shared, home, filled, room, margin);
+      std::make_unique<SlabExchange>(this->Planned, *this->Shared, home, filled, room, margin);
   }
 
   /// Null if sweeps access the fields in place.
-  const SlabDelivery* Delivery() const { return this->Delivered.get(); }
+  const SlabExchange* Delivery() const { return this->Delivered.get(); }
 
   /// Returns the ranges of slices that are copied together, front to back.
   std::vector<Range<int>> Slabs() const
@@ -196,8 +197,8 @@ public:
 private:
   PlannedFrustum Planned;
   std::unique_ptr<SlabPool> Pool;
-  std::unique_ptr<RankBands> Shared;
-  std::unique_ptr<SlabDelivery> Delivered;
+  std::unique_ptr<BandDecomposition> Shared;
+  std::unique_ptr<SlabExchange> Delivered;
 };
 
 /// The plan of one frustum and the values of its rays on a device.

@@ -195,11 +195,11 @@ void Lateral::PutBetween(std::vector<double> edges)
   }
 }
 
-void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placement placement)
+void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, RayPlacement placement)
 {
   const double last = this->nodes - 1;
   constexpr double straight = 1e-3; // largest lateral shift of straight rays in the box [index]
-  if (this->parallel && placement == Placement::ForNodes &&
+  if (this->parallel && placement == RayPlacement::ForNodes &&
     std::abs(this->shear) * (farDepth - nearDepth) < straight)
   {
     std::vector<double> edges;
@@ -234,8 +234,8 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
   const double perUnit = std::max(rayDensity * (this->parallel ? 1.0 : farDepth), leastPerUnit);
   std::vector<double> edges{ outlines.front() };
   // A side seen at a grazing angle is a thin strip, but it needs enough rays for its whole depth.
-  const double alongSide = placement == Placement::ForNodes ? 1.0
-                                                            : rayDensity *
+  const double alongSide = placement == RayPlacement::ForNodes ? 1.0
+                                                               : rayDensity *
       std::min(facePart * (farDepth - nearDepth), std::max(mostPart * last, 0.25 * fewest));
   bool uniform = true;
   for (std::size_t i = 0; i + 1 < outlines.size(); ++i)
@@ -257,7 +257,7 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, Placemen
       uniform = false;
     }
   }
-  if (uniform && placement == Placement::ForNodes)
+  if (uniform && placement == RayPlacement::ForNodes)
   {
     edges.resize(1);
     AddParts(outlines.front(), outlines.back(), perUnit, 1, edges);

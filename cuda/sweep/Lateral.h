@@ -11,7 +11,7 @@
 namespace limpid
 {
 /// How rays are distributed along an axis.
-enum class Placement
+enum class RayPlacement
 {
   ForIntegrals, ///< at the centres of parts of the box that end at the outlines of its faces
   ForNodes      ///< at nodes if rays run along them; else at the centres of equal parts
@@ -48,7 +48,7 @@ public:
   }
 
   /// Chooses the rays that see the box between two depths; none if no ray reaches it.
-  void Fit(double nearDepth, double farDepth, double rayDensity, Placement placement);
+  void Fit(double nearDepth, double farDepth, double rayDensity, RayPlacement placement);
 
   /// Computes the map from rays to voxel columns at `depth`: `count` values each. A ray outside
   /// the box reads its border.

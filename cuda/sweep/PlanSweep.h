@@ -5,10 +5,10 @@
 #define limpid_sweep_PlanSweep_h
 
 #include "scene/Grid.h"
+#include "scene/Occupancy.h"
 #include "scene/RaySource.h"
 #include "sweep/FaceFrustum.h"
 #include "sweep/Lateral.h"
-#include "sweep/Occupancy.h"
 
 #include <array>
 #include <vector>
@@ -40,7 +40,7 @@ enum class Readers
 struct PlanSettings
 {
   double rayDensity = 1; ///< rays per voxel and axis on the farthest slice
-  Placement placement = Placement::ForIntegrals;
+  RayPlacement placement = RayPlacement::ForIntegrals;
   const Communicator* ranks = nullptr; ///< of a distributed sweep; null for one process
   Readers readers = Readers::RaysAndVoxels;
   std::array<bool, 3> depthAxes{ { true, true, true } }; ///< frusta along other axes are omitted

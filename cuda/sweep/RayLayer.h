@@ -39,7 +39,7 @@ LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, f
 }
 
 /// Whether a ray is inside the box throughout a layer.
-enum class Passage
+enum class LayerCrossing
 {
   Through,
   Clipped
@@ -63,7 +63,7 @@ struct LayerLight
 };
 
 /// A ray in a layer and its samples at both Gauss points.
-template <Passage passage>
+template <LayerCrossing passage>
 struct RayInLayer
 {
   Layer layer;
@@ -83,7 +83,7 @@ struct RayInLayer
   template <Cut cut>
   LIMPID_HD LIMPID_INLINE HalfLayer<float> Half(int half) const
   {
-    return passage == Passage::Through
+    return passage == LayerCrossing::Through
       ? this->Whole(half)
       : CutHalf<cut>(this->layer, half, this->length, this->extinction[half],
           this->importance[half], this->column, this->row);
@@ -99,7 +99,7 @@ struct RayInLayer
   /// Part of a half in which the ray is inside the box, as a fraction of the layer's thickness.
   LIMPID_HD LIMPID_INLINE float WayInHalf(int half) const
   {
-    if (passage == Passage::Through)
+    if (passage == LayerCrossing::Through)
     {
       return 0.5f;
     }
@@ -165,21 +165,21 @@ struct TwoHalves
   HalfLayer<float> rear;
 
   /// Clipped to the interval inside the box.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE static TwoHalves Inside(const RayInLayer<passage>& ray)
   {
     return { ray.template Half<Cut::Both>(0), ray.template Half<Cut::Both>(1) };
   }
 
   /// Clipped at the exit only, so that they extend in front of the entry.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE static TwoHalves ToExit(const RayInLayer<passage>& ray)
   {
     return { ray.template Half<Cut::Exit>(0), ray.template Half<Cut::Exit>(1) };
   }
 
   /// Counts only the visible importance of kept base extinction.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE TwoHalves CountingShares(const RayInLayer<passage>& ray) const
   {
     return { this->front.CountingShare(ray.KeptShare(0)),

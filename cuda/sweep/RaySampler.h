@@ -187,7 +187,7 @@ public:
   template <class Step>
   LIMPID_HD LIMPID_INLINE void ForEachRegardless(const Step& step) const
   {
-    step(RayInLayer<Passage::Through>{ this->Ray.layer, this->Ray.length, this->Ray.column,
+    step(RayInLayer<LayerCrossing::Through>{ this->Ray.layer, this->Ray.length, this->Ray.column,
            this->Ray.row, { this->Ray.extinction[0], this->Ray.extinction[1] },
            { this->Ray.importance[0], this->Ray.importance[1] },
            { this->Ray.kept[0], this->Ray.kept[1] } },
@@ -289,7 +289,7 @@ protected:
   int I;
   int J;
   int S = 0; ///< slice in front of the layer
-  RayInLayer<Passage::Clipped> Ray{};
+  RayInLayer<LayerCrossing::Clipped> Ray{};
 
 private:
   /// Prepares sampling on the plane of a Gauss point.

@@ -218,12 +218,12 @@ struct CarryStep
 {
   RayStates rays;
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
     const TwoHalves inside = TwoHalves::Inside(here);
     const TwoHalves toExit = TwoHalves::ToExit(here);
-    const bool enters = passage == Passage::Clipped && !HasEntered(this->rays.visible[i]) &&
+    const bool enters = passage == LayerCrossing::Clipped && !HasEntered(this->rays.visible[i]) &&
       here.Entry() >= here.layer.front;
     Carry<passage>(inside, toExit, enters, this->rays.behind[i], this->rays.visible[i],
       this->rays.unattenuated[i]);
@@ -238,7 +238,7 @@ struct CarryStep
   template <class Resolved>
   LIMPID_HD LIMPID_INLINE void operator()(const Resolved& here, Index i) const
   {
-    const RayInLayer<Passage::Clipped>& plain = here.plain;
+    const RayInLayer<LayerCrossing::Clipped>& plain = here.plain;
     const LayerLight light = here.Light();
     const bool ahead = plain.Entry() > plain.layer.front;
     const bool enters = !HasEntered(this->rays.visible[i]) && plain.Entry() >= plain.layer.front;
@@ -261,12 +261,12 @@ struct CarryStep
 
 private:
   /// `enters`: whether the ray enters the box in this layer.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE static void Carry(const TwoHalves& inside, const TwoHalves& toExit,
     bool enters, float& behind, float& visible, float& unattenuated)
   {
     unattenuated += inside.front.unattenuated + inside.rear.unattenuated;
-    if (passage == Passage::Clipped)
+    if (passage == LayerCrossing::Clipped)
     {
       visible = enters ? Carried(inside.front, inside.rear, behind) : visible;
     }
@@ -304,7 +304,7 @@ struct WeighStep
   float priceOfSquare; ///< p/(2 q) [length]
   float slice;         ///< index of the slice in front of the layer
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
     constexpr float least = 0.02f; // smaller gains do not matter to the next sweep
@@ -327,7 +327,7 @@ struct WeighStep
   }
 
 private:
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE static float CarriedTo(const RayInLayer<passage>& ray, float behind)
   {
     const TwoHalves halves = TwoHalves::ToExit(ray);
@@ -335,7 +335,7 @@ private:
   }
 
   /// Cost of the change in the layer, times scale^2.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE float CostOf(const RayInLayer<passage>& ray) const
   {
     RayInLayer<passage> changed = ray; // for T = 1, importance times extinction is the cost
@@ -378,7 +378,7 @@ struct EffectStep
 {
   RayStates rays;
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
     constexpr float ofBack[2] = { float(gaussPoints[0]), float(gaussPoints[1]) };
@@ -409,10 +409,10 @@ struct EffectStep
 
 private:
   /// Transmittance at the front of the layer, or at the ray's entry if it enters the box here.
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE float TransmittanceTo(const RayInLayer<passage>& here, Index i) const
   {
-    const bool entersHere = passage == Passage::Clipped && here.Entry() > here.layer.front;
+    const bool entersHere = passage == LayerCrossing::Clipped && here.Entry() > here.layer.front;
     return entersHere ? 1.0f : Transmitted(static_cast<float>(this->rays.opticalDepth[i]));
   }
 

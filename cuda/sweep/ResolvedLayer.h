@@ -45,7 +45,7 @@ struct FineCuts
 };
 
 /// The larger extinction at the two Gauss points [1/length].
-template <Passage passage>
+template <LayerCrossing passage>
 LIMPID_HD LIMPID_INLINE float DensestOf(const RayInLayer<passage>& ray)
 {
   return ray.extinction[0] > ray.extinction[1] ? ray.extinction[0] : ray.extinction[1];
@@ -60,7 +60,7 @@ struct MostInLayer
 
 /// Maximum over the Gauss points and, with FineCuts, over the ends of the layer. `sampler`:
 /// samples fields along the ray in `column`.
-template <class Cuts, class Sampler, Passage passage>
+template <class Cuts, class Sampler, LayerCrossing passage>
 LIMPID_HD LIMPID_INLINE MostInLayer MostOf(const RayInLayer<passage>& ray, const Sampler& sampler,
   const RayFields<typename Sampler::Field>& fields, int column)
 {
@@ -217,9 +217,9 @@ struct ResolvedRay
 {
   const Sampler& sampler;
   RayFields<typename Sampler::Field> fields;
-  RayInLayer<Passage::Clipped> plain; ///< the layer as two halves
-  int column;                         ///< column of the ray
-  float sampled;                      ///< largest sampled extinction [1/length]
+  RayInLayer<LayerCrossing::Clipped> plain; ///< the layer as two halves
+  int column;                               ///< column of the ray
+  float sampled;                            ///< largest sampled extinction [1/length]
   float densest; ///< extinction that decides how the layer is divided [1/length]
 
   /// Calls visit(segment) front to back inside the box, until it returns false.
@@ -355,7 +355,7 @@ private:
 /// of other rays, see ResolvedRay.
 struct LitRay
 {
-  const RayInLayer<Passage::Clipped>& plain; ///< the layer as two halves
+  const RayInLayer<LayerCrossing::Clipped>& plain; ///< the layer as two halves
   LayerLight light;
   LayerEffect effect;
 
@@ -373,7 +373,7 @@ struct LitRay
 /// Calls step(ray, i) with a ResolvedRay if the layer is resolved (ResolveSides), else plain(i).
 /// `i`: index of the ray's states; `column`: its column.
 template <class Sampler, class Resolve, class Step, class Plain>
-LIMPID_HD LIMPID_INLINE void StepResolved(const RayInLayer<Passage::Clipped>& ray,
+LIMPID_HD LIMPID_INLINE void StepResolved(const RayInLayer<LayerCrossing::Clipped>& ray,
   const Sampler& sampler, const RayFields<typename Sampler::Field>& fields, const Resolve& resolve,
   int column, Index i, const Step& step, const Plain& plain)
 {

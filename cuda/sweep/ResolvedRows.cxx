@@ -235,8 +235,8 @@ struct HalvesInLanes
 
   explicit HalvesInLanes(const PackedRow& rays)
   {
-    detail::StepAllAs<Passage::Clipped>(rays.Rays(),
-      [this](const RayInLayer<Passage::Clipped>& ray, int lane) LIMPID_INLINE_LAMBDA
+    detail::StepAllAs<LayerCrossing::Clipped>(rays.Rays(),
+      [this](const RayInLayer<LayerCrossing::Clipped>& ray, int lane) LIMPID_INLINE_LAMBDA
       {
         const Range<float> inside = ray.Inside();
         const LayerLight light = ray.Light();

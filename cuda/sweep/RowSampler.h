@@ -37,7 +37,7 @@ struct RayRow
   /// whether any ray of the row has to be visited there.
   bool EnterLayer(const FaceFrustum& frustum, int s, int number);
 
-  template <Passage passage>
+  template <LayerCrossing passage>
   LIMPID_INLINE RayInLayer<passage> At(int i) const
   {
     return { this->layer, this->length[i], { this->columnEntry[i], this->columnExit[i] }, this->row,
@@ -74,19 +74,19 @@ void StepThroughLayer(const RayRow& row, const Step& step)
       {
         for (int i = part.begin; i < part.end; ++i)
         {
-          body(rays.template At<Passage::Clipped>(i), i);
+          body(rays.template At<LayerCrossing::Clipped>(i), i);
         }
       }
       LIMPID_IVDEP
       for (int i = through.begin; i < through.end; ++i)
       {
-        body(rays.template At<Passage::Through>(i), i);
+        body(rays.template At<LayerCrossing::Through>(i), i);
       }
     });
 }
 
 /// Calls step(ray, column) for all columns of a row; all rays are treated as `passage` says.
-template <Passage passage, class Step>
+template <LayerCrossing passage, class Step>
 void StepAllAs(const RayRow& row, const Step& step)
 {
   RunMultiversioned(
@@ -197,15 +197,15 @@ public:
     for (const Range<int>& side :
       { Range<int>{ columns.begin, through.begin }, Range<int>{ through.end, columns.end } })
     {
-      this->StepWhere<Passage::Clipped>(side, fields, resolve, step);
+      this->StepWhere<LayerCrossing::Clipped>(side, fields, resolve, step);
     }
     if (this->HasAbove(through, resolve.LeastOnWay(this->LongestWay(through))))
     {
-      this->StepWhere<Passage::Through>(through, fields, resolve, step);
+      this->StepWhere<LayerCrossing::Through>(through, fields, resolve, step);
     }
     else
     {
-      this->StepPlain<Passage::Through>(through, step);
+      this->StepPlain<LayerCrossing::Through>(through, step);
     }
   }
 
@@ -221,7 +221,7 @@ public:
   template <class Step>
   void ForEachRegardless(const Step& step) const
   {
-    detail::StepAllAs<Passage::Through>(this->Rays, step);
+    detail::StepAllAs<LayerCrossing::Through>(this->Rays, step);
   }
 
   template <class Step>
@@ -243,7 +243,7 @@ public:
       part.columns = Intersection(all, columns);
       if (!part.columns.Empty())
       {
-        detail::StepAllAs<Passage::Through>(part, step);
+        detail::StepAllAs<LayerCrossing::Through>(part, step);
       }
     }
   }
@@ -276,7 +276,7 @@ private:
 
   /// Calls step for the given rays, with the resolved layer where it is resolved: a LitRay if the
   /// step accepts one, a ResolvedRay otherwise.
-  template <Passage passage, class Resolve, class Step>
+  template <LayerCrossing passage, class Resolve, class Step>
   void StepWhere(const Range<int>& columns, const RayFields<Field>& fields, const Resolve& resolve,
     const Step& step) const
   {
@@ -291,7 +291,7 @@ private:
   }
 
   /// Calls step for the given rays, with a ResolvedRay where the layer is resolved.
-  template <Passage passage, class Resolve, class Step>
+  template <LayerCrossing passage, class Resolve, class Step>
   void StepOneByOne(const Range<int>& columns, const RayFields<Field>& fields,
     const Resolve& resolve, const Step& step) const
   {
@@ -299,7 +299,7 @@ private:
     for (int i = columns.begin; i < columns.end; ++i)
     {
       StepResolved(
-        this->Rays.template At<Passage::Clipped>(i), *this, fields, resolve, i, i,
+        this->Rays.template At<LayerCrossing::Clipped>(i), *this, fields, resolve, i, i,
         [&](const auto& ray, Index)
         {
           this->StepPlain<passage>({ begin, i }, step);
@@ -312,7 +312,7 @@ private:
   }
 
   /// Calls step for the given rays, with a LitRay where the layer is resolved.
-  template <Passage passage, class Resolve, class Step>
+  template <LayerCrossing passage, class Resolve, class Step>
   void StepInLanes(const Range<int>& columns, const RayFields<Field>& fields,
     const Resolve& resolve, const Step& step) const
   {
@@ -332,7 +332,8 @@ private:
       {
         const int i = lanes.column[lane];
         this->StepPlain<passage>({ begin, i }, step);
-        const RayInLayer<Passage::Clipped> ray = this->Rays.template At<Passage::Clipped>(i);
+        const RayInLayer<LayerCrossing::Clipped> ray =
+          this->Rays.template At<LayerCrossing::Clipped>(i);
         step(LitRay{ ray, lanes.light[lane], lanes.effect[lane] }, i);
         begin = i + 1;
       }
@@ -362,8 +363,8 @@ private:
     using Cuts = typename Resolve::Cuts;
     float* const densest = this->Samples.densest;
     float* const important = this->Samples.important;
-    detail::StepAllAs<Passage::Clipped>(this->RaysAt(columns),
-      [densest, important, resolve](const RayInLayer<Passage::Clipped>& ray, int i)
+    detail::StepAllAs<LayerCrossing::Clipped>(this->RaysAt(columns),
+      [densest, important, resolve](const RayInLayer<LayerCrossing::Clipped>& ray, int i)
         LIMPID_INLINE_LAMBDA
       {
         const float front = ray.importance[0];
@@ -375,8 +376,8 @@ private:
     {
       layer.IncludeEnds(columns, densest, important);
     }
-    detail::StepAllAs<Passage::Clipped>(this->RaysAt(columns),
-      [densest, important, resolve](const RayInLayer<Passage::Clipped>& ray, int i)
+    detail::StepAllAs<LayerCrossing::Clipped>(this->RaysAt(columns),
+      [densest, important, resolve](const RayInLayer<LayerCrossing::Clipped>& ray, int i)
         LIMPID_INLINE_LAMBDA
       {
         const bool inside = ray.StaysInside();
@@ -396,7 +397,7 @@ private:
   }
 
   /// Calls step for the given rays; all are treated as `passage` says.
-  template <Passage passage, class Step>
+  template <LayerCrossing passage, class Step>
   void StepPlain(const Range<int>& columns, const Step& step) const
   {
     if (!columns.Empty())

@@ -4,7 +4,7 @@
 #include "sweep/SliceWindow.h"
 
 #include "backend/Backend.h"
-#include "sweep/RankBands.h"
+#include "sweep/BandDecomposition.h"
 #include "sweep/Registers.h"
 
 #include <algorithm>
@@ -154,7 +154,7 @@ void SliceWindow::TransposeRow(int v, const Range<int>& columns, const Range<int
   }
 }
 
-SlabDelivery::Field SliceWindow::Delivered() const
+SlabExchange::Field SliceWindow::Delivered() const
 {
   FieldView view{ this->Slices - this->First * this->Pitch, {} };
   view.stride[std::size_t(this->Source->axisU)] = 1;

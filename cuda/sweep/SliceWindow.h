@@ -7,14 +7,14 @@
 #include "backend/Simd.h"
 #include "scene/NodeValues.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/SlabDelivery.h"
+#include "sweep/SlabExchange.h"
 
 #include <memory>
 #include <vector>
 
 namespace limpid
 {
-class RankBands;
+class BandDecomposition;
 
 /**
  * Copied slices of a slab. Each row records the columns that were written. All others are 0, so
@@ -60,7 +60,7 @@ struct FieldUse
  *
  * Depth along y or z: rows of the field itself. Depth along x: a transposed copy of the slices of
  * a slab, which Load and Store transfer. If the field is distributed differently: a copy along any
- * axis, which SlabDelivery fills and returns.
+ * axis, which SlabExchange fills and returns.
  */
 class SliceWindow
 {
@@ -78,7 +78,7 @@ public:
 
   /// From now on only the rows that this rank needs are transferred. `delivery`: transfers them;
   /// if null, Load and Store do.
-  void MoveNeeded(const RankBands& bands, const SlabDelivery* delivery)
+  void MoveNeeded(const BandDecomposition& bands, const SlabExchange* delivery)
   {
     this->Bands = &bands;
     this->Delivery = delivery;
@@ -93,7 +93,7 @@ public:
   void Store(const Range<int>& slab);
 
   /// Returns what `delivery` has to transfer for the loaded slab.
-  SlabDelivery::Field Delivered() const;
+  SlabExchange::Field Delivered() const;
 
   bool Reads() const { return this->Use.reads; }
   bool Writes() const { return this->Use.writes; }
@@ -126,8 +126,8 @@ private:
 
   const FaceFrustum* Source;
   const Occupancy* Occupied;
-  const RankBands* Bands = nullptr;
-  const SlabDelivery* Delivery = nullptr;
+  const BandDecomposition* Bands = nullptr;
+  const SlabExchange* Delivery = nullptr;
   float* Field;
   FieldUse Use;
   bool IsCopied;

@@ -6,8 +6,8 @@
 #ifndef limpid_sweep_SumRays_h
 #define limpid_sweep_SumRays_h
 
-#include "backend/ExactSum.h"
 #include "backend/SumOnDevice.h"
+#include "distributed/ExactSum.h"
 #include "sweep/FrustumRays.h"
 
 #include <type_traits>

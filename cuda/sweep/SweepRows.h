@@ -109,9 +109,9 @@ public:
 
 private:
   template <class Which>
-  std::vector<SlabDelivery::Field> Delivered(const Which& which) const
+  std::vector<SlabExchange::Field> Delivered(const Which& which) const
   {
-    std::vector<SlabDelivery::Field> fields;
+    std::vector<SlabExchange::Field> fields;
     for (const SliceWindow& window : this->All)
     {
       if (which(window))
@@ -127,7 +127,7 @@ private:
   std::deque<SliceWindow> All;
 };
 
-/// Exchanges the ghost rows of rays that voxels of slice `s` read, see RankBands.
+/// Exchanges the ghost rows of rays that voxels of slice `s` read, see BandDecomposition.
 inline void ExchangeRays(
   const FrustumRays<HostDevice>& rays, int s, bool cubic, const std::vector<float*>& images)
 {
@@ -144,7 +144,7 @@ inline std::vector<RayValues> CarriedToBack(const RayStates& rays)
     rays.keptVisible, rays.keptUnattenuated };
 }
 
-/// Redistributes rays to their owners on slice `to`, see RankBands.
+/// Redistributes rays to their owners on slice `to`, see BandDecomposition.
 inline void PassRays(
   const FrustumRays<HostDevice>& rays, int from, int to, const std::vector<RayValues>& carried)
 {

@@ -97,18 +97,19 @@ private:
     return { all, fields.base.Data() ? sumOf(Kept::Counted) : all };
   }
 
-  /// Returns the rays of a part, which is consumed. `margin`: see SlabDelivery.
+  /// Returns the rays of a part, which is consumed. `margin`: see SlabExchange.
   FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, [[maybe_unused]] int margin) const
   {
     const ScenePiece* piece = part.fields->values.piece.get();
-    const PlanSettings settings{ 1, Placement::ForIntegrals, piece ? piece->ranks.get() : nullptr };
+    const PlanSettings settings{ 1, RayPlacement::ForIntegrals,
+      piece ? piece->ranks.get() : nullptr };
     FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum), settings);
     if constexpr (AnyDevice::readsHostMemory)
     {
       if (part.fields->home)
       {
         rays.SweepFieldsOf(*part.fields->home, part.fields->occupancy.get(),
-          std::make_shared<PassageRoom>(), margin);
+          std::make_shared<ExchangeBuffers>(), margin);
       }
     }
     return rays;

@@ -34,7 +34,7 @@ public:
   template <class Step>
   void ForEachClipped(const Step& step) const
   {
-    detail::StepAllAs<Passage::Clipped>(this->Rays, step);
+    detail::StepAllAs<LayerCrossing::Clipped>(this->Rays, step);
   }
 
 private:

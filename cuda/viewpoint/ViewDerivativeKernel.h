@@ -94,7 +94,8 @@ struct ViewDerivativeStep
   float inverseDistance;
   EyeMove moves[2];
 
-  LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<Passage::Clipped>& here, Index i) const
+  LIMPID_HD LIMPID_INLINE void operator()(
+    const RayInLayer<LayerCrossing::Clipped>& here, Index i) const
   {
     const Layer& layer = here.layer;
     const float length = here.length;
@@ -179,8 +180,9 @@ private:
 
   /// Evaluates one half of a layer with its samples. If the ray enters or leaves the box in it,
   /// values at the middle of the inside part are used.
-  LIMPID_HD static LIMPID_INLINE HalfLayer<float> HalfOf(const RayInLayer<Passage::Clipped>& here,
-    int half, const Range<float>& part, const Line& extinction, const Line& importance)
+  LIMPID_HD static LIMPID_INLINE HalfLayer<float> HalfOf(
+    const RayInLayer<LayerCrossing::Clipped>& here, int half, const Range<float>& part,
+    const Line& extinction, const Line& importance)
   {
     const float whole = 0.4999f * here.layer.thickness;
     const bool cut = part.Length() < whole;

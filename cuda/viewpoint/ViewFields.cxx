@@ -4,6 +4,7 @@
 #include "viewpoint/ViewFields.h"
 
 #include "backend/Backend.h"
+#include "distributed/OccupancyOnRanks.h"
 
 #include <algorithm>
 #include <utility>
@@ -151,7 +152,7 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
     owned.push_back({ InCut(box, cut, axes) });
   }
   const NodeBox own = owned[std::size_t(piece.ranks->Rank())].front();
-  auto home = std::make_unique<HomeOfFields>(piece.nodes, std::move(owned), std::vector<Region>());
+  auto home = std::make_unique<FieldLayout>(piece.nodes, std::move(owned), std::vector<Region>());
   home->wanted.resize(piece.owned.size());
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -187,7 +188,7 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
 {
   const RaySource eye = SourceOfCamera(camera, fields.grid, false);
   for (PlannedFrustum& frustum : PlanSweep(fields.grid, *fields.occupancy, eye,
-         { rayDensity, Placement::ForIntegrals, nullptr, Readers::Rays, depthAxes }))
+         { rayDensity, RayPlacement::ForIntegrals, nullptr, Readers::Rays, depthAxes }))
   {
     parts.push_back({ &fields, std::move(frustum) });
   }

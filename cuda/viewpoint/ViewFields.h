@@ -4,11 +4,11 @@
 #ifndef limpid_viewpoint_ViewFields_h
 #define limpid_viewpoint_ViewFields_h
 
+#include "distributed/ScenePiece.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "scene/ScenePiece.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/SlabDelivery.h"
+#include "sweep/SlabExchange.h"
 
 #include <memory>
 #include <vector>
@@ -39,7 +39,7 @@ struct SweptFields
   std::vector<float> base;
   std::vector<float> least;
   std::unique_ptr<const Occupancy> occupancy; ///< null if nothing can be seen
-  std::unique_ptr<const HomeOfFields> home; ///< the distribution among ranks; null for one process
+  std::unique_ptr<const FieldLayout> home; ///< the distribution among ranks; null for one process
 };
 
 /**

@@ -4,9 +4,10 @@
 #include "viewpoint/ViewScore.h"
 
 #include "backend/ComputeBackend.h"
+#include "distributed/ExchangePlan.h"
+#include "distributed/Slab.h"
 #include "energy/NodeImportance.h"
-#include "scene/Slab.h"
-#include "sweep/RankRegions.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
     return ImportantExtinction(grid, base, viewed.importance);
   }
   const ScenePiece& piece = *viewed.piece;
-  const std::vector<NodeBox> slabs = SlabsOf(*piece.ranks, grid.nodes);
+  const std::vector<NodeBox> slabs = EvenSlabs(*piece.ranks, grid.nodes);
   const NodeBox own = slabs[std::size_t(piece.ranks->Rank())];
   const NodeBox around = own.Grown(1, grid.nodes);
   std::vector<Region> needed = RegionsOf(slabs);

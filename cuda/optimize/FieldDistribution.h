@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_optimize_TermsOnRanks_h
-#define limpid_optimize_TermsOnRanks_h
+#ifndef limpid_optimize_FieldDistribution_h
+#define limpid_optimize_FieldDistribution_h
 
-#include "scene/ScenePiece.h"
+#include "distributed/ExchangePlan.h"
+#include "distributed/ScenePiece.h"
+#include "scene/FieldView.h"
 #include "sweep/FrustumRays.h"
-#include "sweep/RankRegions.h"
 
 #include <array>
 #include <map>
@@ -21,10 +22,10 @@ namespace limpid
  * the ranks that read it next.
  *
  * If this takes much more than an even share of the memory, there is only one distribution, and
- * the sweeps of other terms transfer slabs from it (SlabDelivery): that of the first term or, if
+ * the sweeps of other terms transfer slabs from it (SlabExchange): that of the first term or, if
  * that needs as much or if some work needs no rays, slabs.
  */
-class TermsOnRanks
+class FieldDistribution
 {
 public:
   using Frusta = std::vector<FrustumRays<HostDevice>>;
@@ -43,7 +44,7 @@ public:
 
   /// `filled`: where fields may differ from 0; it must outlive this object. `inSlabs`: whether
   /// some work is done in slabs.
-  TermsOnRanks(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms,
+  FieldDistribution(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms,
     const Occupancy& filled, bool inSlabs, FieldPlaces places);
 
   const Communicator& Ranks() const { return *this->All; }
@@ -109,8 +110,8 @@ private:
   Int3 Nodes;
   std::vector<Place> Places;
   std::vector<std::vector<Regions>> Of; ///< [place][frustum]
-  std::shared_ptr<PassageRoom> Room = std::make_shared<PassageRoom>();
-  mutable std::map<Way, Passages> Known;
+  std::shared_ptr<ExchangeBuffers> Room = std::make_shared<ExchangeBuffers>();
+  mutable std::map<Way, ExchangePlan> Known;
 };
 }
 

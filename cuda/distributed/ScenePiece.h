@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_scene_ScenePiece_h
-#define limpid_scene_ScenePiece_h
+#ifndef limpid_distributed_ScenePiece_h
+#define limpid_distributed_ScenePiece_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 #include "scene/Grid.h"
 #include "scene/NodeBox.h"
 

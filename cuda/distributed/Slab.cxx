@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "scene/Slab.h"
+#include "distributed/Slab.h"
 
 namespace limpid
 {
@@ -15,7 +15,7 @@ Slab SlabOf(const Communicator& ranks, int rank, const Int3& nodes)
 }
 }
 
-std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes)
+std::vector<NodeBox> EvenSlabs(const Communicator& ranks, const Int3& nodes)
 {
   std::vector<NodeBox> boxes;
   boxes.reserve(std::size_t(ranks.Size()));

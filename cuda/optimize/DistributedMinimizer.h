@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_optimize_Ranked_h
-#define limpid_optimize_Ranked_h
+#ifndef limpid_optimize_DistributedMinimizer_h
+#define limpid_optimize_DistributedMinimizer_h
 
 #include "optimize/Problem.h"
 
@@ -31,9 +31,9 @@ std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const Ra
 
 /// Makes a minimiser of a distributed problem (Problem::piece). It works in the order of OrderFor;
 /// its results are those of this rank's subdomain, in the problem's order. `start`: of that
-/// subdomain, on all ranks or none. `make`: makes a minimiser of a problem with FieldsOfRanks,
+/// subdomain, on all ranks or none. `make`: makes a minimiser of a problem with DistributedFields,
 /// which outlives it.
-std::unique_ptr<Minimizer> MakeRanked(const Problem& problem, const StartingExtinction& start,
+std::unique_ptr<Minimizer> MakeDistributed(const Problem& problem, const StartingExtinction& start,
   const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make);
 }
 

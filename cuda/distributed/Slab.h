@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_scene_Slab_h
-#define limpid_scene_Slab_h
+#ifndef limpid_distributed_Slab_h
+#define limpid_distributed_Slab_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 #include "scene/NodeBox.h"
 
 #include <vector>
@@ -34,7 +34,7 @@ struct Slab
 
 /// Returns one slab per rank. Together they are the grid; their numbers of slices differ by at most
 /// one.
-std::vector<NodeBox> SlabsOf(const Communicator& ranks, const Int3& nodes);
+std::vector<NodeBox> EvenSlabs(const Communicator& ranks, const Int3& nodes);
 
 /// Returns the slab of this rank.
 Slab OwnSlab(const Communicator& ranks, const Int3& nodes);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "optimize/TermsOnRanks.h"
+#include "optimize/FieldDistribution.h"
 
-#include "scene/Slab.h"
+#include "distributed/Slab.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ NodeBox NodeAt(const RaySource& source, const Int3& nodes)
 }
 }
 
-TermsOnRanks::TermsOnRanks(const Communicator& ranks, const Int3& nodes,
+FieldDistribution::FieldDistribution(const Communicator& ranks, const Int3& nodes,
   const std::vector<OfTerm>& terms, const Occupancy& filled, bool inSlabs, FieldPlaces places)
   : All(&ranks)
   , Filled(&filled)
@@ -67,7 +67,7 @@ TermsOnRanks::TermsOnRanks(const Communicator& ranks, const Int3& nodes,
   this->VisitHome(terms);
 }
 
-Index TermsOnRanks::NodesHeld() const
+Index FieldDistribution::NodesHeld() const
 {
   constexpr Index nodesPerPage = 1024;
   const FieldView numbers = this->Whole(nullptr);
@@ -91,7 +91,7 @@ Index TermsOnRanks::NodesHeld() const
 }
 
 /// Whether a field takes little more memory than an even share, on the rank that needs most.
-bool TermsOnRanks::HoldLittleMoreThanAShare() const
+bool FieldDistribution::HoldLittleMoreThanAShare() const
 {
   // Including subdomains and messages, a rank then needs 1.3 times its share of one process's
   // memory.
@@ -101,7 +101,7 @@ bool TermsOnRanks::HoldLittleMoreThanAShare() const
 }
 
 /// Removes all distributions but one.
-void TermsOnRanks::KeepOnly(Place home)
+void FieldDistribution::KeepOnly(Place home)
 {
   const std::size_t number = this->NumberOf(home);
   this->Of = { std::move(this->Of[number]) };
@@ -109,9 +109,9 @@ void TermsOnRanks::KeepOnly(Place home)
 }
 
 /// Makes the sweeps of all other terms transfer slabs from the only distribution.
-void TermsOnRanks::VisitHome(const std::vector<OfTerm>& terms)
+void FieldDistribution::VisitHome(const std::vector<OfTerm>& terms)
 {
-  const HomeOfFields fields(NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
+  const FieldLayout fields(NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
     this->RegionsOf(0, &Regions::needed));
   for (const OfTerm& term : terms)
   {
@@ -125,7 +125,7 @@ void TermsOnRanks::VisitHome(const std::vector<OfTerm>& terms)
   }
 }
 
-void TermsOnRanks::AddTerm(const OfTerm& term)
+void FieldDistribution::AddTerm(const OfTerm& term)
 {
   std::vector<Regions> ofFrusta;
   for (const FrustumRays<HostDevice>& rays : *term.frusta)
@@ -133,8 +133,8 @@ void TermsOnRanks::AddTerm(const OfTerm& term)
     Regions regions;
     for (int rank = 0; rank < this->All->Size(); ++rank)
     {
-      regions.changed.push_back(RegionChanged(rays.Plan(), *rays.Bands(), rank));
-      regions.needed.push_back(RegionNeeded(rays.Plan(), *rays.Bands(), rank));
+      regions.changed.push_back(OwnedRegion(rays.Plan(), *rays.Bands(), rank));
+      regions.needed.push_back(NeededRegion(rays.Plan(), *rays.Bands(), rank));
     }
     ofFrusta.push_back(std::move(regions));
   }
@@ -150,10 +150,10 @@ void TermsOnRanks::AddTerm(const OfTerm& term)
 }
 
 /// `more`: number of ghost slices on either side.
-void TermsOnRanks::AddSlabs(int more)
+void FieldDistribution::AddSlabs(int more)
 {
   Regions regions;
-  for (const NodeBox& box : SlabsOf(*this->All, this->Nodes))
+  for (const NodeBox& box : EvenSlabs(*this->All, this->Nodes))
   {
     regions.changed.push_back({ box });
     regions.needed.push_back({ box.Grown(more, this->Nodes) });
@@ -162,20 +162,20 @@ void TermsOnRanks::AddSlabs(int more)
   this->Of.push_back({ std::move(regions) });
 }
 
-bool TermsOnRanks::Has(Place place) const
+bool FieldDistribution::Has(Place place) const
 {
   return std::find(this->Places.begin(), this->Places.end(), place) != this->Places.end();
 }
 
 /// Returns the index of a distribution, or 0 if only one is left.
-std::size_t TermsOnRanks::NumberOf(Place place) const
+std::size_t FieldDistribution::NumberOf(Place place) const
 {
   const auto found = std::find(this->Places.begin(), this->Places.end(), place);
   return found == this->Places.end() ? 0 : static_cast<std::size_t>(found - this->Places.begin());
 }
 
 /// Returns the union of the regions over all frusta of a term.
-std::vector<Region> TermsOnRanks::RegionsOf(
+std::vector<Region> FieldDistribution::RegionsOf(
   std::size_t place, std::vector<Region> Regions::*kind) const
 {
   std::vector<Region> all(std::size_t(this->All->Size()));
@@ -186,12 +186,12 @@ std::vector<Region> TermsOnRanks::RegionsOf(
   return all;
 }
 
-FieldView TermsOnRanks::Whole(const float* field) const
+FieldView FieldDistribution::Whole(const float* field) const
 {
   return FieldView::Whole(const_cast<float*>(field), this->Nodes);
 }
 
-void TermsOnRanks::FromPieces(
+void FieldDistribution::FromPieces(
   const std::vector<Region>& pieces, const std::vector<Input>& inputs) const
 {
   std::vector<Region> needed(std::size_t(this->All->Size()));
@@ -199,22 +199,22 @@ void TermsOnRanks::FromPieces(
   {
     Append(needed, this->RegionsOf(place, &Regions::needed));
   }
-  const Passages ways(*this->All, pieces, needed, this->Filled, std::make_shared<PassageRoom>(),
-    Passages::Keep::Boxes);
+  const ExchangePlan ways(*this->All, pieces, needed, this->Filled,
+    std::make_shared<ExchangeBuffers>(), ExchangePlan::Keep::Boxes);
   for (const Input& input : inputs)
   {
     ways.Bring({ { input.piece, this->Whole(input.field) } });
   }
 }
 
-void TermsOnRanks::ToPieces(
+void FieldDistribution::ToPieces(
   const float* field, const std::vector<Region>& pieces, const FieldView& piece) const
 {
   Spread(*this->All, this->Whole(field), this->RegionsOf(0, &Regions::changed), piece, pieces,
     this->Filled);
 }
 
-void TermsOnRanks::ShareFrustum(float* field, Place term, std::size_t frustum) const
+void FieldDistribution::ShareFrustum(float* field, Place term, std::size_t frustum) const
 {
   const std::size_t place = this->NumberOf(term);
   const std::vector<Regions>& frusta = this->Of[place];
@@ -233,11 +233,11 @@ void TermsOnRanks::ShareFrustum(float* field, Place term, std::size_t frustum) c
           Append(needed, frusta[other].needed);
         }
       }
-      return Passages(*this->All, frusta[frustum].changed, needed, this->Filled, this->Room);
+      return ExchangePlan(*this->All, frusta[frustum].changed, needed, this->Filled, this->Room);
     });
 }
 
-void TermsOnRanks::Share(float* field, Place place) const
+void FieldDistribution::Share(float* field, Place place) const
 {
   const std::size_t from = this->NumberOf(place);
   const bool isSlab = this->Places[from] == slabs;
@@ -252,12 +252,12 @@ void TermsOnRanks::Share(float* field, Place place) const
           Append(needed, this->RegionsOf(other, &Regions::needed));
         }
       }
-      return Passages(
+      return ExchangePlan(
         *this->All, this->RegionsOf(from, &Regions::changed), needed, this->Filled, this->Room);
     });
 }
 
-void TermsOnRanks::Pass(float* field, Place from, Place to) const
+void FieldDistribution::Pass(float* field, Place from, Place to) const
 {
   const std::size_t before = this->NumberOf(from);
   const std::size_t after = this->NumberOf(to);
@@ -268,14 +268,14 @@ void TermsOnRanks::Pass(float* field, Place from, Place to) const
   this->Bring(field, { before, after, 2 },
     [&]
     {
-      return Passages(*this->All, this->RegionsOf(before, &Regions::changed),
+      return ExchangePlan(*this->All, this->RegionsOf(before, &Regions::changed),
         this->RegionsOf(after, &Regions::changed), this->Filled, this->Room);
     });
 }
 
 /// Performs an exchange; `find` creates its plan the first time.
 template <class Find>
-void TermsOnRanks::Bring(float* field, const Way& way, const Find& find) const
+void FieldDistribution::Bring(float* field, const Way& way, const Find& find) const
 {
   auto known = this->Known.find(way);
   if (known == this->Known.end())
@@ -285,7 +285,7 @@ void TermsOnRanks::Bring(float* field, const Way& way, const Find& find) const
   known->second.Bring({ { this->Whole(field), this->Whole(field) } });
 }
 
-void TermsOnRanks::FillNeeded(Place place, float value, float* field) const
+void FieldDistribution::FillNeeded(Place place, float value, float* field) const
 {
   const auto own = std::size_t(this->All->Rank());
   for (const Regions& frustum : this->Of[this->NumberOf(place)])
@@ -297,7 +297,7 @@ void TermsOnRanks::FillNeeded(Place place, float value, float* field) const
   }
 }
 
-void TermsOnRanks::CopyNeeded(Place place, const float* from, float* to) const
+void FieldDistribution::CopyNeeded(Place place, const float* from, float* to) const
 {
   const auto own = std::size_t(this->All->Rank());
   for (const Regions& frustum : this->Of[this->NumberOf(place)])

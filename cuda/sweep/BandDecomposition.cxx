@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "sweep/RankBands.h"
+#include "sweep/BandDecomposition.h"
 
 #include "sweep/SliceWindow.h"
 
@@ -10,7 +10,7 @@
 
 namespace limpid
 {
-RankBands::RankBands(const FaceFrustum& frustum, const Communicator& ranks)
+BandDecomposition::BandDecomposition(const FaceFrustum& frustum, const Communicator& ranks)
   : Frustum(frustum)
   , All(&ranks)
   , Begins(FindEvenBands(frustum, ranks.Size()))
@@ -37,7 +37,7 @@ RankBands::RankBands(const FaceFrustum& frustum, const Communicator& ranks)
   }
 }
 
-void RankBands::FindNeeded()
+void BandDecomposition::FindNeeded()
 {
   int last = 0;
   for (int s = 0; s < this->Frustum.SliceCount(); ++s)
@@ -70,7 +70,7 @@ void RankBands::FindNeeded()
   }
 }
 
-void RankBands::FindVisited()
+void BandDecomposition::FindVisited()
 {
   this->Visited.resize(std::size_t(this->Frustum.rows));
   for (int s = 0; s < this->Frustum.lastSlice; ++s)
@@ -85,13 +85,13 @@ void RankBands::FindVisited()
 
 /// Returns the messages between this rank and all others, from what each rank has and reads.
 template <class Had, class Read>
-RankBands::OnSlice RankBands::Pass(const Had& had, const Read& read) const
+BandDecomposition::OnSlice BandDecomposition::Pass(const Had& had, const Read& read) const
 {
   OnSlice passing;
   const int own = this->All->Rank();
   for (int other = 0; other < this->All->Size(); ++other)
   {
-    const auto add = [other](const Range<int>& rows, std::vector<Passing>& all)
+    const auto add = [other](const Range<int>& rows, std::vector<RowMessage>& all)
     {
       if (!rows.Empty())
       {
@@ -109,7 +109,7 @@ RankBands::OnSlice RankBands::Pass(const Had& had, const Read& read) const
 
 /// Returns the rows of voxels that rows of rays read in the layer behind slice `s`, including the
 /// samples of resolved layers (ResolvedRay).
-Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
+Range<int> BandDecomposition::RowsRead(const Range<int>& rays, int s) const
 {
   Range<int> read;
   for (int half = 0; half < 2 && !rays.Empty(); ++half)
@@ -120,7 +120,7 @@ Range<int> RankBands::RowsRead(const Range<int>& rays, int s) const
   return read.Empty() ? read : Grown(read, 1, this->Frustum.nodesV);
 }
 
-Range<int> RankBands::VoxelsOf(int rank, int s) const
+Range<int> BandDecomposition::VoxelsOf(int rank, int s) const
 {
   if (!this->Frustum.HasVoxels())
   {
@@ -138,7 +138,7 @@ Range<int> RankBands::VoxelsOf(int rank, int s) const
 
 /// Returns the rows of rays that voxels of a rank read on slice `s`, and `more` rows on either
 /// side.
-Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
+Range<int> BandDecomposition::RaysReadBy(int rank, int s, int more) const
 {
   const Range<int> voxels = this->VoxelsOf(rank, s);
   if (voxels.Empty())
@@ -154,6 +154,50 @@ Range<int> RankBands::RaysReadBy(int rank, int s, int more) const
 
 namespace
 {
+/// Adds a box, or extends the last one if the box continues it along an axis.
+void Add(const NodeBox& box, int axis, Region& region)
+{
+  if (box.Empty())
+  {
+    return;
+  }
+  const auto along = std::size_t(axis);
+  if (!region.empty())
+  {
+    NodeBox joined = region.back();
+    Range<int>& depth = joined.along[along];
+    const Range<int>& next = box.along[along];
+    const bool before = next.end == depth.begin;
+    if (before || next.begin == depth.end)
+    {
+      depth = before ? Range<int>{ next.begin, depth.end } : Range<int>{ depth.begin, next.end };
+      bool goesOn = true;
+      for (std::size_t other = 0; other < 3; ++other)
+      {
+        const Range<int>& one = joined.along[other];
+        const Range<int>& two = box.along[other];
+        goesOn = goesOn && (other == along || (one.begin == two.begin && one.end == two.end));
+      }
+      if (goesOn)
+      {
+        region.back() = joined;
+        return;
+      }
+    }
+  }
+  region.push_back(box);
+}
+
+NodeBox SliceOf(
+  const FaceFrustum& frustum, int node, const Range<int>& columns, const Range<int>& rows)
+{
+  NodeBox box;
+  box.along[std::size_t(frustum.axisU)] = columns;
+  box.along[std::size_t(frustum.axisV)] = rows;
+  box.along[std::size_t(frustum.axisW)] = { node, node + 1 };
+  return box;
+}
+
 /// Contiguous values in memory.
 struct Segment
 {
@@ -202,12 +246,12 @@ std::vector<Communicator::Message> MessagesOf(std::vector<Parcel>& parcels)
 
 /// `add`: appends the values of a row to `segments`.
 template <class Add>
-void RankBands::Exchange(const OnSlice& passing, const Add& add) const
+void BandDecomposition::Exchange(const OnSlice& passing, const Add& add) const
 {
-  const auto parcelsOf = [&add](const std::vector<Passing>& all)
+  const auto parcelsOf = [&add](const std::vector<RowMessage>& all)
   {
     std::vector<Parcel> parcels;
-    for (const Passing& some : all)
+    for (const RowMessage& some : all)
     {
       parcels.push_back({ some.rank, {}, {} });
       for (int row = some.rows.begin; row < some.rows.end; ++row)
@@ -241,7 +285,7 @@ void RankBands::Exchange(const OnSlice& passing, const Add& add) const
   }
 }
 
-void RankBands::PassRays(int from, int to, const std::vector<RayValues>& carried) const
+void BandDecomposition::PassRays(int from, int to, const std::vector<RayValues>& carried) const
 {
   if (from / slicesPerStretch == to / slicesPerStretch)
   {
@@ -261,7 +305,7 @@ void RankBands::PassRays(int from, int to, const std::vector<RayValues>& carried
     });
 }
 
-void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& images) const
+void BandDecomposition::ExchangeRays(int s, bool cubic, const std::vector<float*>& images) const
 {
   this->Exchange(this->Rays[cubic ? 1 : 0][std::size_t(s)],
     [&](int row, std::vector<Segment>& segments)
@@ -282,7 +326,7 @@ void RankBands::ExchangeRays(int s, bool cubic, const std::vector<float*>& image
     });
 }
 
-void RankBands::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) const
+void BandDecomposition::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) const
 {
   this->Exchange(this->Voxels[std::size_t(s)],
     [&](int v, std::vector<Segment>& segments)
@@ -293,5 +337,45 @@ void RankBands::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) c
         AddSegment(field->Row(this->Frustum.SliceAt(s).node, v), 0, columns, segments);
       }
     });
+}
+
+Region OwnedRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
+{
+  Region region;
+  for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
+  {
+    const Slice& slice = frustum.SliceAt(s);
+    Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)), frustum.axisW,
+      region);
+  }
+  return region;
+}
+
+Region NeededRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
+{
+  // Find the voxels that any ray reads; a layer is read together with the slice in front of it.
+  std::vector<Range<int>> columns(std::size_t(bands.Depth()));
+  std::vector<Range<int>> rows(columns.size());
+  for (int s = 0; s < frustum.SliceCount(); ++s)
+  {
+    const Slice& slice = frustum.SliceAt(s);
+    for (const int node : { slice.node, slice.nodes[0], slice.nodes[1] })
+    {
+      if (node >= 0)
+      {
+        const auto at = std::size_t(node);
+        columns[at] = Hull(columns[at], slice.touchedColumns);
+        rows[at] = Hull(rows[at], slice.touchedRows);
+      }
+    }
+  }
+  Region region;
+  for (int node = 0; node < bands.Depth(); ++node)
+  {
+    const auto at = std::size_t(node);
+    Add(SliceOf(frustum, node, columns[at], Intersection(rows[at], bands.VoxelsNeeded(rank, node))),
+      frustum.axisW, region);
+  }
+  return region;
 }
 }

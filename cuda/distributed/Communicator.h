@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_backend_Communicator_h
-#define limpid_backend_Communicator_h
+#ifndef limpid_distributed_Communicator_h
+#define limpid_distributed_Communicator_h
 
-#include "backend/ExactSum.h"
 #include "backend/Interruption.h"
+#include "distributed/ExactSum.h"
 #include "math/Require.h"
 
 #include <cstddef>
@@ -108,7 +108,7 @@ public:
 /// Runs collective work. If it fails on this rank, the others are notified (Communicator::GiveUp).
 /// `ranks` is null for one process.
 template <class Work>
-decltype(auto) TellingRanks(const Communicator* ranks, const Work& work)
+decltype(auto) NotifyingOnFailure(const Communicator* ranks, const Work& work)
 {
   const auto giveUp = [ranks](const char* why, bool interrupted)
   {
@@ -140,7 +140,7 @@ decltype(auto) TellingRanks(const Communicator* ranks, const Work& work)
 /// Runs work that must succeed on all ranks. If it fails on any, all ranks throw JointError with
 /// the message of the first that failed. The work itself must not communicate. If `ranks` is null,
 /// exceptions are passed on unchanged.
-void Jointly(const Communicator* ranks, const std::function<void()>& work);
+void RequireOnAllRanks(const Communicator* ranks, const std::function<void()>& work);
 }
 
 #endif

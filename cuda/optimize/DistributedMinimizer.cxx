@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "optimize/Ranked.h"
+#include "optimize/DistributedMinimizer.h"
 
 #include "backend/Interruption.h"
 #include "backend/LargePages.h"
+#include "distributed/DistributedFields.h"
+#include "distributed/OccupancyOnRanks.h"
 #include "energy/NodeTransmittance.h"
 #include "energy/TransmittanceSweep.h"
 #include "energy/VisibilityTerm.h"
-#include "optimize/FieldsOfRanks.h"
 #include "optimize/Permuted.h"
 #include "optimize/RestoringMinimizer.h"
 #include "optimize/SolverBackend.h"
@@ -72,7 +73,7 @@ std::shared_ptr<const Occupancy> FindOccupancy(const ScenePiece& piece, const Gr
 Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
 {
   const ScenePiece& piece = *problem.piece;
-  const auto fields = std::make_shared<FieldsOfRanks>();
+  const auto fields = std::make_shared<DistributedFields>();
   fields->ranks = piece.ranks;
   fields->pieces = RegionsOf(InOrder(piece.owned, order));
   fields->wanted = RegionsOf(InOrder(piece.boxes, order));
@@ -84,7 +85,7 @@ Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
     settings.smoothness > 0;
   const auto fieldOf = [&](const float* values)
   {
-    return FieldsOfRanks::Field{ PieceOf(problem, order, values),
+    return DistributedFields::Field{ PieceOf(problem, order, values),
       NodeValues(problem.grid.NodeCount()) };
   };
   fields->base = fieldOf(problem.baseExtinction);
@@ -138,10 +139,10 @@ bool AreAlike(const Communicator& ranks, const std::vector<double>& numbers)
   return alike;
 }
 
-class RankedMinimizer : public RestoringMinimizer
+class DistributedMinimizer : public RestoringMinimizer
 {
 public:
-  RankedMinimizer(const Problem& problem, const AxisPermutation& order, bool warm)
+  DistributedMinimizer(const Problem& problem, const AxisPermutation& order, bool warm)
     : Given(&problem)
     , Order(order)
     , Inside(Shared(problem, order, warm))
@@ -157,12 +158,12 @@ public:
     {
       return {};
     }
-    const FieldsOfRanks& fields = *this->Inside.shared;
+    const DistributedFields& fields = *this->Inside.shared;
     const Slab own = this->Inside.OwnSlab();
     std::vector<float> values(std::size_t(own.Count()));
     Spread(*fields.ranks, PieceOf(*this->Given, this->Order, start->data()), fields.pieces,
       FieldView::Part(values.data(), own.Box()),
-      RegionsOf(SlabsOf(*fields.ranks, this->Inside.grid.nodes)));
+      RegionsOf(EvenSlabs(*fields.ranks, this->Inside.grid.nodes)));
     return values;
   }
 
@@ -198,12 +199,12 @@ private:
   Problem Inside; ///< the permuted problem
 };
 
-/// Makes sweeps use the fields of the ranks' subdomains. `filled`: see SlabDelivery.
+/// Makes sweeps use the fields of the ranks' subdomains. `filled`: see SlabExchange.
 void VisitPieces(
   std::vector<FrustumRays<HostDevice>>& frusta, const ScenePiece& piece, const Occupancy* filled)
 {
-  const HomeOfFields home(piece.nodes, RegionsOf(piece.owned), RegionsOf(piece.boxes));
-  const auto room = std::make_shared<PassageRoom>();
+  const FieldLayout home(piece.nodes, RegionsOf(piece.owned), RegionsOf(piece.boxes));
+  const auto room = std::make_shared<ExchangeBuffers>();
   for (FrustumRays<HostDevice>& rays : frusta)
   {
     rays.SweepFieldsOf(home, filled, room);
@@ -478,11 +479,12 @@ void RefineTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const
   Spread(ranks, result, RegionsOf(piece.owned), result, RegionsOf(piece.boxes));
 }
 
-std::unique_ptr<Minimizer> MakeRanked(const Problem& problem, const StartingExtinction& start,
+std::unique_ptr<Minimizer> MakeDistributed(const Problem& problem, const StartingExtinction& start,
   const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make)
 {
   const SmallPages small;
-  auto minimizer = std::make_unique<RankedMinimizer>(problem, OrderFor(problem), start.has_value());
+  auto minimizer =
+    std::make_unique<DistributedMinimizer>(problem, OrderFor(problem), start.has_value());
   minimizer->Use(make(minimizer->ProblemInside(), minimizer->InSlab(start)));
   return minimizer;
 }

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_optimize_FieldsOfRanks_h
-#define limpid_optimize_FieldsOfRanks_h
+#ifndef limpid_distributed_DistributedFields_h
+#define limpid_distributed_DistributedFields_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
+#include "distributed/ScenePiece.h"
+#include "scene/FieldView.h"
 #include "scene/NodeValues.h"
-#include "scene/ScenePiece.h"
-#include "sweep/RankRegions.h"
 
 #include <memory>
 #include <vector>
@@ -15,13 +15,13 @@
 namespace limpid
 {
 /// The fields of a distributed problem: their source, and arrays for all nodes of which only those
-/// are valid that TermsOnRanks delivers.
-struct FieldsOfRanks
+/// are valid that FieldDistribution delivers.
+struct DistributedFields
 {
   std::shared_ptr<const Communicator> ranks;
   std::vector<Region> pieces; ///< [rank]: nodes whose values the rank provides
   std::vector<Region> wanted; ///< [rank]: nodes whose results the rank receives
-  bool inSlabs = false;       ///< whether work is also done in slabs, see TermsOnRanks
+  bool inSlabs = false;       ///< whether work is also done in slabs, see FieldDistribution
   FieldPlaces places = FieldPlaces::Chosen;
 
   /// The values of a field in this rank's subdomain, and an array for all values that the rank

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "render/OverlayForAll.h"
+#include "render/GatheredOverlay.h"
 
-#include "sweep/RankRegions.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,7 @@ NodeBox NearestTo(const NodeBox& owned, const Int3& whole, const Int3& nodes)
 }
 }
 
-std::vector<TwoPacked> OverlayForAll(const ScenePiece& piece, const Grid& whole, const Grid& grid,
+std::vector<TwoPacked> GatheredOverlay(const ScenePiece& piece, const Grid& whole, const Grid& grid,
   const std::function<std::vector<TwoPacked>(const Grid& part)>& resample)
 {
   const Communicator& ranks = *piece.ranks;
@@ -61,7 +62,7 @@ std::vector<TwoPacked> OverlayForAll(const ScenePiece& piece, const Grid& whole,
   std::vector<TwoPacked> all(count, TwoPacked{ { std::int16_t(packedOne), 0 } });
   std::array<std::vector<float>, numbers> sent;
   std::array<std::vector<float>, numbers> received;
-  std::vector<Passages::Field> fields;
+  std::vector<ExchangePlan::Field> fields;
   for (std::size_t number = 0; number < numbers; ++number)
   {
     for (const TwoPacked& node : here)
@@ -72,7 +73,7 @@ std::vector<TwoPacked> OverlayForAll(const ScenePiece& piece, const Grid& whole,
     fields.push_back({ FieldView::Part(sent[number].data(), own),
       FieldView::Whole(received[number].data(), grid.nodes) });
   }
-  const Passages toAll(
+  const ExchangePlan toAll(
     ranks, RegionsOf(boxes), std::vector<Region>(boxes.size(), { NodeBox::Of(grid.nodes) }));
   toAll.Bring(fields);
   for (std::size_t node = 0; node < count; ++node)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "sweep/SlabDelivery.h"
+#include "sweep/SlabExchange.h"
 
-#include "sweep/RankBands.h"
+#include "sweep/BandDecomposition.h"
 
 #include <algorithm>
 #include <utility>
@@ -30,8 +30,7 @@ void Grow(const FaceFrustum& frustum, int margin, NodeBox& box)
 }
 }
 
-HomeOfFields::HomeOfFields(
-  const NodeBox& box, std::vector<Region> had, std::vector<Region> returned)
+FieldLayout::FieldLayout(const NodeBox& box, std::vector<Region> had, std::vector<Region> returned)
   : first(0)
   , stride(FieldView::Whole(nullptr, box.Size()).stride)
   , kept(std::move(had))
@@ -87,8 +86,8 @@ Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<in
   return hull;
 }
 
-SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
-  const HomeOfFields& home, const Occupancy* filled, const std::shared_ptr<PassageRoom>& room,
+SlabExchange::SlabExchange(const FaceFrustum& frustum, const BandDecomposition& bands,
+  const FieldLayout& home, const Occupancy* filled, const std::shared_ptr<ExchangeBuffers>& room,
   int margin)
   : Home(home)
   , ReadBeside(margin)
@@ -97,12 +96,12 @@ SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
   std::vector<Region> changed;
   for (int rank = 0; rank < bands.Ranks().Size(); ++rank)
   {
-    needed.push_back(RegionNeeded(frustum, bands, rank));
+    needed.push_back(NeededRegion(frustum, bands, rank));
     for (NodeBox& box : needed.back())
     {
       Grow(frustum, margin, box);
     }
-    changed.push_back(RegionChanged(frustum, bands, rank));
+    changed.push_back(OwnedRegion(frustum, bands, rank));
   }
   // Restricts all regions to the slices and to their columns and rows.
   const auto part = [&](std::vector<Region> regions, const Range<int>& slices,
@@ -120,7 +119,10 @@ SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
     return regions;
   };
   const auto pass = [&](const std::vector<Region>& from, const std::vector<Region>& to)
-  { return Passages(bands.Ranks(), from, to, filled, room, Passages::Keep::Boxes, frustum.axisU); };
+  {
+    return ExchangePlan(
+      bands.Ranks(), from, to, filled, room, ExchangePlan::Keep::Boxes, frustum.axisU);
+  };
   for (const Range<int>& slab : SlabsOf(frustum, true))
   {
     const Range<int> read{ std::max(slab.begin - mostSlicesInFront, 0),
@@ -131,28 +133,28 @@ SlabDelivery::SlabDelivery(const FaceFrustum& frustum, const RankBands& bands,
   }
 }
 
-const SlabDelivery::Ways& SlabDelivery::WaysOf(const Range<int>& slab) const
+const SlabExchange::Ways& SlabExchange::WaysOf(const Range<int>& slab) const
 {
   return *std::find_if(this->All.begin(), this->All.end(),
     [&slab](const Ways& ways) { return ways.slab.begin == slab.begin; });
 }
 
-void SlabDelivery::Bring(const Range<int>& slab, const std::vector<Field>& fields) const
+void SlabExchange::Bring(const Range<int>& slab, const std::vector<Field>& fields) const
 {
-  std::vector<Passages::Field> passing(fields.size());
+  std::vector<ExchangePlan::Field> passing(fields.size());
   std::transform(fields.begin(), fields.end(), passing.begin(),
     [this](const Field& field) {
-      return Passages::Field{ this->Home.On(field.field), field.window };
+      return ExchangePlan::Field{ this->Home.On(field.field), field.window };
     });
   this->WaysOf(slab).there.Bring(passing);
 }
 
-void SlabDelivery::Return(const Range<int>& slab, const std::vector<Field>& fields) const
+void SlabExchange::Return(const Range<int>& slab, const std::vector<Field>& fields) const
 {
-  std::vector<Passages::Field> passing(fields.size());
+  std::vector<ExchangePlan::Field> passing(fields.size());
   std::transform(fields.begin(), fields.end(), passing.begin(),
     [this](const Field& field) {
-      return Passages::Field{ field.window, this->Home.On(field.field) };
+      return ExchangePlan::Field{ field.window, this->Home.On(field.field) };
     });
   this->WaysOf(slab).back.Bring(passing);
 }

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_sweep_SlabDelivery_h
-#define limpid_sweep_SlabDelivery_h
+#ifndef limpid_sweep_SlabExchange_h
+#define limpid_sweep_SlabExchange_h
 
-#include "sweep/RankRegions.h"
+#include "distributed/ExchangePlan.h"
+#include "scene/FieldView.h"
+#include "sweep/FaceFrustum.h"
 
 #include <array>
 #include <memory>
@@ -12,6 +14,8 @@
 
 namespace limpid
 {
+class BandDecomposition;
+
 constexpr int slicesCopied = 16;     ///< floats in a cache line of 64 bytes
 constexpr int mostSlicesBehind = 2;  ///< maximum number of slices behind that sweeps read
 constexpr int mostSlicesInFront = 1; ///< maximum number of slices in front that sweeps read
@@ -27,7 +31,7 @@ Range<int> NodesOf(const FaceFrustum& frustum, const Range<int>& slices);
 Range<int> HullOf(const FaceFrustum& frustum, const Range<int>& slices, Range<int> Slice::*part);
 
 /// The distribution of fields outside of sweeps.
-struct HomeOfFields
+struct FieldLayout
 {
   Index first; ///< index of node (0, 0, 0) in this rank's arrays, which need not contain it
   std::array<Index, 3> stride; ///< see FieldView
@@ -35,7 +39,7 @@ struct HomeOfFields
   std::vector<Region> wanted;  ///< [rank]: nodes to which changed values are returned
 
   /// For arrays that hold the nodes of a box.
-  HomeOfFields(const NodeBox& box, std::vector<Region> had, std::vector<Region> returned);
+  FieldLayout(const NodeBox& box, std::vector<Region> had, std::vector<Region> returned);
 
   FieldView On(float* field) const { return { field + this->first, this->stride }; }
 };
@@ -45,14 +49,14 @@ struct HomeOfFields
  * a slab is swept, its slices are sent to the ranks that read them; afterwards changed values are
  * sent back. A rank therefore holds one slab at a time of each field of a sweep.
  */
-class SlabDelivery
+class SlabExchange
 {
 public:
   /// `filled`: fields are 0 outside of it; null if nothing is known. It and the ranks must outlive
   /// this object. `margin`: extra columns and rows that are read beside those that the plan's rays
   /// read.
-  SlabDelivery(const FaceFrustum& frustum, const RankBands& bands, const HomeOfFields& home,
-    const Occupancy* filled, const std::shared_ptr<PassageRoom>& room, int margin);
+  SlabExchange(const FaceFrustum& frustum, const BandDecomposition& bands, const FieldLayout& home,
+    const Occupancy* filled, const std::shared_ptr<ExchangeBuffers>& room, int margin);
 
   int Margin() const { return this->ReadBeside; }
 
@@ -73,13 +77,13 @@ private:
   struct Ways
   {
     Range<int> slab;
-    Passages there;
-    Passages back;
+    ExchangePlan there;
+    ExchangePlan back;
   };
 
   const Ways& WaysOf(const Range<int>& slab) const;
 
-  HomeOfFields Home;
+  FieldLayout Home;
   int ReadBeside;
   std::vector<Ways> All;
 };

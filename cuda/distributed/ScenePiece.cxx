@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "scene/ScenePiece.h"
+#include "distributed/ScenePiece.h"
 
 #include <algorithm>
 #include <string>

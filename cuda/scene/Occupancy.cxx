@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "sweep/Occupancy.h"
+#include "scene/Occupancy.h"
 
 #include "backend/Backend.h"
-#include "backend/Communicator.h"
 #include "backend/Simd.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace limpid
@@ -107,61 +103,14 @@ Occupancy::Occupancy(
   *this = builder.Take(skip);
 }
 
-Occupancy::Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox& box,
-  const float* baseExtinction, const float* importance, bool skip)
-  : Occupancy(grid)
+Occupancy::Occupancy(
+  const Grid& grid, std::vector<Spans> alongX, std::vector<Spans> alongY, Index filled, bool skip)
+  : Nodes(grid.nodes)
+  , Skip(skip)
+  , Filled(filled)
+  , AlongX(std::move(alongX))
+  , AlongY(std::move(alongY))
 {
-  this->Skip = skip;
-  std::int64_t filled = 0;
-  const std::array<Range<int>, 3>& nodes = box.along;
-  // Spans are stored as begins and negative ends, so that minima give the hull; initially empty.
-  constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
-  const std::size_t rows = this->AlongX.size() + this->AlongY.size();
-  std::vector<std::int32_t> ends(4 * rows, none);
-  const auto put = [&ends](std::size_t row, const Spans& spans, int offset)
-  {
-    const Range<int> both[2] = { spans.filled, spans.important };
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-      if (!both[i].Empty())
-      {
-        ends[4 * row + 2 * i] = both[i].begin + offset;
-        ends[4 * row + 2 * i + 1] = -(both[i].end + offset);
-      }
-    }
-  };
-  if (!box.Empty())
-  {
-    Grid part = grid;
-    part.nodes = box.Size();
-    const Occupancy here(part, baseExtinction, importance, true);
-    filled = here.Filled;
-    for (int k = nodes[2].begin; k < nodes[2].end; ++k)
-    {
-      for (int j = nodes[1].begin; j < nodes[1].end; ++j)
-      {
-        put(std::size_t(k) * this->Nodes.y + j, here.Row(0, j - nodes[1].begin, k - nodes[2].begin),
-          nodes[0].begin);
-      }
-      for (int i = nodes[0].begin; i < nodes[0].end; ++i)
-      {
-        put(this->AlongX.size() + std::size_t(k) * this->Nodes.x + i,
-          here.Row(1, i - nodes[0].begin, k - nodes[2].begin), nodes[1].begin);
-      }
-    }
-  }
-  ranks.TakeLeast(ends.data(), ends.size());
-  ranks.Sum(&filled, 1);
-  this->Filled = filled;
-  const auto spanOf = [&ends](std::size_t at) {
-    return ends[at] == none ? Range<int>{} : Range<int>{ ends[at], -ends[at + 1] };
-  };
-  for (std::size_t row = 0; row < rows; ++row)
-  {
-    Spans& spans =
-      row < this->AlongX.size() ? this->AlongX[row] : this->AlongY[row - this->AlongX.size()];
-    spans = { spanOf(4 * row), spanOf(4 * row + 2) };
-  }
   if (!skip)
   {
     this->CountAll();

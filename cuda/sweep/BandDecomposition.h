@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_sweep_RankBands_h
-#define limpid_sweep_RankBands_h
+#ifndef limpid_sweep_BandDecomposition_h
+#define limpid_sweep_BandDecomposition_h
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
+#include "scene/FieldView.h"
 #include "sweep/EvenBands.h"
 #include "sweep/FaceFrustum.h"
 #include "sweep/RaySteps.h"
@@ -26,12 +27,12 @@ class SliceWindow;
  * decomposition therefore changes between stretches (EvenBands.h), and rays are redistributed with
  * all values that they carry. Between sweeps they are distributed as on the last slice.
  */
-class RankBands
+class BandDecomposition
 {
 public:
   /// `frustum` (its tables) and `ranks` must outlive this object. Without tables of voxels ranks
   /// do not wait on slices, and one decomposition serves all of them.
-  RankBands(const FaceFrustum& frustum, const Communicator& ranks);
+  BandDecomposition(const FaceFrustum& frustum, const Communicator& ranks);
 
   const Communicator& Ranks() const { return *this->All; }
 
@@ -71,7 +72,7 @@ public:
 
 private:
   /// Rows that are sent to a rank or received from it.
-  struct Passing
+  struct RowMessage
   {
     int rank;
     Range<int> rows;
@@ -80,8 +81,8 @@ private:
   /// All messages for one slice.
   struct OnSlice
   {
-    std::vector<Passing> sent;
-    std::vector<Passing> received;
+    std::vector<RowMessage> sent;
+    std::vector<RowMessage> received;
   };
 
   Range<int> RowsRead(const Range<int>& rays, int s) const;
@@ -102,6 +103,12 @@ private:
   std::vector<OnSlice> Rays[2];    ///< [cubic][slice]
   std::vector<OnSlice> Voxels;     ///< [slice]
 };
+
+/// Returns the nodes that a rank owns in the sweep of a frustum. No other rank changes them.
+Region OwnedRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
+
+/// Returns the nodes that a rank owns or reads in the sweep of a frustum.
+Region NeededRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "backend/Communicator.h"
+#include "distributed/Communicator.h"
 
 #include <algorithm>
 #include <cstring>
@@ -45,7 +45,7 @@ void Reduce(const Communicator& ranks, Value* values, std::size_t count, const C
 }
 
 /// Broadcasts a text from rank `teller`.
-std::string Told(const Communicator& ranks, int teller, const std::string& text)
+std::string BroadcastText(const Communicator& ranks, int teller, const std::string& text)
 {
   const bool tells = ranks.Rank() == teller;
   std::int64_t length = tells ? std::int64_t(text.size()) : 0;
@@ -103,7 +103,7 @@ void Communicator::TakeLeast(std::int32_t* numbers, std::size_t count) const
   Reduce(*this, numbers, count, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
 }
 
-void Jointly(const Communicator* ranks, const std::function<void()>& work)
+void RequireOnAllRanks(const Communicator* ranks, const std::function<void()>& work)
 {
   if (!ranks)
   {
@@ -130,7 +130,8 @@ void Jointly(const Communicator* ranks, const std::function<void()>& work)
   ranks->TakeLeast(&first, 1);
   if (first < ranks->Size())
   {
-    throw JointError("Rank " + std::to_string(first) + ": " + Told(*ranks, first, failure));
+    throw JointError(
+      "Rank " + std::to_string(first) + ": " + BroadcastText(*ranks, first, failure));
   }
 }
 

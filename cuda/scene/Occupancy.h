@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_sweep_Occupancy_h
-#define limpid_sweep_Occupancy_h
+#ifndef limpid_scene_Occupancy_h
+#define limpid_scene_Occupancy_h
 
 #include "math/Range.h"
 #include "scene/Grid.h"
@@ -12,8 +12,6 @@
 
 namespace limpid
 {
-class Communicator;
-
 /**
  * For every row of voxels along x and along y: the ranges where the scene is not empty and where
  * it is important. Voxels outside these ranges provably never change (Documentation/Method.md,
@@ -22,21 +20,21 @@ class Communicator;
 class Occupancy
 {
 public:
-  /// Both fields have grid.NodeCount() values; `importance` is that of the nodes, see
-  /// NodeImportance.h. If `skip` is false, every voxel counts as occupied.
-  Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
-
-  /// Computes the occupancy of a distributed scene; the result is the same on all ranks. `box`:
-  /// the nodes that this rank owns, whose values the fields hold. The boxes of ranks must not
-  /// overlap.
-  Occupancy(const Communicator& ranks, const Grid& grid, const NodeBox& box,
-    const float* baseExtinction, const float* importance, bool skip);
-
   struct Spans
   {
     Range<int> filled;    ///< base extinction or importance above zero
     Range<int> important; ///< importance above zero
   };
+
+  /// Both fields have grid.NodeCount() values; `importance` is that of the nodes, see
+  /// NodeImportance.h. If `skip` is false, every voxel counts as occupied.
+  Occupancy(const Grid& grid, const float* baseExtinction, const float* importance, bool skip);
+
+  /// Assembles an occupancy from the spans of all rows along x, [z][y], and along y, [z][x].
+  /// `filled`: number of voxels that may change. If `skip` is false, every voxel counts as
+  /// occupied.
+  Occupancy(const Grid& grid, std::vector<Spans> alongX, std::vector<Spans> alongY, Index filled,
+    bool skip);
 
   /// Returns the ranges of the row of voxels along grid axis `alongAxis` (0 or 1). `first` and
   /// `second` are its indices along the two other axes, lower axis first.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_render_OverlayPlace_h
-#define limpid_render_OverlayPlace_h
+#ifndef limpid_render_OverlayGeometry_h
+#define limpid_render_OverlayGeometry_h
 
 #include "math/Macros.h"
 #include "math/Vec.h"
@@ -11,14 +11,14 @@ namespace limpid
 {
 /// The position of an overlay's nodes relative to the scalars: over the same box, or over one of
 /// which the scalars are a part.
-struct OverlayPlace
+struct OverlayGeometry
 {
   Int3 nodes{ 0 };    ///< nodes of the overlay
   Int3 boxNodes{ 0 }; ///< number of scalars in the box of the overlay
   Int3 first{ 0 };    ///< index of the first scalar among these
 
   /// Returns the place of an overlay over the box of the scalars.
-  static OverlayPlace Over(const Int3& scalarNodes, const Int3& nodes)
+  static OverlayGeometry Over(const Int3& scalarNodes, const Int3& nodes)
   {
     return { nodes, scalarNodes, Int3(0) };
   }
