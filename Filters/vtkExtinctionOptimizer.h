@@ -28,7 +28,7 @@
  *
  * Output port 0 also has field data with one tuple each:
  *   "VisibilityScore", "BaseVisibilityScore": S of Eq. (32) [length^2],
- *   "VisibleFraction", "BaseVisibleFraction": the share of the important matter in the data
+ *   "VisibleFraction", "BaseVisibleFraction": the share of the important structures in the data
  *     whose light reaches the camera [0, 1],
  *   "SacrificedFraction": the share of it that was removed [0, 1],
  *   "Energy", "Iterations", "Seconds", "Backend",

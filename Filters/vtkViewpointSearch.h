@@ -18,7 +18,7 @@
  * Output port 0: vtkPolyData, the S-sphere: a closed triangulated sphere around the image, one
  * point per direction, with the point arrays
  *   "VisibilityScore" S [length^2],
- *   "VisibleFraction" the share of the important matter in the data whose light reaches the
+ *   "VisibleFraction" the share of the important structures in the data whose light reaches the
  *                     camera [0, 1],
  *   "AttainableFraction" with Field ATTAINABLE: the highest share that an optimisation for the
  *                     view could show; "VisibleFraction" has the same values then [0, 1],

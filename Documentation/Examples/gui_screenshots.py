@@ -117,7 +117,7 @@ def main():
     settle(frames, view, "before")
     display.Method = "Optimized"
     settle(frames, view, "after")
-    story.say(f"of what is important {100 * display.VisibleFraction:.1f} % shows, "
+    story.say(f"of the important structures {100 * display.VisibleFraction:.1f} % shows, "
               f"{100 * display.BaseVisibleFraction:.1f} % before")
     save_panel("panel", 2)
     display.Preset = "Keep Context"

@@ -55,5 +55,5 @@ def catalyst_execute(info):
     display.RescaleTransferFunctionToDataRange(False, True)
     simple.SaveScreenshot(os.path.join(PICTURES, f"step_{info.timestep:04d}.png"), view)
     if vtkProcessModule.GetProcessModule().GetPartitionId() == 0:
-        print(f"step {info.timestep}: {100 * display.VisibleFraction:.1f} % of what is important is visible "
+        print(f"step {info.timestep}: {100 * display.VisibleFraction:.1f} % of the important structures is visible "
               f"(was {100 * display.BaseVisibleFraction:.1f} %)", flush=True)

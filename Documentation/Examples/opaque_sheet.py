@@ -6,7 +6,7 @@ a row per scene.
 
   pvpython opaque_sheet.py --plugin Limpid.so --output SHEET.png [FILE.scene.json ...]
 
-Ordinary and optimised; above each picture the share of what is important that is visible, and how
+Ordinary and optimised; above each picture the share of the important structures that is visible, and how
 much could be at most. Without scenes: the embedded phantom.
 """
 

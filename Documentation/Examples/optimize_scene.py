@@ -142,8 +142,8 @@ Becomes visible: {becomes_visible}
 | | before | as in the paper | after |
 | --- | --- | --- | --- |
 | visibility score S | {BaseVisibilityScore:.6g} | {paper_score:.6g} | {VisibilityScore:.6g} |
-| visible share of what is important | {base:.1f} % | {paper:.1f} % | {best:.1f} % |
-| removed share of what is important | 0 % | {paper_removed:.1f} % | {removed:.1f} % |
+| visible share of the important structures | {base:.1f} % | {paper:.1f} % | {best:.1f} % |
+| removed share of the important structures | 0 % | {paper_removed:.1f} % | {removed:.1f} % |
 
 {Iterations:.0f} iterations in {Seconds:.2f} s on {backend}.
 
@@ -181,7 +181,7 @@ def main():
     print("{}: S {:.6g} before, {:.6g} after ({:+.1f} %)".format(
         scene.title, numbers["BaseVisibilityScore"], numbers["VisibilityScore"],
         100 * (numbers["VisibilityScore"] / numbers["BaseVisibilityScore"] - 1)))
-    print("  visible share of what is important: {:.1f} % before, {:.1f} % after, {:.1f} % "
+    print("  visible share of the important structures: {:.1f} % before, {:.1f} % after, {:.1f} % "
           "removed".format(100 * numbers["BaseVisibleFraction"], 100 * numbers["VisibleFraction"],
                            100 * numbers["SacrificedFraction"]))
     print("  {:.0f} iterations in {:.2f} s on {}".format(

@@ -42,7 +42,7 @@ display.ImportanceArray = ["POINTS", "Importance"]
 display.ScalarOpacityUnitDistance = 0.1
 
 SaveScreenshot(picture, view, ImageResolution=view.ViewSize)
-print("Visible: {:.1f} % of what is important, {:.1f} % without the optimisation".format(
+print("Visible: {:.1f} % of the important structures, {:.1f} % without the optimisation".format(
     100 * display.VisibleFraction, 100 * display.BaseVisibleFraction))
 if display.Messages:
     print(display.Messages)

@@ -8,7 +8,7 @@
 
 Without scenes: the embedded phantom. With --default-opacity, opacities are ParaView's default: a
 straight line from 0 to 1 over the range of the data, on a cell's length. Above each picture, the
-shares of what is important that are visible and removed.
+shares of the important structures that are visible and removed.
 """
 
 import os

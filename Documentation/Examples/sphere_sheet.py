@@ -49,7 +49,7 @@ def explain(figure, place):
     colors = ScalarMappable(Normalize(*VISIBLE),
                             LinearSegmentedColormap.from_list("visible", nodes))
     bar = figure.colorbar(colors, cax=figure.add_axes(place), orientation="horizontal")
-    bar.set_label("of what is important can be seen [%]; white: best views, black: worst",
+    bar.set_label("of the important structures can be seen [%]; white: best views, black: worst",
                   fontsize=9)
     bar.ax.tick_params(labelsize=8)
 

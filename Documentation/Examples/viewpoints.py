@@ -206,7 +206,7 @@ def write_report(scene, named, path):
 
 ![S-sphere](s-sphere.png)
 
-*Both halves, z upwards, by the share of what is important that can be seen: red is 10 %, blue 60 %,
+*Both halves, z upwards, by the share of the important structures that can be seen: red is 10 %, blue 60 %,
 lines are 2 % apart. White dots are the best views, the black one is the worst.*
 
 | | ordinary | optimized |
@@ -266,7 +266,7 @@ def main():
     fields = search.FieldData
     print("{}:".format(scene.title))
     for text, name in (("best", "viewpoint 1"), ("worst", "worst view")):
-        print("  {} view: S {:.6g}, {:.1f} % of what is important is visible".format(
+        print("  {} view: S {:.6g}, {:.1f} % of the important structures is visible".format(
             text, named[name]["VisibilityScore"], 100 * named[name]["VisibleFraction"]))
     print("  {:.0f} evaluations in {:.2f} s".format(
         fields["Evaluations"].GetRange()[0], fields["Seconds"].GetRange()[0]))

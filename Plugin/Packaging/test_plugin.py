@@ -18,6 +18,6 @@ optimizer.UpdatePipeline()
 
 after, before = (optimizer.FieldData[name].GetRange()[0]
                  for name in ("VisibleFraction", "BaseVisibleFraction"))
-print(f"Visible: {100 * after:.1f} % of what is important, {100 * before:.1f} % before")
+print(f"Visible: {100 * after:.1f} % of the important structures, {100 * before:.1f} % before")
 if not 1 >= after > before > 0:
-    sys.exit("The optimisation does not let more of what is important be seen.")
+    sys.exit("The optimisation does not let more of the important structures be seen.")

@@ -316,7 +316,7 @@ public:
   /**
    * Whether pixels that miss important structures are painted over with MissedColor. Structures
    * that were removed are painted. Hidden ones are painted only if they could be seen in that pixel
-   * without less important matter in front of them; so the inside and the back of a visible
+   * without less important structures in front of them; so the inside and the back of a visible
    * structure, and what it hides of its own kind, are not painted. Visible important structures
    * cover the paint of what is behind them. At most 70 % of a pixel's colour is painted, and little
    * where little is missed, so that noise is not painted.

@@ -95,7 +95,7 @@ nobody writes is not taken: *peak* is the most that was resident, *scene* what o
 seven fields with a value per node would take. In the phantom, *peak* is little more than half of that. Processes of MPI
 divide it ([Ranks.md](Ranks.md)); images of VTK, whose arrays are dense, are not part of this.
 
-S and the share of what is important that is visible have to tend to a limit: edges of the phantom are as wide as the
+S and the share of the important structures that is visible have to tend to a limit: edges of the phantom are as wide as the
 distance of its nodes. The policy of the default settings, from the base to its end; times are medians of iterations and
 sums, on a machine that was not idle: preliminary.
 )"

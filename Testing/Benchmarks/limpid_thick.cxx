@@ -236,7 +236,7 @@ void ReportRun(
   std::fflush(stdout);
 }
 
-/// A row with the display's bounds, and one where important matter may be removed.
+/// A row with the display's bounds, and one where important structures may be removed.
 void ReportRuns(const SceneForSolver& scene, Settings settings, const March& march, int runs)
 {
   const double base = march(scene.extinction);

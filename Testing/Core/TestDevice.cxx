@@ -42,7 +42,8 @@ struct ShareOfPair
 
   LIMPID_HD void operator()(Index pair) const
   {
-    this->out[pair] = Share(this->numbers[pair % this->count], this->numbers[pair / this->count]);
+    this->out[pair] =
+      FractionOf(this->numbers[pair % this->count], this->numbers[pair / this->count]);
   }
 };
 

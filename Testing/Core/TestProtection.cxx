@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Protection of important matter: what keeps its extinction, and what that costs.
+// Protection of important structures: what keeps its extinction, and what that costs.
 
 #include "BoxScene.h"
 

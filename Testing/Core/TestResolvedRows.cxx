@@ -112,7 +112,7 @@ struct RandomScene
     const Occupancy occupancy(this->grid, this->extinction.data(), this->importance.data(), true);
     int resolved = 0;
     for (const PlannedFrustum& frustum :
-      PlanSweep(this->grid, occupancy, source, { 1, Placement::ForIntegrals }))
+      PlanSweep(this->grid, occupancy, source, { 1, RayPlacement::ForIntegrals }))
     {
       RayImages<HostDevice> images(device, frustum.RayCount());
       const RayStates states = images.States();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is reported of an extinction: S, and which share of the important matter that the data has
-// is seen and is removed. Against the independent march and closed forms.
+// What is reported of an extinction: S, and which share of the important structures that the data
+// has is seen and is removed. Against the independent march and closed forms.
 
 #include "Tolerance.h"
 #include "ViewScene.h"

@@ -64,7 +64,7 @@ def tell():
     first = display.VisibleFraction
     expect(display.Messages == "", f"no message: {display.Messages!r}")
     expect(first > 2 * display.BaseVisibleFraction,
-           f"of what is important {100 * first:.1f} % shows, "
+           f"of the important structures {100 * first:.1f} % shows, "
            f"{100 * display.BaseVisibleFraction:.1f} % in Ordinary")
     story.screenshot("window-first.png")
     frames.clear()
@@ -96,7 +96,7 @@ def tell():
     optimizer.UpdatePipeline()
     share = optimizer.FieldData["BaseVisibleFraction"].GetRange()[0]
     expect(abs(share - display.BaseVisibleFraction) < 1e-6,
-           f"of what is important the filter sees {100 * share:.4f} % in Ordinary, the display "
+           f"of the important structures the filter sees {100 * share:.4f} % in Ordinary, the display "
            f"{100 * display.BaseVisibleFraction:.4f} %")
     simple.SetActiveSource(reader)
     yield

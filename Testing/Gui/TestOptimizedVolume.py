@@ -49,7 +49,7 @@ def tell():
     story.live(3.0)
     expect(frames.all() == 0, f"shown: {frames.all()} renders in 3 s after that")
     expect(display.VisibleFraction > display.BaseVisibleFraction,
-           f"of what is important {100 * display.VisibleFraction:.1f} % shows, "
+           f"of the important structures {100 * display.VisibleFraction:.1f} % shows, "
            f"{100 * display.BaseVisibleFraction:.1f} % before")
     expect(display.Messages == "", f"no messages are left: {display.Messages!r}")
     optimized = story.shown(view)
@@ -80,7 +80,7 @@ def tell():
     expect(count >= 20, f"the mouse turned it on: {count} frames, {count / seconds:.1f} per second")
     story.say(f"view {view.ViewSize[0]} x {view.ViewSize[1]}, {frames.describe()}")
     display.UpdatePropertyInformation()
-    story.say(f"of what is important {100 * display.VisibleFraction:.1f} % shows while turning, "
+    story.say(f"of the important structures {100 * display.VisibleFraction:.1f} % shows while turning, "
               f"{100 * display.BaseVisibleFraction:.1f} % before")
     story.screenshot("window-turning.png")
     frames.clear()

@@ -28,7 +28,7 @@ def tell():
 
     def finished(name):
         expect(frames.settle() and not display.Messages,
-               f"{name}: {share(display):.1f} % of what is important shows {display.Messages}")
+               f"{name}: {share(display):.1f} % of the important structures shows {display.Messages}")
         story.screenshot(f"tutorial-{name}.png")
 
     finished("first")
@@ -50,7 +50,7 @@ def tell():
 
     expect(display.ClearingThreshold > 0.01, "the slider moves towards Keep Context")
     finished("context")
-    expect(share(display) < revealed, "less of what is important shows with more context")
+    expect(share(display) < revealed, "less of the important structures shows with more context")
     yield
 
     frames.settle()

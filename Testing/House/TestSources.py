@@ -14,7 +14,7 @@ FRAGMENT = re.compile(r"(Of|The same|Whatever|Whoever)\b|\.\.\.")
 
 # Comments that begin as fragments. The numbers may only go down.
 MOST_FRAGMENTS = {"Filters": 0, "Plugin": 0, "Representations": 1, "Testing": 0,
-                  "cuda/backend": 0, "cuda/compute": 0, "cuda/energy": 0, "cuda/math": 0,
+                  "cuda/backend": 0, "cuda/compute": 0, "cuda/distributed": 0, "cuda/energy": 0, "cuda/math": 0,
                   "cuda/methods": 0, "cuda/optimize": 0, "cuda/render": 0, "cuda/scene": 0,
                   "cuda/sweep": 0, "cuda/viewpoint": 0}
 

@@ -82,7 +82,7 @@ class TestPlainVtk(unittest.TestCase):
 
         said = self.clone.run(block(README, "cmake -S program"))
 
-        share, = re.findall(r"([0-9.]+) % of what is important can be seen", said)
+        share, = re.findall(r"([0-9.]+) % of the important structures can be seen", said)
         self.assertGreater(float(share), 0)
 
 
@@ -115,7 +115,7 @@ class TestParaView(unittest.TestCase):
             block(README, "seen = ExtinctionOptimizer("),
             block(README, "search = ViewpointSearch(")]))
 
-        self.assertRegex(said, r"[0-9.]+ % of what is important can be seen, [0-9.]+ % before")
+        self.assertRegex(said, r"[0-9.]+ % of the important structures can be seen, [0-9.]+ % before")
         for name in ("head.png", "seen.png"):
             self.assertTrue((self.clone.root / name).is_file(), name)
 

@@ -53,7 +53,7 @@ class TestInSitu(unittest.TestCase):
             self.assertLessEqual(apart[:4 * len(apart) // 5].max(), 1)
 
     def test_says_what_is_visible_once_per_step(self):
-        steps = re.compile(r"step \d: (\d+\.\d) % of what is important is visible \(was (\d+\.\d) %\)")
+        steps = re.compile(r"step \d: (\d+\.\d) % of the important structures is visible \(was (\d+\.\d) %\)")
         said = steps.findall(self.said)
 
         self.assertEqual(len(said), STEPS, self.said)

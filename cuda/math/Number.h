@@ -92,7 +92,7 @@ constexpr float leastNormal = 1.17549435e-38f; ///< least positive number of ful
 
 /// Returns part / whole, at most 1, for non-negative numbers; 1 if both are 0. Smaller wholes count
 /// as the least normal number: on a GPU the quotient of zero and a number below 2^-128 is NaN.
-LIMPID_HD LIMPID_INLINE float Share(float part, float whole)
+LIMPID_HD LIMPID_INLINE float FractionOf(float part, float whole)
 {
   return part < whole ? Quotient(part, AtLeast(whole, leastNormal)) : 1.0f;
 }

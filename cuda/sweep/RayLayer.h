@@ -136,7 +136,7 @@ struct RayInLayer
   /// Share of a half's extinction that is kept base extinction [0, 1].
   LIMPID_HD LIMPID_INLINE float KeptShare(int half) const
   {
-    return Share(this->kept[half], this->extinction[half]);
+    return FractionOf(this->kept[half], this->extinction[half]);
   }
 
   LIMPID_HD LIMPID_INLINE float WholeDepth() const

@@ -62,8 +62,9 @@ int main()
     solver.Run();
 
     std::cout << std::fixed << std::setprecision(1)
-              << "Visible: " << 100 * solver.BestScore().fraction << " % of what is important, "
-              << 100 * solver.BaseScore().fraction << " % before\n"
+              << "Visible: " << 100 * solver.BestScore().fraction
+              << " % of the important structures, " << 100 * solver.BaseScore().fraction
+              << " % before\n"
               << solver.Iterations() << " iterations on " << solver.BackendName() << '\n';
     return EXIT_SUCCESS;
   }

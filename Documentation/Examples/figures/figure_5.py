@@ -146,7 +146,7 @@ def caption(numbers):
     return ("{}{}, turned by {}°. Mean difference from the last picture, of 255: {:.1f} with the "
             "extinction of the old view, {:.1f} in the first frame, which is there after {:.2f} s, "
             "{:.1f} in the last moving one, with {:.2f} s per frame. The still picture takes {:.2f} s. "
-            "Of what is important the old extinction shows {:.1f} % in the new view, and the last "
+            "Of the important structures the old extinction shows {:.1f} % in the new view, and the last "
             "picture {:.1f} %.").format(
                 studio.load_warning(numbers), numbers["scene"], TURN, *numbers["apart"][:2],
                 numbers["first"], numbers["apart"][2], numbers["frame"], numbers["still"],

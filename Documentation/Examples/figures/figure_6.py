@@ -36,7 +36,7 @@ def caption(numbers):
     fractions = [(view["BaseVisibleFraction"], view["VisibleFraction"])
                  for views in numbers["scores"].values() for view in views.values()]
     return ("S rises to {:.1f} to {:.1f} times of what it was, in {} of {} views; the visible share "
-            "of what is important rises from {:.1f}–{:.1f} % to {:.1f}–{:.1f} %.").format(
+            "of the important structures rises from {:.1f}–{:.1f} % to {:.1f}–{:.1f} %.").format(
                 min(gains), max(gains), sum(gain > 1 for gain in gains), len(gains),
                 *(100 * edge([pair[place] for pair in fractions])
                   for place in (0, 1) for edge in (min, max)))

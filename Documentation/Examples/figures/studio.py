@@ -214,7 +214,7 @@ def filter_of(scene, **properties):
 
 
 def visibility_of(scene, extinction, viewpoint=None):
-    """Of a given extinction at the nodes: S, the visible share of the important matter in it, and F_q
+    """Of a given extinction at the nodes: S, the visible share of the important structures in it, and F_q
     and F_r of Eqs. (23) and (24) with the paper's weights [length^2]."""
     image = copied(image_of(scene.source), Given=extinction, Importance=importance_of(scene))
     source = source_of(image)

@@ -98,7 +98,8 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   std::cout << std::fixed << std::setprecision(1)
-            << "Visible: " << Percent(optimizer, "VisibleFraction") << " % of what is important, "
-            << Percent(optimizer, "BaseVisibleFraction") << " % before\n";
+            << "Visible: " << Percent(optimizer, "VisibleFraction")
+            << " % of the important structures, " << Percent(optimizer, "BaseVisibleFraction")
+            << " % before\n";
   return EXIT_SUCCESS;
 }

@@ -72,6 +72,6 @@ writer.SetFileName(picture)
 writer.Write()
 
 results = optimizer.GetOutput().GetFieldData()
-print("Visible: {:.1f} % of what is important, {:.1f} % before".format(
+print("Visible: {:.1f} % of the important structures, {:.1f} % before".format(
     100 * results.GetArray("VisibleFraction").GetTuple1(0),
     100 * results.GetArray("BaseVisibleFraction").GetTuple1(0)))

@@ -25,7 +25,7 @@ def page(measured):
 
     ordered = sum(map(is_ordered, rows))
     return head("Presets", measured, "python3 Testing/Benchmarks/presets.py") + f"""
-Visible share of the important matter in per cent, by the filter, with the scene's camera, light and \
+Visible share of the important structures in per cent, by the filter, with the scene's camera, light and \
 importance: as the data are, and with the presets. *Distance* is that on which the opacity function \
 holds, in the scene's own or, with ParaView's default opacity, in the length of a cell: the longer it \
 is, the thinner are the data. In {ordered} of {len(rows)} rows *Keep Context*, *Default* and *Strong \

@@ -45,7 +45,7 @@ Scores [length²] that the solver reports against those of the march.
 
 Policy with default settings against Adam with 32, 32 and 64 iterations on a quarter, half and \
 full resolution. F is the energy of Eq. (21); the last column is negative where the policy's is \
-lower, that is, better. S after one iteration is the reported one. Visible: of the important matter \
+lower, that is, better. S after one iteration is the reported one. Visible: of the important structures \
 in the data, the share whose light reaches the camera. Times are those of one run each, with setup.
 """ + table(scenes, [
         SCENE, ("policy, 1 iteration: F", lambda s: fixed(s["quality"]["policy"]["first_F"])),
