@@ -61,9 +61,6 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
   this->Property->SetInterpolationTypeToLinear(); // other requests are reported by AddUnavailable
   this->State->Mapper->Prop = this->Actor;
   this->State->Mapper->SharesImageOn();
-  this->SetProgressText("Drawing Optimized Volume");
-  this->State->Mapper->AddObserver(
-    vtkCommand::ProgressEvent, this, &vtkOptimizedVolumeRepresentation::PassProgress);
   this->State->Annotation->SetTextSource(
     [this]()
     {
@@ -225,23 +222,6 @@ void vtkOptimizedVolumeRepresentation::EndFrame(vtkObject* object, unsigned long
     this->State->PeelsVolumes = false;
   }
   this->State->Annotation->ClaimNothing();
-}
-
-// ParaView shows the progress of its proxies, and aborts these. It writes a picture all the same.
-void vtkOptimizedVolumeRepresentation::PassProgress(vtkObject*, unsigned long, void*)
-{
-  vtkTransmittanceVolumeMapper* mapper = this->State->Mapper;
-  this->UpdateProgress(mapper->GetProgress());
-  if (!this->GetAbortExecute())
-  {
-    return;
-  }
-  this->SetAbortExecute(0);
-  mapper->SetAbortExecute(1);
-  if (this->State->View && limpid::IsCaptured(this->State->View))
-  {
-    vtkWarningMacro(<< "Drawing was aborted (the saved picture is not complete). Save it again.");
-  }
 }
 
 void vtkRepresentedVolumeMapper::Render(vtkRenderer* renderer, vtkVolume*)

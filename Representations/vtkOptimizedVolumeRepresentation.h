@@ -225,7 +225,6 @@ private:
   bool HasSomethingToDraw();
   void BeginFrame(vtkObject* renderer, unsigned long event, void* data);
   void EndFrame(vtkObject* renderer, unsigned long event, void* data);
-  void PassProgress(vtkObject* mapper, unsigned long event, void* data);
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);
   vtkMultiProcessController* Others() const;
   limpid::SharedArray Shared(const limpid::ScalarChoice& choice, vtkImageData* image) const;

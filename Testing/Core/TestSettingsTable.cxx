@@ -155,6 +155,6 @@ TEST(SettingsTable, MessagesAreSentences)
   };
 
   EXPECT_EQ(MessageFor(rate, 2),
-    "The learning rate is 2 of the largest extinction (a step leaves the valid range or does "
+    "The learning rate is 2 of the largest extinction (steps would leave the valid range or change "
     "nothing). Set it above 0 and at most 1.");
 }
