@@ -369,12 +369,6 @@ TEST(Ranks, AreRefusedPiecesThatAreNone)
     box.along[1].end += rank;
     return box;
   };
-  const auto withAGap = [&](int rank)
-  {
-    NodeBox box = Slabs(scene.grid.nodes, 0, 2)(rank);
-    box.along[0].begin += 2 * rank;
-    return box;
-  };
   const auto inACorner = [&](int rank)
   {
     NodeBox box = NodeBox::Of(scene.grid.nodes);
@@ -393,9 +387,6 @@ TEST(Ranks, AreRefusedPiecesThatAreNone)
   };
   EXPECT_NE(messageOf(outside).find("outside the image"), std::string::npos);
   EXPECT_NE(messageOf(inACorner).find("in a corner"), std::string::npos);
-  const int nodesOfGap = 2 * scene.grid.nodes.y * scene.grid.nodes.z;
-  EXPECT_NE(
-    messageOf(withAGap).find("No rank has " + std::to_string(nodesOfGap)), std::string::npos);
 }
 
 TEST(Ranks, AreRefusedWhatTheyCannotDoTogether)

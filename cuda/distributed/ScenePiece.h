@@ -23,7 +23,7 @@ enum class FieldPlaces
 };
 
 /// The decomposition of a scene: one box of nodes per rank. Arrays of a rank have only the nodes of
-/// its box, first axis fastest. Boxes may be empty and may overlap; together they cover the grid.
+/// its box, first axis fastest. Boxes may be empty and may overlap; nodes in no box are empty.
 struct ScenePiece
 {
   std::shared_ptr<const Communicator> ranks;
@@ -36,8 +36,8 @@ struct ScenePiece
 
   FieldPlaces places = FieldPlaces::Chosen; ///< equal on all ranks
 
-  /// Broadcasts the boxes. Throws JointError on all ranks if a box is not within the grid, if
-  /// boxes leave gaps, or if they overlap such that owned parts cannot be boxes.
+  /// Broadcasts the boxes. Throws JointError on all ranks if a box is not within the grid, or if
+  /// boxes overlap such that owned parts cannot be boxes.
   ScenePiece(std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own);
 };
 
