@@ -69,7 +69,7 @@ class TestFilter(FilterTest):
 
     def test_says_what_cannot_be(self):
         orbit = {"Views": vtkExtinctionOptimizer.ORBIT}
-        self.assert_refuses("eyes is 180", filter_=optimizer(
+        self.assert_refuses("eye angle is 180", filter_=optimizer(
             EyeAngle=180, Views=vtkExtinctionOptimizer.STEREO_PAIR))
         self.assert_refuses("only a single camera can be optimised",
                             filter_=optimizer(OptimizeViewpoint=1, **orbit))

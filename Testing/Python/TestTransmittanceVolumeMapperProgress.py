@@ -88,6 +88,7 @@ class TestAbort(MapperTest):
             expected = view.picture()
             for number in range(1, 8):
                 mapper.Reset()
+                mapper.Update()  # which has a progress of its own
                 progress = Progress(mapper, abort_at=number)
                 view.window.Render()
                 told = progress.stop()
