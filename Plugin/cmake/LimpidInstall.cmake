@@ -30,7 +30,7 @@ install(TARGETS limpid_core
   EXPORT LimpidCore
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 foreach (folder IN ITEMS
-    backend compute energy math methods optimize render scene sweep viewpoint)
+    backend compute distributed energy math methods optimize render scene sweep viewpoint)
   install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/cuda/${folder}"
     DESTINATION "${LIMPID_CORE_HEADERS_DESTINATION}"
     FILES_MATCHING PATTERN "*.h")
