@@ -65,7 +65,7 @@ class TestOptimizeRefuses(Refusals):
 
     def test_cameras_and_lights_that_are_none(self):
         self.refuses("camera is 'front'", "focal_point", camera="front")
-        self.refuses("no direction", camera=((1, 2, 3), (1, 2, 3), (0, 0, 1)))
+        self.refuses("direction is undefined", camera=((1, 2, 3), (1, 2, 3), (0, 0, 1)))
         self.refuses("The camera's position is (1, 2)", camera=((1, 2), (0, 0, 0), (0, 0, 1)))
         self.refuses("The light's position", light=3)
 
