@@ -168,10 +168,10 @@ class Frames:
         return (f"frames while moving: median {statistics.median(milliseconds):.0f} ms, "
                 f"first {milliseconds[0]:.0f} ms, longest {max(milliseconds):.0f} ms")
 
-    def settle(self, quiet=0.8):
+    def settle(self, patience=PATIENCE, quiet=0.8):
         """Lives on until nothing was rendered for `quiet` seconds, which is longer than ParaView
         waits with a still render after an interaction. Whether that came to pass."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + patience
         count = -1
         while count != self.all() and time.monotonic() < end:
             count = self.all()
