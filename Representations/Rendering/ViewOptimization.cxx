@@ -147,7 +147,23 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
     this->Remaining = 0;
     share = 1;
   }
-  const bool separate = HasLightExtinction(frame.solver);
+  this->SetFound(frame.ranks != nullptr, share);
+}
+
+// Lets the picture begin the next change at the result of the optimiser instead of the base
+// extinction.
+void ViewOptimization::ShowFoundAgain()
+{
+  if (this->HidesFound)
+  {
+    this->SetFound(false, 1);
+  }
+}
+
+// Passes a share of the optimiser's result to the picture.
+void ViewOptimization::SetFound(bool onRanks, double share)
+{
+  const bool separate = HasLightExtinction(this->ViewSettings);
   const Grid& grid = this->Optimizer->ShownGrid();
   const ShownOnDevice there =
     this->Pictures.DrawsOnDevice() ? this->Optimizer->OnDevice() : ShownOnDevice();
@@ -158,9 +174,8 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
   }
   else
   {
-    const auto set = frame.ranks && !this->Optimizer->ShowsPiece()
-      ? &Renderer::SetGatheredExtinction
-      : &Renderer::SetExtinction;
+    const auto set = onRanks && !this->Optimizer->ShowsPiece() ? &Renderer::SetGatheredExtinction
+                                                               : &Renderer::SetExtinction;
     (this->Pictures.*set)(grid, this->Optimizer->BaseExtinction(), this->Optimizer->Extinction(),
       share, separate ? this->Optimizer->LightExtinction() : nullptr);
   }

@@ -44,6 +44,10 @@ public:
   /// frame shows it at once.
   void ShowBase(const FrameSettings& frame, const VolumeData& data);
 
+  /// Shows the result again instead of the extinction of the transfer functions, so that the next
+  /// change begins there.
+  void ShowFoundAgain();
+
   /// Returns a number that grows with every change of the result.
   std::uint64_t Version() const { return this->Changes; }
 
@@ -72,6 +76,7 @@ private:
   bool Work(
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
   void Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase);
+  void SetFound(bool onRanks, double share);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
   Scores InFront(const FrameSettings& frame, const Camera& camera,
     const std::optional<OpaqueGeometry>& opaque, const Scores& all, bool changed);

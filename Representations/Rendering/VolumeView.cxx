@@ -253,7 +253,6 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   messages = FrameMessages();
-  this->RestsOptimized = false;
   this->OnRanks = frame.ranks != nullptr;
   this->Reports = frame.still && !frame.stepwise;
   this->RaysDone = 0;
@@ -279,6 +278,7 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   }
   if (!geometry.IsVisible())
   {
+    this->RestsOptimized = false;
     this->LastResult.converged = true;
     return std::nullopt;
   }
@@ -296,6 +296,10 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
 void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data,
   const ViewGeometry& geometry, FrameMessages& messages)
 {
+  if (std::exchange(this->RestsOptimized, false))
+  {
+    this->Optimization.ShowFoundAgain(); // kept pictures do not need what they show
+  }
   this->UpdateRenderer(frame, data);
   if (!this->Backend.Warning().empty())
   {

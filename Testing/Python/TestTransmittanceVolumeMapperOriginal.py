@@ -133,6 +133,24 @@ class TestOriginal(MapperTest):
             self.assertLess(difference(moved, optimized),
                             0.5 * difference(moved, ordinary.picture()))
 
+    def test_what_changes_afterwards_begins_at_what_was_shown(self):
+        for pressed in (False, True):
+            with self.subTest(pressed=pressed):
+                view, mapper = self.settled()
+                before = view.pixels()
+                prepare(mapper)
+                for method in (Mapper.ORDINARY, Mapper.OPTIMIZED) if pressed else ():
+                    mapper.SetMethod(method)
+                    view.window.Render()
+                mapper.SetEaseTime(100)
+                mapper.SetInteractiveFrameTime(10)  # all iterations in one frame
+                mapper.SetEmphasis(1)
+                mapper.SetProtectImportance(0)
+                first = view.picture()
+                after = show(Emphasis=1, ProtectImportance=0)[0].picture()
+                self.assertFalse(mapper.GetConverged())
+                self.assertLess(difference(first, before), 0.5 * difference(first, after))
+
     def test_what_changes_meanwhile_is_in_both(self):
         def clip(_, mapper):
             plane = vtkPlane()
