@@ -150,6 +150,30 @@ TEST(ThickMedia, HaveTheScoreOfAFineMarchFromAnyDirection)
   }
 }
 
+// In perspective, the few rays in a strip beside the edge of what is opaque meet it where they may.
+TEST(ThickMedia, HaveTheScoreOfABlockStraightAlongItsSides)
+{
+  for (const double distance : { 30.0, 40.0, 60.0 })
+  {
+    for (const double extinction : { 10.0, 100.0 })
+    {
+      SCOPED_TRACE(::testing::Message() << distance << ' ' << extinction);
+      BoxScene scene = SceneAlong(25, Vec3(1, 0, 0));
+      scene.camera.parallel = false;
+      scene.camera.position = scene.grid.Centre() - Vec3(distance, 0, 0);
+      scene.settings.maximumIterations = 0;
+      const auto density = [&](const Vec3& x)
+      { return opaqueShapes[0].density(x - scene.grid.Centre()); };
+      scene.Fill([&](const Vec3& x) { return extinction * density(x); }, density);
+
+      const double march = scene.TrueScore(scene.extinction, 16);
+
+      EXPECT_WITHIN(scene.MakeSolver().BaseScore().visibility, march,
+        Relative(5e-3, march, "the bar of the issue"));
+    }
+  }
+}
+
 // Rays along an axis meet fields that are linear between nodes, so that nothing but the quadrature
 // and the gathering at the nodes can be wrong.
 TEST(ThickMedia, HaveTheDerivativeOfWhatIsSummed)

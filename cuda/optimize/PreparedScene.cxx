@@ -36,8 +36,9 @@ void RequireFields(const SceneFields& scene)
 /// first surface that it meets.
 double RayDensityOfScores(const Problem& problem)
 {
-  const double most = problem.IsSmall() ? 4 : 2;
-  const double fewestAcross = problem.IsThick() ? 256 : problem.IsSmall() ? 110 : 0;
+  const bool thick = problem.IsThick();
+  const double most = !problem.IsSmall() ? 2 : thick ? 8 : 4;
+  const double fewestAcross = thick ? 256 : problem.IsSmall() ? 110 : 0;
   const double wanted =
     fewestAcross / std::cbrt(double(std::max<Index>(problem.grid.NodeCount(), 1)));
   return std::max(problem.settings.rayDensity, std::min(wanted, most));
