@@ -17,7 +17,6 @@ REASONS = {
     "LeastEnergy": "to be moved to tests",
     "MeetsImportance": "to be deleted",
     "Prolong": "to be deleted: another name of Resampled",
-    "SetStopwatch": "to be moved to tests",
     "TellsScores": "to be deleted: records show it",
 }
 
