@@ -14,10 +14,6 @@ REASONS = {
     "parallelism": "what it limits is limited while it lives",
     "PeakBytes": "benchmarks of a GPU: nothing outside the device counts what it frees",
     "ThreadLimit": "tests and benchmarks: oneTBB, which threads belong to, is cuda/backend's alone",
-    "LeastEnergy": "to be moved to tests",
-    "MeetsImportance": "to be deleted",
-    "Prolong": "to be deleted: another name of Resampled",
-    "TellsScores": "to be deleted: records show it",
 }
 
 
