@@ -51,13 +51,13 @@ void ViewShadows::MakeInTime(const FrameSettings& frame, const Grid& grid, const
   this->Level = level;
   this->Pictures.SetShadowRayDensity(MovingDensity);
   this->Pictures.SetShadowCoarseness(factors[level]);
-  const auto start = FrameClock::SteadyClock::now();
-  const bool made = this->Pictures.UpdateShadows();
-  const double seconds = frame.Largest(FrameClock::SecondsSince(start));
+  bool made = false;
+  const double taken =
+    frame.Largest(SecondsPerNodeOf(nodes[level], [&] { made = this->Pictures.UpdateShadows(); }));
   // The first time on a grid includes a preparation that is not repeated, so it is not recorded.
   if (made && this->Nodes == nodes[level])
   {
-    this->Time.Learn(nodes[level], seconds);
+    this->Time.Learn(taken);
   }
   this->Nodes = nodes[level];
 }

@@ -5,6 +5,7 @@
 // no result above it.
 
 #include "CeilingMarch.h"
+#include "LeastEnergy.h"
 #include "RandomScene.h"
 #include "Shrinking.h"
 #include "TestedDevice.h"
@@ -346,7 +347,7 @@ TEST(Ceiling, IsNotBelowAnyResult)
           std::to_string(ceiling.fraction);
       }
       const Energy energy = solver.BestEnergy();
-      const double least = solver.LeastEnergy();
+      const double least = LeastEnergyOf(scene.Fields(), scene.camera, scene.light, scene.settings);
       return energy.Total() >= least - rounding * std::abs(least)
         ? ""
         : "energy " + std::to_string(energy.Total()) + " below the least, " + std::to_string(least);

@@ -19,17 +19,12 @@
 #include <ostream>
 #include <random>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 using namespace limpid;
 
 namespace
 {
-/// The GPU, or the processor in the role of one.
-using DeviceToDraw =
-  std::conditional_t<TestedDevice::readsHostMemory, SimulatedDevice, TestedDevice>;
-
 /// Anisotropic, off the origin, turned.
 Grid TurnedGrid()
 {
@@ -45,19 +40,14 @@ RenderScene Ordinary()
   return scene;
 }
 
-std::shared_ptr<DeviceToDraw> MakeDeviceToDraw()
+Renderer RendererOn(const std::shared_ptr<TestedDevice>& device)
 {
-  return std::make_shared<DeviceToDraw>(FindCuda().device);
-}
-
-Renderer RendererOn(const std::shared_ptr<DeviceToDraw>& device)
-{
-  return Renderer(std::make_unique<RenderPasses<DeviceToDraw>>(device));
+  return Renderer(std::make_unique<RenderPasses<TestedDevice>>(device));
 }
 
 Renderer ThatOfADevice()
 {
-  return RendererOn(MakeDeviceToDraw());
+  return RendererOn(MakeTestedDevice());
 }
 
 Picture Drawn(Renderer& renderer, const RenderScene& scene)
@@ -462,13 +452,13 @@ TEST(RendererOfDevice, TakesAnExtinctionThatIsThere)
   RenderScene scene = Ordinary();
   Illuminate(scene);
   scene.Change(scene.grid.nodes, 21);
-  const auto device = MakeDeviceToDraw();
+  const auto device = MakeTestedDevice();
   Renderer there = RendererOn(device);
   scene.SetUp(there);
   std::reverse(scene.extinction.begin(), scene.extinction.end());
   {
-    const DeviceArray<DeviceToDraw, float> base(device, scene.base, "a test");
-    const DeviceArray<DeviceToDraw, float> extinction(device, scene.extinction, "a test");
+    const DeviceArray<TestedDevice, float> base(device, scene.base, "a test");
+    const DeviceArray<TestedDevice, float> extinction(device, scene.extinction, "a test");
     there.ShowThere(scene.changeGrid, base.Data(), extinction.Data());
   }
 
@@ -477,7 +467,7 @@ TEST(RendererOfDevice, TakesAnExtinctionThatIsThere)
 
 TEST(RendererOfDevice, LeavesNothingBehind)
 {
-  const auto device = MakeDeviceToDraw();
+  const auto device = MakeTestedDevice();
   {
     RenderScene scene = Ordinary();
     Illuminate(scene);

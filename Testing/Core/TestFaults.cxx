@@ -7,6 +7,7 @@
 
 #include "BoxScene.h"
 #include "FailingAllocations.h"
+#include "PretendedClock.h"
 #include "RenderScene.h"
 #include "ViewScene.h"
 
@@ -225,12 +226,7 @@ TEST_P(FaultsOneIn, OfTheProgressiveOptimiser)
     [&]
     {
       Progressive progressive(scene.Fields(), scene.settings);
-      progressive.SetStopwatch(
-        [](Index nodes, const std::function<void()>& pass)
-        {
-          pass();
-          return 1e-6 * double(nodes);
-        });
+      const PretendedClock clock(1e-6);
       progressive.SetView(scene.camera, scene.light, scene.settings);
       progressive.Preview(1e-4);
       Outcome outcome{ progressive.BestScore().visibility };

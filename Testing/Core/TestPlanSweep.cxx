@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "RaySources.h"
+#include "SimulatedDevice.h"
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
-#include "backend/HostDevice.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/SweepTiles.h"
 

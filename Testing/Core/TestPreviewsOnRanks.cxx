@@ -5,6 +5,7 @@
 // one process shows, bit for bit.
 
 #include "BoxScene.h"
+#include "PretendedClock.h"
 #include "SceneOnRanks.h"
 
 #include "optimize/Levels.h"
@@ -60,14 +61,8 @@ void GoRound(const SceneFields& fields, const Whole& scene,
 {
   int step = 0;
   Progressive first(fields, scene.settings);
-  first.SetStopwatch(
-    [&fields](Index nodes, const std::function<void()>& pass)
-    {
-      pass();
-      // Ranks have different clocks.
-      const int rank = fields.piece ? fields.piece->ranks->Rank() : 0;
-      return 1e-6 * double(nodes) / (1 + rank);
-    });
+  const int rank = fields.piece ? fields.piece->ranks->Rank() : 0;
+  const PretendedClock clock(1e-6 / (1 + rank)); // ranks have different ones
   const auto moves = [&](Progressive& progressive, double seconds)
   {
     progressive.SetView(Moved(scene, step), scene.light, scene.settings);

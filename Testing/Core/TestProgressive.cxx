@@ -4,6 +4,7 @@
 // A camera that moves and rests: what is refined is what a solver finds, whatever was shown before.
 
 #include "BoxScene.h"
+#include "PretendedClock.h"
 #include "Tolerance.h"
 
 #include "backend/Interruption.h"
@@ -25,16 +26,6 @@ using namespace limpid;
 
 namespace
 {
-/// A machine on which a pass takes so many seconds per node.
-Stopwatch Machine(double secondsPerNode)
-{
-  return [secondsPerNode](Index nodes, const std::function<void()>& pass)
-  {
-    pass();
-    return secondsPerNode * double(nodes);
-  };
-}
-
 Progressive MakeProgressive(const BoxScene& scene)
 {
   Progressive progressive(scene.Fields(), scene.settings);
@@ -160,7 +151,7 @@ TEST_P(ProgressiveWays, ForgetsWhatWasShownBefore)
 {
   BoxScene scene = this->Scene();
   Progressive progressive = MakeProgressive(scene);
-  progressive.SetStopwatch(Machine(1e-6));
+  const PretendedClock clock(1e-6);
   for (const double degrees : { 10.0, 20.0, 30.0 })
   {
     progressive.SetView(Turned(scene, degrees), scene.light, scene.settings);
@@ -441,7 +432,7 @@ TEST(Progressive, PreviewsOnCoarserGridsForSmallerBudgets)
   {
     Progressive progressive = MakeProgressive(scene);
     const double secondsPerNode = 1e-6;
-    progressive.SetStopwatch(Machine(secondsPerNode));
+    const PretendedClock clock(secondsPerNode);
     for (const double degrees : { 0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0 })
     {
       progressive.SetView(Turned(scene, degrees), scene.light, scene.settings);
@@ -541,7 +532,7 @@ TEST(PassTime, ChoosesTheFinestGridThatFits)
   const std::vector<Index> nodes{ 1000000, 125000, 15625 };
   for (int n = 0; n < 40; ++n)
   {
-    time.Learn(125000, 0.0125); // 1e-7 s per node
+    time.Learn(1e-7);
   }
 
   EXPECT_EQ(time.Choose(nodes, 1, 2), 0u);
@@ -556,7 +547,7 @@ TEST(PassTime, ChangesToAFinerGridOnlyWithTimeToSpare)
   const std::vector<Index> nodes{ 1000000, 125000 };
   for (int n = 0; n < 40; ++n)
   {
-    time.Learn(1000000, 0.1);
+    time.Learn(1e-7);
   }
 
   EXPECT_EQ(time.Choose(nodes, 0.11, 0), 0u);
@@ -568,12 +559,12 @@ TEST(PassTime, LearnsFromWhatIsSlow)
 {
   PassTime time;
   const std::vector<Index> nodes{ 1000000, 125000 };
-  time.Learn(125000, 0.001);
-  time.Learn(125000, 0.001);
-  time.Learn(125000, 0.001);
+  time.Learn(8e-9);
+  time.Learn(8e-9);
+  time.Learn(8e-9);
   EXPECT_EQ(time.Choose(nodes, 0.1, 1), 0u);
 
-  time.Learn(1000000, 0.5);
+  time.Learn(5e-7);
 
   EXPECT_EQ(time.Choose(nodes, 0.1, 0), 1u);
 }

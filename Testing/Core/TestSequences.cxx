@@ -3,6 +3,7 @@
 
 // Results and pictures equal those of a fresh object, after any calls in any order.
 
+#include "PretendedClock.h"
 #include "RandomScene.h"
 #include "RenderScene.h"
 
@@ -54,13 +55,7 @@ void WorkOn(Progressive& progressive, RandomNumbers& random)
 {
   if (random.Chance(0.4))
   {
-    const double seconds = random.PowerOfTen(-4, 0);
-    progressive.SetStopwatch(
-      [seconds](Index nodes, const std::function<void()>& pass)
-      {
-        pass();
-        return seconds * double(nodes) / 1000;
-      });
+    const PretendedClock clock(random.PowerOfTen(-4, 0) / 1000);
     progressive.Preview(0.01);
     return;
   }

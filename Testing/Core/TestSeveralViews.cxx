@@ -4,6 +4,7 @@
 // One extinction for several cameras: which they are, what the energy is, and what comes of it.
 
 #include "BoxScene.h"
+#include "PretendedClock.h"
 #include "Tolerance.h"
 
 #include "math/Angle.h"
@@ -276,12 +277,7 @@ TEST(Progressive, PreviewsAndRefinesForSeveralViews)
   const std::vector<Camera> cameras = OrbitOf(scene, 3);
   const Settings settings = ForCameras(scene.settings, cameras);
   Progressive progressive(scene.Fields(), scene.settings);
-  progressive.SetStopwatch(
-    [](Index, const auto& pass)
-    {
-      pass();
-      return 1e-6;
-    });
+  const PretendedClock clock(1e-10);
   progressive.SetView(cameras.front(), scene.light, settings);
 
   progressive.Preview(1);

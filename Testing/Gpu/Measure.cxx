@@ -3,12 +3,12 @@
 
 #include "Measure.h"
 
+#include "TestedDevice.h"
 #include "Traffic.h"
 #include "Viewing.h"
 #include "Volume.h"
 
 #include "backend/Backend.h"
-#include "backend/CompiledDevice.h"
 #include "backend/ComputeBackend.h"
 #include "math/Require.h"
 #include "optimize/PreparedScene.h"
@@ -22,13 +22,7 @@ namespace limpid::benchmark
 {
 namespace
 {
-using Device = CompiledDevice;
-
-/// Another one for everything, so that its memory is told apart.
-std::shared_ptr<Device> MakeDevice()
-{
-  return std::make_shared<Device>(FindCuda().device);
-}
+using Device = TestedDevice;
 
 /// A scene and what stays when the camera moves.
 struct Prepared
@@ -75,7 +69,7 @@ Json PartsOf(const LaunchTimes& times, double iterations, const Traffic& traffic
 Json MeasureIterations(const Prepared& prepared, const Traffic& traffic, const Effort& effort)
 {
   constexpr int warmUps = 2;
-  const std::shared_ptr<Device> device = MakeDevice();
+  const std::shared_ptr<Device> device = MakeTestedDevice();
   const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
   std::vector<double> seconds;
   double total = 0;
@@ -145,7 +139,7 @@ void MeasureSetUp(const SceneForSolver& scene, const Effort& effort, Json& resul
   result["upload"] = Try(
     [&]
     {
-      const std::shared_ptr<Device> device = MakeDevice();
+      const std::shared_ptr<Device> device = MakeTestedDevice();
       return Repeat(few, 1,
         [&]
         {
@@ -159,7 +153,7 @@ void MeasureSetUp(const SceneForSolver& scene, const Effort& effort, Json& resul
 std::vector<float> MeasureRun(const SceneForSolver& scene, const Effort& effort, Json& result)
 {
   const Prepared prepared(scene, Settings());
-  const std::shared_ptr<Device> device = MakeDevice();
+  const std::shared_ptr<Device> device = MakeTestedDevice();
   const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(device);
   const auto fields = ProblemFields<Device>::Of(device, prepared.problem);
   result["begin"] = Repeat(effort, 2,
@@ -339,7 +333,7 @@ Json MeasureFrame(const SceneForSolver& scene, const Effort& effort)
 
 Json MeasureDevice(const Effort& effort)
 {
-  const std::shared_ptr<Device> device = MakeDevice();
+  const std::shared_ptr<Device> device = MakeTestedDevice();
   Json result{ { "device", device->Name() }, { "copy_bytes", 2.0 * effort.copySize } };
   result["copy"] = Try(
     [&]
@@ -377,7 +371,7 @@ void MeasureScene(const SceneForSolver& scene, const Effort& effort, Json& resul
   try
   {
     const std::vector<float> found = MeasureRun(scene, effort, result);
-    MeasurePictures(MakeDevice(), scene, found, effort, result);
+    MeasurePictures(MakeTestedDevice(), scene, found, effort, result);
     save();
     result["frame"] = MeasureFrame(scene, effort);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What takes how long on the GPU. Its sources are compiled twice, see CompiledDevice.h: with the
+// What takes how long on the GPU. Its sources are compiled twice, see TestedDevice.h: with the
 // processor in the role of a GPU they show whether this program works. Times are seconds; what
 // could not be measured says why, as "missing".
 
@@ -10,8 +10,6 @@
 
 #include "Program.h"
 #include "SceneForSolver.h"
-
-#include "backend/CompiledDevice.h"
 
 #include <exception>
 #include <functional>

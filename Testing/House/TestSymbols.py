@@ -14,14 +14,6 @@ REASONS = {
     "parallelism": "what it limits is limited while it lives",
     "PeakBytes": "benchmarks of a GPU: nothing outside the device counts what it frees",
     "ThreadLimit": "tests and benchmarks: oneTBB, which threads belong to, is cuda/backend's alone",
-    "CompiledDevice": "what tests of devices are compiled for",
-    "FailAt": "to be moved to tests, with SimulatedDevice",
-    "HasFailed": "to be moved to tests, with SimulatedDevice",
-    "LeastEnergy": "to be moved to tests",
-    "MeetsImportance": "to be deleted",
-    "Prolong": "to be deleted: another name of Resampled",
-    "SetStopwatch": "to be moved to tests",
-    "TellsScores": "to be deleted: records show it",
 }
 
 

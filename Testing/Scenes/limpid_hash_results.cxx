@@ -6,6 +6,7 @@
 // one machine: others may contract or order the same arithmetic in another way.
 //   limpid_hash_results SCENE.scene.json...
 
+#include "PretendedClock.h"
 #include "RenderScene.h"
 #include "SceneForSolver.h"
 #include "SceneFunctions.h"
@@ -169,12 +170,7 @@ private:
     Settings settings;
     settings.backend = BackendKind::Cpu;
     Progressive progressive(this->Scene.Fields(), settings);
-    progressive.SetStopwatch(
-      [](Index nodes, const std::function<void()>& pass)
-      {
-        pass();
-        return 1e-7 * double(nodes);
-      });
+    const PretendedClock clock(1e-7);
     progressive.SetView(this->Scene.camera, this->Scene.light, settings);
     progressive.Preview(0.03);
     const auto count = static_cast<std::size_t>(progressive.ShownGrid().NodeCount());

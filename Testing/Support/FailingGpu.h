@@ -6,7 +6,7 @@
 #ifndef limpid_FailingGpu_h
 #define limpid_FailingGpu_h
 
-#include "backend/HostDevice.h"
+#include "SimulatedDevice.h"
 
 namespace limpid
 {

@@ -5,6 +5,8 @@
 // processor in the role of a GPU. What such a program tests is written for a GPU, as a whole and
 // from the solver down.
 
+#include "SimulatedDevice.h"
+
 #include "backend/Choice.h"
 #include "compute/BackendOn.h"
 

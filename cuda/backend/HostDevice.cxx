@@ -4,7 +4,6 @@
 #include "backend/HostDevice.h"
 
 #include "backend/LargePages.h"
-#include "math/Require.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -18,29 +17,6 @@ std::shared_ptr<HostDevice> HostDevice::Shared()
 {
   static const auto shared = std::make_shared<HostDevice>();
   return shared;
-}
-
-std::shared_ptr<SimulatedDevice> SimulatedDevice::Shared()
-{
-  static const auto shared = std::make_shared<SimulatedDevice>();
-  return shared;
-}
-
-void SimulatedDevice::MayFail(const char* what)
-{
-  Index left = this->UntilFailure;
-  while (left > 0 && !this->UntilFailure.compare_exchange_weak(left, left - 1))
-  {
-  }
-  if (left == 0)
-  {
-    this->UntilFailure = Failed;
-  }
-  if (left == 0 || (left == Failed && this->FailsForGood))
-  {
-    throw DeviceError(std::string("The simulated GPU fails (") + what +
-      "; a test requested this). Use the backend CPU.");
-  }
 }
 
 namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "energy/NodeTransmittance.h"
 
@@ -44,8 +44,6 @@ void RefineTransmittance(AnyDevice& device, const Grid& grid, const RaySource& s
       { swept, all }, transmittance });
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
-  template void RefineTransmittance<AnyDevice>(                                                    \
-    AnyDevice&, const Grid&, const RaySource&, const float*, const float*, float*);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template void RefineTransmittance<CompiledDevice>(
+  CompiledDevice&, const Grid&, const RaySource&, const float*, const float*, float*);
 }

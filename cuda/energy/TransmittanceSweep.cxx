@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "energy/TransmittanceSweep.h"
 
@@ -48,6 +48,5 @@ void TransmittanceSweep<AnyDevice>::Sweep(const float* extinction, float* transm
   }
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice) template class TransmittanceSweep<AnyDevice>;
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template class TransmittanceSweep<CompiledDevice>;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "energy/VisibilityTerm.h"
 
@@ -135,6 +135,5 @@ void VisibilityTerm<AnyDevice>::SweepGradient(FrustumRays<AnyDevice>& rays,
   SweepBackward(*this->Device, rays, *this->Filled, kernel);
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice) template class VisibilityTerm<AnyDevice>;
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template class VisibilityTerm<CompiledDevice>;
 }

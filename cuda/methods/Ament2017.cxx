@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "methods/Ament2017.h"
 
@@ -209,7 +209,5 @@ void FindAment2017(const MethodScene<AnyDevice>& scene, float* extinction)
   scene.device->ForIndices("shown extinction", count, ShownNode{ share, extinction });
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
-  template void FindAment2017(const MethodScene<AnyDevice>&, float*);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template void FindAment2017(const MethodScene<CompiledDevice>&, float*);
 }

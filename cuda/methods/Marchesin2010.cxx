@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "methods/Marchesin2010.h"
 
@@ -84,6 +84,5 @@ Seen SeeMarchesin2010(const MethodScene<AnyDevice>& scene)
   return { visible, visible }; // all of the base is kept
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice) template Seen SeeMarchesin2010(const MethodScene<AnyDevice>&);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template Seen SeeMarchesin2010(const MethodScene<CompiledDevice>&);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "methods/Viola2004.h"
 
@@ -165,7 +165,5 @@ void FindViola2004(const MethodScene<AnyDevice>& scene, float* extinction)
   }
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
-  template void FindViola2004(const MethodScene<AnyDevice>&, float*);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template void FindViola2004(const MethodScene<CompiledDevice>&, float*);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "optimize/AdamLevel.h"
 
@@ -137,8 +137,6 @@ std::unique_ptr<AdamLevel> MakeAdamLevel(
   return std::make_unique<LevelOn<AnyDevice>>(device, problem, start);
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
-  template std::unique_ptr<AdamLevel> MakeAdamLevel(                                               \
-    const std::shared_ptr<AnyDevice>&, const Problem&, const StartingExtinction&);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template std::unique_ptr<AdamLevel> MakeAdamLevel(
+  const std::shared_ptr<CompiledDevice>&, const Problem&, const StartingExtinction&);
 }

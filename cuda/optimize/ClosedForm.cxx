@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "optimize/ClosedForm.h"
 
@@ -70,9 +70,7 @@ std::unique_ptr<Minimizer> MakeClosedForm(std::shared_ptr<AnyDevice> device, con
   return std::make_unique<ClosedForm<AnyDevice>>(std::move(device), problem);
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
-  template std::unique_ptr<Minimizer> MakeClosedForm(std::shared_ptr<AnyDevice>, const Problem&);  \
-  template void FindByMethod(                                                                      \
-    const std::shared_ptr<AnyDevice>&, const Problem&, const ProblemFields<AnyDevice>&, float*);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template std::unique_ptr<Minimizer> MakeClosedForm(std::shared_ptr<CompiledDevice>, const Problem&);
+template void FindByMethod(const std::shared_ptr<CompiledDevice>&, const Problem&,
+  const ProblemFields<CompiledDevice>&, float*);
 }

@@ -202,9 +202,4 @@ std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& co
 {
   return Resampled(fine, field, coarse);
 }
-
-std::vector<float> Prolong(const Grid& coarse, const float* field, const Grid& fine)
-{
-  return Resampled(coarse, field, fine);
-}
 }

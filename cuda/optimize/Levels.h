@@ -17,7 +17,7 @@ namespace limpid
 Grid CoarseGrid(const Grid& grid, int factor);
 
 /// Resamples a field to another grid over the same box: by Restrict along axes where that is
-/// coarser, by Prolong along the others.
+/// coarser, by linear interpolation along the others.
 std::vector<float> Resampled(const Grid& from, const float* field, const Grid& to);
 
 /// Resamples a distributed field, one box of nodes per rank. `had`: disjoint boxes of the field;
@@ -40,9 +40,6 @@ bool IsForAll(const Communicator& ranks, const Grid& grid, const Grid& full);
 /// Restricts a field to a coarser grid over the same box: the mean around each coarse node,
 /// weighted by the coarse node's trilinear hat function.
 std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse);
-
-/// Prolongs a field to a finer grid over the same box by trilinear interpolation.
-std::vector<float> Prolong(const Grid& coarse, const float* field, const Grid& fine);
 }
 
 #endif

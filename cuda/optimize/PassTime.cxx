@@ -3,23 +3,12 @@
 
 #include "optimize/PassTime.h"
 
-#include <algorithm>
-#include <chrono>
-
 namespace limpid
 {
-double TimePass(Index, const std::function<void()>& pass)
-{
-  const auto start = std::chrono::steady_clock::now();
-  pass();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-void PassTime::Learn(Index nodes, double seconds)
+void PassTime::Learn(double secondsPerNode)
 {
   constexpr double trust = 0.5; // weight of a new measurement, which other programs may disturb
-  const double measured = seconds / double(std::max<Index>(nodes, 1));
-  this->SecondsPerNode += trust * (measured - this->SecondsPerNode);
+  this->SecondsPerNode += trust * (secondsPerNode - this->SecondsPerNode);
 }
 
 std::size_t PassTime::Choose(

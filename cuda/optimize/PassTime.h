@@ -11,11 +11,8 @@
 
 namespace limpid
 {
-/// Runs a pass over a grid of `nodes` nodes and returns its duration [s].
-using Stopwatch = std::function<double(Index nodes, const std::function<void()>& pass)>;
-
-/// Measures the duration with the system's clock.
-double TimePass(Index nodes, const std::function<void()>& pass);
+/// Runs a pass over a grid of `nodes` nodes and returns its duration per node [s].
+double SecondsPerNodeOf(Index nodes, const std::function<void()>& pass);
 
 /**
  * Predicts the duration of a pass over a grid from its number of nodes and the time per node of
@@ -27,7 +24,7 @@ public:
   double Expected(Index nodes) const { return double(nodes) * this->SecondsPerNode; }
 
   /// Records the duration of a pass.
-  void Learn(Index nodes, double seconds);
+  void Learn(double secondsPerNode);
 
   /// Returns the first of several grids, finest first, whose expected duration is at most
   /// `seconds`, or the last grid. A grid finer than `current` must be expected to take clearly

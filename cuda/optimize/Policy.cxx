@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "optimize/Policy.h"
 
@@ -597,8 +597,6 @@ std::unique_ptr<Minimizer> MakePolicy(const std::shared_ptr<AnyDevice>& device,
   return std::make_unique<Policy<AnyDevice>>(device, problem, start, warm);
 }
 
-#define LIMPID_INSTANTIATE_POLICY(AnyDevice)                                                       \
-  template std::unique_ptr<Minimizer> MakePolicy(                                                  \
-    const std::shared_ptr<AnyDevice>&, const Problem&, const StartingExtinction&, bool);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE_POLICY)
+template std::unique_ptr<Minimizer> MakePolicy(
+  const std::shared_ptr<CompiledDevice>&, const Problem&, const StartingExtinction&, bool);
 }

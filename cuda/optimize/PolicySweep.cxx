@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "optimize/PolicySweep.h"
 
@@ -120,10 +120,8 @@ void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const 
   }
 }
 
-#define LIMPID_INSTANTIATE_POLICY_SWEEPS(AnyDevice)                                                \
-  template void SweepPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,                \
-    const ProblemFields<AnyDevice>&, const PolicySweep&, ExactDifferences&);                       \
-  template void SweepFirstPolicy(AnyDevice&, VisibilityTerm<AnyDevice>&, const Problem&,           \
-    const ProblemFields<AnyDevice>&, const float*, double, float*);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE_POLICY_SWEEPS)
+template void SweepPolicy(CompiledDevice&, VisibilityTerm<CompiledDevice>&, const Problem&,
+  const ProblemFields<CompiledDevice>&, const PolicySweep&, ExactDifferences&);
+template void SweepFirstPolicy(CompiledDevice&, VisibilityTerm<CompiledDevice>&, const Problem&,
+  const ProblemFields<CompiledDevice>&, const float*, double, float*);
 }

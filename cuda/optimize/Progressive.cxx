@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "math/Require.h"
 #include "optimize/Levels.h"
+#include "optimize/PassTime.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/PreviewPass.h"
 #include "optimize/ProblemInFront.h"
@@ -98,7 +99,6 @@ struct Progressive::Internals
   std::vector<Index> nodes;
   std::vector<PreviewLevel> levels;
   PassTime time;
-  Stopwatch stopwatch = TimePass;
 
   Camera camera;
   Light light;
@@ -251,11 +251,6 @@ Progressive::~Progressive() = default;
 Progressive::Progressive(Progressive&&) noexcept = default;
 Progressive& Progressive::operator=(Progressive&&) noexcept = default;
 
-void Progressive::SetStopwatch(Stopwatch stopwatch)
-{
-  this->State->stopwatch = std::move(stopwatch);
-}
-
 void Progressive::GoOnFrom(const CarriedChange& change)
 {
   Internals& state = *this->State;
@@ -354,10 +349,9 @@ void Progressive::Preview(double seconds)
   {
     previous = ForAllRanks(std::move(previous), state.grids[level]);
   }
-  const Index nodes = state.nodes[level];
-  const double taken = state.stopwatch(
-    nodes, [&] { preview.Make(state.camera, state.light, state.Wanted(), previous); });
-  state.time.Learn(nodes, LargestOfRanks(state.Ranks(), taken));
+  const double taken = SecondsPerNodeOf(
+    state.nodes[level], [&] { preview.Make(state.camera, state.light, state.Wanted(), previous); });
+  state.time.Learn(LargestOfRanks(state.Ranks(), taken));
   state.level = level;
   state.levelIsCurrent = true;
   state.Show(Shown::Preview);

@@ -5,7 +5,6 @@
 #define limpid_optimize_Progressive_h
 
 #include "optimize/CarriedChange.h"
-#include "optimize/PassTime.h"
 #include "optimize/Solver.h"
 #include "scene/OpaqueGeometry.h"
 
@@ -47,9 +46,6 @@ public:
   ~Progressive();
   Progressive(Progressive&&) noexcept;
   Progressive& operator=(Progressive&&) noexcept;
-
-  /// Replaces the stopwatch of previews; for tests.
-  void SetStopwatch(Stopwatch stopwatch);
 
   /// Shows the change of another scene over the same box until there is a new result. Ignores an
   /// empty change or one of another box. Call it before anything has been shown.

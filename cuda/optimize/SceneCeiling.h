@@ -16,12 +16,6 @@ namespace limpid
 /// distributed runs. `opaque`: geometry that ends the rays of the camera; null if there is none.
 Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
   const Light& light, const Settings& settings, const OpaqueGeometry* opaque = nullptr);
-
-/// Returns a lower bound of the energy of Eq. (21) over all extinctions within the bounds: F >= -q
-/// W - r W_L with the ceilings W of the camera and W_L of the light, as the other terms are not
-/// negative [length^2].
-double LeastEnergyOf(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
-  const Light& light, const Settings& settings);
 }
 
 #endif

@@ -140,11 +140,6 @@ std::array<FoundExtinction, 2> Solver::TakeExtinctions()
   return { { std::move(state.extinction), std::move(state.lightExtinction) } };
 }
 
-bool Solver::TellsScores() const
-{
-  return this->State->KnowsScores();
-}
-
 double Solver::Majorant() const
 {
   return this->State->prepared->Majorant();
@@ -192,17 +187,6 @@ Ceiling Solver::FindCeiling() const
     ceiling.fraction = std::max(ceiling.fraction, found.fraction);
   }
   return ceiling;
-}
-
-double Solver::LeastEnergy() const
-{
-  Internals& state = *this->State;
-  return state.OnBackend(
-    [&]
-    {
-      return LeastEnergyOf(
-        *state.prepared, state.backend, state.camera, state.light, state.settings);
-    });
 }
 
 Energy Solver::BestEnergy() const

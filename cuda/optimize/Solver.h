@@ -108,10 +108,6 @@ public:
   /// Moves both extinctions out; the solver must not be used afterwards.
   std::array<FoundExtinction, 2> TakeExtinctions();
 
-  /// Whether the records have scores. Between the first and the last record, these use the rays of
-  /// iterations. BestScore() always uses the importance as given.
-  bool TellsScores() const;
-
   double Majorant() const; ///< upper bound of the extinction, Eq. (25) [1/length]
 
   Score BaseScore() const; ///< of the base extinction
@@ -120,10 +116,6 @@ public:
   /// first call. Like scores, it uses the importance as given. Zeros for a method without
   /// iterations.
   Ceiling FindCeiling() const;
-
-  /// Returns a lower bound of the energy of all extinctions within the bounds [length^2]. Costs
-  /// one sweep per camera and one for the light.
-  double LeastEnergy() const;
 
   Energy BestEnergy() const;
   int Iterations() const;

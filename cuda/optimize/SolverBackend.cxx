@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "optimize/SolverBackend.h"
 
@@ -236,7 +236,5 @@ std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice> devi
   return std::make_unique<SolverBackendOn<AnyDevice>>(std::move(device));
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
-  template std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice>);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<CompiledDevice>);
 }

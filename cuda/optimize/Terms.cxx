@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "optimize/Terms.h"
 
@@ -470,6 +470,5 @@ std::vector<Seen> Terms<AnyDevice>::ReadCameras(const TermSums& sums)
   return seen;
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice) template class Terms<AnyDevice>;
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template class Terms<CompiledDevice>;
 }

@@ -120,12 +120,6 @@ struct RayInLayer
     return ClippedRange(this->layer, { 0.0f, 1.0f }, this->column, this->row);
   }
 
-  /// Whether any sample is important.
-  LIMPID_HD LIMPID_INLINE bool MeetsImportance() const
-  {
-    return this->importance[0] > 0.0f || this->importance[1] > 0.0f;
-  }
-
   /// Optical depth of the layer counted from the entry into the box; not clipped at the exit.
   LIMPID_HD LIMPID_INLINE float DepthFromEntry() const
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled twice, see CompiledDevice.h.
+// Compiled for each device, see CompiledDevice.h.
 
 #include "viewpoint/ScoreSweep.h"
 
@@ -145,8 +145,6 @@ std::unique_ptr<ScoreSweep> MakeScoreSweep(
   return std::make_unique<ScoreSweepOn<AnyDevice>>(std::move(device), fields);
 }
 
-#define LIMPID_INSTANTIATE(AnyDevice)                                                              \
-  template std::unique_ptr<ScoreSweep> MakeScoreSweep(                                             \
-    std::shared_ptr<AnyDevice>, const ViewFields&);
-LIMPID_FOR_EACH_COMPILED_DEVICE(LIMPID_INSTANTIATE)
+template std::unique_ptr<ScoreSweep> MakeScoreSweep(
+  std::shared_ptr<CompiledDevice>, const ViewFields&);
 }

@@ -158,7 +158,7 @@ std::vector<float> Execute(const SceneForSolver& scene, WholeRun& run)
   std::vector<float> extinction = solver.TakeExtinctions()[0].Take();
   if (!whole)
   {
-    extinction = Prolong(coarse.grid, extinction.data(), scene.grid);
+    extinction = Resampled(coarse.grid, extinction.data(), scene.grid);
   }
   run.seconds = watch.Elapsed();
   return extinction;
