@@ -253,6 +253,38 @@ TEST(ThickMedia, AreThinnedWhereThatShowsMore)
   }
 }
 
+// Every second node is opaque, and every third block of eight is important.
+TEST(ThickMedia, AreSolvedAsWellWithAnyNumberOfIterations)
+{
+  BoxScene scene(Int3(10), Vec3(-1.54038226, -32.24576601, 63.08064666), Vec3(1.0));
+  scene.grid.direction = glm::dmat3(-0.47180539, -0.75066118, -0.4625013, -0.40428794, 0.65034506,
+    -0.6431194, 0.78355021, -0.1164435, -0.61031957);
+  scene.ForEachNode(
+    [&](std::size_t node, int i, int j, int k)
+    {
+      scene.extinction[node] = (i + j + k) % 2 == 1 ? 2.2259567f : 0.0f;
+      scene.importance[node] = (i / 2 + j / 2 + k / 2) % 3 == 0 ? 0.020007964f : 0.0f;
+    });
+  scene.camera.position = Vec3(3.67152702, -7.67458571, 65.08392231);
+  scene.camera.focalPoint = Vec3(-1.49263214, -34.262855, 44.68420483);
+  scene.camera.viewUp = Vec3(0.1, 1, 0.3);
+  scene.settings.weights.light = 0;
+  BoxScene others = scene;
+  others.settings.solver = SolverKind::Adam;
+  Solver adam = others.MakeSolver();
+  adam.Run();
+  const double other = adam.BestEnergy().Total();
+  for (const int iterations : { 2, 4, 8, 16 })
+  {
+    SCOPED_TRACE(iterations);
+    scene.settings.maximumIterations = iterations;
+    Solver policy = scene.MakeSolver();
+    policy.Run();
+
+    EXPECT_LE(policy.BestEnergy().Total(), other + 1e-3 * std::abs(other));
+  }
+}
+
 TEST(ThickMedia, AreSolvedAsWellAsByDescent)
 {
   for (const double most : { 10.0 })

@@ -334,6 +334,10 @@ private:
     constexpr double leastShare = 0.5; ///< of what the best iterate has gained
     const double best = this->Lowest.energy.Total();
     const bool begins = !this->IsRefining;
+    if (begins && this->Given->IsSmall() && this->Now != this->BestOf)
+    {
+      this->DescendFrom(this->BestOf, best, mostSteps); // two starts take almost no time there
+    }
     if (begins && this->FirstEnergy - this->LastEnergy < leastShare * (this->FirstEnergy - best))
     {
       this->GoBack();
