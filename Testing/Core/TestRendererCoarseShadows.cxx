@@ -164,8 +164,8 @@ TEST(RendererCoarseShadows, DoNotGetFinerThanTheExtinction)
 TEST(RendererCoarseShadows, AreLeftOfABoxThatIsThinnerThanTheyAreCoarse)
 {
   RenderScene scene = RenderScene::Homogeneous(
-    MakeGrid({ 3, 2, 2 }, { 3, -1, 2 }, { 0.3, 0.4, 0.5 }), 40, { { 1, 1, 1 } });
-  scene.lighting.light.position = scene.grid.Centre() + Vec3(-1, 3, -0.7);
+    MakeGrid({ 25, 2, 2 }, { 3, -1, 2 }, { 0.3, 0.4, 0.5 }), 2, { { 1, 1, 1 } });
+  scene.lighting.light.position = scene.grid.Centre() + Vec3(-9, 0.3, -0.2);
   scene.lighting.enabled = true;
   Renderer renderer;
   scene.SetUp(renderer);
@@ -174,8 +174,8 @@ TEST(RendererCoarseShadows, AreLeftOfABoxThatIsThinnerThanTheyAreCoarse)
   double darkest = 1;
   for (const int corner : { 0, 1, 2, 3, 4, 5, 6, 7 })
   {
-    const Vec3 index(2 * (corner & 1), corner >> 1 & 1, corner >> 2);
-    const Vec3 inside = glm::mix(Vec3(1, 0.5, 0.5), index, 0.99);
+    const Vec3 index(24 * (corner & 1), corner >> 1 & 1, corner >> 2);
+    const Vec3 inside = glm::mix(Vec3(12, 0.5, 0.5), index, 0.99);
     const double light = renderer.ArrivingLightAt(scene.grid.PointToWorld(inside));
     EXPECT_TRUE(light >= 0 && light <= 1) << light;
     darkest = std::min(darkest, light);
