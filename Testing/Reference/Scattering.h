@@ -51,7 +51,7 @@ const double leastTowards = 0.5;
 
 /// What takes light on so many cells of its way to a sample is no shadow, up to this optical depth.
 const double ownCells = 4;
-const double mostOwnDepth = 6;
+const double mostOwnDepth = 7;
 
 /// What a surface that faces the viewer reflects, for the cosine between the ways to the light and
 /// to the viewer [1/steradian].

@@ -18,7 +18,7 @@ namespace limpid
 /// Absorption on the last of the light's way to a place is no shadow: over a length of this number
 /// of cells, up to this optical depth.
 constexpr double ownCells = 4;
-constexpr double mostOwnDepth = 6;
+constexpr double mostOwnDepth = 7;
 
 /// The matter of a surface lies within this number of cells of the shadows, along its normal.
 constexpr double surfaceCells = 2.5;
