@@ -24,8 +24,8 @@ constexpr double mostOwnDepth = 7;
 constexpr double surfaceCells = 2.5;
 
 /**
- * Computes the light that arrives at a node [0, 1]: the transmittance of the light where it reaches
- * the surface that the node belongs to, so that a surface casts no shadow on itself. That place is
+ * Computes the light that arrives at a node [0, 1]: T_L of Eq. (4) where the light reaches the
+ * surface that the node belongs to, so that a surface casts no shadow on itself. That place is
  * in front of the node on the way of the light; if the surface is oblique, in front of it along its
  * normal. The result varies as smoothly as the transmittance does: a factor for what the surface
  * takes would also amplify the little light behind what casts a shadow.
