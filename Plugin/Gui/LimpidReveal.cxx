@@ -32,8 +32,11 @@
 namespace
 {
 const char* const THRESHOLD = "ClearingThreshold";
-// The threshold is 1 at one end of the slider, where almost nothing is cleared, and 10^-MOST at the
-// other, where everything worth clearing is.
+// The threshold is 10^-LEAST at one end of the slider, where almost nothing is cleared, and
+// 10^-MOST at the other, where everything worth clearing is. With opacities that rise along a
+// straight line, nearly all matter is much thinner than the densest, and thresholds far above 1
+// keep it.
+const double LEAST = -2;
 const double MOST = 4;
 const int STEPS = 100; // per power of ten
 
@@ -139,7 +142,7 @@ void LimpidReveal::createSlider()
   this->Slider->setToolTip(
     tr("How much of what hides important structures is cleared. On the left, everything stays as "
        "the transfer functions define it. Sets the Clearing Threshold."));
-  this->Slider->setRange(0, static_cast<int>(MOST * STEPS));
+  this->Slider->setRange(0, static_cast<int>((MOST - LEAST) * STEPS));
   this->Slider->setSingleStep(STEPS / 10);
   this->Slider->setPageStep(STEPS / 2);
   this->connect(this->Slider, &QSlider::valueChanged, this, &LimpidReveal::moveSlider);
@@ -222,7 +225,7 @@ void LimpidReveal::followThreshold()
   // If the threshold is 0, the regularisation weight is used, which the slider does not show.
   const double threshold = Value(this->Volume, THRESHOLD);
   const double power = threshold > 0 ? -std::log10(threshold) : MOST;
-  const double steps = std::clamp(power, 0.0, MOST) * STEPS;
+  const double steps = (std::clamp(power, LEAST, MOST) - LEAST) * STEPS;
   const QSignalBlocker blocker(this->Slider);
   this->Slider->setValue(static_cast<int>(std::lround(steps)));
   const bool optimises =
@@ -246,7 +249,7 @@ void LimpidReveal::choosePreset()
 
 double LimpidReveal::chosenThreshold() const
 {
-  return Rounded(std::pow(10.0, -double(this->Slider->value()) / STEPS));
+  return Rounded(std::pow(10.0, -LEAST - double(this->Slider->value()) / STEPS));
 }
 
 void LimpidReveal::moveSlider()

@@ -7,8 +7,8 @@
  *          that go to the best view and make movies of it and of others
  *
  * For the property ClearingThreshold of a display, with panel_widget="LimpidReveal". The slider is
- * logarithmic: it sets the threshold from 1 down to 0.0001. Presets (Presets.h) and slider only set
- * properties and follow their changes, so that undo, trace and state contain these. The volume
+ * logarithmic: it sets the threshold from 100 down to 0.0001. Presets (Presets.h) and slider only
+ * set properties and follow their changes, so that undo, trace and state contain these. The volume
  * follows the slider while it is dragged; the drag is one undo step. The plain row of the property
  * is advanced.
  */

@@ -51,15 +51,14 @@ inline Tolerance StoredGradient(const Lighting& lighting)
 }
 
 /// What 16 bits of change and light cost: half a unit of 1/32767 each, of what is kept and what is
-/// added in units of the majorant over the whole way through the box, and of the light, of which
-/// so little makes a shadow.
+/// added in units of the majorant over the whole way through the box, and of the light.
 inline Tolerance StoredMedium(const RenderScene& scene)
 {
   const double majorant =
     *std::max_element(scene.functions.extinction.begin(), scene.functions.extinction.end());
   const double change =
     scene.extinction.empty() ? 0.0 : 2 * majorant * 2 * scene.grid.Radius() / 65534;
-  const double light = scene.lighting.shadowStrength * std::exp(truth::mostOwnDepth);
+  const double light = scene.lighting.shadowStrength;
   return { change + DirectLight(scene.lighting) * mostScattered * light / 65534,
     "16-bit change and light" };
 }

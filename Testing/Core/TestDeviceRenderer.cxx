@@ -338,8 +338,7 @@ public:
         Vec3(share(generator), share(generator), share(generator)) * (Vec3(scene.grid.nodes) - 1.0);
       const Vec3 world = scene.grid.PointToWorld(index);
       // A unit of the 16 bits, and the roundings of the sweeps.
-      EXPECT_NEAR(
-        this->There.LightTransmittanceAt(world), this->Here.LightTransmittanceAt(world), 5e-5);
+      EXPECT_NEAR(this->There.ArrivingLightAt(world), this->Here.ArrivingLightAt(world), 5e-5);
     }
   }
 

@@ -63,7 +63,7 @@ TEST(RendererCoarseShadows, OfTheTransferFunctionAreThoseOfItsRestrictedExtincti
   for (const Vec3& index : { Vec3(1.3, 2.2, 3.1), Vec3(6, 4.5, 7), Vec3(11.9, 0.2, 0.3) })
   {
     const Vec3 place = scene.grid.PointToWorld(index);
-    EXPECT_WITHIN(coarse.LightTransmittanceAt(place), restricted.LightTransmittanceAt(place),
+    EXPECT_WITHIN(coarse.ArrivingLightAt(place), restricted.ArrivingLightAt(place),
       Stored + Roundoff<float>(100, 8.0));
   }
 }
@@ -88,7 +88,7 @@ TEST(RendererCoarseShadows, OfAGivenExtinctionAreInterpolatedFromTheCoarseGrid)
   for (const Vec3& index : { Vec3(2, 4, 6), Vec3(3, 5, 7), Vec3(12, 1, 0), Vec3(5, 10, 8) })
   {
     const Vec3 place = scene.grid.PointToWorld(index);
-    EXPECT_WITHIN(coarse.LightTransmittanceAt(place), onCoarseGrid.LightTransmittanceAt(place),
+    EXPECT_WITHIN(coarse.ArrivingLightAt(place), onCoarseGrid.ArrivingLightAt(place),
       Stored + extinctionStored);
   }
   // The extinction itself stays fine: without shadows, nothing has changed.
@@ -164,8 +164,8 @@ TEST(RendererCoarseShadows, DoNotGetFinerThanTheExtinction)
 TEST(RendererCoarseShadows, AreLeftOfABoxThatIsThinnerThanTheyAreCoarse)
 {
   RenderScene scene = RenderScene::Homogeneous(
-    MakeGrid({ 3, 2, 2 }, { 3, -1, 2 }, { 0.3, 0.4, 0.5 }), 2, { { 1, 1, 1 } });
-  scene.lighting.light.position = scene.grid.Centre() + Vec3(-1, 3, -0.7);
+    MakeGrid({ 25, 2, 2 }, { 3, -1, 2 }, { 0.3, 0.4, 0.5 }), 2, { { 1, 1, 1 } });
+  scene.lighting.light.position = scene.grid.Centre() + Vec3(-9, 0.3, -0.2);
   scene.lighting.enabled = true;
   Renderer renderer;
   scene.SetUp(renderer);
@@ -174,9 +174,9 @@ TEST(RendererCoarseShadows, AreLeftOfABoxThatIsThinnerThanTheyAreCoarse)
   double darkest = 1;
   for (const int corner : { 0, 1, 2, 3, 4, 5, 6, 7 })
   {
-    const Vec3 index(2 * (corner & 1), corner >> 1 & 1, corner >> 2);
-    const Vec3 inside = glm::mix(Vec3(1, 0.5, 0.5), index, 0.99);
-    const double light = renderer.LightTransmittanceAt(scene.grid.PointToWorld(inside));
+    const Vec3 index(24 * (corner & 1), corner >> 1 & 1, corner >> 2);
+    const Vec3 inside = glm::mix(Vec3(12, 0.5, 0.5), index, 0.99);
+    const double light = renderer.ArrivingLightAt(scene.grid.PointToWorld(inside));
     EXPECT_TRUE(light >= 0 && light <= 1) << light;
     darkest = std::min(darkest, light);
   }

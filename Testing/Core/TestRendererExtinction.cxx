@@ -327,7 +327,7 @@ TEST(RendererExtinction, OfNodesWithoutANumberCastsNoShadow)
   Renderer renderer;
   scene.SetUp(renderer);
 
-  EXPECT_EQ(renderer.LightTransmittanceAt({ 0.3, 0.2, 0.1 }), 1);
+  EXPECT_EQ(renderer.ArrivingLightAt({ 0.3, 0.2, 0.1 }), 1);
 }
 
 TEST(RendererExtinction, ForTheLightIsWhatCastsTheShadows)
@@ -341,7 +341,7 @@ TEST(RendererExtinction, ForTheLightIsWhatCastsTheShadows)
     scene.changeGrid, scene.base.data(), scene.extinction.data(), 1, nothing.data());
   const Vec3 inside = scene.grid.PointToWorld({ 6.2, 4.1, 5.7 });
 
-  EXPECT_WITHIN(renderer.LightTransmittanceAt(inside), 1, Roundoff<float>(10, 1));
+  EXPECT_WITHIN(renderer.ArrivingLightAt(inside), 1, Roundoff<float>(10, 1));
   const Picture unshadowed = Drawn(renderer, scene);
   scene.lighting.shadows = false;
   EXPECT_EQ(unshadowed.rgba, scene.Render().rgba);

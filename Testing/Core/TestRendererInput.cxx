@@ -104,7 +104,7 @@ TEST(RendererInput, HasNoShadowBeforeThereIsAScene)
   lighting.enabled = true;
   renderer.SetLighting(lighting);
 
-  EXPECT_EQ(renderer.LightTransmittanceAt(Vec3(0)), 1);
+  EXPECT_EQ(renderer.ArrivingLightAt(Vec3(0)), 1);
 }
 
 TEST(RendererInput, DrawsAnEmptyPictureWithoutPixels)

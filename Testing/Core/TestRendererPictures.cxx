@@ -22,20 +22,20 @@ namespace
 {
 const int fineSteps = 32;
 
-/// T_L at the nodes as the renderer has it: what is tested here is what the rays make of it.
+/// The light that arrives at the nodes as the renderer has it: what is tested here is what the rays
+/// make of it.
 void TakeShadow(const RenderScene& scene, truth::Medium& medium)
 {
   Renderer renderer;
   scene.SetUp(renderer);
   const Grid& grid = scene.extinction.empty() ? scene.grid : scene.changeGrid;
-  medium.lightTransmittance.lattice = TruthOf(grid);
-  truth::ForEachNode(medium.lightTransmittance.lattice,
+  medium.arrivingLight.lattice = TruthOf(grid);
+  truth::ForEachNode(medium.arrivingLight.lattice,
     [&](int i, int j, int k)
     {
       // Just inside, so that rounding does not put a node of the border outside of the grid.
       const Vec3 inside = glm::clamp(Vec3(i, j, k), Vec3(1e-6), Vec3(grid.nodes) - 1.0 - 1e-6);
-      medium.lightTransmittance.values.push_back(
-        renderer.LightTransmittanceAt(grid.PointToWorld(inside)));
+      medium.arrivingLight.values.push_back(renderer.ArrivingLightAt(grid.PointToWorld(inside)));
     });
 }
 

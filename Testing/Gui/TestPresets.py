@@ -28,7 +28,7 @@ def expect_values(display, expected, what):
 def is_between(display):
     """Whether the slider is between its ends, and has changed nothing else."""
     view, light, threshold, protect = values(display)
-    return [view, light, protect] == [10, 1, 0.1] and 1e-4 < threshold < 1
+    return [view, light, protect] == [10, 1, 0.1] and 1e-4 < threshold < 100
 
 
 def tell():
@@ -55,8 +55,12 @@ def tell():
     expect_values(display, [10, 1, 0.0316, 0.1], "redone in one step")
     yield
 
-    expect_values(display, [10, 1, 1, 0.1], "the slider is at its left end")
+    expect_values(display, [10, 1, 100, 0.1], "the slider is at its left end")
     frames.settle()
+    display.UpdatePropertyInformation()
+    gained = display.VisibleFraction - display.BaseVisibleFraction
+    possible = display.AttainableFraction - display.BaseVisibleFraction
+    expect(gained < 0.05 * possible, f"there, context stays: {gained:.4f} of {possible:.4f} gained")
     frames.clear()
     yield
     first = display.ClearingThreshold
@@ -69,7 +73,7 @@ def tell():
     yield
     expect(display.ClearingThreshold == last, f"it stays where it is let go: {values(display)}")
     yield
-    expect_values(display, [10, 1, 1, 0.1], "a drag is undone in one step")
+    expect_values(display, [10, 1, 100, 0.1], "a drag is undone in one step")
     yield
     expect(is_between(display) and display.ClearingThreshold == last,
            f"drag redone in one step: {values(display)}")

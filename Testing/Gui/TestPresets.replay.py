@@ -12,7 +12,7 @@ import sys
 
 from paraview import simple
 
-THRESHOLDS = [0.0003, 0.0316, 1.0]  # of the preset, and of the slider before it was dragged
+THRESHOLDS = [0.0003, 0.0316, 100.0]  # of the preset, and of the slider before it was dragged
 
 simple.LoadPlugin(os.path.abspath("../Limpid.so"), remote=False, ns=globals())
 view = simple.CreateView("RenderView")

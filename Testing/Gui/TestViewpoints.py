@@ -126,6 +126,12 @@ def tell():
 
     frames.settle()
     expect_colors(display, search, "after Apply those of the base extinction, which are smaller")
+    path = simple.CameraPath(Input=search)
+    on_path = simple.Show(path, view)
+    expect(on_path.LookupTable == display.LookupTable, "the path is colored by score, too")
+    lowest = path.PointData["VisibilityScore"].GetRange()[0]
+    expect(lowest > search.PointData["VisibilityScore"].GetRange()[0], "the path avoids the worst views")
+    expect_colors(display, search, "with the path beside them those of the sphere")
 
 
 smtrace.start_trace()

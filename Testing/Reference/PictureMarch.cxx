@@ -66,15 +66,23 @@ Volume<double> AsVolume(const Field<double>& extinction)
   return { extinction.lattice, extinction.values.data(), nullptr };
 }
 
-/// Transmittance from a lamp to every node.
-Field<double> MarchToNodes(const Field<double>& extinction, const Source& lamp)
+/// The light that arrives at a place.
+double MarchedLight(
+  const Field<double>& extinction, const Illumination& light, const Vector& position)
+{
+  const auto transmittance = [&](const Vector& to)
+  { return Transmittance(AsVolume(extinction), light.lamp, to); };
+  const Vector before = Along(position, -ownCells * light.cell, light.TravelAt(position));
+  return ArrivingLight(transmittance(position), transmittance(before));
+}
+
+/// The light that arrives at every node.
+Field<double> MarchToNodes(const Field<double>& extinction, const Illumination& lit)
 {
   Field<double> light{ extinction.lattice, {} };
   ForEachNode(extinction.lattice,
-    [&](int i, int j, int k)
-    {
-      light.values.push_back(
-        Transmittance(AsVolume(extinction), lamp, extinction.lattice.Position(i, j, k)));
+    [&](int i, int j, int k) {
+      light.values.push_back(MarchedLight(extinction, lit, extinction.lattice.Position(i, j, k)));
     });
   return light;
 }
@@ -158,10 +166,10 @@ PictureMarch::PictureMarch(const Medium& medium, Shadow shadow, int stepsPerVoxe
     this->Added = Excess(medium.base, medium.changed);
   }
   this->Slopes = RelativeGradient(this->BaseAtNodes);
-  this->LightAtNodes = medium.lightTransmittance;
+  this->LightAtNodes = medium.arrivingLight;
   if (medium.light.enabled && shadow == Shadow::Interpolated && this->LightAtNodes.values.empty())
   {
-    this->LightAtNodes = MarchToNodes(this->ShadowCaster(), medium.light.lamp);
+    this->LightAtNodes = MarchToNodes(this->ShadowCaster(), medium.light);
   }
 }
 
@@ -186,13 +194,11 @@ double PictureMarch::ExtinctionAt(const Vector& position) const
   return std::min(this->Kept(position) * base + this->Added(position), this->Majorant);
 }
 
-double PictureMarch::LightTransmittanceAt(const Vector& position) const
+double PictureMarch::ArrivingLightAt(const Vector& position) const
 {
-  if (this->Kind == Shadow::Interpolated)
-  {
-    return this->LightAtNodes(position);
-  }
-  return Transmittance(AsVolume(this->ShadowCaster()), this->Scene.light.lamp, position);
+  return this->Kind == Shadow::Interpolated
+    ? this->LightAtNodes(position)
+    : MarchedLight(this->ShadowCaster(), this->Scene.light, position);
 }
 
 PictureMarch::Line PictureMarch::LineOf(const Frame& frame, int column, int row) const
@@ -242,11 +248,9 @@ Sample PictureMarch::SampleAt(const Vector& position, const Line& line) const
   if (light.enabled && sample.extinction > 0)
   {
     const Vector toViewer = Along({}, -1, line.direction);
-    const double transmittance =
-      light.shadowStrength > 0 ? this->LightTransmittanceAt(position) : 1.0;
-    const double brightness = Brightness(light,
-      { position, toViewer, this->Slopes(position), transmittance, sample.extinction },
-      line.middlePhase);
+    const double arriving = light.shadowStrength > 0 ? this->ArrivingLightAt(position) : 1.0;
+    const double brightness =
+      Brightness(light, { position, toViewer, this->Slopes(position), arriving }, line.middlePhase);
     for (int channel = 0; channel < 3; ++channel)
     {
       sample.color[channel] *= brightness;

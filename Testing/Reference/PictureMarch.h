@@ -32,11 +32,11 @@ struct Medium
 
   Illumination light;
 
-  /// T_L at nodes, if it is not to be marched to them; Shadow::Interpolated only.
-  Field<double> lightTransmittance;
+  /// Light that arrives at nodes, if it is not to be marched to them; Shadow::Interpolated only.
+  Field<double> arrivingLight;
 };
 
-/// Where the light's transmittance at a sample comes from.
+/// Where the light that arrives at a sample comes from.
 enum class Shadow
 {
   Interpolated, ///< marched to the nodes, trilinear between: what a shadow volume can know
@@ -72,7 +72,7 @@ public:
   double Unit() const;
 
   double ExtinctionAt(const Vector& position) const;
-  double LightTransmittanceAt(const Vector& position) const;
+  double ArrivingLightAt(const Vector& position) const;
 
 private:
   struct Line;

@@ -49,9 +49,9 @@ inline double SurfaceScattering(
 /// viewer has its own colour.
 const double leastTowards = 0.5;
 
-/// What takes light within so many cells of a sample is no shadow, up to this optical depth.
+/// What takes light on so many cells of its way to a sample is no shadow, up to this optical depth.
 const double ownCells = 4;
-const double mostOwnDepth = 4.5;
+const double mostOwnDepth = 7;
 
 /// What a surface that faces the viewer reflects, for the cosine between the ways to the light and
 /// to the viewer [1/steradian].
@@ -87,11 +87,17 @@ struct Illumination
 struct Place
 {
   Vector position;
-  Vector toViewer;           ///< unit length
-  Vector gradient;           ///< of the base extinction, over its largest length
-  double lightTransmittance; ///< T_L
-  double extinction;         ///< [1/length]
+  Vector toViewer; ///< unit length
+  Vector gradient; ///< of the base extinction, over its largest length
+  double arriving; ///< light, see ArrivingLight
 };
+
+/// The light that arrives at a place, from its transmittance there and where its last ownCells
+/// begin.
+inline double ArrivingLight(double transmittance, double before)
+{
+  return std::max(transmittance, std::min(before, std::exp(mostOwnDepth) * transmittance));
+}
 
 /// What of the colour reaches the viewer. `middlePhase`: f_v in the middle of the volume.
 inline double Brightness(const Illumination& light, const Place& place, double middlePhase)
@@ -111,10 +117,8 @@ inline double Brightness(const Illumination& light, const Place& place, double m
       SurfaceScattering(light.specularPower, outward, toLight, place.toViewer) /
       ReflectedByFacing(light.specularPower, Dot(toLight, place.toViewer));
   }
-  const double own = std::min(mostOwnDepth, place.extinction * ownCells * light.cell);
-  const double lit = std::min(1.0, std::exp(own) * place.lightTransmittance);
-  const double arriving = 1 - light.shadowStrength * (1 - lit);
-  const double reaching = arriving * (phase / middlePhase + reflected) / (1 + surfaceShare);
+  const double lit = 1 - light.shadowStrength * (1 - place.arriving);
+  const double reaching = lit * (phase / middlePhase + reflected) / (1 + surfaceShare);
   const double tone = 1 - std::pow(1 - std::min(1.0, reaching), 1.5);
   return light.ambient + (1 - light.ambient) * light.intensity * tone;
 }

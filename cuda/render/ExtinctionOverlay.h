@@ -34,7 +34,7 @@ bool MoveNodes(HostDevice& device, const MovedNode& body, bool wasChanged);
  *
  * Every node of a grid over the same box has two packed numbers: the share of the transfer
  * function's extinction that is kept [1], and the extinction that is added [majorant]. It also has
- * the transmittance from the light, rounded in the same way [packedOne].
+ * the light that arrives (ArrivingNode), rounded in the same way [packedOne].
  *
  * The extinction of a sample is kept * mu-bar(s) + added. At a node it equals the optimised
  * extinction. Where nothing was changed it is the transfer function's extinction of the
@@ -94,11 +94,11 @@ public:
   /// Discards change and shadow.
   void Clear() { *this = ExtinctionOverlay(this->Device); }
 
-  /// Drops the transmittance of the light, which is not read any more.
+  /// Drops the light that arrives, which is not read any more.
   void ClearShadow() { this->HasShadow = false; }
 
-  /// Interpolates a transmittance that is given at the nodes of a grid over the same box.
-  void SetShadow(const Int3& nodes, const float* transmittance)
+  /// Interpolates the light that arrives at the nodes of a grid over the same box.
+  void SetShadow(const Int3& nodes, const float* light)
   {
     this->HasShadow = true;
     const Int3 to = this->Place.nodes;
@@ -107,7 +107,7 @@ public:
     if (nodes == to)
     {
       this->Device->ForIndices(
-        "take shadows", this->Place.NodeCount(), ShadowedNode{ transmittance, shadow });
+        "take shadows", this->Place.NodeCount(), ShadowedNode{ light, shadow });
       return;
     }
     const char* what = "interpolated shadows";
@@ -129,7 +129,7 @@ public:
     Field rows(this->Device, std::size_t(Index(ofRows.x) * ofRows.y * ofRows.z), what);
     Field slices(this->Device, std::size_t(Index(ofSlices.x) * ofSlices.y * ofSlices.z), what);
     this->Device->ForNodes(
-      what, ofRows, InterpolatedAlong{ 1, rowPlaces.Data(), transmittance, nodes, rows.Data() });
+      what, ofRows, InterpolatedAlong{ 1, rowPlaces.Data(), light, nodes, rows.Data() });
     this->Device->ForNodes(what, ofSlices,
       InterpolatedAlong{ 2, slicePlaces.Data(), rows.Data(), ofRows, slices.Data() });
     this->Device->ForNodes("take shadows", to,
@@ -137,7 +137,7 @@ public:
         { 0, columnPlaces.Data(), slices.Data(), ofSlices, nullptr }, shadow });
   }
 
-  /// Returns the transmittance of the light at a position [nodes]. Waits.
+  /// Returns the light that arrives at a position [nodes]. Waits.
   double ShadowAt(const Vec3& position) const
   {
     const CellGrid grid(this->Place.nodes);

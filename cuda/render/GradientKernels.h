@@ -92,8 +92,8 @@ struct LargestOfRun
   }
 };
 
-/// Packs a gradient, divided by the largest length, in world directions, and the transmittance of
-/// the light, which is 1 until ShadowedGradientNode sets it.
+/// Packs a gradient, divided by the largest length, in world directions, and the light that
+/// arrives, which is 1 until ShadowedGradientNode sets it.
 struct PackedGradientNode
 {
   GradientNode gradient;
@@ -115,7 +115,7 @@ struct PackedGradientNode
   }
 };
 
-/// Copies the transmittance of the light at the same node.
+/// Copies the light that arrives at the same node.
 struct ShadowedGradientNode
 {
   const float* shadow; ///< [packedOne]

@@ -156,16 +156,13 @@ struct ResampledNode
   }
 };
 
-/// Copies the transmittance at the same node.
+/// Copies the light that arrives at the same node.
 struct ShadowedNode
 {
-  const float* transmittance;
+  const float* light;
   float* shadow; ///< out [packedOne]
 
-  LIMPID_HD void operator()(Index node) const
-  {
-    this->shadow[node] = PackShare(this->transmittance[node]);
-  }
+  LIMPID_HD void operator()(Index node) const { this->shadow[node] = PackShare(this->light[node]); }
 };
 
 /// The position of a node of an axis between those of another one over the same length.
@@ -211,15 +208,15 @@ struct InterpolatedAlong
   }
 };
 
-/// Interpolates a transmittance along the last axis.
+/// Interpolates the light that arrives along the last axis.
 struct InterpolatedShadowNode
 {
-  InterpolatedAlong transmittance;
+  InterpolatedAlong light;
   float* shadow; ///< out [packedOne]
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
-    this->shadow[node] = PackShare(this->transmittance.At(i, j, k));
+    this->shadow[node] = PackShare(this->light.At(i, j, k));
   }
 };
 }

@@ -81,8 +81,6 @@ RayLight MakeRayLight(const Lighting& settings, const Grid& grid, const View& vi
   light.phaseUnit = static_cast<float>(1 / middle);
   light.surface = static_cast<float>(settings.surface);
   light.shadow = static_cast<float>(settings.shadows ? settings.shadowStrength : 0.0);
-  light.ownLength =
-    static_cast<float>(ownCells * std::max({ grid.spacing.x, grid.spacing.y, grid.spacing.z }));
   light.lobe.factor = static_cast<float>(BlinnPhongNormalization(settings.specularPower));
   light.lobe.power = static_cast<float>(settings.specularPower);
   return light;

@@ -33,11 +33,6 @@ struct Lobe
 /// faces the viewer is fully lit. Light at a flatter angle lights it less.
 constexpr float leastTowards = 0.5f;
 
-/// The outermost layer of a surface must keep its colour: absorption within this number of cells
-/// does not count as shadow, up to this optical depth.
-constexpr double ownCells = 4;
-constexpr float mostOwnDepth = 4.5f;
-
 /// Returns the share of its colour that a sample sends as direct light. The argument is the light
 /// that reaches the sample and is scattered to the viewer, relative to a surface that faces both.
 /// The result is 1 there, decreases smoothly below, and never exceeds 1, so that no colour is
@@ -61,20 +56,15 @@ struct RayLight
   float phaseUnit = 0;  ///< 1 / f_v at the centre of the volume [steradian]
   float surface = 0;    ///< k_s
   float shadow = 0;     ///< shadow strength
-  float ownLength = 0;  ///< length of ownCells [length]
   Lobe lobe;            ///< normalised Blinn-Phong lobe [1/steradian]
 
   /// Returns the share of its colour that a sample sends to the viewer, Eq. (4), from the scattered
-  /// share of light (LightOnRay), the light's transmittance to the sample [packedOne], and its
-  /// extinction [1/length].
+  /// share of light (LightOnRay) and the light that arrives (ArrivingNode) [packedOne].
   template <class Number>
-  LIMPID_HD LIMPID_INLINE Number Sent(
-    const Number& scattered, const Number& transmittance, const Number& extinction) const
+  LIMPID_HD LIMPID_INLINE Number Sent(const Number& scattered, const Number& arriving) const
   {
-    const Number own = Attenuate(AtMost(extinction * this->ownLength, mostOwnDepth));
-    const Number lit = AtMost(transmittance * (1 / packedOne) / own, 1.0f);
-    const Number arriving = 1.0f - this->shadow * (1.0f - lit);
-    return this->ambient + this->diffuse * ToneOf(arriving * scattered);
+    const Number lit = 1.0f - this->shadow * (1.0f - arriving * (1 / packedOne));
+    return this->ambient + this->diffuse * ToneOf(lit * scattered);
   }
 };
 

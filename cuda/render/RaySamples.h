@@ -99,7 +99,7 @@ struct RaySamples
   Ends<AnySampler> kept;                 ///< share of that extinction [packedOne], if Overlaid
   Ends<AnySampler> added;                ///< extinction [packedOne of scene.addedUnit]
   Ends<AnySampler> scattered;            ///< see LightOnRay
-  Ends<AnySampler> transmittance;        ///< of the light [packedOne]
+  Ends<AnySampler> arriving;             ///< light, see ArrivingNode [packedOne]
   typename AnySampler::Optics optics;
 
   SegmentMean<Lanes> mean;
@@ -175,12 +175,12 @@ struct RaySamples
       GradientAt(scene, ray, there, ofGradient);
       this->scattered.rear = Scattered(scene.light, onRay.DirectionAt(scene.light, there.distance),
         ofGradient[0], ofGradient[1], ofGradient[2]);
-      this->transmittance.rear = ofGradient[3];
+      this->arriving.rear = ofGradient[3];
     }
     Lanes ofGradient[4];
     GradientAt(scene, ray, this->place, ofGradient);
     this->scattered.MoveOn(this->ScatteredAt(scene.light, onRay, ofGradient));
-    this->transmittance.MoveOn(ofGradient[3]);
+    this->arriving.MoveOn(ofGradient[3]);
     this->LitTo = this->last;
   }
 
@@ -188,8 +188,7 @@ struct RaySamples
   /// midpoints.
   LIMPID_HD LIMPID_INLINE Lanes SentOnAverage(const RayScene& scene) const
   {
-    return scene.light.Sent(0.5f * this->scattered.Sum(), 0.5f * this->transmittance.Sum(),
-      this->extinction * scene.majorant);
+    return scene.light.Sent(0.5f * this->scattered.Sum(), 0.5f * this->arriving.Sum());
   }
 
   /// Returns the optical depths of the segments.
@@ -215,8 +214,7 @@ struct RaySamples
     const Segment<Lanes> segment(this->Depth(scene));
     const Lanes sent = Lit ? segment.absorbed *
         scene.light.Sent(segment.Mean(this->scattered.front, this->scattered.rear),
-          segment.Mean(this->transmittance.front, this->transmittance.rear),
-          this->extinction * scene.majorant)
+          segment.Mean(this->arriving.front, this->arriving.rear))
                            : segment.absorbed;
     const Lanes inFront =
       AnySampler::InFront(segment.passed, scene.opaqueBelow, pixel.transmittance);
@@ -249,7 +247,7 @@ private:
     return bricks.EmptyAround(brick) == 0;
   }
 
-  /// Reads the gradient at samples, with the transmittance of the light.
+  /// Reads the gradient at samples, with the light that arrives.
   template <class Sampler>
   LIMPID_HD static LIMPID_INLINE void GradientAt(const RayScene& scene, const Ray& ray,
     const RayPlaces<Sampler>& place, typename Sampler::Lanes (&gradient)[4])

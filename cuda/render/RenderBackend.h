@@ -104,9 +104,8 @@ public:
   /// Draws a picture of the view's size.
   virtual void Cast(const Casting& casting, const View& view, Picture& picture) = 0;
 
-  /// Returns the transmittance of the light at a position among the nodes of the extinction
-  /// [index].
-  virtual double LightTransmittanceAt(const Vec3& position) = 0;
+  /// Returns the light that arrives at a position among the nodes of the extinction [index].
+  virtual double ArrivingLightAt(const Vec3& position) = 0;
 };
 }
 

@@ -7,6 +7,7 @@
 #include "optimize/AxisFilter.h"
 #include "optimize/DistributedMinimizer.h"
 #include "optimize/Levels.h"
+#include "render/ArrivingLight.h"
 #include "render/Bricks.h"
 #include "render/ExtinctionOverlay.h"
 #include "render/GatheredOverlay.h"
@@ -26,7 +27,7 @@ namespace limpid
 /**
  * The passes of a Renderer on a device, the processor or a GPU. All fields stay there. Only new
  * input of the renderer and the depths of opaque geometry are copied to a GPU, and the picture is
- * copied back. Only Cast and LightTransmittanceAt wait.
+ * copied back. Only Cast and ArrivingLightAt wait.
  *
  * Bytes on a GPU per node: scalars 4, gradient 8, overlay with shadows 8, the extinction that casts
  * them 4, and temporarily 8 for two new extinctions or for a new gradient. The sum is 32, plus 4
@@ -177,7 +178,10 @@ public:
     {
       this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
     }
-    this->Shown.SetShadow(grid.nodes, transmittance.Data());
+    Field arriving(this->Device, std::size_t(grid.NodeCount()), "the shadows");
+    this->FindArriving(
+      ArrivingOn(grid, this->Nodes.spacing, light), opaque, transmittance.Data(), arriving.Data());
+    this->Shown.SetShadow(grid.nodes, arriving.Data());
     this->GradientHasShadow = false;
   }
 
@@ -277,10 +281,7 @@ public:
     this->Device->Download(picture.rgba.data(), pixels, count * sizeof(Rgba));
   }
 
-  double LightTransmittanceAt(const Vec3& position) override
-  {
-    return this->Shown.ShadowAt(position);
-  }
+  double ArrivingLightAt(const Vec3& position) override { return this->Shown.ShadowAt(position); }
 
 private:
   using Field = DeviceArray<AnyDevice, float>;
@@ -393,6 +394,34 @@ private:
       ClassifiedNode{
         this->Table, this->Scalars.Data(), this->Filled.Data(), majorant, extinction.Data() });
     return extinction;
+  }
+
+  /// Computes the light that arrives at the nodes of this rank, from fields there.
+  void FindArriving(
+    ArrivingNode body, const float* opaque, const float* transmittance, float* arriving)
+  {
+    const Int3 nodes = body.nodes;
+    body.arriving = arriving;
+    if constexpr (AnyDevice::readsHostMemory)
+    {
+      if (this->Piece && !this->CoversAllRanks)
+      {
+        const FieldAround casts(*this->Piece, this->Whole, body, opaque);
+        const FieldAround lit(*this->Piece, this->Whole, body, transmittance);
+        body.Within(lit.box, this->Piece->nodes, this->Whole.nodes);
+        this->FindArrivingFrom(body, nodes, casts.values.data(), lit.values.data());
+        return;
+      }
+    }
+    this->FindArrivingFrom(body, nodes, opaque, transmittance);
+  }
+
+  void FindArrivingFrom(
+    ArrivingNode body, const Int3& nodes, const float* opaque, const float* transmittance)
+  {
+    body.caster = opaque;
+    body.transmittance = transmittance;
+    this->Device->ForNodes("light that arrives", nodes, body);
   }
 
   /// Returns the extinction that casts the shadows, at the nodes of their grid.

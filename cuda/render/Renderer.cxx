@@ -435,7 +435,7 @@ void Renderer::Render(const View& view, Picture& picture)
   state.backend->Cast(state.CastingOf(view), view, picture);
 }
 
-double Renderer::LightTransmittanceAt(const Vec3& world)
+double Renderer::ArrivingLightAt(const Vec3& world)
 {
   this->UpdateShadows();
   const Internals& state = *this->State;
@@ -452,6 +452,6 @@ double Renderer::LightTransmittanceAt(const Vec3& world)
       return 1;
     }
   }
-  return state.backend->LightTransmittanceAt(index);
+  return state.backend->ArrivingLightAt(index);
 }
 } // namespace limpid

@@ -210,9 +210,9 @@ public:
   /// Throws limpid::Error if there are no scalars or transfer functions, or if the view is invalid.
   void Render(const View& view, Picture& picture);
 
-  /// Returns the transmittance of the light at a world position [0, 1] by the shadow volume; 1
-  /// outside of the grid and without shadows.
-  double LightTransmittanceAt(const Vec3& world);
+  /// Returns the light that arrives at a world position [0, 1], see ArrivingNode; 1 outside of the
+  /// grid and without shadows.
+  double ArrivingLightAt(const Vec3& world);
 
 private:
   struct Internals;
