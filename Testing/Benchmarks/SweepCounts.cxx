@@ -51,7 +51,7 @@ SweepCounts CountSweep(const Problem& problem, const RaySource& source)
       }
       for (int row = 0; s < frustum.lastSlice && row < frustum.rows; ++row)
       {
-        const Range<int>& active = frustum.ActiveRays(s, row);
+        const Range<int> active = frustum.ActiveRays(s, row);
         if (active.Empty())
         {
           continue;
@@ -59,9 +59,9 @@ SweepCounts CountSweep(const Problem& problem, const RaySource& source)
         counts.samples += active.Length();
         for (const int plane : { 2 * s, 2 * s + 1 }) // of the layer behind the slice
         {
-          const int* index = frustum.Row(frustum.planeColumns, plane).index;
+          const int* index = frustum.PlaneColumns(plane).index;
           const Range<int> columns{ index[active.begin], index[active.end - 1] + 2 };
-          const int v = frustum.Row(frustum.planeRows, plane).index[row];
+          const int v = frustum.PlaneRows(plane).index[row];
           for (const int node : slice.nodes)
           {
             mark(node, v, columns, read);

@@ -121,8 +121,8 @@ bool Meets(const Boxes& scene, const std::vector<float>& field, const PlannedFru
   {
     return false;
   }
-  const LinearMap columns = frustum.Row(frustum.planeColumns, 2 * s + half);
-  const LinearMap rows = frustum.Row(frustum.planeRows, 2 * s + half);
+  const LinearMap columns = frustum.PlaneColumns(2 * s + half);
+  const LinearMap rows = frustum.PlaneRows(2 * s + half);
   for (int corner = 0; corner < 8; ++corner)
   {
     Int3 node(0);
@@ -223,6 +223,7 @@ void ForRaysOf(const FaceFrustum& plan, const RayTiles& tiles, int number, const
 struct Axis
 {
   const MapTable& planes;
+  Range<int> Slice::*described;
   const RayLine* lines;
   int nodes;
 };
@@ -258,11 +259,13 @@ bool FindsAll(const FaceFrustum& plan, const Axis& axis, int s, const Range<int>
   }
   for (int layer = std::max(s - 1, 0); layer <= std::min(s, plan.lastSlice - 1); ++layer)
   {
-    for (int ray = rays.begin; ray < rays.end; ++ray)
+    const Range<int>& described = plan.SliceAt(layer).*axis.described;
+    const Range<int> some = Intersection(rays, described);
+    for (int ray = some.begin; ray < some.end; ++ray)
     {
       for (const int half : { 0, 1 })
       {
-        if (!finds(plan.Row(axis.planes, 2 * layer + half).index[ray]))
+        if (!finds(plan.Row(axis.planes, 2 * layer + half).index[ray - described.begin]))
         {
           return false;
         }
@@ -279,7 +282,8 @@ TEST_P(PlanOf, LeavesOutNothingThatMatters)
 {
   for (const PlannedFrustum& frustum : this->frusta)
   {
-    std::vector<bool> importantBehind(std::size_t(frustum.RayCount()), false);
+    std::vector<bool> importantBehind(
+      std::size_t(frustum.columns) * std::size_t(frustum.rows), false);
     for (int s = frustum.lastSlice - 1; s >= 0; --s)
     {
       const std::vector<bool> filled =
@@ -332,11 +336,11 @@ TEST_P(PlanOf, KnowsTheVoxelsBetweenWhichEveryRayRuns)
       const double thickness = frustum.SliceAt(s + 1).depth - slice.depth;
       for (int half = 0; half < 2; ++half)
       {
-        const LinearMap map = frustum.Row(frustum.planeColumns, 2 * s + half);
+        const LinearMap map = frustum.PlaneColumns(2 * s + half);
         const double depth = slice.depth + gaussPoints[half] * thickness;
-        for (int column = 0; column < frustum.columns; ++column)
+        for (int column = slice.rayColumns.begin; column < slice.rayColumns.end; ++column)
         {
-          const auto ray = std::size_t(column);
+          const int ray = column;
           const double position =
             frustum.lateralU.Position(frustum.lateralU.Coordinate(column), depth);
           const double inside = std::min(std::max(position, 0.0), frustum.nodesU - 1.0);
@@ -422,10 +426,12 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
       {
         const Range<int> columns = voxels.AlongU(s, number);
         const Range<int> rows = voxels.AlongV(s, number);
-        ASSERT_TRUE(FindsAll(plan, { plan.planeColumns, plan.Row(plan.columnLines), plan.nodesU },
-          s, voxels.tiles.ColumnsOf(number), slice.ownedColumns, columns));
-        ASSERT_TRUE(FindsAll(plan, { plan.planeRows, plan.Row(plan.rowLines), plan.nodesV }, s,
-          voxels.tiles.RowsOf(number), slice.ownedRows, rows));
+        ASSERT_TRUE(FindsAll(plan,
+          { plan.planeColumns, &Slice::rayColumns, plan.Row(plan.columnLines), plan.nodesU }, s,
+          voxels.tiles.ColumnsOf(number), slice.ownedColumns, columns));
+        ASSERT_TRUE(
+          FindsAll(plan, { plan.planeRows, &Slice::rayRows, plan.Row(plan.rowLines), plan.nodesV },
+            s, voxels.tiles.RowsOf(number), slice.ownedRows, rows));
         finders.Add(columns, rows);
       }
       for (int v = 0; v < plan.nodesV; ++v)

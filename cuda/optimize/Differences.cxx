@@ -6,6 +6,7 @@
 #include "backend/Backend.h"
 #include "backend/Simd.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -87,5 +88,24 @@ double SumOverRows(
     ranks->Sum(&sum, 1);
   }
   return sum.Value();
+}
+
+void ExactDifferences::Add(const std::vector<Differences>& all)
+{
+  constexpr std::size_t perPart = 4096;
+  std::vector<ExactDifferences> parts((all.size() + perPart - 1) / perPart);
+  ParallelFor(static_cast<Index>(parts.size()),
+    [&](Index index)
+    {
+      const auto part = static_cast<std::size_t>(index);
+      for (std::size_t i = part * perPart; i < std::min((part + 1) * perPart, all.size()); ++i)
+      {
+        parts[part].Add(all[i]);
+      }
+    });
+  for (const ExactDifferences& part : parts)
+  {
+    *this += part;
+  }
 }
 }

@@ -8,6 +8,7 @@
 #include "distributed/Slab.h"
 
 #include <functional>
+#include <vector>
 
 namespace limpid
 {
@@ -43,6 +44,9 @@ struct ExactDifferences
     this->changes.Add(some.changes);
     this->squaresFromPrevious.Add(some.squaresFromPrevious);
   }
+
+  /// Adds all of them, in parallel.
+  void Add(const std::vector<Differences>& all);
 
   ExactDifferences& operator+=(const ExactDifferences& other)
   {

@@ -42,10 +42,12 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
-    std::vector<ExactDifferences> rows(
-      moved ? std::size_t(rays.Plan().nodesV) : 0); // per row, summed over all slices
+    const FaceFrustum& plan = rays.Plan();
+    // [slice][voxel row]
+    std::vector<Differences> rows(
+      moved ? std::size_t(plan.SliceCount()) * std::size_t(plan.nodesV) : 0);
     SweepBackwardByPhases(device, rays, occupancy, kernel,
-      [&rows, &kernel, moved](const auto& voxels, const auto& windows, int v)
+      [&rows, &kernel, &plan, moved](const auto& voxels, const auto& windows, int v)
       {
         if (moved)
         {
@@ -53,14 +55,15 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
           const float* next = voxels.Row(windows.next) + filled.begin;
           const auto squaresFrom = [&](const auto& field)
           { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
-          rows[std::size_t(v)].Add({ squaresFrom(windows.base),
+          const Index slice = &voxels.SliceHere() - &plan.SliceAt(0);
+          rows[std::size_t(slice * plan.nodesV + v)] = { squaresFrom(windows.base),
             SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()),
-            kernel.previous ? squaresFrom(windows.previous) : 0.0 });
+            kernel.previous ? squaresFrom(windows.previous) : 0.0 };
         }
       });
-    for (std::size_t v = 0; moved && v < rows.size(); ++v)
+    if (moved)
     {
-      *moved += rows[v];
+      moved->Add(rows);
     }
   }
   else

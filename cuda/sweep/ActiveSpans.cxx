@@ -39,16 +39,18 @@ struct AxisReaders
   Range<int> owned;    ///< voxels that the frustum owns
   Range<int> sides[2]; ///< owned voxels that are not between rays that enter in front
 
-  /// `front`: rays that enter in front.
+  /// `front`: rays that enter in front; `described`: rays that the slice describes.
   AxisReaders(const int* indices, const int* first, int count, const Range<int>& ownVoxels,
-    const Range<int>& front)
+    const Range<int>& front, const Range<int>& described)
     : index(indices)
     , firstVoxels(first)
     , nodes(count)
     , owned(ownVoxels)
   {
+    const auto firstOf = [&](int ray)
+    { return first[std::min(std::max(ray, described.begin), described.end)]; };
     const Range<int> between =
-      front.Empty() ? Range<int>{} : Range<int>{ first[front.begin], first[front.end - 1] };
+      front.Empty() ? Range<int>{} : Range<int>{ firstOf(front.begin), firstOf(front.end - 1) };
     const Range<int> inFront =
       between.Empty() ? Range<int>{ ownVoxels.end, ownVoxels.end } : between;
     this->sides[0] = Intersection(ownVoxels, { 0, inFront.begin });
@@ -163,7 +165,7 @@ void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count,
   {
     const int begin = frontBegins[i] < backBegins[i] ? frontBegins[i] : backBegins[i];
     const int end = frontEnds[i] > backEnds[i] ? frontEnds[i] : backEnds[i];
-    const Range<int> both = Intersection(active[i], { begin, end });
+    const Range<int> both = Intersection(Intersection(active[i], all), { begin, end });
     const Range<int> whole = WholeRegisters(both, all);
     active[i].begin = both.Empty() ? 0 : whole.begin;
     active[i].end = both.Empty() ? 0 : whole.end;
@@ -211,7 +213,7 @@ public:
     , Occupied(frustum, occupancy)
     , Outsides(this->FindOutsides())
     , Blocks((frustum.rows + rowsPerBlock - 1) / rowsPerBlock)
-    , Extents(std::size_t(this->Blocks * frustum.SliceCount()))
+    , Extents(std::size_t(this->Blocks))
   {
   }
 
@@ -223,13 +225,20 @@ public:
       [&](Index block, const Range<int>& rows)
       {
         this->Activate(rows);
-        this->FollowToBack(rows, this->Extents.data() + block * this->Slices);
+        this->FollowToBack(rows, this->Extents[std::size_t(block)]);
       });
     this->FindTouched();
   }
 
 private:
   static constexpr int rowsPerBlock = 64;
+
+  /// What a block of rows visits.
+  struct Extent
+  {
+    Range<int> slices;             ///< those that describe any row of the block
+    std::vector<VisitedRays> rays; ///< per slice of these
+  };
 
   /// Calls visit(block, rows) for all blocks of rows, in parallel.
   template <class Visit>
@@ -269,10 +278,29 @@ private:
 
   Range<int>* ActiveOf(int s, int row)
   {
-    return this->Target.Room(this->Target.activeRays, s) + row;
+    return this->Target.Room(this->Target.activeRays, s) +
+      (row - this->Target.SliceAt(s).rayRows.begin);
   }
 
-  static ColumnSpans From(const ColumnSpans& spans, int row)
+  /// Slices that describe any of some rows.
+  Range<int> SlicesOf(const Range<int>& rows) const
+  {
+    Range<int> slices;
+    for (int row = rows.begin; row < rows.end; ++row)
+    {
+      slices = Hull(slices, this->Target.LayersOf(row));
+    }
+    return slices;
+  }
+
+  /// Those of some rows that a slice describes.
+  Range<int> RowsOn(int s, const Range<int>& rows) const
+  {
+    const Range<int> some = Intersection(rows, this->Target.SliceAt(s).rayRows);
+    return some.Empty() ? Range<int>{} : some;
+  }
+
+  static ColumnSpans From(const ColumnSpans& spans, Index row)
   {
     return { spans.begins + row, spans.ends + row };
   }
@@ -280,24 +308,27 @@ private:
   /// Extends the important spans of each slice by those of all slices behind it.
   void FollowToFront(const Range<int>& rows)
   {
-    for (int s = this->Slices - 2; s >= 0; --s)
+    const Range<int> slices = this->SlicesOf(rows);
+    for (int s = slices.end - 2; s >= slices.begin; --s)
     {
-      ExtendRows(From(this->Occupied.Important(s + 1), rows.begin), rows.end - rows.begin,
-        From(this->Occupied.Important(s), rows.begin));
+      const Range<int> both = this->RowsOn(s + 1, this->RowsOn(s, rows));
+      ExtendRows(From(this->Occupied.Important(s + 1), both.begin), both.Length(),
+        From(this->Occupied.Important(s), both.begin));
     }
   }
 
   /// Finds the first row of voxels that reads each row of rays, see FaceFrustum::firstVoxels.
   void FindFirstRows()
   {
-    this->FirstRows.resize(std::size_t(this->Slices) * std::size_t(this->Target.rows + 1));
+    const int perSlice = this->Target.activeRays.rowLength + 1;
+    this->FirstRows.resize(std::size_t(this->Slices) * std::size_t(perSlice));
     ParallelFor(this->Slices,
       [&](Index s)
       {
         if (this->IsRead(static_cast<int>(s)))
         {
           FindFirstTargets(this->Target.Row(this->Target.voxelRows, s).index, this->Target.nodesV,
-            this->Target.rows, this->FirstRows.data() + s * (this->Target.rows + 1));
+            this->Target.SliceAt(s).rayRows, this->FirstRows.data() + s * perSlice);
         }
       });
   }
@@ -310,29 +341,28 @@ private:
   /// front of it.
   void Activate(const Range<int>& rows)
   {
-    const int count = rows.end - rows.begin;
-    if (!this->Skips)
+    const Range<int> slices = this->SlicesOf(rows);
+    for (int s = slices.end - 1; s >= slices.begin; --s)
     {
-      for (int s = 0; s < this->Slices; ++s)
+      const Range<int> here = this->RowsOn(s, rows);
+      if (!this->Skips)
       {
-        std::fill_n(this->ActiveOf(s, rows.begin), count, Range<int>{ 0, this->Target.columns });
+        std::fill_n(
+          this->ActiveOf(s, here.begin), here.Length(), this->Target.SliceAt(s).rayColumns);
+        continue;
       }
-      return;
-    }
-    for (int s = this->Slices - 1; s >= 0; --s)
-    {
-      const Range<int>* behind = s + 1 < this->Slices ? this->ActiveOf(s + 1, 0) : nullptr;
+      const Range<int> behind = s + 1 < this->Slices ? this->RowsOn(s + 1, here) : Range<int>{};
       Range<int>* active = this->ActiveOf(s, 0);
       const ColumnSpans needed = this->Occupied.Important(s);
-      for (int row = rows.begin; row < rows.end; ++row)
+      for (int row = here.begin; row < here.end; ++row)
       {
-        const Range<int> here{ needed.begins[row], needed.ends[row] };
-        active[row] = behind ? Hull(here, behind[row]) : here;
+        const Range<int> own{ needed.begins[row], needed.ends[row] };
+        active[row] = behind.Contains(row) ? Hull(own, *this->ActiveOf(s + 1, row)) : own;
       }
       if (this->IsRead(s))
       {
         const SliceReaders readers = this->ReadersOf(s);
-        for (int row = rows.begin; row < rows.end; ++row)
+        for (int row = here.begin; row < here.end; ++row)
         {
           active[row] = Hull(active[row], readers.ReadWithNeeded(row));
         }
@@ -344,38 +374,53 @@ private:
   {
     const FaceFrustum& frustum = this->Target;
     const Slice& slice = frustum.SliceAt(s);
-    return { AxisReaders(frustum.Row(frustum.voxelRows, s).index,
-               this->FirstRows.data() + Index(s) * (frustum.rows + 1), frustum.nodesV,
-               slice.ownedRows, frustum.frontRows),
-      AxisReaders(frustum.Row(frustum.voxelColumns, s).index, frustum.Row(frustum.firstVoxels, s),
-        frustum.nodesU, slice.ownedColumns, frustum.frontColumns),
+    const int* firstRows =
+      this->FirstRows.data() + Index(s) * (frustum.activeRays.rowLength + 1) - slice.rayRows.begin;
+    return { AxisReaders(frustum.Row(frustum.voxelRows, s).index, firstRows, frustum.nodesV,
+               slice.ownedRows, frustum.frontRows, slice.rayRows),
+      AxisReaders(frustum.Row(frustum.voxelColumns, s).index, frustum.FirstVoxels(s),
+        frustum.nodesU, slice.ownedColumns, frustum.frontColumns, slice.rayColumns),
       this->Occupied.Important(s) };
   }
 
   /// Keeps rays that are needed in front of the box active until they enter it, because their
-  /// optical depth counts from the entry (RaySteps.h). `extents`: per slice.
-  void FollowToBack(const Range<int>& rows, VisitedRays* extents)
+  /// optical depth counts from the entry (RaySteps.h).
+  void FollowToBack(const Range<int>& rows, Extent& extent)
   {
-    const int count = rows.end - rows.begin;
-    const Range<int> columns{ 0, this->Target.columns };
     int begins[rowsPerBlock];
     int ends[rowsPerBlock];
     std::fill_n(begins, rowsPerBlock, noColumn);
     std::fill_n(ends, rowsPerBlock, -noColumn);
     const ColumnSpans carried{ begins, ends };
-    for (int s = 0; s < this->Slices; ++s)
+    extent.slices = this->SlicesOf(rows);
+    for (int s = extent.slices.begin; s < extent.slices.end; ++s)
     {
-      Range<int>* active = this->ActiveOf(s, rows.begin);
+      const Range<int> here = this->RowsOn(s, rows);
       const int next = std::min(s + 1, this->Slices - 1);
+      const Range<int> both = this->RowsOn(next, here);
       const Outside outside{ this->Outsides[std::size_t(next)],
-        this->Target.Row(this->Target.rowEntry) + rows.begin,
+        this->Target.Row(this->Target.rowEntry) + here.begin,
         this->Target.SliceAt(next).RelativeDepth() };
-      CarryRows(outside, count, columns.end, carried, active);
+      CarryRows(outside, here.Length(), this->Target.columns,
+        From(carried, here.begin - rows.begin), this->ActiveOf(s, here.begin));
+      this->Cut(s, s, { here.begin, both.Empty() ? here.end : both.begin });
+      this->Cut(s, next, both);
+      this->Cut(s, s, { both.Empty() ? here.end : both.end, here.end });
+      const VisitedRays rays = ExtentOf(this->ActiveOf(s, here.begin), here.Length());
+      extent.rays.push_back(
+        { rays.columns, { here.begin + rays.rows.begin, here.begin + rays.rows.end } });
+    }
+  }
+
+  /// Restricts the active columns of some rows to those that touch filled voxels on slice `s` or
+  /// on slice `next`.
+  void Cut(int s, int next, const Range<int>& rows)
+  {
+    if (!rows.Empty())
+    {
       CutRows(From(this->Occupied.Filled(s), rows.begin),
-        From(this->Occupied.Filled(next), rows.begin), count, columns, active);
-      const VisitedRays extent = ExtentOf(active, count);
-      extents[s] = { extent.columns,
-        { rows.begin + extent.rows.begin, rows.begin + extent.rows.end } };
+        From(this->Occupied.Filled(next), rows.begin), rows.Length(),
+        this->Target.SliceAt(s).rayColumns, this->ActiveOf(s, rows.begin));
     }
   }
 
@@ -388,20 +433,24 @@ private:
       slices[s].touchedColumns = slices[s].ownedColumns;
       slices[s].touchedRows = slices[s].ownedRows;
     }
+    std::vector<VisitedRays> visited(std::size_t(this->Slices));
+    for (const Extent& extent : this->Extents)
+    {
+      for (std::size_t i = 0; i < extent.rays.size(); ++i)
+      {
+        VisitedRays& rays = visited[std::size_t(extent.slices.begin) + i];
+        rays.columns = Hull(rays.columns, extent.rays[i].columns);
+        rays.rows = Hull(rays.rows, extent.rays[i].rows);
+      }
+    }
     for (int s = 0; s + 1 < this->Slices; ++s)
     {
-      Range<int> rows;
-      Range<int> columns;
-      for (Index block = 0; block < this->Blocks; ++block)
+      const Range<int>& columns = visited[std::size_t(s)].columns;
+      const Range<int>& rows = visited[std::size_t(s)].rows;
+      for (int plane = 2 * s; plane < 2 * s + 2; ++plane)
       {
-        const VisitedRays& extent = this->Extents[std::size_t(block * this->Slices + s)];
-        columns = Hull(columns, extent.columns);
-        rows = Hull(rows, extent.rows);
-      }
-      for (Index plane = 2 * Index(s); plane < 2 * Index(s) + 2; ++plane)
-      {
-        const int* columnIndex = this->Target.Row(this->Target.planeColumns, plane).index;
-        const int* rowIndex = this->Target.Row(this->Target.planeRows, plane).index;
+        const int* columnIndex = this->Target.PlaneColumns(plane).index;
+        const int* rowIndex = this->Target.PlaneRows(plane).index;
         for (Slice* slice : { &slices[s], &slices[s + 1] })
         {
           slice->touchedColumns =
@@ -429,8 +478,8 @@ private:
   OccupiedRays Occupied;
   std::vector<Range<int>> Outsides; ///< per slice
   Index Blocks;
-  std::vector<VisitedRays> Extents; ///< [block][slice]
-  std::vector<int> FirstRows;       ///< [slice][row]
+  std::vector<Extent> Extents; ///< [block]
+  std::vector<int> FirstRows;  ///< [slice][row of Slice::rayRows]
 };
 }
 

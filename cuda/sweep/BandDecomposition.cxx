@@ -75,7 +75,8 @@ void BandDecomposition::FindVisited()
   this->Visited.resize(std::size_t(this->Frustum.rows));
   for (int s = 0; s < this->Frustum.lastSlice; ++s)
   {
-    for (int row = 0; row < this->Frustum.rows; ++row)
+    const Range<int>& near = this->Frustum.SliceAt(s).rayRows;
+    for (int row = near.begin; row < near.end; ++row)
     {
       Range<int>& columns = this->Visited[std::size_t(row)];
       columns = Hull(columns, this->Frustum.ActiveRays(s, row));
@@ -112,10 +113,11 @@ BandDecomposition::OnSlice BandDecomposition::Pass(const Had& had, const Read& r
 Range<int> BandDecomposition::RowsRead(const Range<int>& rays, int s) const
 {
   Range<int> read;
-  for (int half = 0; half < 2 && !rays.Empty(); ++half)
+  const Range<int> near = Intersection(rays, this->Frustum.SliceAt(s).rayRows);
+  for (int half = 0; half < 2 && !near.Empty(); ++half)
   {
-    const int* rows = this->Frustum.Row(this->Frustum.planeRows, 2 * s + half).index;
-    read = Hull(read, { rows[rays.begin], rows[rays.end - 1] + 2 });
+    const int* rows = this->Frustum.PlaneRows(2 * s + half).index;
+    read = Hull(read, { rows[near.begin], rows[near.end - 1] + 2 });
   }
   return read.Empty() ? read : Grown(read, 1, this->Frustum.nodesV);
 }
@@ -312,7 +314,7 @@ void BandDecomposition::ExchangeRays(int s, bool cubic, const std::vector<float*
     {
       // Other rays have the values of the previous slice. An effect belongs to both layers next to
       // the slice and ends with the next slice.
-      Range<int> columns{ 0, this->Frustum.columns };
+      Range<int> columns = this->Frustum.ColumnsOf(row);
       if (!cubic)
       {
         columns = Hull(this->Frustum.ActiveRays(std::max(s - 1, 0), row),

@@ -38,7 +38,7 @@ Index WorkOfRays(const FaceFrustum& frustum, int s, int row, const Range<int>& a
   const int clipped =
     lengthOfOthers(stay.begin <= slice.layer.front && stay.end >= back, slice.insideColumns);
   const int throughSides = lengthOfOthers(frustum.frontRows.Contains(row), frustum.frontColumns);
-  const int* columns = frustum.Row(frustum.planeColumns, 2 * Index(s)).index;
+  const int* columns = frustum.PlaneColumns(2 * s).index;
   const int read = columns[active.end - 1] + 2 - columns[active.begin];
   return rowOfRays + voxelRead * read + clippedRay * clipped + sideRay * throughSides;
 }
@@ -169,9 +169,10 @@ private:
 std::vector<Index> WorkOfRows(const FaceFrustum& frustum, int s)
 {
   std::vector<Index> work(std::size_t(frustum.rows), 0);
-  for (int row = 0; s < frustum.lastSlice && row < frustum.rows; ++row)
+  const Range<int>& near = frustum.SliceAt(s).rayRows;
+  for (int row = near.begin; s < frustum.lastSlice && row < near.end; ++row)
   {
-    const Range<int>& active = frustum.ActiveRays(s, row);
+    const Range<int> active = frustum.ActiveRays(s, row);
     work[std::size_t(row)] = active.Empty() ? 0 : WorkOfRays(frustum, s, row, active);
   }
   const Slice& slice = frustum.SliceAt(s);

@@ -24,6 +24,8 @@ struct Slice
   float scale = 1;         ///< depth / far depth: width of a ray; 1 if parallel
   Range<int> ownedColumns; ///< voxels of this slice that this frustum owns
   Range<int> ownedRows;
+  Range<int> rayColumns; ///< columns of rays that the plan describes here, see RayWindows
+  Range<int> rayRows;
   Range<int> touchedColumns; ///< voxels of this slice that rays read or that are owned
   Range<int> touchedRows;
 
@@ -120,6 +122,10 @@ LIMPID_HD LIMPID_INLINE NodePair NodesAt(double position, int nodes)
  * cubes.
  *
  * One guard ray on either side serves interpolation only.
+ *
+ * In a long box most rays are beside the box on most slices. Then the plan of a slice describes
+ * only the rays near the box (Slice::rayColumns, rayRows); and if few of all pairs of a column and
+ * a row ever meet the box, only these have values (`banded`).
  */
 struct FaceFrustum : FlatTables
 {
@@ -132,6 +138,8 @@ struct FaceFrustum : FlatTables
   Index strideV = 0;
   Index strideW = 0;
 
+  int rayCount = 0;        ///< number of rays with values
+  bool banded = false;     ///< whether some pairs of a column and a row have no values
   int columns = 0;         ///< rays along u
   int rows = 0;            ///< rays along v
   int lastSlice = -1;      ///< index of the last slice; slices are counted front to back
@@ -145,9 +153,12 @@ struct FaceFrustum : FlatTables
   bool seesAll = true; ///< whether all rays are inside the view
 
   Table<Slice> slices;
-  MapTable planeColumns;        ///< [2 slice + half][column]: voxel column at a Gauss point
-  MapTable planeRows;           ///< [2 slice + half][row]
-  Table<Range<int>> activeRays; ///< [slice][row]: columns to visit in the layer behind the slice
+  Table<Range<int>> rowColumns; ///< [row]: columns of rays that have values
+  Table<Range<int>> rowLayers;  ///< [row]: slices that describe the row
+  Table<int> rowStarts;         ///< [row]: index of the ray in column 0; empty unless banded
+  MapTable planeColumns;        ///< [2 slice + half][column of Slice::rayColumns]: see PlaneColumns
+  MapTable planeRows;           ///< [2 slice + half][row of Slice::rayRows]: see PlaneRows
+  Table<Range<int>> activeRays; ///< [slice][row of Slice::rayRows]: see ActiveRays
   Table<RayLine> columnLines;   ///< [column]: positions of the rays in u
   Table<RayLine> rowLines;      ///< [row]: positions in v
   Table<float> columnEntry;     ///< [column]: relative depth where rays enter the box in u
@@ -156,19 +167,19 @@ struct FaceFrustum : FlatTables
   Table<float> rowExit;         ///< [row]: relative depth where rays leave the box in v
   Table<float> columnShare;     ///< [column]: width at the far depth [index]; 0 for guard rays
   Table<float> rowShare;        ///< [row]
-  Table<float> length;          ///< [row][column]: world length per unit of depth [length]
-  Table<float> inView; ///< [row][column]: 1 inside the view, else 0; empty if all rays are in view
-  MapTable voxelColumns;    ///< [slice][voxel column]: ray column
-  MapTable voxelRows;       ///< [slice][voxel row]: ray row
-  Table<float> columnSides; ///< [slice][voxel column]: SideWeight, for means across rays
-  Table<float> rowSides;    ///< [slice][voxel row]
+  Table<float> length;          ///< [ray]: world length per unit of depth [length]
+  Table<float> inView;          ///< [ray]: 1 inside the view, else 0; empty if all rays are in view
+  MapTable voxelColumns;        ///< [slice][voxel column]: ray column
+  MapTable voxelRows;           ///< [slice][voxel row]: ray row
+  Table<float> columnSides;     ///< [slice][voxel column]: SideWeight, for means across rays
+  Table<float> rowSides;        ///< [slice][voxel row]
   /// [slice][voxel column]: reciprocal of the part of the voxel's hat function that lies inside
   /// the box and is covered by rays. It normalises sums over rays (VoxelRow::FindEffect).
   Table<float> columnHatGain;
   Table<float> rowHatGain;        ///< [slice][voxel row]
   Table<float> voxelColumnEntry;  ///< [slice][voxel column]: relative depth where its rays enter
   Table<float> voxelRowEntry;     ///< [slice][voxel row]
-  Table<int> firstVoxels;         ///< [slice][column]: first voxel whose first ray is not before it
+  Table<int> firstVoxels;         ///< [slice][column of Slice::rayColumns]: see FirstVoxels
   Table<Range<int>> activeVoxels; ///< [slice][voxel row]: columns that a ray can matter to
   Table<Range<int>> filledVoxels; ///< [slice][voxel row]: columns that may change
 
@@ -176,11 +187,73 @@ struct FaceFrustum : FlatTables
 
   LIMPID_HD LIMPID_INLINE const Slice& SliceAt(int s) const { return this->Row(this->slices)[s]; }
   int SliceCount() const { return this->lastSlice + 1; }
-  Index RayCount() const { return Index(this->columns) * this->rows; }
+  Index RayCount() const { return this->rayCount; }
 
   LIMPID_HD LIMPID_INLINE int RayAt(int column, int row) const
   {
-    return row * this->columns + column;
+    return (this->banded ? this->Row(this->rowStarts)[row] : row * this->columns) + column;
+  }
+
+  /// Columns of rays of a row that have values.
+  LIMPID_HD LIMPID_INLINE const Range<int>& ColumnsOf(int row) const
+  {
+    return this->Row(this->rowColumns)[row];
+  }
+
+  /// Slices that describe a row of rays.
+  LIMPID_HD LIMPID_INLINE const Range<int>& LayersOf(int row) const
+  {
+    return this->Row(this->rowLayers)[row];
+  }
+
+  /// Rows of rays that any of these slices describes.
+  Range<int> RowsNear(const Range<int>& some) const
+  {
+    Range<int> hull;
+    for (int s = some.begin; s < some.end; ++s)
+    {
+      hull = Hull(hull, this->SliceAt(s).rayRows);
+    }
+    return hull;
+  }
+
+  /// Returns the number of rays with values in front of a row.
+  Index RaysBefore(int row) const
+  {
+    return row < this->rows ? this->RayAt(this->ColumnsOf(row).begin, row) : this->rayCount;
+  }
+
+  /// Values of `table`, which has one per ray, by column.
+  LIMPID_HD LIMPID_INLINE const float* OfRow(const Table<float>& table, int row) const
+  {
+    return this->Row(table) + this->RayAt(0, row);
+  }
+
+  /// Map from the columns in Slice::rayColumns to voxels at a Gauss point; `plane`:
+  /// 2 slice + half.
+  LIMPID_HD LIMPID_INLINE LinearMap PlaneColumns(int plane) const
+  {
+    return From(this->Row(this->planeColumns, plane), this->SliceAt(plane / 2).rayColumns.begin);
+  }
+
+  LIMPID_HD LIMPID_INLINE LinearMap PlaneRows(int plane) const
+  {
+    return From(this->Row(this->planeRows, plane), this->SliceAt(plane / 2).rayRows.begin);
+  }
+
+  /// For the columns in Slice::rayColumns and one more: the first voxel whose first ray is not
+  /// before it.
+  LIMPID_HD LIMPID_INLINE const int* FirstVoxels(int s) const
+  {
+    return this->Row(this->firstVoxels, s) - this->SliceAt(s).rayColumns.begin;
+  }
+
+  /// Returns FirstVoxels of any column; beyond those described, that of the nearest one.
+  LIMPID_HD LIMPID_INLINE int FirstVoxel(int s, int column) const
+  {
+    const Range<int>& described = this->SliceAt(s).rayColumns;
+    const int notBefore = column > described.begin ? column : described.begin;
+    return this->FirstVoxels(s)[notBefore < described.end ? notBefore : described.end];
   }
 
   LIMPID_HD LIMPID_INLINE Index VoxelAt(int node, int u, int v) const
@@ -188,9 +261,12 @@ struct FaceFrustum : FlatTables
     return this->strideW * node + this->strideV * v + this->strideU * u;
   }
 
-  LIMPID_HD LIMPID_INLINE const Range<int>& ActiveRays(int s, int row) const
+  /// Columns to visit in the layer behind the slice.
+  LIMPID_HD LIMPID_INLINE Range<int> ActiveRays(int s, int row) const
   {
-    return this->Row(this->activeRays, s)[row];
+    const Range<int>& described = this->SliceAt(s).rayRows;
+    return described.Contains(row) ? this->Row(this->activeRays, s)[row - described.begin]
+                                   : Range<int>{};
   }
 
   LIMPID_HD LIMPID_INLINE const Range<int>& ActiveVoxels(int s, int v) const

@@ -34,6 +34,12 @@ struct Table
   int rowLength = 0;
 };
 
+/// Returns a map whose targets count from `begin`.
+LIMPID_HD LIMPID_INLINE LinearMap From(const LinearMap& map, int begin)
+{
+  return { map.index - begin, map.weight - begin };
+}
+
 struct MapTable
 {
   Table<int> index;

@@ -8,6 +8,7 @@
 
 #include "backend/DeviceArray.h"
 #include "backend/HostDevice.h"
+#include "math/Require.h"
 #include "sweep/BandDecomposition.h"
 #include "sweep/HatOfVoxel.h"
 #include "sweep/PlanSweep.h"
@@ -78,6 +79,12 @@ public:
     , Tables(device, planned.memory.get(), planned.bytes, "the plan of a sweep")
     , Addresses(planned)
   {
+    LIMPID_REQUIRE(!planned.banded,
+      "From this position, a GPU cannot sweep an image that is so much longer than wide (it would "
+      "need memory for "
+        << double(planned.columns) * planned.rows
+        << " rays, of which few meet the image). Use the processor, or look along the image or "
+           "straight at one of its sides.");
     this->Addresses.tables = this->Tables.Data();
   }
 

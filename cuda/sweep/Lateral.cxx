@@ -266,20 +266,38 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, RayPlace
   this->PutBetween(std::move(edges));
 }
 
-void Lateral::FindRayMap(double depth, int* index, float* weight) const
+Range<int> Lateral::RaysNear(double depth) const
 {
-  FindCells(this->Middles.data(), this->count, LineAt(*this, depth), this->nodes, index, weight);
+  constexpr double reach =
+    3; // rays so far beside the box carry values to it (OccupiedRays) [index]
+  constexpr int more = 3;
+  const Line line = LineAt(*this, depth);
+  const auto coordinateOf = [&](double position) { return (position - line.offset) / line.factor; };
+  const auto begin = this->Middles.begin();
+  const auto first = std::lower_bound(begin, this->Middles.end(), coordinateOf(-reach));
+  const auto end =
+    std::upper_bound(first, this->Middles.end(), coordinateOf(this->nodes - 1 + reach));
+  return Intersection(
+    Range<int>{ static_cast<int>(first - begin) - more, static_cast<int>(end - begin) + more },
+    { 0, this->count });
 }
 
-void Lateral::FindRayNodes(double depth, int* floors) const
+void Lateral::FindRayMap(double depth, const Range<int>& rays, int* index, float* weight) const
 {
-  FindFloors(this->Middles.data(), this->count, LineAt(*this, depth), this->nodes, floors);
+  FindCells(this->Middles.data() + rays.begin, rays.Length(), LineAt(*this, depth), this->nodes,
+    index, weight);
 }
 
-void Lateral::FindVoxelMap(double depth, int* index, float* weight) const
+void Lateral::FindRayNodes(double depth, const Range<int>& rays, int* floors) const
+{
+  FindFloors(
+    this->Middles.data() + rays.begin, rays.Length(), LineAt(*this, depth), this->nodes, floors);
+}
+
+void Lateral::FindVoxelMap(double depth, int firstRay, int* index, float* weight) const
 {
   VisitVoxels(*this, depth,
-    [&, ray = 0](const Range<int>& voxels, const double* wanted) mutable
+    [&, ray = firstRay](const Range<int>& voxels, const double* wanted) mutable
     {
       int* first = index + voxels.begin;
       for (int i = 0; i < voxels.Length(); ++i)

@@ -50,17 +50,22 @@ public:
   /// Chooses the rays that see the box between two depths; none if no ray reaches it.
   void Fit(double nearDepth, double farDepth, double rayDensity, RayPlacement placement);
 
-  /// Computes the map from rays to voxel columns at `depth`: `count` values each. A ray outside
-  /// the box reads its border.
-  void FindRayMap(double depth, int* index, float* weight) const;
+  /// Returns the rays at most three nodes away from the box at `depth`, and three more on either
+  /// side, which serve interpolation.
+  Range<int> RaysNear(double depth) const;
 
-  /// Computes the floor of the voxel column of every ray at `depth`, ascending. Rays outside the
-  /// box give up to three voxels beyond its border. `floors`: `count` values.
-  void FindRayNodes(double depth, int* floors) const;
+  /// Computes the map from rays to voxel columns at `depth`: a value each per ray in `rays`. A ray
+  /// outside the box reads its border.
+  void FindRayMap(double depth, const Range<int>& rays, int* index, float* weight) const;
+
+  /// Computes the floor of the voxel column of the rays in `rays` at `depth`, ascending. Rays
+  /// outside the box give up to three voxels beyond its border.
+  void FindRayNodes(double depth, const Range<int>& rays, int* floors) const;
 
   /// Computes the map from voxel columns to rays on the slice at `depth` > 0: `nodes` values each.
-  /// Voxels beyond the outermost rays take the values of these.
-  void FindVoxelMap(double depth, int* index, float* weight) const;
+  /// Voxels beyond the outermost rays take the values of these. `firstRay`: any ray that is not
+  /// behind the first voxel.
+  void FindVoxelMap(double depth, int firstRay, int* index, float* weight) const;
 
   /// Returns the depths, relative to `base`, at which a ray enters and leaves the box along this
   /// axis.

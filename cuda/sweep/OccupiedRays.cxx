@@ -55,13 +55,14 @@ LIMPID_INLINE Reach HullOf(const Reach* fours, int low, int high)
 }
 
 /// Finds the spans of rows of rays. A row touches the voxel rows from one before the previous row
-/// of rays to two behind the next one. `nodes`: floors of the rows' positions; `lastVoxel`: last
-/// row of voxels.
+/// of rays to two behind the next one. `nodes`: floors of the rows' positions, by row; `rows`:
+/// number of all rows; `some`: the rows to visit; `lastVoxel`: last row of voxels.
 LIMPID_MULTIVERSION
-void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
-  const ColumnSpans& filled, const ColumnSpans& important)
+void FindReaches(const Reach* fours, const int* nodes, int rows, const Range<int>& some,
+  int lastVoxel, const ColumnSpans& filled, const ColumnSpans& important)
 {
-  for (int row = 0; row < rows; ++row)
+  const Range<int> visited = some;
+  for (int row = visited.begin; row < visited.end; ++row)
   {
     const int from = row > 0 ? nodes[row - 1] - 1 : 0;
     const int to = row + 1 < rows ? nodes[row + 1] + 2 : lastVoxel;
@@ -81,15 +82,14 @@ void FindReaches(const Reach* fours, const int* nodes, int rows, int lastVoxel,
 struct OccupiedRays::Memory
 {
   explicit Memory(const PlannedFrustum& frustum)
-    : columnNodes(std::size_t(frustum.columns))
-    , rowNodes(std::size_t(frustum.rows))
-    , columnsUpTo(std::size_t(frustum.nodesU) + 6)
+    : columnsUpTo(std::size_t(frustum.nodesU) + 6)
     , reaches(std::size_t(frustum.nodesV) + rowsBefore + rowsBehind)
   {
   }
 
+  Range<int> columns;           ///< Slice::rayColumns
   std::vector<int> columnNodes; ///< floors of the rays' positions
-  std::vector<int> rowNodes;
+  std::vector<int> rowNodes;    ///< also of the rays beside those of the slice
   std::vector<int> columnsUpTo; ///< per voxel column, from -3 on: rays with floors up to it
   std::vector<Reach> reaches;   ///< per voxel row, from -rowsBefore on
 
@@ -99,9 +99,9 @@ struct OccupiedRays::Memory
     for (std::size_t ray = 0; ray < this->columnNodes.size(); ++ray)
     {
       const int next = this->columnNodes[ray] + 3;
-      this->columnsUpTo[std::size_t(next)] = static_cast<int>(ray) + 1;
+      this->columnsUpTo[std::size_t(next)] = this->columns.begin + static_cast<int>(ray) + 1;
     }
-    int most = 0;
+    int most = this->columns.begin;
     for (int& count : this->columnsUpTo)
     {
       most = std::max(most, count);
@@ -116,16 +116,16 @@ struct OccupiedRays::Memory
   {
     if (!voxels.Empty())
     {
-      const int columns = static_cast<int>(this->columnNodes.size());
-      least[0] = std::max(this->columnsUpTo[std::size_t(voxels.begin)] - 1, 0);
-      least[1] = -std::min(this->columnsUpTo[std::size_t(voxels.end) + 3] + 1, columns);
+      least[0] = std::max(this->columnsUpTo[std::size_t(voxels.begin)] - 1, this->columns.begin);
+      least[1] = -std::min(this->columnsUpTo[std::size_t(voxels.end) + 3] + 1, this->columns.end);
     }
   }
 };
 
 OccupiedRays::OccupiedRays(const PlannedFrustum& frustum, const Occupancy& occupancy)
-  : Rows(frustum.rows)
-  , Spans(new int[std::size_t(4 * frustum.SliceCount() * Index(frustum.rows))])
+  : Plan(frustum)
+  , Rows(frustum.activeRays.rowLength)
+  , Spans(new int[std::size_t(4 * frustum.SliceCount() * this->Rows)])
 {
   constexpr int slicesPerTask = 8;
   const int slices = frustum.SliceCount();
@@ -147,8 +147,12 @@ void OccupiedRays::FindOnSlice(
   const PlannedFrustum& frustum, const Occupancy& occupancy, int s, Memory& memory)
 {
   const Slice& slice = frustum.SliceAt(s);
-  frustum.lateralU.FindRayNodes(slice.depth, memory.columnNodes.data());
-  frustum.lateralV.FindRayNodes(slice.depth, memory.rowNodes.data());
+  memory.columns = slice.rayColumns;
+  memory.columnNodes.resize(std::size_t(memory.columns.Length()));
+  frustum.lateralU.FindRayNodes(slice.depth, memory.columns, memory.columnNodes.data());
+  const Range<int> rows = Grown(slice.rayRows, 1, frustum.rows);
+  memory.rowNodes.resize(std::size_t(rows.Length()));
+  frustum.lateralV.FindRayNodes(slice.depth, rows, memory.rowNodes.data());
   memory.CountColumns();
   const SpanRows spans = SpansOf(frustum, occupancy, slice.node < 0 ? slice.nodes[0] : slice.node);
   std::fill(memory.reaches.begin(), memory.reaches.end(), outOfReach);
@@ -159,7 +163,7 @@ void OccupiedRays::FindOnSlice(
     memory.Put(spans[v].important, reaches[v].least + 2);
   }
   JoinFours(static_cast<int>(memory.reaches.size()) - 3, memory.reaches.data());
-  FindReaches(reaches, memory.rowNodes.data(), frustum.rows, frustum.nodesV - 1, this->Filled(s),
-    this->Important(s));
+  FindReaches(reaches, memory.rowNodes.data() - rows.begin, frustum.rows, slice.rayRows,
+    frustum.nodesV - 1, this->Filled(s), this->Important(s));
 }
 }

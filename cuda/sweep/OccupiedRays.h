@@ -23,8 +23,8 @@ struct ColumnSpans
 };
 
 /**
- * For every slice and row of rays of a frustum: the columns of rays that are interpolated from
- * filled or important voxels of the slice. Also includes rays that touch such voxels anywhere in
+ * For every slice and row of rays near it: the columns of rays that are interpolated from filled or
+ * important voxels of the slice. Also includes rays that touch such voxels anywhere in
  * the two layers next to the slice, where no ray moves by more than one voxel.
  */
 class OccupiedRays
@@ -32,22 +32,25 @@ class OccupiedRays
 public:
   OccupiedRays(const PlannedFrustum& frustum, const Occupancy& occupancy);
 
-  ColumnSpans Filled(int slice) const { return this->At(4 * Index(slice)); }
-  ColumnSpans Important(int slice) const { return this->At(4 * Index(slice) + 2); }
+  ColumnSpans Filled(int slice) const { return this->At(slice, 0); }
+  ColumnSpans Important(int slice) const { return this->At(slice, 2); }
 
 private:
   struct Memory;
 
-  ColumnSpans At(Index row) const
+  /// Spans by row, of which the slice describes some.
+  ColumnSpans At(int slice, int kind) const
   {
-    int* first = this->Spans.get() + row * this->Rows;
+    int* first = this->Spans.get() + (4 * Index(slice) + kind) * this->Rows -
+      this->Plan.SliceAt(slice).rayRows.begin;
     return { first, first + this->Rows };
   }
 
   void FindOnSlice(
     const PlannedFrustum& frustum, const Occupancy& occupancy, int slice, Memory& memory);
 
-  Index Rows;
+  const PlannedFrustum& Plan;
+  Index Rows;                   ///< largest number of rows that a slice describes
   std::unique_ptr<int[]> Spans; ///< [slice][begin and end of filled, of important][row]
 };
 }

@@ -9,6 +9,7 @@
 #include "sweep/ActiveSpans.h"
 #include "sweep/HatMean.h"
 #include "sweep/RayGeometry.h"
+#include "sweep/RayWindows.h"
 #include "sweep/Registers.h"
 
 #include <algorithm>
@@ -103,14 +104,17 @@ std::vector<Slice> PlaceSlices(const DepthAxis& depth)
   return slices;
 }
 
-void MakeTables(PlannedFrustum& frustum, Readers readers)
+void MakeTables(PlannedFrustum& frustum, const RayWindows& windows, Readers readers)
 {
   const Index count = frustum.SliceCount();
   TableRoom room;
   room.Add(frustum.slices, 1, frustum.SliceCount());
-  room.Add(frustum.planeColumns, 2 * count, frustum.columns);
-  room.Add(frustum.planeRows, 2 * count, frustum.rows);
-  room.Add(frustum.activeRays, count, frustum.rows);
+  room.Add(frustum.rowColumns, 1, frustum.rows);
+  room.Add(frustum.rowLayers, 1, frustum.rows);
+  room.Add(frustum.rowStarts, 1, windows.banded ? frustum.rows : 0);
+  room.Add(frustum.planeColumns, 2 * count, windows.mostColumns);
+  room.Add(frustum.planeRows, 2 * count, windows.mostRows);
+  room.Add(frustum.activeRays, count, windows.mostRows);
   room.Add(frustum.columnLines, 1, frustum.columns);
   room.Add(frustum.rowLines, 1, frustum.rows);
   for (Table<float>* table : { &frustum.columnEntry, &frustum.columnExit, &frustum.columnShare })
@@ -121,8 +125,8 @@ void MakeTables(PlannedFrustum& frustum, Readers readers)
   {
     room.Add(*table, 1, frustum.rows);
   }
-  room.Add(frustum.length, frustum.rows, frustum.columns);
-  room.Add(frustum.inView, frustum.seesAll ? 0 : frustum.rows, frustum.columns);
+  room.Add(frustum.length, 1, frustum.rayCount);
+  room.Add(frustum.inView, 1, frustum.seesAll ? 0 : frustum.rayCount);
   if (readers == Readers::RaysAndVoxels)
   {
     room.Add(frustum.voxelColumns, count, frustum.nodesU);
@@ -133,11 +137,20 @@ void MakeTables(PlannedFrustum& frustum, Readers readers)
     room.Add(frustum.rowHatGain, count, frustum.nodesV);
     room.Add(frustum.voxelColumnEntry, count, frustum.nodesU);
     room.Add(frustum.voxelRowEntry, count, frustum.nodesV);
-    room.Add(frustum.firstVoxels, count, frustum.columns + 1);
+    room.Add(frustum.firstVoxels, count, windows.mostColumns + 1);
     room.Add(frustum.activeVoxels, count, frustum.nodesV);
     room.Add(frustum.filledVoxels, count, frustum.nodesV);
   }
   room.Give(frustum);
+  std::copy(windows.rowColumns.begin(), windows.rowColumns.end(), frustum.Room(frustum.rowColumns));
+  std::copy(windows.rowLayers.begin(), windows.rowLayers.end(), frustum.Room(frustum.rowLayers));
+  int before = 0;
+  for (int row = 0; windows.banded && row < frustum.rows; ++row)
+  {
+    const Range<int>& columns = windows.rowColumns[std::size_t(row)];
+    frustum.Room(frustum.rowStarts)[row] = before - columns.begin;
+    before += columns.Length();
+  }
 }
 
 /// Fills the tables of the rays along one axis. A guard ray that stays outside the box up to
@@ -222,35 +235,38 @@ void PlaceRays(PlannedFrustum& frustum, int s)
   {
     const double depth = slice.depth + gaussPoints[half] * (back.depth - slice.depth);
     const Index row = 2 * Index(s) + half;
-    frustum.lateralU.FindRayMap(depth, frustum.Room(frustum.planeColumns.index, row),
+    frustum.lateralU.FindRayMap(depth, slice.rayColumns,
+      frustum.Room(frustum.planeColumns.index, row),
       frustum.Room(frustum.planeColumns.weight, row));
-    frustum.lateralV.FindRayMap(depth, frustum.Room(frustum.planeRows.index, row),
+    frustum.lateralV.FindRayMap(depth, slice.rayRows, frustum.Room(frustum.planeRows.index, row),
       frustum.Room(frustum.planeRows.weight, row));
   }
-  slice.insideColumns = InsideColumns(frustum, slice.RelativeDepth(), back.RelativeDepth());
+  slice.insideColumns =
+    InsideColumns(frustum, slice.rayColumns, slice.RelativeDepth(), back.RelativeDepth());
 }
 
 /// Computes the maps from voxels of a slice to rays.
 void PlaceVoxels(PlannedFrustum& frustum, int s, double base)
 {
-  const double depth = frustum.SliceAt(s).depth;
+  const Slice& slice = frustum.SliceAt(s);
+  const double depth = slice.depth;
   const Lateral& u = frustum.lateralU;
   const Lateral& v = frustum.lateralV;
-  u.FindVoxelMap(depth, frustum.Room(frustum.voxelColumns.index, s),
+  u.FindVoxelMap(depth, slice.rayColumns.begin, frustum.Room(frustum.voxelColumns.index, s),
     frustum.Room(frustum.voxelColumns.weight, s));
-  v.FindVoxelMap(
-    depth, frustum.Room(frustum.voxelRows.index, s), frustum.Room(frustum.voxelRows.weight, s));
-  FindFirstTargets(frustum.Row(frustum.voxelColumns, s).index, frustum.nodesU, frustum.columns,
+  v.FindVoxelMap(depth, slice.rayRows.begin, frustum.Room(frustum.voxelRows.index, s),
+    frustum.Room(frustum.voxelRows.weight, s));
+  FindFirstTargets(frustum.Row(frustum.voxelColumns, s).index, frustum.nodesU, slice.rayColumns,
     frustum.Room(frustum.firstVoxels, s));
   FindSideWeights(
     u, frustum.Row(frustum.voxelColumns, s), depth, frustum.Room(frustum.columnSides, s));
   FindSideWeights(v, frustum.Row(frustum.voxelRows, s), depth, frustum.Room(frustum.rowSides, s));
   FindHatGains(
-    u, frustum.Row(frustum.columnLines), frustum.Row(frustum.columnShare), frustum.SliceAt(s),
+    u, frustum.Row(frustum.columnLines), frustum.Row(frustum.columnShare), slice,
     [&frustum, s](int k) { return frustum.ColumnsAbout(s, k); },
     frustum.Room(frustum.columnHatGain, s));
   FindHatGains(
-    v, frustum.Row(frustum.rowLines), frustum.Row(frustum.rowShare), frustum.SliceAt(s),
+    v, frustum.Row(frustum.rowLines), frustum.Row(frustum.rowShare), slice,
     [&frustum, s](int k) { return frustum.RowsAbout(s, k); }, frustum.Room(frustum.rowHatGain, s));
   u.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelColumnEntry, s));
   v.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelRowEntry, s));
@@ -302,9 +318,8 @@ Range<int> ActiveColumnsOf(const FaceFrustum& frustum, int s, int v)
     return {};
   }
   // A voxel is interpolated from two rays.
-  const int* firstVoxels = frustum.Row(frustum.firstVoxels, s);
-  const int begin = firstVoxels[std::max(rays.begin - 1, 0)];
-  const int end = firstVoxels[rays.end];
+  const int begin = frustum.FirstVoxel(s, rays.begin - 1);
+  const int end = frustum.FirstVoxel(s, rays.end);
   return { std::max(begin - 1, 0), std::min(end + 1, frustum.nodesU) };
 }
 
@@ -356,24 +371,22 @@ bool PlaceLaterals(PlannedFrustum& frustum, const Grid& grid, const RaySource& s
 }
 
 /// Throws if the rays would not fit into the machine's memory: the system might grant the memory
-/// and later end the process. If a long image is seen neither along its length nor from a side, its
-/// rays form a square, of which only the diagonal is used.
-void RequireMemory(const FaceFrustum& frustum, const Grid& grid, std::size_t slices)
+/// and later end the process.
+void RequireMemory(const RayWindows& windows, const Grid& grid, std::size_t slices)
 {
   constexpr double bytesOfRay = 100;  // RayStates, its length and whether it is in view
   constexpr double bytesOfPlace = 24; // of a row or a column on a slice
   constexpr double gigabyte = 1 << 30;
   constexpr double most = 0.25; // of all memory: camera, light and scores have rays of their own
-  const double rays = double(frustum.columns) * frustum.rows;
-  const double bytes =
-    bytesOfRay * rays + bytesOfPlace * double(slices) * (double(frustum.columns) + frustum.rows);
+  const double rays = windows.rays;
+  const double bytes = bytesOfRay * rays +
+    bytesOfPlace * double(slices) * (double(windows.mostColumns) + windows.mostRows);
   LIMPID_REQUIRE(bytes < most * PhysicalMemory(),
     "From this position, an image of "
       << grid.nodes.x << " x " << grid.nodes.y << " x " << grid.nodes.z << " points needs " << rays
       << " rays (they would take " << bytes / gigabyte << " GiB of memory; this machine has "
       << PhysicalMemory() / gigabyte
-      << " GiB). Look along the image or straight at one of its sides, or resample it to fewer "
-         "points.");
+      << " GiB). Lower the ray density, or resample the image to fewer points.");
 }
 
 /// Makes the frustum around the source that opens along +axis or -axis. It has no rays if it
@@ -392,13 +405,16 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
   {
     return frustum;
   }
-  const std::vector<Slice> slices = PlaceSlices(depth);
-  RequireMemory(frustum, grid, slices.size());
+  std::vector<Slice> slices = PlaceSlices(depth);
+  const RayWindows windows(frustum, slices);
+  RequireMemory(windows, grid, slices.size());
+  frustum.rayCount = static_cast<int>(windows.rays);
+  frustum.banded = windows.banded;
   frustum.lastSlice = static_cast<int>(slices.size()) - 1;
   frustum.firstNodeSlice = slices.front().node < 0 ? 1 : 0;
   frustum.frontDepth = slices.front().RelativeDepth();
   frustum.seesAll = source.viewPlanes.empty();
-  MakeTables(frustum, settings.readers);
+  MakeTables(frustum, windows, settings.readers);
 
   const double scale = source.parallel ? 1.0 : depth.Far();
   const double base = slices[std::size_t(frustum.firstNodeSlice)].depth;
@@ -409,9 +425,9 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
   DescribeRays(frustum.lateralV, base, back, scale, frustum.Room(frustum.rowLines),
     frustum.Room(frustum.rowEntry), frustum.Room(frustum.rowExit), frustum.Room(frustum.rowShare));
   frustum.frontColumns =
-    RaysEnteredBy(frustum.Row(frustum.columnEntry), frustum.columns, frustum.frontDepth);
+    RaysEnteredBy(frustum.Row(frustum.columnEntry), { 1, frustum.columns - 1 }, frustum.frontDepth);
   frustum.frontRows =
-    RaysEnteredBy(frustum.Row(frustum.rowEntry), frustum.rows, frustum.frontDepth);
+    RaysEnteredBy(frustum.Row(frustum.rowEntry), { 1, frustum.rows - 1 }, frustum.frontDepth);
   FillTables(frustum, slices, settings.readers);
   FindActiveSpans(frustum, occupancy, settings.readers);
   if (settings.readers == Readers::RaysAndVoxels)
@@ -453,23 +469,23 @@ int DepthAxisOf(const Grid& grid, const RaySource& source)
 }
 }
 
-void FindFirstTargets(const int* index, int targets, int sources, int* first)
+void FindFirstTargets(const int* index, int targets, const Range<int>& sources, int* first)
 {
   int target = 0;
-  for (int source = 0; source <= sources; ++source)
+  for (int source = sources.begin; source <= sources.end; ++source)
   {
     while (target < targets && index[target] < source)
     {
       ++target;
     }
-    first[source] = target;
+    first[source - sources.begin] = target;
   }
 }
 
-Range<int> RaysEnteredBy(const float* entries, int count, float depth)
+Range<int> RaysEnteredBy(const float* entries, const Range<int>& among, float depth)
 {
-  int begin = 1;
-  int end = count - 1;
+  int begin = among.begin;
+  int end = among.end;
   while (begin < end && entries[begin] > depth)
   {
     ++begin;
@@ -520,7 +536,11 @@ std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupan
   // A policy sweep gains most if the largest frustum comes last, see MetNextIterate.
   std::stable_sort(frusta.begin(), frusta.end(),
     [](const FaceFrustum& one, const FaceFrustum& other)
-    { return one.RayCount() * one.lastSlice < other.RayCount() * other.lastSlice; });
+    {
+      const auto size = [](const FaceFrustum& frustum)
+      { return double(frustum.columns) * frustum.rows * frustum.lastSlice; };
+      return size(one) < size(other);
+    });
   return frusta;
 }
 }

@@ -50,13 +50,13 @@ struct PlanSettings
 std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupancy,
   const RaySource& source, const PlanSettings& settings);
 
-/// Returns the rays along an axis, without guards, that have entered the box at a relative depth.
-/// They are contiguous. `entries`: entry depths of `count` rays.
-Range<int> RaysEnteredBy(const float* entries, int count, float depth);
+/// Returns the rays along an axis that have entered the box at a relative depth. They are
+/// contiguous. `entries`: entry depths; `among`: rays without guards.
+Range<int> RaysEnteredBy(const float* entries, const Range<int>& among, float depth);
 
-/// Computes, for each source of a map and one past the last, the first target whose first source
-/// is this one or a later one.
-void FindFirstTargets(const int* index, int targets, int sources, int* first);
+/// Computes, for each of some sources of a map and one past the last, the first target whose first
+/// source is this one or a later one.
+void FindFirstTargets(const int* index, int targets, const Range<int>& sources, int* first);
 
 /// The spans of all rows of voxels on one slice of a frustum.
 struct SpanRows

@@ -92,28 +92,35 @@ void FindRayLengths(PlannedFrustum& frustum)
     slopes[std::size_t(column)] = frustum.lateralU.Slope(column);
   }
   ParallelFor(frustum.rows, 16,
-    [&](Index row)
+    [&](Index index)
     {
-      FindLengths(slopes.data(), frustum.columns, frustum.spacing,
-        frustum.lateralV.Slope(static_cast<int>(row)), frustum.Room(frustum.length, row));
+      const int row = static_cast<int>(index);
+      const Range<int>& columns = frustum.ColumnsOf(row);
+      FindLengths(slopes.data() + columns.begin, columns.Length(), frustum.spacing,
+        frustum.lateralV.Slope(row), frustum.Room(frustum.length) + frustum.RaysBefore(row));
     });
 }
 
-Range<int> InsideColumns(const FaceFrustum& frustum, float front, float back)
+Range<int> InsideColumns(
+  const FaceFrustum& frustum, const Range<int>& among, float front, float back)
 {
-  return FindInside(frustum.Row(frustum.columnEntry), frustum.Row(frustum.columnExit),
-    frustum.Row(frustum.columnShare), frustum.columns, front, back);
+  const Range<int> inside = FindInside(frustum.Row(frustum.columnEntry) + among.begin,
+    frustum.Row(frustum.columnExit) + among.begin, frustum.Row(frustum.columnShare) + among.begin,
+    among.Length(), front, back);
+  return inside.Empty() ? inside
+                        : Range<int>{ among.begin + inside.begin, among.begin + inside.end };
 }
 
 void FindInView(PlannedFrustum& frustum, const RaySource& source, double w)
 {
-  const std::vector<double>& columns = frustum.lateralU.Coordinates();
   ParallelFor(frustum.rows, 16,
-    [&](Index row)
+    [&](Index index)
     {
-      float* inView = frustum.Room(frustum.inView, row);
-      std::fill_n(inView, frustum.columns, 1.0f);
-      const double coordinate = frustum.lateralV.Coordinate(static_cast<int>(row));
+      const int row = static_cast<int>(index);
+      const Range<int>& columns = frustum.ColumnsOf(row);
+      float* inView = frustum.Room(frustum.inView) + frustum.RaysBefore(row);
+      std::fill_n(inView, columns.Length(), 1.0f);
+      const double coordinate = frustum.lateralV.Coordinate(row);
       for (const RaySource::Plane& plane : source.viewPlanes)
       {
         // Terms are added in the order of the grid's axes.
@@ -122,7 +129,7 @@ void FindInView(PlannedFrustum& frustum, const RaySource& source, double w)
         const bool depthLast = frustum.axisV < frustum.axisW;
         HideBehind({ plane.normal[frustum.axisU], depthLast ? alongV : alongW,
                      depthLast ? alongW : alongV, plane.offset },
-          columns.data(), frustum.columns, inView);
+          frustum.lateralU.Coordinates().data() + columns.begin, columns.Length(), inView);
       }
     });
 }

@@ -14,8 +14,9 @@ namespace limpid
 void FindRayLengths(PlannedFrustum& frustum);
 
 /// Returns the columns, without guards, that are inside the box in u between two relative depths.
-/// They are contiguous, as the order of rays along u never changes.
-Range<int> InsideColumns(const FaceFrustum& frustum, float front, float back);
+/// They are contiguous, as the order of rays along u never changes. `among`: columns that may be.
+Range<int> InsideColumns(
+  const FaceFrustum& frustum, const Range<int>& among, float front, float back);
 
 /// Finds which rays of a frustum are inside the view. `w`: component along the depth axis of all
 /// ray directions (point source), or of one point on each ray (parallel source).

@@ -40,7 +40,7 @@ public:
     {
       this->Ray.layer.frontScale = this->Ray.layer.backScale = 1;
     }
-    this->Ray.length = this->Frustum.At(this->Frustum.length, this->J, this->I);
+    this->Ray.length = this->Frustum.OfRow(this->Frustum.length, this->J)[this->I];
     this->Ray.column = this->Frustum.StayOfColumn(this->I);
     this->Ray.row = this->Frustum.StayOfRow(this->J);
     const bool active = this->Frustum.ActiveRays(s, this->J).Contains(this->I);
@@ -301,8 +301,9 @@ private:
       return Place{ this->Frustum.At(table.index, plane, ray),
         this->Frustum.At(table.weight, plane, ray) };
     };
-    this->Corners[half] = this->CornerAt(placeOf(this->Frustum.planeColumns, this->I),
-      placeOf(this->Frustum.planeRows, this->J), slice.fractions[half]);
+    this->Corners[half] =
+      this->CornerAt(placeOf(this->Frustum.planeColumns, this->I - slice.rayColumns.begin),
+        placeOf(this->Frustum.planeRows, this->J - slice.rayRows.begin), slice.fractions[half]);
   }
 
   LIMPID_HD LIMPID_INLINE float SamplePlane(Field field, int half) const
@@ -312,7 +313,8 @@ private:
 
   LIMPID_HD LIMPID_INLINE float InView() const
   {
-    return this->Frustum.seesAll ? 1.0f : this->Frustum.Row(this->Frustum.inView, this->J)[this->I];
+    return this->Frustum.seesAll ? 1.0f
+                                 : this->Frustum.OfRow(this->Frustum.inView, this->J)[this->I];
   }
 
   RayStates Here;

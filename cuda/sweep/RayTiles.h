@@ -94,9 +94,11 @@ struct MadeVoxelsOfTile
     const int row = number - this->tiles.Across();
     this->ranges[Index(s) * (this->tiles.Across() + this->tiles.Down()) + number] = row < 0
       ? this->VoxelsOf(s,
-          { plan.planeColumns, plan.Row(plan.columnLines), plan.columns, plan.nodesU },
+          { plan.planeColumns, &Slice::rayColumns, plan.Row(plan.columnLines), plan.columns,
+            plan.nodesU },
           RayTiles::Part(number, RayTiles::size.columns, plan.columns), slice.ownedColumns)
-      : this->VoxelsOf(s, { plan.planeRows, plan.Row(plan.rowLines), plan.rows, plan.nodesV },
+      : this->VoxelsOf(s,
+          { plan.planeRows, &Slice::rayRows, plan.Row(plan.rowLines), plan.rows, plan.nodesV },
           RayTiles::Part(row, RayTiles::size.rows, plan.rows), slice.ownedRows);
   }
 
@@ -105,6 +107,7 @@ private:
   struct Axis
   {
     const MapTable& planes; ///< see FaceFrustum
+    Range<int> Slice::*described;
     const RayLine* lines;
     int count;
     int nodes;
@@ -128,8 +131,15 @@ private:
     const int beside = rays.end < axis.count ? rays.end : rays.end - 1;
     for (int plane = first; plane < end; ++plane)
     {
+      // All rays beside those that the plan describes read the border that the last of them reads.
+      const Range<int>& described = plan.SliceAt(plane / 2).*axis.described;
       const int* nodes = plan.Row(axis.planes, plane).index;
-      add(nodes[rays.begin], nodes[rays.end - 1], nodes[beside]);
+      const auto nodeOf = [&](int ray)
+      {
+        const int before = ray < described.end ? ray : described.end - 1;
+        return nodes[before > described.begin ? before - described.begin : 0];
+      };
+      add(nodeOf(rays.begin), nodeOf(rays.end - 1), nodeOf(beside));
     }
     // Layers may be sampled at other points (ResolvedRay), up to their ends.
     for (int slice = s; slice <= s + 1 && slice <= plan.lastSlice; ++slice)

@@ -78,7 +78,7 @@ public:
   {
     const RayLine* lines = this->Frustum.Row(this->Frustum.columnLines);
     const float* inView =
-      this->Frustum.seesAll ? nullptr : this->Frustum.Row(this->Frustum.inView, layer.row);
+      this->Frustum.seesAll ? nullptr : this->Frustum.OfRow(this->Frustum.inView, layer.row);
     for (int lane = 0; lane < laneCount; ++lane)
     {
       this->Start.of[lane] = lines[columns[lane]].start;

@@ -67,14 +67,14 @@ Range<int> ColumnsRead(const LinearMap& map, const Range<int>& rays, const Slice
 }
 
 /// Returns the sources of a cubic interpolation to `targets`: one more on either side than linear.
-Range<int> ReadByCubics(const LinearMap& map, const Range<int>& targets, int sources)
+Range<int> ReadByCubics(const LinearMap& map, const Range<int>& targets, const Range<int>& sources)
 {
   if (targets.Empty())
   {
     return {};
   }
   const Range<int> read{ map.index[targets.begin] - 1, map.index[targets.end - 1] + 3 };
-  return Intersection(read, { 0, sources });
+  return Intersection(read, sources);
 }
 }
 
@@ -89,7 +89,7 @@ void RayRow::EnterRow(const FaceFrustum& frustum, int number)
   this->row = frustum.StayOfRow(number);
   this->columnEntry = frustum.Row(frustum.columnEntry);
   this->columnExit = frustum.Row(frustum.columnExit);
-  this->length = frustum.Row(frustum.length, number);
+  this->length = frustum.OfRow(frustum.length, number);
 }
 
 bool RayRow::EnterLayer(const FaceFrustum& frustum, int s, int number)
@@ -156,8 +156,8 @@ bool RowSampler::EnterLayer(int s, bool areaWeighted)
 /// Prefetches the values that a later row of rays reads.
 LIMPID_INLINE void RowSampler::Prefetch(Field field, const Range<int>& columns) const
 {
-  const int later = std::min(this->RowNumber + 2, this->Frustum.rows - 1);
-  const int soon = this->Frustum.Row(this->Frustum.planeRows, 2 * Index(this->S)).index[later] + 1;
+  const int later = std::min(this->RowNumber + 2, this->Frustum.SliceAt(this->S).rayRows.end - 1);
+  const int soon = this->Frustum.PlaneRows(2 * this->S).index[later] + 1;
   field->Prefetch(this->Frustum.SliceAt(this->S).nodes[0], soon, columns);
 }
 
@@ -165,9 +165,9 @@ template <class Source>
 void RowSampler::SamplePlane(const Source& source, int half, float* out)
 {
   const Slice& slice = this->Frustum.SliceAt(this->S);
-  const Index plane = 2 * Index(this->S) + half;
-  const LinearMap columns = this->Frustum.Row(this->Frustum.planeColumns, plane);
-  const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
+  const int plane = 2 * this->S + half;
+  const LinearMap columns = this->Frustum.PlaneColumns(plane);
+  const LinearMap rows = this->Frustum.PlaneRows(plane);
   const Range<int> read = ColumnsRead(columns, this->Rays.columns, *source.field);
   this->Prefetch(source.field, read);
   const FourRows four = source.At(slice.nodes, rows.index[this->RowNumber], read);
@@ -179,11 +179,10 @@ void RowSampler::SamplePlane(const Source& source, int half, float* out)
 template <class Source>
 void RowSampler::SamplePlanes(const Source& source, float* const out[2])
 {
-  const Index plane = 2 * Index(this->S);
-  const LinearMap columns[2] = { this->Frustum.Row(this->Frustum.planeColumns, plane),
-    this->Frustum.Row(this->Frustum.planeColumns, plane + 1) };
-  const LinearMap rows[2] = { this->Frustum.Row(this->Frustum.planeRows, plane),
-    this->Frustum.Row(this->Frustum.planeRows, plane + 1) };
+  const int plane = 2 * this->S;
+  const LinearMap columns[2] = { this->Frustum.PlaneColumns(plane),
+    this->Frustum.PlaneColumns(plane + 1) };
+  const LinearMap rows[2] = { this->Frustum.PlaneRows(plane), this->Frustum.PlaneRows(plane + 1) };
   const int v = rows[0].index[this->RowNumber];
   if (v != rows[1].index[this->RowNumber])
   {
@@ -326,8 +325,9 @@ PointSample RowSampler::SampleAt(const RayFields<Field>& fields, float share, in
   const auto valuesOf = [](Field field)
   { return [field](int node, int row, int at) { return field->Row(node, row)[at]; }; };
   const auto extinction = valuesOf(fields.extinction);
-  const float inView =
-    this->Frustum.seesAll ? 1.0f : this->Frustum.Row(this->Frustum.inView, this->RowNumber)[column];
+  const float inView = this->Frustum.seesAll
+    ? 1.0f
+    : this->Frustum.OfRow(this->Frustum.inView, this->RowNumber)[column];
   const auto lesser = [&](int node, int row, int at)
   { return std::min(extinction(node, row, at), fields.base->Row(node, row)[at]); };
   PointSample found;
@@ -360,10 +360,10 @@ bool RowSampler::SelectReadBySlice(int s, bool entered, const Range<int>& dimmed
     return false; // no voxels read rays at the source
   }
   const Range<int> sampled = entered ? this->Rays.columns : Range<int>{};
-  const Range<int> rows = ReadByCubics(
-    this->Frustum.Row(this->Frustum.voxelRows, s), slice.ownedRows, this->Frustum.rows);
+  const Range<int> rows =
+    ReadByCubics(this->Frustum.Row(this->Frustum.voxelRows, s), slice.ownedRows, slice.rayRows);
   const Range<int> read = ReadByCubics(
-    this->Frustum.Row(this->Frustum.voxelColumns, s), slice.ownedColumns, this->Frustum.columns);
+    this->Frustum.Row(this->Frustum.voxelColumns, s), slice.ownedColumns, slice.rayColumns);
   this->Rays.columns = Intersection(read, Hull(sampled, dimmed));
   if (!rows.Contains(this->RowNumber) || this->Rays.columns.Empty())
   {
@@ -401,16 +401,16 @@ void RowSampler::HideOutOfView(float* importance) const
   if (!this->Frustum.seesAll)
   {
     MultiplyRow(
-      importance, this->Frustum.Row(this->Frustum.inView, this->RowNumber), this->Rays.columns);
+      importance, this->Frustum.OfRow(this->Frustum.inView, this->RowNumber), this->Rays.columns);
   }
 }
 
 /// Samples the slice behind where the rays meet the plane of the rear Gauss point.
 void RowSampler::SampleBehind(Field field, float* out)
 {
-  const Index plane = 2 * Index(this->S) + 1;
-  const LinearMap columns = this->Frustum.Row(this->Frustum.planeColumns, plane);
-  const LinearMap rows = this->Frustum.Row(this->Frustum.planeRows, plane);
+  const int plane = 2 * this->S + 1;
+  const LinearMap columns = this->Frustum.PlaneColumns(plane);
+  const LinearMap rows = this->Frustum.PlaneRows(plane);
   const Range<int> read = ColumnsRead(columns, this->Rays.columns, *field);
   this->Prefetch(field, read);
   const FourRows four = RowsOfField{ field }.At(

@@ -18,10 +18,12 @@ void AddRays(const FaceFrustum& frustum, const Range<int>& rows, const float* va
     [&](Index index)
     {
       const int row = rows.begin + static_cast<int>(index);
-      const float* length = frustum.Row(frustum.length, row);
+      const float* length = frustum.OfRow(frustum.length, row);
+      const Range<int> columns =
+        Intersection(frustum.ColumnsOf(row), { guard, frustum.columns - guard });
       const float* here = values + frustum.RayAt(0, row);
       double part = 0;
-      for (int column = guard; column < frustum.columns - guard; ++column)
+      for (int column = columns.begin; column < columns.end; ++column)
       {
         part += columnShare[column] / double(length[column]) * here[column];
       }

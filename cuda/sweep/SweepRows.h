@@ -34,8 +34,9 @@ void ForRaysReached(FrustumRays<HostDevice>& rays)
 {
   constexpr Index raysPerTask = 8192;
   const Range<int> rows = rays.RaysReached();
-  const RayStates first = rays.States().From(rays.Plan().RayAt(0, rows.begin));
-  ParallelFor(Index(rows.Length()) * rays.Plan().columns, raysPerTask, Step{ first });
+  const Index first = rays.Plan().RaysBefore(rows.begin);
+  ParallelFor(
+    rays.Plan().RaysBefore(rows.end) - first, raysPerTask, Step{ rays.States().From(first) });
 }
 
 /// Host access to the fields of a kernel, slab by slab.
@@ -154,6 +155,19 @@ inline void PassRays(
   }
 }
 
+/// Returns the rows of rays that this rank sweeps in a stretch.
+inline Range<int> RowsNear(const FrustumRays<HostDevice>& rays, const Range<int>& stretch)
+{
+  return Intersection(rays.RaysHere(stretch.begin), rays.Plan().RowsNear(stretch));
+}
+
+/// Returns the layers in a stretch that a row of rays may cross inside the box, by the slices in
+/// front of them.
+inline Range<int> LayersIn(const FaceFrustum& frustum, const Range<int>& stretch, int row)
+{
+  return Intersection(Intersection(stretch, { 0, frustum.lastSlice }), frustum.LayersOf(row));
+}
+
 /// Front to back: moves every row of rays through all layers. `Rays`: the sampler; `occupancy`:
 /// see SliceWindow.
 template <class Rays = RowSampler, class Kernel>
@@ -172,11 +186,12 @@ void SweepForward(
     for (const Range<int>& stretch : rays.StretchesOf(slab))
     {
       PassRays(rays, stretch.begin - 1, stretch.begin, carried);
-      ForRows(rays.RaysHere(stretch.begin), rowsPerTask / 2,
+      ForRows(RowsNear(rays, stretch), rowsPerTask / 2,
         [&](int row)
         {
           Rays sampler(frustum, states, row);
-          for (int s = stretch.begin; s < std::min(stretch.end, frustum.lastSlice); ++s)
+          const Range<int> layers = LayersIn(frustum, stretch, row);
+          for (int s = layers.begin; s < layers.end; ++s)
           {
             rowKernel.RayStep(sampler, s);
           }
@@ -206,11 +221,12 @@ void SweepRaysBackward(
     {
       const Range<int>& stretch = stretches[index];
       PassRays(rays, std::min(stretch.end, frustum.lastSlice), stretch.end - 1, carried);
-      ForRows(rays.RaysHere(stretch.begin), rowsPerTask / 2,
+      ForRows(RowsNear(rays, stretch), rowsPerTask / 2,
         [&](int row)
         {
           RowSampler sampler(frustum, states, row);
-          for (int s = std::min(stretch.end, frustum.lastSlice); s-- > stretch.begin;)
+          const Range<int> layers = LayersIn(frustum, stretch, row);
+          for (int s = layers.end; s-- > layers.begin;)
           {
             rowKernel.RayStep(sampler, s);
           }
@@ -240,7 +256,9 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   const std::vector<RayValues> carried = kernel.Carried(states);
   const auto forRays = [&](int s, const auto& step)
   {
-    ForRows(rays.RaysHere(s), rowsPerTask,
+    // A ray that is described behind the slice only ends there.
+    const Range<int> near{ s, std::min(s + 2, frustum.SliceCount()) };
+    ForRows(Intersection(rays.RaysHere(s), frustum.RowsNear(near)), rowsPerTask,
       [&](int row)
       {
         RowSampler sampler(frustum, states, row);
@@ -308,13 +326,14 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
     for (int s = slab.begin; s < slab.end; ++s)
     {
       PassRays(rays, s - 1, s, carried);
-      ForRows(rays.RaysHere(s), rowsPerTask,
+      const Range<int>& near = frustum.SliceAt(s).rayRows;
+      ForRows(Intersection(rays.RaysHere(s), near), rowsPerTask,
         [&](int row)
         {
           RowSampler sampler(frustum, states, row);
           rowKernel.RayStep(sampler, s, dimmed[std::size_t(row)]);
         });
-      for (int row = 0; s < frustum.lastSlice && row < frustum.rows; ++row)
+      for (int row = near.begin; s < frustum.lastSlice && row < near.end; ++row)
       {
         Range<int>& met = dimmed[std::size_t(row)];
         met = Hull(met, frustum.ActiveRays(s, row));

@@ -19,23 +19,22 @@ namespace
 /// A row of voxels between two rows of rays.
 struct BetweenRows
 {
-  Index first;      ///< index of the first ray of the front row
-  float weights[2]; ///< weights of the front row and of the next one
+  Index first[2];   ///< index of the ray in column 0 of the front row and of the next one
+  float weights[2]; ///< weights of both
 
   /// `map`: map of the voxel rows; `share`: factor of both weights.
   BetweenRows(const FaceFrustum& frustum, const LinearMap& map, int v, float share)
-    : first(frustum.RayAt(0, map.index[v]))
+    : first{ frustum.RayAt(0, map.index[v]), frustum.RayAt(0, map.index[v] + 1) }
     , weights{ share * (1.0f - map.weight[v]), share * map.weight[v] }
   {
   }
 };
 
-/// The images that voxels read, in rows of `stride` rays.
+/// The images that voxels read.
 struct RayImageRows
 {
   const float* transmittance;
   const float* behind;
-  Index stride;
 };
 
 /// The two rows of rays around one row of voxels, with their weights.
@@ -46,9 +45,8 @@ struct RowsAbout
   float weights[2];
 
   LIMPID_INLINE RowsAbout(const RayImageRows& images, const BetweenRows& row)
-    : transmittance{ images.transmittance + row.first,
-      images.transmittance + row.first + images.stride }
-    , behind{ images.behind + row.first, images.behind + row.first + images.stride }
+    : transmittance{ images.transmittance + row.first[0], images.transmittance + row.first[1] }
+    , behind{ images.behind + row.first[0], images.behind + row.first[1] }
     , weights{ row.weights[0], row.weights[1] }
   {
   }
@@ -231,8 +229,7 @@ bool VoxelRow::FindSeen(const RaysBeside& rays)
   const SeenByVoxels alongRays{ this->Memory.rays[0], this->Memory.rays[1] };
   SeeAcrossRows(this->Frustum, this->Rows(), this->V,
     this->Frustum.Row(this->Frustum.rowSides, this->S)[this->V],
-    { rays.transmittance, rays.behind, this->Frustum.columns }, this->RaysRead(this->Active),
-    alongRays);
+    { rays.transmittance, rays.behind }, this->RaysRead(this->Active), alongRays);
   this->AverageVoxels(alongRays.transmittance, this->Means.transmittance);
   this->AverageVoxels(alongRays.behind, this->Means.behind);
   const Range<int> front = this->BetweenFrontRays(this->Active);
@@ -310,11 +307,12 @@ void VoxelRow::FindTransmittance(const RaysBeside& rays, float* transmittance)
   // In front of its entry into the box a ray has no values suitable for a cubic of four rays.
   const LinearMap map = this->Columns();
   const int row = this->Rows().index[this->V];
-  const Range<int> rows =
-    RaysEnteredBy(this->Frustum.Row(this->Frustum.rowEntry), this->Frustum.rows, depth);
+  const Range<int> rows = RaysEnteredBy(this->Frustum.Row(this->Frustum.rowEntry),
+    Intersection(this->Here.rayRows, { 1, this->Frustum.rows - 1 }), depth);
   const Range<int> cubic = row > rows.begin && row + 2 < rows.end
     ? CubicTargets(map.index, owned,
-        RaysEnteredBy(this->Frustum.Row(this->Frustum.columnEntry), this->Frustum.columns, depth))
+        RaysEnteredBy(this->Frustum.Row(this->Frustum.columnEntry),
+          Intersection(this->Here.rayColumns, { 1, this->Frustum.columns - 1 }), depth))
     : Range<int>{};
   if (cubic.Empty())
   {
@@ -343,7 +341,7 @@ Range<int> VoxelRow::RaysRead(const Range<int>& columns) const
   const int* index = this->Columns().index;
   const int first = std::max(columns.begin - 1, 0);
   const int last = std::min(columns.end, this->Frustum.nodesU - 1);
-  return WholeRegisters({ index[first], index[last] + 2 }, { 0, this->Frustum.columns });
+  return WholeRegisters({ index[first], index[last] + 2 }, this->Here.rayColumns);
 }
 
 /// Returns the part of `columns` between rays that enter in front. If there is none, the returned
@@ -351,11 +349,10 @@ Range<int> VoxelRow::RaysRead(const Range<int>& columns) const
 Range<int> VoxelRow::BetweenFrontRays(const Range<int>& columns) const
 {
   const int row = this->Rows().index[this->V];
-  const int* firstVoxels = this->Frustum.Row(this->Frustum.firstVoxels, this->S);
   // Both rays of a voxel must enter in front.
   const Range<int> front = Intersection(columns,
-    { firstVoxels[this->Frustum.frontColumns.begin],
-      firstVoxels[this->Frustum.frontColumns.end - 1] });
+    { this->Frustum.FirstVoxel(this->S, this->Frustum.frontColumns.begin),
+      this->Frustum.FirstVoxel(this->S, this->Frustum.frontColumns.end - 1) });
   const bool rowInFront =
     row >= this->Frustum.frontRows.begin && row + 1 < this->Frustum.frontRows.end;
   return rowInFront && !front.Empty() ? front : Range<int>{ columns.end, columns.end };
@@ -369,10 +366,10 @@ void VoxelRow::SampleRays(const float* image, const Range<int>& columns, float* 
   }
   const LinearMap map = this->Columns();
   const Range<int> read = WholeRegisters(
-    { map.index[columns.begin], map.index[columns.end - 1] + 2 }, { 0, this->Frustum.columns });
-  const float* first = image + this->Frustum.RayAt(0, this->Rows().index[this->V]);
-  BlendRows(first, first + this->Frustum.columns, this->Rows().weight[this->V], read.begin,
-    read.end, this->Memory.rays[0]);
+    { map.index[columns.begin], map.index[columns.end - 1] + 2 }, this->Here.rayColumns);
+  const int row = this->Rows().index[this->V];
+  BlendRows(image + this->Frustum.RayAt(0, row), image + this->Frustum.RayAt(0, row + 1),
+    this->Rows().weight[this->V], read.begin, read.end, this->Memory.rays[0]);
   InterpolateRow(this->Memory.rays[0], map, columns, out);
 }
 

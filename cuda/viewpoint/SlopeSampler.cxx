@@ -139,12 +139,13 @@ SlopeRowSampler::Plane SlopeRowSampler::PlaneAt(int half) const
 {
   const ViewDerivativePlan& plan = *this->Sampled;
   const Index number = plan.PlaneOf(this->S, this->Part, half);
-  const LinearMap rows = plan.Row(plan.rows, number);
-  const LinearMap edges = plan.Row(plan.rowEdges, number);
+  const Slice& slice = this->Frustum.SliceAt(this->S);
+  const LinearMap rows = plan.MapOf(plan.rows, number, slice.rayRows);
+  const LinearMap edges = plan.MapOf(plan.rowEdges, number, slice.rayRows);
   const int row = this->RowNumber;
-  return { this->Frustum.SliceAt(this->S).nodes, plan.Row(plan.fractions)[number],
-    plan.Row(plan.perIndex)[number], rows.index[row], rows.weight[row],
-    plan.Row(plan.columns, number), plan.Row(plan.columnEdges, number),
+  return { slice.nodes, plan.Row(plan.fractions)[number], plan.Row(plan.perIndex)[number],
+    rows.index[row], rows.weight[row], plan.MapOf(plan.columns, number, slice.rayColumns),
+    plan.MapOf(plan.columnEdges, number, slice.rayColumns),
     { edges.index + row, edges.weight + row } };
 }
 

@@ -67,10 +67,11 @@ public:
 
   LIMPID_HD LIMPID_INLINE void SampleImportance(Field field)
   {
+    const Slice& slice = this->Frustum.SliceAt(this->S);
     for (int half = 0; half < 2; ++half)
     {
-      const LinearMap columns = this->MapOf(this->Sampled->columns, half);
-      const LinearMap rows = this->MapOf(this->Sampled->rows, half);
+      const LinearMap columns = this->MapOf(this->Sampled->columns, slice.rayColumns, half);
+      const LinearMap rows = this->MapOf(this->Sampled->rows, slice.rayRows, half);
       this->Ray.importance[half] = this->Sample(field, half, columns, this->I, rows, this->J);
     }
   }
@@ -78,13 +79,14 @@ public:
   LIMPID_HD LIMPID_INLINE void SampleExtinctionAndSlopes(Field field)
   {
     const ViewDerivativePlan& plan = *this->Sampled;
+    const Slice& slice = this->Frustum.SliceAt(this->S);
     for (int half = 0; half < 2; ++half)
     {
-      const LinearMap columns = this->MapOf(plan.columns, half);
-      const LinearMap rows = this->MapOf(plan.rows, half);
+      const LinearMap columns = this->MapOf(plan.columns, slice.rayColumns, half);
+      const LinearMap rows = this->MapOf(plan.rows, slice.rayRows, half);
       this->Ray.extinction[half] = this->Sample(field, half, columns, this->I, rows, this->J);
-      const LinearMap columnEdges = this->MapOf(plan.columnEdges, half);
-      const LinearMap rowEdges = this->MapOf(plan.rowEdges, half);
+      const LinearMap columnEdges = this->MapOf(plan.columnEdges, slice.rayColumns, half);
+      const LinearMap rowEdges = this->MapOf(plan.rowEdges, slice.rayRows, half);
       float across = 0;
       float down = 0;
       for (int k = 0; k < 4; ++k)
@@ -112,9 +114,10 @@ public:
   }
 
 private:
-  LIMPID_HD LIMPID_INLINE LinearMap MapOf(const MapTable& table, int half) const
+  LIMPID_HD LIMPID_INLINE LinearMap MapOf(
+    const MapTable& table, const Range<int>& described, int half) const
   {
-    return this->Sampled->Row(table, this->FirstPlane + half);
+    return this->Sampled->MapOf(table, this->FirstPlane + half, described);
   }
 
   LIMPID_HD LIMPID_INLINE float Sample(Field field, int half, const LinearMap& columns, int column,

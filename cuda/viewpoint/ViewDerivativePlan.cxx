@@ -70,21 +70,23 @@ void FillStencil(
   }
 }
 
-/// Maps ray coordinates to voxels on a plane.
-void FillMap(const Lateral& lateral, const std::vector<double>& coordinates, double depth,
-  const MapTable& table, Index plane, Plan& plan)
+/// Maps some ray coordinates to voxels on a plane.
+void FillMap(const Lateral& lateral, const std::vector<double>& coordinates, const Range<int>& some,
+  double depth, const MapTable& table, Index plane, Plan& plan)
 {
   int* index = plan.Room(table.index, plane);
   float* weight = plan.Room(table.weight, plane);
   const double last = lateral.nodes - 2;
-  for (const double coordinate : coordinates)
+  for (int i = some.begin; i < some.end; ++i)
   {
-    const double position = lateral.Position(coordinate, depth);
+    const double position = lateral.Position(coordinates[std::size_t(i)], depth);
     const double node = std::min(std::max(std::floor(position), 0.0), last);
     *index++ = static_cast<int>(node);
     *weight++ = static_cast<float>(position - node);
   }
 }
+
+constexpr int between = 3; // number of edges minus number of rays
 
 void FillPlanes(const PlannedFrustum& frustum, Plan& plan)
 {
@@ -105,10 +107,13 @@ void FillPlanes(const PlannedFrustum& frustum, Plan& plan)
       const double depth = front + (part + gaussPoints[plane % 2]) * (back - front) / plan.parts;
       plan.Room(plan.fractions)[plane] = static_cast<float>(1.0 - (back - depth));
       plan.Room(plan.perIndex)[plane] = u.parallel ? 1.0f : static_cast<float>(1 / depth);
-      FillMap(u, u.Coordinates(), depth, plan.columns, plane, plan);
-      FillMap(v, v.Coordinates(), depth, plan.rows, plane, plan);
-      FillMap(u, edgesU, depth, plan.columnEdges, plane, plan);
-      FillMap(v, edgesV, depth, plan.rowEdges, plane, plan);
+      const Range<int>& columns = frustum.SliceAt(s).rayColumns;
+      const Range<int>& rows = frustum.SliceAt(s).rayRows;
+      FillMap(u, u.Coordinates(), columns, depth, plan.columns, plane, plan);
+      FillMap(v, v.Coordinates(), rows, depth, plan.rows, plane, plan);
+      FillMap(
+        u, edgesU, { columns.begin, columns.end + between }, depth, plan.columnEdges, plane, plan);
+      FillMap(v, edgesV, { rows.begin, rows.end + between }, depth, plan.rowEdges, plane, plan);
     });
 }
 
@@ -130,7 +135,8 @@ void FillMove(const PlannedFrustum& frustum, int m, const Vec3& move, Plan& plan
     const double down = move.y - b * move.z;
     plan.Room(plan.moveDown, m)[row] = static_cast<float>(down);
     plan.Room(plan.moveRow, m)[row] = b != 0 ? static_cast<float>(down / b) : 0.0f;
-    for (int column = 0; column < frustum.columns; ++column)
+    const Range<int>& columns = frustum.ColumnsOf(row);
+    for (int column = columns.begin; column < columns.end; ++column)
     {
       const double a = frustum.lateralU.Slope(column);
       const double across = move.x - a * move.z;
@@ -144,16 +150,22 @@ void FillMove(const PlannedFrustum& frustum, int m, const Vec3& move, Plan& plan
 
 void MakeTables(const PlannedFrustum& frustum, Plan& plan)
 {
-  constexpr int between = 3; // number of edges minus number of rays
   const int rays = static_cast<int>(frustum.RayCount());
   const Index planes = Index(frustum.lastSlice) * 2 * plan.parts;
   TableRoom room;
   room.Add(plan.fractions, 1, static_cast<int>(planes));
   room.Add(plan.perIndex, 1, static_cast<int>(planes));
-  room.Add(plan.columns, planes, frustum.columns);
-  room.Add(plan.rows, planes, frustum.rows);
-  room.Add(plan.columnEdges, planes, frustum.columns + between);
-  room.Add(plan.rowEdges, planes, frustum.rows + between);
+  int columns = 0;
+  int rows = 0;
+  for (int s = 0; s < frustum.lastSlice; ++s)
+  {
+    columns = std::max(columns, frustum.SliceAt(s).rayColumns.Length());
+    rows = std::max(rows, frustum.SliceAt(s).rayRows.Length());
+  }
+  room.Add(plan.columns, planes, columns);
+  room.Add(plan.rows, planes, rows);
+  room.Add(plan.columnEdges, planes, columns + between);
+  room.Add(plan.rowEdges, planes, rows + between);
   room.Add(plan.columnStencil, 4, frustum.columns);
   room.Add(plan.rowStencil, 4, frustum.rows);
   room.Add(plan.columnSlope, 1, frustum.columns);

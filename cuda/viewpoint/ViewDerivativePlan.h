@@ -30,10 +30,11 @@ struct ViewDerivativePlan : FlatTables
   int parts = 1;              ///< number of parts of a layer
   Table<float> fractions;     ///< [plane]: weight of the second slice of the layer [0, 1]
   Table<float> perIndex;      ///< [plane]: ray coordinate per index
-  MapTable columns;           ///< [plane][column]: voxel column of a ray
-  MapTable rows;              ///< [plane][row]
-  MapTable columnEdges;       ///< [plane][edge]: voxel column of an edge; two are before ray 0
-  MapTable rowEdges;          ///< [plane][row]
+  MapTable columns;           ///< [plane][column of Slice::rayColumns]: voxel column of a ray
+  MapTable rows;              ///< [plane][row of Slice::rayRows]
+  MapTable columnEdges;       ///< [plane][edge]: voxel column of an edge; two are before the first
+                              ///< ray of Slice::rayColumns
+  MapTable rowEdges;          ///< [plane][edge]: the same for rows
   Table<float> columnStencil; ///< [4][column]: weights of the edges column, ..., column + 3
   Table<float> rowStencil;    ///< [4][row]
 
@@ -51,6 +52,14 @@ struct ViewDerivativePlan : FlatTables
   Table<float> moveRow;   ///< [move][row]: P through sides that face v over length per depth
   Table<float> moveSide;  ///< [move][ray]: P of a unit step through the sides that face u
   Table<float> moveAlong; ///< [move][ray]: c
+
+  /// Returns a map of a plane behind `slice` by the numbers of rays; `described`: its
+  /// Slice::rayColumns or rayRows.
+  LIMPID_HD LIMPID_INLINE LinearMap MapOf(
+    const MapTable& table, Index plane, const Range<int>& described) const
+  {
+    return From(this->Row(table, static_cast<int>(plane)), described.begin);
+  }
 
   /// Returns the index of plane `half` in part `part` of the layer behind slice `s`.
   LIMPID_HD LIMPID_INLINE Index PlaneOf(int s, int part, int half) const

@@ -190,7 +190,7 @@ double ScoreOf(const SceneOfFile& scene, const std::vector<PlannedFrustum>& frus
       {
         score += visible[std::size_t(row) * frustum.columns + column] *
           frustum.Row(frustum.columnShare)[column] * frustum.Row(frustum.rowShare)[row] /
-          double(frustum.Row(frustum.length, row)[column]) * frustum.cellMeasure;
+          double(frustum.OfRow(frustum.length, row)[column]) * frustum.cellMeasure;
       }
     }
   }

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_sweep_RayWindows_h
+#define limpid_sweep_RayWindows_h
+
+#include "sweep/PlanSweep.h"
+
+#include <vector>
+
+namespace limpid
+{
+/**
+ * The rays that a plan describes on each slice.
+ *
+ * A ray can only matter to a slice if it meets the box in a layer next to it. In a long box that is
+ * seen from an angle, this holds for few rays on each slice, and most pairs of a column and a row
+ * never meet the box. Plans and sweeps then leave out what lies far beside the box, so that their
+ * cost grows with the number of nodes and not with a power of the length.
+ */
+struct RayWindows
+{
+  int mostColumns = 0; ///< largest number of columns on a slice
+  int mostRows = 0;
+  std::vector<Range<int>> rowColumns; ///< [row]: columns of rays that have values
+  std::vector<Range<int>> rowLayers;  ///< [row]: slices that describe the row
+  double rays = 0;                    ///< number of rays that have values
+  bool banded = false;                ///< see FaceFrustum
+
+  /// Finds the windows, and sets Slice::rayColumns and rayRows.
+  RayWindows(const PlannedFrustum& frustum, std::vector<Slice>& slices);
+};
+}
+
+#endif
