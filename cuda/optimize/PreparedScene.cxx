@@ -37,7 +37,7 @@ void RequireFields(const SceneFields& scene)
 double RayDensityOfScores(const Problem& problem)
 {
   const bool thick = problem.IsThick();
-  const double most = !problem.IsSmall() ? 2 : thick ? 8 : 4;
+  const double most = !problem.IsSmall() ? 2 : thick ? 6 : 4;
   const double fewestAcross = thick ? 256 : problem.IsSmall() ? 110 : 0;
   const double wanted =
     fewestAcross / std::cbrt(double(std::max<Index>(problem.grid.NodeCount(), 1)));

@@ -94,11 +94,10 @@ struct MadeVoxelsOfTile
     const int row = number - this->tiles.Across();
     this->ranges[Index(s) * (this->tiles.Across() + this->tiles.Down()) + number] = row < 0
       ? this->VoxelsOf(s,
-          { plan.planeColumns, &Slice::rayColumns, plan.Row(plan.columnLines), plan.columns,
-            plan.nodesU },
+          { plan.planeColumns, true, plan.Row(plan.columnLines), plan.columns, plan.nodesU },
           RayTiles::Part(number, RayTiles::size.columns, plan.columns), slice.ownedColumns)
       : this->VoxelsOf(s,
-          { plan.planeRows, &Slice::rayRows, plan.Row(plan.rowLines), plan.rows, plan.nodesV },
+          { plan.planeRows, false, plan.Row(plan.rowLines), plan.rows, plan.nodesV },
           RayTiles::Part(row, RayTiles::size.rows, plan.rows), slice.ownedRows);
   }
 
@@ -107,7 +106,7 @@ private:
   struct Axis
   {
     const MapTable& planes; ///< see FaceFrustum
-    Range<int> Slice::*described;
+    bool isColumns;         ///< or rows
     const RayLine* lines;
     int count;
     int nodes;
@@ -132,7 +131,8 @@ private:
     for (int plane = first; plane < end; ++plane)
     {
       // All rays beside those that the plan describes read the border that the last of them reads.
-      const Range<int>& described = plan.SliceAt(plane / 2).*axis.described;
+      const Slice& slice = plan.SliceAt(plane / 2);
+      const Range<int>& described = axis.isColumns ? slice.rayColumns : slice.rayRows;
       const int* nodes = plan.Row(axis.planes, plane).index;
       const auto nodeOf = [&](int ray)
       {
