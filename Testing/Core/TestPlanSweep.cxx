@@ -417,7 +417,7 @@ TEST_P(PlanOf, GivesTilesOfRaysAllVoxelsThatTheyRead)
   for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
   {
     const FaceFrustum& plan = rays.Plan();
-    const VoxelsOfTiles& voxels = rays.Tiles().voxels;
+    const VoxelsOfTiles voxels = rays.Tiles().Found();
     for (int s = plan.firstNodeSlice; s <= plan.lastSlice; ++s)
     {
       const Slice& slice = plan.SliceAt(s);
@@ -453,16 +453,17 @@ TEST_P(PlanOf, VisitsAllTilesThatHaveAnythingToDo)
   for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
   {
     const FaceFrustum& plan = rays.Plan();
-    const TileLists& lists = rays.Tiles();
-    const VoxelsOfTiles& voxels = lists.voxels;
+    const PhasesOfTiles& lists = rays.Tiles().Lists();
+    const VoxelsOfTiles voxels = rays.Tiles().Found();
     std::vector<int> changes(std::size_t(plan.RayCount()), 0);
     std::vector<int> images[2] = { changes, changes };
     int phase = 0;
     for (int s = plan.lastSlice; s >= plan.firstNodeSlice - 1; --s)
     {
-      const PhaseOfTiles here = phase < lists.phaseCount && lists.phases[phase].slice == s
+      const PhaseOfTiles here =
+        phase < lists.phaseCount && lists.phases[phase].number == plan.lastSlice - s
         ? lists.phases[phase++]
-        : PhaseOfTiles{ s, 0, 0 };
+        : PhaseOfTiles{ plan.lastSlice - s, 0, 0 };
       ASSERT_LE(here.count, lists.mostTiles);
       VoxelCounts finders(plan);
       std::vector<bool> moved(changes.size(), false);
@@ -496,6 +497,83 @@ TEST_P(PlanOf, VisitsAllTilesThatHaveAnythingToDo)
           int& image = images[s & 1][ray];
           image = moved[ray] ? changes[ray] : image;
           ASSERT_EQ(image, changes[ray]) << column << " " << row;
+        }
+      }
+    }
+    ASSERT_EQ(phase, lists.phaseCount);
+  }
+}
+
+// As above, by slabs: the image of a ray is another one beside every layer in which the ray is
+// active, and behind these one that stays.
+TEST_P(PlanOf, VisitsAllTilesOfSlabsThatHaveAnythingToDo)
+{
+  constexpr int slices = 4;
+  for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
+  {
+    const FaceFrustum& plan = rays.Plan();
+    const SlabTiles tiles(plan, slices);
+    const int slabs = tiles.SlabsOf(SlabsFromBack::SlicesOf(plan));
+    const PhasesOfTiles& lists = rays.Slabs(slices).Lists();
+    const auto slabOf = [&](int slab) { return SlabsFromBack::SlabOf(plan, slices, slab); };
+    std::vector<int> changes(std::size_t(plan.RayCount()), 0);
+    std::vector<std::vector<int>> images(2 * slices, changes);
+    int phase = 0;
+    for (int number = 0; number <= slabs; ++number)
+    {
+      const PhaseOfTiles here = phase < lists.phaseCount && lists.phases[phase].number == number
+        ? lists.phases[phase++]
+        : PhaseOfTiles{ number, 0, 0 };
+      ASSERT_LE(here.count, lists.mostTiles);
+      std::vector<VoxelCounts> finders(slices, VoxelCounts(plan));
+      std::vector<bool> moved(changes.size(), false);
+      for (int index = 0; index < here.count; ++index)
+      {
+        const SlabTile tile =
+          SlabTileAt<SlabsFromBack>(plan, tiles, slabs, number, lists.numbers[here.first + index]);
+        if (!tile.hasRays)
+        {
+          finders[std::size_t(tile.place - slabOf(number - 1).begin)].Add(tile.columns, tile.rows);
+          continue;
+        }
+        for (int row = tile.rows.begin; row < tile.rows.end; ++row)
+        {
+          for (int column = tile.columns.begin; column < tile.columns.end; ++column)
+          {
+            moved[std::size_t(plan.RayAt(column, row))] = true;
+          }
+        }
+      }
+
+      const Range<int> behind = number > 0 ? slabOf(number - 1) : Range<int>{};
+      for (int s = behind.begin; s < behind.end; ++s)
+      {
+        for (int v = 0; v < plan.nodesV; ++v)
+        {
+          const Range<int> active = plan.ActiveVoxels(s, v);
+          for (int u = active.begin; u < active.end; ++u)
+          {
+            ASSERT_EQ(finders[std::size_t(s - behind.begin)].At(u, v), 1) << u << " " << v;
+          }
+        }
+      }
+      const Range<int> slab = number < slabs ? slabOf(number) : Range<int>{};
+      for (int s = slab.end; s-- > slab.begin;)
+      {
+        std::vector<int>& image = images[std::size_t(s % (2 * slices))];
+        for (int row = 0; row < plan.rows; ++row)
+        {
+          for (int column = 0; column < plan.columns; ++column)
+          {
+            const auto ray = std::size_t(plan.RayAt(column, row));
+            const bool changesHere = plan.ActiveRays(s, row).Contains(column) ||
+              (s > 0 && plan.ActiveRays(s - 1, row).Contains(column));
+            changes[ray] += changesHere ? 1 : 0;
+            const int right = changesHere ? -changes[ray] : changes[ray];
+            ASSERT_TRUE(moved[ray] || !changesHere) << column << " " << row;
+            image[ray] = moved[ray] ? right : image[ray];
+            ASSERT_EQ(image[ray], right) << column << " " << row;
+          }
         }
       }
     }

@@ -51,6 +51,7 @@ struct GradientKernel
 {
   static constexpr const char* label = "derivative";
   static constexpr auto seenBehind = &RayStates::effect; ///< the value that voxels read
+  static constexpr RayImage image = RayImage::Effect;
 
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]

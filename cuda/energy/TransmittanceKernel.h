@@ -17,6 +17,7 @@ struct TransmittanceKernel
 {
   static constexpr const char* label = "transmittance";
   static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
+  static constexpr RayImage image = RayImage::Transmittance;
 
   Input extinction;     ///< [1/length]
   Output transmittance; ///< [0, 1]

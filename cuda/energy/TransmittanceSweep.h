@@ -24,8 +24,9 @@ constexpr double transmittanceRayDensity = 3;
  *
  * On a device, at 256^3 nodes with three rays per voxel and axis, there are 66 thousand rays from
  * a light along an axis, 1.0 million from an oblique one and 1.5 million from a point outside. An
- * oblique light then takes two launches. Three numbers per ray and slice are written and read
- * once. The extinction is read once (67 MB) and the result written twice (134 MB).
+ * oblique light then takes two launches. One number per ray and slice is written and read once, and
+ * one more near the sides of the box. The extinction is read once (67 MB) and the result written
+ * twice (134 MB).
  */
 template <class AnyDevice>
 class TransmittanceSweep

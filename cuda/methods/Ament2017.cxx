@@ -59,6 +59,7 @@ struct BehindKernel
 {
   static constexpr const char* label = "importance behind nodes";
   static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
+  static constexpr RayImage image = RayImage::Seen;
 
   Input field; ///< [1/length]
   Output behind;

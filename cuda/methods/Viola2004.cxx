@@ -106,6 +106,7 @@ struct ClipKernel
 {
   static constexpr const char* label = "clipped extinction";
   static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
+  static constexpr RayImage image = RayImage::Seen;
 
   Output extinction; ///< in: the base extinction [1/length]
   const RayObject* objects;

@@ -75,6 +75,7 @@ struct PolicyKernel
 {
   static constexpr const char* label = "policy sweep";
   static constexpr auto seenBehind = &RayStates::ahead; ///< the value that voxels read
+  static constexpr RayImage image = RayImage::Seen;
 
   Input base;           ///< [1/length]
   Input importance;     ///< [0, 1]

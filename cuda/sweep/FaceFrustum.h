@@ -256,6 +256,15 @@ struct FaceFrustum : FlatTables
     return this->FirstVoxels(s)[notBefore < described.end ? notBefore : described.end];
   }
 
+  /// Whether a voxel close to the sides of the box may read the density of a ray: beside a ray that
+  /// enters through a side it interpolates up to three rays that enter in front.
+  LIMPID_HD LIMPID_INLINE bool IsNearSides(int column, int row) const
+  {
+    constexpr int reach = 3;
+    return column < this->frontColumns.begin + reach || column >= this->frontColumns.end - reach ||
+      row < this->frontRows.begin + reach || row >= this->frontRows.end - reach;
+  }
+
   LIMPID_HD LIMPID_INLINE Index VoxelAt(int node, int u, int v) const
   {
     return this->strideW * node + this->strideV * v + this->strideU * u;

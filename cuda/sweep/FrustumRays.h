@@ -14,6 +14,7 @@
 #include "sweep/PlanSweep.h"
 #include "sweep/RaySteps.h"
 #include "sweep/RayTiles.h"
+#include "sweep/SlabTiles.h"
 #include "sweep/SliceWindow.h"
 
 #include <algorithm>
@@ -105,13 +106,23 @@ public:
   }
 
   /// Returns the tiles of rays for a back-to-front sweep; computed on first use.
-  const TileLists& Tiles()
+  const TilePlan<AnyDevice>& Tiles()
   {
     if (!this->Tiling)
     {
       this->Tiling = std::make_unique<TilePlan<AnyDevice>>(this->Device, this->Addresses);
     }
-    return this->Tiling->Lists();
+    return *this->Tiling;
+  }
+
+  /// Returns the tiles of a back-to-front sweep by slabs of so many slices; computed on first use.
+  const SlabPlan<AnyDevice>& Slabs(int slices)
+  {
+    if (!this->Slabbing)
+    {
+      this->Slabbing = std::make_unique<SlabPlan<AnyDevice>>(this->Device, this->Addresses, slices);
+    }
+    return *this->Slabbing;
   }
 
   /// Allocates `count` values for images of rays during one sweep.
@@ -125,6 +136,7 @@ private:
   DeviceArray<AnyDevice, unsigned char> Tables;
   DeviceArray<AnyDevice, HatOfVoxel> Means;
   std::unique_ptr<TilePlan<AnyDevice>> Tiling;
+  std::unique_ptr<SlabPlan<AnyDevice>> Slabbing;
   FaceFrustum Addresses;
 };
 

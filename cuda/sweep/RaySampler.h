@@ -200,16 +200,11 @@ public:
     step(0);
   }
 
-  /// Visits rays close to the sides: a voxel beside a ray that enters through a side interpolates
-  /// up to three rays that enter in front.
+  /// See FaceFrustum::IsNearSides.
   template <class Step>
   LIMPID_HD LIMPID_INLINE void ForEachNearSides(const Step& step) const
   {
-    constexpr int reach = 3;
-    const Range<int>& columns = this->Frustum.frontColumns;
-    const Range<int>& rows = this->Frustum.frontRows;
-    if (this->I < columns.begin + reach || this->I >= columns.end - reach ||
-      this->J < rows.begin + reach || this->J >= rows.end - reach)
+    if (this->Frustum.IsNearSides(this->I, this->J))
     {
       this->ForEachRegardless(step);
     }

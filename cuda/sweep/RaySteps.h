@@ -70,6 +70,14 @@ struct RaysBeside
   const float* behind; ///< visible importance behind, as defined by the kernel [scale^2]
 };
 
+/// What a device keeps of every ray on a slice, for the voxels there.
+enum class RayImage
+{
+  Seen,          ///< transmittance and attenuated importance behind; density near sides of the box
+  Transmittance, ///< transmittance; density near sides of the box
+  Effect         ///< see EffectStep
+};
+
 /**
  * Whether a sweep also counts what is seen of important structures in the data: the integral of g
  * min(mu, mu-bar) T. Extinction mu above the base mu-bar attenuates but adds nothing to it

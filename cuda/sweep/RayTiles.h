@@ -10,11 +10,10 @@
 #include "backend/DeviceArray.h"
 #include "backend/Extent.h"
 #include "sweep/FaceFrustum.h"
+#include "sweep/PhaseLists.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace limpid
 {
@@ -50,6 +49,38 @@ struct RayTiles
     return Intersection(Range<int>{ number * length, (number + 1) * length }, { 0, all });
   }
 };
+
+/// Whether any of some rays is active in some layers.
+LIMPID_HD LIMPID_INLINE bool AnyRayIsActive(const FaceFrustum& frustum, const Range<int>& layers,
+  const Range<int>& columns, const Range<int>& rows)
+{
+  const Range<int> there = Intersection(layers, { 0, frustum.lastSlice + 1 });
+  for (int s = there.begin; s < there.end; ++s)
+  {
+    for (int row = rows.begin; row < rows.end; ++row)
+    {
+      if (!Intersection(frustum.ActiveRays(s, row), columns).Empty())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether any of some voxels of a slice is active.
+LIMPID_HD LIMPID_INLINE bool AnyVoxelIsActive(
+  const FaceFrustum& frustum, int s, const Range<int>& columns, const Range<int>& rows)
+{
+  for (int v = rows.begin; v < rows.end; ++v)
+  {
+    if (!Intersection(frustum.ActiveVoxels(s, v), columns).Empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 /// The voxels that tiles compute on every slice: those that their rays read, and those between
 /// them and the next tile that no ray reads.
@@ -156,24 +187,22 @@ private:
 };
 
 /// In phase `phase` of a back-to-front sweep the rays move to slice `lastSlice - phase`; in the
-/// last phase they stay. Marks the tiles that have work in a phase: rays whose image differs from
-/// that of two slices before, or active voxels on the slice behind.
-struct MarkedTile
+/// last phase they stay. Tells which tiles have work in a phase: rays whose image differs from that
+/// of two slices before, or active voxels on the slice behind.
+struct TileHasWork
 {
   FaceFrustum frustum;
   VoxelsOfTiles voxels;
-  unsigned char* marks; ///< [phase][tile]
 
   static int PhasesOf(const FaceFrustum& frustum)
   {
     return frustum.SliceCount() - frustum.firstNodeSlice + 1;
   }
 
-  LIMPID_HD void operator()(int number, int phase) const
+  LIMPID_HD LIMPID_INLINE bool operator()(int number, int phase) const
   {
     const int s = this->frustum.lastSlice - phase;
-    const bool works = this->MovesRays(s, number) || this->FindsVoxels(s + 1, number);
-    this->marks[Index(phase) * this->voxels.tiles.Count() + number] = works ? 1 : 0;
+    return this->MovesRays(s, number) || this->FindsVoxels(s + 1, number);
   }
 
 private:
@@ -181,85 +210,17 @@ private:
   /// image must be renewed as long as the image of two slices before differs.
   LIMPID_HD LIMPID_INLINE bool MovesRays(int slice, int number) const
   {
-    if (slice < this->frustum.firstNodeSlice)
-    {
-      return false;
-    }
-    const Range<int> columns = this->voxels.tiles.ColumnsOf(number);
-    const Range<int> rows = this->voxels.tiles.RowsOf(number);
-    for (int s = slice; s <= slice + 2 && s <= this->frustum.lastSlice; ++s)
-    {
-      for (int row = rows.begin; row < rows.end; ++row)
-      {
-        if (!Intersection(this->frustum.ActiveRays(s, row), columns).Empty())
-        {
-          return true;
-        }
-      }
-    }
-    return false;
+    return slice >= this->frustum.firstNodeSlice &&
+      AnyRayIsActive(this->frustum, { slice, slice + 3 }, this->voxels.tiles.ColumnsOf(number),
+        this->voxels.tiles.RowsOf(number));
   }
 
   LIMPID_HD LIMPID_INLINE bool FindsVoxels(int s, int number) const
   {
-    if (s > this->frustum.lastSlice)
-    {
-      return false;
-    }
-    const Range<int> columns = this->voxels.AlongU(s, number);
-    const Range<int> rows = this->voxels.AlongV(s, number);
-    for (int v = rows.begin; v < rows.end; ++v)
-    {
-      if (!Intersection(this->frustum.ActiveVoxels(s, v), columns).Empty())
-      {
-        return true;
-      }
-    }
-    return false;
+    return s <= this->frustum.lastSlice &&
+      AnyVoxelIsActive(
+        this->frustum, s, this->voxels.AlongU(s, number), this->voxels.AlongV(s, number));
   }
-};
-
-/// Lists the marked tiles of a phase.
-struct ListedTiles
-{
-  const unsigned char* marks; ///< [phase][tile]
-  int tiles;
-  int* numbers; ///< [phase][]
-  int* counts;  ///< [phase]
-
-  LIMPID_HD void operator()(Index phase) const
-  {
-    const unsigned char* marksHere = this->marks + phase * this->tiles;
-    int* numbersHere = this->numbers + phase * this->tiles;
-    int count = 0;
-    for (int number = 0; number < this->tiles; ++number)
-    {
-      if (marksHere[number] != 0)
-      {
-        numbersHere[count] = number;
-        ++count;
-      }
-    }
-    this->counts[phase] = count;
-  }
-};
-
-/// A phase in which at least one tile has work.
-struct alignas(16) PhaseOfTiles
-{
-  int slice;   ///< the slice that rays move to
-  int count;   ///< number of tiles
-  Index first; ///< position of the first tile in TileLists::numbers
-};
-
-/// The data of a TilePlan that a sweep reads.
-struct TileLists
-{
-  VoxelsOfTiles voxels;
-  const int* numbers;
-  const PhaseOfTiles* phases;
-  int phaseCount;
-  int mostTiles; ///< largest number of tiles in a phase
 };
 
 /// The tiles that a back-to-front sweep visits in each phase, and the voxels that they compute.
@@ -269,73 +230,31 @@ class TilePlan
 public:
   TilePlan(const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum)
     : Device(device)
+    , Tiles{ frustum.columns, frustum.rows }
+    , Voxels(this->FindVoxels(frustum))
+    , Phases(device, this->Tiles.Count(), TileHasWork::PhasesOf(frustum),
+        TileHasWork{ frustum, this->Found() })
   {
-    this->FindVoxels(frustum);
-    this->ListPhases(frustum, this->ListTiles(frustum));
   }
 
-  const TileLists& Lists() const { return this->Addresses; }
+  VoxelsOfTiles Found() const { return { this->Tiles, this->Voxels.Data() }; }
+  const PhasesOfTiles& Lists() const { return this->Phases.Lists(); }
 
 private:
-  static constexpr const char* what = "the plan of a sweep";
-
-  template <class Value>
-  DeviceArray<AnyDevice, Value> Make(Index count) const
+  DeviceArray<AnyDevice, Range<int>> FindVoxels(const FaceFrustum& frustum) const
   {
-    return { this->Device, static_cast<std::size_t>(count), what };
-  }
-
-  void FindVoxels(const FaceFrustum& frustum)
-  {
-    const RayTiles tiles{ frustum.columns, frustum.rows };
-    this->Voxels =
-      this->Make<Range<int>>(Index(frustum.SliceCount()) * (tiles.Across() + tiles.Down()));
-    const MadeVoxelsOfTile made{ frustum, tiles, this->Voxels.Data() };
+    const Index count = Index(frustum.SliceCount()) * (this->Tiles.Across() + this->Tiles.Down());
+    DeviceArray<AnyDevice, Range<int>> ranges(
+      this->Device, static_cast<std::size_t>(count), "the plan of a sweep");
+    const MadeVoxelsOfTile made{ frustum, this->Tiles, ranges.Data() };
     this->Device->ForEach("plan", made.ExtentOfRanges(), made);
-    this->Addresses.voxels = { tiles, this->Voxels.Data() };
-  }
-
-  /// Returns the number of tiles in each phase.
-  std::vector<int> ListTiles(const FaceFrustum& frustum)
-  {
-    const int tiles = this->Addresses.voxels.tiles.Count();
-    const int phases = MarkedTile::PhasesOf(frustum);
-    DeviceArray<AnyDevice, unsigned char> marks = this->Make<unsigned char>(Index(phases) * tiles);
-    DeviceArray<AnyDevice, int> counts = this->Make<int>(phases);
-    this->Numbers = this->Make<int>(Index(phases) * tiles);
-    this->Device->ForEach(
-      "plan", { tiles, phases }, MarkedTile{ frustum, this->Addresses.voxels, marks.Data() });
-    this->Device->ForIndices(
-      "plan", phases, ListedTiles{ marks.Data(), tiles, this->Numbers.Data(), counts.Data() });
-    std::vector<int> found(static_cast<std::size_t>(phases));
-    counts.Download(found.data());
-    this->Addresses.numbers = this->Numbers.Data();
-    return found;
-  }
-
-  /// `counts`: number of tiles in each phase.
-  void ListPhases(const FaceFrustum& frustum, const std::vector<int>& counts)
-  {
-    std::vector<PhaseOfTiles> phases;
-    for (std::size_t phase = 0; phase < counts.size(); ++phase)
-    {
-      if (counts[phase] > 0)
-      {
-        phases.push_back({ frustum.lastSlice - static_cast<int>(phase), counts[phase],
-          Index(phase) * this->Addresses.voxels.tiles.Count() });
-      }
-    }
-    this->Phases = { this->Device, phases, what };
-    this->Addresses.phases = this->Phases.Data();
-    this->Addresses.phaseCount = static_cast<int>(phases.size());
-    this->Addresses.mostTiles = *std::max_element(counts.begin(), counts.end());
+    return ranges;
   }
 
   std::shared_ptr<AnyDevice> Device;
+  RayTiles Tiles;
   DeviceArray<AnyDevice, Range<int>> Voxels;
-  DeviceArray<AnyDevice, int> Numbers;
-  DeviceArray<AnyDevice, PhaseOfTiles> Phases;
-  TileLists Addresses{};
+  PhaseLists<AnyDevice> Phases;
 };
 }
 

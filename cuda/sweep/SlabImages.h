@@ -5,6 +5,7 @@
 #define limpid_sweep_SlabImages_h
 
 #include "sweep/FrustumRays.h"
+#include "sweep/RaySampler.h"
 #include "sweep/VoxelSampler.h"
 
 namespace limpid
@@ -12,29 +13,45 @@ namespace limpid
 namespace detail
 {
 /// Images of the rays on the slices of two slabs: the one that rays cross, and the one before it,
-/// which voxels read.
+/// which voxels read. They hold what Kernel::image says.
+template <class Kernel>
 struct SlabImages
 {
   int slices; ///< number of slices of both slabs, a power of two
-  SeenOfRay* seen;
+  float* values;
   float* density;
   const HatOfVoxel* hats; ///< see MadeHat
   Index rays;
   int nodesU;
   int nodesV;
 
+  /// Number of slices per slab, a power of two: as many as the second-level cache of a large GPU
+  /// (50 MB) has room for beside the fields.
+  static int SlicesFor(Index rays)
+  {
+    constexpr Index most = 16;
+    constexpr Index room = Index(24) << 20; // [bytes]
+    Index slices = most;
+    while (slices > 1 && 2 * slices * rays * Index(sizeof(float)) > room)
+    {
+      slices /= 2;
+    }
+    return static_cast<int>(slices);
+  }
+
   /// Allocates memory for all images.
   template <class AnyDevice>
   static DeviceArray<AnyDevice, float> RoomFor(FrustumRays<AnyDevice>& frustum, int slicesPerSlab)
   {
-    return frustum.MakeImages(3 * 2 * slicesPerSlab * frustum.Plan().RayCount());
+    return frustum.MakeImages(
+      (OfValue + OfDensity) * 2 * slicesPerSlab * frustum.Plan().RayCount());
   }
 
   template <class AnyDevice>
   SlabImages(FrustumRays<AnyDevice>& frustum, int slicesPerSlab, float* room)
     : slices(2 * slicesPerSlab)
-    , seen(reinterpret_cast<SeenOfRay*>(room))
-    , density(room + 2 * this->slices * frustum.Plan().RayCount())
+    , values(room)
+    , density(room + OfValue * this->slices * frustum.Plan().RayCount())
     , hats(frustum.Hats())
     , rays(frustum.Plan().RayCount())
     , nodesU(frustum.Plan().nodesU)
@@ -42,27 +59,103 @@ struct SlabImages
   {
   }
 
-  /// Stores the values of a ray that voxels read.
-  template <class Kernel>
-  LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, const RayStates& here) const
+  /// Stores the values of a ray that voxels read. `nearSides`: FaceFrustum::IsNearSides.
+  LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, bool nearSides, const RayStates& here) const
   {
     const Index at = this->First(s) + ray;
-    const float behind = *(here.*Kernel::seenBehind);
-    this->seen[at] = { *here.transmittance, *here.transmittance * behind };
-    this->density[at] = *here.density;
+    if constexpr (Kernel::image == RayImage::Effect)
+    {
+      this->values[at] = *here.effect;
+    }
+    else
+    {
+      this->TakeLight(at, here);
+      if (nearSides)
+      {
+        this->density[at] = *here.density;
+      }
+    }
   }
 
   /// Returns the images that voxels of slice `s` read.
   LIMPID_HD LIMPID_INLINE SliceImages At(int s) const
   {
     const HatOfVoxel* columnHats = this->hats + Index(s) * (this->nodesU + this->nodesV);
-    return { this->seen + this->First(s), this->density + this->First(s), columnHats,
+    const Index first = this->First(s);
+    const float* here = this->values + first;
+    return { Kernel::image == RayImage::Seen ? this->Seen() + first : nullptr,
+      Kernel::image == RayImage::Transmittance ? here : nullptr,
+      Kernel::image == RayImage::Effect ? here : nullptr, this->density + first, columnHats,
       columnHats + this->nodesU };
   }
 
+  /// Stores the values of a ray in all images.
+  LIMPID_HD LIMPID_INLINE void TakeEverywhere(Index ray, const RayStates& here) const
+  {
+    for (int s = 0; s < this->slices; ++s)
+    {
+      this->Take(s, ray, true, here);
+    }
+  }
+
 private:
+  /// Numbers per ray and slice.
+  static constexpr Index OfValue = Kernel::image == RayImage::Seen ? 2 : 1;
+  static constexpr Index OfDensity = Kernel::image == RayImage::Effect ? 0 : 1;
+
+  LIMPID_HD LIMPID_INLINE SeenOfRay* Seen() const
+  {
+    return reinterpret_cast<SeenOfRay*>(this->values);
+  }
+
+  LIMPID_HD LIMPID_INLINE void TakeLight(Index at, const RayStates& here) const
+  {
+    if constexpr (Kernel::image == RayImage::Seen)
+    {
+      const float behind = *(here.*Kernel::seenBehind);
+      this->Seen()[at] = { *here.transmittance, *here.transmittance * behind };
+    }
+    else
+    {
+      this->values[at] = *here.transmittance;
+    }
+  }
+
   /// Slices of two consecutive slabs have different low bits of s.
   LIMPID_HD LIMPID_INLINE Index First(int s) const { return (s & (this->slices - 1)) * this->rays; }
+};
+
+/// Initialises a ray for a back-to-front sweep, and its images, as it may not be active for long.
+template <class Kernel>
+struct StartedRay
+{
+  RayStates states;
+  SlabImages<Kernel> images;
+
+  LIMPID_HD void operator()(Index ray) const
+  {
+    const RayStates here = this->states.From(ray);
+    StartBehind{ here }(0);
+    *here.rearImportance = 0;
+    this->images.TakeEverywhere(ray, here);
+  }
+};
+
+/// Moves a ray out of the volume.
+template <class Kernel>
+struct LeavingRay
+{
+  FaceFrustum frustum;
+  RayStates states;
+  Kernel kernel;
+
+  LIMPID_HD void operator()(int column, int row) const
+  {
+    const RayStates here = this->states.From(this->frustum.RayAt(column, row));
+    RaySampler ray(this->frustum, here, column, row);
+    this->kernel.LeaveStep(ray);
+    FinishBehind{ here }(0);
+  }
 };
 }
 }

@@ -12,15 +12,12 @@
 #include "sweep/RayHere.h"
 #include "sweep/RaySampler.h"
 #include "sweep/SlabImages.h"
+#include "sweep/SlabTiles.h"
 
 namespace limpid
 {
 namespace detail
 {
-/// Number of slices that rays cross between two synchronisations. It is small enough that the
-/// images of two slabs fit into the L2 cache of a large GPU (30 MB at 256^3).
-constexpr int slicesPerSlab = 4;
-
 /// Moves a ray through all layers, front to back.
 template <class Ray, class Kernel>
 struct ForwardRay
@@ -66,11 +63,11 @@ struct BackwardRay
   }
 };
 
-/// Visits the slices that hold voxels, back to front.
+/// How rays cross the slices that hold voxels, back to front.
 struct BackToFront
 {
-  /// The values kept between slabs.
-  using Carried = RayStates;
+  using Slabs = SlabsFromBack;
+  using Carried = RayStates; ///< the values kept between slabs
 
   template <class AnyDevice>
   static Carried CarriedBy(FrustumRays<AnyDevice>& rays)
@@ -78,28 +75,9 @@ struct BackToFront
     return rays.States();
   }
 
-  static int CountOf(const FaceFrustum& frustum)
+  /// Sets the values of a ray before a slab. StartedRay has set them before the first one.
+  LIMPID_HD static LIMPID_INLINE void Load(int, const RayStates& all, int index, RayHere& here)
   {
-    return frustum.SliceCount() - frustum.firstNodeSlice;
-  }
-
-  LIMPID_HD static Range<int> SlabOf(const FaceFrustum& frustum, int slab)
-  {
-    const int end = frustum.lastSlice + 1 - slab * slicesPerSlab;
-    const int begin = end - slicesPerSlab;
-    return { begin > frustum.firstNodeSlice ? begin : frustum.firstNodeSlice, end };
-  }
-
-  /// Sets the values of a ray before a slab. Its optical depth is known from the start.
-  LIMPID_HD static LIMPID_INLINE void Load(
-    bool first, const RayStates& all, int index, RayHere& here)
-  {
-    if (first)
-    {
-      StartBehind{ here.States() }(0);
-      here.opticalDepth = all.opticalDepth[index];
-      return;
-    }
     here.Load(all.From(index));
   }
 
@@ -108,26 +86,23 @@ struct BackToFront
     here.Store(all.From(index));
   }
 
-  template <class Kernel>
-  LIMPID_HD static LIMPID_INLINE void Cross(const Range<int>& slices, const FaceFrustum& frustum,
-    const Kernel& kernel, const SlabImages& images, Index index, RaySampler& ray, RayHere& here)
+  /// Moves a ray to the slices of a slab, and calls take(s) on each.
+  template <class Kernel, class Take>
+  LIMPID_HD static LIMPID_INLINE void Cross(
+    const Range<int>& slices, const Kernel& kernel, RaySampler& ray, const Take& take)
   {
     for (int s = slices.end; s-- > slices.begin;)
     {
       kernel.RayStep(ray, s);
-      images.Take<Kernel>(s, index, here.States());
-    }
-    if (slices.begin == frustum.firstNodeSlice)
-    {
-      kernel.LeaveStep(ray);
-      FinishBehind{ here.States() }(0);
+      take(s);
     }
   }
 };
 
-/// Visits all slices front to back, including the source's own.
+/// How rays cross all slices front to back, including the source's own.
 struct FrontToBack
 {
+  using Slabs = SlabsFromFront;
   using Carried = double*; ///< the optical depth
 
   template <class AnyDevice>
@@ -136,20 +111,11 @@ struct FrontToBack
     return rays.OpticalDepths();
   }
 
-  static int CountOf(const FaceFrustum& frustum) { return frustum.SliceCount(); }
-
-  LIMPID_HD static Range<int> SlabOf(const FaceFrustum& frustum, int slab)
-  {
-    const int begin = slab * slicesPerSlab;
-    const int end = begin + slicesPerSlab;
-    return { begin, end < frustum.lastSlice + 1 ? end : frustum.lastSlice + 1 };
-  }
-
   LIMPID_HD static LIMPID_INLINE void Load(
-    bool first, const double* opticalDepths, int index, RayHere& here)
+    int slab, const double* opticalDepths, int index, RayHere& here)
   {
     StartInFront{ here.States() }(0);
-    here.opticalDepth = first ? 0.0 : opticalDepths[index];
+    here.opticalDepth = slab == 0 ? 0.0 : opticalDepths[index];
   }
 
   LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, double* opticalDepths, int index)
@@ -157,14 +123,14 @@ struct FrontToBack
     opticalDepths[index] = here.opticalDepth;
   }
 
-  template <class Kernel>
-  LIMPID_HD static LIMPID_INLINE void Cross(const Range<int>& slices, const FaceFrustum&,
-    const Kernel& kernel, const SlabImages& images, Index index, RaySampler& ray, RayHere& here)
+  template <class Kernel, class Take>
+  LIMPID_HD static LIMPID_INLINE void Cross(
+    const Range<int>& slices, const Kernel& kernel, RaySampler& ray, const Take& take)
   {
     for (int s = slices.begin; s < slices.end; ++s)
     {
       kernel.RayStep(ray, s, Range<int>{});
-      images.Take<Kernel>(s, index, here.States());
+      take(s);
     }
   }
 };
@@ -173,94 +139,77 @@ struct FrontToBack
 /// voxels. In each phase the rays cross a slab, while the voxels of the previous slab read the
 /// images that the rays have left there.
 template <class Way, class Kernel>
-struct SlabPhases
+struct SweptSlabs
 {
+  static constexpr int tileThreads = RayTiles::size.columns * RayTiles::size.rows;
+
   FaceFrustum frustum;
   typename Way::Carried carried;
   Kernel kernel;
-  SlabImages images;
+  SlabImages<Kernel> images;
+  SlabTiles tiles;
   int slabs;
+  PhasesOfTiles lists; ///< null: all tiles have work in every phase
 
   template <class AnyDevice>
-  SlabPhases(FrustumRays<AnyDevice>& rays, float* room, const Kernel& what)
+  SweptSlabs(FrustumRays<AnyDevice>& rays, int slices, float* room, const Kernel& what,
+    const PhasesOfTiles& working)
     : frustum(rays.Plan())
     , carried(Way::CarriedBy(rays))
     , kernel(what)
-    , images(rays, slicesPerSlab, room)
-    , slabs((Way::CountOf(this->frustum) + slicesPerSlab - 1) / slicesPerSlab)
+    , images(rays, slices, room)
+    , tiles(this->frustum, slices)
+    , slabs(this->tiles.SlabsOf(Way::Slabs::SlicesOf(this->frustum)))
+    , lists(working)
   {
   }
 
-  int PhaseCount() const { return this->slabs + 1; }
+  int PhaseCount() const { return this->lists.phases ? this->lists.phaseCount : this->slabs + 1; }
+  int MostTiles() const { return this->lists.phases ? this->lists.mostTiles : this->tiles.Count(); }
 
-  LIMPID_HD LIMPID_INLINE Extent ExtentOf(int phase) const
+  /// Returns the tiles with work in a phase.
+  LIMPID_HD LIMPID_INLINE PhaseOfTiles TilesOf(int phase) const
   {
-    const int slices = phase > 0 ? Way::SlabOf(this->frustum, phase - 1).Length() : 0;
-    const bool moreRays = this->frustum.columns > this->frustum.nodesU;
-    return { moreRays ? this->frustum.columns : this->frustum.nodesU,
-      this->RowsOfRays(phase) + slices * this->frustum.nodesV };
+    return this->lists.phases ? this->lists.phases[phase]
+                              : PhaseOfTiles{ phase, this->tiles.Count(), 0 };
   }
 
-  LIMPID_HD LIMPID_INLINE void operator()(int phase, int column, int row) const
+  LIMPID_HD LIMPID_INLINE SlabTile TileAt(const PhaseOfTiles& phase, int index) const
   {
-    const int rows = this->RowsOfRays(phase);
-    if (row < rows)
+    const int number = this->lists.phases ? this->lists.numbers[phase.first + index] : index;
+    return SlabTileAt<typename Way::Slabs>(
+      this->frustum, this->tiles, this->slabs, phase.number, number);
+  }
+
+  LIMPID_HD LIMPID_INLINE void Visit(const SlabTile& tile, int, int column, int row) const
+  {
+    if (tile.hasRays)
     {
-      this->MoveRay(phase, column, row);
+      this->MoveRay(tile.place, tile.columns.begin + column, tile.rows.begin + row);
+      return;
     }
-    else
-    {
-      const int number = row - rows; // index in a list of slices with nodesV rows each
-      const Range<int> slab = Way::SlabOf(this->frustum, phase - 1);
-      this->VisitVoxel(
-        slab.begin + number / this->frustum.nodesV, column, number % this->frustum.nodesV);
-    }
+    VoxelSampler voxel(
+      this->frustum, tile.place, tile.columns.begin + column, tile.rows.begin + row);
+    this->kernel.VoxelStep(voxel, this->images.At(tile.place));
   }
 
 private:
-  LIMPID_HD LIMPID_INLINE int RowsOfRays(int phase) const
-  {
-    return phase < this->slabs ? this->frustum.rows : 0;
-  }
-
   LIMPID_HD LIMPID_INLINE void MoveRay(int slab, int column, int row) const
   {
-    if (column >= this->frustum.columns)
-    {
-      return;
-    }
     const int index = this->frustum.RayAt(column, row);
+    const bool nearSides = this->frustum.IsNearSides(column, row);
     RayHere here;
-    Way::Load(slab == 0, this->carried, index, here);
+    Way::Load(slab, this->carried, index, here);
     RaySampler ray(this->frustum, here.States(), column, row);
-    Way::Cross(Way::SlabOf(this->frustum, slab), this->frustum, this->kernel, this->images, index,
-      ray, here);
+    Way::Cross(Way::Slabs::SlabOf(this->frustum, this->tiles.slicesPerSlab, slab), this->kernel,
+      ray, [&](int s) { this->images.Take(s, index, nearSides, here.States()); });
     Way::Store(here, this->carried, index);
-  }
-
-  LIMPID_HD LIMPID_INLINE void VisitVoxel(int s, int u, int v) const
-  {
-    const Slice& slice = this->frustum.SliceAt(s);
-    if (slice.node >= 0 && slice.ownedColumns.Contains(u) && slice.ownedRows.Contains(v))
-    {
-      VoxelSampler voxel(this->frustum, s, u, v);
-      this->kernel.VoxelStep(voxel, this->images.At(s));
-    }
   }
 };
 
 inline Extent ExtentOfRays(const FaceFrustum& frustum)
 {
   return { frustum.columns, frustum.rows };
-}
-
-/// Runs the phases of SlabPhases.
-template <class Way, class AnyDevice, class Kernel>
-void SweepSlabs(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
-{
-  DeviceArray<AnyDevice, float> images = SlabImages::RoomFor(rays, slicesPerSlab);
-  const SlabPhases<Way, Kernel> phases(rays, images.Data(), kernel);
-  device.ForPhases(Kernel::label, phases.PhaseCount(), phases);
 }
 }
 
@@ -285,19 +234,34 @@ void SweepRaysBackward(
 }
 
 /// Back to front over all slices of voxels, for a kernel whose rays do not depend on the changes
-/// of voxels.
+/// of voxels. Visits the tiles of rays and voxels that have work.
 template <class AnyDevice, class Kernel>
 void SweepBackward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
 {
-  detail::SweepSlabs<detail::BackToFront>(device, rays, kernel);
+  using Images = detail::SlabImages<Kernel>;
+  const FaceFrustum& frustum = rays.Plan();
+  const RayStates states = rays.States();
+  const int slices = Images::SlicesFor(frustum.RayCount());
+  DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slices);
+  const detail::SweptSlabs<detail::BackToFront, Kernel> slabs(
+    rays, slices, room.Data(), kernel, rays.Slabs(slices).Lists());
+  device.ForIndices(
+    Kernel::label, frustum.RayCount(), detail::StartedRay<Kernel>{ states, slabs.images });
+  device.ForTiles(Kernel::label, slabs);
+  device.ForEach(Kernel::label, detail::ExtentOfRays(frustum),
+    detail::LeavingRay<Kernel>{ frustum, states, kernel });
 }
 
 /// Front to back over all slices, including the source's own.
 template <class AnyDevice, class Kernel>
 void SweepFrontToBack(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
-  detail::SweepSlabs<detail::FrontToBack>(device, rays, kernel);
+  using Images = detail::SlabImages<Kernel>;
+  const int slices = Images::SlicesFor(rays.Plan().RayCount());
+  DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slices);
+  device.ForTiles(Kernel::label,
+    detail::SweptSlabs<detail::FrontToBack, Kernel>(rays, slices, room.Data(), kernel, {}));
 }
 }
 

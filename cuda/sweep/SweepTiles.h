@@ -6,7 +6,6 @@
 // some of these, too, so that only one synchronisation per slice is needed, for the rays. Most
 // tiles are idle on most slices, where neither rays nor voxels change (RayTiles.h). Voxels that no
 // ray matters to are computed beforehand.
-// voxels (RayTiles.h). Voxels that no ray matters to are found before.
 
 #ifndef limpid_sweep_SweepTiles_h
 #define limpid_sweep_SweepTiles_h
@@ -21,25 +20,6 @@ namespace limpid
 {
 namespace detail
 {
-/// Initialises a ray for a back-to-front sweep. It writes images for the last two slices, as the
-/// ray may be active on neither.
-template <class Kernel>
-struct StartedRay
-{
-  RayStates states;
-  SlabImages images;
-  int lastSlice;
-
-  LIMPID_HD void operator()(Index ray) const
-  {
-    const RayStates here = this->states.From(ray);
-    StartBehind{ here }(0);
-    *here.rearImportance = 0;
-    this->images.template Take<Kernel>(this->lastSlice, ray, here);
-    this->images.template Take<Kernel>(this->lastSlice - 1, ray, here);
-  }
-};
-
 /// Computes the voxels that no ray matters to; `threads` threads share the filled voxels of a row.
 template <class Kernel>
 struct IdleVoxels
@@ -76,8 +56,9 @@ struct BackwardTiles
   FaceFrustum frustum;
   RayStates states;
   Kernel kernel;
-  SlabImages images;
-  TileLists lists;
+  SlabImages<Kernel> images;
+  VoxelsOfTiles voxels;
+  PhasesOfTiles lists;
 
   int PhaseCount() const { return this->lists.phaseCount; }
   int MostTiles() const { return this->lists.mostTiles; }
@@ -110,18 +91,17 @@ struct BackwardTiles
   /// Returns tile number `index` of a phase.
   LIMPID_HD LIMPID_INLINE Tile TileAt(const PhaseOfTiles& phase, int index) const
   {
-    const VoxelsOfTiles& voxels = this->lists.voxels;
     const int number = this->lists.numbers[phase.first + index];
-    const int s = phase.slice;
-    Tile found{ s, {}, voxels.tiles.RowsOf(number), {}, {} };
+    const int s = this->frustum.lastSlice - phase.number;
+    Tile found{ s, {}, this->voxels.tiles.RowsOf(number), {}, {} };
     if (s >= this->frustum.firstNodeSlice) // otherwise there are only voxels
     {
-      found.columns = voxels.tiles.ColumnsOf(number);
+      found.columns = this->voxels.tiles.ColumnsOf(number);
     }
     if (s < this->frustum.lastSlice) // otherwise there are no voxels behind
     {
-      found.voxelsOfU = voxels.AlongU(s + 1, number);
-      found.voxelsOfV = voxels.AlongV(s + 1, number);
+      found.voxelsOfU = this->voxels.AlongU(s + 1, number);
+      found.voxelsOfV = this->voxels.AlongV(s + 1, number);
     }
     return found;
   }
@@ -163,26 +143,10 @@ private:
       this->kernel.RayStep(ray, s);
       this->kernel.CopyCarried(carried, kept);
     }
-    this->images.template Take<Kernel>(s, index, carried);
+    this->images.Take(s, index, this->frustum.IsNearSides(column, row), carried);
   }
 };
 
-/// Moves a ray out of the volume.
-template <class Kernel>
-struct LeavingRay
-{
-  FaceFrustum frustum;
-  RayStates states;
-  Kernel kernel;
-
-  LIMPID_HD void operator()(int column, int row) const
-  {
-    const RayStates here = this->states.From(this->frustum.RayAt(column, row));
-    RaySampler ray(this->frustum, here, column, row);
-    this->kernel.LeaveStep(ray);
-    FinishBehind{ here }(0);
-  }
-};
 }
 
 /// Back to front, slice by slice over all voxels; rays may depend on the voxels behind. Visiting a
@@ -193,14 +157,16 @@ void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, cons
   constexpr int slicesPerSlab = 1;
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  DeviceArray<AnyDevice, float> room = detail::SlabImages::RoomFor(rays, slicesPerSlab);
-  const detail::SlabImages images(rays, slicesPerSlab, room.Data());
-  device.ForIndices(Kernel::label, frustum.RayCount(),
-    detail::StartedRay<Kernel>{ states, images, frustum.lastSlice });
+  using Images = detail::SlabImages<Kernel>;
+  DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slicesPerSlab);
+  const Images images(rays, slicesPerSlab, room.Data());
+  device.ForIndices(
+    Kernel::label, frustum.RayCount(), detail::StartedRay<Kernel>{ states, images });
   const detail::IdleVoxels<Kernel> idle{ frustum, kernel };
   device.ForEach(Kernel::label, idle.ExtentOfRows(), idle);
-  device.ForTiles(
-    Kernel::label, detail::BackwardTiles<Kernel>{ frustum, states, kernel, images, rays.Tiles() });
+  device.ForTiles(Kernel::label,
+    detail::BackwardTiles<Kernel>{
+      frustum, states, kernel, images, rays.Tiles().Found(), rays.Tiles().Lists() });
   device.ForEach(Kernel::label, Extent{ frustum.columns, frustum.rows },
     detail::LeavingRay<Kernel>{ frustum, states, kernel });
 }

@@ -23,10 +23,12 @@ struct alignas(8) SeenOfRay
   float behind;        ///< visible importance behind, attenuated [scale^2]
 };
 
-/// Images of the rays on one slice.
+/// Images of the rays on one slice, see RayImage; null if there is none.
 struct SliceImages
 {
   const SeenOfRay* seen;
+  const float* transmittance;
+  const float* effect;
   const float* density; ///< see RayStates
   const HatOfVoxel* columnHats;
   const HatOfVoxel* rowHats;
@@ -127,7 +129,7 @@ public:
         const float weight = plan.Row(plan.columnShare)[column] *
           HatAt(plan.Row(plan.columnLines)[column].At(depth), this->U, plan.nodesU);
         // Values of guard rays, whose share is 0, may be NaN.
-        sum += weight > 0.0f ? weight * rays.seen[plan.RayAt(column, row)].behind : 0.0f;
+        sum += weight > 0.0f ? weight * rays.effect[plan.RayAt(column, row)] : 0.0f;
       }
       const float weight = plan.Row(plan.rowShare)[row] *
         HatAt(plan.Row(plan.rowLines)[row].At(depth), this->V, plan.nodesV);
@@ -147,7 +149,7 @@ public:
     {
       const LinearMap columns = this->Frustum.Row(this->Frustum.voxelColumns, this->S);
       const LinearMap rows = this->Frustum.Row(this->Frustum.voxelRows, this->S);
-      this->Importance *= this->SampleRays(ImageOf{ this->Frustum.Row(this->Frustum.inView) },
+      this->Importance *= this->SampleRays(this->Frustum.Row(this->Frustum.inView),
         { columns.index[this->U], rows.index[this->V], columns.weight[this->U],
           rows.weight[this->V] });
     }
@@ -184,18 +186,17 @@ public:
       HaveEntered(this->Frustum.Row(this->Frustum.rowEntry), this->Frustum.rows, pair.row, depth);
     if (!entered)
     {
-      *transmittance = this->IsBetweenFrontRays(hats)
-        ? this->SampleRays(TransmittanceOf{ rays.seen }, pair)
-        : this->TransmitFromSide(rays.density, hats);
+      *transmittance = this->IsBetweenFrontRays(hats) ? this->SampleRays(rays.transmittance, pair)
+                                                      : this->TransmitFromSide(rays.density, hats);
       return;
     }
     if (HoldsFour(this->Frustum.frontColumns, pair.column) &&
       HoldsFour(this->Frustum.frontRows, pair.row))
     {
-      *transmittance = Clamp(this->SampleCubic(TransmittanceOf{ rays.seen }, pair), 0.0f, 1.0f);
+      *transmittance = Clamp(this->SampleCubic(rays.transmittance, pair), 0.0f, 1.0f);
       return;
     }
-    *transmittance = this->TransmitDensity(this->SampleCubic(ImageOf{ rays.density }, pair), hats);
+    *transmittance = this->TransmitDensity(this->SampleCubic(rays.density, pair), hats);
   }
 
 protected:
@@ -263,29 +264,13 @@ private:
       !(entries[index + 2] > depth);
   }
 
-  /// A value per ray.
-  struct ImageOf
-  {
-    const float* values;
-    LIMPID_HD LIMPID_INLINE float operator()(int ray) const { return this->values[ray]; }
-  };
-
-  struct TransmittanceOf
-  {
-    const SeenOfRay* seen;
-    LIMPID_HD LIMPID_INLINE float operator()(int ray) const
-    {
-      return this->seen[ray].transmittance;
-    }
-  };
-
-  template <class Image>
-  LIMPID_HD LIMPID_INLINE float SampleRays(const Image& image, const Pair& pair) const
+  /// `image`: a value per ray.
+  LIMPID_HD LIMPID_INLINE float SampleRays(const float* image, const Pair& pair) const
   {
     const int first = this->Frustum.RayAt(pair.column, pair.row);
     const int second = first + this->Frustum.columns;
-    const float left = image(first) + pair.across * (image(second) - image(first));
-    const float right = image(first + 1) + pair.across * (image(second + 1) - image(first + 1));
+    const float left = image[first] + pair.across * (image[second] - image[first]);
+    const float right = image[first + 1] + pair.across * (image[second + 1] - image[first + 1]);
     return left + pair.sideways * (right - left);
   }
 
@@ -319,7 +304,7 @@ private:
 
   LIMPID_HD LIMPID_INLINE float TransmitFromSide(const float* density, const Hats& hats) const
   {
-    return this->TransmitDensity(this->SampleRays(ImageOf{ density }, hats.Own()), hats);
+    return this->TransmitDensity(this->SampleRays(density, hats.Own()), hats);
   }
 
   LIMPID_HD LIMPID_INLINE float TransmitDensity(float density, const Hats& hats) const
@@ -329,8 +314,7 @@ private:
     return Transmitted(density * (this->Here.RelativeDepth() - entry));
   }
 
-  template <class Image>
-  LIMPID_HD LIMPID_INLINE float SampleCubic(const Image& image, const Pair& pair) const
+  LIMPID_HD LIMPID_INLINE float SampleCubic(const float* image, const Pair& pair) const
   {
     const int stride = this->Frustum.columns;
     const int first = this->Frustum.RayAt(pair.column - 1, pair.row - 1);
@@ -339,7 +323,7 @@ private:
     {
       const int at = first + i;
       blend[i] = CubicBetween(
-        image(at), image(at + stride), image(at + 2 * stride), image(at + 3 * stride), pair.across);
+        image[at], image[at + stride], image[at + 2 * stride], image[at + 3 * stride], pair.across);
     }
     const float sideways = pair.sideways;
     const float front = Curvature(blend[0], blend[1], blend[2]);

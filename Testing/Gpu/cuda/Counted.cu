@@ -127,7 +127,7 @@ LIMPID_COUNT_VOXEL(DerivativeVoxelInside, InnerVoxel, OfDerivative)
 namespace limpid::detail
 {
 using PolicySweep = BackwardTiles<counted::OfPolicy>;
-using DerivativeSweep = SlabPhases<BackToFront, counted::OfDerivative>;
+using DerivativeSweep = SweptSlabs<BackToFront, counted::OfDerivative>;
 template __global__ void VisitTiles<PolicySweep>(int, const __grid_constant__ PolicySweep);
-template __global__ void VisitPhases<DerivativeSweep>(int, const __grid_constant__ DerivativeSweep);
+template __global__ void VisitTiles<DerivativeSweep>(int, const __grid_constant__ DerivativeSweep);
 }
