@@ -121,6 +121,26 @@ TEST(CudaDevice, RunsWhatItIsGiven)
   ExpectItCounts(MakeTestedDevice());
 }
 
+// Copies go through rooms of 4 MiB in turn: less than one, one, several and a part.
+TEST(CudaDevice, CopiesAnyNumberOfBytes)
+{
+  const auto device = MakeTestedDevice();
+  for (const std::size_t bytes : { 0, 1, 4 << 20, (4 << 20) + 1, (8 << 20) - 1, 25'000'003 })
+  {
+    std::vector<unsigned char> given(bytes);
+    for (std::size_t n = 0; n < bytes; ++n)
+    {
+      given[n] = static_cast<unsigned char>((n * 2654435761u) >> 13);
+    }
+    const std::vector<unsigned char> kept = given;
+    const Bytes there(device, given, "a test");
+    given.assign(bytes, 0); // has been read
+    std::vector<unsigned char> back(bytes, 1);
+    there.Download(back.data());
+    EXPECT_EQ(back, kept) << bytes;
+  }
+}
+
 TEST(CudaDevice, WorksForSeveralThreads)
 {
   const auto device = MakeTestedDevice();

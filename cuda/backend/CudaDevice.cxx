@@ -47,6 +47,7 @@ CudaDevice::CudaDevice(int number)
   this->Processors = properties.multiProcessorCount;
   this->MostBlocks = Index(this->Processors) * 16;
   LIMPID_CUDA(cudaStreamCreateWithFlags(&this->Stream, cudaStreamNonBlocking));
+  this->Staged = std::make_unique<StagedCopies>(this->Stream);
   cudaMemPool_t pool{};
   LIMPID_CUDA(cudaDeviceGetDefaultMemPool(&pool, number));
   std::uint64_t keep = UINT64_MAX; // until Trim
@@ -56,6 +57,7 @@ CudaDevice::CudaDevice(int number)
 CudaDevice::~CudaDevice()
 {
   this->Trim();
+  this->Staged.reset(); // before its stream
   cudaStreamDestroy(this->Stream);
 }
 
@@ -118,16 +120,14 @@ void CudaDevice::Upload(void* to, const void* from, std::size_t bytes)
 {
   this->Use();
   const Timed timed(*this, { "upload", double(bytes) });
-  LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, this->Stream));
-  this->Wait(); // the copy of pageable memory may be under way
+  this->Staged->Upload(to, from, bytes);
 }
 
 void CudaDevice::Download(void* to, const void* from, std::size_t bytes)
 {
   this->Use();
   const Timed timed(*this, { "download", double(bytes) });
-  LIMPID_CUDA(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, this->Stream));
-  this->Wait();
+  this->Staged->Download(to, from, bytes);
 }
 
 void CudaDevice::Copy(void* to, const void* from, std::size_t bytes)

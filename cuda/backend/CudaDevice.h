@@ -9,6 +9,7 @@
 #include "backend/Extent.h"
 #include "backend/LaunchEvents.h"
 #include "backend/MemoryCount.h"
+#include "backend/StagedCopies.h"
 #include "math/Vec.h"
 
 #include <cooperative_groups.h>
@@ -151,8 +152,8 @@ __global__ void __launch_bounds__(Body::tileThreads, residentTileThreads / Body:
 
 #define LIMPID_CUDA(call) ::limpid::detail::RequireCuda((call), #call)
 
-/// A GPU with one stream. All operations are executed in order. Upload, Download and Wait block,
-/// and Free where nothing else is allocated.
+/// A GPU with one stream. All operations are executed in order. Download and Wait block, and Free
+/// where nothing else is allocated.
 class CudaDevice
 {
 public:
@@ -345,6 +346,7 @@ private:
 
   std::string Title;
   cudaStream_t Stream = nullptr;
+  std::unique_ptr<StagedCopies> Staged;
   std::unique_ptr<LaunchEvents> Events; ///< null if timing is off
   int Number = 0;
   int Processors = 1;
