@@ -514,7 +514,7 @@ TEST_P(PlanOf, VisitsAllTilesOfSlabsThatHaveAnythingToDo)
     const FaceFrustum& plan = rays.Plan();
     const SlabTiles tiles(plan, slices);
     const int slabs = tiles.SlabsOf(SlabsFromBack::SlicesOf(plan));
-    const PhasesOfTiles& lists = rays.Slabs(slices).Lists();
+    const PhasesOfTiles& lists = rays.SlabsFromBack(slices).Lists();
     const auto slabOf = [&](int slab) { return SlabsFromBack::SlabOf(plan, slices, slab); };
     std::vector<int> changes(std::size_t(plan.RayCount()), 0);
     std::vector<std::vector<int>> images(2 * slices, changes);
@@ -578,6 +578,94 @@ TEST_P(PlanOf, VisitsAllTilesOfSlabsThatHaveAnythingToDo)
       }
     }
     ASSERT_EQ(phase, lists.phaseCount);
+  }
+}
+
+// Front to back the image of a ray is another one behind every layer in which it is active, and,
+// near the sides of the box, on every slice from the first such layer on.
+TEST_P(PlanOf, VisitsAllTilesOfRaysWhoseImageChangesFrontToBack)
+{
+  constexpr int slices = 4;
+  for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
+  {
+    const FaceFrustum& plan = rays.Plan();
+    const SlabTiles tiles(plan, slices);
+    const int slabs = tiles.SlabsOf(SlabsFromFront::SlicesOf(plan));
+    const PhasesOfTiles& lists = rays.SlabsFromFront(slices).Lists();
+    std::vector<int> met(std::size_t(plan.RayCount()), 0);
+    std::vector<std::vector<int>> images(2 * slices, met);
+    int phase = 0;
+    for (int number = 0; number < slabs; ++number)
+    {
+      std::vector<bool> moved(met.size(), false);
+      const bool listed = phase < lists.phaseCount && lists.phases[phase].number == number;
+      for (int index = 0; listed && index < lists.phases[phase].count; ++index)
+      {
+        const SlabTile tile = SlabTileAt<SlabsFromFront>(
+          plan, tiles, slabs, number, lists.numbers[lists.phases[phase].first + index]);
+        for (int row = tile.rows.begin; tile.hasRays && row < tile.rows.end; ++row)
+        {
+          for (int column = tile.columns.begin; column < tile.columns.end; ++column)
+          {
+            moved[std::size_t(plan.RayAt(column, row))] = true;
+          }
+        }
+      }
+      phase += listed ? 1 : 0;
+      const Range<int> slab = SlabsFromFront::SlabOf(plan, slices, number);
+      for (int s = slab.begin; s < slab.end; ++s)
+      {
+        std::vector<int>& image = images[std::size_t(s % (2 * slices))];
+        for (int row = 0; row < plan.rows; ++row)
+        {
+          for (int column = 0; column < plan.columns; ++column)
+          {
+            const auto ray = std::size_t(plan.RayAt(column, row));
+            const bool active = s < plan.lastSlice && plan.ActiveRays(s, row).Contains(column);
+            ASSERT_TRUE(moved[ray] || !active) << column << " " << row;
+            const bool bySlice = plan.IsNearSides(column, row) && (met[ray] > 0 || active);
+            const int right = bySlice ? 1000 * (s + 1) + met[ray] : met[ray];
+            image[ray] = moved[ray] ? right : image[ray];
+            ASSERT_EQ(image[ray], right) << column << " " << row << " " << s;
+            met[ray] += active ? 1 : 0;
+          }
+        }
+      }
+    }
+  }
+}
+
+// Sweeps of whole rays visit the layers in which their group of rays is active, in order.
+TEST_P(PlanOf, KnowsTheLayersInWhichRaysAreActive)
+{
+  for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
+  {
+    const FaceFrustum& plan = rays.Plan();
+    const LayerMasks& masks = rays.Layers();
+    for (int row = 0; row < plan.rows; ++row)
+    {
+      for (int column = 0; column < plan.columns; ++column)
+      {
+        const int group = column / LayerMasks::groupColumns;
+        const Range<int> columns{ group * LayerMasks::groupColumns,
+          (group + 1) * LayerMasks::groupColumns };
+        std::vector<int> right;
+        for (int s = 0; s < plan.lastSlice; ++s)
+        {
+          if (!Intersection(plan.ActiveRays(s, row), columns).Empty())
+          {
+            right.push_back(s);
+          }
+        }
+        std::vector<int> found;
+        masks.FrontToBack(column, row, [&](int layer) { found.push_back(layer); });
+        ASSERT_EQ(found, right) << column << " " << row;
+        found.clear();
+        masks.BackToFront(column, row, [&](int layer) { found.push_back(layer); });
+        std::reverse(right.begin(), right.end());
+        ASSERT_EQ(found, right) << column << " " << row;
+      }
+    }
   }
 }
 

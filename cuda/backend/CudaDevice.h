@@ -39,9 +39,6 @@ constexpr int blockThreads = blockColumns * blockRows;
 /// and few enough for 80 registers per thread.
 constexpr int residentThreads = 768;
 
-/// Fewer threads for launches of tiles, whose longer kernels use 128 registers per thread.
-constexpr int residentTileThreads = 512;
-
 template <class Body>
 __global__ void VisitEach(const Extent extent, const __grid_constant__ Body body)
 {
@@ -112,26 +109,26 @@ __global__ void __launch_bounds__(blockThreads, residentThreads / blockThreads)
 }
 
 template <class Body>
-__global__ void __launch_bounds__(Body::tileThreads, residentTileThreads / Body::tileThreads)
+__global__ void __launch_bounds__(Body::tileThreads, Body::residentThreads / Body::tileThreads)
   VisitTiles(const int phases, const __grid_constant__ Body body)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
-  auto tiles = body.TilesOf(0);
-  for (int phase = 0; phase < phases; ++phase)
+  auto next = body.lists.phases[0];
+  for (int number = 0; number < phases; ++number)
   {
-    const auto now = tiles;
-    if (phase > 0)
+    const auto phase = next;
+    if (number > 0)
     {
       grid.sync();
     }
-    if (phase + 1 < phases)
+    if (number + 1 < phases)
     {
-      tiles = body.TilesOf(phase + 1); // prefetched before it is needed
+      next = body.lists.phases[number + 1]; // prefetched before it is needed
     }
-    for (int number = static_cast<int>(blockIdx.x); number < now.count;
-         number += static_cast<int>(gridDim.x))
+    for (int index = static_cast<int>(blockIdx.x); index < phase.count;
+         index += static_cast<int>(gridDim.x))
     {
-      const auto tile = body.TileAt(now, number);
+      const auto tile = body.TileOf(phase, body.lists.numbers[phase.first + index]);
       for (int step = 0; step < tile.steps; ++step)
       {
         if (step > 0)
@@ -264,19 +261,19 @@ public:
       { label, 0, phases - 1 }, &detail::VisitPhases<Body>, BlockOf(), phases, body);
   }
 
-  /// Runs all phases of a body in order, and the tiles of a phase in any order. The steps of a
-  /// tile run in order, each like ForEach over tile.ExtentOf(step) with body.Visit(tile, step,
-  /// column, row). Here tile is body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A
-  /// step sees what earlier steps of the tile and earlier phases have written. Tiles of a phase
-  /// may write equal values to the same address. Uses one launch.
+  /// Runs all phases of a body in order, and the tiles of a phase in any order: those of the
+  /// numbers that body.lists has for the phase (PhasesOfTiles). The steps of a tile run in order,
+  /// each like ForEach over tile.ExtentOf(step) with body.Visit(tile, step, column, row). Here tile
+  /// is body.TileOf(phase, number). A step sees what earlier steps of the tile and earlier phases
+  /// have written. Tiles of a phase may write equal values to the same address. Uses one launch.
   template <class Body>
   void ForTiles(const char* label, const Body& body)
   {
-    const int phases = body.PhaseCount();
+    const int phases = body.lists.phaseCount;
     if (phases > 0)
     {
       this->LaunchResident({ label, 0, phases - 1 }, &detail::VisitTiles<Body>,
-        dim3(Body::tileThreads), phases, body, body.MostTiles());
+        dim3(Body::tileThreads), phases, body, body.lists.mostTiles);
     }
   }
 

@@ -129,23 +129,24 @@ public:
     }
   }
 
-  /// Runs all phases of a body in order, and the tiles of a phase in any order. The steps of a
-  /// tile run in order, each like ForEach over tile.ExtentOf(step) with body.Visit(tile, step,
-  /// column, row). Here tile is body.TileAt(tiles, number) and tiles is body.TilesOf(phase). A
-  /// step sees what earlier steps of the tile and earlier phases have written. Tiles of a phase
-  /// may write equal values to the same address. Here they therefore run one by one, in
-  /// alternating order.
+  /// Runs all phases of a body in order, and the tiles of a phase in any order: those of the
+  /// numbers that body.lists has for the phase (PhasesOfTiles). The steps of a tile run in order,
+  /// each like ForEach over tile.ExtentOf(step) with body.Visit(tile, step, column, row). Here tile
+  /// is body.TileOf(phase, number). A step sees what earlier steps of the tile and earlier phases
+  /// have written. Tiles of a phase may write equal values to the same address. Here they therefore
+  /// run one by one, in alternating order.
   template <class Body>
   void ForTiles(const char* label, const Body& body)
   {
-    const int phases = body.PhaseCount();
-    const Timed timed(this->Times, { label, 0, phases > 0 ? phases - 1 : 0 });
-    for (int phase = 0; phase < phases; ++phase)
+    const auto& lists = body.lists;
+    const Timed timed(this->Times, { label, 0, lists.phaseCount > 0 ? lists.phaseCount - 1 : 0 });
+    for (int number = 0; number < lists.phaseCount; ++number)
     {
-      const auto tiles = body.TilesOf(phase);
-      for (int number = 0; number < tiles.count; ++number)
+      const auto& phase = lists.phases[number];
+      for (int index = 0; index < phase.count; ++index)
       {
-        const auto tile = body.TileAt(tiles, phase % 2 == 0 ? number : tiles.count - 1 - number);
+        const int inAnyOrder = number % 2 == 0 ? index : phase.count - 1 - index;
+        const auto tile = body.TileOf(phase, lists.numbers[phase.first + inAnyOrder]);
         for (int step = 0; step < tile.steps; ++step)
         {
           Visit(

@@ -9,6 +9,7 @@
 #include "backend/DeviceArray.h"
 #include "backend/HostDevice.h"
 #include "math/Require.h"
+#include "sweep/ActiveLayers.h"
 #include "sweep/BandDecomposition.h"
 #include "sweep/HatOfVoxel.h"
 #include "sweep/PlanSweep.h"
@@ -116,13 +117,35 @@ public:
   }
 
   /// Returns the tiles of a back-to-front sweep by slabs of so many slices; computed on first use.
-  const SlabPlan<AnyDevice>& Slabs(int slices)
+  const SlabPlan<AnyDevice>& SlabsFromBack(int slices)
   {
-    if (!this->Slabbing)
+    if (!this->FromBack)
     {
-      this->Slabbing = std::make_unique<SlabPlan<AnyDevice>>(this->Device, this->Addresses, slices);
+      this->FromBack = std::make_unique<SlabPlan<AnyDevice>>(
+        SlabPlan<AnyDevice>::FromBack(this->Device, this->Addresses, slices));
     }
-    return *this->Slabbing;
+    return *this->FromBack;
+  }
+
+  /// Those of a front-to-back sweep.
+  const SlabPlan<AnyDevice>& SlabsFromFront(int slices)
+  {
+    if (!this->FromFront)
+    {
+      this->FromFront = std::make_unique<SlabPlan<AnyDevice>>(
+        SlabPlan<AnyDevice>::FromFront(this->Device, this->Addresses, slices));
+    }
+    return *this->FromFront;
+  }
+
+  /// Returns the layers in which rays are active; computed on first use.
+  const LayerMasks& Layers()
+  {
+    if (!this->Layering)
+    {
+      this->Layering = std::make_unique<ActiveLayers<AnyDevice>>(this->Device, this->Addresses);
+    }
+    return this->Layering->Masks();
   }
 
   /// Allocates `count` values for images of rays during one sweep.
@@ -136,7 +159,9 @@ private:
   DeviceArray<AnyDevice, unsigned char> Tables;
   DeviceArray<AnyDevice, HatOfVoxel> Means;
   std::unique_ptr<TilePlan<AnyDevice>> Tiling;
-  std::unique_ptr<SlabPlan<AnyDevice>> Slabbing;
+  std::unique_ptr<SlabPlan<AnyDevice>> FromBack;
+  std::unique_ptr<SlabPlan<AnyDevice>> FromFront;
+  std::unique_ptr<ActiveLayers<AnyDevice>> Layering;
   FaceFrustum Addresses;
 };
 

@@ -5,6 +5,7 @@
 #define limpid_sweep_SlabImages_h
 
 #include "sweep/FrustumRays.h"
+#include "sweep/RayHere.h"
 #include "sweep/RaySampler.h"
 #include "sweep/VoxelSampler.h"
 
@@ -26,13 +27,15 @@ struct SlabImages
   int nodesV;
 
   /// Number of slices per slab, a power of two: as many as the second-level cache of a large GPU
-  /// (50 MB) has room for beside the fields.
+  /// (50 MB) has room for beside the fields. With few slices, rays take longer to be read and
+  /// written than to cross them (measured with 1 and 2: slower than with 4 beyond the cache).
   static int SlicesFor(Index rays)
   {
+    constexpr Index least = 4;
     constexpr Index most = 16;
     constexpr Index room = Index(24) << 20; // [bytes]
     Index slices = most;
-    while (slices > 1 && 2 * slices * rays * Index(sizeof(float)) > room)
+    while (slices > least && 2 * slices * rays * Index(sizeof(float)) > room)
     {
       slices /= 2;
     }
@@ -138,6 +141,22 @@ struct StartedRay
     StartBehind{ here }(0);
     *here.rearImportance = 0;
     this->images.TakeEverywhere(ray, here);
+  }
+};
+
+/// Initialises a ray for a front-to-back sweep, and its images, as it may meet nothing for long.
+template <class Kernel>
+struct UndimmedRay
+{
+  double* opticalDepths;
+  SlabImages<Kernel> images;
+
+  LIMPID_HD void operator()(Index ray) const
+  {
+    RayHere here;
+    StartInFront{ here.States() }(0);
+    this->opticalDepths[ray] = here.opticalDepth;
+    this->images.TakeEverywhere(ray, here.States());
   }
 };
 

@@ -136,24 +136,136 @@ struct SlabTileHasWork
   }
 };
 
-/// The tiles that a back-to-front sweep visits in each phase.
+/// For every slab of a front-to-back sweep and every row of rays: the columns between which rays
+/// have met anything before the end of the slab.
+struct DimmedRays
+{
+  const Range<int>* columns; ///< [slab][row]
+  int rows;
+
+  LIMPID_HD LIMPID_INLINE bool Any(
+    int slab, const Range<int>& among, const Range<int>& amongRows) const
+  {
+    for (int row = amongRows.begin; row < amongRows.end; ++row)
+    {
+      if (!Intersection(this->columns[Index(slab) * this->rows + row], among).Empty())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+/// Computes DimmedRays of a row.
+struct MadeDimmedRays
+{
+  FaceFrustum frustum;
+  int slicesPerSlab;
+  int slabs;
+  Range<int>* columns; ///< see DimmedRays
+
+  LIMPID_HD void operator()(Index row) const
+  {
+    Range<int> met;
+    for (int slab = 0; slab < this->slabs; ++slab)
+    {
+      const Range<int> slices = SlabsFromFront::SlabOf(this->frustum, this->slicesPerSlab, slab);
+      for (int s = slices.begin; s < slices.end && s < this->frustum.lastSlice; ++s)
+      {
+        met = Hull(met, this->frustum.ActiveRays(s, static_cast<int>(row)));
+      }
+      this->columns[Index(slab) * this->frustum.rows + row] = met;
+    }
+  }
+};
+
+/// Tells which tiles have work in a phase of a front-to-back sweep: rays that are active in the
+/// slab, or whose image differs from that of two slabs before, and voxels that read rays that have
+/// met anything.
+struct SlabTileIsDimmed
+{
+  FaceFrustum frustum;
+  SlabTiles tiles;
+  int slabs;
+  DimmedRays dimmed;
+
+  LIMPID_HD LIMPID_INLINE bool operator()(int number, int phase) const
+  {
+    const SlabTile tile =
+      SlabTileAt<SlabsFromFront>(this->frustum, this->tiles, this->slabs, phase, number);
+    if (tile.columns.Empty() || tile.rows.Empty())
+    {
+      return false;
+    }
+    return tile.hasRays ? this->MovesRays(tile) : this->DimsVoxels(tile, phase - 1);
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE bool MovesRays(const SlabTile& tile) const
+  {
+    const int slices = this->tiles.slicesPerSlab;
+    const Range<int> layers{ (tile.place - 2) * slices - 1, (tile.place + 1) * slices };
+    if (AnyRayIsActive(this->frustum, layers, tile.columns, tile.rows))
+    {
+      return true;
+    }
+    // The density of a ray that has met anything changes from slice to slice.
+    const bool nearSides = this->frustum.IsNearSides(tile.columns.begin, tile.rows.begin) ||
+      this->frustum.IsNearSides(tile.columns.end - 1, tile.rows.end - 1);
+    return nearSides && this->dimmed.Any(tile.place, tile.columns, tile.rows);
+  }
+
+  LIMPID_HD LIMPID_INLINE bool DimsVoxels(const SlabTile& tile, int slab) const
+  {
+    constexpr int beside = 3; // see FaceFrustum::IsNearSides
+    const FaceFrustum& plan = this->frustum;
+    const Range<int> columns{ plan.ColumnsAbout(tile.place, tile.columns.begin).begin - beside,
+      plan.ColumnsAbout(tile.place, tile.columns.end - 1).end + beside };
+    const Range<int> rows{ plan.RowsAbout(tile.place, tile.rows.begin).begin - beside,
+      plan.RowsAbout(tile.place, tile.rows.end - 1).end + beside };
+    return this->dimmed.Any(slab, columns, Intersection(rows, Range<int>{ 0, plan.rows }));
+  }
+};
+
+/// The tiles that a sweep by slabs visits in each phase.
 template <class AnyDevice>
 class SlabPlan
 {
 public:
-  SlabPlan(const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
-    : Tiles(frustum, slices)
-    , Slabs(this->Tiles.SlabsOf(SlabsFromBack::SlicesOf(frustum)))
-    , Phases(device, this->Tiles.Count(), this->Slabs + 1,
-        SlabTileHasWork{ frustum, this->Tiles, this->Slabs })
+  /// For a back-to-front sweep.
+  static SlabPlan FromBack(
+    const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
   {
+    const SlabTiles tiles(frustum, slices);
+    const int slabs = tiles.SlabsOf(SlabsFromBack::SlicesOf(frustum));
+    return { device, tiles, slabs, SlabTileHasWork{ frustum, tiles, slabs } };
+  }
+
+  /// For a front-to-back sweep.
+  static SlabPlan FromFront(
+    const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
+  {
+    const SlabTiles tiles(frustum, slices);
+    const int slabs = tiles.SlabsOf(SlabsFromFront::SlicesOf(frustum));
+    DeviceArray<AnyDevice, Range<int>> dimmed(
+      device, std::size_t(slabs) * std::size_t(frustum.rows), "the plan of a sweep");
+    device->ForIndices(
+      "plan", frustum.rows, MadeDimmedRays{ frustum, slices, slabs, dimmed.Data() });
+    return { device, tiles, slabs,
+      SlabTileIsDimmed{ frustum, tiles, slabs, { dimmed.Data(), frustum.rows } } };
   }
 
   const PhasesOfTiles& Lists() const { return this->Phases.Lists(); }
 
 private:
-  SlabTiles Tiles;
-  int Slabs;
+  template <class Mark>
+  SlabPlan(
+    const std::shared_ptr<AnyDevice>& device, const SlabTiles& tiles, int slabs, const Mark& mark)
+    : Phases(device, tiles.Count(), slabs + 1, mark)
+  {
+  }
+
   PhaseLists<AnyDevice> Phases;
 };
 }

@@ -9,6 +9,7 @@
 #define limpid_sweep_SweepLaunches_h
 
 #include "backend/Extent.h"
+#include "sweep/ActiveLayers.h"
 #include "sweep/RayHere.h"
 #include "sweep/RaySampler.h"
 #include "sweep/SlabImages.h"
@@ -18,44 +19,40 @@ namespace limpid
 {
 namespace detail
 {
-/// Moves a ray through all layers, front to back.
+/// Moves a ray through all layers in which it is active, front to back.
 template <class Ray, class Kernel>
 struct ForwardRay
 {
   FaceFrustum frustum;
   RayStates states;
   Kernel kernel;
+  LayerMasks layers;
 
   LIMPID_HD void operator()(int i, int j) const
   {
     RayHere here;
     StartInFront{ here.States() }(0);
     Ray ray(this->frustum, here.States(), i, j);
-    for (int s = 0; s < this->frustum.lastSlice; ++s)
-    {
-      this->kernel.RayStep(ray, s);
-    }
+    this->layers.FrontToBack(i, j, [&](int s) { this->kernel.RayStep(ray, s); });
     here.Store(this->states.From(this->frustum.RayAt(i, j)));
   }
 };
 
-/// Moves a ray through all layers, back to front.
+/// Moves a ray through all layers in which it is active, back to front.
 template <class Kernel>
 struct BackwardRay
 {
   FaceFrustum frustum;
   RayStates states;
   Kernel kernel;
+  LayerMasks layers;
 
   LIMPID_HD void operator()(int i, int j) const
   {
     RayHere here;
     StartBehind{ here.States() }(0);
     RaySampler ray(this->frustum, here.States(), i, j);
-    for (int s = this->frustum.lastSlice; s-- > 0;)
-    {
-      this->kernel.RayStep(ray, s);
-    }
+    this->layers.BackToFront(i, j, [&](int s) { this->kernel.RayStep(ray, s); });
     FinishBehind{ here.States() }(0);
     const RayStates kept = this->states.From(this->frustum.RayAt(i, j));
     here.opticalDepth = *kept.opticalDepth;
@@ -76,7 +73,7 @@ struct BackToFront
   }
 
   /// Sets the values of a ray before a slab. StartedRay has set them before the first one.
-  LIMPID_HD static LIMPID_INLINE void Load(int, const RayStates& all, int index, RayHere& here)
+  LIMPID_HD static LIMPID_INLINE void Load(const RayStates& all, int index, RayHere& here)
   {
     here.Load(all.From(index));
   }
@@ -111,11 +108,10 @@ struct FrontToBack
     return rays.OpticalDepths();
   }
 
-  LIMPID_HD static LIMPID_INLINE void Load(
-    int slab, const double* opticalDepths, int index, RayHere& here)
+  LIMPID_HD static LIMPID_INLINE void Load(const double* opticalDepths, int index, RayHere& here)
   {
     StartInFront{ here.States() }(0);
-    here.opticalDepth = slab == 0 ? 0.0 : opticalDepths[index];
+    here.opticalDepth = opticalDepths[index];
   }
 
   LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, double* opticalDepths, int index)
@@ -142,6 +138,7 @@ template <class Way, class Kernel>
 struct SweptSlabs
 {
   static constexpr int tileThreads = RayTiles::size.columns * RayTiles::size.rows;
+  static constexpr int residentThreads = 768; ///< per multiprocessor: 80 registers for each
 
   FaceFrustum frustum;
   typename Way::Carried carried;
@@ -149,7 +146,7 @@ struct SweptSlabs
   SlabImages<Kernel> images;
   SlabTiles tiles;
   int slabs;
-  PhasesOfTiles lists; ///< null: all tiles have work in every phase
+  PhasesOfTiles lists;
 
   template <class AnyDevice>
   SweptSlabs(FrustumRays<AnyDevice>& rays, int slices, float* room, const Kernel& what,
@@ -164,19 +161,9 @@ struct SweptSlabs
   {
   }
 
-  int PhaseCount() const { return this->lists.phases ? this->lists.phaseCount : this->slabs + 1; }
-  int MostTiles() const { return this->lists.phases ? this->lists.mostTiles : this->tiles.Count(); }
-
-  /// Returns the tiles with work in a phase.
-  LIMPID_HD LIMPID_INLINE PhaseOfTiles TilesOf(int phase) const
+  /// Returns tile `number` of all tiles in a phase.
+  LIMPID_HD LIMPID_INLINE SlabTile TileOf(const PhaseOfTiles& phase, int number) const
   {
-    return this->lists.phases ? this->lists.phases[phase]
-                              : PhaseOfTiles{ phase, this->tiles.Count(), 0 };
-  }
-
-  LIMPID_HD LIMPID_INLINE SlabTile TileAt(const PhaseOfTiles& phase, int index) const
-  {
-    const int number = this->lists.phases ? this->lists.numbers[phase.first + index] : index;
     return SlabTileAt<typename Way::Slabs>(
       this->frustum, this->tiles, this->slabs, phase.number, number);
   }
@@ -199,7 +186,7 @@ private:
     const int index = this->frustum.RayAt(column, row);
     const bool nearSides = this->frustum.IsNearSides(column, row);
     RayHere here;
-    Way::Load(slab, this->carried, index, here);
+    Way::Load(this->carried, index, here);
     RaySampler ray(this->frustum, here.States(), column, row);
     Way::Cross(Way::Slabs::SlabOf(this->frustum, this->tiles.slicesPerSlab, slab), this->kernel,
       ray, [&](int s) { this->images.Take(s, index, nearSides, here.States()); });
@@ -213,14 +200,15 @@ inline Extent ExtentOfRays(const FaceFrustum& frustum)
 }
 }
 
-/// Front to back: moves every ray through all layers in one launch. `Ray`: the sampler.
+/// Front to back: moves every ray through its layers in one launch. A kernel does nothing in layers
+/// in which a ray is not active. `Ray`: the sampler.
 template <class Ray = RaySampler, class AnyDevice, class Kernel>
 void SweepForward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
 {
   const FaceFrustum& frustum = rays.Plan();
   device.ForEach(Kernel::label, detail::ExtentOfRays(frustum),
-    detail::ForwardRay<Ray, Kernel>{ frustum, rays.States(), kernel });
+    detail::ForwardRay<Ray, Kernel>{ frustum, rays.States(), kernel, rays.Layers() });
 }
 
 /// Back to front without voxels: moves every ray through all layers in one launch. Keeps the
@@ -230,7 +218,7 @@ void SweepRaysBackward(
   AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&, const Kernel& kernel)
 {
   device.ForEach(Kernel::label, detail::ExtentOfRays(rays.Plan()),
-    detail::BackwardRay<Kernel>{ rays.Plan(), rays.States(), kernel });
+    detail::BackwardRay<Kernel>{ rays.Plan(), rays.States(), kernel, rays.Layers() });
 }
 
 /// Back to front over all slices of voxels, for a kernel whose rays do not depend on the changes
@@ -245,7 +233,7 @@ void SweepBackward(
   const int slices = Images::SlicesFor(frustum.RayCount());
   DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slices);
   const detail::SweptSlabs<detail::BackToFront, Kernel> slabs(
-    rays, slices, room.Data(), kernel, rays.Slabs(slices).Lists());
+    rays, slices, room.Data(), kernel, rays.SlabsFromBack(slices).Lists());
   device.ForIndices(
     Kernel::label, frustum.RayCount(), detail::StartedRay<Kernel>{ states, slabs.images });
   device.ForTiles(Kernel::label, slabs);
@@ -253,15 +241,19 @@ void SweepBackward(
     detail::LeavingRay<Kernel>{ frustum, states, kernel });
 }
 
-/// Front to back over all slices, including the source's own.
+/// Front to back over all slices, including the source's own. Visits the tiles of rays and voxels
+/// that have work: voxels behind nothing keep their values.
 template <class AnyDevice, class Kernel>
 void SweepFrontToBack(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
 {
   using Images = detail::SlabImages<Kernel>;
   const int slices = Images::SlicesFor(rays.Plan().RayCount());
   DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slices);
-  device.ForTiles(Kernel::label,
-    detail::SweptSlabs<detail::FrontToBack, Kernel>(rays, slices, room.Data(), kernel, {}));
+  const detail::SweptSlabs<detail::FrontToBack, Kernel> slabs(
+    rays, slices, room.Data(), kernel, rays.SlabsFromFront(slices).Lists());
+  device.ForIndices(Kernel::label, rays.Plan().RayCount(),
+    detail::UndimmedRay<Kernel>{ rays.OpticalDepths(), slabs.images });
+  device.ForTiles(Kernel::label, slabs);
 }
 }
 

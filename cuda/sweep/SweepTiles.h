@@ -52,6 +52,7 @@ template <class Kernel>
 struct BackwardTiles
 {
   static constexpr int tileThreads = RayTiles::size.columns * RayTiles::size.rows;
+  static constexpr int residentThreads = 512; ///< per multiprocessor: 128 registers for each
 
   FaceFrustum frustum;
   RayStates states;
@@ -59,15 +60,6 @@ struct BackwardTiles
   SlabImages<Kernel> images;
   VoxelsOfTiles voxels;
   PhasesOfTiles lists;
-
-  int PhaseCount() const { return this->lists.phaseCount; }
-  int MostTiles() const { return this->lists.mostTiles; }
-
-  /// Returns the tiles with work in a phase.
-  LIMPID_HD LIMPID_INLINE PhaseOfTiles TilesOf(int phase) const
-  {
-    return this->lists.phases[phase];
-  }
 
   /// The work of a tile in a phase, in two steps. It holds no reference to the sweep: a GPU
   /// compiler could not tell that such memory is not local to the thread.
@@ -88,10 +80,9 @@ struct BackwardTiles
     }
   };
 
-  /// Returns tile number `index` of a phase.
-  LIMPID_HD LIMPID_INLINE Tile TileAt(const PhaseOfTiles& phase, int index) const
+  /// Returns tile `number` of all tiles in a phase.
+  LIMPID_HD LIMPID_INLINE Tile TileOf(const PhaseOfTiles& phase, int number) const
   {
-    const int number = this->lists.numbers[phase.first + index];
     const int s = this->frustum.lastSlice - phase.number;
     Tile found{ s, {}, this->voxels.tiles.RowsOf(number), {}, {} };
     if (s >= this->frustum.firstNodeSlice) // otherwise there are only voxels
