@@ -329,6 +329,29 @@ Json MeasureFrame(const SceneForSolver& scene, const Effort& effort)
   result["device_memory"] = device->PeakBytes();
   return result;
 }
+
+/// A whole run, pictures of its result, and frames of the display.
+void MeasureView(const SceneForSolver& scene, const Effort& effort, Json& result,
+  const std::function<void()>& save)
+{
+  try
+  {
+    const std::vector<float> found = MeasureRun(scene, effort, result);
+    MeasurePictures(MakeTestedDevice(), scene, found, effort, result);
+    save();
+    result["frame"] = MeasureFrame(scene, effort);
+  }
+  catch (const std::exception& error)
+  {
+    for (const char* name : { "begin", "run", "download", "picture", "picture_at_rest", "frame" })
+    {
+      if (result[name].contains("missing"))
+      {
+        result[name]["missing"] = error.what();
+      }
+    }
+  }
+}
 }
 
 Json MeasureDevice(const Effort& effort)
@@ -350,53 +373,49 @@ Json MeasureDevice(const Effort& effort)
   return result;
 }
 
-void MeasureScene(const SceneForSolver& scene, const Effort& effort, Json& result,
-  const std::function<void()>& save)
+void MeasureScene(const SceneForSolver& scene, const Effort& effort,
+  const std::vector<std::string>& parts, Json& result, const std::function<void()>& save)
 {
   result = { { "scene", scene.name }, { "nodes", scene.grid.nodes.x },
     { "directions", effort.directions } };
   for (const char* name : { "policy", "begin", "run", "download", "picture", "picture_at_rest",
          "frame", "prepare", "plan", "upload", "adam", "processor", "sphere" })
   {
-    result[name]["missing"] = "No time was left.";
+    result[name]["missing"] = "Not measured: no time was left, or not asked for.";
   }
+  // Saves what part `name` has found, or why it could not.
+  const auto measure = [&](const char* name, const std::function<void()>& work)
+  {
+    if (!parts.empty() && std::find(parts.begin(), parts.end(), name) == parts.end())
+    {
+      return;
+    }
+    try
+    {
+      work();
+    }
+    catch (const std::exception& error)
+    {
+      result[name] = { { "missing", error.what() } };
+    }
+    save();
+  };
   result["filled"] = 0;
-  result["policy"] = Try(
+  measure("policy",
     [&]
     {
       const Prepared prepared(scene, Settings());
-      return MeasureIterations(prepared, PolicyTraffic(prepared.problem), effort);
+      result["policy"] = MeasureIterations(prepared, PolicyTraffic(prepared.problem), effort);
     });
-  save();
-  try
-  {
-    const std::vector<float> found = MeasureRun(scene, effort, result);
-    MeasurePictures(MakeTestedDevice(), scene, found, effort, result);
-    save();
-    result["frame"] = MeasureFrame(scene, effort);
-  }
-  catch (const std::exception& error)
-  {
-    for (const char* name : { "begin", "run", "download", "picture", "picture_at_rest", "frame" })
-    {
-      if (result[name].contains("missing"))
-      {
-        result[name]["missing"] = error.what();
-      }
-    }
-  }
-  save();
-  MeasureSetUp(scene, effort, result);
-  result["adam"] = Try(
+  measure("frame", [&] { MeasureView(scene, effort, result, save); });
+  measure("set-up", [&] { MeasureSetUp(scene, effort, result); });
+  measure("adam",
     [&]
     {
       const Prepared prepared(scene, OfAdam());
-      return MeasureIterations(prepared, AdamTraffic(prepared.problem), effort);
+      result["adam"] = MeasureIterations(prepared, AdamTraffic(prepared.problem), effort);
     });
-  save();
-  result["processor"] = Try([&] { return MeasureProcessor(scene, effort); });
-  save();
-  result["sphere"] = Try([&] { return MeasureSphere(scene, effort); });
-  save();
+  measure("processor", [&] { result["processor"] = MeasureProcessor(scene, effort); });
+  measure("sphere", [&] { result["sphere"] = MeasureSphere(scene, effort); });
 }
 }

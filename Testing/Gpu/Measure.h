@@ -36,9 +36,10 @@ struct Effort
 /// Name and copy rate of the GPU.
 Json MeasureDevice(const Effort& effort);
 
-/// All steps of a scene, what matters most first; `save` is called after each.
-void MeasureScene(const SceneForSolver& scene, const Effort& effort, Json& result,
-  const std::function<void()>& save);
+/// Measures steps of a scene, what matters most first; `save` is called after each. `parts`: some
+/// of policy, frame, set-up, adam, processor, sphere; empty: all.
+void MeasureScene(const SceneForSolver& scene, const Effort& effort,
+  const std::vector<std::string>& parts, Json& result, const std::function<void()>& save);
 
 /// What `measure` returns, or why it could not.
 template <class Work>

@@ -5,9 +5,10 @@
 //
 //   limpid_bench_gpu [--sizes 256,304,472] [--scenes onion,dense,waves] [--quick] [--along-x]
 //     [--files A.scene.json,B.scene.json] [--output FILE.json] [--append]
+//     [--parts policy,frame,set-up,adam,processor,sphere]
 //
 // With --files those scenes (pack-scenes.py) instead of formulas. --along-x looks along
-// that axis.
+// that axis. --parts: what to measure, everything by default.
 // Writes FILE.json after every part of a scene, or the numbers to standard output. With --append
 // the scenes of an earlier run stay in FILE.json, and the device is measured only if there is none.
 
@@ -57,7 +58,7 @@ int main(int argc, char* argv[])
   using namespace limpid::benchmark;
   return RunProgram(argc, argv,
     { { "sizes", "256,304,472" }, { "scenes", "onion,dense,waves" }, { "along-x", "no" },
-      { "files", "" }, { "append", "no" } },
+      { "files", "" }, { "append", "no" }, { "parts", "" } },
     [](const Options& options, Json& results, const std::function<void()>& save)
     {
       LIMPID_REQUIRE(FindCuda().usable,
@@ -80,7 +81,7 @@ int main(int argc, char* argv[])
           scene.name += " along x";
         }
         std::cerr << scene.name << ' ' << scene.grid.nodes.x << std::endl;
-        MeasureScene(scene, effort, results["scenes"].emplace_back(), save);
+        MeasureScene(scene, effort, options.List("parts"), results["scenes"].emplace_back(), save);
       };
       const std::vector<std::string> files = options.List("files");
       for (const std::string& file : files)
