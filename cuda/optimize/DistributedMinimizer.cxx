@@ -331,12 +331,9 @@ struct WiderField
   FieldWithin nodes;
 
   WiderField(const ScenePiece& piece, const ScenePiece& wider, const float* field)
-    : values(wider.nodes.Count())
+    : values(FieldIn(*piece.ranks, piece.nodes, piece.owned, wider.boxes, There(field)))
     , nodes{ this->values.Data(), Within(wider.nodes) }
   {
-    Spread(*piece.ranks, FieldView::Part(const_cast<float*>(There(field)), piece.nodes),
-      RegionsOf(piece.owned), FieldView::Part(this->values.Data(), wider.nodes),
-      RegionsOf(wider.boxes));
   }
 };
 

@@ -12,22 +12,16 @@ Neighbourhood::Neighbourhood(const Communicator& ranks, const Grid& grid,
   : All(&ranks)
   , Nodes(grid)
   , Own(boxes[std::size_t(ranks.Rank())])
-  , Had(RegionsOf(owned))
+  , Owned(owned)
+  , Wanted(WithGhosts(boxes, 1, grid.nodes))
 {
-  for (const NodeBox& box : boxes)
-  {
-    this->Needed.push_back({ box.Grown(1, grid.nodes) });
-  }
-  this->Box = this->Needed[std::size_t(ranks.Rank())].front();
+  this->Box = this->Wanted[std::size_t(ranks.Rank())];
   this->Nodes.nodes = this->Box.Size();
 }
 
 NodeValues Neighbourhood::Extended(const float* field) const
 {
-  NodeValues values(this->Box.Count());
-  Spread(*this->All, FieldView::Part(const_cast<float*>(field), this->Own), this->Had,
-    FieldView::Part(values.Data(), this->Box), this->Needed);
-  return values;
+  return FieldIn(*this->All, this->Own, this->Owned, this->Wanted, field);
 }
 
 NodeValues Neighbourhood::Inside(const float* field) const

@@ -37,8 +37,8 @@ private:
   Grid Nodes;
   NodeBox Own;
   NodeBox Box; ///< with the ghost nodes
-  std::vector<Region> Had;
-  std::vector<Region> Needed;
+  std::vector<NodeBox> Owned;
+  std::vector<NodeBox> Wanted; ///< [rank]: boxes with the ghost nodes
 };
 }
 

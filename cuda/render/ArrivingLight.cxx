@@ -3,8 +3,6 @@
 
 #include "render/ArrivingLight.h"
 
-#include "distributed/ExchangePlan.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,20 +13,6 @@ namespace
 double LargestOf(const Vec3& spacing)
 {
   return std::max({ spacing.x, spacing.y, spacing.z });
-}
-
-/// Returns the boxes of all ranks with the nodes around them.
-std::vector<NodeBox> BoxesAround(const ScenePiece& piece, const Grid& whole, double length)
-{
-  const Vec3& spacing = whole.spacing;
-  const double cells = std::ceil(length / std::min({ spacing.x, spacing.y, spacing.z })) + 1;
-  const int most = std::max({ whole.nodes.x, whole.nodes.y, whole.nodes.z });
-  std::vector<NodeBox> boxes;
-  for (const NodeBox& box : piece.boxes)
-  {
-    boxes.push_back(box.Grown(static_cast<int>(std::min(cells, double(most))), whole.nodes));
-  }
-  return boxes;
 }
 }
 
@@ -47,13 +31,11 @@ ArrivingNode ArrivingOn(const Grid& grid, const Vec3& cell, const RaySource& lig
   return body;
 }
 
-FieldAround::FieldAround(
-  const ScenePiece& piece, const Grid& whole, const ArrivingNode& body, const float* field)
+int ArrivingNode::LayersRead() const
 {
-  const std::vector<NodeBox> boxes = BoxesAround(piece, whole, body.ownLength);
-  this->box = boxes[std::size_t(piece.ranks->Rank())];
-  this->values.resize(std::size_t(this->box.Count()));
-  Spread(*piece.ranks, FieldView::Part(const_cast<float*>(field), piece.nodes),
-    RegionsOf(piece.owned), FieldView::Part(this->values.data(), this->box), RegionsOf(boxes));
+  const Vec3& cell = this->spacing;
+  const double layers = std::ceil(this->ownLength / std::min({ cell.x, cell.y, cell.z })) + 1;
+  const int most = std::max({ this->nodes.x, this->nodes.y, this->nodes.z });
+  return static_cast<int>(std::min(layers, double(most)));
 }
 }

@@ -6,12 +6,11 @@
 #ifndef limpid_render_ArrivingLight_h
 #define limpid_render_ArrivingLight_h
 
-#include "distributed/ScenePiece.h"
 #include "math/Vec.h"
 #include "render/SingleSampler.h"
+#include "scene/Grid.h"
+#include "scene/NodeBox.h"
 #include "scene/RaySource.h"
-
-#include <vector>
 
 namespace limpid
 {
@@ -68,6 +67,9 @@ struct ArrivingNode
     this->cells = CellGrid(this->size);
     this->nodes = whole;
   }
+
+  /// Returns the number of layers of nodes around the result that are read.
+  int LayersRead() const;
 
 private:
   /// `here`: the transmittance at the node.
@@ -159,17 +161,6 @@ private:
 /// Returns the computation for all nodes of a grid, but for the fields. `cell`: spacing of the
 /// nodes of the scalars [length]; the grid of the shadows may be coarser.
 ArrivingNode ArrivingOn(const Grid& grid, const Vec3& cell, const RaySource& light);
-
-/// A field of the nodes of a rank and of so many of its neighbours as ArrivingNode reads.
-struct FieldAround
-{
-  NodeBox box;
-  std::vector<float> values;
-
-  /// `field`: of the piece's nodes. Collective.
-  FieldAround(
-    const ScenePiece& piece, const Grid& whole, const ArrivingNode& body, const float* field);
-};
 }
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef limpid_render_RenderPasses_h
 #define limpid_render_RenderPasses_h
 
+#include "distributed/ExchangePlan.h"
 #include "optimize/AxisFilter.h"
 #include "optimize/DistributedMinimizer.h"
 #include "optimize/Levels.h"
@@ -406,10 +407,16 @@ private:
     {
       if (this->Piece && !this->CoversAllRanks)
       {
-        const FieldAround casts(*this->Piece, this->Whole, body, opaque);
-        const FieldAround lit(*this->Piece, this->Whole, body, transmittance);
-        body.Within(lit.box, this->Piece->nodes, this->Whole.nodes);
-        this->FindArrivingFrom(body, nodes, casts.values.data(), lit.values.data());
+        const ScenePiece& piece = *this->Piece;
+        body.nodes = this->Whole.nodes;
+        const std::vector<NodeBox> wanted =
+          WithGhosts(piece.boxes, body.LayersRead(), this->Whole.nodes);
+        const auto bring = [&](const float* field)
+        { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
+        const NodeValues casts = bring(opaque);
+        const NodeValues lit = bring(transmittance);
+        body.Within(wanted[std::size_t(piece.ranks->Rank())], piece.nodes, this->Whole.nodes);
+        this->FindArrivingFrom(body, nodes, casts.Data(), lit.Data());
         return;
       }
     }

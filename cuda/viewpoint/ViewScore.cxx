@@ -43,26 +43,16 @@ double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
   const ScenePiece& piece = *viewed.piece;
   const std::vector<NodeBox> slabs = EvenSlabs(*piece.ranks, grid.nodes);
   const NodeBox own = slabs[std::size_t(piece.ranks->Rank())];
-  const NodeBox around = own.Grown(1, grid.nodes);
-  std::vector<Region> needed = RegionsOf(slabs);
-  for (Region& region : needed)
-  {
-    region.front() = region.front().Grown(1, grid.nodes);
-  }
+  const std::vector<NodeBox> wanted = WithGhosts(slabs, 1, grid.nodes);
   const auto bring = [&](const float* field)
-  {
-    std::vector<float> values(std::size_t(around.Count()));
-    Spread(*piece.ranks, FieldView::Part(const_cast<float*>(field), piece.nodes),
-      RegionsOf(piece.owned), FieldView::Part(values.data(), around), needed);
-    return values;
-  };
-  const std::vector<float> bases = bring(base);
-  const std::vector<float> importances = bring(viewed.importance);
+  { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
+  const NodeValues bases = bring(base);
+  const NodeValues importances = bring(viewed.importance);
   std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z), 0.0);
   if (!own.Empty())
   {
-    FillRowsOfImportantExtinction(
-      grid, around.along[2], own.along[2], bases.data(), importances.data(), rows.data());
+    FillRowsOfImportantExtinction(grid, own.Grown(1, grid.nodes).along[2], own.along[2],
+      bases.Data(), importances.Data(), rows.data());
   }
   piece.ranks->Gather(rows.data(), rows.size());
   return SumOfRows(grid, rows);
