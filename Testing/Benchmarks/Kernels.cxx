@@ -241,8 +241,8 @@ public:
     ExactDifferences moved;
     SweepPolicy(*HostDevice::Shared(), this->Energy.cameras.front(), this->Given,
       this->Energy.Fields(),
-      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, Transmittance::OfLastIterate,
-        Kept::Counted },
+      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, this->Energy.Pulls(),
+        Transmittance::OfLastIterate, Kept::Counted },
       moved);
   }
 

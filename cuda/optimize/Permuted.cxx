@@ -115,11 +115,11 @@ public:
     this->Inside.importance = this->Fields->importance.Data();
     this->Inside.nodeImportance = this->Fields->nodeImportance.Data();
     this->Inside.occupancy = this->Fields->occupancy;
-    if (problem.previous)
+    for (Pull& pull : this->Inside.furtherPulls)
     {
-      this->Before = this->Room();
-      Permute(this->Nodes, order, problem.previous, this->Before.data());
-      this->Inside.previous = this->Before.data();
+      this->References.push_back(this->Room());
+      Permute(this->Nodes, order, pull.reference, this->References.back().data());
+      pull.reference = this->References.back().data();
     }
   }
 
@@ -156,8 +156,8 @@ private:
 
   Grid Nodes; ///< of the original problem
   std::shared_ptr<const PermutedFields> Fields;
-  Problem Inside;            ///< the permuted problem
-  std::vector<float> Before; ///< permuted reference extinction; empty if none
+  Problem Inside;                             ///< the permuted problem
+  std::vector<std::vector<float>> References; ///< of its further pulls
 };
 }
 

@@ -201,7 +201,7 @@ private:
   /// however.
   bool SweepsEmphasise() const
   {
-    return this->Warm || this->IsHardlyThick() || this->Given->previous != nullptr;
+    return this->Warm || this->IsHardlyThick() || !this->Given->furtherPulls.empty();
   }
 
   bool IsHardlyThick() const { return this->Given->MostNodeDepth() < hardlyThick; }
@@ -533,9 +533,9 @@ private:
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
       { last, turn.smoothing > 0 ? this->Lagged.WithPull(turn, last) : this->Lagged.Data(), next,
-        this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Proximal.Proximity(),
-        turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous(),
-        this->SweepsEmphasise(), this->Energy.OnRanks() },
+        this->Energy.WeightOf(*turn.swept), this->PullsOf(turn, last), turn.transmittance, kept,
+        turn.weighs ? alternative : nullptr, turn.reach, this->SweepsEmphasise(),
+        this->Energy.OnRanks() },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
@@ -553,13 +553,25 @@ private:
     this->Energy.TakeSeen(*turn.swept, kept);
   }
 
-  /// Returns the reference with the stronger pull: the base or the previous result.
+  /// Returns the pulls of a sweep: those of the energy, a proximal step, and smoothing.
+  std::vector<Pull> PullsOf(const Turn& turn, const float* last) const
+  {
+    std::vector<Pull> pulls = this->Energy.Pulls();
+    if (this->Proximal.Proximity() > 0)
+    {
+      pulls.push_back({ last, RegularizationOf(*this->Given) * this->Proximal.Proximity() });
+    }
+    pulls.push_back({ this->Energy.Fields().base.Data(), turn.smoothing });
+    return pulls;
+  }
+
+  /// Returns the reference with the strongest pull, which costs least to stay at.
   const float* Cheapest() const
   {
-    const Problem& problem = *this->Given;
-    return problem.CoherenceWeight() > problem.RegularizationWeight()
-      ? this->Energy.Previous()
-      : this->Energy.Fields().base.Data();
+    const std::vector<Pull>& pulls = this->Energy.Pulls();
+    return std::max_element(pulls.begin(), pulls.end(),
+      [](const Pull& one, const Pull& other) { return one.weight < other.weight; })
+      ->reference;
   }
 
   static constexpr double hardlyThick = 0.6; ///< optical depth from node to node

@@ -104,7 +104,11 @@ private:
     const Problem& problem = *this->Given;
     const double radius = problem.grid.Radius();
     const double diameter = radius * problem.majorant;
-    const double change = problem.NormalisedRegularization() + problem.CoherenceWeight() / radius;
+    double change = problem.NormalisedRegularization();
+    for (const Pull& pull : problem.furtherPulls)
+    {
+      change += pull.weight / radius;
+    }
     return this->Energy->WeightOf(swept) < change * diameter * diameter;
   }
 

@@ -275,17 +275,28 @@ Problem PreparedScene::ProblemForScores(
   return task;
 }
 
-CarriedExtinction PreparedScene::StayedNear(
-  const CarriedChange& before, const Camera& camera, const Light& light, Problem& problem) const
+std::vector<PullWithReferences> PreparedScene::PullsFor(const CarriedChange& before,
+  const Problem& problem, const Camera& camera, const Light& light) const
 {
-  problem.nearness = before.NearnessTo(camera, light, problem.settings);
-  if (!(problem.settings.temporalCoherence * problem.nearness > 0))
+  std::vector<PullWithReferences> pulls;
+  const auto add = [&](const CarriedChange& change, double share, SummandOf summand)
   {
-    return {};
-  }
-  CarriedExtinction near = AppliedTo(this->Fields, this->LargestExtinction, before);
-  problem.TakeIntoBounds(near.extinction);
-  problem.TakeIntoBounds(near.light);
-  return near;
+    if (!(share > 0))
+    {
+      return;
+    }
+    CarriedExtinction near = AppliedTo(this->Fields, this->LargestExtinction, change);
+    const Communicator* ranks = this->Fields.piece ? this->Fields.piece->ranks.get() : nullptr;
+    if (AnyRank(ranks, !near.extinction.empty())) // a subdomain may be empty
+    {
+      problem.TakeIntoBounds(near.extinction);
+      problem.TakeIntoBounds(near.light);
+      pulls.push_back({ std::move(near), share, summand });
+    }
+  };
+  const Settings& settings = problem.settings;
+  add(before, settings.temporalCoherence * before.NearnessTo(camera, light, settings),
+    [](Energy& energy) -> double& { return energy.coherence; });
+  return pulls;
 }
 }

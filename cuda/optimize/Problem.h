@@ -7,6 +7,7 @@
 #include "distributed/ScenePiece.h"
 #include "distributed/Slab.h"
 #include "optimize/FoundExtinction.h"
+#include "optimize/Pulls.h"
 #include "optimize/Settings.h"
 #include "scene/FieldView.h"
 #include "scene/Grid.h"
@@ -44,11 +45,9 @@ struct Problem
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
   std::shared_ptr<const ScenePiece> piece;    ///< this rank's subdomain; null for one process
   std::shared_ptr<DistributedFields>
-    shared;                        ///< fields of a distributed problem; null for one process
-  float majorant = 0;              ///< upper bound of the extinction [1/length]
-  double nearness = 1;             ///< see CarriedChange::NearnessTo
-  const float* previous = nullptr; ///< reference extinction, to which coherence pulls [1/length];
-                                   ///< null if none
+    shared;                       ///< fields of a distributed problem; null for one process
+  float majorant = 0;             ///< upper bound of the extinction [1/length]
+  std::vector<Pull> furtherPulls; ///< beside the regularisation
   RaySource camera;
   std::vector<RaySource> otherCameras; ///< see Settings::otherCameras
   RaySource light;
@@ -69,9 +68,11 @@ struct Problem
     return this->NormalisedRegularization() * this->grid.Radius();
   }
 
-  /// t of Settings::temporalCoherence in world units [length]. With temporalCoherence 1, a pull
-  /// through the whole range of a voxel balances all visibility. 0 without a reference extinction.
-  double CoherenceWeight() const;
+  /// Returns all pulls: first the regularisation, which pulls to the base extinction.
+  std::vector<Pull> Pulls() const;
+
+  /// Sets the further pulls. `pulls` must outlive their use.
+  void DrawTo(const std::vector<PullWithReferences>& pulls, bool forTheLight);
 
   /// Uses the fields of a distributed problem.
   void Use(const std::shared_ptr<DistributedFields>& fields);
@@ -109,9 +110,9 @@ struct Problem
   /// through its whole range as strongly as all visibility does.
   double SmoothingStrength() const;
 
-  /// Returns 1/2 weight sum (mu - other)^2 dx [length^2], given the sum. With the weight of the
-  /// regularisation and the base extinction it is F_p of Eq. (22) in world units.
-  double Regularization(double weight, double squares) const;
+  /// Returns the energy of a pull, 1/2 weight sum (mu - reference)^2 dx [length^2], given the sum.
+  /// That of the regularisation is F_p of Eq. (22) in world units.
+  double EnergyOf(const Pull& pull, double squares) const;
 
   /// Clamps an extinction to its bounds, see ExtinctionBounds, and sets it to 0 where the scene is
   /// empty.
@@ -128,8 +129,8 @@ struct Problem
   double MeanChange(double changes) const;
 
 private:
-  /// Returns the weight of a squared difference of extinctions at which moving a voxel through its
-  /// whole range costs the given share of the visibility terms [length].
+  /// Returns the weight of a pull at which moving a voxel through its whole range costs the given
+  /// share of the visibility terms [length].
   double WeightOfRange(double share) const;
 };
 

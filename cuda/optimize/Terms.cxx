@@ -46,7 +46,7 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
   : Given(&problem)
   , Device(std::move(device))
   , Scene(ProblemFields<AnyDevice>::Of(this->Device, problem))
-  , Before(PreviousOf(this->Device, problem))
+  , Drawn(this->Device, problem, this->Scene->base.Data())
   , Add(this->Device)
   , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, 1, "sums"))
 {
@@ -94,14 +94,13 @@ void Terms<AnyDevice>::ShareFields()
     this->Shared = std::make_unique<const FieldDistribution>(*shared.ranks, this->Given->grid.nodes,
       terms, *this->Given->occupancy, shared.inSlabs, shared.places);
     std::vector<FieldDistribution::Input> inputs;
-    for (DistributedFields::Field* field :
-      { &shared.base, &shared.importance, &shared.nodeImportance, &shared.previous })
-    {
-      if (!field->values.Empty())
-      {
-        inputs.push_back({ field->piece, field->values.Data() });
-      }
-    }
+    const auto add = [&inputs](DistributedFields::Field& field) {
+      inputs.push_back({ field.piece, field.values.Data() });
+    };
+    add(shared.base);
+    add(shared.importance);
+    add(shared.nodeImportance);
+    std::for_each(shared.references.begin(), shared.references.end(), add);
     this->Shared->FromPieces(shared.pieces, inputs);
   }
 }
@@ -376,41 +375,51 @@ void Terms<AnyDevice>::Sum()
     {
       seen.term->Sum(this->SumOf(*seen.term), seen.kept);
     }
-    if (taken.extinction)
+    for (std::size_t i = 0; taken.extinction && i < this->Pulls().size(); ++i)
     {
       // In distributed runs no rank holds the whole base extinction.
-      const float* base = this->Given->baseExtinction;
-      sums->moved.squares =
-        taken.extinction == base ? 0.0 : this->Given->SquaresFrom(base, taken.extinction);
-      sums->moved.squaresFromPrevious =
-        this->Previous() ? this->Given->SquaresFrom(this->Previous(), taken.extinction) : 0.0;
+      const float* reference = this->Pulls()[i].reference;
+      sums->moved.squares[i] =
+        taken.extinction == reference ? 0.0 : this->Given->SquaresFrom(reference, taken.extinction);
     }
   }
   else
   {
-    SumsOfSeen byCamera;
-    SumsOfSeen byLight;
-    for (const typename Taken::OfTerm& seen : taken.seen)
-    {
-      Seen* sum = this->SumOf(*seen.term);
-      const SumsOfSeen by = seen.term->SumsInto(sum, seen.kept);
-      if (sum == &sums->camera || sum == &sums->light)
-      {
-        (sum == &sums->camera ? byCamera : byLight) = by;
-        continue;
-      }
-      this->Add("sums", by.all.visible, by.all.unattenuated, by.kept.visible, by.kept.unattenuated);
-    }
-    const Index nodes = this->Given->grid.NodeCount();
-    this->Add("sums", byCamera.all.visible, byCamera.all.unattenuated, byCamera.kept.visible,
-      byCamera.kept.unattenuated, byLight.all.visible, byLight.all.unattenuated,
-      Summand<AbsoluteChange>{
-        { taken.extinction, taken.last }, nodes, taken.last ? &sums->moved.changes : nullptr },
-      Summand<SquaredDifference>{ { taken.extinction, this->Scene->base.Data() }, nodes,
-        taken.extinction ? &sums->moved.squares : nullptr },
-      Summand<SquaredDifference>{ { taken.extinction, this->Previous() }, nodes,
-        taken.extinction && this->Previous() ? &sums->moved.squaresFromPrevious : nullptr });
+    this->SumOnGpu(taken, std::make_index_sequence<1 + mostReferences>());
   }
+}
+
+template <class AnyDevice>
+template <std::size_t... Numbers>
+void Terms<AnyDevice>::SumOnGpu(const Taken& taken, std::index_sequence<Numbers...>)
+{
+  TermSums* sums = this->Sums();
+  SumsOfSeen byCamera;
+  SumsOfSeen byLight;
+  for (const typename Taken::OfTerm& seen : taken.seen)
+  {
+    Seen* sum = this->SumOf(*seen.term);
+    const SumsOfSeen by = seen.term->SumsInto(sum, seen.kept);
+    if (sum == &sums->camera || sum == &sums->light)
+    {
+      (sum == &sums->camera ? byCamera : byLight) = by;
+      continue;
+    }
+    this->Add("sums", by.all.visible, by.all.unattenuated, by.kept.visible, by.kept.unattenuated);
+  }
+  const Index nodes = this->Given->grid.NodeCount();
+  const auto squares = [&](std::size_t number)
+  {
+    const bool isPull = taken.extinction && number < this->Pulls().size();
+    return Summand<SquaredDifference>{ { taken.extinction,
+                                         isPull ? this->Pulls()[number].reference : nullptr },
+      nodes, isPull ? &sums->moved.squares[number] : nullptr };
+  };
+  this->Add("sums", byCamera.all.visible, byCamera.all.unattenuated, byCamera.kept.visible,
+    byCamera.kept.unattenuated, byLight.all.visible, byLight.all.unattenuated,
+    Summand<AbsoluteChange>{
+      { taken.extinction, taken.last }, nodes, taken.last ? &sums->moved.changes : nullptr },
+    squares(Numbers)...);
 }
 
 template <class AnyDevice>
@@ -422,8 +431,11 @@ IterationRecord Terms<AnyDevice>::Record()
   const Weights& weights = this->Given->settings.weights;
   IterationRecord record;
   const Problem& problem = *this->Given;
-  record.energy.regularization =
-    problem.Regularization(problem.RegularizationWeight(), sums.moved.squares); // Eq. (22)
+  for (std::size_t i = 0; i < this->Pulls().size(); ++i)
+  {
+    const Pull& pull = this->Pulls()[i];
+    pull.summand(record.energy) += problem.EnergyOf(pull, sums.moved.squares[i]); // Eq. (22)
+  }
   double visible = 0;
   for (const Seen& seen : byCameras)
   {
@@ -431,8 +443,6 @@ IterationRecord Terms<AnyDevice>::Record()
   }
   record.energy.view = -weights.view * (visible / problem.NumberOfCameras()); // Eq. (23)
   record.energy.light = -weights.light * sums.light.all.visible;              // Eq. (24)
-  record.energy.coherence =
-    problem.Regularization(problem.CoherenceWeight(), sums.moved.squaresFromPrevious);
   if (!this->Base.empty())
   {
     std::vector<Score> scores;

@@ -12,6 +12,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace limpid
@@ -21,7 +22,7 @@ struct TermSums
 {
   Seen camera;       ///< of the first camera
   Seen light;        ///< kept base extinction is not counted
-  Differences moved; ///< distances from the base extinction and the last iterate
+  Differences moved; ///< distances from the references of pulls and from the last iterate
 };
 
 /// The visibility terms of a problem's energy, one per camera and one for the light. Terms of
@@ -91,7 +92,7 @@ public:
   /// Includes the last sweep of a term's rays in the next record.
   void TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept);
 
-  /// Includes the distances of an extinction from the base and, if not null, from `last`.
+  /// Includes the distances of an extinction from all references and, if not null, from `last`.
   void TakeMoved(const float* extinction, const float* last);
 
   /// Sums the magnitudes of changes immediately, for the next record.
@@ -123,8 +124,9 @@ public:
   /// Redistributes values changed in the slabs to all ranks that need them.
   void ShareSlabs(float* extinction) const;
 
-  /// The reference extinction, see Problem::previous; null if none.
-  const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }
+  /// All pulls of the problem, with references on the device.
+  const std::vector<Pull>& Pulls() const { return this->Drawn.All(); }
+
   const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
 
   std::deque<VisibilityTerm<AnyDevice>> cameras; ///< at fixed addresses; empty without weight
@@ -153,6 +155,8 @@ private:
 
   /// Sums what was included, on a device in one launch.
   void Sum();
+  template <std::size_t... Numbers>
+  void SumOnGpu(const Taken& taken, std::index_sequence<Numbers...> numbersOfPulls);
 
   /// Return the sums. Wait.
   TermSums ReadSums();
@@ -171,7 +175,7 @@ private:
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
-  BorrowedArray<AnyDevice, float> Before;          ///< see Problem::previous; empty if null
+  PullsOnDevice<AnyDevice> Drawn;
   std::unique_ptr<const FieldDistribution> Shared; ///< on processors only
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
