@@ -64,7 +64,7 @@ template <class Real>
 struct PullsAtVoxels
 {
   Real toBase;                            ///< sum of the weights of pulls to the base [length]
-  const Real* references[mostReferences]; ///< null: no pull [1/length]
+  const Real* references[mostReferences]; ///< the base where there is no pull [1/length]
   Real weights[mostReferences];           ///< [length]
 
   static PullsAtVoxels Of(const std::vector<Pull>& pulls, const float* base)
@@ -74,7 +74,7 @@ struct PullsAtVoxels
     at.toBase = static_cast<Real>(given.toBase);
     for (std::size_t i = 0; i < mostReferences; ++i)
     {
-      at.references[i] = given.references[i];
+      at.references[i] = given.references[i] ? given.references[i] : base;
       at.weights[i] = static_cast<Real>(given.weights[i]);
     }
     return at;
@@ -87,8 +87,9 @@ struct PullsAtVoxels
     Real sum = slope + this->toBase * (now - base);
     for (std::size_t i = 0; i < mostReferences; ++i)
     {
-      const Real* reference = this->references[i];
-      sum += reference ? this->weights[i] * (now - reference[voxel]) : Real(0);
+      // Selected rather than branched to, so that the loop over voxels vectorises.
+      const Real pull = this->weights[i] * (now - this->references[i][voxel]);
+      sum += this->weights[i] > 0 ? pull : Real(0);
     }
     return sum;
   }
