@@ -136,7 +136,7 @@ TEST_P(Pulled, PreviewsEndAtAStrongReference)
   std::vector<float> found = scene.extinction;
 
   const std::shared_ptr<SolverBackend> backend = this->Backend();
-  backend->SweepsFrom(problem, problem.camera)->SweepPolicyOnce(10, found);
+  backend->SweepsFrom(problem, problem.Camera())->SweepPolicyOnce(10, found);
 
   for (std::size_t node = 0; node < found.size(); ++node)
   {

@@ -59,12 +59,10 @@ CoarseProblem::CoarseProblem(const Problem& given, int factor)
     this->References.push_back(this->Restricted(pull.reference, problem.grid));
   }
   given.shared ? this->ShareFields() : this->UseFields();
-  problem.camera = Rescaled(given.camera, given.grid, problem.grid);
-  for (RaySource& other : problem.otherCameras)
+  for (TermSource& source : problem.sources)
   {
-    other = Rescaled(other, given.grid, problem.grid);
+    source.rays = Rescaled(source.rays, given.grid, problem.grid);
   }
-  problem.light = Rescaled(given.light, given.grid, problem.grid);
 }
 
 std::vector<float> CoarseProblem::ChangedOn(

@@ -165,12 +165,10 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order)
 {
   Problem reordered = problem;
   reordered.grid = order.Of(problem.grid);
-  reordered.camera = order.Of(problem.camera);
-  for (RaySource& other : reordered.otherCameras)
+  for (TermSource& source : reordered.sources)
   {
-    other = order.Of(other);
+    source.rays = order.Of(source.rays);
   }
-  reordered.light = order.Of(problem.light);
   reordered.resident = nullptr; // cached data are in the original order
   return reordered;
 }
@@ -178,8 +176,8 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order)
 AxisPermutation OrderFor(const Problem& problem)
 {
   const Weights& weights = problem.settings.weights;
-  const int camera = DepthAxisOf(problem.camera, problem.grid);
-  const int light = DepthAxisOf(problem.light, problem.grid);
+  const int camera = DepthAxisOf(problem.Camera(), problem.grid);
+  const int light = DepthAxisOf(problem.Light(), problem.grid);
   const int last = weights.view > 0 ? camera : light;
   const int avoided = weights.light > 0 ? light : last;
   int first = 0;

@@ -61,9 +61,9 @@ public:
   {
     this->Lowest = this->MeasureFirst();
     this->LastEnergy = this->FirstEnergy = this->Lowest.energy.Total();
-    for (const Term* term : this->Energy.All())
+    for (const Term& term : this->Energy.all)
     {
-      this->Seeing.Add(*term);
+      this->Seeing.Add(term);
     }
     this->Proximal.BeginAt(this->Lowest.energy.Total());
     return this->Lowest;
@@ -192,7 +192,7 @@ public:
   }
 
 private:
-  using Term = VisibilityTerm<AnyDevice>;
+  using Term = EnergyTerm<AnyDevice>;
   using Turn = PolicyTurn<AnyDevice>;
 
   /// Returns whether policy sweeps may also raise extinction. In thick media they may not, since
@@ -525,15 +525,15 @@ private:
   void SweepOnce(const Turn& turn, const float* last, float* next)
   {
     ExactDifferences moved;
-    const bool scored = this->Energy.IsOfCamera(*turn.swept) && this->Given->tellsScores;
+    const bool scored = turn.swept->IsOfCamera() && this->Given->tellsScores;
     const Kept kept = scored ? Kept::Counted : Kept::Ignored;
     const bool afterCamera = this->Count > 1 &&
       std::any_of(turn.others.begin(), turn.others.end(),
-        [this](const Term* other) { return this->Energy.IsOfCamera(*other); });
+        [](const Term* other) { return other->IsOfCamera(); });
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
       { last, turn.smoothing > 0 ? this->Lagged.WithPull(turn, last) : this->Lagged.Data(), next,
-        this->Energy.WeightOf(*turn.swept), this->PullsOf(turn, last), turn.transmittance, kept,
+        turn.swept->Weight(), this->PullsOf(turn, last), turn.transmittance, kept,
         turn.weighs ? alternative : nullptr, turn.reach, this->SweepsEmphasise(),
         this->Energy.OnRanks() },
       moved);
@@ -544,7 +544,7 @@ private:
         moved.SumOver(ranks->Ranks());
         ranks->Share(next, &turn.swept->Frusta());
       }
-      this->Energy.Sums()->moved = moved.Values();
+      *this->Energy.Moved() = moved.Values();
     }
     else
     {

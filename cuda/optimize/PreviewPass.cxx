@@ -93,8 +93,8 @@ void PreviewPass::MakeByPolicy(const Settings& settings)
   if (forLight)
   {
     this->Given.DrawTo(this->Pulls, separate);
-    Sweep(
-      this->Given, *this->Backend->SweepsFrom(this->Given, this->Given.light), weights.light, lit);
+    Sweep(this->Given, *this->Backend->SweepsFrom(this->Given, this->Given.Light()), weights.light,
+      lit);
   }
   if (!forLight)
   {

@@ -14,6 +14,19 @@
 
 namespace limpid
 {
+std::vector<TermSource> SourcesOf(
+  const Camera& camera, const Light& light, const Settings& settings, const Grid& grid)
+{
+  std::vector<TermSource> sources{ { SourceKind::Camera,
+    SourceOfCamera(camera, grid, settings.restrictToView) } };
+  for (const Camera& other : settings.otherCameras)
+  {
+    sources.push_back({ SourceKind::Camera, SourceOfCamera(other, grid, settings.restrictToView) });
+  }
+  sources.push_back({ SourceKind::Light, SourceOfLight(light, grid) });
+  return sources;
+}
+
 void Problem::Use(const std::shared_ptr<DistributedFields>& fields)
 {
   this->baseExtinction = fields->base.values.Data();
@@ -49,6 +62,12 @@ double Problem::SquaresFrom(const float* other, const float* extinction) const
       const Index first = (Index(z) * nodes.y + y) * nodes.x + filled.begin;
       return SumOfSquares(extinction + first, other + first, std::max(filled.Length(), 0));
     });
+}
+
+double Problem::WeightOf(const TermSource& source) const
+{
+  const Weights& weights = this->settings.weights;
+  return source.kind == SourceKind::Camera ? weights.view / this->NumberOfCameras() : weights.light;
 }
 
 double Problem::NormalisedRegularization() const

@@ -34,6 +34,25 @@ struct Resident
   std::shared_ptr<const PermutedFields> permuted; ///< cached by the processor's solver
 };
 
+/// What looks at the volume in a visibility term of the energy: Eq. (23) or (24).
+enum class SourceKind
+{
+  Camera,
+  Light
+};
+
+/// The source of a visibility term.
+struct TermSource
+{
+  SourceKind kind;
+  RaySource rays;
+};
+
+/// Returns the sources of all visibility terms: the camera, the other cameras of the settings, and
+/// the light.
+std::vector<TermSource> SourcesOf(
+  const Camera& camera, const Light& light, const Settings& settings, const Grid& grid);
+
 /// The minimisation problem: Eq. (21) for one extinction field. The caller owns the fields.
 struct Problem
 {
@@ -45,19 +64,22 @@ struct Problem
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
   std::shared_ptr<const ScenePiece> piece;    ///< this rank's subdomain; null for one process
   std::shared_ptr<DistributedFields>
-    shared;                       ///< fields of a distributed problem; null for one process
-  float majorant = 0;             ///< upper bound of the extinction [1/length]
-  std::vector<Pull> furtherPulls; ///< beside the regularisation
-  RaySource camera;
-  std::vector<RaySource> otherCameras; ///< see Settings::otherCameras
-  RaySource light;
+    shared;                        ///< fields of a distributed problem; null for one process
+  float majorant = 0;              ///< upper bound of the extinction [1/length]
+  std::vector<Pull> furtherPulls;  ///< beside the regularisation
+  std::vector<TermSource> sources; ///< of the visibility terms, see SourcesOf
   bool forLight =
     false; ///< whether a method that distinguishes them should compute the extinction for the light
   Settings settings;
   bool fine = false;       ///< whether scores and ceilings resolve layers by FineCuts
   bool tellsScores = true; ///< whether iterations measure scores, see SeesWhatScoresAreOf
 
-  double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
+  const RaySource& Camera() const { return this->sources.front().rays; } ///< the main camera
+  const RaySource& Light() const { return this->sources.back().rays; }
+  double NumberOfCameras() const { return double(this->sources.size()) - 1.0; }
+
+  /// Weight of a source's term: q of Eq. (23), shared by all cameras, or r of Eq. (24).
+  double WeightOf(const TermSource& source) const;
 
   /// p of Eq. (22): the regularisation weight, or its value from Settings::clearingThreshold.
   double NormalisedRegularization() const;

@@ -294,7 +294,7 @@ struct Solver::Internals
     const bool other = ofLight && HasLightExtinction(this->settings);
     const std::vector<float>& field = other ? this->LightExtinction() : this->Extinction();
     this->backend->FindTransmittance(this->problem,
-      ofLight ? this->problem.light : this->problem.camera,
+      ofLight ? this->problem.Light() : this->problem.Camera(),
       std::max(this->settings.rayDensity, transmittanceRayDensity), field.data(), transmittance);
   }
 
