@@ -226,23 +226,23 @@ public:
 
   void Forward()
   {
-    this->Energy.cameras.front().Forward(
-      { this->Given.baseExtinction, this->Given.importance }, &this->Energy.Sums()->camera);
+    this->Energy.all.front().Forward(
+      { this->Given.baseExtinction, this->Given.importance }, &this->Met);
   }
 
   void Derive()
   {
-    this->Energy.DifferentiateTerm(*this->Energy.light, this->Next.data(), 0, this->Lagged.data());
+    this->Energy.DifferentiateTerm(
+      this->Energy.all.back(), this->Next.data(), 0, this->Lagged.data());
   }
 
   void Optimize()
   {
     std::swap(this->Last, this->Next);
     ExactDifferences moved;
-    SweepPolicy(*HostDevice::Shared(), this->Energy.cameras.front(), this->Given,
-      this->Energy.Fields(),
-      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, Transmittance::OfLastIterate,
-        Kept::Counted },
+    SweepPolicy(*HostDevice::Shared(), this->Energy.all.front(), this->Given, this->Energy.Fields(),
+      { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, this->Energy.Pulls(),
+        Transmittance::OfLastIterate, Kept::Counted },
       moved);
   }
 
@@ -255,6 +255,7 @@ private:
   std::vector<float> Last;
   std::vector<float> Next;
   std::vector<float> Lagged;
+  Seen Met;
 };
 
 /// The sweeps of a scene, and with `floor` also an iteration of the solver. `volume`: what a
@@ -264,8 +265,8 @@ Json AddScene(
 {
   const auto passes = std::make_shared<Passes>(scene);
   const Problem& problem = passes->What();
-  const SweepCounts camera = CountSweep(problem, problem.camera);
-  const SweepCounts light = CountSweep(problem, problem.light);
+  const SweepCounts camera = CountSweep(problem, problem.Camera());
+  const SweepCounts light = CountSweep(problem, problem.Light());
   const double filled = CountOf(FilledNodes(problem));
   NodeSet compared = FilledNodes(problem);
   Add(camera.read, compared);

@@ -217,8 +217,8 @@ Json MeasureSkips(const SceneOfFile& scene, const Options& options)
     settings.backend = BackendKind::Cpu;
     settings.skipUnneeded = skip;
     const Problem problem = prepared.ProblemFor(scene.camera, scene.light, settings);
-    const SweepCounts camera = CountSweep(problem, problem.camera);
-    const SweepCounts light = CountSweep(problem, problem.light);
+    const SweepCounts camera = CountSweep(problem, problem.Camera());
+    const SweepCounts light = CountSweep(problem, problem.Light());
     result["camera samples"][skip ? "taken" : "all"] = camera.samples;
     result["light samples"][skip ? "taken" : "all"] = light.samples;
     if (skip)

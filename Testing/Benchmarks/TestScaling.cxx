@@ -20,7 +20,7 @@ struct Counted
     : volume(MakeVolume("dense", 24))
     , prepared(volume.Fields())
     , problem(prepared.ProblemFor(volume.camera, volume.light, SettingsWith(skip)))
-    , camera(CountSweep(problem, problem.camera))
+    , camera(CountSweep(problem, problem.Camera()))
   {
   }
 

@@ -140,8 +140,8 @@ Json CountRanks(const SceneOfFile& scene, const ProblemInOrder& inOrder, int ran
     result["steps"].push_back(
       { { "messages", traffic.messages }, { "bytes", traffic.bytes }, { "waits", traffic.waits } });
   }
-  result["uneven"] = { { "camera", UnevennessOf(inOrder, inOrder.problem.camera, ranks) },
-    { "light", UnevennessOf(inOrder, inOrder.problem.light, ranks) } };
+  result["uneven"] = { { "camera", UnevennessOf(inOrder, inOrder.problem.Camera(), ranks) },
+    { "light", UnevennessOf(inOrder, inOrder.problem.Light(), ranks) } };
   return result;
 }
 }

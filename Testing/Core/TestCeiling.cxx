@@ -39,7 +39,7 @@ Ceiling CeilingOf(
   const NodeValues least = optimized.LeastExtinction();
   const MostExtinction<float> most{ static_cast<float>(emphasis), prepared.Majorant() };
   const auto sweeps =
-    fromLight ? backend.SweepsFrom(problem, problem.light) : backend.SweepsFromCameras(problem);
+    fromLight ? backend.SweepsFrom(problem, problem.Light()) : backend.SweepsFromCameras(problem);
   return sweeps->CeilingOf(least.Data(), most);
 }
 

@@ -69,9 +69,9 @@ Outputs Optimize(SolverBackend& backend, const Problem& problem, int iterations)
   outputs.transmittance.resize(outputs.extinction.size());
   outputs.lightTransmittance.resize(outputs.extinction.size());
   backend.FindTransmittance(
-    problem, problem.camera, 2, outputs.extinction.data(), outputs.transmittance.data());
+    problem, problem.Camera(), 2, outputs.extinction.data(), outputs.transmittance.data());
   backend.FindTransmittance(
-    problem, problem.light, 2, outputs.extinction.data(), outputs.lightTransmittance.data());
+    problem, problem.Light(), 2, outputs.extinction.data(), outputs.lightTransmittance.data());
   return outputs;
 }
 }

@@ -134,10 +134,10 @@ TEST(BackendOfDevice, ScoresLikeTheProcessor)
   for (const float* extinction : { scene.extinction.data(), std::as_const(other).data() })
   {
     const Score found = MakeSolverBackend(MakeTestedDevice())
-                          ->SweepsFrom(problem, problem.camera)
+                          ->SweepsFrom(problem, problem.Camera())
                           ->ScoreOf(extinction);
     const Score expected = MakeSolverBackend(HostDevice::Shared())
-                             ->SweepsFrom(problem, problem.camera)
+                             ->SweepsFrom(problem, problem.Camera())
                              ->ScoreOf(extinction);
 
     EXPECT_NEAR(found.visibility, expected.visibility, 1e-5 * expected.visibility);
@@ -160,9 +160,9 @@ TEST(BackendOfDevice, MakesTheSameFirstPassAndTransmittance)
   {
     extinction[i] = scene.extinction;
     transmittance[i].resize(scene.extinction.size());
-    backends[i]->SweepsFrom(problem, problem.light)->SweepPolicyOnce(1, extinction[i]);
+    backends[i]->SweepsFrom(problem, problem.Light())->SweepPolicyOnce(1, extinction[i]);
     backends[i]->FindTransmittance(
-      problem, problem.camera, 2, extinction[0].data(), transmittance[i].data());
+      problem, problem.Camera(), 2, extinction[0].data(), transmittance[i].data());
   }
 
   for (std::size_t voxel = 0; voxel < scene.extinction.size(); ++voxel)

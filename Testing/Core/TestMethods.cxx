@@ -128,9 +128,9 @@ TEST_P(EveryMethod, GivesTheSameOnADevice)
     {
       EXPECT_NEAR(found[node], expected[node], 1e-4 * prepared.Majorant()) << node;
     }
-    EXPECT_NEAR(there->SweepsFrom(problem, problem.camera)->ScoreOf(found.data()).visibility,
-      here->SweepsFrom(problem, problem.camera)->ScoreOf(expected.data()).visibility,
-      1e-4 * here->SweepsFrom(problem, problem.camera)->ScoreOf(expected.data()).visibility);
+    EXPECT_NEAR(there->SweepsFrom(problem, problem.Camera())->ScoreOf(found.data()).visibility,
+      here->SweepsFrom(problem, problem.Camera())->ScoreOf(expected.data()).visibility,
+      1e-4 * here->SweepsFrom(problem, problem.Camera())->ScoreOf(expected.data()).visibility);
   }
 }
 

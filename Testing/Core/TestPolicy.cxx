@@ -373,9 +373,9 @@ TEST(PolicyVoxel, MinimisesItsEnergyAndWhatKeepsItNear)
   const double t = 0.4;
   const double weight = 2;
   const double all = p + s + t;
-  const PolicyVoxel<double> policy{ weight / all, 1 / all, s / all, t / all, { 0, 1, 10 } };
+  const PolicyVoxel<double> policy{ weight / all, 1 / all, { t / all, s / all }, { 0, 1, 10 } };
 
-  const double found = policy(1.5, 4, 3, 0, 0.2, -0.7);
+  const double found = policy(1.5, { 3, 4 }, 0, 0.2, -0.7);
 
   EXPECT_WITHIN(p * (found - 1.5) + s * (found - 4) + t * (found - 3) + weight * 0.2 - 0.7, 0,
     Roundoff<double>(10, weight));

@@ -79,7 +79,7 @@ protected:
     PreparedScene prepared(this->Scene.Fields());
     const Problem problem =
       prepared.ProblemFor(this->Scene.camera, this->Scene.light, this->Scene.settings);
-    for (const RaySource& source : { problem.camera, problem.light })
+    for (const RaySource& source : { problem.Camera(), problem.Light() })
     {
       for (const PlannedFrustum& frustum :
         PlanSweep(problem.grid, *problem.occupancy, source, PlanSettings{}))

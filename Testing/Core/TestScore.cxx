@@ -52,7 +52,7 @@ Score ScoreOf(const BoxScene& scene, const std::vector<float>& extinction)
   PreparedScene prepared(scene.Fields());
   const Problem problem = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
   return MakeSolverBackend(HostDevice::Shared())
-    ->SweepsFrom(problem, problem.camera)
+    ->SweepsFrom(problem, problem.Camera())
     ->ScoreOf(extinction.data());
 }
 

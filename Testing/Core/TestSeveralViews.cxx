@@ -138,6 +138,38 @@ TEST_P(SeveralViews, HaveASecondExtinctionForTheLightInSeparateMode)
   EXPECT_NE(several.Extinction(), one.Extinction());
 }
 
+TEST(Terms, AreTheCamerasWithTheirSharesAndThenTheLight)
+{
+  const BoxScene scene = BoxScene::Onion(9);
+  const std::vector<Camera> cameras = OrbitOf(scene, 3);
+  PreparedScene prepared(scene.Fields());
+  Settings settings = ForCameras(scene.settings, cameras);
+  const Weights& weights = settings.weights;
+  const auto isOfCamera = [&]
+  {
+    const Problem problem = prepared.ProblemFor(cameras.front(), scene.light, settings);
+    const Terms<HostDevice> terms(HostDevice::Shared(), problem);
+    std::vector<bool> found;
+    double view = 0;
+    for (const auto& term : terms.all)
+    {
+      EXPECT_EQ(term.Number(), found.size());
+      found.push_back(term.IsOfCamera());
+      view += term.IsOfCamera() ? term.Weight() : 0;
+      EXPECT_TRUE(term.IsOfCamera() || term.Weight() == weights.light);
+    }
+    EXPECT_WITHIN(view, weights.view, Roundoff<double>(4, weights.view));
+    return found;
+  };
+
+  EXPECT_EQ(isOfCamera(), (std::vector<bool>{ true, true, true, false }));
+  settings.weights.light = 0;
+  EXPECT_EQ(isOfCamera(), (std::vector<bool>{ true, true, true }));
+  settings.weights.light = 2;
+  settings.weights.view = 0;
+  EXPECT_EQ(isOfCamera(), (std::vector<bool>{ false }));
+}
+
 // A derivative of the mean is the mean of derivatives.
 TEST(Terms, SumTheDerivativesOfAllCameras)
 {

@@ -207,7 +207,7 @@ TEST(Smoothing, EndsResilientStepsWhereItPulls)
     step.importance = &importance;
     step.state = &state;
     step.extinction = &extinction;
-    step.regularization = sigma;
+    step.pulls = PullsAtVoxels<float>::Of({ { &base, sigma } }, &base);
     step.smooths = true;
     step.longest = 0.4f;
     step.bounds.majorant = 10;

@@ -130,7 +130,7 @@ void MeasureSetUp(const SceneForSolver& scene, const Effort& effort, Json& resul
       return Repeat(effort, 1,
         [&]
         {
-          for (const RaySource& source : { problem.camera, problem.light })
+          for (const RaySource& source : { problem.Camera(), problem.Light() })
           {
             PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity });
           }

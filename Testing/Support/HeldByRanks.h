@@ -55,10 +55,10 @@ inline Index MostNodesHeld(const ProblemInOrder& scene, int ranks)
         return PlanRays(HostDevice::Shared(), problem.grid, scene.occupancy, source,
           { problem.settings.rayDensity, RayPlacement::ForIntegrals, all.get() });
       };
-      FieldDistribution::Frusta camera = raysOf(problem.camera);
-      FieldDistribution::Frusta light = raysOf(problem.light);
+      FieldDistribution::Frusta camera = raysOf(problem.Camera());
+      FieldDistribution::Frusta light = raysOf(problem.Light());
       const FieldDistribution terms(*all, problem.grid.nodes,
-        { { &camera, &problem.camera }, { &light, &problem.light } }, scene.occupancy, false,
+        { { &camera, &problem.Camera() }, { &light, &problem.Light() } }, scene.occupancy, false,
         FieldPlaces::Chosen);
       const std::lock_guard<std::mutex> lock(access);
       most = std::max(most, terms.NodesHeld());

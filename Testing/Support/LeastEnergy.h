@@ -30,7 +30,7 @@ inline double LeastEnergyOf(
   double bound = -weights.view * ceilingOf(backend->SweepsFromCameras(problem));
   if (weights.light > 0)
   {
-    bound -= weights.light * ceilingOf(backend->SweepsFrom(problem, problem.light));
+    bound -= weights.light * ceilingOf(backend->SweepsFrom(problem, problem.Light()));
   }
   return bound;
 }

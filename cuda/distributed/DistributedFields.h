@@ -31,10 +31,10 @@ struct DistributedFields
     FieldView piece;
     NodeValues values;
   };
-  Field base;           ///< [1/length]
-  Field importance;     ///< [0, 1]
-  Field nodeImportance; ///< [0, 1]
-  Field previous;       ///< see Problem::previous [1/length]; empty if there is none
+  Field base;                    ///< [1/length]
+  Field importance;              ///< [0, 1]
+  Field nodeImportance;          ///< [0, 1]
+  std::vector<Field> references; ///< one per further pull of the problem [1/length]
 };
 }
 

@@ -21,8 +21,6 @@ AdamVoxel<float> AdamStep(const Problem& problem, int count)
 {
   const Settings& settings = problem.settings;
   AdamVoxel<float> body{};
-  body.regularization = static_cast<float>(problem.RegularizationWeight());
-  body.coherence = static_cast<float>(problem.CoherenceWeight());
   body.step =
     static_cast<float>(settings.learningRate * problem.majorant / (1.0 - std::pow(0.9, count)));
   body.secondCorrection = static_cast<float>(1.0 / (1.0 - std::pow(0.999, count)));
@@ -67,7 +65,7 @@ public:
     AdamVoxel<float> step = AdamStep(this->Given, count);
     step.gradient = this->Gradient.Data();
     step.base = this->Energy.Fields().base.Data();
-    step.previous = this->Energy.Previous();
+    step.pulls = PullsAtVoxels<float>::Of(this->Energy.Pulls(), step.base);
     step.importance = this->Energy.Fields().importance.Data();
     step.first = this->First.Data();
     step.second = this->Second.Data();

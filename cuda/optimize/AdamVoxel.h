@@ -6,6 +6,7 @@
 
 #include "backend/Simd.h"
 #include "optimize/ExtinctionBounds.h"
+#include "optimize/Pulls.h"
 
 #include <cmath>
 
@@ -24,18 +25,16 @@ struct AdamVoxel
 {
   static constexpr const char* label = "Adam";
 
-  const Real* gradient;   ///< derivative of the visibility terms
-  const Real* base;       ///< mu-bar [1/length]
-  const Real* importance; ///< [0, 1]
-  Real* first;            ///< running mean of the gradient
-  Real* second;           ///< running mean of its square
-  Real* extinction;       ///< [1/length]
-  Real regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
-  const Real* previous;   ///< reference extinction [1/length]; null if none
-  Real coherence;         ///< weight of (mu - mu_previous) [length]
-  Real step;              ///< learning rate, bias of the first moment removed [1/length]
-  Real secondCorrection;  ///< 1 / (1 - beta2^n), removes the bias of the second moment
-  Real floor;             ///< epsilon
+  const Real* gradient;      ///< derivative of the visibility terms
+  const Real* base;          ///< mu-bar [1/length]
+  const Real* importance;    ///< [0, 1]
+  Real* first;               ///< running mean of the gradient
+  Real* second;              ///< running mean of its square
+  Real* extinction;          ///< [1/length]
+  PullsAtVoxels<Real> pulls; ///< the regularisation of Eq. (26) and all others
+  Real step;                 ///< learning rate, bias of the first moment removed [1/length]
+  Real secondCorrection;     ///< 1 / (1 - beta2^n), removes the bias of the second moment
+  Real floor;                ///< epsilon
   ExtinctionBounds<Real> bounds;
 
   LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
@@ -43,10 +42,7 @@ struct AdamVoxel
     constexpr Real beta1 = Real(0.9);
     constexpr Real beta2 = Real(0.999);
     const Real now = this->extinction[voxel];
-    const Real toPrevious =
-      this->previous ? this->coherence * (now - this->previous[voxel]) : Real(0);
-    const Real slope =
-      this->gradient[voxel] + this->regularization * (now - this->base[voxel]) + toPrevious;
+    const Real slope = this->pulls.AddedTo(this->gradient[voxel], now, this->base[voxel], voxel);
     const Real mean = beta1 * this->first[voxel] + (Real(1) - beta1) * slope;
     const Real square = beta2 * this->second[voxel] + (Real(1) - beta2) * slope * slope;
     this->first[voxel] = mean;

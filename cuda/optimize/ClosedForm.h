@@ -17,7 +17,7 @@ MethodScene<AnyDevice> SceneOf(const std::shared_ptr<AnyDevice>& device, const P
   const ProblemFields<AnyDevice>& fields)
 {
   return { device, problem.grid, problem.occupancy.get(),
-    problem.forLight ? problem.light : problem.camera, problem.settings.rayDensity,
+    problem.forLight ? problem.Light() : problem.Camera(), problem.settings.rayDensity,
     fields.base.Data(), fields.importance.Data(), problem.settings.ament, problem.forLight };
 }
 

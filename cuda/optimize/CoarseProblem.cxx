@@ -54,17 +54,15 @@ CoarseProblem::CoarseProblem(const Problem& given, int factor)
   problem.resident = nullptr; // the coarse fields cannot be cached with the scene
   this->Base = this->Restricted(given.baseExtinction, problem.grid);
   this->Importance = this->Restricted(given.importance, problem.grid);
-  if (given.previous)
+  for (const Pull& pull : given.furtherPulls)
   {
-    this->Previous = this->Restricted(given.previous, problem.grid);
+    this->References.push_back(this->Restricted(pull.reference, problem.grid));
   }
   given.shared ? this->ShareFields() : this->UseFields();
-  problem.camera = Rescaled(given.camera, given.grid, problem.grid);
-  for (RaySource& other : problem.otherCameras)
+  for (TermSource& source : problem.sources)
   {
-    other = Rescaled(other, given.grid, problem.grid);
+    source.rays = Rescaled(source.rays, given.grid, problem.grid);
   }
-  problem.light = Rescaled(given.light, given.grid, problem.grid);
 }
 
 std::vector<float> CoarseProblem::ChangedOn(
@@ -110,7 +108,10 @@ void CoarseProblem::UseFields()
   problem.baseExtinction = this->Base.data();
   problem.importance = this->Importance.data();
   problem.nodeImportance = this->NodeImportance.data();
-  problem.previous = this->Previous.empty() ? nullptr : this->Previous.data();
+  for (std::size_t i = 0; i < this->References.size(); ++i)
+  {
+    problem.furtherPulls[i].reference = this->References[i].data();
+  }
   problem.occupancy = std::make_shared<const Occupancy>(
     problem.grid, problem.baseExtinction, problem.nodeImportance, problem.settings.skipUnneeded);
 }
@@ -120,7 +121,6 @@ void CoarseProblem::ShareFields()
 {
   Problem& problem = this->Coarse;
   const std::shared_ptr<const Communicator> ranks = problem.shared->ranks;
-  const bool staysNear = problem.previous != nullptr;
   const std::vector<NodeBox> slabs = EvenSlabs(*ranks, problem.grid.nodes);
   const NodeBox own = slabs[std::size_t(ranks->Rank())];
   const Neighbourhood around(*ranks, problem.grid, slabs, slabs);
@@ -142,9 +142,9 @@ void CoarseProblem::ShareFields()
   fields->base = fieldOf(this->Base);
   fields->importance = fieldOf(this->Importance);
   fields->nodeImportance = fieldOf(this->NodeImportance);
-  if (staysNear)
+  for (std::vector<float>& reference : this->References)
   {
-    fields->previous = fieldOf(this->Previous);
+    fields->references.push_back(fieldOf(reference));
   }
   problem.Use(fields);
   problem.occupancy = std::make_shared<const Occupancy>(OccupancyOnRanks(*ranks, problem.grid, own,

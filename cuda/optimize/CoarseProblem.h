@@ -41,7 +41,7 @@ private:
   std::vector<float> Base;
   std::vector<float> Importance;
   std::vector<float> NodeImportance;
-  std::vector<float> Previous; ///< empty if there is none
+  std::vector<std::vector<float>> References; ///< one per further pull
 };
 }
 

@@ -6,7 +6,9 @@
 
 #include "distributed/Communicator.h"
 #include "distributed/Slab.h"
+#include "optimize/Pulls.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -23,26 +25,25 @@ double SumOfChanges(const float* a, const float* b, Index count);
 double SumOverRows(
   const Slab& slab, const Communicator* ranks, const std::function<double(int y, int z)>& ofRow);
 
-/// Distances of an iterate from the base, the last iterate and the reference.
+/// Distances of an iterate from the last one and from the references of all pulls.
 struct Differences
 {
-  double squares = 0;             ///< sum of (iterate - base)^2
-  double changes = 0;             ///< sum of |iterate - last iterate|
-  double squaresFromPrevious = 0; ///< sum of (iterate - reference)^2
+  double changes = 0;                      ///< sum of |iterate - last iterate|
+  double squares[1 + mostReferences] = {}; ///< sums of (iterate - reference)^2, in the order of
+                                           ///< Problem::Pulls
 };
 
 /// Differences, accumulated exactly.
-struct ExactDifferences
+class ExactDifferences
 {
-  ExactSum squares;
-  ExactSum changes;
-  ExactSum squaresFromPrevious;
-
+public:
   void Add(const Differences& some)
   {
-    this->squares.Add(some.squares);
-    this->changes.Add(some.changes);
-    this->squaresFromPrevious.Add(some.squaresFromPrevious);
+    this->Sums.back().Add(some.changes);
+    for (std::size_t i = 0; i <= mostReferences; ++i)
+    {
+      this->Sums[i].Add(some.squares[i]);
+    }
   }
 
   /// Adds all of them, in parallel.
@@ -50,24 +51,29 @@ struct ExactDifferences
 
   ExactDifferences& operator+=(const ExactDifferences& other)
   {
-    this->squares += other.squares;
-    this->changes += other.changes;
-    this->squaresFromPrevious += other.squaresFromPrevious;
+    for (std::size_t i = 0; i < this->Sums.size(); ++i)
+    {
+      this->Sums[i] += other.Sums[i];
+    }
     return *this;
   }
 
   /// Sums the differences over all ranks.
-  void SumOver(const Communicator& ranks)
-  {
-    ExactSum all[] = { this->squares, this->changes, this->squaresFromPrevious };
-    ranks.Sum(all, 3);
-    *this = { all[0], all[1], all[2] };
-  }
+  void SumOver(const Communicator& ranks) { ranks.Sum(this->Sums.data(), this->Sums.size()); }
 
   Differences Values() const
   {
-    return { this->squares.Value(), this->changes.Value(), this->squaresFromPrevious.Value() };
+    Differences values;
+    values.changes = this->Sums.back().Value();
+    for (std::size_t i = 0; i <= mostReferences; ++i)
+    {
+      values.squares[i] = this->Sums[i].Value();
+    }
+    return values;
   }
+
+private:
+  std::array<ExactSum, 2 + mostReferences> Sums; ///< of squares, and last of changes
 };
 }
 

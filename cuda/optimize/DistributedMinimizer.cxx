@@ -79,10 +79,8 @@ Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
   fields->wanted = RegionsOf(InOrder(piece.boxes, order));
   fields->places = piece.places;
   const Settings& settings = problem.settings;
-  const bool staysNear = piece.ranks->AnyOf(problem.previous != nullptr); // a subdomain may be
-                                                                          // empty
-  fields->inSlabs = warm || staysNear || problem.IsThick() || settings.solver == SolverKind::Adam ||
-    settings.smoothness > 0;
+  fields->inSlabs = warm || !problem.furtherPulls.empty() || problem.IsThick() ||
+    settings.solver == SolverKind::Adam || settings.smoothness > 0;
   const auto fieldOf = [&](const float* values)
   {
     return DistributedFields::Field{ PieceOf(problem, order, values),
@@ -91,10 +89,9 @@ Problem Shared(const Problem& problem, const AxisPermutation& order, bool warm)
   fields->base = fieldOf(problem.baseExtinction);
   fields->importance = fieldOf(problem.importance);
   fields->nodeImportance = fieldOf(problem.nodeImportance);
-
-  if (staysNear)
+  for (const Pull& pull : problem.furtherPulls)
   {
-    fields->previous = fieldOf(problem.previous);
+    fields->references.push_back(fieldOf(pull.reference));
   }
 
   Problem shared = Reordered(problem, order);

@@ -20,7 +20,7 @@ template <class AnyDevice>
 class TermsThatSee
 {
 public:
-  using Term = VisibilityTerm<AnyDevice>;
+  using Term = EnergyTerm<AnyDevice>;
 
   void Clear() { this->All.clear(); }
   void Add(const Term& term) { this->All.push_back(&term); }
@@ -46,7 +46,7 @@ template <class AnyDevice>
 class LaggedDerivative
 {
 public:
-  using Term = VisibilityTerm<AnyDevice>;
+  using Term = EnergyTerm<AnyDevice>;
   using Turn = PolicyTurn<AnyDevice>;
 
   /// Problem and terms must outlive it.

@@ -115,11 +115,11 @@ public:
     this->Inside.importance = this->Fields->importance.Data();
     this->Inside.nodeImportance = this->Fields->nodeImportance.Data();
     this->Inside.occupancy = this->Fields->occupancy;
-    if (problem.previous)
+    for (Pull& pull : this->Inside.furtherPulls)
     {
-      this->Before = this->Room();
-      Permute(this->Nodes, order, problem.previous, this->Before.data());
-      this->Inside.previous = this->Before.data();
+      this->References.push_back(this->Room());
+      Permute(this->Nodes, order, pull.reference, this->References.back().data());
+      pull.reference = this->References.back().data();
     }
   }
 
@@ -156,8 +156,8 @@ private:
 
   Grid Nodes; ///< of the original problem
   std::shared_ptr<const PermutedFields> Fields;
-  Problem Inside;            ///< the permuted problem
-  std::vector<float> Before; ///< permuted reference extinction; empty if none
+  Problem Inside;                             ///< the permuted problem
+  std::vector<std::vector<float>> References; ///< of its further pulls
 };
 }
 
@@ -165,12 +165,10 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order)
 {
   Problem reordered = problem;
   reordered.grid = order.Of(problem.grid);
-  reordered.camera = order.Of(problem.camera);
-  for (RaySource& other : reordered.otherCameras)
+  for (TermSource& source : reordered.sources)
   {
-    other = order.Of(other);
+    source.rays = order.Of(source.rays);
   }
-  reordered.light = order.Of(problem.light);
   reordered.resident = nullptr; // cached data are in the original order
   return reordered;
 }
@@ -178,8 +176,8 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order)
 AxisPermutation OrderFor(const Problem& problem)
 {
   const Weights& weights = problem.settings.weights;
-  const int camera = DepthAxisOf(problem.camera, problem.grid);
-  const int light = DepthAxisOf(problem.light, problem.grid);
+  const int camera = DepthAxisOf(problem.Camera(), problem.grid);
+  const int light = DepthAxisOf(problem.Light(), problem.grid);
   const int last = weights.view > 0 ? camera : light;
   const int avoided = weights.light > 0 ? light : last;
   int first = 0;

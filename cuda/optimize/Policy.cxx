@@ -61,9 +61,9 @@ public:
   {
     this->Lowest = this->MeasureFirst();
     this->LastEnergy = this->FirstEnergy = this->Lowest.energy.Total();
-    for (const Term* term : this->Energy.All())
+    for (const Term& term : this->Energy.all)
     {
-      this->Seeing.Add(*term);
+      this->Seeing.Add(term);
     }
     this->Proximal.BeginAt(this->Lowest.energy.Total());
     return this->Lowest;
@@ -192,7 +192,7 @@ public:
   }
 
 private:
-  using Term = VisibilityTerm<AnyDevice>;
+  using Term = EnergyTerm<AnyDevice>;
   using Turn = PolicyTurn<AnyDevice>;
 
   /// Returns whether policy sweeps may also raise extinction. In thick media they may not, since
@@ -201,7 +201,7 @@ private:
   /// however.
   bool SweepsEmphasise() const
   {
-    return this->Warm || this->IsHardlyThick() || this->Given->previous != nullptr;
+    return this->Warm || this->IsHardlyThick() || !this->Given->furtherPulls.empty();
   }
 
   bool IsHardlyThick() const { return this->Given->MostNodeDepth() < hardlyThick; }
@@ -525,17 +525,17 @@ private:
   void SweepOnce(const Turn& turn, const float* last, float* next)
   {
     ExactDifferences moved;
-    const bool scored = this->Energy.IsOfCamera(*turn.swept) && this->Given->tellsScores;
+    const bool scored = turn.swept->IsOfCamera() && this->Given->tellsScores;
     const Kept kept = scored ? Kept::Counted : Kept::Ignored;
     const bool afterCamera = this->Count > 1 &&
       std::any_of(turn.others.begin(), turn.others.end(),
-        [this](const Term* other) { return this->Energy.IsOfCamera(*other); });
+        [](const Term* other) { return other->IsOfCamera(); });
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
       { last, turn.smoothing > 0 ? this->Lagged.WithPull(turn, last) : this->Lagged.Data(), next,
-        this->Energy.WeightOf(*turn.swept), turn.transmittance, kept, this->Proximal.Proximity(),
-        turn.weighs ? alternative : nullptr, turn.reach, turn.smoothing, this->Energy.Previous(),
-        this->SweepsEmphasise(), this->Energy.OnRanks() },
+        turn.swept->Weight(), this->PullsOf(turn, last), turn.transmittance, kept,
+        turn.weighs ? alternative : nullptr, turn.reach, this->SweepsEmphasise(),
+        this->Energy.OnRanks() },
       moved);
     if constexpr (AnyDevice::readsHostMemory)
     {
@@ -544,7 +544,7 @@ private:
         moved.SumOver(ranks->Ranks());
         ranks->Share(next, &turn.swept->Frusta());
       }
-      this->Energy.Sums()->moved = moved.Values();
+      *this->Energy.Moved() = moved.Values();
     }
     else
     {
@@ -553,13 +553,25 @@ private:
     this->Energy.TakeSeen(*turn.swept, kept);
   }
 
-  /// Returns the reference with the stronger pull: the base or the previous result.
+  /// Returns the pulls of a sweep: those of the energy, a proximal step, and smoothing.
+  std::vector<Pull> PullsOf(const Turn& turn, const float* last) const
+  {
+    std::vector<Pull> pulls = this->Energy.Pulls();
+    if (this->Proximal.Proximity() > 0)
+    {
+      pulls.push_back({ last, RegularizationOf(*this->Given) * this->Proximal.Proximity() });
+    }
+    pulls.push_back({ this->Energy.Fields().base.Data(), turn.smoothing });
+    return pulls;
+  }
+
+  /// Returns the reference with the strongest pull, which costs least to stay at.
   const float* Cheapest() const
   {
-    const Problem& problem = *this->Given;
-    return problem.CoherenceWeight() > problem.RegularizationWeight()
-      ? this->Energy.Previous()
-      : this->Energy.Fields().base.Data();
+    const std::vector<Pull>& pulls = this->Energy.Pulls();
+    return std::max_element(pulls.begin(), pulls.end(),
+      [](const Pull& one, const Pull& other) { return one.weight < other.weight; })
+      ->reference;
   }
 
   static constexpr double hardlyThick = 0.6; ///< optical depth from node to node

@@ -18,46 +18,46 @@ enum class Transmittance
   OfLastIterate ///< from the last iterate, whose optical depths the rays hold
 };
 
-/// Computes the next iterate at a voxel that reads rays.
-struct PolicyStep
-{
-  PolicyVoxel<float> policy;
-  GradientVoxel<float> derivative;
-  const float* transmittance; ///< mean of the rays [0, 1]
-  const float* behind;        ///< mean visible importance behind, attenuated [scale^2]
-  const float* inView;        ///< importance of the node inside the view [0, 1]
-  const float* importance;    ///< [0, 1]; null if nothing is protected
-  const float* base;          ///< [1/length]
-  const float* last;          ///< last iterate, or the base if not needed [1/length]
-  const float* previous;      ///< reference extinction, or the base [1/length]
-  const float* lagged;        ///< weighted derivative of the other terms; null if none
-  float* next;                ///< out [1/length]
-
-  LIMPID_HD LIMPID_INLINE void operator()(Index u) const
-  {
-    this->next[u] = this->policy(this->base[u], this->last[u], this->previous[u],
-      this->importance ? this->importance[u] : 0.0f,
-      this->derivative(this->transmittance[u], this->behind[u], this->inView[u]),
-      this->lagged ? this->lagged[u] : 0.0f);
-  }
-};
-
 /// Computes the next iterate at a voxel that the swept term does not depend on. Only the other
 /// terms count.
 struct IdleStep
 {
   PolicyVoxel<float> policy;
-  const float* importance; ///< [0, 1]; null if nothing is protected
-  const float* base;       ///< [1/length]
-  const float* last;       ///< see PolicyStep
-  const float* previous;   ///< see PolicyStep
-  const float* lagged;     ///< null if none
-  float* next;             ///< out [1/length]
+  const float* importance;                 ///< [0, 1]; null if nothing is protected
+  const float* base;                       ///< [1/length]
+  const float* references[mostReferences]; ///< see Pull; the base where there is none [1/length]
+  const float* lagged;                     ///< weighted derivative of the other terms; null if none
+  float* next;                             ///< out [1/length]
+
+  LIMPID_HD LIMPID_INLINE void operator()(Index u) const { this->Write(u, 0.0f); }
+
+  /// `derivative`: that of the swept term.
+  LIMPID_HD LIMPID_INLINE void Write(Index u, float derivative) const
+  {
+    float towards[mostReferences];
+    for (std::size_t i = 0; i < mostReferences; ++i)
+    {
+      towards[i] = this->references[i][u];
+    }
+    this->next[u] =
+      this->policy(this->base[u], towards, this->importance ? this->importance[u] : 0.0f,
+        derivative, this->lagged ? this->lagged[u] : 0.0f);
+  }
+};
+
+/// Computes the next iterate at a voxel that reads rays.
+struct PolicyStep
+{
+  IdleStep voxel;
+  GradientVoxel<float> derivative;
+  const float* transmittance; ///< mean of the rays [0, 1]
+  const float* behind;        ///< mean visible importance behind, attenuated [scale^2]
+  const float* inView;        ///< importance of the node inside the view [0, 1]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const
   {
-    this->next[u] = this->policy(this->base[u], this->last[u], this->previous[u],
-      this->importance ? this->importance[u] : 0.0f, 0.0f, this->lagged ? this->lagged[u] : 0.0f);
+    this->voxel.Write(
+      u, this->derivative(this->transmittance[u], this->behind[u], this->inView[u]));
   }
 };
 
@@ -77,14 +77,14 @@ struct PolicyKernel
   static constexpr auto seenBehind = &RayStates::ahead; ///< the value that voxels read
   static constexpr RayImage image = RayImage::Seen;
 
-  Input base;           ///< [1/length]
-  Input importance;     ///< [0, 1]
-  Input nodeImportance; ///< see NodeImportance.h [0, 1]
-  Input last;           ///< the last iterate [1/length]
-  Input previous;       ///< reference extinction [1/length]; null if none
-  Input lagged;         ///< weighted derivative of the other terms; null if none
-  Output next;          ///< the next iterate [1/length]
-  Input alternative;    ///< alternative to the next iterate, see WeighStep; null if none
+  Input base;                       ///< [1/length]
+  Input importance;                 ///< [0, 1]
+  Input nodeImportance;             ///< see NodeImportance.h [0, 1]
+  Input last;                       ///< the last iterate [1/length]
+  Input references[mostReferences]; ///< see PullsOfKernel [1/length]
+  Input lagged;                     ///< weighted derivative of the other terms; null if none
+  Output next;                      ///< the next iterate [1/length]
+  Input alternative; ///< alternative to the next iterate, see WeighStep; null if none
   PolicyVoxel<float> policy;
   Transmittance transmittance;
   bool areaWeighted;   ///< whether rays carry the weight of Deviation D1
@@ -94,12 +94,26 @@ struct PolicyKernel
   template <class Windows>
   PolicyKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
   {
-    const FieldUse useOfBase{ this->kept == Kept::Counted ? 2 : 0 };
-    return { windows(this->base, useOfBase), windows(this->importance, FieldUse{ 2 }),
-      windows(this->nodeImportance, FieldUse{ 0 }), windows(this->last, FieldUse{ 1 }),
-      windows(this->previous, FieldUse{ 0 }), windows(this->lagged, FieldUse{ 0 }),
-      windows(this->next, FieldUse{ 2, true }), windows(this->alternative, FieldUse{ 2 }),
-      this->policy, this->transmittance, this->areaWeighted, this->kept, this->priceOfSquare };
+    PolicyKernel<SliceWindow*, SliceWindow*> there;
+    there.base = windows(this->base, FieldUse{ this->kept == Kept::Counted ? 2 : 0 });
+    there.importance = windows(this->importance, FieldUse{ 2 });
+    there.nodeImportance = windows(this->nodeImportance, FieldUse{ 0 });
+    there.last = windows(this->last, FieldUse{ 1 });
+    for (std::size_t i = 0; i < mostReferences; ++i)
+    {
+      const Input reference = this->references[i];
+      there.references[i] =
+        reference == this->last ? there.last : windows(reference, FieldUse{ 0 });
+    }
+    there.lagged = windows(this->lagged, FieldUse{ 0 });
+    there.next = windows(this->next, FieldUse{ 2, true });
+    there.alternative = windows(this->alternative, FieldUse{ 2 });
+    there.policy = this->policy;
+    there.transmittance = this->transmittance;
+    there.areaWeighted = this->areaWeighted;
+    there.kept = this->kept;
+    there.priceOfSquare = this->priceOfSquare;
+    return there;
   }
 
   /// Returns the values that the rays carry.
@@ -202,16 +216,15 @@ struct PolicyKernel
   LIMPID_HD LIMPID_INLINE void PrefetchInFront(const Voxels& voxels) const
   {
     voxels.PrefetchInFront({ this->base, this->importance, this->nodeImportance, this->last,
-      this->previous, this->lagged, this->alternative });
+      this->lagged, this->alternative });
+    voxels.PrefetchInFront(this->references);
   }
 
   /// VoxelStep for the voxels that no active ray reaches.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE void IdleVoxelStep(const Voxels& voxels) const
   {
-    const FieldsHere here = this->FieldsOf(voxels);
-    voxels.ForIdle(IdleStep{ this->policy, here.protects, here.bases, here.lasts, here.before,
-      here.lags, voxels.Row(this->next) });
+    voxels.ForIdle(this->StepAt(voxels));
   }
 
   /// VoxelStep for all other voxels.
@@ -221,34 +234,28 @@ struct PolicyKernel
   {
     if (voxels.FindSeen(rays))
     {
-      const FieldsHere here = this->FieldsOf(voxels);
       const auto seen = voxels.SeenHere();
-      voxels.ForActive(
-        PolicyStep{ this->policy, GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted),
-          seen.transmittance, seen.behind, voxels.ImportanceInView(this->nodeImportance),
-          here.protects, here.bases, here.lasts, here.before, here.lags, voxels.Row(this->next) });
+      voxels.ForActive(PolicyStep{ this->StepAt(voxels),
+        GradientVoxel<float>::On(voxels.SliceHere(), this->areaWeighted), seen.transmittance,
+        seen.behind, voxels.ImportanceInView(this->nodeImportance) });
     }
   }
 
 private:
-  /// The inputs of the voxel steps, see PolicyStep.
-  struct FieldsHere
-  {
-    const float* protects;
-    const float* bases;
-    const float* lasts;
-    const float* before;
-    const float* lags;
-  };
-
   template <class Voxels>
-  LIMPID_HD LIMPID_INLINE FieldsHere FieldsOf(const Voxels& voxels) const
+  LIMPID_HD LIMPID_INLINE IdleStep StepAt(const Voxels& voxels) const
   {
-    const float* bases = voxels.Row(this->base);
-    return { this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr, bases,
-      this->policy.inertia > 0 ? voxels.Row(this->last) : bases,
-      this->previous ? voxels.Row(this->previous) : bases,
-      this->lagged ? voxels.Row(this->lagged) : nullptr };
+    IdleStep step;
+    step.policy = this->policy;
+    step.importance = this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr;
+    step.base = voxels.Row(this->base);
+    for (std::size_t i = 0; i < mostReferences; ++i)
+    {
+      step.references[i] = this->references[i] ? voxels.Row(this->references[i]) : step.base;
+    }
+    step.lagged = this->lagged ? voxels.Row(this->lagged) : nullptr;
+    step.next = voxels.Row(this->next);
+    return step;
   }
 
   /// Carries rays through the layer behind slice `s`, whose voxels are final.

@@ -18,19 +18,31 @@ template <class AnyDevice>
 PolicyKernel<const float*, float*> KernelOf(
   const Problem& problem, const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep)
 {
-  const double own = RegularizationOf(problem);
-  const double coherence = sweep.previous ? problem.CoherenceWeight() : 0.0;
-  const double proximity = own * sweep.proximity;
-  const double p = own + proximity + coherence + sweep.smoothing;
-  ExtinctionBounds<float> bounds = BoundsOf(problem);
-  bounds.emphasis = sweep.emphasises ? bounds.emphasis : 0.0f;
+  const PullsOfKernel pulls(sweep.pulls, fields.base.Data());
+  const double p = std::max(pulls.all, leastPull);
   const auto gainOf = [p](double weight) { return static_cast<float>(std::min(weight / p, 1e30)); };
-  return { fields.base.Data(), fields.importance.Data(), fields.nodeImportance.Data(), sweep.last,
-    sweep.previous, sweep.lagged, sweep.next, sweep.alternative,
-    { gainOf(sweep.weight), gainOf(1.0), static_cast<float>(proximity / p),
-      static_cast<float>(coherence / p), bounds },
-    sweep.transmittance, problem.settings.derivative == Derivative::Volume, sweep.kept,
-    0.5f / gainOf(sweep.weight) };
+  PolicyKernel<const float*, float*> kernel;
+  kernel.base = fields.base.Data();
+  kernel.importance = fields.importance.Data();
+  kernel.nodeImportance = fields.nodeImportance.Data();
+  kernel.last = sweep.last;
+  kernel.lagged = sweep.lagged;
+  kernel.next = sweep.next;
+  kernel.alternative = sweep.alternative;
+  kernel.policy.gain = gainOf(sweep.weight);
+  kernel.policy.lagGain = gainOf(1.0);
+  kernel.policy.bounds = BoundsOf(problem);
+  kernel.policy.bounds.emphasis = sweep.emphasises ? kernel.policy.bounds.emphasis : 0.0f;
+  for (std::size_t i = 0; i < mostReferences; ++i)
+  {
+    kernel.references[i] = pulls.references[i];
+    kernel.policy.shares[i] = static_cast<float>(pulls.weights[i] / p);
+  }
+  kernel.transmittance = sweep.transmittance;
+  kernel.areaWeighted = problem.settings.derivative == Derivative::Volume;
+  kernel.kept = sweep.kept;
+  kernel.priceOfSquare = 0.5f / kernel.policy.gain;
+  return kernel;
 }
 
 /// Sweeps one frustum. On the processor, distances are added to `moved` in the same pass, unless
@@ -47,7 +59,7 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
     std::vector<Differences> rows(
       moved ? std::size_t(plan.SliceCount()) * std::size_t(plan.nodesV) : 0);
     SweepBackwardByPhases(device, rays, occupancy, kernel,
-      [&rows, &kernel, &plan, moved](const auto& voxels, const auto& windows, int v)
+      [&rows, &plan, moved](const auto& voxels, const auto& windows, int v)
       {
         if (moved)
         {
@@ -56,9 +68,14 @@ void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
           const auto squaresFrom = [&](const auto& field)
           { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
           const Index slice = &voxels.SliceHere() - &plan.SliceAt(0);
-          rows[std::size_t(slice * plan.nodesV + v)] = { squaresFrom(windows.base),
-            SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length()),
-            kernel.previous ? squaresFrom(windows.previous) : 0.0 };
+          Differences& row = rows[std::size_t(slice * plan.nodesV + v)];
+          row.changes =
+            SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length());
+          row.squares[0] = squaresFrom(windows.base);
+          for (std::size_t i = 0; i < mostReferences && windows.references[i]; ++i)
+          {
+            row.squares[i + 1] = squaresFrom(windows.references[i]);
+          }
         }
       });
     if (moved)
@@ -111,11 +128,11 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
 
 template <class AnyDevice>
 void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const float* previous, double weight, float* next)
+  const ProblemFields<AnyDevice>& fields, const std::vector<Pull>& pulls, double weight,
+  float* next)
 {
-  PolicySweep sweep{ fields.base.Data(), nullptr, next, weight, Transmittance::AssumeOne,
-    Kept::Ignored };
-  sweep.previous = previous;
+  const PolicySweep sweep{ fields.base.Data(), nullptr, next, weight, pulls,
+    Transmittance::AssumeOne, Kept::Ignored };
   const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
   for (FrustumRays<AnyDevice>& rays : term.Frusta())
   {
@@ -126,5 +143,5 @@ void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const 
 template void SweepPolicy(CompiledDevice&, VisibilityTerm<CompiledDevice>&, const Problem&,
   const ProblemFields<CompiledDevice>&, const PolicySweep&, ExactDifferences&);
 template void SweepFirstPolicy(CompiledDevice&, VisibilityTerm<CompiledDevice>&, const Problem&,
-  const ProblemFields<CompiledDevice>&, const float*, double, float*);
+  const ProblemFields<CompiledDevice>&, const std::vector<Pull>&, double, float*);
 }

@@ -9,14 +9,18 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace limpid
 {
-/// Returns the weight of the regularisation in a policy. The optimum without regularisation is
-/// bang-bang; a large but finite gain gives the same result.
+/// The least weight of all pulls in a policy [length]. The optimum without any is bang-bang; a
+/// large but finite gain gives the same result.
+constexpr double leastPull = 1e-30;
+
+/// Returns the weight of the regularisation in a policy.
 inline double RegularizationOf(const Problem& problem)
 {
-  return std::max(problem.RegularizationWeight(), 1e-30);
+  return std::max(problem.RegularizationWeight(), leastPull);
 }
 
 /// How far rays reach at the start of a sweep that weighs costs.
@@ -30,17 +34,15 @@ enum class Reach
 /// refer to the device.
 struct PolicySweep
 {
-  const float* last;   ///< the last iterate [1/length]
-  const float* lagged; ///< weighted derivative of the other terms; null if none
-  float* next;         ///< the next iterate [1/length]
-  double weight;       ///< weight of the term
+  const float* last;       ///< the last iterate [1/length]
+  const float* lagged;     ///< weighted derivative of the other terms; null if none
+  float* next;             ///< the next iterate [1/length]
+  double weight;           ///< weight of the term
+  std::vector<Pull> pulls; ///< those of the energy first, then those that only shape the step
   Transmittance transmittance;
   Kept kept;                          ///< whether kept base extinction is counted
-  double proximity = 0;               ///< see ProximalDescent
   const float* alternative = nullptr; ///< see WeighStep [1/length]; null if nothing is weighed
   Reach reach = Reach::Unlimited;     ///< initial reach of the rays, if weighing
-  double smoothing = 0; ///< sigma of SmoothedChange [length], if `lagged` includes its pull
-  const float* previous = nullptr; ///< reference extinction [1/length]; null if none
   bool emphasises = true; ///< whether extinction may rise above the base, within its bounds
   const FieldDistribution* ranks = nullptr; ///< of a distributed sweep; null for one process
 };
@@ -53,10 +55,11 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
   const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved);
 
 /// Performs the first policy sweep of one term, without transmittance and without other terms.
-/// Leaves no values with the rays. `previous`: see PolicySweep.
+/// Leaves no values with the rays. `pulls`: see PolicySweep.
 template <class AnyDevice>
 void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const float* previous, double weight, float* next);
+  const ProblemFields<AnyDevice>& fields, const std::vector<Pull>& pulls, double weight,
+  float* next);
 
 /// Whether the rays of a frustum have met only the next iterate in their policy sweep, so that its
 /// score and optical depths are known. Only the last frustum qualifies: rays of others also meet

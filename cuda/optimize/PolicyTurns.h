@@ -16,8 +16,8 @@ namespace limpid
 template <class AnyDevice>
 struct PolicyTurn
 {
-  VisibilityTerm<AnyDevice>* swept;
-  std::vector<VisibilityTerm<AnyDevice>*> others; ///< contribute derivatives at the last iterate
+  EnergyTerm<AnyDevice>* swept;
+  std::vector<EnergyTerm<AnyDevice>*> others; ///< contribute derivatives at the last iterate
   Transmittance transmittance;
   bool weighs; ///< whether the gain of clearing is weighed against its cost
   Reach reach;
@@ -31,7 +31,7 @@ template <class AnyDevice>
 class PolicyTurns
 {
 public:
-  using Term = VisibilityTerm<AnyDevice>;
+  using Term = EnergyTerm<AnyDevice>;
   using Turn = PolicyTurn<AnyDevice>;
 
   /// `problem` and `energy` must outlive it. `warm`: whether iterations start from an earlier
@@ -57,15 +57,15 @@ public:
   }
 
   /// Number of terms that are swept in turn.
-  int MainTerms() const { return std::max(1, int(this->Energy->cameras.size())); }
+  int MainTerms() const { return std::max(1, this->Cameras()); }
 
   Turn Of(int iteration) const
   {
     const int round = this->MainTerms();
-    const bool litBeside = !this->Energy->cameras.empty() && this->Energy->light;
+    const bool litBeside = this->Cameras() > 0 && !this->Energy->all.back().IsOfCamera();
     const bool returns = this->SweepLimit() > round + 1; // a camera is swept last
     const bool lightFirst = iteration == round && litBeside && returns && !this->Warm;
-    Term& swept = lightFirst ? *this->Energy->light : this->Main(iteration);
+    Term& swept = lightFirst ? this->Energy->all.back() : this->Main(iteration);
     const bool first = lightFirst || iteration < round;
     return { &swept, this->AllBut(swept),
       first && !this->Warm ? Transmittance::AssumeOne : Transmittance::OfLastIterate,
@@ -82,17 +82,28 @@ public:
   }
 
 private:
+  int Cameras() const
+  {
+    const auto& all = this->Energy->all;
+    return int(
+      std::count_if(all.begin(), all.end(), [](const Term& term) { return term.IsOfCamera(); }));
+  }
+
   Term& Main(int iteration) const
   {
-    return this->Energy->cameras.empty()
-      ? *this->Energy->light
-      : this->Energy->cameras[std::size_t(iteration % this->MainTerms())];
+    return this->Energy->all[std::size_t(iteration % this->MainTerms())];
   }
 
   std::vector<Term*> AllBut(const Term& swept) const
   {
-    std::vector<Term*> others = this->Energy->All();
-    others.erase(std::find(others.begin(), others.end(), &swept));
+    std::vector<Term*> others;
+    for (Term& term : this->Energy->all)
+    {
+      if (&term != &swept)
+      {
+        others.push_back(&term);
+      }
+    }
     return others;
   }
 
@@ -104,8 +115,12 @@ private:
     const Problem& problem = *this->Given;
     const double radius = problem.grid.Radius();
     const double diameter = radius * problem.majorant;
-    const double change = problem.NormalisedRegularization() + problem.CoherenceWeight() / radius;
-    return this->Energy->WeightOf(swept) < change * diameter * diameter;
+    double change = problem.NormalisedRegularization();
+    for (const Pull& pull : problem.furtherPulls)
+    {
+      change += pull.weight / radius;
+    }
+    return swept.Weight() < change * diameter * diameter;
   }
 
   const Problem* Given;

@@ -6,6 +6,7 @@
 
 #include "backend/Simd.h"
 #include "optimize/ExtinctionBounds.h"
+#include "optimize/Pulls.h"
 
 namespace limpid
 {
@@ -14,27 +15,29 @@ namespace limpid
  *
  *    mu = clamp( mu-bar - (1/p) [ q T_V (V_V - g) + r T_L (V_L - g) ] )
  *
- * from Eqs. (26)-(28) with G = T V, within its bounds. A proximal step (ProximalDescent) adds s/2
- * (mu - mu_last)^2 to the energy. The pull to a reference extinction adds t/2 (mu - mu_previous)^2
- * (Documentation/Deviations.md, D20). Both merge into the regularisation: p becomes p + s + t and
- * mu-bar becomes (p mu-bar + s mu_last + t mu_previous) / (p + s + t).
+ * from Eqs. (26)-(28) with G = T V, within its bounds. Further pulls (Pulls.h) merge into the
+ * regularisation: p becomes the sum of all weights, and mu-bar the mean of all references, weighted
+ * by them. There are pulls to the extinction of a similar view (Documentation/Deviations.md, D20),
+ * and to the last iterate (ProximalDescent).
  */
 template <class Real>
 struct PolicyVoxel
 {
-  Real gain;      ///< weight of the swept term, divided by p + s + t [1/length]
-  Real lagGain;   ///< 1 / (p + s + t) [1/length]
-  Real inertia;   ///< s / (p + s + t) [0, 1]
-  Real coherence; ///< t / (p + s + t) [0, 1]
+  Real gain;    ///< weight of the swept term, divided by the sum of the pulls' weights [1/length]
+  Real lagGain; ///< 1 over that sum [1/length]
+  Real shares[mostReferences]; ///< of pulls to other references than the base in that sum [0, 1]
   ExtinctionBounds<Real> bounds;
 
-  /// `last`: last iterate; `previous`: reference extinction; `derivative`: T (V - g) of the swept
-  /// term; `lagged`: weighted derivative of all other terms; `base` and `importance`: see
-  /// ExtinctionBounds.
-  LIMPID_HD LIMPID_INLINE Real operator()(
-    Real base, Real last, Real previous, Real importance, Real derivative, Real lagged) const
+  /// `references`: one per share; `derivative`: T (V - g) of the swept term; `lagged`: weighted
+  /// derivative of all other terms; `base` and `importance`: see ExtinctionBounds.
+  LIMPID_HD LIMPID_INLINE Real operator()(Real base, const Real (&references)[mostReferences],
+    Real importance, Real derivative, Real lagged) const
   {
-    const Real centre = base + this->coherence * (previous - base) + this->inertia * (last - base);
+    Real centre = base;
+    for (std::size_t i = 0; i < mostReferences; ++i)
+    {
+      centre += this->shares[i] * (references[i] - base);
+    }
     const Real wanted = centre - (this->gain * derivative + this->lagGain * lagged);
     return this->bounds.Clamp(wanted, importance, base);
   }

@@ -128,13 +128,17 @@ void RequireRange(const SceneFields& scene, const CheckedField& field, const Fie
            << " (the energy of Eq. (21) is not defined for it). Keep it " << field.range << '.');
 }
 
-void RequireDistance(const char* what, const RaySource& source, const Grid& grid)
+void RequireDistances(const std::vector<TermSource>& sources, const Grid& grid)
 {
-  const double distance = glm::length(source.origin - 0.5 * Vec3(grid.nodes - 1));
-  LIMPID_REQUIRE(source.parallel || distance < 1e12 * glm::length(Vec3(grid.nodes)),
-    "The " << what << " is " << distance / glm::length(Vec3(grid.nodes))
-           << " image diagonals away (its rays would be numerically parallel). Move it closer or "
-              "use a parallel projection.");
+  for (const TermSource& source : sources)
+  {
+    const double distance = glm::length(source.rays.origin - 0.5 * Vec3(grid.nodes - 1));
+    LIMPID_REQUIRE(source.rays.parallel || distance < 1e12 * glm::length(Vec3(grid.nodes)),
+      "The " << (source.kind == SourceKind::Camera ? "camera" : "light") << " is "
+             << distance / glm::length(Vec3(grid.nodes))
+             << " image diagonals away (its rays would be numerically parallel). Move it closer or "
+                "use a parallel projection.");
+  }
 }
 }
 
@@ -146,12 +150,7 @@ void RequireSettings(const Settings& settings)
 
 void RequireReach(const Problem& problem)
 {
-  RequireDistance("camera", problem.camera, problem.grid);
-  for (const RaySource& camera : problem.otherCameras)
-  {
-    RequireDistance("camera", camera, problem.grid);
-  }
-  RequireDistance("light", problem.light, problem.grid);
+  RequireDistances(problem.sources, problem.grid);
 }
 
 bool IsSampledAsScores(const Problem& problem)
@@ -163,12 +162,7 @@ bool IsSampledAsScores(const Problem& problem)
 void RequireView(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid)
 {
-  RequireDistance("camera", SourceOfCamera(camera, grid, settings.restrictToView), grid);
-  for (const Camera& other : settings.otherCameras)
-  {
-    RequireDistance("camera", SourceOfCamera(other, grid, settings.restrictToView), grid);
-  }
-  RequireDistance("light", SourceOfLight(light, grid), grid);
+  RequireDistances(SourcesOf(camera, light, settings, grid), grid);
 }
 
 PreparedScene::PreparedScene(const SceneFields& scene)
@@ -253,12 +247,7 @@ Problem PreparedScene::ProblemFor(
   task.resident = important.resident;
   task.piece = scene.piece;
   task.majorant = this->LargestExtinction;
-  task.camera = SourceOfCamera(camera, scene.grid, settings.restrictToView);
-  for (const Camera& other : settings.otherCameras)
-  {
-    task.otherCameras.push_back(SourceOfCamera(other, scene.grid, settings.restrictToView));
-  }
-  task.light = SourceOfLight(light, scene.grid);
+  task.sources = SourcesOf(camera, light, settings, scene.grid);
   task.settings = settings;
   task.tellsScores = SeesWhatScoresAreOf(settings);
   return task;
@@ -275,17 +264,28 @@ Problem PreparedScene::ProblemForScores(
   return task;
 }
 
-CarriedExtinction PreparedScene::StayedNear(
-  const CarriedChange& before, const Camera& camera, const Light& light, Problem& problem) const
+std::vector<PullWithReferences> PreparedScene::PullsFor(const CarriedChange& before,
+  const Problem& problem, const Camera& camera, const Light& light) const
 {
-  problem.nearness = before.NearnessTo(camera, light, problem.settings);
-  if (!(problem.settings.temporalCoherence * problem.nearness > 0))
+  std::vector<PullWithReferences> pulls;
+  const auto add = [&](const CarriedChange& change, double share, SummandOf summand)
   {
-    return {};
-  }
-  CarriedExtinction near = AppliedTo(this->Fields, this->LargestExtinction, before);
-  problem.TakeIntoBounds(near.extinction);
-  problem.TakeIntoBounds(near.light);
-  return near;
+    if (!(share > 0))
+    {
+      return;
+    }
+    CarriedExtinction near = AppliedTo(this->Fields, this->LargestExtinction, change);
+    const Communicator* ranks = this->Fields.piece ? this->Fields.piece->ranks.get() : nullptr;
+    if (AnyRank(ranks, !near.extinction.empty())) // a subdomain may be empty
+    {
+      problem.TakeIntoBounds(near.extinction);
+      problem.TakeIntoBounds(near.light);
+      pulls.push_back({ std::move(near), share, summand });
+    }
+  };
+  const Settings& settings = problem.settings;
+  add(before, settings.temporalCoherence * before.NearnessTo(camera, light, settings),
+    [](Energy& energy) -> double& { return energy.coherence; });
+  return pulls;
 }
 }

@@ -8,6 +8,9 @@
 #include "optimize/Solver.h"
 #include "scene/NodeValues.h"
 
+#include <memory>
+#include <vector>
+
 namespace limpid
 {
 /// Throws limpid::Error if settings are invalid or not supported by this build.
@@ -50,10 +53,10 @@ public:
   /// any may be thick.
   Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);
 
-  /// Applies a change to this scene, within the bounds of `problem`, as its reference extinction.
-  /// Sets problem.nearness. Returns nothing if temporal coherence has no effect.
-  CarriedExtinction StayedNear(
-    const CarriedChange& before, const Camera& camera, const Light& light, Problem& problem) const;
+  /// Returns all pulls of a problem but the regularisation, with references within its bounds.
+  /// `before`: the change that temporal coherence pulls to.
+  std::vector<PullWithReferences> PullsFor(const CarriedChange& before, const Problem& problem,
+    const Camera& camera, const Light& light) const;
 
   /// Returns the importance in the energy, grid.NodeCount() values [0, 1].
   const float* ImportanceFor(ImportanceSmoothing smoothing);

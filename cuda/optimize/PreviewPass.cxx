@@ -45,7 +45,7 @@ void PreviewPass::Make(
   this->FromCamera.reset();
   this->ForScores.reset();
   this->Given = this->Scene->ProblemFor(camera, light, settings);
-  this->Previous = this->Scene->StayedNear(previous, camera, light, this->Given);
+  this->Pulls = this->Scene->PullsFor(previous, this->Given, camera, light);
   Settings judging = settings; // with the same rays: more would take too long
   judging.importanceSmoothing = ImportanceSmoothing::Off;
   this->Judged = this->Scene->ProblemFor(camera, light, judging);
@@ -86,15 +86,15 @@ void PreviewPass::MakeByPolicy(const Settings& settings)
   const bool forLight = toSee && weights.light > 0 && (separate || !forCamera);
   if (forCamera)
   {
-    this->Given.previous = this->Previous.Of(false);
+    this->Given.DrawTo(this->Pulls, false);
     Sweep(this->Given, this->CameraSweeps(), weights.view, this->ForCamera);
   }
   std::vector<float>& lit = separate ? this->ForLight : this->ForCamera;
   if (forLight)
   {
-    this->Given.previous = this->Previous.Of(separate);
-    Sweep(
-      this->Given, *this->Backend->SweepsFrom(this->Given, this->Given.light), weights.light, lit);
+    this->Given.DrawTo(this->Pulls, separate);
+    Sweep(this->Given, *this->Backend->SweepsFrom(this->Given, this->Given.Light()), weights.light,
+      lit);
   }
   if (!forLight)
   {
@@ -108,7 +108,8 @@ void PreviewPass::MakeByPolicy(const Settings& settings)
 
 void PreviewPass::Forget()
 {
-  this->Previous = {};
+  this->Given.furtherPulls.clear();
+  this->Pulls.clear();
   this->ForCamera = {};
   this->ForLight = {};
   this->FromCamera.reset();

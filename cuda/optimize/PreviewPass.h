@@ -77,7 +77,7 @@ private:
   std::unique_ptr<SourceSweeps> ForScores;  ///< created if scores use another importance
   std::vector<float> ForCamera;             ///< empty if it is the base extinction
   std::vector<float> ForLight;
-  CarriedExtinction Previous; ///< reference extinctions; empty without coherence
+  std::vector<PullWithReferences> Pulls; ///< beside the regularisation
   std::optional<Score> Before;
   std::optional<Score> After;
 };

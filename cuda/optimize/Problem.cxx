@@ -14,12 +14,28 @@
 
 namespace limpid
 {
+std::vector<TermSource> SourcesOf(
+  const Camera& camera, const Light& light, const Settings& settings, const Grid& grid)
+{
+  std::vector<TermSource> sources{ { SourceKind::Camera,
+    SourceOfCamera(camera, grid, settings.restrictToView) } };
+  for (const Camera& other : settings.otherCameras)
+  {
+    sources.push_back({ SourceKind::Camera, SourceOfCamera(other, grid, settings.restrictToView) });
+  }
+  sources.push_back({ SourceKind::Light, SourceOfLight(light, grid) });
+  return sources;
+}
+
 void Problem::Use(const std::shared_ptr<DistributedFields>& fields)
 {
   this->baseExtinction = fields->base.values.Data();
   this->importance = fields->importance.values.Data();
   this->nodeImportance = fields->nodeImportance.values.Data();
-  this->previous = fields->previous.values.Data();
+  for (std::size_t i = 0; i < this->furtherPulls.size(); ++i)
+  {
+    this->furtherPulls[i].reference = fields->references[i].values.Data();
+  }
   this->shared = fields;
 }
 
@@ -46,6 +62,12 @@ double Problem::SquaresFrom(const float* other, const float* extinction) const
       const Index first = (Index(z) * nodes.y + y) * nodes.x + filled.begin;
       return SumOfSquares(extinction + first, other + first, std::max(filled.Length(), 0));
     });
+}
+
+double Problem::WeightOf(const TermSource& source) const
+{
+  const Weights& weights = this->settings.weights;
+  return source.kind == SourceKind::Camera ? weights.view / this->NumberOfCameras() : weights.light;
 }
 
 double Problem::NormalisedRegularization() const
@@ -99,15 +121,26 @@ double Problem::SmoothingStrength() const
   return this->WeightOfRange(this->settings.smoothness);
 }
 
-double Problem::CoherenceWeight() const
+std::vector<Pull> Problem::Pulls() const
 {
-  return this->previous ? this->WeightOfRange(this->settings.temporalCoherence * this->nearness)
-                        : 0.0;
+  std::vector<Pull> all{ { this->baseExtinction, this->RegularizationWeight(),
+    [](Energy& energy) -> double& { return energy.regularization; } } };
+  all.insert(all.end(), this->furtherPulls.begin(), this->furtherPulls.end());
+  return all;
 }
 
-double Problem::Regularization(double weight, double squares) const
+void Problem::DrawTo(const std::vector<PullWithReferences>& pulls, bool forTheLight)
 {
-  return 0.5 * weight * this->grid.CellVolume() * squares;
+  this->furtherPulls.clear();
+  for (const PullWithReferences& pull : pulls)
+  {
+    this->furtherPulls.push_back(pull.Of(forTheLight, this->WeightOfRange(pull.share)));
+  }
+}
+
+double Problem::EnergyOf(const Pull& pull, double squares) const
+{
+  return 0.5 * pull.weight * this->grid.CellVolume() * squares;
 }
 
 void Problem::TakeIntoBounds(std::vector<float>& extinction) const

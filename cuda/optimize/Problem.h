@@ -7,6 +7,7 @@
 #include "distributed/ScenePiece.h"
 #include "distributed/Slab.h"
 #include "optimize/FoundExtinction.h"
+#include "optimize/Pulls.h"
 #include "optimize/Settings.h"
 #include "scene/FieldView.h"
 #include "scene/Grid.h"
@@ -33,6 +34,25 @@ struct Resident
   std::shared_ptr<const PermutedFields> permuted; ///< cached by the processor's solver
 };
 
+/// What looks at the volume in a visibility term of the energy: Eq. (23) or (24).
+enum class SourceKind
+{
+  Camera,
+  Light
+};
+
+/// The source of a visibility term.
+struct TermSource
+{
+  SourceKind kind;
+  RaySource rays;
+};
+
+/// Returns the sources of all visibility terms: the camera, the other cameras of the settings, and
+/// the light.
+std::vector<TermSource> SourcesOf(
+  const Camera& camera, const Light& light, const Settings& settings, const Grid& grid);
+
 /// The minimisation problem: Eq. (21) for one extinction field. The caller owns the fields.
 struct Problem
 {
@@ -46,19 +66,20 @@ struct Problem
   std::shared_ptr<DistributedFields>
     shared;                        ///< fields of a distributed problem; null for one process
   float majorant = 0;              ///< upper bound of the extinction [1/length]
-  double nearness = 1;             ///< see CarriedChange::NearnessTo
-  const float* previous = nullptr; ///< reference extinction, to which coherence pulls [1/length];
-                                   ///< null if none
-  RaySource camera;
-  std::vector<RaySource> otherCameras; ///< see Settings::otherCameras
-  RaySource light;
+  std::vector<Pull> furtherPulls;  ///< beside the regularisation
+  std::vector<TermSource> sources; ///< of the visibility terms, see SourcesOf
   bool forLight =
     false; ///< whether a method that distinguishes them should compute the extinction for the light
   Settings settings;
   bool fine = false;       ///< whether scores and ceilings resolve layers by FineCuts
   bool tellsScores = true; ///< whether iterations measure scores, see SeesWhatScoresAreOf
 
-  double NumberOfCameras() const { return 1.0 + double(this->otherCameras.size()); }
+  const RaySource& Camera() const { return this->sources.front().rays; } ///< the main camera
+  const RaySource& Light() const { return this->sources.back().rays; }
+  double NumberOfCameras() const { return double(this->sources.size()) - 1.0; }
+
+  /// Weight of a source's term: q of Eq. (23), shared by all cameras, or r of Eq. (24).
+  double WeightOf(const TermSource& source) const;
 
   /// p of Eq. (22): the regularisation weight, or its value from Settings::clearingThreshold.
   double NormalisedRegularization() const;
@@ -69,9 +90,11 @@ struct Problem
     return this->NormalisedRegularization() * this->grid.Radius();
   }
 
-  /// t of Settings::temporalCoherence in world units [length]. With temporalCoherence 1, a pull
-  /// through the whole range of a voxel balances all visibility. 0 without a reference extinction.
-  double CoherenceWeight() const;
+  /// Returns all pulls: first the regularisation, which pulls to the base extinction.
+  std::vector<Pull> Pulls() const;
+
+  /// Sets the further pulls. `pulls` must outlive their use.
+  void DrawTo(const std::vector<PullWithReferences>& pulls, bool forTheLight);
 
   /// Uses the fields of a distributed problem.
   void Use(const std::shared_ptr<DistributedFields>& fields);
@@ -109,9 +132,9 @@ struct Problem
   /// through its whole range as strongly as all visibility does.
   double SmoothingStrength() const;
 
-  /// Returns 1/2 weight sum (mu - other)^2 dx [length^2], given the sum. With the weight of the
-  /// regularisation and the base extinction it is F_p of Eq. (22) in world units.
-  double Regularization(double weight, double squares) const;
+  /// Returns the energy of a pull, 1/2 weight sum (mu - reference)^2 dx [length^2], given the sum.
+  /// That of the regularisation is F_p of Eq. (22) in world units.
+  double EnergyOf(const Pull& pull, double squares) const;
 
   /// Clamps an extinction to its bounds, see ExtinctionBounds, and sets it to 0 where the scene is
   /// empty.
@@ -128,8 +151,8 @@ struct Problem
   double MeanChange(double changes) const;
 
 private:
-  /// Returns the weight of a squared difference of extinctions at which moving a voxel through its
-  /// whole range costs the given share of the visibility terms [length].
+  /// Returns the weight of a pull at which moving a voxel through its whole range costs the given
+  /// share of the visibility terms [length].
   double WeightOfRange(double share) const;
 };
 

@@ -8,20 +8,10 @@
 #include "optimize/Problem.h"
 
 #include <memory>
+#include <vector>
 
 namespace limpid
 {
-/// Returns a problem's reference extinction in device memory; empty if there is none.
-template <class AnyDevice>
-BorrowedArray<AnyDevice, float> PreviousOf(
-  const std::shared_ptr<AnyDevice>& device, const Problem& problem)
-{
-  return problem.previous
-    ? BorrowedArray<AnyDevice, float>(device, problem.previous,
-        static_cast<std::size_t>(problem.grid.NodeCount()), "the previous extinction")
-    : BorrowedArray<AnyDevice, float>();
-}
-
 /// The fields of a problem in device memory. The processor reads the caller's arrays; a GPU keeps
 /// copies as long as the scene exists.
 template <class AnyDevice>
@@ -60,6 +50,34 @@ struct ProblemFields
     }
     return fields;
   }
+};
+
+/// All pulls of a problem, with references in device memory.
+template <class AnyDevice>
+class PullsOnDevice
+{
+public:
+  /// `base`: the base extinction on the device.
+  PullsOnDevice(const std::shared_ptr<AnyDevice>& device, const Problem& problem, const float* base)
+    : List(problem.Pulls())
+  {
+    const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
+    for (Pull& pull : this->List)
+    {
+      if (pull.reference != problem.baseExtinction)
+      {
+        this->References.emplace_back(device, pull.reference, count, "a reference extinction");
+      }
+      pull.reference =
+        pull.reference == problem.baseExtinction ? base : this->References.back().Data();
+    }
+  }
+
+  const std::vector<Pull>& All() const { return this->List; }
+
+private:
+  std::vector<Pull> List;
+  std::vector<BorrowedArray<AnyDevice, float>> References;
 };
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace limpid
 {
@@ -103,11 +104,11 @@ private:
     step.gradient = this->Gradient.Data();
     step.base = this->Energy->Fields().base.Data();
     step.importance = this->Energy->Fields().importance.Data();
-    step.previous = this->Energy->Previous();
     step.state = this->State.Data();
     step.extinction = extinction;
-    step.regularization = static_cast<float>(this->Given->RegularizationWeight() + smoothing);
-    step.coherence = static_cast<float>(this->Given->CoherenceWeight());
+    std::vector<Pull> pulls = this->Energy->Pulls();
+    pulls.push_back({ step.base, smoothing });
+    step.pulls = PullsAtVoxels<float>::Of(pulls, step.base);
     step.smooths = smoothing > 0;
     step.longest = this->LengthOf(mostChange, mostDepth);
     step.floor = static_cast<float>(roundingOfSum * std::max(weights.view, weights.light));

@@ -6,6 +6,7 @@
 
 #include "backend/Simd.h"
 #include "optimize/ExtinctionBounds.h"
+#include "optimize/Pulls.h"
 
 namespace limpid
 {
@@ -25,17 +26,15 @@ struct ResilientVoxel
 {
   static constexpr const char* label = "resilient steps";
 
-  const float* gradient;   ///< derivative of the visibility terms
-  const float* base;       ///< mu-bar [1/length]
-  const float* importance; ///< [0, 1]
-  const float* previous;   ///< reference extinction [1/length]; null if none
-  float* state;            ///< step length with the sign of the last derivative [1/length]
-  float* extinction;       ///< [1/length]
-  float regularization;    ///< weight of (mu - mu-bar), Eq. (26) [length]
-  float coherence;         ///< weight of (mu - mu_previous) [length]
-  bool smooths;  ///< whether `gradient` and `regularization` include the pull of smoothing
-  float longest; ///< maximum step [1/length]
-  float floor;   ///< smaller derivatives are rounding errors
+  const float* gradient;      ///< derivative of the visibility terms
+  const float* base;          ///< mu-bar [1/length]
+  const float* importance;    ///< [0, 1]
+  float* state;               ///< step length with the sign of the last derivative [1/length]
+  float* extinction;          ///< [1/length]
+  PullsAtVoxels<float> pulls; ///< the regularisation of Eq. (26) and all others
+  bool smooths;               ///< whether `gradient` and `pulls` include the pull of smoothing
+  float longest;              ///< maximum step [1/length]
+  float floor;                ///< smaller derivatives are rounding errors
   ExtinctionBounds<float> bounds;
 
   LIMPID_HD LIMPID_INLINE void operator()(Index voxel) const
@@ -44,11 +43,9 @@ struct ResilientVoxel
     constexpr float shrinkage = 0.5f;
     const float now = this->extinction[voxel];
     const float original = this->base[voxel];
-    const float toPrevious =
-      this->previous ? this->coherence * (now - this->previous[voxel]) : 0.0f;
     const float seen =
       Magnitude(this->gradient[voxel]) > this->floor ? this->gradient[voxel] : 0.0f;
-    const float slope = seen + this->regularization * (now - original) + toPrevious;
+    const float slope = this->pulls.AddedTo(seen, now, original, voxel);
     const float last = this->state[voxel];
     const float least = this->bounds.protect * this->importance[voxel] * original;
     const float range = this->bounds.Most(original) - least;
@@ -56,8 +53,8 @@ struct ResilientVoxel
     const float product = slope * last;
     const float grown = AtMost(growth * before, this->longest);
     const float length = product > 0.0f ? grown : product < 0.0f ? shrinkage * before : before;
-    const float pulls = this->regularization + (this->previous ? this->coherence : 0.0f);
-    const float taken = this->smooths ? AtMost(length, Magnitude(slope) / pulls) : length;
+    const float taken =
+      this->smooths ? AtMost(length, Magnitude(slope) / this->pulls.Weight()) : length;
     const float step = slope > 0.0f ? taken : slope < 0.0f ? -taken : 0.0f;
     this->state[voxel] = slope < 0.0f ? -length : length;
     this->extinction[voxel] = this->bounds.Clamp(now - step, this->importance[voxel], original);

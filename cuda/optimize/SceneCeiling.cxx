@@ -20,7 +20,7 @@ Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, cons
   if (scored.settings.weights.light > 0)
   {
     ceiling.lightVisibility =
-      backend->SweepsFrom(scored, scored.light)->CeilingOf(least.Data(), most).visibility;
+      backend->SweepsFrom(scored, scored.Light())->CeilingOf(least.Data(), most).visibility;
   }
   return ceiling;
 }

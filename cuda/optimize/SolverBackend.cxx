@@ -29,7 +29,7 @@ public:
     : Given(problem)
     , Device(device)
     , Fields(ProblemFields<AnyDevice>::Of(device, problem))
-    , Before(PreviousOf(device, problem))
+    , Pulls(device, problem, this->Fields->base.Data())
     , Term(device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity, nullptr,
         problem.fine)
     , Sum(DeviceArray<AnyDevice, Seen>::Zeros(device, 1, "sums"))
@@ -97,14 +97,14 @@ private:
 
   void Sweep(double weight, float* next)
   {
-    SweepFirstPolicy(*this->Device, this->Term, this->Given, *this->Fields,
-      this->Before.Empty() ? nullptr : this->Before.Data(), weight, next);
+    SweepFirstPolicy(
+      *this->Device, this->Term, this->Given, *this->Fields, this->Pulls.All(), weight, next);
   }
 
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Fields;
-  BorrowedArray<AnyDevice, float> Before; ///< reference extinction; empty if none
+  PullsOnDevice<AnyDevice> Pulls;
   VisibilityTerm<AnyDevice> Term;
   DeviceArray<AnyDevice, Seen> Sum;
   std::optional<Visible> Base; ///< empty before the first sweep

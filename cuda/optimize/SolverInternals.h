@@ -31,8 +31,7 @@ struct Solver::Internals
   Light light;
   Settings settings;
   StartingExtinction initial;
-  CarriedExtinction previous; ///< reference extinctions; empty without coherence
-  double nearness = 0;        ///< see CarriedChange::NearnessTo
+  std::vector<PullWithReferences> pulls; ///< beside the regularisation
 
   /// The current run of a minimiser: the joint field, or in separate mode first the camera's
   /// field, then the light's.
@@ -78,9 +77,8 @@ struct Solver::Internals
       RequireAlike(
         *this->Ranks(), this->scene.grid, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
     }
-    Problem whole = this->prepared->ProblemFor(eye, lamp, wanted);
-    this->previous = this->prepared->StayedNear(before, eye, lamp, whole);
-    this->nearness = whole.nearness;
+    this->pulls =
+      this->prepared->PullsFor(before, this->prepared->ProblemFor(eye, lamp, wanted), eye, lamp);
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
@@ -171,8 +169,7 @@ struct Solver::Internals
     }
     Problem made = this->prepared->ProblemFor(this->camera, this->light, wanted);
     made.forLight = this->lightRun;
-    made.previous = this->previous.Of(this->lightRun);
-    made.nearness = this->nearness;
+    made.DrawTo(this->pulls, this->lightRun);
     return made;
   }
 
@@ -297,7 +294,7 @@ struct Solver::Internals
     const bool other = ofLight && HasLightExtinction(this->settings);
     const std::vector<float>& field = other ? this->LightExtinction() : this->Extinction();
     this->backend->FindTransmittance(this->problem,
-      ofLight ? this->problem.light : this->problem.camera,
+      ofLight ? this->problem.Light() : this->problem.Camera(),
       std::max(this->settings.rayDensity, transmittanceRayDensity), field.data(), transmittance);
   }
 

@@ -68,15 +68,17 @@ private:
 
 std::unique_ptr<SourceSweeps> SolverBackend::SweepsFromCameras(const Problem& problem)
 {
-  if (problem.otherCameras.empty())
-  {
-    return this->SweepsFrom(problem, problem.camera);
-  }
   std::vector<std::unique_ptr<SourceSweeps>> cameras;
-  cameras.push_back(this->SweepsFrom(problem, problem.camera));
-  for (const RaySource& other : problem.otherCameras)
+  for (const TermSource& source : problem.sources)
   {
-    cameras.push_back(this->SweepsFrom(problem, other));
+    if (source.kind == SourceKind::Camera)
+    {
+      cameras.push_back(this->SweepsFrom(problem, source.rays));
+    }
+  }
+  if (cameras.size() == 1)
+  {
+    return std::move(cameras.front());
   }
   return std::make_unique<SweepsOfSeveral>(
     std::move(cameras), static_cast<std::size_t>(problem.grid.NodeCount()));

@@ -5,8 +5,6 @@
 
 #include "optimize/Terms.h"
 
-#include "distributed/DistributedFields.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -46,30 +44,18 @@ Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& proble
   : Given(&problem)
   , Device(std::move(device))
   , Scene(ProblemFields<AnyDevice>::Of(this->Device, problem))
-  , Before(PreviousOf(this->Device, problem))
+  , Drawn(this->Device, problem, this->Scene->base.Data())
   , Add(this->Device)
-  , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, 1, "sums"))
+  , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, problem.sources.size(), "sums"))
 {
-  const Settings& settings = problem.settings;
-  const Communicator* ranks = problem.shared ? problem.shared->ranks.get() : nullptr;
-  if (settings.weights.view > 0)
+  for (const TermSource& source : problem.sources)
   {
-    const auto add = [&](const RaySource& camera)
+    if (problem.WeightOf(source) > 0)
     {
-      this->cameras.emplace_back(
-        this->Device, problem.grid, *problem.occupancy, camera, settings.rayDensity, ranks);
-    };
-    add(problem.camera);
-    std::for_each(problem.otherCameras.begin(), problem.otherCameras.end(), add);
-    this->SumsOfOtherCameras =
-      DeviceArray<AnyDevice, Seen>::Zeros(this->Device, problem.otherCameras.size(), "sums");
+      this->all.emplace_back(this->Device, problem, source, this->all.size());
+    }
   }
-  if (settings.weights.light > 0)
-  {
-    this->light.emplace(
-      this->Device, problem.grid, *problem.occupancy, problem.light, settings.rayDensity, ranks);
-  }
-  if (ranks)
+  if (problem.shared)
   {
     this->ShareFields();
   }
@@ -82,50 +68,28 @@ void Terms<AnyDevice>::ShareFields()
   {
     DistributedFields& shared = *this->Given->shared;
     std::vector<FieldDistribution::OfTerm> terms;
-    const RaySource* other = this->Given->otherCameras.data();
-    for (VisibilityTerm<AnyDevice>& camera : this->cameras)
+    for (Term& term : this->all)
     {
-      terms.push_back({ &camera.Frusta(), terms.empty() ? &this->Given->camera : other++ });
-    }
-    if (this->light)
-    {
-      terms.push_back({ &this->light->Frusta(), &this->Given->light });
+      terms.push_back({ &term.Frusta(), &term.Rays() });
     }
     this->Shared = std::make_unique<const FieldDistribution>(*shared.ranks, this->Given->grid.nodes,
       terms, *this->Given->occupancy, shared.inSlabs, shared.places);
     std::vector<FieldDistribution::Input> inputs;
-    for (DistributedFields::Field* field :
-      { &shared.base, &shared.importance, &shared.nodeImportance, &shared.previous })
-    {
-      if (!field->values.Empty())
-      {
-        inputs.push_back({ field->piece, field->values.Data() });
-      }
-    }
+    const auto add = [&inputs](DistributedFields::Field& field) {
+      inputs.push_back({ field.piece, field.values.Data() });
+    };
+    add(shared.base);
+    add(shared.importance);
+    add(shared.nodeImportance);
+    std::for_each(shared.references.begin(), shared.references.end(), add);
     this->Shared->FromPieces(shared.pieces, inputs);
   }
 }
 
 template <class AnyDevice>
-std::vector<VisibilityTerm<AnyDevice>*> Terms<AnyDevice>::All()
+TermFields Terms<AnyDevice>::FieldsOf(const Term& term, const float* extinction) const
 {
-  std::vector<VisibilityTerm<AnyDevice>*> all;
-  for (VisibilityTerm<AnyDevice>& term : this->cameras)
-  {
-    all.push_back(&term);
-  }
-  if (this->light)
-  {
-    all.push_back(&*this->light);
-  }
-  return all;
-}
-
-template <class AnyDevice>
-TermFields Terms<AnyDevice>::FieldsOf(
-  const VisibilityTerm<AnyDevice>& term, const float* extinction) const
-{
-  const bool scored = this->IsOfCamera(term) && this->Given->tellsScores;
+  const bool scored = term.IsOfCamera() && this->Given->tellsScores;
   return { extinction, this->Scene->importance.Data(), this->Scene->nodeImportance.Data(),
     scored ? this->Scene->base.Data() : nullptr };
 }
@@ -133,19 +97,27 @@ TermFields Terms<AnyDevice>::FieldsOf(
 template <class AnyDevice>
 void Terms<AnyDevice>::SeeBase()
 {
-  if (this->Given->tellsScores && this->Base.empty())
+  if (!this->Given->tellsScores || !this->Base.empty())
   {
-    for (VisibilityTerm<AnyDevice>& camera : this->cameras)
+    return;
+  }
+  for (Term& term : this->all)
+  {
+    if (term.IsOfCamera())
     {
-      TermFields fields = this->FieldsOf(camera, this->Scene->base.Data());
+      TermFields fields = this->FieldsOf(term, this->Scene->base.Data());
       fields.base = nullptr; // all of it is kept
-      camera.Forward(fields, nullptr);
-      this->TakeSeen(camera, Kept::Ignored);
+      term.Forward(fields, nullptr);
+      this->TakeSeen(term, Kept::Ignored);
     }
-    this->Sum();
-    for (const Seen& seen : this->ReadCameras(this->ReadSums()))
+  }
+  this->Sum();
+  const std::vector<TermSums> sums = this->ReadSums();
+  for (const Term& term : this->all)
+  {
+    if (term.IsOfCamera())
     {
-      this->Base.push_back(seen.all);
+      this->Base.push_back(sums[term.Number()].seen.all);
     }
   }
 }
@@ -166,9 +138,12 @@ IterationRecord Terms<AnyDevice>::MeasureBase()
     return this->Measure(this->Scene->base.Data());
   }
   this->SeeBase();
-  if (this->light)
+  for (Term& term : this->all)
   {
-    this->MeasureTerm(*this->light, this->Scene->base.Data());
+    if (!term.IsOfCamera())
+    {
+      this->MeasureTerm(term, this->Scene->base.Data());
+    }
   }
   this->TakeMoved(this->Scene->base.Data(), nullptr);
   IterationRecord record = this->Record();
@@ -179,9 +154,9 @@ IterationRecord Terms<AnyDevice>::MeasureBase()
 template <class AnyDevice>
 IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 {
-  for (VisibilityTerm<AnyDevice>* term : this->All())
+  for (Term& term : this->all)
   {
-    this->MeasureTerm(*term, extinction);
+    this->MeasureTerm(term, extinction);
   }
   this->TakeMoved(extinction, nullptr);
   return this->Record();
@@ -190,20 +165,19 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 template <class AnyDevice>
 void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 {
-  const std::vector<VisibilityTerm<AnyDevice>*> all = this->All();
   if constexpr (AnyDevice::readsHostMemory)
   {
     if (this->Shared)
     {
-      this->Shared->FillNeeded(&all.front()->Frusta(), 0.0f, gradient);
+      this->Shared->FillNeeded(&this->all.front().Frusta(), 0.0f, gradient);
     }
   }
-  const VisibilityTerm<AnyDevice>* before = nullptr;
-  for (VisibilityTerm<AnyDevice>* term : all)
+  const Term* before = nullptr;
+  for (Term& term : this->all)
   {
-    this->Pass(gradient, before, term);
-    this->DifferentiateTerm(*term, extinction, 1.0f, gradient);
-    before = term;
+    this->Pass(gradient, before, &term);
+    this->DifferentiateTerm(term, extinction, 1.0f, gradient);
+    before = &term;
   }
   this->Pass(gradient, before, nullptr);
 }
@@ -220,8 +194,7 @@ void Terms<AnyDevice>::FillGradient(
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::Pass(float* derivative, const VisibilityTerm<AnyDevice>* from,
-  const VisibilityTerm<AnyDevice>* to) const
+void Terms<AnyDevice>::Pass(float* derivative, const Term* from, const Term* to) const
 {
   if (from)
   {
@@ -230,15 +203,14 @@ void Terms<AnyDevice>::Pass(float* derivative, const VisibilityTerm<AnyDevice>* 
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::PassFromSlabs(float* field, const VisibilityTerm<AnyDevice>& to) const
+void Terms<AnyDevice>::PassFromSlabs(float* field, const Term& to) const
 {
   this->Redistribute(field, nullptr, &to);
 }
 
 template <class AnyDevice>
 void Terms<AnyDevice>::Redistribute([[maybe_unused]] float* field,
-  [[maybe_unused]] const VisibilityTerm<AnyDevice>* from,
-  [[maybe_unused]] const VisibilityTerm<AnyDevice>* to) const
+  [[maybe_unused]] const Term* from, [[maybe_unused]] const Term* to) const
 {
   if constexpr (AnyDevice::readsHostMemory)
   {
@@ -279,24 +251,23 @@ void Terms<AnyDevice>::ShareSlabs([[maybe_unused]] float* extinction) const
 
 template <class AnyDevice>
 void Terms<AnyDevice>::DifferentiateTerm(
-  VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient)
+  Term& term, const float* extinction, float kept, float* gradient)
 {
-  const auto weight = static_cast<float>(this->WeightOf(term));
-  this->DifferentiateOne(term, extinction, { kept, weight }, gradient);
+  this->DifferentiateOne(term, extinction, { kept, static_cast<float>(term.Weight()) }, gradient);
 }
 
 template <class AnyDevice>
 void Terms<AnyDevice>::DifferentiateSeen(
-  VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient)
+  Term& term, const float* extinction, float kept, float* gradient)
 {
   TermFields fields = this->FieldsOf(term, extinction);
   fields.base = nullptr; // nothing is summed
   term.DifferentiateSeen(fields, this->Given->settings.derivative,
-    { kept, static_cast<float>(this->WeightOf(term)) }, gradient);
+    { kept, static_cast<float>(term.Weight()) }, gradient);
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::MeasureTerm(VisibilityTerm<AnyDevice>& term, const float* extinction)
+void Terms<AnyDevice>::MeasureTerm(Term& term, const float* extinction)
 {
   const TermFields fields = this->FieldsOf(term, extinction);
   term.Forward(fields, nullptr);
@@ -304,15 +275,8 @@ void Terms<AnyDevice>::MeasureTerm(VisibilityTerm<AnyDevice>& term, const float*
 }
 
 template <class AnyDevice>
-double Terms<AnyDevice>::WeightOf(const VisibilityTerm<AnyDevice>& term) const
-{
-  const Weights& weights = this->Given->settings.weights;
-  return this->IsOfCamera(term) ? weights.view / this->Given->NumberOfCameras() : weights.light;
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
-  const GradientTarget& target, float* gradient)
+void Terms<AnyDevice>::DifferentiateOne(
+  Term& term, const float* extinction, const GradientTarget& target, float* gradient)
 {
   const TermFields fields = this->FieldsOf(term, extinction);
   const Derivative derivative = this->Given->settings.derivative;
@@ -327,22 +291,7 @@ void Terms<AnyDevice>::DifferentiateOne(VisibilityTerm<AnyDevice>& term, const f
 }
 
 template <class AnyDevice>
-Seen* Terms<AnyDevice>::SumOf(const VisibilityTerm<AnyDevice>& term)
-{
-  if (!this->IsOfCamera(term))
-  {
-    return &this->Sums()->light;
-  }
-  std::size_t number = 0;
-  while (&this->cameras[number] != &term)
-  {
-    ++number;
-  }
-  return number == 0 ? &this->Sums()->camera : this->SumsOfOtherCameras.Data() + (number - 1);
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept)
+void Terms<AnyDevice>::TakeSeen(Term& term, Kept kept)
 {
   auto& seen = this->Unsummed.seen;
   const auto isOfTerm = [&term](const auto& other) { return other.term == &term; };
@@ -355,7 +304,7 @@ void Terms<AnyDevice>::SumChanges(const float* changes)
 {
   this->Add("sums",
     Summand<AbsoluteChange>{
-      { changes, nullptr }, this->Given->grid.NodeCount(), &this->Sums()->moved.changes });
+      { changes, nullptr }, this->Given->grid.NodeCount(), &this->Moved()->changes });
 }
 
 template <class AnyDevice>
@@ -369,105 +318,98 @@ template <class AnyDevice>
 void Terms<AnyDevice>::Sum()
 {
   const Taken taken = std::exchange(this->Unsummed, {});
-  TermSums* sums = this->Sums();
   if constexpr (AnyDevice::readsHostMemory)
   {
     for (const typename Taken::OfTerm& seen : taken.seen)
     {
       seen.term->Sum(this->SumOf(*seen.term), seen.kept);
     }
-    if (taken.extinction)
+    for (std::size_t i = 0; taken.extinction && i < this->Pulls().size(); ++i)
     {
       // In distributed runs no rank holds the whole base extinction.
-      const float* base = this->Given->baseExtinction;
-      sums->moved.squares =
-        taken.extinction == base ? 0.0 : this->Given->SquaresFrom(base, taken.extinction);
-      sums->moved.squaresFromPrevious =
-        this->Previous() ? this->Given->SquaresFrom(this->Previous(), taken.extinction) : 0.0;
+      const float* reference = this->Pulls()[i].reference;
+      this->Moved()->squares[i] =
+        taken.extinction == reference ? 0.0 : this->Given->SquaresFrom(reference, taken.extinction);
     }
   }
   else
   {
-    SumsOfSeen byCamera;
-    SumsOfSeen byLight;
-    for (const typename Taken::OfTerm& seen : taken.seen)
-    {
-      Seen* sum = this->SumOf(*seen.term);
-      const SumsOfSeen by = seen.term->SumsInto(sum, seen.kept);
-      if (sum == &sums->camera || sum == &sums->light)
-      {
-        (sum == &sums->camera ? byCamera : byLight) = by;
-        continue;
-      }
-      this->Add("sums", by.all.visible, by.all.unattenuated, by.kept.visible, by.kept.unattenuated);
-    }
-    const Index nodes = this->Given->grid.NodeCount();
-    this->Add("sums", byCamera.all.visible, byCamera.all.unattenuated, byCamera.kept.visible,
-      byCamera.kept.unattenuated, byLight.all.visible, byLight.all.unattenuated,
-      Summand<AbsoluteChange>{
-        { taken.extinction, taken.last }, nodes, taken.last ? &sums->moved.changes : nullptr },
-      Summand<SquaredDifference>{ { taken.extinction, this->Scene->base.Data() }, nodes,
-        taken.extinction ? &sums->moved.squares : nullptr },
-      Summand<SquaredDifference>{ { taken.extinction, this->Previous() }, nodes,
-        taken.extinction && this->Previous() ? &sums->moved.squaresFromPrevious : nullptr });
+    this->SumOnGpu(taken, std::make_index_sequence<1 + mostReferences>());
   }
+}
+
+template <class AnyDevice>
+template <std::size_t... Numbers>
+void Terms<AnyDevice>::SumOnGpu(const Taken& taken, std::index_sequence<Numbers...>)
+{
+  Differences* moved = this->Moved();
+  SumsOfSeen first[2]; // the sums of more terms take a launch each
+  for (std::size_t i = 0; i < taken.seen.size(); ++i)
+  {
+    const typename Taken::OfTerm& seen = taken.seen[i];
+    const SumsOfSeen by = seen.term->SumsInto(this->SumOf(*seen.term), seen.kept);
+    if (i < std::size(first))
+    {
+      first[i] = by;
+      continue;
+    }
+    this->Add("sums", by.all.visible, by.all.unattenuated, by.kept.visible, by.kept.unattenuated);
+  }
+  const Index nodes = this->Given->grid.NodeCount();
+  const auto squares = [&](std::size_t number)
+  {
+    const bool isPull = taken.extinction && number < this->Pulls().size();
+    return Summand<SquaredDifference>{ { taken.extinction,
+                                         isPull ? this->Pulls()[number].reference : nullptr },
+      nodes, isPull ? &moved->squares[number] : nullptr };
+  };
+  this->Add("sums", first[0].all.visible, first[0].all.unattenuated, first[0].kept.visible,
+    first[0].kept.unattenuated, first[1].all.visible, first[1].all.unattenuated,
+    first[1].kept.visible, first[1].kept.unattenuated,
+    Summand<AbsoluteChange>{
+      { taken.extinction, taken.last }, nodes, taken.last ? &moved->changes : nullptr },
+    squares(Numbers)...);
 }
 
 template <class AnyDevice>
 IterationRecord Terms<AnyDevice>::Record()
 {
   this->Sum();
-  const TermSums sums = this->ReadSums();
-  const std::vector<Seen> byCameras = this->ReadCameras(sums);
+  const std::vector<TermSums> sums = this->ReadSums();
+  const Differences& moved = sums.front().moved;
   const Weights& weights = this->Given->settings.weights;
   IterationRecord record;
   const Problem& problem = *this->Given;
-  record.energy.regularization =
-    problem.Regularization(problem.RegularizationWeight(), sums.moved.squares); // Eq. (22)
-  double visible = 0;
-  for (const Seen& seen : byCameras)
+  for (std::size_t i = 0; i < this->Pulls().size(); ++i)
   {
-    visible += seen.all.visible;
+    const Pull& pull = this->Pulls()[i];
+    pull.summand(record.energy) += problem.EnergyOf(pull, moved.squares[i]); // Eq. (22)
+  }
+  double visible = 0; // by all cameras
+  double lit = 0;
+  std::vector<Score> scores;
+  for (const Term& term : this->all)
+  {
+    const Seen& seen = sums[term.Number()].seen;
+    (term.IsOfCamera() ? visible : lit) += seen.all.visible;
+    if (term.IsOfCamera() && !this->Base.empty())
+    {
+      scores.push_back(ScoreOf(seen, this->Base[term.Number()].unattenuated)); // Eq. (32)
+    }
   }
   record.energy.view = -weights.view * (visible / problem.NumberOfCameras()); // Eq. (23)
-  record.energy.light = -weights.light * sums.light.all.visible;              // Eq. (24)
-  record.energy.coherence =
-    problem.Regularization(problem.CoherenceWeight(), sums.moved.squaresFromPrevious);
-  if (!this->Base.empty())
-  {
-    std::vector<Score> scores;
-    for (std::size_t i = 0; i < byCameras.size(); ++i)
-    {
-      scores.push_back(ScoreOf(byCameras[i], this->Base[i].unattenuated)); // Eq. (32)
-    }
-    record.score = MeanOf(scores);
-  }
-  record.meanChange = this->Given->MeanChange(sums.moved.changes);
+  record.energy.light = -weights.light * lit;                                 // Eq. (24)
+  record.score = scores.empty() ? Score() : MeanOf(scores);
+  record.meanChange = this->Given->MeanChange(moved.changes);
   return record;
 }
 
 template <class AnyDevice>
-TermSums Terms<AnyDevice>::ReadSums()
+std::vector<TermSums> Terms<AnyDevice>::ReadSums() const
 {
-  TermSums sums;
-  this->Found.Download(&sums);
+  std::vector<TermSums> sums(this->Found.Size());
+  this->Found.Download(sums.data());
   return sums;
-}
-
-template <class AnyDevice>
-std::vector<Seen> Terms<AnyDevice>::ReadCameras(const TermSums& sums)
-{
-  if (this->cameras.empty())
-  {
-    return {};
-  }
-  std::vector<Seen> seen(this->cameras.size());
-  seen[0] = sums.camera;
-  if (seen.size() > 1)
-  {
-    this->SumsOfOtherCameras.Download(seen.data() + 1);
-  }
-  return seen;
 }
 
 template class Terms<CompiledDevice>;

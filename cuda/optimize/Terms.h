@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Terms_h
 #define limpid_optimize_Terms_h
 
+#include "distributed/DistributedFields.h"
 #include "energy/VisibilityTerm.h"
 #include "optimize/Differences.h"
 #include "optimize/FieldDistribution.h"
@@ -11,17 +12,45 @@
 
 #include <deque>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace limpid
 {
-/// The sums from which energy and score of an extinction follow; zero for missing terms.
+/// The sums from which energy and score of an extinction follow, one per visibility term.
 struct TermSums
 {
-  Seen camera;       ///< of the first camera
-  Seen light;        ///< kept base extinction is not counted
-  Differences moved; ///< distances from the base extinction and the last iterate
+  Seen seen;         ///< by the term's source; for a light, kept base extinction is not counted
+  Differences moved; ///< distances from the references of pulls and from the last iterate; with the
+                     ///< first term
+};
+
+/// A visibility term of the energy, with its weight in it.
+template <class AnyDevice>
+class EnergyTerm : public VisibilityTerm<AnyDevice>
+{
+public:
+  EnergyTerm(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
+    const TermSource& source, std::size_t number)
+    : VisibilityTerm<AnyDevice>(device, problem.grid, *problem.occupancy, source.rays,
+        problem.settings.rayDensity, problem.shared ? problem.shared->ranks.get() : nullptr)
+    , Source(&source)
+    , Share(problem.WeightOf(source))
+    , Position(number)
+  {
+  }
+
+  /// Whether it is a camera's, for which kept base extinction is counted.
+  bool IsOfCamera() const { return this->Source->kind == SourceKind::Camera; }
+
+  const RaySource& Rays() const { return this->Source->rays; }
+  double Weight() const { return this->Share; }         ///< see Problem::WeightOf
+  std::size_t Number() const { return this->Position; } ///< in Terms::all
+
+private:
+  const TermSource* Source;
+  double Share;
+  std::size_t Position;
 };
 
 /// The visibility terms of a problem's energy, one per camera and one for the light. Terms of
@@ -30,6 +59,8 @@ template <class AnyDevice>
 class Terms
 {
 public:
+  using Term = EnergyTerm<AnyDevice>;
+
   Terms(std::shared_ptr<AnyDevice> device, const Problem& problem);
 
   /// Sweeps the base extinction once for all cameras, if iterations record scores, which are
@@ -47,7 +78,7 @@ public:
   Score BaseScore() const;
 
   /// The fields of a term's sweep. Kept base extinction matters to scores only.
-  TermFields FieldsOf(const VisibilityTerm<AnyDevice>& term, const float* extinction) const;
+  TermFields FieldsOf(const Term& term, const float* extinction) const;
 
   /// Adds the derivative of the weighted visibility terms, Eqs. (27) and (28), to `gradient`,
   /// which must be zero except in distributed runs. Also measures the extinction for the next
@@ -59,39 +90,27 @@ public:
 
   /// In distributed runs, redistributes the derivative from where term `from` was added to where
   /// term `to` will be added. `from`: null if no term was added yet; `to`: null for the slabs.
-  void Pass(float* derivative, const VisibilityTerm<AnyDevice>* from,
-    const VisibilityTerm<AnyDevice>* to) const;
+  void Pass(float* derivative, const Term* from, const Term* to) const;
 
   /// In distributed runs, redistributes a field from the slabs to where a term is swept.
-  void PassFromSlabs(float* field, const VisibilityTerm<AnyDevice>& to) const;
+  void PassFromSlabs(float* field, const Term& to) const;
 
   /// Computes `kept` times `gradient` plus the weighted derivative of one visibility term. Also
   /// measures the extinction for the next record. Only voxels that the term depends on are
   /// written, the same ones each time.
-  void DifferentiateTerm(
-    VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient);
+  void DifferentiateTerm(Term& term, const float* extinction, float kept, float* gradient);
 
   /// DifferentiateTerm for an extinction that the term's rays have met in their last sweep.
-  void DifferentiateSeen(
-    VisibilityTerm<AnyDevice>& term, const float* extinction, float kept, float* gradient);
+  void DifferentiateSeen(Term& term, const float* extinction, float kept, float* gradient);
 
   /// Measures the extinction for the next record like DifferentiateTerm, and leaves the optical
   /// depths of the term's rays.
-  void MeasureTerm(VisibilityTerm<AnyDevice>& term, const float* extinction);
-
-  /// q of Eq. (23), shared by all cameras, or r of Eq. (24).
-  double WeightOf(const VisibilityTerm<AnyDevice>& term) const;
-
-  /// Whether a term belongs to a camera, for which kept base extinction is counted.
-  bool IsOfCamera(const VisibilityTerm<AnyDevice>& term) const
-  {
-    return !this->light || &term != &*this->light;
-  }
+  void MeasureTerm(Term& term, const float* extinction);
 
   /// Includes the last sweep of a term's rays in the next record.
-  void TakeSeen(VisibilityTerm<AnyDevice>& term, Kept kept);
+  void TakeSeen(Term& term, Kept kept);
 
-  /// Includes the distances of an extinction from the base and, if not null, from `last`.
+  /// Includes the distances of an extinction from all references and, if not null, from `last`.
   void TakeMoved(const float* extinction, const float* last);
 
   /// Sums the magnitudes of changes immediately, for the next record.
@@ -105,11 +124,11 @@ public:
   double MeanChange()
   {
     this->Sum();
-    return this->Given->MeanChange(this->ReadSums().moved.changes);
+    return this->Given->MeanChange(this->ReadSums().front().moved.changes);
   }
 
-  /// The sums of the next record, on the device.
-  TermSums* Sums() { return this->Found.Data(); }
+  /// The distances of the next record, on the device.
+  Differences* Moved() { return &this->Found.Data()->moved; }
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
@@ -123,27 +142,23 @@ public:
   /// Redistributes values changed in the slabs to all ranks that need them.
   void ShareSlabs(float* extinction) const;
 
-  /// The reference extinction, see Problem::previous; null if none.
-  const float* Previous() const { return this->Before.Empty() ? nullptr : this->Before.Data(); }
+  /// All pulls of the problem, with references on the device.
+  const std::vector<Pull>& Pulls() const { return this->Drawn.All(); }
+
   const std::shared_ptr<ProblemFields<AnyDevice>>& SharedFields() const { return this->Scene; }
 
-  std::deque<VisibilityTerm<AnyDevice>> cameras; ///< at fixed addresses; empty without weight
-  std::optional<VisibilityTerm<AnyDevice>> light;
-
-  /// All terms.
-  std::vector<VisibilityTerm<AnyDevice>*> All();
+  std::deque<Term> all; ///< those of cameras first, at fixed addresses
 
 private:
   /// Redistributes a field between the places of two terms; null: the slabs.
-  void Redistribute(
-    float* field, const VisibilityTerm<AnyDevice>* from, const VisibilityTerm<AnyDevice>* to) const;
+  void Redistribute(float* field, const Term* from, const Term* to) const;
 
   /// What the next record includes but was not summed yet.
   struct Taken
   {
     struct OfTerm
     {
-      VisibilityTerm<AnyDevice>* term;
+      Term* term;
       Kept kept;
     };
     std::vector<OfTerm> seen;
@@ -153,29 +168,29 @@ private:
 
   /// Sums what was included, on a device in one launch.
   void Sum();
+  template <std::size_t... Numbers>
+  void SumOnGpu(const Taken& taken, std::index_sequence<Numbers...> numbersOfPulls);
 
-  /// Return the sums. Wait.
-  TermSums ReadSums();
-  std::vector<Seen> ReadCameras(const TermSums& sums);
+  /// Returns the sums of all terms, at least one. Waits.
+  std::vector<TermSums> ReadSums() const;
 
   /// Address of the sum over a term's rays, on the device.
-  Seen* SumOf(const VisibilityTerm<AnyDevice>& term);
+  Seen* SumOf(const Term& term) { return &this->Found.Data()[term.Number()].seen; }
 
   /// Redistributes the fields of a distributed problem.
   void ShareFields();
 
   /// Computes the derivative of one visibility term.
-  void DifferentiateOne(VisibilityTerm<AnyDevice>& term, const float* extinction,
-    const GradientTarget& target, float* gradient);
+  void DifferentiateOne(
+    Term& term, const float* extinction, const GradientTarget& target, float* gradient);
 
   const Problem* Given;
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
-  BorrowedArray<AnyDevice, float> Before;          ///< see Problem::previous; empty if null
+  PullsOnDevice<AnyDevice> Drawn;
   std::unique_ptr<const FieldDistribution> Shared; ///< on processors only
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
-  DeviceArray<AnyDevice, Seen> SumsOfOtherCameras; ///< sums of all cameras but the first
   Taken Unsummed;
   std::vector<Visible> Base; ///< [camera]; empty before SeeBase or if iterations record no scores
 };

@@ -74,7 +74,7 @@ void StepAll([[maybe_unused]] AnyDevice& device, const Problem& problem, const S
   if constexpr (AnyDevice::readsHostMemory)
   {
     const Int3& nodes = problem.grid.nodes;
-    terms.Sums()->moved.changes = problem.SumOverRows(
+    terms.Moved()->changes = problem.SumOverRows(
       [&](int y, int z)
       {
         const Index first = (Index(z) * nodes.y + y) * nodes.x;
