@@ -266,20 +266,22 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, RayPlace
   this->PutBetween(std::move(edges));
 }
 
-Range<int> Lateral::RaysNear(double depth) const
+Range<int> Lateral::RaysNear(double depth, double reach, int more) const
 {
-  constexpr double reach =
-    3; // rays so far beside the box carry values to it (OccupiedRays) [index]
-  constexpr int more = 3;
+  const Range<double> near{ -reach, this->nodes - 1 + reach };
+  const Range<int> all{ 0, this->count };
+  if (!this->parallel && !(depth > 0)) // all rays meet in the source
+  {
+    return this->eye >= near.begin && this->eye <= near.end ? all : Range<int>{};
+  }
   const Line line = LineAt(*this, depth);
   const auto coordinateOf = [&](double position) { return (position - line.offset) / line.factor; };
   const auto begin = this->Middles.begin();
-  const auto first = std::lower_bound(begin, this->Middles.end(), coordinateOf(-reach));
-  const auto end =
-    std::upper_bound(first, this->Middles.end(), coordinateOf(this->nodes - 1 + reach));
+  const auto first = std::lower_bound(begin, this->Middles.end(), coordinateOf(near.begin));
+  const auto end = std::upper_bound(first, this->Middles.end(), coordinateOf(near.end));
   return Intersection(
     Range<int>{ static_cast<int>(first - begin) - more, static_cast<int>(end - begin) + more },
-    { 0, this->count });
+    all);
 }
 
 void Lateral::FindRayMap(double depth, const Range<int>& rays, int* index, float* weight) const

@@ -50,9 +50,9 @@ public:
   /// Chooses the rays that see the box between two depths; none if no ray reaches it.
   void Fit(double nearDepth, double farDepth, double rayDensity, RayPlacement placement);
 
-  /// Returns the rays at most three nodes away from the box at `depth`, and three more on either
-  /// side, which serve interpolation.
-  Range<int> RaysNear(double depth) const;
+  /// Returns the rays at most `reach` nodes away from the box at `depth`, and `more` on either
+  /// side.
+  Range<int> RaysNear(double depth, double reach, int more) const;
 
   /// Computes the map from rays to voxel columns at `depth`: a value each per ray in `rays`. A ray
   /// outside the box reads its border.
