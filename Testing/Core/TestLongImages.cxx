@@ -201,6 +201,19 @@ TEST(LongImages, TakeFewRaysPerNode)
   }
 }
 
+// Seen from the side, rows along the box have enough rays. Across it a few rows are enough.
+TEST(LongImages, TakeFewRaysFromTheSide)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    SCOPED_TRACE(axis);
+    BoxScene scene = LongBox(2, 5000, axis);
+    scene.Fill(Everywhere(0.01), Everywhere(1));
+
+    EXPECT_LE(CostPerNode(scene, Parallel(Turned(Vec3(0, 1, 0), axis))).visits, 4);
+  }
+}
+
 // Steps skip the rays that no plan visits, so that none that matters may be missing.
 TEST(LongImages, VisitAllRaysThatMeetTheBoxOrThatVoxelsRead)
 {
@@ -253,6 +266,27 @@ TEST(LongImages, HaveTheDerivativeOfTheirScore)
       EXPECT_WITHIN(slope.derivative, slope.difference,
         Relative(5e-3, slope.size, "a step of 1 %, and voxels between two frusta"));
     }
+  }
+}
+
+// Three rays at Gauss points are closer to it than four in the middle of equal parts.
+TEST(LongImages, HaveTheScoreOfAMarchAlongThem)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    SCOPED_TRACE(axis);
+    BoxScene scene = LongBox(2, 1500, axis);
+    scene.Fill([&](const Vec3& x) { return 0.002 * x[(axis + 1) % 3] * x[(axis + 2) % 3]; },
+      [&](const Vec3& x) { return x[(axis + 1) % 3] * x[(axis + 2) % 3]; });
+    scene.camera.parallel = true;
+    scene.camera.position = scene.camera.focalPoint + Turned(Vec3(-2000, 0, 0), axis);
+    scene.camera.viewUp = Turned(Vec3(0, 1, 0), axis);
+    scene.settings.maximumIterations = 0;
+
+    const double march = scene.TrueScore(scene.extinction, 32);
+
+    EXPECT_WITHIN(scene.MakeSolver().BaseScore().visibility, march,
+      Relative(1e-3, march, "the march's own error and that of attenuation across the cell"));
   }
 }
 

@@ -360,7 +360,10 @@ bool PlaceLaterals(PlannedFrustum& frustum, const Grid& grid, const RaySource& s
     lateral->shear =
       source.parallel ? source.direction[axis] / std::abs(source.direction[frustum.axisW]) : 0.0;
     lateral->nodes = grid.nodes[axis];
-    lateral->Fit(depth.Near(), depth.Far(), settings.rayDensity, settings.placement);
+    const double layers = depth.Far() - depth.Near();
+    lateral->Fit(depth.Near(), depth.Far(),
+      IsLong(grid.nodes) ? std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z }) - 1.0 : layers,
+      settings.rayDensity, settings.placement);
     if (lateral->count == 0)
     {
       return false;
