@@ -25,29 +25,29 @@ struct Margin
 /// are few.
 constexpr Margin generous{ 3, 3 };
 
-/// Entries and exits of rays are rounded [index].
-constexpr double rounding = 0.01;
+/// Entries and exits of rays are rounded.
+constexpr Margin inside{ 0.01, 0 };
 
 /// In a long image most rays are beside it, so that they determine the time of a sweep. A voxel
 /// interpolates one ray beside the box, or with cubics two.
 Margin ReadByVoxels(const PlanSettings& settings)
 {
   const bool cubic = settings.placement == RayPlacement::ForNodes;
-  return { rounding, settings.readers == Readers::Rays ? 0 : cubic ? 2 : 1 };
+  return { inside.nodes, settings.readers == Readers::Rays ? 0 : cubic ? 2 : 1 };
 }
 
-/// Sets the rays of all slices along one axis that are in a margin on the slice or on the next one.
-/// A ray moves by at most one node per layer, so these include all rays that meet the box in the
-/// layer.
-void FindNear(
-  const Lateral& lateral, const Margin& margin, std::vector<Slice>& slices, Range<int> Slice::*rays)
+/// Sets the rays of all slices along one axis that are in a margin on the slice, or in another one
+/// on the next slice. A ray moves by at most one node per layer, so these include all rays that
+/// meet the box in the layer.
+void FindNear(const Lateral& lateral, const Margin& here, const Margin& behind,
+  std::vector<Slice>& slices, Range<int> Slice::*rays)
 {
-  Range<int> behind;
-  for (std::size_t s = slices.size(); s-- > 0;)
+  const auto near = [&lateral](const Slice& slice, const Margin& margin)
+  { return lateral.RaysNear(slice.depth, margin.nodes, margin.rays); };
+  for (std::size_t s = 0; s < slices.size(); ++s)
   {
-    const Range<int> here = lateral.RaysNear(slices[s].depth, margin.nodes, margin.rays);
-    slices[s].*rays = Hull(here, behind);
-    behind = here;
+    const Slice& next = slices[std::min(s + 1, slices.size() - 1)];
+    slices[s].*rays = Hull(near(slices[s], here), near(next, behind));
   }
 }
 }
@@ -66,11 +66,12 @@ RayWindows::RayWindows(const PlannedFrustum& frustum, const Int3& nodes,
   , rowLayers(std::size_t(frustum.rows))
 {
   const bool isLong = IsLong(nodes);
-  const Margin described = isLong ? Margin{ rounding, generous.rays } : generous;
-  FindNear(frustum.lateralU, described, slices, &Slice::rayColumns);
-  FindNear(frustum.lateralV, described, slices, &Slice::rayRows);
-  FindNear(frustum.lateralU, ReadByVoxels(settings), slices, &Slice::nearColumns);
-  FindNear(frustum.lateralV, ReadByVoxels(settings), slices, &Slice::nearRows);
+  const Margin described = isLong ? Margin{ inside.nodes, generous.rays } : generous;
+  FindNear(frustum.lateralU, described, described, slices, &Slice::rayColumns);
+  FindNear(frustum.lateralV, described, described, slices, &Slice::rayRows);
+  const Margin visited = ReadByVoxels(settings);
+  FindNear(frustum.lateralU, visited, inside, slices, &Slice::nearColumns);
+  FindNear(frustum.lateralV, visited, inside, slices, &Slice::nearRows);
   const double all = double(frustum.columns) * frustum.rows;
   double needed = 0;
   for (const Slice& slice : slices)
