@@ -151,9 +151,10 @@ void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans
   }
 }
 
-/// Restricts `active` to columns that touch filled voxels in front of a layer or behind it.
+/// Restricts `active` to the columns of `near` that touch filled voxels in front of a layer or
+/// behind it, and widens it to whole registers of `columns`.
 LIMPID_MULTIVERSION
-void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count,
+void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count, const Range<int>& near,
   const Range<int>& columns, Range<int>* __restrict active)
 {
   const int* __restrict frontBegins = front.begins;
@@ -161,11 +162,12 @@ void CutRows(const ColumnSpans& front, const ColumnSpans& back, int count,
   const int* __restrict backBegins = back.begins;
   const int* __restrict backEnds = back.ends;
   const Range<int> all = columns;
+  const Range<int> some = near;
   for (int i = 0; i < count; ++i)
   {
     const int begin = frontBegins[i] < backBegins[i] ? frontBegins[i] : backBegins[i];
     const int end = frontEnds[i] > backEnds[i] ? frontEnds[i] : backEnds[i];
-    const Range<int> both = Intersection(Intersection(active[i], all), { begin, end });
+    const Range<int> both = Intersection(Intersection(active[i], some), { begin, end });
     const Range<int> whole = WholeRegisters(both, all);
     active[i].begin = both.Empty() ? 0 : whole.begin;
     active[i].end = both.Empty() ? 0 : whole.end;
@@ -412,15 +414,24 @@ private:
     }
   }
 
-  /// Restricts the active columns of some rows to those that touch filled voxels on slice `s` or
-  /// on slice `next`.
+  /// Restricts the active columns of some rows to those near the box that touch filled voxels on
+  /// slice `s` or on slice `next`.
   void Cut(int s, int next, const Range<int>& rows)
   {
-    if (!rows.Empty())
+    const Slice& slice = this->Target.SliceAt(s);
+    for (int row = rows.begin; row < rows.end; ++row)
     {
-      CutRows(From(this->Occupied.Filled(s), rows.begin),
-        From(this->Occupied.Filled(next), rows.begin), rows.Length(),
-        this->Target.SliceAt(s).rayColumns, this->ActiveOf(s, rows.begin));
+      if (!slice.nearRows.Contains(row))
+      {
+        *this->ActiveOf(s, row) = {};
+      }
+    }
+    const Range<int> near = Intersection(rows, slice.nearRows);
+    if (!near.Empty())
+    {
+      CutRows(From(this->Occupied.Filled(s), near.begin),
+        From(this->Occupied.Filled(next), near.begin), near.Length(), slice.nearColumns,
+        slice.rayColumns, this->ActiveOf(s, near.begin));
     }
   }
 

@@ -26,6 +26,8 @@ struct Slice
   Range<int> ownedRows;
   Range<int> rayColumns; ///< columns of rays that the plan describes here, see RayWindows
   Range<int> rayRows;
+  Range<int> nearColumns; ///< those that meet the box in the layer, or that its voxels interpolate
+  Range<int> nearRows;
   Range<int> touchedColumns; ///< voxels of this slice that rays read or that are owned
   Range<int> touchedRows;
 
@@ -154,7 +156,7 @@ struct FaceFrustum : FlatTables
 
   Table<Slice> slices;
   Table<Range<int>> rowColumns; ///< [row]: columns of rays that have values
-  Table<Range<int>> rowLayers;  ///< [row]: slices that describe the row
+  Table<Range<int>> rowLayers;  ///< [row]: slices behind which rays of the row may be visited
   Table<int> rowStarts;         ///< [row]: index of the ray in column 0; empty unless banded
   MapTable planeColumns;        ///< [2 slice + half][column of Slice::rayColumns]: see PlaneColumns
   MapTable planeRows;           ///< [2 slice + half][row of Slice::rayRows]: see PlaneRows
@@ -200,19 +202,19 @@ struct FaceFrustum : FlatTables
     return this->Row(this->rowColumns)[row];
   }
 
-  /// Slices that describe a row of rays.
+  /// Slices behind which rays of a row may be visited.
   LIMPID_HD LIMPID_INLINE const Range<int>& LayersOf(int row) const
   {
     return this->Row(this->rowLayers)[row];
   }
 
-  /// Rows of rays that any of these slices describes.
+  /// Rows of rays that may be visited in the layers behind any of these slices.
   Range<int> RowsNear(const Range<int>& some) const
   {
     Range<int> hull;
     for (int s = some.begin; s < some.end; ++s)
     {
-      hull = Hull(hull, this->SliceAt(s).rayRows);
+      hull = Hull(hull, this->SliceAt(s).nearRows);
     }
     return hull;
   }
@@ -278,6 +280,17 @@ struct FaceFrustum : FlatTables
                                    : Range<int>{};
   }
 
+  /// Whether any ray of a row is visited in any of some layers.
+  bool HasActive(const Range<int>& layers, int row) const
+  {
+    bool any = false;
+    for (int s = layers.begin; s < layers.end; ++s)
+    {
+      any = any || !this->ActiveRays(s, row).Empty();
+    }
+    return any;
+  }
+
   LIMPID_HD LIMPID_INLINE const Range<int>& ActiveVoxels(int s, int v) const
   {
     return this->Row(this->activeVoxels, s)[v];
@@ -288,15 +301,25 @@ struct FaceFrustum : FlatTables
     return this->Row(this->filledVoxels, s)[v];
   }
 
-  /// Returns the columns of rays on slice `s` around voxel column `u` and its neighbours, see
-  /// RaysAbout.
+  /// Returns the columns of rays that slice `s` describes around voxel column `u` and its
+  /// neighbours, see RaysAbout.
   LIMPID_HD LIMPID_INLINE Range<int> ColumnsAbout(int s, int u) const
+  {
+    return Intersection(this->AllColumnsAbout(s, u), this->SliceAt(s).rayColumns);
+  }
+
+  LIMPID_HD LIMPID_INLINE Range<int> RowsAbout(int s, int v) const
+  {
+    return Intersection(this->AllRowsAbout(s, v), this->SliceAt(s).rayRows);
+  }
+
+  LIMPID_HD LIMPID_INLINE Range<int> AllColumnsAbout(int s, int u) const
   {
     return RaysAbout(this->Row(this->columnLines), this->columns,
       this->Row(this->voxelColumns, s).index, this->nodesU, u, this->SliceAt(s).RelativeDepth());
   }
 
-  LIMPID_HD LIMPID_INLINE Range<int> RowsAbout(int s, int v) const
+  LIMPID_HD LIMPID_INLINE Range<int> AllRowsAbout(int s, int v) const
   {
     return RaysAbout(this->Row(this->rowLines), this->rows, this->Row(this->voxelRows, s).index,
       this->nodesV, v, this->SliceAt(s).RelativeDepth());

@@ -20,15 +20,16 @@ namespace
 constexpr double facePart = 0.25;
 constexpr double mostPart = 0.5;
 
-/// Returns the minimum number of rays across a box of `layers` layers. Accurate integrals need
-/// several rays even across a single voxel. A long box needs fewer, and they would dominate the
-/// work.
-double FewestAcross(double layers)
+/// Smallest number of rays across a box, however long it is.
+constexpr double leastAcross = 4;
+
+/// Returns the minimum number of rays across a box. Accurate integrals need several rays even
+/// across a single voxel. A long box needs fewer, and they would dominate the work.
+double FewestAcross(double length)
 {
   constexpr double most = 16;
-  constexpr double least = 4;
-  constexpr double shortest = 64; // [layers]
-  return std::max(least, most * std::min(1.0, std::sqrt(shortest / layers)));
+  constexpr double shortest = 64; // [index]
+  return std::max(leastAcross, most * std::min(1.0, std::sqrt(shortest / length)));
 }
 
 /// Divides an interval into parts of density `perUnit`, but at least `fewest`.
@@ -195,7 +196,21 @@ void Lateral::PutBetween(std::vector<double> edges)
   }
 }
 
-void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, RayPlacement placement)
+void Lateral::PutAtGaussPoints(const Range<double>& interval, int rays)
+{
+  const double half = 0.5 * interval.Length();
+  const double middle = interval.begin + half;
+  const double outer = half * (rays == 2 ? std::sqrt(1.0 / 3) : std::sqrt(3.0 / 5));
+  const double inner = half * 4 / 9; // half the weight of the middle one of three
+  this->PutBetween(rays == 2
+      ? std::vector<double>{ interval.begin, middle, interval.end }
+      : std::vector<double>{ interval.begin, middle - inner, middle + inner, interval.end });
+  this->Middles[1] = middle - outer;
+  this->Middles[std::size_t(rays)] = middle + outer;
+}
+
+void Lateral::Fit(
+  double nearDepth, double farDepth, double length, double rayDensity, RayPlacement placement)
 {
   const double last = this->nodes - 1;
   constexpr double straight = 1e-3; // largest lateral shift of straight rays in the box [index]
@@ -229,7 +244,16 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, RayPlace
     this->count = 0;
     return;
   }
-  const double fewest = FewestAcross(farDepth - nearDepth);
+  const double fewest = FewestAcross(length);
+  // Across a single cell fields are polynomials, which two or three Gauss points integrate better
+  // than four equal parts do.
+  const int equalParts = PartCount(rayDensity * last, 2);
+  if (placement == RayPlacement::ForIntegrals && this->parallel && this->nodes == 2 &&
+    !(size > last + straight) && std::max(fewest, double(equalParts)) <= leastAcross)
+  {
+    this->PutAtGaussPoints({ outlines.front(), outlines.back() }, std::min(equalParts, 3));
+    return;
+  }
   const double leastPerUnit = (fewest - 1e-6) / size;
   const double perUnit = std::max(rayDensity * (this->parallel ? 1.0 : farDepth), leastPerUnit);
   std::vector<double> edges{ outlines.front() };
@@ -266,20 +290,22 @@ void Lateral::Fit(double nearDepth, double farDepth, double rayDensity, RayPlace
   this->PutBetween(std::move(edges));
 }
 
-Range<int> Lateral::RaysNear(double depth) const
+Range<int> Lateral::RaysNear(double depth, double reach, int more) const
 {
-  constexpr double reach =
-    3; // rays so far beside the box carry values to it (OccupiedRays) [index]
-  constexpr int more = 3;
+  const Range<double> near{ -reach, this->nodes - 1 + reach };
+  const Range<int> all{ 0, this->count };
+  if (!this->parallel && !(depth > 0)) // all rays meet in the source
+  {
+    return this->eye >= near.begin && this->eye <= near.end ? all : Range<int>{};
+  }
   const Line line = LineAt(*this, depth);
   const auto coordinateOf = [&](double position) { return (position - line.offset) / line.factor; };
   const auto begin = this->Middles.begin();
-  const auto first = std::lower_bound(begin, this->Middles.end(), coordinateOf(-reach));
-  const auto end =
-    std::upper_bound(first, this->Middles.end(), coordinateOf(this->nodes - 1 + reach));
+  const auto first = std::lower_bound(begin, this->Middles.end(), coordinateOf(near.begin));
+  const auto end = std::upper_bound(first, this->Middles.end(), coordinateOf(near.end));
   return Intersection(
     Range<int>{ static_cast<int>(first - begin) - more, static_cast<int>(end - begin) + more },
-    { 0, this->count });
+    all);
 }
 
 void Lateral::FindRayMap(double depth, const Range<int>& rays, int* index, float* weight) const

@@ -47,12 +47,14 @@ public:
     return ray > 0 && ray + 1 < this->count ? this->Edge(ray + 1) - this->Edge(ray) : 0.0;
   }
 
-  /// Chooses the rays that see the box between two depths; none if no ray reaches it.
-  void Fit(double nearDepth, double farDepth, double rayDensity, RayPlacement placement);
+  /// Chooses the rays that see the box between two depths; none if no ray reaches it. `length`:
+  /// extent of the box along the axis that has most rays or layers [index].
+  void Fit(
+    double nearDepth, double farDepth, double length, double rayDensity, RayPlacement placement);
 
-  /// Returns the rays at most three nodes away from the box at `depth`, and three more on either
-  /// side, which serve interpolation.
-  Range<int> RaysNear(double depth) const;
+  /// Returns the rays at most `reach` nodes away from the box at `depth`, and `more` on either
+  /// side.
+  Range<int> RaysNear(double depth, double reach, int more) const;
 
   /// Computes the map from rays to voxel columns at `depth`: a value each per ray in `rays`. A ray
   /// outside the box reads its border.
@@ -88,6 +90,9 @@ public:
 private:
   /// Places rays at the centres of the intervals between `edges`.
   void PutBetween(std::vector<double> edges);
+
+  /// Places two or three rays at the Gauss points of an interval.
+  void PutAtGaussPoints(const Range<double>& interval, int rays);
 
   std::vector<double> Edges; ///< borders of the parts of the rays, without guards
   std::vector<double> Middles;

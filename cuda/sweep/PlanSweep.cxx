@@ -263,11 +263,12 @@ void PlaceVoxels(PlannedFrustum& frustum, int s, double base)
   FindSideWeights(v, frustum.Row(frustum.voxelRows, s), depth, frustum.Room(frustum.rowSides, s));
   FindHatGains(
     u, frustum.Row(frustum.columnLines), frustum.Row(frustum.columnShare), slice,
-    [&frustum, s](int k) { return frustum.ColumnsAbout(s, k); },
+    [&frustum, s](int k) { return frustum.AllColumnsAbout(s, k); },
     frustum.Room(frustum.columnHatGain, s));
   FindHatGains(
     v, frustum.Row(frustum.rowLines), frustum.Row(frustum.rowShare), slice,
-    [&frustum, s](int k) { return frustum.RowsAbout(s, k); }, frustum.Room(frustum.rowHatGain, s));
+    [&frustum, s](int k) { return frustum.AllRowsAbout(s, k); },
+    frustum.Room(frustum.rowHatGain, s));
   u.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelColumnEntry, s));
   v.FindVoxelEntries(depth, base, frustum.Room(frustum.voxelRowEntry, s));
 }
@@ -359,7 +360,10 @@ bool PlaceLaterals(PlannedFrustum& frustum, const Grid& grid, const RaySource& s
     lateral->shear =
       source.parallel ? source.direction[axis] / std::abs(source.direction[frustum.axisW]) : 0.0;
     lateral->nodes = grid.nodes[axis];
-    lateral->Fit(depth.Near(), depth.Far(), settings.rayDensity, settings.placement);
+    const double layers = depth.Far() - depth.Near();
+    lateral->Fit(depth.Near(), depth.Far(),
+      IsLong(grid.nodes) ? std::max({ grid.nodes.x, grid.nodes.y, grid.nodes.z }) - 1.0 : layers,
+      settings.rayDensity, settings.placement);
     if (lateral->count == 0)
     {
       return false;
@@ -406,7 +410,7 @@ PlannedFrustum MakeFrustum(const Grid& grid, const Occupancy& occupancy, const R
     return frustum;
   }
   std::vector<Slice> slices = PlaceSlices(depth);
-  const RayWindows windows(frustum, slices);
+  const RayWindows windows(frustum, grid.nodes, settings, slices);
   RequireMemory(windows, grid, slices.size());
   frustum.rayCount = static_cast<int>(windows.rays);
   frustum.banded = windows.banded;

@@ -114,6 +114,15 @@ struct RayInLayer
     return this->Entry() <= this->layer.front && exit >= back;
   }
 
+  /// Whether the ray is outside the box throughout the layer.
+  LIMPID_HD LIMPID_INLINE bool StaysOutside() const
+  {
+    const float back = this->layer.front + this->layer.thickness;
+    const float entry = this->Entry();
+    const float exit = this->column.end < this->row.end ? this->column.end : this->row.end;
+    return !(entry < exit) || entry >= back || exit <= this->layer.front;
+  }
+
   /// Range inside the box, as fractions of the layer's thickness.
   LIMPID_HD LIMPID_INLINE Range<float> Inside() const
   {

@@ -10,6 +10,10 @@
 
 namespace limpid
 {
+/// Whether an image is much longer than it is wide and high. Rays of such images are chosen so that
+/// the work grows with the number of nodes.
+bool IsLong(const Int3& nodes);
+
 /**
  * The rays that a plan describes on each slice.
  *
@@ -23,12 +27,13 @@ struct RayWindows
   int mostColumns = 0; ///< largest number of columns on a slice
   int mostRows = 0;
   std::vector<Range<int>> rowColumns; ///< [row]: columns of rays that have values
-  std::vector<Range<int>> rowLayers;  ///< [row]: slices that describe the row
+  std::vector<Range<int>> rowLayers;  ///< [row]: see FaceFrustum
   double rays = 0;                    ///< number of rays that have values
   bool banded = false;                ///< see FaceFrustum
 
-  /// Finds the windows, and sets Slice::rayColumns and rayRows.
-  RayWindows(const PlannedFrustum& frustum, std::vector<Slice>& slices);
+  /// Finds the windows, and sets the ranges of rays of all slices. `nodes`: those of the grid.
+  RayWindows(const PlannedFrustum& frustum, const Int3& nodes, const PlanSettings& settings,
+    std::vector<Slice>& slices);
 };
 }
 

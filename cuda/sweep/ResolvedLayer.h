@@ -379,7 +379,7 @@ LIMPID_HD LIMPID_INLINE void StepResolved(const RayInLayer<LayerCrossing::Clippe
 {
   using Cuts = typename Resolve::Cuts;
   const bool inside = ray.StaysInside();
-  if (inside && !resolve.Reaches(i))
+  if ((inside && !resolve.Reaches(i)) || ray.StaysOutside())
   {
     plain(i);
     return;

@@ -384,7 +384,8 @@ private:
         const float most = resolve.Densest(densest[i]);
         const bool thick =
           most * ray.layer.thickness * ray.length > Cuts::thick && resolve.Reaches(i);
-        densest[i] = important[i] > 0.0f && (!inside || thick) ? most : -1.0f;
+        const bool lit = important[i] > 0.0f && !ray.StaysOutside();
+        densest[i] = lit && (!inside || thick) ? most : -1.0f;
       });
     return densest;
   }

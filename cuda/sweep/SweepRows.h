@@ -256,13 +256,15 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   const std::vector<RayValues> carried = kernel.Carried(states);
   const auto forRays = [&](int s, const auto& step)
   {
-    // A ray that is described behind the slice only ends there.
-    const Range<int> near{ s, std::min(s + 2, frustum.SliceCount()) };
-    ForRows(Intersection(rays.RaysHere(s), frustum.RowsNear(near)), rowsPerTask,
+    const Range<int> layers{ std::max(s - 1, 0), std::min(s + 2, frustum.SliceCount()) };
+    ForRows(Intersection(rays.RaysHere(s), frustum.RowsNear(layers)), rowsPerTask,
       [&](int row)
       {
-        RowSampler sampler(frustum, states, row);
-        step(sampler);
+        if (frustum.HasActive(layers, row))
+        {
+          RowSampler sampler(frustum, states, row);
+          step(sampler);
+        }
       });
   };
   const std::vector<Range<int>> slabs = rays.Slabs();
