@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidProgressiveView.h"
 
-#include "CapturedView.h"
+#include "LimpidCapture.h"
 #include "LimpidOptimizedVolumes.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
@@ -36,6 +36,7 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
   : QObject(view)
   , View(view)
   , Proxy(proxy)
+  , Capture(new LimpidCapture(proxy, this))
 {
   this->NextStep.setSingleShot(true);
   this->connect(&this->NextStep, &QTimer::timeout, this, &LimpidProgressiveView::step);
@@ -82,9 +83,14 @@ void LimpidProgressiveView::beginRender(vtkObject*, unsigned long, void*, void* 
   {
     return;
   }
-  const StillRenders how = this->isCapturing() ? StillRenders::Whole
-    : this->WheelRest.isActive()               ? StillRenders::Deferred
-                                               : StillRenders::Stepwise;
+  const bool capturing = this->Capture->isActive();
+  const StillRenders how = capturing ? StillRenders::Whole
+    : this->WheelRest.isActive()     ? StillRenders::Deferred
+                                     : StillRenders::Stepwise;
+  if (capturing)
+  {
+    this->Capture->begin();
+  }
   for (vtkSMProxy* volume : VisibleOptimizedVolumes(this->Proxy))
   {
     SetStillRenders(volume, how);
@@ -102,7 +108,7 @@ void LimpidProgressiveView::endRender(vtkObject*, unsigned long, void*, void* in
   {
     this->WheelRest.start(WHEEL_REST); // again, since pictures take time
   }
-  if (!this->isCapturing()) // if capturing, the work left in the window is unchanged
+  if (!this->Capture->isActive()) // if capturing, the work left in the window is unchanged
   {
     const std::vector<vtkSMProxy*> volumes = VisibleOptimizedVolumes(this->Proxy);
     this->Unfinished = !std::all_of(volumes.begin(), volumes.end(), IsConverged);
@@ -135,12 +141,6 @@ void LimpidProgressiveView::wheelTurned()
 {
   this->WheelRest.start(WHEEL_REST);
   this->NextStep.stop();
-}
-
-bool LimpidProgressiveView::isCapturing() const
-{
-  auto* view = vtkPVView::SafeDownCast(this->Proxy->GetClientSideObject());
-  return view && limpid::IsCaptured(view);
 }
 
 void LimpidProgressiveView::scheduleStep()

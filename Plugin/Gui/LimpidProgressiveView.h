@@ -9,8 +9,9 @@
  * no user event is pending; none follows if all is done, during interaction, or while an animation
  * plays. Between notches of the mouse wheel, ParaView's still renders are made like interactive
  * ones, and no step is made until the wheel is at rest. Captured pictures (screenshots, frames of a
- * saved animation) are completed in one render. When all is done and ParaView has been idle for a
- * second, the unoptimized pictures are computed, so that Show Original shows them at once.
+ * saved animation) are completed in one render, whose progress LimpidCapture shows. When all is
+ * done and ParaView has been idle for a second, the unoptimized pictures are computed, so that Show
+ * Original shows them at once.
  */
 
 #ifndef LimpidProgressiveView_h
@@ -21,6 +22,7 @@
 #include <QObject>
 #include <QTimer>
 
+class LimpidCapture;
 class pqRenderView;
 class vtkEventQtSlotConnect;
 class vtkObject;
@@ -49,12 +51,12 @@ private Q_SLOTS:
   void prepareOriginals();
 
 private:
-  bool isCapturing() const;
   void scheduleStep();
   bool isBusy() const;
 
   pqRenderView* View; // the parent
   vtkSMRenderViewProxy* Proxy;
+  LimpidCapture* Capture; // a child
   vtkNew<vtkEventQtSlotConnect> Events;
   QTimer NextStep;
   QTimer Preparation;      // active: all is done, and the pictures of Show Original are computed

@@ -61,6 +61,15 @@ def dialog_is_open():
     return dialog() is not None
 
 
+def close_dialog():
+    """Closes the dialog that is open, as the button of its frame does."""
+    dialog = _qt("_ZN12QApplication17activeModalWidgetEv")
+    dialog.restype = ctypes.c_void_p
+    close = _qt("_ZN7QWidget5closeEv")
+    close.argtypes = [ctypes.c_void_p]
+    close(dialog())
+
+
 def live(seconds):
     """Lets the window handle its events."""
     process_events = _qt(
