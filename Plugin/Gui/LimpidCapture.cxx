@@ -30,7 +30,7 @@
 namespace
 {
 // Time that a capture may take until progress is shown [ms].
-const int PATIENCE = 500;
+const int SHOW_AFTER = 500;
 
 // Time between two updates of the dialog [ms].
 const int UPDATE_INTERVAL = 200;
@@ -209,7 +209,7 @@ void LimpidCapture::advance(vtkObject* mapper, unsigned long, void*, void* share
 // Updates the dialog if it is time to, and returns whether its button was pressed.
 bool LimpidCapture::isAborted(int percent)
 {
-  if (this->SinceBegin.elapsed() < PATIENCE || this->SinceUpdate.elapsed() < UPDATE_INTERVAL)
+  if (this->SinceBegin.elapsed() < SHOW_AFTER || this->SinceUpdate.elapsed() < UPDATE_INTERVAL)
   {
     return false;
   }
