@@ -14,6 +14,9 @@ namespace
 /// plans of ordinary images as simple as possible.
 constexpr double leastSaving = 8;
 
+/// So many rays or fewer always have values, 90 MB: a GPU, which has all or none, can sweep them.
+constexpr Index few = Index(1) << 20;
+
 /// How far beside the box a ray is still described or visited.
 struct Margin
 {
@@ -109,7 +112,7 @@ RayWindows::RayWindows(const PlannedFrustum& frustum, const Int3& nodes,
   {
     this->rays += columns.Length();
   }
-  this->banded = all > leastSaving * this->rays;
+  this->banded = all > few && all > leastSaving * this->rays;
   if (!this->banded)
   {
     this->rays = all;
