@@ -8,6 +8,7 @@
 
 #include "backend/DeviceArray.h"
 #include "sweep/FaceFrustum.h"
+#include "sweep/RayTiles.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -96,7 +97,7 @@ struct MadeLayerMask
     {
       const int layer = word * LayerMasks::bits + bit;
       const bool active = layer < this->frustum.lastSlice &&
-        !Intersection(this->frustum.ActiveRays(layer, row), columns).Empty();
+        AnyRayIsActive(this->frustum, { layer, layer + 1 }, columns, { row, row + 1 });
       mask |= active ? LayerMasks::Word(1) << bit : 0;
     }
     this->masks[index] = mask;

@@ -50,6 +50,21 @@ struct RayTiles
   }
 };
 
+/// Whether columnsOf(row) has any of some columns for any of some rows.
+template <class ColumnsOf>
+LIMPID_HD LIMPID_INLINE bool AnyRowMeets(
+  const Range<int>& rows, const Range<int>& columns, const ColumnsOf& columnsOf)
+{
+  for (int row = rows.begin; row < rows.end; ++row)
+  {
+    if (!Intersection(columnsOf(row), columns).Empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Whether any of some rays is active in some layers.
 LIMPID_HD LIMPID_INLINE bool AnyRayIsActive(const FaceFrustum& frustum, const Range<int>& layers,
   const Range<int>& columns, const Range<int>& rows)
@@ -57,12 +72,9 @@ LIMPID_HD LIMPID_INLINE bool AnyRayIsActive(const FaceFrustum& frustum, const Ra
   const Range<int> there = Intersection(layers, { 0, frustum.lastSlice + 1 });
   for (int s = there.begin; s < there.end; ++s)
   {
-    for (int row = rows.begin; row < rows.end; ++row)
+    if (AnyRowMeets(rows, columns, [&](int row) { return frustum.ActiveRays(s, row); }))
     {
-      if (!Intersection(frustum.ActiveRays(s, row), columns).Empty())
-      {
-        return true;
-      }
+      return true;
     }
   }
   return false;
@@ -72,14 +84,7 @@ LIMPID_HD LIMPID_INLINE bool AnyRayIsActive(const FaceFrustum& frustum, const Ra
 LIMPID_HD LIMPID_INLINE bool AnyVoxelIsActive(
   const FaceFrustum& frustum, int s, const Range<int>& columns, const Range<int>& rows)
 {
-  for (int v = rows.begin; v < rows.end; ++v)
-  {
-    if (!Intersection(frustum.ActiveVoxels(s, v), columns).Empty())
-    {
-      return true;
-    }
-  }
-  return false;
+  return AnyRowMeets(rows, columns, [&](int v) { return frustum.ActiveVoxels(s, v); });
 }
 
 /// The voxels that tiles compute on every slice: those that their rays read, and those between

@@ -12,31 +12,6 @@
 
 namespace limpid
 {
-/// A number of successive slices that rays cross in one phase; the tiles of their rays and voxels.
-/// In phase n the rays cross slab n, and the voxels of slab n - 1 read what the rays left there.
-/// Tiles are numbered: first those of the rays, then those of the voxels, slice by slice.
-struct SlabTiles
-{
-  RayTiles rays;
-  RayTiles voxels;
-  int slicesPerSlab; ///< a power of two
-
-  SlabTiles(const FaceFrustum& frustum, int slices)
-    : rays{ frustum.columns, frustum.rows }
-    , voxels{ frustum.nodesU, frustum.nodesV }
-    , slicesPerSlab(slices)
-  {
-  }
-
-  LIMPID_HD LIMPID_INLINE int Count() const
-  {
-    return this->rays.Count() + this->slicesPerSlab * this->voxels.Count();
-  }
-
-  /// Number of slabs that hold `slices` slices.
-  int SlabsOf(int slices) const { return (slices + this->slicesPerSlab - 1) / this->slicesPerSlab; }
-};
-
 /// Rays of a slab, or voxels of a slice.
 struct SlabTile
 {
@@ -82,57 +57,81 @@ struct SlabsFromFront
   }
 };
 
-/// Returns tile `number` of a phase; it is empty if there is nothing to do for it.
+/// The slices of a frustum in slabs of so many, and the tiles of their rays and voxels. In phase n
+/// the rays cross slab n, and the voxels of slab n - 1 read what the rays left there. Tiles are
+/// numbered: first those of the rays, then those of the voxels, slice by slice.
 template <class Slabs>
-LIMPID_HD LIMPID_INLINE SlabTile SlabTileAt(
-  const FaceFrustum& frustum, const SlabTiles& tiles, int slabs, int phase, int number)
+struct SlabLayout
 {
-  const int beyond = number - tiles.rays.Count();
-  if (beyond < 0)
+  FaceFrustum frustum;
+  RayTiles rays;
+  RayTiles voxels;
+  int slicesPerSlab; ///< a power of two
+  int slabs;
+
+  SlabLayout(const FaceFrustum& plan, int slices)
+    : frustum(plan)
+    , rays{ plan.columns, plan.rows }
+    , voxels{ plan.nodesU, plan.nodesV }
+    , slicesPerSlab(slices)
+    , slabs((Slabs::SlicesOf(plan) + slices - 1) / slices)
   {
-    return { true, phase, phase < slabs ? tiles.rays.ColumnsOf(number) : Range<int>{},
-      tiles.rays.RowsOf(number) };
   }
-  const int perSlice = tiles.voxels.Count();
-  const int ofSlice = beyond % perSlice;
-  const Range<int> slab =
-    phase > 0 ? Slabs::SlabOf(frustum, tiles.slicesPerSlab, phase - 1) : Range<int>{};
-  const int s = slab.begin + beyond / perSlice;
-  if (!slab.Contains(s) || frustum.SliceAt(s).node < 0)
+
+  int TileCount() const { return this->rays.Count() + this->slicesPerSlab * this->voxels.Count(); }
+  int PhaseCount() const { return this->slabs + 1; }
+
+  LIMPID_HD LIMPID_INLINE Range<int> SlabOf(int slab) const
   {
-    return { false, s, {}, {} };
+    return Slabs::SlabOf(this->frustum, this->slicesPerSlab, slab);
   }
-  const Slice& slice = frustum.SliceAt(s);
-  const Range<int> columns = Intersection(tiles.voxels.ColumnsOf(ofSlice), slice.ownedColumns);
-  const Range<int> rows = Intersection(tiles.voxels.RowsOf(ofSlice), slice.ownedRows);
-  return { false, s, columns.Empty() ? Range<int>{} : columns, rows.Empty() ? Range<int>{} : rows };
-}
+
+  /// Returns tile `number` of a phase; it is empty if there is nothing to do for it.
+  LIMPID_HD LIMPID_INLINE SlabTile TileAt(int phase, int number) const
+  {
+    const int beyond = number - this->rays.Count();
+    if (beyond < 0)
+    {
+      return { true, phase, phase < this->slabs ? this->rays.ColumnsOf(number) : Range<int>{},
+        this->rays.RowsOf(number) };
+    }
+    const int perSlice = this->voxels.Count();
+    const int ofSlice = beyond % perSlice;
+    const Range<int> slab = phase > 0 ? this->SlabOf(phase - 1) : Range<int>{};
+    const int s = slab.begin + beyond / perSlice;
+    if (!slab.Contains(s) || this->frustum.SliceAt(s).node < 0)
+    {
+      return { false, s, {}, {} };
+    }
+    const Slice& slice = this->frustum.SliceAt(s);
+    const Range<int> columns = Intersection(this->voxels.ColumnsOf(ofSlice), slice.ownedColumns);
+    const Range<int> rows = Intersection(this->voxels.RowsOf(ofSlice), slice.ownedRows);
+    return { false, s, columns.Empty() ? Range<int>{} : columns,
+      rows.Empty() ? Range<int>{} : rows };
+  }
+};
 
 /// Tells which tiles have work in a phase of a back-to-front sweep: rays that are active in the
 /// slab or whose image differs from that of two slabs before, and active voxels.
 struct SlabTileHasWork
 {
-  FaceFrustum frustum;
-  SlabTiles tiles;
-  int slabs;
+  SlabLayout<SlabsFromBack> layout;
 
   LIMPID_HD LIMPID_INLINE bool operator()(int number, int phase) const
   {
-    const SlabTile tile =
-      SlabTileAt<SlabsFromBack>(this->frustum, this->tiles, this->slabs, phase, number);
+    const SlabTile tile = this->layout.TileAt(phase, number);
     if (!tile.hasRays)
     {
-      return AnyVoxelIsActive(this->frustum, tile.place, tile.columns, tile.rows);
+      return AnyVoxelIsActive(this->layout.frustum, tile.place, tile.columns, tile.rows);
     }
     if (tile.columns.Empty())
     {
       return false;
     }
     // The layers in front of and behind the slices of this slab and of the two behind it.
-    const Range<int> slab =
-      SlabsFromBack::SlabOf(this->frustum, this->tiles.slicesPerSlab, tile.place);
-    const Range<int> layers{ slab.begin - 1, slab.end + 2 * this->tiles.slicesPerSlab };
-    return AnyRayIsActive(this->frustum, layers, tile.columns, tile.rows);
+    const Range<int> slab = this->layout.SlabOf(tile.place);
+    const Range<int> layers{ slab.begin - 1, slab.end + 2 * this->layout.slicesPerSlab };
+    return AnyRayIsActive(this->layout.frustum, layers, tile.columns, tile.rows);
   }
 };
 
@@ -146,36 +145,29 @@ struct DimmedRays
   LIMPID_HD LIMPID_INLINE bool Any(
     int slab, const Range<int>& among, const Range<int>& amongRows) const
   {
-    for (int row = amongRows.begin; row < amongRows.end; ++row)
-    {
-      if (!Intersection(this->columns[Index(slab) * this->rows + row], among).Empty())
-      {
-        return true;
-      }
-    }
-    return false;
+    return AnyRowMeets(
+      amongRows, among, [&](int row) { return this->columns[Index(slab) * this->rows + row]; });
   }
 };
 
 /// Computes DimmedRays of a row.
 struct MadeDimmedRays
 {
-  FaceFrustum frustum;
-  int slicesPerSlab;
-  int slabs;
+  SlabLayout<SlabsFromFront> layout;
   Range<int>* columns; ///< see DimmedRays
 
   LIMPID_HD void operator()(Index row) const
   {
+    const FaceFrustum& plan = this->layout.frustum;
     Range<int> met;
-    for (int slab = 0; slab < this->slabs; ++slab)
+    for (int slab = 0; slab < this->layout.slabs; ++slab)
     {
-      const Range<int> slices = SlabsFromFront::SlabOf(this->frustum, this->slicesPerSlab, slab);
-      for (int s = slices.begin; s < slices.end && s < this->frustum.lastSlice; ++s)
+      const Range<int> slices = this->layout.SlabOf(slab);
+      for (int s = slices.begin; s < slices.end && s < plan.lastSlice; ++s)
       {
-        met = Hull(met, this->frustum.ActiveRays(s, static_cast<int>(row)));
+        met = Hull(met, plan.ActiveRays(s, static_cast<int>(row)));
       }
-      this->columns[Index(slab) * this->frustum.rows + row] = met;
+      this->columns[Index(slab) * plan.rows + row] = met;
     }
   }
 };
@@ -185,15 +177,12 @@ struct MadeDimmedRays
 /// met anything.
 struct SlabTileIsDimmed
 {
-  FaceFrustum frustum;
-  SlabTiles tiles;
-  int slabs;
+  SlabLayout<SlabsFromFront> layout;
   DimmedRays dimmed;
 
   LIMPID_HD LIMPID_INLINE bool operator()(int number, int phase) const
   {
-    const SlabTile tile =
-      SlabTileAt<SlabsFromFront>(this->frustum, this->tiles, this->slabs, phase, number);
+    const SlabTile tile = this->layout.TileAt(phase, number);
     if (tile.columns.Empty() || tile.rows.Empty())
     {
       return false;
@@ -204,26 +193,27 @@ struct SlabTileIsDimmed
 private:
   LIMPID_HD LIMPID_INLINE bool MovesRays(const SlabTile& tile) const
   {
-    const int slices = this->tiles.slicesPerSlab;
+    const FaceFrustum& plan = this->layout.frustum;
+    const int slices = this->layout.slicesPerSlab;
     const Range<int> layers{ (tile.place - 2) * slices - 1, (tile.place + 1) * slices };
-    if (AnyRayIsActive(this->frustum, layers, tile.columns, tile.rows))
+    if (AnyRayIsActive(plan, layers, tile.columns, tile.rows))
     {
       return true;
     }
     // The density of a ray that has met anything changes from slice to slice.
-    const bool nearSides = this->frustum.IsNearSides(tile.columns.begin, tile.rows.begin) ||
-      this->frustum.IsNearSides(tile.columns.end - 1, tile.rows.end - 1);
+    const bool nearSides = plan.IsNearSides(tile.columns.begin, tile.rows.begin) ||
+      plan.IsNearSides(tile.columns.end - 1, tile.rows.end - 1);
     return nearSides && this->dimmed.Any(tile.place, tile.columns, tile.rows);
   }
 
   LIMPID_HD LIMPID_INLINE bool DimsVoxels(const SlabTile& tile, int slab) const
   {
     constexpr int beside = 3; // see FaceFrustum::IsNearSides
-    const FaceFrustum& plan = this->frustum;
-    const Range<int> columns{ plan.ColumnsAbout(tile.place, tile.columns.begin).begin - beside,
-      plan.ColumnsAbout(tile.place, tile.columns.end - 1).end + beside };
-    const Range<int> rows{ plan.RowsAbout(tile.place, tile.rows.begin).begin - beside,
-      plan.RowsAbout(tile.place, tile.rows.end - 1).end + beside };
+    const FaceFrustum& plan = this->layout.frustum;
+    const Range<int> columns{ plan.AllColumnsAbout(tile.place, tile.columns.begin).begin - beside,
+      plan.AllColumnsAbout(tile.place, tile.columns.end - 1).end + beside };
+    const Range<int> rows{ plan.AllRowsAbout(tile.place, tile.rows.begin).begin - beside,
+      plan.AllRowsAbout(tile.place, tile.rows.end - 1).end + beside };
     return this->dimmed.Any(slab, columns, Intersection(rows, Range<int>{ 0, plan.rows }));
   }
 };
@@ -237,32 +227,27 @@ public:
   static SlabPlan FromBack(
     const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
   {
-    const SlabTiles tiles(frustum, slices);
-    const int slabs = tiles.SlabsOf(SlabsFromBack::SlicesOf(frustum));
-    return { device, tiles, slabs, SlabTileHasWork{ frustum, tiles, slabs } };
+    const SlabLayout<SlabsFromBack> layout(frustum, slices);
+    return { device, layout, SlabTileHasWork{ layout } };
   }
 
   /// For a front-to-back sweep.
   static SlabPlan FromFront(
     const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
   {
-    const SlabTiles tiles(frustum, slices);
-    const int slabs = tiles.SlabsOf(SlabsFromFront::SlicesOf(frustum));
+    const SlabLayout<SlabsFromFront> layout(frustum, slices);
     DeviceArray<AnyDevice, Range<int>> dimmed(
-      device, std::size_t(slabs) * std::size_t(frustum.rows), "the plan of a sweep");
-    device->ForIndices(
-      "plan", frustum.rows, MadeDimmedRays{ frustum, slices, slabs, dimmed.Data() });
-    return { device, tiles, slabs,
-      SlabTileIsDimmed{ frustum, tiles, slabs, { dimmed.Data(), frustum.rows } } };
+      device, std::size_t(layout.slabs) * std::size_t(frustum.rows), "the plan of a sweep");
+    device->ForIndices("plan", frustum.rows, MadeDimmedRays{ layout, dimmed.Data() });
+    return { device, layout, SlabTileIsDimmed{ layout, { dimmed.Data(), frustum.rows } } };
   }
 
   const PhasesOfTiles& Lists() const { return this->Phases.Lists(); }
 
 private:
-  template <class Mark>
-  SlabPlan(
-    const std::shared_ptr<AnyDevice>& device, const SlabTiles& tiles, int slabs, const Mark& mark)
-    : Phases(device, tiles.Count(), slabs + 1, mark)
+  template <class Layout, class Mark>
+  SlabPlan(const std::shared_ptr<AnyDevice>& device, const Layout& layout, const Mark& mark)
+    : Phases(device, layout.TileCount(), layout.PhaseCount(), mark)
   {
   }
 

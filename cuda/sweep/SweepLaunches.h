@@ -140,23 +140,19 @@ struct SweptSlabs
   static constexpr int tileThreads = RayTiles::size.columns * RayTiles::size.rows;
   static constexpr int residentThreads = 768; ///< per multiprocessor: 80 registers for each
 
-  FaceFrustum frustum;
+  SlabLayout<typename Way::Slabs> layout;
   typename Way::Carried carried;
   Kernel kernel;
   SlabImages<Kernel> images;
-  SlabTiles tiles;
-  int slabs;
   PhasesOfTiles lists;
 
   template <class AnyDevice>
   SweptSlabs(FrustumRays<AnyDevice>& rays, int slices, float* room, const Kernel& what,
     const PhasesOfTiles& working)
-    : frustum(rays.Plan())
+    : layout(rays.Plan(), slices)
     , carried(Way::CarriedBy(rays))
     , kernel(what)
     , images(rays, slices, room)
-    , tiles(this->frustum, slices)
-    , slabs(this->tiles.SlabsOf(Way::Slabs::SlicesOf(this->frustum)))
     , lists(working)
   {
   }
@@ -164,8 +160,7 @@ struct SweptSlabs
   /// Returns tile `number` of all tiles in a phase.
   LIMPID_HD LIMPID_INLINE SlabTile TileOf(const PhaseOfTiles& phase, int number) const
   {
-    return SlabTileAt<typename Way::Slabs>(
-      this->frustum, this->tiles, this->slabs, phase.number, number);
+    return this->layout.TileAt(phase.number, number);
   }
 
   LIMPID_HD LIMPID_INLINE void Visit(const SlabTile& tile, int, int column, int row) const
@@ -176,20 +171,21 @@ struct SweptSlabs
       return;
     }
     VoxelSampler voxel(
-      this->frustum, tile.place, tile.columns.begin + column, tile.rows.begin + row);
+      this->layout.frustum, tile.place, tile.columns.begin + column, tile.rows.begin + row);
     this->kernel.VoxelStep(voxel, this->images.At(tile.place));
   }
 
 private:
   LIMPID_HD LIMPID_INLINE void MoveRay(int slab, int column, int row) const
   {
-    const int index = this->frustum.RayAt(column, row);
-    const bool nearSides = this->frustum.IsNearSides(column, row);
+    const FaceFrustum& plan = this->layout.frustum;
+    const int index = plan.RayAt(column, row);
+    const bool nearSides = plan.IsNearSides(column, row);
     RayHere here;
     Way::Load(this->carried, index, here);
-    RaySampler ray(this->frustum, here.States(), column, row);
-    Way::Cross(Way::Slabs::SlabOf(this->frustum, this->tiles.slicesPerSlab, slab), this->kernel,
-      ray, [&](int s) { this->images.Take(s, index, nearSides, here.States()); });
+    RaySampler ray(plan, here.States(), column, row);
+    Way::Cross(this->layout.SlabOf(slab), this->kernel, ray,
+      [&](int s) { this->images.Take(s, index, nearSides, here.States()); });
     Way::Store(here, this->carried, index);
   }
 };
