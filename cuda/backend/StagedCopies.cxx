@@ -15,19 +15,6 @@ namespace limpid
 {
 namespace
 {
-/// Copies within the host's memory by several threads.
-void CopyOnHost(void* to, const void* from, std::size_t bytes)
-{
-  constexpr std::size_t piece = std::size_t(256) << 10;
-  ParallelFor(static_cast<Index>((bytes + piece - 1) / piece),
-    [&](Index number)
-    {
-      const std::size_t begin = static_cast<std::size_t>(number) * piece;
-      std::memcpy(static_cast<unsigned char*>(to) + begin,
-        static_cast<const unsigned char*>(from) + begin, std::min(piece, bytes - begin));
-    });
-}
-
 unsigned char* After(void* memory, std::size_t bytes)
 {
   return static_cast<unsigned char*>(memory) + bytes;
@@ -36,6 +23,18 @@ unsigned char* After(void* memory, std::size_t bytes)
 const unsigned char* After(const void* memory, std::size_t bytes)
 {
   return static_cast<const unsigned char*>(memory) + bytes;
+}
+
+/// Copies within the host's memory by several threads.
+void CopyOnHost(void* to, const void* from, std::size_t bytes)
+{
+  constexpr std::size_t piece = std::size_t(256) << 10;
+  ParallelFor(static_cast<Index>((bytes + piece - 1) / piece),
+    [&](Index number)
+    {
+      const std::size_t begin = static_cast<std::size_t>(number) * piece;
+      std::memcpy(After(to, begin), After(from, begin), std::min(piece, bytes - begin));
+    });
 }
 }
 

@@ -64,12 +64,13 @@ public:
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
     for (Pull& pull : this->List)
     {
-      if (pull.reference != problem.baseExtinction)
+      if (pull.reference == problem.baseExtinction)
       {
-        this->References.emplace_back(device, pull.reference, count, "a reference extinction");
+        pull.reference = base;
+        continue;
       }
-      pull.reference =
-        pull.reference == problem.baseExtinction ? base : this->References.back().Data();
+      this->References.emplace_back(device, pull.reference, count, "a reference extinction");
+      pull.reference = this->References.back().Data();
     }
   }
 

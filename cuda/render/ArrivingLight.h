@@ -54,9 +54,9 @@ struct ArrivingNode
     this->arriving[out] = here < 1.0f ? this->Arriving(node, here) : here;
   }
 
-  /// Places the fields and the result in a grid. `around`: nodes of the fields; `own`: of the
-  /// result; `whole`: number of nodes of the grid.
-  void Within(const NodeBox& around, const NodeBox& own, const Int3& whole)
+  /// Places the fields and the result in the grid. `around`: nodes of the fields; `own`: of the
+  /// result.
+  void Within(const NodeBox& around, const NodeBox& own)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -65,7 +65,6 @@ struct ArrivingNode
     }
     this->size = around.Size();
     this->cells = CellGrid(this->size);
-    this->nodes = whole;
   }
 
   /// Returns the number of layers of nodes around the result that are read.

@@ -409,13 +409,12 @@ private:
       {
         const ScenePiece& piece = *this->Piece;
         body.nodes = this->Whole.nodes;
-        const std::vector<NodeBox> wanted =
-          WithGhosts(piece.boxes, body.LayersRead(), this->Whole.nodes);
+        const std::vector<NodeBox> wanted = WithGhosts(piece.boxes, body.LayersRead(), body.nodes);
         const auto bring = [&](const float* field)
         { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
         const NodeValues casts = bring(opaque);
         const NodeValues lit = bring(transmittance);
-        body.Within(wanted[std::size_t(piece.ranks->Rank())], piece.nodes, this->Whole.nodes);
+        body.Within(wanted[std::size_t(piece.ranks->Rank())], piece.nodes);
         this->FindArrivingFrom(body, nodes, casts.Data(), lit.Data());
         return;
       }

@@ -42,7 +42,8 @@ double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
   }
   const ScenePiece& piece = *viewed.piece;
   const std::vector<NodeBox> slabs = EvenSlabs(*piece.ranks, grid.nodes);
-  const NodeBox own = slabs[std::size_t(piece.ranks->Rank())];
+  const auto rank = std::size_t(piece.ranks->Rank());
+  const NodeBox own = slabs[rank];
   const std::vector<NodeBox> wanted = WithGhosts(slabs, 1, grid.nodes);
   const auto bring = [&](const float* field)
   { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
@@ -51,8 +52,8 @@ double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
   std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z), 0.0);
   if (!own.Empty())
   {
-    FillRowsOfImportantExtinction(grid, own.Grown(1, grid.nodes).along[2], own.along[2],
-      bases.Data(), importances.Data(), rows.data());
+    FillRowsOfImportantExtinction(
+      grid, wanted[rank].along[2], own.along[2], bases.Data(), importances.Data(), rows.data());
   }
   piece.ranks->Gather(rows.data(), rows.size());
   return SumOfRows(grid, rows);
