@@ -94,8 +94,8 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
   for (std::size_t index = 0; index < frusta.size(); ++index)
   {
     known += MetNextIterate(index, frusta.size(), problem.settings.derivative) ? 1 : 0;
-    const double* depths = otherFrusta[index].States().opticalDepth;
-    const double* collected = frusta[index].States().opticalDepth;
+    const double* depths = otherFrusta[index].States()[RayDepth::ToSlice];
+    const double* collected = frusta[index].States()[RayDepth::ToSlice];
     const Index rays = frusta[index].Plan().RayCount();
     const double deepest = *std::max_element(depths, depths + rays);
     for (Index ray = 0; ray < rays; ++ray)

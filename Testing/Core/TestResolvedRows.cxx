@@ -148,8 +148,8 @@ private:
     const RayStates states = rays.States();
     for (int i = 0; i < columns; ++i)
     {
-      states.opticalDepth[i] = i % 7 == 0 ? 20 : 0.1 * i; // some are in the dark
-      states.behind[i] = behind;
+      states[RayDepth::ToSlice][i] = i % 7 == 0 ? 20 : 0.1 * i; // some are in the dark
+      states[RayChannel::Behind][i] = behind;
     }
     rays.SampleExtinction(fields.extinction);
     rays.SampleImportance(fields.importance);
@@ -159,7 +159,7 @@ private:
     }
     FoundByColumn together;
     FoundByColumn alone;
-    const ResolveLit<Cuts> resolve{ states.opticalDepth };
+    const ResolveLit<Cuts> resolve{ states[RayDepth::ToSlice] };
     rays.ForEachResolved(fields, resolve, RecordTogether<withEffects>{ &together, behind });
     rays.ForEachResolved(fields, resolve, RecordAlone<withEffects>{ &alone, behind });
     EXPECT_EQ(together.size(), alone.size());

@@ -117,8 +117,8 @@ private:
         const double u = Place(frustum.lateralU, column, slice);
         const double v = Place(frustum.lateralV, row, slice);
         const Index ray = frustum.RayAt(column, row);
-        states.transmittance[ray] = static_cast<float>(transmittance(u, v));
-        states.behind[ray] = static_cast<float>(behind(u, v));
+        states[RayChannel::Transmittance][ray] = static_cast<float>(transmittance(u, v));
+        states[RayChannel::Behind][ray] = static_cast<float>(behind(u, v));
       }
     }
     const Range<int> columns = Intersection(
@@ -129,7 +129,8 @@ private:
     for (int v = rows.begin; v < rows.end; ++v)
     {
       VoxelRow voxels(frustum, s, v);
-      if (!voxels.FindSeen({ states.transmittance, states.density, states.behind }))
+      if (!voxels.FindSeen({ states[RayChannel::Transmittance], states[RayChannel::Density],
+            states[RayChannel::Behind] }))
       {
         continue;
       }

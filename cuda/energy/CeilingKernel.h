@@ -121,7 +121,8 @@ struct CeilingStep
   {
     ResolvedRay<Sampler, Cuts> ofBase = here;
     ofBase.densest = here.sampled;
-    float* behind = kept == Kept::Counted ? this->rays.keptBehind : this->rays.behind;
+    float* behind =
+      kept == Kept::Counted ? this->rays[RayChannel::KeptBehind] : this->rays[RayChannel::Behind];
     float unattenuated = 0;
     ofBase.ForPiecesBackward(
       [&](const RayPiece& piece)
@@ -131,7 +132,7 @@ struct CeilingStep
         unattenuated += piece.Unattenuated();
         return true;
       });
-    this->rays.unattenuated[i] += ofBase.Unattenuated(unattenuated);
+    this->rays[RayChannel::Unattenuated][i] += ofBase.Unattenuated(unattenuated);
     if (kept == Kept::Counted)
     {
       here.ForPiecesBackward(
@@ -141,8 +142,8 @@ struct CeilingStep
           const ChosenPiece::Matter dense{ length *
               this->most(Quotient(piece.opticalDepth, length)),
             (1.0f - this->most.emphasis) * piece.tilt };
-          this->rays.behind[i] =
-            ChosenPiece{ piece }.Best(this->LeastOf(here, piece), dense, this->rays.behind[i]);
+          this->rays[RayChannel::Behind][i] = ChosenPiece{ piece }.Best(
+            this->LeastOf(here, piece), dense, this->rays[RayChannel::Behind][i]);
           return true;
         });
     }
@@ -166,17 +167,18 @@ private:
     const float base = here.extinction[half];
     const float least = here.kept[half] < base ? here.kept[half] : base;
     const HalfLayer<float> baseHalf = HalfOf(here, half, base);
-    this->rays.unattenuated[i] += baseHalf.unattenuated;
+    this->rays[RayChannel::Unattenuated][i] += baseHalf.unattenuated;
     if (kept == Kept::Ignored)
     {
-      this->rays.behind[i] = Best(here, half, { least, base }, baseHalf, this->rays.behind[i]);
+      this->rays[RayChannel::Behind][i] =
+        Best(here, half, { least, base }, baseHalf, this->rays[RayChannel::Behind][i]);
       return;
     }
     const float dense = this->most(base);
-    this->rays.behind[i] =
-      Best(here, half, { least, dense }, HalfOf(here, half, dense), this->rays.behind[i]);
-    this->rays.keptBehind[i] =
-      Best(here, half, { least, base }, baseHalf, this->rays.keptBehind[i]);
+    this->rays[RayChannel::Behind][i] = Best(
+      here, half, { least, dense }, HalfOf(here, half, dense), this->rays[RayChannel::Behind][i]);
+    this->rays[RayChannel::KeptBehind][i] =
+      Best(here, half, { least, base }, baseHalf, this->rays[RayChannel::KeptBehind][i]);
   }
 
   /// The part of a half inside the box, with another extinction [1/length].
@@ -234,7 +236,7 @@ private:
 /**
  * An upper bound of what a source sees for any extinction of the nodes within its bounds: the sum
  * over rays, each with its own best extinction. For SweepRaysBackward; the results are in
- * RayStates::visible and keptVisible. `Cuts`: how layers are resolved.
+ * RayChannel::Visible and RayChannel::KeptVisible. `Cuts`: how layers are resolved.
  */
 template <class Field, class Cuts>
 struct CeilingKernel
@@ -254,10 +256,15 @@ struct CeilingKernel
       windows(this->least, FieldUse{ 1 }), this->most, this->kept };
   }
 
-  /// Returns the values that the rays carry.
-  std::vector<RayValues> Carried(const RayStates& rays) const
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
   {
-    return { rays.behind, rays.visible, rays.unattenuated, rays.keptBehind, rays.keptVisible };
+    ForValues(visit, RayChannel::Behind, RayChannel::Visible, RayChannel::Unattenuated);
+    if (this->kept == Kept::Counted)
+    {
+      ForKept(visit);
+    }
   }
 
   /// Moves rays from the slice behind to slice `s`.

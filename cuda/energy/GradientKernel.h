@@ -50,8 +50,7 @@ template <class Input, class Output>
 struct GradientKernel
 {
   static constexpr const char* label = "derivative";
-  static constexpr auto seenBehind = &RayStates::effect; ///< the value that voxels read
-  static constexpr RayImage image = RayImage::Effect;
+  static constexpr RayChannel readByVoxels = RayChannel::Effect; ///< see ForRead
 
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]
@@ -71,16 +70,16 @@ struct GradientKernel
       this->areaWeighted };
   }
 
-  /// Returns the values that the rays carry.
-  std::vector<RayValues> Carried(const RayStates& rays) const
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
   {
-    std::vector<RayValues> carried{ rays.opticalDepth, rays.behind, rays.visible, rays.unattenuated,
-      rays.effect, rays.effectBehind };
     if (this->base)
     {
-      carried.insert(carried.end(), { rays.keptBehind, rays.keptVisible, rays.keptUnattenuated });
+      ForKept(visit);
     }
-    return carried;
+    ForValues(visit, RayDepth::ToSlice, RayChannel::Behind, RayChannel::Visible,
+      RayChannel::Unattenuated, RayChannel::Effect, RayChannel::EffectBehind);
   }
 
   /// Moves rays from slice `s` to the next slice in front, which completes the effect of slice
@@ -128,12 +127,12 @@ private:
     const RayFields<typename Rays::Field> fields{ this->extinction, this->importance, this->base };
     if (!this->base)
     {
-      rays.ForEachResolved(fields, ResolveLit<>{ rays.States().opticalDepth },
+      rays.ForEachResolved(fields, ResolveLit<>{ rays.States()[RayDepth::ToSlice] },
         EffectStep<Kept::Ignored>{ rays.States() });
       return;
     }
     rays.SampleKept(this->extinction, this->base);
-    rays.ForEachResolved(fields, ResolveLit<>{ rays.States().opticalDepth },
+    rays.ForEachResolved(fields, ResolveLit<>{ rays.States()[RayDepth::ToSlice] },
       EffectStep<Kept::Counted>{ rays.States() });
   }
 };

@@ -30,6 +30,17 @@ struct ScoreKernel
       windows(this->base, FieldUse{ 1 }) };
   }
 
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
+  {
+    ForValues(visit, RayDepth::ToSlice, RayChannel::Visible, RayChannel::Unattenuated);
+    if (this->base)
+    {
+      ForValues(visit, RayChannel::KeptVisible, RayChannel::KeptUnattenuated);
+    }
+  }
+
   /// Moves rays from slice `s` to the next one.
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
@@ -41,7 +52,7 @@ struct ScoreKernel
     rays.SampleExtinction(this->extinction);
     rays.SampleImportance(this->importance);
     const RayFields<Field> fields{ this->extinction, this->importance, this->base };
-    const ResolveLit<Cuts> resolve{ rays.States().opticalDepth };
+    const ResolveLit<Cuts> resolve{ rays.States()[RayDepth::ToSlice] };
     if (this->base)
     {
       rays.SampleKept(this->extinction, this->base);
@@ -64,6 +75,13 @@ struct DepthKernel
   DepthKernel<SliceWindow*> With(Windows& windows) const
   {
     return { windows(this->extinction, FieldUse{ 1 }) };
+  }
+
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
+  {
+    visit(RayDepth::ToSlice);
   }
 
   template <class Rays>

@@ -16,8 +16,7 @@ template <class Input, class Output>
 struct TransmittanceKernel
 {
   static constexpr const char* label = "transmittance";
-  static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
-  static constexpr RayImage image = RayImage::Transmittance;
+  static constexpr RayChannel readByVoxels = RayChannel::Transmittance; ///< see ForRead
 
   Input extinction;     ///< [1/length]
   Output transmittance; ///< [0, 1]
@@ -27,6 +26,13 @@ struct TransmittanceKernel
   {
     return { windows(this->extinction, FieldUse{ 1 }),
       windows(this->transmittance, FieldUse{ 0, true }) };
+  }
+
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
+  {
+    visit(RayDepth::ToSlice);
   }
 
   /// Computes what voxels of slice `s` read, then moves rays through the layer behind it.

@@ -38,7 +38,7 @@ struct CollectStep
   LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
     const TwoHalves halves = TwoHalves::ToExit(here);
-    this->rays.behind[i] += halves.front.opticalDepth + halves.rear.opticalDepth;
+    this->rays[RayChannel::Behind][i] += halves.front.opticalDepth + halves.rear.opticalDepth;
   }
 };
 
@@ -58,8 +58,7 @@ template <class Input, class Output>
 struct BehindKernel
 {
   static constexpr const char* label = "importance behind nodes";
-  static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
-  static constexpr RayImage image = RayImage::Seen;
+  static constexpr RayChannel readByVoxels = RayChannel::Behind; ///< see ForRead
 
   Input field; ///< [1/length]
   Output behind;
@@ -70,8 +69,12 @@ struct BehindKernel
     return { windows(this->field, FieldUse{ 1 }), windows(this->behind, FieldUse{ 0, true }) };
   }
 
-  /// Returns the values that the rays carry.
-  std::vector<RayValues> Carried(const RayStates& rays) const { return { rays.behind }; }
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
+  {
+    visit(RayChannel::Behind);
+  }
 
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const

@@ -22,8 +22,8 @@ struct AddUpStep
   LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
     const TwoHalves halves = TwoHalves::Inside(here);
-    this->rays.opticalDepth[i] += halves.front.LimitedDepth() + halves.rear.LimitedDepth();
-    this->rays.unattenuated[i] += halves.front.unattenuated + halves.rear.unattenuated;
+    this->rays[RayDepth::ToSlice][i] += halves.front.LimitedDepth() + halves.rear.LimitedDepth();
+    this->rays[RayChannel::Unattenuated][i] += halves.front.unattenuated + halves.rear.unattenuated;
   }
 };
 
@@ -34,8 +34,8 @@ struct ShareStep
 
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
-    this->rays.visible[i] = this->rays.unattenuated[i] *
-      EqualTransmittance(static_cast<float>(this->rays.opticalDepth[i]));
+    this->rays[RayChannel::Visible][i] = this->rays[RayChannel::Unattenuated][i] *
+      EqualTransmittance(static_cast<float>(this->rays[RayDepth::ToSlice][i]));
   }
 };
 
@@ -51,6 +51,13 @@ struct EqualScoreKernel
   EqualScoreKernel<SliceWindow*> With(Windows& windows) const
   {
     return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }) };
+  }
+
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
+  {
+    ForValues(visit, RayDepth::ToSlice, RayChannel::Unattenuated);
   }
 
   template <class Rays>

@@ -60,6 +60,12 @@ struct ObjectKernel
     return { windows(this->importance, FieldUse{ 1 }), this->objects };
   }
 
+  /// Rays carry nothing but their objects.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit&) const
+  {
+  }
+
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const
   {
@@ -72,7 +78,7 @@ struct ObjectKernel
   }
 };
 
-/// Computes the fraction of a slice behind a ray's clip, in RayStates::behind.
+/// Computes the fraction of a slice behind a ray's clip, in RayChannel::Behind.
 struct ClipStep
 {
   RayStates rays;
@@ -83,7 +89,7 @@ struct ClipStep
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
     const float share = 0.5f + (this->depth - this->objects[i].begin) / this->thickness;
-    this->rays.behind[i] = Clamp(share, 0.0f, 1.0f);
+    this->rays[RayChannel::Behind][i] = Clamp(share, 0.0f, 1.0f);
   }
 };
 
@@ -105,8 +111,7 @@ template <class Output>
 struct ClipKernel
 {
   static constexpr const char* label = "clipped extinction";
-  static constexpr auto seenBehind = &RayStates::behind; ///< the value that voxels read
-  static constexpr RayImage image = RayImage::Seen;
+  static constexpr RayChannel readByVoxels = RayChannel::Behind; ///< see ForRead
 
   Output extinction; ///< in: the base extinction [1/length]
   const RayObject* objects;
@@ -117,8 +122,12 @@ struct ClipKernel
     return { windows(this->extinction, FieldUse{ 0, true }), this->objects };
   }
 
-  /// Returns the values that the rays carry.
-  std::vector<RayValues> Carried(const RayStates& rays) const { return { rays.behind }; }
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
+  {
+    visit(RayChannel::Behind);
+  }
 
   template <class Rays>
   LIMPID_HD LIMPID_INLINE void RayStep(Rays& rays, int s) const

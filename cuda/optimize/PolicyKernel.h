@@ -74,8 +74,7 @@ template <class Input, class Output>
 struct PolicyKernel
 {
   static constexpr const char* label = "policy sweep";
-  static constexpr auto seenBehind = &RayStates::ahead; ///< the value that voxels read
-  static constexpr RayImage image = RayImage::Seen;
+  static constexpr RayChannel readByVoxels = RayChannel::Ahead; ///< see ForRead
 
   Input base;                       ///< [1/length]
   Input importance;                 ///< [0, 1]
@@ -116,48 +115,24 @@ struct PolicyKernel
     return there;
   }
 
-  /// Returns the values that the rays carry.
-  std::vector<RayValues> Carried(const RayStates& rays) const
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
   {
-    std::vector<RayValues> carried{ rays.opticalDepth, rays.collected, rays.behind, rays.visible,
-      rays.unattenuated, rays.transmittance, rays.density, rays.ahead, rays.rearImportance };
-    if (this->kept == Kept::Counted)
-    {
-      carried.insert(carried.end(), { rays.keptBehind, rays.keptVisible, rays.keptUnattenuated });
-    }
-    if (this->alternative)
-    {
-      carried.insert(carried.end(), { rays.alternativeBehind, rays.cost, rays.reach });
-    }
-    return carried;
-  }
-
-  /// Copies the values that a ray carries; rear importance must be set from the start.
-  LIMPID_HD LIMPID_INLINE void CopyCarried(const RayStates& from, const RayStates& to) const
-  {
+    ForValues(visit, RayDepth::Collected, RayChannel::Behind, RayChannel::Visible,
+      RayChannel::Unattenuated, RayChannel::Transmittance, RayChannel::Density, RayChannel::Ahead,
+      RayChannel::RearImportance);
     if (this->transmittance == Transmittance::OfLastIterate)
     {
-      *to.opticalDepth = *from.opticalDepth;
+      visit(RayDepth::ToSlice);
     }
-    *to.collected = *from.collected;
-    *to.behind = *from.behind;
-    *to.visible = *from.visible;
-    *to.unattenuated = *from.unattenuated;
-    *to.transmittance = *from.transmittance;
-    *to.density = *from.density;
-    *to.ahead = *from.ahead;
-    *to.rearImportance = *from.rearImportance;
     if (this->kept == Kept::Counted)
     {
-      *to.keptBehind = *from.keptBehind;
-      *to.keptVisible = *from.keptVisible;
-      *to.keptUnattenuated = *from.keptUnattenuated;
+      ForKept(visit);
     }
     if (this->alternative)
     {
-      *to.alternativeBehind = *from.alternativeBehind;
-      *to.cost = *from.cost;
-      *to.reach = *from.reach;
+      ForValues(visit, RayChannel::AlternativeBehind, RayChannel::Cost, RayChannel::Reach);
     }
   }
 

@@ -8,7 +8,6 @@
 #include "scene/FieldView.h"
 #include "sweep/EvenBands.h"
 #include "sweep/FaceFrustum.h"
-#include "sweep/RaySteps.h"
 
 #include <cstddef>
 #include <vector>
@@ -16,6 +15,20 @@
 namespace limpid
 {
 class SliceWindow;
+
+/// One kind of ray values, as bytes, to be redistributed.
+struct RayValues
+{
+  std::byte* first;
+  std::size_t bytes; ///< of one ray's value
+
+  template <class Value>
+  RayValues(Value* values)
+    : first(reinterpret_cast<std::byte*>(values))
+    , bytes(sizeof(Value))
+  {
+  }
+};
 
 /**
  * The decomposition of a frustum among ranks. A subdomain is a band of consecutive rows of rays

@@ -13,7 +13,7 @@
 #include "sweep/BandDecomposition.h"
 #include "sweep/HatOfVoxel.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/RaySteps.h"
+#include "sweep/RayChannels.h"
 #include "sweep/RayTiles.h"
 #include "sweep/SlabTiles.h"
 #include "sweep/SliceWindow.h"
@@ -25,7 +25,7 @@
 
 namespace limpid
 {
-/// Values of all rays of a frustum in device memory, one image per kind; initially unset.
+/// Values of all rays of a frustum in device memory; initially unset.
 template <class AnyDevice>
 class RayImages
 {
@@ -33,41 +33,36 @@ public:
   RayImages(std::shared_ptr<AnyDevice> device, Index rays)
     : Device(std::move(device))
     , Rays(rays)
-    , Depths(this->Device, std::size_t(rays), "optical depths")
+    , ToSlice(this->Device, std::size_t(rays), "optical depths")
   {
   }
-
-  /// The only values that a front-to-back sweep on a device carries from slab to slab.
-  double* OpticalDepths() { return this->Depths.Data(); }
 
   RayStates States()
   {
-    if (this->Others.Empty())
+    if (this->Channels.Empty())
     {
       this->Collected = { this->Device, std::size_t(this->Rays), "optical depths" };
-      this->Others = { this->Device, std::size_t(images * this->Rays), "rays" };
+      this->Channels = { this->Device, std::size_t(Index(RayChannel::Count) * this->Rays), "rays" };
     }
-    float* image[images];
-    for (Index i = 0; i < images; ++i)
-    {
-      image[i] = this->Others.Data() + i * this->Rays;
-    }
-    return { this->Depths.Data(), this->Collected.Data(), image[0], image[1], image[2], image[3],
-      image[4], image[5], image[6], image[7], image[8], image[9], image[10], image[11], image[12],
-      image[13], image[14] };
+    return { this->ToSlice.Data(), this->Collected.Data(), this->Channels.Data(), this->Rays };
   }
 
-  /// Replaces the optical depths by those that a sweep has collected.
-  void KeepCollected() { std::swap(this->Depths, this->Collected); }
+  /// Returns states of which RayDepth::ToSlice alone may be used; the others are not allocated.
+  RayStates DepthsToSlice()
+  {
+    double* depths = this->ToSlice.Data();
+    return { depths, depths, reinterpret_cast<float*>(depths), 0 }; // From needs valid addresses
+  }
+
+  /// Replaces RayDepth::ToSlice by RayDepth::Collected.
+  void KeepCollected() { std::swap(this->ToSlice, this->Collected); }
 
 private:
-  static constexpr int images = 15;
-
   std::shared_ptr<AnyDevice> Device;
   Index Rays;
-  DeviceArray<AnyDevice, double> Depths;
-  DeviceArray<AnyDevice, double> Collected; ///< allocated on first use, like Others
-  DeviceArray<AnyDevice, float> Others;
+  DeviceArray<AnyDevice, double> ToSlice;
+  DeviceArray<AnyDevice, double> Collected; ///< allocated on first use, like Channels
+  DeviceArray<AnyDevice, float> Channels;   ///< [channel][ray]
 };
 
 /// The plan of a frustum: a copy of its tables in device memory.
@@ -258,7 +253,7 @@ public:
   }
 
   RayStates States() { return this->Values.States(); }
-  double* OpticalDepths() { return this->Values.OpticalDepths(); }
+  RayStates DepthsToSlice() { return this->Values.DepthsToSlice(); }
 
   /// Replaces the optical depths by those that a back-to-front sweep has collected.
   void KeepCollected() { this->Values.KeepCollected(); }

@@ -90,12 +90,12 @@ public:
   {
     this->Ray.importance[0] = this->Ray.importance[1] =
       this->InView() * this->SamplePlane(field, 1);
-    this->Here.rearImportance[0] = this->Ray.importance[1];
+    this->Here[RayChannel::RearImportance][0] = this->Ray.importance[1];
   }
 
   LIMPID_HD LIMPID_INLINE void RecallRearImportance()
   {
-    this->Ray.importance[1] = this->Here.rearImportance[0];
+    this->Ray.importance[1] = this->Here[RayChannel::RearImportance][0];
   }
 
   LIMPID_HD LIMPID_INLINE void SampleKept(Field extinction, Field base)

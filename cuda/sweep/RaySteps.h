@@ -1,81 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The values that rays carry in a sweep, and the steps that change them, for all backends.
+// The steps that change the values of rays in a sweep, for all backends.
 
 #ifndef limpid_sweep_RaySteps_h
 #define limpid_sweep_RaySteps_h
 
 #include "math/Vec.h"
+#include "sweep/RayChannels.h"
 #include "sweep/ResolvedLayer.h"
-
-#include <cstddef>
-#include <vector>
 
 namespace limpid
 {
-/// Pointers to the values of all rays. From returns the view of one row of rays.
-struct RayStates
-{
-  double* opticalDepth; ///< from the source to the slice that the sweep has reached
-  double* collected;    ///< optical depth of the layers that a back-to-front sweep has passed
-  float* behind;  ///< visible importance behind, times scale^2; also defined in front of the entry
-  float* visible; ///< visible importance behind the entry into the box; see HasEntered
-  float* unattenuated;  ///< importance without attenuation, inside the box, times scale^2
-  float* transmittance; ///< from the source to the slice [0, 1]
-  float* density; ///< optical depth per unit of depth, near the sides of the box: see DepthPerUnit
-  float* ahead;   ///< visible importance behind the middle of the layer behind the slice
-  float* rearImportance; ///< importance in the rear half of the layer behind the slice [0, 1]
-
-  float* keptBehind; ///< `behind` of the kept base extinction; see Kept
-  float* keptVisible;
-  float* keptUnattenuated;
-
-  float* alternativeBehind; ///< `behind` through an alternative extinction; see WeighStep
-  float* cost;              ///< cost of not using the alternative extinction behind
-  float* reach;             ///< last slice that the ray should reach; kept for the next sweep
-
-  float* effect;       ///< effect of the slice's extinction on what the ray sees, see EffectStep
-  float* effectBehind; ///< contribution of the layer behind the next slice to that slice's effect
-
-  LIMPID_HD LIMPID_INLINE RayStates From(Index ray) const
-  {
-    return { this->opticalDepth + ray, this->collected + ray, this->behind + ray,
-      this->visible + ray, this->unattenuated + ray, this->transmittance + ray, this->density + ray,
-      this->ahead + ray, this->rearImportance + ray, this->keptBehind + ray,
-      this->keptVisible + ray, this->keptUnattenuated + ray, this->alternativeBehind + ray,
-      this->cost + ray, this->reach + ray, this->effect + ray, this->effectBehind + ray };
-  }
-};
-
-/// One kind of ray values, as bytes, to be redistributed.
-struct RayValues
-{
-  std::byte* first;
-  std::size_t bytes; ///< of one ray's value
-
-  template <class Value>
-  RayValues(Value* values)
-    : first(reinterpret_cast<std::byte*>(values))
-    , bytes(sizeof(Value))
-  {
-  }
-};
-
 /// The values that the voxels of a slice read from the rays next to them, one per ray.
 struct RaysBeside
 {
-  const float* transmittance; ///< see RayStates
+  const float* transmittance; ///< see RayChannel
   const float* density;
   const float* behind; ///< visible importance behind, as defined by the kernel [scale^2]
-};
-
-/// What a device keeps of every ray on a slice, for the voxels there.
-enum class RayImage
-{
-  Seen,          ///< transmittance and attenuated importance behind; density near sides of the box
-  Transmittance, ///< transmittance; density near sides of the box
-  Effect         ///< see EffectStep
 };
 
 /**
@@ -89,87 +31,6 @@ enum class Kept
   Counted
 };
 
-/// Value of RayStates::visible until a back-to-front sweep reaches the ray's entry. Visible
-/// importance itself is never negative.
-constexpr float notEntered = -1;
-
-/// Whether a back-to-front sweep has reached the layer of the ray's entry into the box, so that
-/// its visible importance is known.
-LIMPID_HD LIMPID_INLINE bool HasEntered(float visible)
-{
-  return visible >= 0;
-}
-
-/// Returns the visible importance of a whole ray after a back-to-front sweep.
-LIMPID_HD LIMPID_INLINE float VisibleOf(float visible, float behind)
-{
-  return HasEntered(visible) ? visible : behind;
-}
-
-/// Initialises rays for a back-to-front sweep. Optical depths are kept.
-struct StartBehind
-{
-  RayStates rays;
-
-  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
-  {
-    this->rays.collected[i] = 0;
-    this->rays.behind[i] = 0;
-    this->rays.visible[i] = notEntered;
-    this->rays.unattenuated[i] = 0;
-    this->rays.transmittance[i] = 1;
-    this->rays.density[i] = 0;
-    this->rays.ahead[i] = 0;
-    this->rays.keptBehind[i] = 0;
-    this->rays.keptVisible[i] = notEntered;
-    this->rays.keptUnattenuated[i] = 0;
-    this->rays.alternativeBehind[i] = 0;
-    this->rays.cost[i] = 0;
-    this->rays.effect[i] = 0;
-    this->rays.effectBehind[i] = 0;
-  }
-};
-
-/// Initialises rays for a front-to-back sweep that computes transmittance only.
-struct StartDepth
-{
-  RayStates rays;
-
-  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
-  {
-    this->rays.opticalDepth[i] = 0;
-    this->rays.transmittance[i] = 1;
-    this->rays.density[i] = 0;
-  }
-};
-
-/// Initialises rays for any front-to-back sweep.
-struct StartInFront
-{
-  RayStates rays;
-
-  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
-  {
-    StartDepth{ this->rays }(i);
-    this->rays.visible[i] = 0;
-    this->rays.unattenuated[i] = 0;
-    this->rays.keptVisible[i] = 0;
-    this->rays.keptUnattenuated[i] = 0;
-  }
-};
-
-/// Sets the visible importance of whole rays after a back-to-front sweep.
-struct FinishBehind
-{
-  RayStates rays;
-
-  LIMPID_HD LIMPID_INLINE void operator()(Index i) const
-  {
-    this->rays.visible[i] = VisibleOf(this->rays.visible[i], this->rays.behind[i]);
-    this->rays.keptVisible[i] = VisibleOf(this->rays.keptVisible[i], this->rays.keptBehind[i]);
-  }
-};
-
 /// Front to back, Eqs. (2), (15) and (16): adds the optical depth of the layer. Optical depth
 /// counts from the entry into the box. It is negative in front of the entry and continues behind
 /// the exit, so that it is continuous across neighbouring rays.
@@ -180,7 +41,7 @@ struct DeepenStep
   template <class RayHere>
   LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
-    this->rays.opticalDepth[i] += here.DepthFromEntry();
+    this->rays[RayDepth::ToSlice][i] += here.DepthFromEntry();
   }
 };
 
@@ -195,15 +56,15 @@ struct ScoreStep
   LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
     const LayerLight light = here.Light();
-    const float transmittance = Attenuate(static_cast<float>(this->rays.opticalDepth[i]));
-    this->rays.visible[i] += transmittance * light.visible;
-    this->rays.unattenuated[i] += light.unattenuated;
+    const float transmittance = Attenuate(static_cast<float>(this->rays[RayDepth::ToSlice][i]));
+    this->rays[RayChannel::Visible][i] += transmittance * light.visible;
+    this->rays[RayChannel::Unattenuated][i] += light.unattenuated;
     if (kept == Kept::Counted)
     {
-      this->rays.keptVisible[i] += transmittance * light.keptVisible;
-      this->rays.keptUnattenuated[i] += light.keptUnattenuated;
+      this->rays[RayChannel::KeptVisible][i] += transmittance * light.keptVisible;
+      this->rays[RayChannel::KeptUnattenuated][i] += light.keptUnattenuated;
     }
-    this->rays.opticalDepth[i] += light.opticalDepth;
+    this->rays[RayDepth::ToSlice][i] += light.opticalDepth;
   }
 };
 
@@ -215,7 +76,7 @@ struct UnwindStep
   template <class RayHere>
   LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
-    this->rays.opticalDepth[i] -= here.WholeDepth();
+    this->rays[RayDepth::ToSlice][i] -= here.WholeDepth();
   }
 };
 
@@ -231,14 +92,15 @@ struct CarryStep
   {
     const TwoHalves inside = TwoHalves::Inside(here);
     const TwoHalves toExit = TwoHalves::ToExit(here);
-    const bool enters = passage == LayerCrossing::Clipped && !HasEntered(this->rays.visible[i]) &&
-      here.Entry() >= here.layer.front;
-    Carry<passage>(inside, toExit, enters, this->rays.behind[i], this->rays.visible[i],
-      this->rays.unattenuated[i]);
+    const bool enters = passage == LayerCrossing::Clipped &&
+      !HasEntered(this->rays[RayChannel::Visible][i]) && here.Entry() >= here.layer.front;
+    Carry<passage>(inside, toExit, enters, this->rays[RayChannel::Behind][i],
+      this->rays[RayChannel::Visible][i], this->rays[RayChannel::Unattenuated][i]);
     if (kept == Kept::Counted)
     {
       Carry<passage>(inside.CountingShares(here), toExit.CountingShares(here), enters,
-        this->rays.keptBehind[i], this->rays.keptVisible[i], this->rays.keptUnattenuated[i]);
+        this->rays[RayChannel::KeptBehind][i], this->rays[RayChannel::KeptVisible][i],
+        this->rays[RayChannel::KeptUnattenuated][i]);
     }
   }
 
@@ -249,7 +111,8 @@ struct CarryStep
     const RayInLayer<LayerCrossing::Clipped>& plain = here.plain;
     const LayerLight light = here.Light();
     const bool ahead = plain.Entry() > plain.layer.front;
-    const bool enters = !HasEntered(this->rays.visible[i]) && plain.Entry() >= plain.layer.front;
+    const bool enters =
+      !HasEntered(this->rays[RayChannel::Visible][i]) && plain.Entry() >= plain.layer.front;
     const TwoHalves toExit = TwoHalves::ToExit(plain);
     const auto carry = [&](float gained, const TwoHalves& halves, float& behind, float& visible)
     {
@@ -257,13 +120,14 @@ struct CarryStep
       visible = enters ? front : visible;
       behind = ahead ? limpid::Carried(halves.front, halves.rear, behind) : front;
     };
-    carry(light.visible, toExit, this->rays.behind[i], this->rays.visible[i]);
-    this->rays.unattenuated[i] += light.unattenuated;
+    carry(
+      light.visible, toExit, this->rays[RayChannel::Behind][i], this->rays[RayChannel::Visible][i]);
+    this->rays[RayChannel::Unattenuated][i] += light.unattenuated;
     if (kept == Kept::Counted)
     {
-      carry(light.keptVisible, toExit.CountingShares(plain), this->rays.keptBehind[i],
-        this->rays.keptVisible[i]);
-      this->rays.keptUnattenuated[i] += light.keptUnattenuated;
+      carry(light.keptVisible, toExit.CountingShares(plain), this->rays[RayChannel::KeptBehind][i],
+        this->rays[RayChannel::KeptVisible][i]);
+      this->rays[RayChannel::KeptUnattenuated][i] += light.keptUnattenuated;
     }
   }
 
@@ -292,7 +156,7 @@ struct CarryAndCollectStep
   LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
     CarryStep<kept>{ this->rays }(here, i);
-    this->rays.collected[i] += here.DepthFromEntry();
+    this->rays[RayDepth::Collected][i] += here.DepthFromEntry();
   }
 };
 
@@ -316,22 +180,22 @@ struct WeighStep
   LIMPID_HD LIMPID_INLINE void operator()(const RayInLayer<passage>& here, Index i) const
   {
     constexpr float least = 0.02f; // smaller gains do not matter to the next sweep
-    const float behind = CarriedTo(here, this->rays.behind[i]);
+    const float behind = CarriedTo(here, this->rays[RayChannel::Behind][i]);
     RayInLayer<passage> other = here;
     other.extinction[0] = here.kept[0];
     other.extinction[1] = here.kept[1];
-    const float alternative = CarriedTo(other, this->rays.alternativeBehind[i]);
-    const float cost = this->rays.cost[i] + this->CostOf(here);
-    const float shown = this->rays.transmittance[i] * (behind - alternative);
+    const float alternative = CarriedTo(other, this->rays[RayChannel::AlternativeBehind][i]);
+    const float cost = this->rays[RayChannel::Cost][i] + this->CostOf(here);
+    const float shown = this->rays[RayChannel::Transmittance][i] * (behind - alternative);
     const bool pays = shown > cost;
-    const float reach = this->rays.reach[i];
+    const float reach = this->rays[RayChannel::Reach][i];
     const bool nearer =
       !pays && this->slice < reach && shown > least * here.layer.frontScale * here.layer.frontScale;
-    this->rays.behind[i] = pays ? behind : alternative;
-    this->rays.alternativeBehind[i] = alternative;
-    this->rays.cost[i] = pays ? cost : 0.0f;
-    this->rays.reach[i] = nearer ? this->slice : reach;
-    this->rays.collected[i] += here.DepthFromEntry();
+    this->rays[RayChannel::Behind][i] = pays ? behind : alternative;
+    this->rays[RayChannel::AlternativeBehind][i] = alternative;
+    this->rays[RayChannel::Cost][i] = pays ? cost : 0.0f;
+    this->rays[RayChannel::Reach][i] = nearer ? this->slice : reach;
+    this->rays[RayDepth::Collected][i] += here.DepthFromEntry();
   }
 
 private:
@@ -366,8 +230,8 @@ struct BeginEffectStep
 
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
-    this->rays.effect[i] = this->rays.effectBehind[i];
-    this->rays.effectBehind[i] = 0;
+    this->rays[RayChannel::Effect][i] = this->rays[RayChannel::EffectBehind][i];
+    this->rays[RayChannel::EffectBehind][i] = 0;
   }
 };
 
@@ -392,14 +256,15 @@ struct EffectStep
     constexpr float ofBack[2] = { float(gaussPoints[0]), float(gaussPoints[1]) };
     const HalfLayer<float> front = here.template Half<Cut::Both>(0);
     const HalfLayer<float> rear = here.template Half<Cut::Both>(1);
-    const float behind = this->rays.behind[i];
+    const float behind = this->rays[RayChannel::Behind][i];
     const float unit = here.layer.thickness * this->TransmittanceTo(here, i);
     const float middle = Carried(rear, behind);
     const float effects[2] = { here.WayInHalf(0) * unit *
         (front.Passed() * middle - front.visibleSlope),
       here.WayInHalf(1) * unit * front.Passed() * (rear.Passed() * behind - rear.visibleSlope) };
-    this->rays.effect[i] += ofBack[0] * effects[0] + ofBack[1] * effects[1];
-    this->rays.effectBehind[i] = (1.0f - ofBack[0]) * effects[0] + (1.0f - ofBack[1]) * effects[1];
+    this->rays[RayChannel::Effect][i] += ofBack[0] * effects[0] + ofBack[1] * effects[1];
+    this->rays[RayChannel::EffectBehind][i] =
+      (1.0f - ofBack[0]) * effects[0] + (1.0f - ofBack[1]) * effects[1];
     this->Gain(here.Light(), i);
   }
 
@@ -409,9 +274,9 @@ struct EffectStep
   {
     const float transmittance = this->TransmittanceTo(here.plain, i);
     LayerEffect effect;
-    const LayerLight light = here.Light(this->rays.behind[i], effect);
-    this->rays.effect[i] += transmittance * effect.back;
-    this->rays.effectBehind[i] = transmittance * effect.front;
+    const LayerLight light = here.Light(this->rays[RayChannel::Behind][i], effect);
+    this->rays[RayChannel::Effect][i] += transmittance * effect.back;
+    this->rays[RayChannel::EffectBehind][i] = transmittance * effect.front;
     this->Gain(light, i);
   }
 
@@ -421,17 +286,19 @@ private:
   LIMPID_HD LIMPID_INLINE float TransmittanceTo(const RayInLayer<passage>& here, Index i) const
   {
     const bool entersHere = passage == LayerCrossing::Clipped && here.Entry() > here.layer.front;
-    return entersHere ? 1.0f : Transmitted(static_cast<float>(this->rays.opticalDepth[i]));
+    return entersHere ? 1.0f : Transmitted(static_cast<float>(this->rays[RayDepth::ToSlice][i]));
   }
 
   LIMPID_HD LIMPID_INLINE void Gain(const LayerLight& light, Index i) const
   {
-    this->rays.behind[i] = light.visible + light.passed * this->rays.behind[i];
-    this->rays.unattenuated[i] += light.unattenuated;
+    this->rays[RayChannel::Behind][i] =
+      light.visible + light.passed * this->rays[RayChannel::Behind][i];
+    this->rays[RayChannel::Unattenuated][i] += light.unattenuated;
     if (kept == Kept::Counted)
     {
-      this->rays.keptBehind[i] = light.keptVisible + light.passed * this->rays.keptBehind[i];
-      this->rays.keptUnattenuated[i] += light.keptUnattenuated;
+      this->rays[RayChannel::KeptBehind][i] =
+        light.keptVisible + light.passed * this->rays[RayChannel::KeptBehind][i];
+      this->rays[RayChannel::KeptUnattenuated][i] += light.keptUnattenuated;
     }
   }
 };
@@ -442,7 +309,7 @@ constexpr bool findsEffects = false;
 template <Kept kept>
 constexpr bool findsEffects<EffectStep<kept>> = true;
 
-/// Carries visible importance to the middle of the layer (RayStates::ahead).
+/// Carries visible importance to the middle of the layer (RayChannel::Ahead).
 struct LookAheadStep
 {
   RayStates rays;
@@ -450,7 +317,8 @@ struct LookAheadStep
   template <class RayHere>
   LIMPID_HD LIMPID_INLINE void operator()(const RayHere& here, Index i) const
   {
-    this->rays.ahead[i] = Carried(here.template Half<Cut::Exit>(1), this->rays.behind[i]);
+    this->rays[RayChannel::Ahead][i] =
+      Carried(here.template Half<Cut::Exit>(1), this->rays[RayChannel::Behind][i]);
   }
 };
 
@@ -461,7 +329,8 @@ struct TransmitStep
 
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
-    this->rays.transmittance[i] = Transmitted(static_cast<float>(this->rays.opticalDepth[i]));
+    this->rays[RayChannel::Transmittance][i] =
+      Transmitted(static_cast<float>(this->rays[RayDepth::ToSlice][i]));
   }
 };
 
@@ -473,12 +342,13 @@ struct ReachStep
 
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
-    const float transmittance = this->rays.transmittance[i];
-    this->rays.transmittance[i] = this->slice > this->rays.reach[i] ? 0.0f : transmittance;
+    const float transmittance = this->rays[RayChannel::Transmittance][i];
+    this->rays[RayChannel::Transmittance][i] =
+      this->slice > this->rays[RayChannel::Reach][i] ? 0.0f : transmittance;
   }
 };
 
-/// Initialises RayStates::reach: no limit.
+/// Initialises RayChannel::Reach: no limit.
 struct StartReach
 {
   RayStates rays;
@@ -486,7 +356,7 @@ struct StartReach
   LIMPID_HD LIMPID_INLINE void operator()(Index i) const
   {
     constexpr float unlimited = 1e30f;
-    this->rays.reach[i] = unlimited;
+    this->rays[RayChannel::Reach][i] = unlimited;
   }
 };
 
@@ -503,8 +373,9 @@ struct DensityStep
   {
     const float row = here.row.begin < this->frontDepth ? this->frontDepth : here.row.begin;
     const float entry = row > here.column.begin ? row : here.column.begin;
-    this->rays.density[i] = DepthPerUnit(static_cast<float>(this->rays.opticalDepth[i]),
-      here.layer.front - entry, here.extinction[0] * here.length, this->knownAhead, this->limit);
+    this->rays[RayChannel::Density][i] =
+      DepthPerUnit(static_cast<float>(this->rays[RayDepth::ToSlice][i]), here.layer.front - entry,
+        here.extinction[0] * here.length, this->knownAhead, this->limit);
   }
 };
 }

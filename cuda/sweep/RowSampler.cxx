@@ -244,7 +244,7 @@ void RowSampler::SampleFrontImportance(Field field)
 
 void RowSampler::SampleRearImportance(Field field)
 {
-  float* rear = this->States().rearImportance;
+  float* rear = this->States()[RayChannel::RearImportance];
   this->SamplePlane(RowsOfField{ field }, 1, rear);
   this->HideOutOfView(rear);
   this->Rays.importance[0] = this->Rays.importance[1] = rear;

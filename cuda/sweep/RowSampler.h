@@ -144,12 +144,15 @@ public:
   /// Sets extinction and importance to 0, where there is no layer.
   void SampleNothing();
 
-  /// Samples the importance at one Gauss point; the rear sample goes to RayStates::rearImportance.
+  /// Samples the importance at one Gauss point; the rear sample goes to RayChannel::RearImportance.
   void SampleFrontImportance(Field field);
   void SampleRearImportance(Field field);
 
   /// Uses the rear sample that SampleRearImportance has stored.
-  void RecallRearImportance() { this->Rays.importance[1] = this->States().rearImportance; }
+  void RecallRearImportance()
+  {
+    this->Rays.importance[1] = this->States()[RayChannel::RearImportance];
+  }
 
   /// Samples the kept base extinction: the lesser of both fields at the nodes. Call it after
   /// extinction and importance of the layer were sampled.
@@ -319,7 +322,7 @@ private:
     constexpr Effects effects = findsEffects<Step> ? Effects::Found : Effects::Ignored;
     const RowBetweenSlices layer{ this->Frustum, this->S, this->RowNumber, this->Rays, fields };
     const float* densest = this->FindResolved(columns, layer, resolve);
-    const float* behind = this->States().behind;
+    const float* behind = this->States()[RayChannel::Behind];
     RaysInLanes lanes;
     int begin = columns.begin;
     const auto stepAll = [&]

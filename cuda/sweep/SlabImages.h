@@ -14,7 +14,7 @@ namespace limpid
 namespace detail
 {
 /// Images of the rays on the slices of two slabs: the one that rays cross, and the one before it,
-/// which voxels read. They hold what Kernel::image says.
+/// which voxels read. They hold the channels of ForRead.
 template <class Kernel>
 struct SlabImages
 {
@@ -66,16 +66,16 @@ struct SlabImages
   LIMPID_HD LIMPID_INLINE void Take(int s, Index ray, bool nearSides, const RayStates& here) const
   {
     const Index at = this->First(s) + ray;
-    if constexpr (Kernel::image == RayImage::Effect)
+    if constexpr (Kernel::readByVoxels == RayChannel::Effect)
     {
-      this->values[at] = *here.effect;
+      this->values[at] = *here[RayChannel::Effect];
     }
     else
     {
       this->TakeLight(at, here);
       if (nearSides)
       {
-        this->density[at] = *here.density;
+        this->density[at] = *here[RayChannel::Density];
       }
     }
   }
@@ -86,10 +86,10 @@ struct SlabImages
     const HatOfVoxel* columnHats = this->hats + Index(s) * (this->nodesU + this->nodesV);
     const Index first = this->First(s);
     const float* here = this->values + first;
-    return { Kernel::image == RayImage::Seen ? this->Seen() + first : nullptr,
-      Kernel::image == RayImage::Transmittance ? here : nullptr,
-      Kernel::image == RayImage::Effect ? here : nullptr, this->density + first, columnHats,
-      columnHats + this->nodesU };
+    return { HasSeen ? this->Seen() + first : nullptr,
+      Kernel::readByVoxels == RayChannel::Transmittance ? here : nullptr,
+      Kernel::readByVoxels == RayChannel::Effect ? here : nullptr, this->density + first,
+      columnHats, columnHats + this->nodesU };
   }
 
   /// Stores the values of a ray in all images.
@@ -102,9 +102,13 @@ struct SlabImages
   }
 
 private:
+  /// Whether voxels read transmittance and attenuated importance behind.
+  static constexpr bool HasSeen =
+    Kernel::readByVoxels != RayChannel::Effect && Kernel::readByVoxels != RayChannel::Transmittance;
+
   /// Numbers per ray and slice.
-  static constexpr Index OfValue = Kernel::image == RayImage::Seen ? 2 : 1;
-  static constexpr Index OfDensity = Kernel::image == RayImage::Effect ? 0 : 1;
+  static constexpr Index OfValue = HasSeen ? 2 : 1;
+  static constexpr Index OfDensity = Kernel::readByVoxels == RayChannel::Effect ? 0 : 1;
 
   LIMPID_HD LIMPID_INLINE SeenOfRay* Seen() const
   {
@@ -113,14 +117,14 @@ private:
 
   LIMPID_HD LIMPID_INLINE void TakeLight(Index at, const RayStates& here) const
   {
-    if constexpr (Kernel::image == RayImage::Seen)
+    const float transmittance = *here[RayChannel::Transmittance];
+    if constexpr (HasSeen)
     {
-      const float behind = *(here.*Kernel::seenBehind);
-      this->Seen()[at] = { *here.transmittance, *here.transmittance * behind };
+      this->Seen()[at] = { transmittance, transmittance * *here[Kernel::readByVoxels] };
     }
     else
     {
-      this->values[at] = *here.transmittance;
+      this->values[at] = transmittance;
     }
   }
 
@@ -128,34 +132,20 @@ private:
   LIMPID_HD LIMPID_INLINE Index First(int s) const { return (s & (this->slices - 1)) * this->rays; }
 };
 
-/// Initialises a ray for a back-to-front sweep, and its images, as it may not be active for long.
-template <class Kernel>
+/// Initialises a ray for a sweep, and its images, as it may not be active for long. `Start`:
+/// StartBehind or StartInFront.
+template <class Start, class Kernel>
 struct StartedRay
 {
   RayStates states;
+  Kernel kernel;
   SlabImages<Kernel> images;
 
   LIMPID_HD void operator()(Index ray) const
   {
-    const RayStates here = this->states.From(ray);
-    StartBehind{ here }(0);
-    *here.rearImportance = 0;
-    this->images.TakeEverywhere(ray, here);
-  }
-};
-
-/// Initialises a ray for a front-to-back sweep, and its images, as it may meet nothing for long.
-template <class Kernel>
-struct UndimmedRay
-{
-  double* opticalDepths;
-  SlabImages<Kernel> images;
-
-  LIMPID_HD void operator()(Index ray) const
-  {
+    this->kernel.ForCarried(Start{ this->states.From(ray) });
     RayHere here;
-    StartInFront{ here.States() }(0);
-    this->opticalDepths[ray] = here.opticalDepth;
+    ForRead<Kernel::readByVoxels>(Start{ here.States() });
     this->images.TakeEverywhere(ray, here.States());
   }
 };
@@ -173,7 +163,7 @@ struct LeavingRay
     const RayStates here = this->states.From(this->frustum.RayAt(column, row));
     RaySampler ray(this->frustum, here, column, row);
     this->kernel.LeaveStep(ray);
-    FinishBehind{ here }(0);
+    this->kernel.ForCarried(FinishBehind{ here });
   }
 };
 }

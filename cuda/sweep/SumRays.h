@@ -9,6 +9,7 @@
 #include "backend/SumOnDevice.h"
 #include "distributed/ExactSum.h"
 #include "sweep/FrustumRays.h"
+#include "sweep/RaySteps.h"
 
 #include <type_traits>
 #include <vector>
@@ -101,8 +102,9 @@ struct SeenByRay
   const float* unattenuated;
 
   SeenByRay(const RayStates& rays, Kept kept)
-    : visible(kept == Kept::Counted ? rays.keptVisible : rays.visible)
-    , unattenuated(kept == Kept::Counted ? rays.keptUnattenuated : rays.unattenuated)
+    : visible(kept == Kept::Counted ? rays[RayChannel::KeptVisible] : rays[RayChannel::Visible])
+    , unattenuated(
+        kept == Kept::Counted ? rays[RayChannel::KeptUnattenuated] : rays[RayChannel::Unattenuated])
   {
   }
 };

@@ -31,10 +31,11 @@ struct ForwardRay
   LIMPID_HD void operator()(int i, int j) const
   {
     RayHere here;
-    StartInFront{ here.States() }(0);
+    this->kernel.ForCarried(StartInFront{ here.States() });
     Ray ray(this->frustum, here.States(), i, j);
     this->layers.FrontToBack(i, j, [&](int s) { this->kernel.RayStep(ray, s); });
-    here.Store(this->states.From(this->frustum.RayAt(i, j)));
+    const RayStates kept = this->states.From(this->frustum.RayAt(i, j));
+    this->kernel.ForCarried(CopyValue{ here.States(), kept });
   }
 };
 
@@ -50,13 +51,12 @@ struct BackwardRay
   LIMPID_HD void operator()(int i, int j) const
   {
     RayHere here;
-    StartBehind{ here.States() }(0);
+    this->kernel.ForCarried(StartBehind{ here.States() });
     RaySampler ray(this->frustum, here.States(), i, j);
     this->layers.BackToFront(i, j, [&](int s) { this->kernel.RayStep(ray, s); });
-    FinishBehind{ here.States() }(0);
+    this->kernel.ForCarried(FinishBehind{ here.States() });
     const RayStates kept = this->states.From(this->frustum.RayAt(i, j));
-    here.opticalDepth = *kept.opticalDepth;
-    here.Store(kept);
+    this->kernel.ForCarried(CopyValue{ here.States(), kept });
   }
 };
 
@@ -64,23 +64,13 @@ struct BackwardRay
 struct BackToFront
 {
   using Slabs = SlabsFromBack;
-  using Carried = RayStates; ///< the values kept between slabs
+  using Start = StartBehind;
 
+  /// Returns the addresses of the values kept between slabs.
   template <class AnyDevice>
-  static Carried CarriedBy(FrustumRays<AnyDevice>& rays)
+  static RayStates StatesOf(FrustumRays<AnyDevice>& rays)
   {
     return rays.States();
-  }
-
-  /// Sets the values of a ray before a slab. StartedRay has set them before the first one.
-  LIMPID_HD static LIMPID_INLINE void Load(const RayStates& all, int index, RayHere& here)
-  {
-    here.Load(all.From(index));
-  }
-
-  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, const RayStates& all, int index)
-  {
-    here.Store(all.From(index));
   }
 
   /// Moves a ray to the slices of a slab, and calls take(s) on each.
@@ -100,23 +90,12 @@ struct BackToFront
 struct FrontToBack
 {
   using Slabs = SlabsFromFront;
-  using Carried = double*; ///< the optical depth
+  using Start = StartInFront;
 
   template <class AnyDevice>
-  static Carried CarriedBy(FrustumRays<AnyDevice>& rays)
+  static RayStates StatesOf(FrustumRays<AnyDevice>& rays)
   {
-    return rays.OpticalDepths();
-  }
-
-  LIMPID_HD static LIMPID_INLINE void Load(const double* opticalDepths, int index, RayHere& here)
-  {
-    StartInFront{ here.States() }(0);
-    here.opticalDepth = opticalDepths[index];
-  }
-
-  LIMPID_HD static LIMPID_INLINE void Store(const RayHere& here, double* opticalDepths, int index)
-  {
-    opticalDepths[index] = here.opticalDepth;
+    return rays.DepthsToSlice();
   }
 
   template <class Kernel, class Take>
@@ -141,7 +120,7 @@ struct SweptSlabs
   static constexpr int residentThreads = 768; ///< per multiprocessor: 80 registers for each
 
   SlabLayout<typename Way::Slabs> layout;
-  typename Way::Carried carried;
+  RayStates states;
   Kernel kernel;
   SlabImages<Kernel> images;
   PhasesOfTiles lists;
@@ -150,7 +129,7 @@ struct SweptSlabs
   SweptSlabs(FrustumRays<AnyDevice>& rays, int slices, float* room, const Kernel& what,
     const PhasesOfTiles& working)
     : layout(rays.Plan(), slices)
-    , carried(Way::CarriedBy(rays))
+    , states(Way::StatesOf(rays))
     , kernel(what)
     , images(rays, slices, room)
     , lists(working)
@@ -181,12 +160,14 @@ private:
     const FaceFrustum& plan = this->layout.frustum;
     const int index = plan.RayAt(column, row);
     const bool nearSides = plan.IsNearSides(column, row);
+    const RayStates kept = this->states.From(index);
     RayHere here;
-    Way::Load(this->carried, index, here);
+    ForRead<Kernel::readByVoxels>(typename Way::Start{ here.States() });
+    this->kernel.ForCarried(CopyValue{ kept, here.States() });
     RaySampler ray(plan, here.States(), column, row);
     Way::Cross(this->layout.SlabOf(slab), this->kernel, ray,
       [&](int s) { this->images.Take(s, index, nearSides, here.States()); });
-    Way::Store(here, this->carried, index);
+    this->kernel.ForCarried(CopyValue{ here.States(), kept });
   }
 };
 
@@ -225,16 +206,15 @@ void SweepBackward(
 {
   using Images = detail::SlabImages<Kernel>;
   const FaceFrustum& frustum = rays.Plan();
-  const RayStates states = rays.States();
   const int slices = Images::SlicesFor(frustum.RayCount());
   DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slices);
   const detail::SweptSlabs<detail::BackToFront, Kernel> slabs(
     rays, slices, room.Data(), kernel, rays.SlabsFromBack(slices).Lists());
-  device.ForIndices(
-    Kernel::label, frustum.RayCount(), detail::StartedRay<Kernel>{ states, slabs.images });
+  device.ForIndices(Kernel::label, frustum.RayCount(),
+    detail::StartedRay<StartBehind, Kernel>{ slabs.states, kernel, slabs.images });
   device.ForTiles(Kernel::label, slabs);
   device.ForEach(Kernel::label, detail::ExtentOfRays(frustum),
-    detail::LeavingRay<Kernel>{ frustum, states, kernel });
+    detail::LeavingRay<Kernel>{ frustum, slabs.states, kernel });
 }
 
 /// Front to back over all slices, including the source's own. Visits the tiles of rays and voxels
@@ -248,7 +228,7 @@ void SweepFrontToBack(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Ker
   const detail::SweptSlabs<detail::FrontToBack, Kernel> slabs(
     rays, slices, room.Data(), kernel, rays.SlabsFromFront(slices).Lists());
   device.ForIndices(Kernel::label, rays.Plan().RayCount(),
-    detail::UndimmedRay<Kernel>{ rays.OpticalDepths(), slabs.images });
+    detail::StartedRay<StartInFront, Kernel>{ slabs.states, kernel, slabs.images });
   device.ForTiles(Kernel::label, slabs);
 }
 }

@@ -28,15 +28,29 @@ void ForRows(const Range<int>& rows, Index perTask, const What& what)
     [&rows, &what](Index index) { what(rows.begin + static_cast<int>(index)); });
 }
 
-/// Calls step(ray) for all rays that this rank sweeps or reads.
-template <class Step>
-void ForRaysReached(FrustumRays<HostDevice>& rays)
+/// Calls act(ray) with the states of each ray that this rank sweeps or reads.
+template <class Act>
+void ForRaysReached(FrustumRays<HostDevice>& rays, const Act& act)
 {
   constexpr Index raysPerTask = 8192;
   const Range<int> rows = rays.RaysReached();
   const Index first = rays.Plan().RaysBefore(rows.begin);
-  ParallelFor(
-    rays.Plan().RaysBefore(rows.end) - first, raysPerTask, Step{ rays.States().From(first) });
+  const RayStates states = rays.States().From(first);
+  ParallelFor(rays.Plan().RaysBefore(rows.end) - first, raysPerTask,
+    [&](Index ray) { act(states.From(ray)); });
+}
+
+/// Initialises what rays carry and what voxels read. `Start`: StartBehind or StartInFront.
+template <class Start, class Kernel>
+void StartRays(FrustumRays<HostDevice>& rays, const Kernel& kernel)
+{
+  ForRaysReached(rays,
+    [&](const RayStates& ray)
+    {
+      const Start start{ ray };
+      kernel.ForCarried(start);
+      ForRead<Kernel::readByVoxels>(start);
+    });
 }
 
 /// Host access to the fields of a kernel, slab by slab.
@@ -129,20 +143,32 @@ private:
 };
 
 /// Exchanges the ghost rows of rays that voxels of slice `s` read, see BandDecomposition.
-inline void ExchangeRays(
-  const FrustumRays<HostDevice>& rays, int s, bool cubic, const std::vector<float*>& images)
+template <class Kernel>
+void ExchangeRays(const FrustumRays<HostDevice>& rays, int s, bool cubic, const RayStates& states)
 {
   if (rays.Bands())
   {
+    std::vector<float*> images;
+    ForRead<Kernel::readByVoxels>([&](RayChannel channel) { images.push_back(states[channel]); });
     rays.Bands()->ExchangeRays(s, cubic, images);
   }
 }
 
-/// The values that rays carry in a front-to-back sweep.
-inline std::vector<RayValues> CarriedToBack(const RayStates& rays)
+/// Returns the rays' values that voxels read, see ForRead.
+template <class Kernel>
+RaysBeside RaysFor(const RayStates& states)
 {
-  return { rays.opticalDepth, rays.visible, rays.unattenuated, rays.transmittance, rays.density,
-    rays.keptVisible, rays.keptUnattenuated };
+  return { states[RayChannel::Transmittance], states[RayChannel::Density],
+    states[Kernel::readByVoxels] };
+}
+
+/// Returns the values that rays carry.
+template <class Kernel>
+std::vector<RayValues> CarriedBy(const Kernel& kernel, const RayStates& states)
+{
+  std::vector<RayValues> carried;
+  kernel.ForCarried([&](auto value) { carried.push_back(states[value]); });
+  return carried;
 }
 
 /// Redistributes rays to their owners on slice `to`, see BandDecomposition.
@@ -176,8 +202,8 @@ void SweepForward(
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  const std::vector<RayValues> carried = CarriedToBack(states);
-  ForRaysReached<StartInFront>(rays);
+  const std::vector<RayValues> carried = CarriedBy(kernel, states);
+  ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(StartInFront{ ray }); });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   for (const Range<int>& slab : rays.Slabs())
@@ -208,8 +234,8 @@ void SweepRaysBackward(
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  const std::vector<RayValues> carried = kernel.Carried(states);
-  ForRaysReached<StartBehind>(rays);
+  const std::vector<RayValues> carried = CarriedBy(kernel, states);
+  ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(StartBehind{ ray }); });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   const std::vector<Range<int>> slabs = rays.Slabs();
@@ -233,7 +259,7 @@ void SweepRaysBackward(
         });
     }
   }
-  ForRaysReached<FinishBehind>(rays);
+  ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(FinishBehind{ ray }); });
   PassRays(rays, 0, frustum.lastSlice, carried);
 }
 
@@ -249,11 +275,11 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  ForRaysReached<StartBehind>(rays);
+  StartRays<StartBehind>(rays, kernel);
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
-  const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
-  const std::vector<RayValues> carried = kernel.Carried(states);
+  const RaysBeside beside = RaysFor<Kernel>(states);
+  const std::vector<RayValues> carried = CarriedBy(kernel, states);
   const auto forRays = [&](int s, const auto& step)
   {
     const Range<int> layers{ std::max(s - 1, 0), std::min(s + 2, frustum.SliceCount()) };
@@ -276,8 +302,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
     {
       PassRays(rays, std::min(s + 1, frustum.lastSlice), s, carried);
       forRays(s, [&](RowSampler& sampler) { rowKernel.RayStep(sampler, s); });
-      ExchangeRays(
-        rays, s, false, { states.transmittance, states.density, states.*Kernel::seenBehind });
+      ExchangeRays<Kernel>(rays, s, false, states);
       ForRows(rays.VoxelsHere(s), rowsPerTask,
         [&](int v)
         {
@@ -296,7 +321,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
     }
     windows.Store(slab);
   }
-  ForRaysReached<FinishBehind>(rays);
+  ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(FinishBehind{ ray }); });
   PassRays(rays, 0, frustum.lastSlice, carried);
 }
 
@@ -315,11 +340,11 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();
-  ForRaysReached<StartDepth>(rays);
+  StartRays<StartInFront>(rays, kernel);
   FieldWindows windows(rays, nullptr);
   const auto rowKernel = kernel.With(windows);
-  const RaysBeside beside{ states.transmittance, states.density, states.*Kernel::seenBehind };
-  const std::vector<RayValues> carried{ states.opticalDepth, states.transmittance, states.density };
+  const RaysBeside beside = RaysFor<Kernel>(states);
+  const std::vector<RayValues> carried = CarriedBy(kernel, states);
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // [row]: columns of rays that have
                                                              // met anything
   for (const Range<int>& slab : rays.Slabs())
@@ -344,7 +369,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
       {
         continue;
       }
-      ExchangeRays(rays, s, true, { states.transmittance, states.density });
+      ExchangeRays<Kernel>(rays, s, true, states);
       ForRows(rays.VoxelsHere(s), rowsPerTask,
         [&](int v)
         {

@@ -125,14 +125,15 @@ private:
     const RayStates kept = this->states.From(index);
     RayHere here;
     const RayStates carried = here.States();
-    this->kernel.CopyCarried(kept, carried);
+    ForRead<Kernel::readByVoxels>(StartBehind{ carried });
+    this->kernel.ForCarried(CopyValue{ kept, carried });
     const bool changes = this->frustum.ActiveRays(s, row).Contains(column) ||
       (s < this->frustum.lastSlice && this->frustum.ActiveRays(s + 1, row).Contains(column));
     if (changes)
     {
       RaySampler ray(this->frustum, carried, column, row);
       this->kernel.RayStep(ray, s);
-      this->kernel.CopyCarried(carried, kept);
+      this->kernel.ForCarried(CopyValue{ carried, kept });
     }
     this->images.Take(s, index, this->frustum.IsNearSides(column, row), carried);
   }
@@ -151,8 +152,8 @@ void SweepBackwardByPhases(AnyDevice& device, FrustumRays<AnyDevice>& rays, cons
   using Images = detail::SlabImages<Kernel>;
   DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slicesPerSlab);
   const Images images(rays, slicesPerSlab, room.Data());
-  device.ForIndices(
-    Kernel::label, frustum.RayCount(), detail::StartedRay<Kernel>{ states, images });
+  device.ForIndices(Kernel::label, frustum.RayCount(),
+    detail::StartedRay<StartBehind, Kernel>{ states, kernel, images });
   const detail::IdleVoxels<Kernel> idle{ frustum, kernel };
   device.ForEach(Kernel::label, idle.ExtentOfRows(), idle);
   device.ForTiles(Kernel::label,

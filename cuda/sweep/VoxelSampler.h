@@ -23,13 +23,13 @@ struct alignas(8) SeenOfRay
   float behind;        ///< visible importance behind, attenuated [scale^2]
 };
 
-/// Images of the rays on one slice, see RayImage; null if there is none.
+/// Images of the rays on one slice, see ForRead; null if there is none.
 struct SliceImages
 {
   const SeenOfRay* seen;
   const float* transmittance;
   const float* effect;
-  const float* density; ///< see RayStates
+  const float* density; ///< see RayChannel
   const HatOfVoxel* columnHats;
   const HatOfVoxel* rowHats;
 };

@@ -59,7 +59,8 @@ public:
       ViewDerivativeKernel<const float*>{
         fields.extinction.Data(), fields.importance.Data(), plan, states });
     const auto sum = [&](const float* image) { return SumOfRays(this->Device, rays, image); };
-    return { sum(rays.States().visible), { -sum(states.Gain(0)), -sum(states.Gain(1)) } };
+    return { sum(rays.States()[RayChannel::Visible]),
+      { -sum(states.Gain(0)), -sum(states.Gain(1)) } };
   }
 
 private:

@@ -109,12 +109,12 @@ struct ViewDerivativeStep
     const Line importance(layer, here.importance[0], here.importance[1]);
     const HalfLayer<float> sampled[2] = { HalfOf(here, 0, halves[0], extinction, importance),
       HalfOf(here, 1, halves[1], extinction, importance) };
-    const float tau = static_cast<float>(this->rays.opticalDepth[i]);
+    const float tau = static_cast<float>(this->rays[RayDepth::ToSlice][i]);
     const float transmittance = Attenuate(tau);
     const float gained[2] = { transmittance * sampled[0].visible,
       transmittance * sampled[0].Passed() * sampled[1].visible };
-    this->rays.visible[i] += gained[0] + gained[1];
-    this->rays.unattenuated[i] += sampled[0].unattenuated + sampled[1].unattenuated;
+    this->rays[RayChannel::Visible][i] += gained[0] + gained[1];
+    this->rays[RayChannel::Unattenuated][i] += sampled[0].unattenuated + sampled[1].unattenuated;
 
     // Where light is stopped in each half; the same for all moves.
     float stop[2];
@@ -163,7 +163,7 @@ struct ViewDerivativeStep
         moment + at * ahead + way * way * (0.5f * first + (1.0f / 3) * way * slope.slope);
     }
     // Nothing is visible behind the exit, so the extra optical depth there does not matter.
-    this->rays.opticalDepth[i] += sampled[0].LimitedDepth() + sampled[1].LimitedDepth();
+    this->rays[RayDepth::ToSlice][i] += sampled[0].LimitedDepth() + sampled[1].LimitedDepth();
   }
 
 private:
@@ -240,6 +240,13 @@ struct ViewDerivativeKernel
   {
     return { windows(this->extinction, FieldUse{ 1 }), windows(this->importance, FieldUse{ 1 }),
       this->plan, this->states };
+  }
+
+  /// Calls visit for the values that rays carry.
+  template <class Visit>
+  LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
+  {
+    ForValues(visit, RayDepth::ToSlice, RayChannel::Visible, RayChannel::Unattenuated);
   }
 
   /// Moves rays from slice `s` to the next one.
