@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace limpid;
@@ -145,8 +146,44 @@ TEST(Device, CopiesBorrowedValuesOnlyIfItCannotReadThem)
 
   EXPECT_EQ(back, others);
   EXPECT_EQ(borrowed.Size(), others.size());
-  EXPECT_EQ(borrowed.Data() == others.data(), TestedDevice::readsHostMemory);
-  EXPECT_EQ(device->PeakBytes(), TestedDevice::readsHostMemory ? 0u : 400u);
+  EXPECT_NE(borrowed.Data() == others.data(), borrowed.isCopy);
+  EXPECT_EQ(device->PeakBytes(), borrowed.isCopy ? 400u : 0u);
+}
+
+TEST(Device, TakesValuesWithoutASecondCopy)
+{
+  const auto device = MakeTestedDevice();
+  std::vector<float> values = Counted(100);
+  const float* given = values.data();
+  BorrowedArray<TestedDevice, float> taken;
+  std::vector<float> back(values.size());
+
+  taken.Take(device, std::move(values), "a test");
+  device->Download(back.data(), taken.Data(), back.size() * sizeof(float));
+
+  EXPECT_EQ(back, Counted(100));
+  EXPECT_NE(taken.Data() == given, taken.isCopy);
+}
+
+TEST(Device, WritesResultsToTheCaller)
+{
+  const auto device = MakeTestedDevice();
+  std::vector<float> given = Counted(100);
+  std::vector<float> overwritten(60);
+  ResultArray<TestedDevice, float> changed(device, given.data(), given.size(), "a test");
+  ResultArray<TestedDevice, float> filled(device, overwritten.data(), overwritten.size(), "a test");
+  std::vector<float> expected = Counted(100);
+  std::fill_n(expected.begin(), 60, 0.0f);
+
+  changed.Upload();
+  device->SetZero(filled.Data(), overwritten.size() * sizeof(float));
+  device->Copy(changed.Data(), filled.Data(), overwritten.size() * sizeof(float));
+  changed.Download();
+  filled.Download();
+
+  EXPECT_EQ(given, expected);
+  EXPECT_EQ(overwritten, std::vector<float>(60, 0.0f));
+  EXPECT_EQ(device->PeakBytes(), TestedDevice::readsHostMemory ? 0u : 640u);
 }
 
 TEST(Device, TimesWhatItIsToldTo)

@@ -117,14 +117,15 @@ private:
   std::size_t Count = 0;
 };
 
-/**
- * Values that a caller owns and keeps alive. A device that reads host memory uses them in place;
- * other devices get a copy.
- */
+/// Values that a caller owns and keeps alive, for kernels to read. A device that reads host memory
+/// reads them in place; other devices get a copy.
 template <class AnyDevice, class Value>
 class BorrowedArray
 {
 public:
+  /// Whether the values are copied.
+  static constexpr bool isCopy = !AnyDevice::readsHostMemory;
+
   BorrowedArray() = default;
 
   BorrowedArray(const std::shared_ptr<AnyDevice>& device, const Value* values, std::size_t count,
@@ -137,28 +138,77 @@ public:
   void Borrow(const std::shared_ptr<AnyDevice>& device, const Value* values, std::size_t count,
     const char* what)
   {
-    if constexpr (AnyDevice::readsHostMemory)
+    if constexpr (isCopy)
     {
-      this->InPlace = values;
+      device->Upload(this->Copy.RoomFor(device, count, what), values, count * sizeof(Value));
     }
     else
     {
-      device->Upload(this->Copy.RoomFor(device, count, what), values, count * sizeof(Value));
+      this->InPlace = values;
     }
     this->Count = count;
   }
 
-  const Value* Data() const
+  /// Borrow for values that the caller gives away.
+  void Take(const std::shared_ptr<AnyDevice>& device, std::vector<Value>&& values, const char* what)
   {
-    return AnyDevice::readsHostMemory ? this->InPlace : this->Copy.Data();
+    this->Borrow(device, values.data(), values.size(), what);
+    if constexpr (!isCopy)
+    {
+      this->Taken = std::move(values);
+    }
   }
+
+  const Value* Data() const { return isCopy ? this->Copy.Data() : this->InPlace; }
   std::size_t Size() const { return this->Count; }
   bool Empty() const { return this->Count == 0; }
 
 private:
   const Value* InPlace = nullptr;
+  std::vector<Value> Taken; ///< keeps values in place alive
   DeviceArray<AnyDevice, Value> Copy;
   std::size_t Count = 0;
+};
+
+/// An array that a caller owns and keeps alive, for kernels to write. A device that reads host
+/// memory writes in place; other devices write a copy, which must be downloaded.
+template <class AnyDevice, class Value>
+class ResultArray
+{
+public:
+  /// `what`: for the message if a GPU is out of memory.
+  ResultArray(std::shared_ptr<AnyDevice> device, Value* result, std::size_t count, const char* what)
+    : Result(result)
+  {
+    if constexpr (!AnyDevice::readsHostMemory)
+    {
+      this->Copy = { std::move(device), count, what };
+    }
+  }
+
+  Value* Data() { return this->Copy.Empty() ? this->Result : this->Copy.Data(); }
+
+  /// Brings the caller's values to a copy, for kernels that do not write all of them.
+  void Upload()
+  {
+    if (!this->Copy.Empty())
+    {
+      this->Copy.Upload(this->Result);
+    }
+  }
+
+  /// Brings the values of a copy to the caller; waits for the device.
+  void Download() const
+  {
+    if (!this->Copy.Empty())
+    {
+      this->Copy.Download(this->Result);
+    }
+  }
+
+private:
+  Value* Result;
+  DeviceArray<AnyDevice, Value> Copy; ///< empty: in place
 };
 }
 

@@ -193,10 +193,10 @@ AxisPermutation OrderFor(const Problem& problem)
   return { exchanged ? Int3(second, first, last) : Int3(first, second, last) };
 }
 
-std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, StartingExtinction&& start,
+std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, const AxisPermutation& order,
+  StartingExtinction&& start,
   const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make)
 {
-  const AxisPermutation order = OrderFor(problem);
   if (!order.Changes())
   {
     return make(problem, std::move(start));

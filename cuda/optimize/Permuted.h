@@ -12,6 +12,8 @@
 
 namespace limpid
 {
+class HostDevice;
+
 /// The fields of a scene with permuted axes.
 struct PermutedFields
 {
@@ -29,13 +31,26 @@ struct PermutedFields
  */
 AxisPermutation OrderFor(const Problem& problem);
 
+/// Returns the permutation of axes for which a device sweeps fastest. GPUs sweep any order.
+template <class AnyDevice>
+AxisPermutation FastestOrder(const AnyDevice&, const Problem&)
+{
+  return {};
+}
+
+inline AxisPermutation FastestOrder(const HostDevice&, const Problem& problem)
+{
+  return OrderFor(problem);
+}
+
 /// Permutes the grid and the ray sources of a problem. The caller has to permute the fields. Data
 /// cached for the original order (Problem::resident) is dropped.
 Problem Reordered(const Problem& problem, const AxisPermutation& order);
 
 /// Returns a minimiser that works on the permuted problem and returns results in the original
 /// order. `make`: makes a minimiser of the permuted problem, which outlives it.
-std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, StartingExtinction&& start,
+std::unique_ptr<Minimizer> MakePermuted(const Problem& problem, const AxisPermutation& order,
+  StartingExtinction&& start,
   const std::function<std::unique_ptr<Minimizer>(const Problem&, StartingExtinction&&)>& make);
 }
 

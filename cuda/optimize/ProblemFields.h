@@ -37,7 +37,7 @@ struct ProblemFields
   static std::shared_ptr<ProblemFields> Of(
     const std::shared_ptr<AnyDevice>& device, const Problem& problem)
   {
-    if (!problem.resident || AnyDevice::readsHostMemory)
+    if (!problem.resident || !Field::isCopy)
     {
       return std::make_shared<ProblemFields>(device, problem);
     }

@@ -72,16 +72,11 @@ public:
 
   void SweepPolicyOnce(double weight, std::vector<float>& next) override
   {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      this->Sweep(weight, next.data());
-    }
-    else
-    {
-      DeviceArray<AnyDevice, float> there(this->Device, next, "the extinction");
-      this->Sweep(weight, there.Data());
-      there.Download(next.data());
-    }
+    ResultArray<AnyDevice, float> there(this->Device, next.data(), next.size(), "the extinction");
+    there.Upload();
+    SweepFirstPolicy(*this->Device, this->Term, this->Given, *this->Fields, this->Pulls.All(),
+      weight, there.Data());
+    there.Download();
   }
 
 private:
@@ -93,12 +88,6 @@ private:
     Seen seen;
     this->Sum.Download(&seen);
     return seen;
-  }
-
-  void Sweep(double weight, float* next)
-  {
-    SweepFirstPolicy(
-      *this->Device, this->Term, this->Given, *this->Fields, this->Pulls.All(), weight, next);
   }
 
   const Problem& Given;
@@ -142,33 +131,20 @@ public:
   std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, StartingExtinction&& start, bool warm) override
   {
-    if constexpr (AnyDevice::readsHostMemory)
+    const auto make = [this, warm](const Problem& inside, StartingExtinction&& first)
+    { return MakeMinimizerOn(this->Device, inside, std::move(first), warm); };
+    if (problem.piece)
     {
-      if (problem.piece)
-      {
-        return MakeDistributed(problem, start,
-          [this, warm](const Problem& shared, StartingExtinction&& first)
-          { return MakeMinimizerOn(this->Device, shared, std::move(first), warm); });
-      }
-      // The processor sweeps fastest if slices and rows are contiguous.
-      return MakePermuted(problem, std::move(start),
-        [this, warm](const Problem& permuted, StartingExtinction&& first)
-        { return MakeMinimizerOn(this->Device, permuted, std::move(first), warm); });
+      return MakeDistributed(problem, start, make);
     }
-    else
-    {
-      return MakeMinimizerOn(this->Device, problem, std::move(start), warm);
-    }
+    return MakePermuted(problem, FastestOrder(*this->Device, problem), std::move(start), make);
   }
 
   std::unique_ptr<SourceSweeps> SweepsFrom(const Problem& problem, const RaySource& source) override
   {
-    if constexpr (AnyDevice::readsHostMemory)
+    if (problem.piece)
     {
-      if (problem.piece)
-      {
-        return SweepsFromOnRanks(problem, source);
-      }
+      return SweepsFromOnRanks(problem, source);
     }
     return std::make_unique<SweepsOn<AnyDevice>>(this->Device, problem, source);
   }
@@ -176,53 +152,43 @@ public:
   void FindByMethod(const Problem& problem, std::vector<float>& extinction) override
   {
     const auto fields = ProblemFields<AnyDevice>::Of(this->Device, problem);
-    DeviceArray<AnyDevice, float> there(this->Device, extinction, "the extinction");
+    ResultArray<AnyDevice, float> there(
+      this->Device, extinction.data(), extinction.size(), "the extinction");
+    there.Upload();
     limpid::FindByMethod(this->Device, problem, *fields, there.Data());
-    there.Download(extinction.data());
+    there.Download();
   }
 
   void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,
     const float* extinction, float* transmittance) override
   {
-    if constexpr (AnyDevice::readsHostMemory)
+    if (problem.piece)
     {
-      if (problem.piece)
+      FindTransmittanceOnRanks(
+        problem.grid, *problem.piece, source, rayDensity, extinction, transmittance);
+      if (problem.IsThick())
       {
-        FindTransmittanceOnRanks(
-          problem.grid, *problem.piece, source, rayDensity, extinction, transmittance);
-        if (problem.IsThick())
-        {
-          RefineTransmittanceOnRanks(
-            problem.grid, *problem.piece, source, extinction, transmittance);
-        }
-        return;
+        RefineTransmittanceOnRanks(problem.grid, *problem.piece, source, extinction, transmittance);
       }
+      return;
     }
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
     const BorrowedArray<AnyDevice, float> field(this->Device, extinction, count, "the extinction");
     const Occupancy occupancy(problem.grid, extinction, extinction, true);
     TransmittanceSweep<AnyDevice> volume(this->Device, problem.grid, occupancy, source, rayDensity);
-    const auto fill = [&](float* result)
+    ResultArray<AnyDevice, float> result(this->Device, transmittance, count, "the transmittance");
+    if (!problem.IsThick())
     {
-      if (!problem.IsThick())
-      {
-        volume.Fill(field.Data(), result);
-        return;
-      }
-      DeviceArray<AnyDevice, float> swept(this->Device, count, "the transmittance of a sweep");
-      volume.Fill(field.Data(), swept.Data());
-      RefineTransmittance(*this->Device, problem.grid, source, field.Data(), swept.Data(), result);
-    };
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      fill(transmittance);
+      volume.Fill(field.Data(), result.Data());
     }
     else
     {
-      DeviceArray<AnyDevice, float> result(this->Device, count, "the transmittance");
-      fill(result.Data());
-      result.Download(transmittance);
+      DeviceArray<AnyDevice, float> swept(this->Device, count, "the transmittance of a sweep");
+      volume.Fill(field.Data(), swept.Data());
+      RefineTransmittance(
+        *this->Device, problem.grid, source, field.Data(), swept.Data(), result.Data());
     }
+    result.Download();
   }
 
 private:
