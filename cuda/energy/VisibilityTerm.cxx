@@ -99,20 +99,7 @@ void VisibilityTerm<AnyDevice>::Differentiate(const TermFields& fields, Derivati
 template <class AnyDevice>
 void VisibilityTerm<AnyDevice>::Sum(Seen* sum, Kept kept)
 {
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    SumRays(this->Rays, Kept::Ignored, &sum->all);
-    if (kept == Kept::Counted)
-    {
-      SumRays(this->Rays, Kept::Counted, &sum->kept);
-    }
-  }
-  else
-  {
-    const SumsOfSeen sums = this->SumsInto(sum, kept);
-    this->Add(
-      "sums", sums.all.visible, sums.all.unattenuated, sums.kept.visible, sums.kept.unattenuated);
-  }
+  SumRays(this->Add, this->Rays, kept, sum);
 }
 
 template <class AnyDevice>

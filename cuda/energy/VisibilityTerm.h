@@ -37,13 +37,6 @@ struct CeilingFields
   Kept CountsKept() const { return this->most.emphasis > 0 ? Kept::Counted : Kept::Ignored; }
 };
 
-/// The sums over all rays of a source.
-struct SumsOfSeen
-{
-  SumsOfRays all;
-  SumsOfRays kept;
-};
-
 /**
  * One of the two kinds of visibility terms of the energy, Eq. (23) or (24): what a camera or a
  * light sees.
@@ -87,16 +80,7 @@ public:
   void Sum(Seen* sum, Kept kept);
 
   /// Returns the sums of Sum, to be computed in a launch with others.
-  SumsOfSeen SumsInto(Seen* sum, Kept kept)
-  {
-    SumsOfSeen sums;
-    sums.all = SumsOfRays(this->Rays, Kept::Ignored, &sum->all);
-    if (kept == Kept::Counted)
-    {
-      sums.kept = SumsOfRays(this->Rays, Kept::Counted, &sum->kept);
-    }
-    return sums;
-  }
+  SumsOfSeen SumsInto(Seen* sum, Kept kept) { return { this->Rays, kept, sum }; }
 
   std::vector<FrustumRays<AnyDevice>>& Frusta() { return this->Rays; }
   const std::vector<FrustumRays<AnyDevice>>& Frusta() const { return this->Rays; }

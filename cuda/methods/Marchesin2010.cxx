@@ -87,8 +87,12 @@ Seen SeeMarchesin2010(const MethodScene<AnyDevice>& scene)
     scene.device->ForIndices(
       "score in no order", rays.Plan().RayCount(), ShareStep{ rays.States() });
   }
-  const Visible visible = SumRays(scene.device, all, Kept::Ignored);
-  return { visible, visible }; // all of the base is kept
+  Seen seen;
+  ResultArray<AnyDevice, Seen> there(scene.device, &seen, 1, "sums");
+  SumOnDevice<AnyDevice> add(scene.device);
+  SumRays(add, all, Kept::Ignored, there.Data());
+  there.Download();
+  return { seen.all, seen.all }; // all of the base is kept
 }
 
 template Seen SeeMarchesin2010(const MethodScene<CompiledDevice>&);

@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Iterate_h
 #define limpid_optimize_Iterate_h
 
+#include "backend/HostDevice.h"
 #include "backend/LargePages.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/ProblemFields.h"
@@ -23,25 +24,39 @@ struct Iterate
   const float* values = nullptr;
 };
 
+/// Makes an iterate writable. Returns whether it is new; it is 0 then.
+template <class AnyDevice>
+bool AllocateIterate(
+  const std::shared_ptr<AnyDevice>& device, std::size_t count, Iterate<AnyDevice>& next)
+{
+  const bool isNew = next.own.Empty();
+  if (isNew)
+  {
+    next.own = DeviceArray<AnyDevice, float>::Zeros(device, count, "an iterate");
+    next.values = next.own.Data();
+  }
+  return isNew;
+}
+
 /// Makes `next` writable. It gets the values of `last` where sweeps do not write them, and where
-/// rays meet voxels of a frustum that is swept later. The processor copies filled voxels only; all
-/// others are 0.
+/// rays meet voxels of a frustum that is swept later.
 template <class AnyDevice>
 void PrepareIterate(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
   std::size_t frusta, const float* last, Iterate<AnyDevice>& next)
 {
   const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
-  const bool fresh = next.own.Empty();
-  if (fresh)
-  {
-    next.own = DeviceArray<AnyDevice, float>::Zeros(device, count, "an iterate");
-    next.values = next.own.Data();
-  }
-  if (!AnyDevice::readsHostMemory && (fresh || frusta > 1))
+  if (AllocateIterate(device, count, next) || frusta > 1)
   {
     device->Copy(next.own.Data(), last, count * sizeof(float));
   }
-  else if (frusta > 1)
+}
+
+/// The processor copies filled voxels only; all others are 0.
+inline void PrepareIterate(const std::shared_ptr<HostDevice>& device, const Problem& problem,
+  std::size_t frusta, const float* last, Iterate<HostDevice>& next)
+{
+  AllocateIterate(device, static_cast<std::size_t>(problem.grid.NodeCount()), next);
+  if (frusta > 1)
   {
     problem.CopyFilled(last, next.own.Data());
   }

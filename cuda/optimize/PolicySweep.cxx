@@ -45,47 +45,45 @@ PolicyKernel<const float*, float*> KernelOf(
   return kernel;
 }
 
-/// Sweeps one frustum. On the processor, distances are added to `moved` in the same pass, unless
-/// it is null.
-template <class AnyDevice>
-void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays,
-  [[maybe_unused]] const Occupancy& occupancy, const PolicyKernel<const float*, float*>& kernel,
-  [[maybe_unused]] ExactDifferences* moved)
+/// Sweeps one frustum.
+template <class AnyDevice, class Kernel>
+void SweepFrustum(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Occupancy&,
+  const Kernel& kernel, ExactDifferences*)
 {
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    const FaceFrustum& plan = rays.Plan();
-    // [slice][voxel row]
-    std::vector<Differences> rows(
-      moved ? std::size_t(plan.SliceCount()) * std::size_t(plan.nodesV) : 0);
-    SweepBackwardByPhases(device, rays, occupancy, kernel,
-      [&rows, &plan, moved](const auto& voxels, const auto& windows, int v)
-      {
-        if (moved)
-        {
-          const Range<int>& filled = voxels.Filled();
-          const float* next = voxels.Row(windows.next) + filled.begin;
-          const auto squaresFrom = [&](const auto& field)
-          { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
-          const Index slice = &voxels.SliceHere() - &plan.SliceAt(0);
-          Differences& row = rows[std::size_t(slice * plan.nodesV + v)];
-          row.changes =
-            SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length());
-          row.squares[0] = squaresFrom(windows.base);
-          for (std::size_t i = 0; i < mostReferences && windows.references[i]; ++i)
-          {
-            row.squares[i + 1] = squaresFrom(windows.references[i]);
-          }
-        }
-      });
-    if (moved)
+  SweepBackwardByPhases(device, rays, kernel);
+}
+
+/// On the processor, distances are added to `moved` in the same pass, unless it is null.
+template <class Kernel>
+void SweepFrustum(HostDevice& device, FrustumRays<HostDevice>& rays, const Occupancy& occupancy,
+  const Kernel& kernel, ExactDifferences* moved)
+{
+  const FaceFrustum& plan = rays.Plan();
+  // [slice][voxel row]
+  std::vector<Differences> rows(
+    moved ? std::size_t(plan.SliceCount()) * std::size_t(plan.nodesV) : 0);
+  SweepBackwardByPhases(device, rays, occupancy, kernel,
+    [&rows, &plan, moved](const auto& voxels, const auto& windows, int v)
     {
-      moved->Add(rows);
-    }
-  }
-  else
+      if (moved)
+      {
+        const Range<int>& filled = voxels.Filled();
+        const float* next = voxels.Row(windows.next) + filled.begin;
+        const auto squaresFrom = [&](const auto& field)
+        { return SumOfSquares(next, voxels.Row(field) + filled.begin, filled.Length()); };
+        const Index slice = &voxels.SliceHere() - &plan.SliceAt(0);
+        Differences& row = rows[std::size_t(slice * plan.nodesV + v)];
+        row.changes = SumOfChanges(next, voxels.Row(windows.last) + filled.begin, filled.Length());
+        row.squares[0] = squaresFrom(windows.base);
+        for (std::size_t i = 0; i < mostReferences && windows.references[i]; ++i)
+        {
+          row.squares[i + 1] = squaresFrom(windows.references[i]);
+        }
+      }
+    });
+  if (moved)
   {
-    SweepBackwardByPhases(device, rays, kernel);
+    moved->Add(rows);
   }
 }
 }

@@ -7,6 +7,7 @@
 #define limpid_optimize_VoxelSteps_h
 
 #include "backend/Backend.h"
+#include "backend/HostDevice.h"
 #include "backend/Simd.h"
 #include "optimize/Terms.h"
 
@@ -64,29 +65,29 @@ double StepBlock(const Step& step, Index begin, Index end)
 }
 }
 
-/// Performs a step at all voxels and sums the changes for the next record; the processor does both
-/// in one pass. `step(voxel)` changes `step.extinction[voxel]`. On a device, `gradient` is
-/// overwritten.
+/// Performs a step at all voxels and sums the changes for the next record. `step(voxel)` changes
+/// `step.extinction[voxel]`. `gradient` is overwritten.
 template <class AnyDevice, class Step>
-void StepAll([[maybe_unused]] AnyDevice& device, const Problem& problem, const Step& step,
-  [[maybe_unused]] float* gradient, Terms<AnyDevice>& terms)
+void StepAll(AnyDevice& device, const Problem& problem, const Step& step, float* gradient,
+  Terms<AnyDevice>& terms)
 {
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    const Int3& nodes = problem.grid.nodes;
-    terms.Moved()->changes = problem.SumOverRows(
-      [&](int y, int z)
-      {
-        const Index first = (Index(z) * nodes.y + y) * nodes.x;
-        return detail::StepBlock(step, first, first + nodes.x);
-      });
-  }
-  else
-  {
-    device.ForIndices(
-      Step::label, problem.grid.NodeCount(), detail::StepAndChange<Step>{ step, gradient });
-    terms.SumChanges(gradient);
-  }
+  device.ForIndices(
+    Step::label, problem.grid.NodeCount(), detail::StepAndChange<Step>{ step, gradient });
+  terms.SumChanges(gradient);
+}
+
+/// The processor does both in one pass, and keeps the gradient.
+template <class Step>
+void StepAll(
+  HostDevice&, const Problem& problem, const Step& step, float*, Terms<HostDevice>& terms)
+{
+  const Int3& nodes = problem.grid.nodes;
+  terms.Moved()->changes = problem.SumOverRows(
+    [&](int y, int z)
+    {
+      const Index first = (Index(z) * nodes.y + y) * nodes.x;
+      return detail::StepBlock(step, first, first + nodes.x);
+    });
 }
 }
 

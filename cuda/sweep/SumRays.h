@@ -136,8 +136,31 @@ struct SumsOfRays
   }
 };
 
-/// Sums what the rays of all ranks have seen into `sum`.
-inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Visible* sum)
+/// The summands for both parts of what all rays have seen.
+struct SumsOfSeen
+{
+  SumsOfRays all;
+  SumsOfRays kept; ///< empty if it is not counted
+
+  /// Empty sums.
+  SumsOfSeen() = default;
+
+  /// The results are written to `sum` on the device.
+  template <class AnyDevice>
+  SumsOfSeen(std::vector<FrustumRays<AnyDevice>>& frusta, Kept counted, Seen* sum)
+    : all(frusta, Kept::Ignored, &sum->all)
+  {
+    if (counted == Kept::Counted)
+    {
+      this->kept = SumsOfRays(frusta, Kept::Counted, &sum->kept);
+    }
+  }
+};
+
+namespace detail
+{
+/// Returns what the rays of all ranks have seen, of one part.
+inline Visible SumOfPart(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept)
 {
   ExactSum sums[2];
   double cellMeasure = 0; // of all frusta
@@ -154,7 +177,29 @@ inline void SumRays(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Vis
   {
     ranks->Sum(sums, 2);
   }
-  *sum = { cellMeasure * sums[0].Value(), cellMeasure * sums[1].Value() };
+  return { cellMeasure * sums[0].Value(), cellMeasure * sums[1].Value() };
+}
+}
+
+/// Sums what all rays have seen into `sum` on the device. Asynchronous. `kept`: whether the kept
+/// part is summed, too.
+template <class AnyDevice>
+void SumRays(
+  SumOnDevice<AnyDevice>& add, std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept, Seen* sum)
+{
+  const SumsOfSeen sums(frusta, kept, sum);
+  add("sums", sums.all.visible, sums.all.unattenuated, sums.kept.visible, sums.kept.unattenuated);
+}
+
+/// The processor sums exactly, over all ranks.
+inline void SumRays(
+  SumOnDevice<HostDevice>&, std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Seen* sum)
+{
+  sum->all = detail::SumOfPart(frusta, Kept::Ignored);
+  if (kept == Kept::Counted)
+  {
+    sum->kept = detail::SumOfPart(frusta, Kept::Counted);
+  }
 }
 
 /// Returns the integral of one value per ray of a frustum to the host; waits for the device.
@@ -163,48 +208,27 @@ double SumOfRays(
   const std::shared_ptr<AnyDevice>& device, const FrustumRays<AnyDevice>& all, const float* values)
 {
   const FaceFrustum& frustum = all.Plan();
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    ExactSum sum;
-    AddRays(frustum, all.RaysAtRest(), values, sum);
-    if (all.Bands())
-    {
-      all.Bands()->Ranks().Sum(&sum, 1);
-    }
-    return frustum.cellMeasure * sum.Value();
-  }
-  else
-  {
-    detail::WeightedRays rays;
-    rays.Add(frustum, values, 0);
-    DeviceArray<AnyDevice, double> there(device, 1, "sums");
-    SumOnDevice<AnyDevice> add(device);
-    add("sums", Summand<detail::WeightedRays>{ rays, frustum.RayCount(), there.Data() });
-    double sum = 0;
-    there.Download(&sum);
-    return sum;
-  }
+  detail::WeightedRays rays;
+  rays.Add(frustum, values, 0);
+  DeviceArray<AnyDevice, double> there(device, 1, "sums");
+  SumOnDevice<AnyDevice> add(device);
+  add("sums", Summand<detail::WeightedRays>{ rays, frustum.RayCount(), there.Data() });
+  double sum = 0;
+  there.Download(&sum);
+  return sum;
 }
 
-/// Returns what all rays have seen to the host; waits for the device.
-template <class AnyDevice>
-Visible SumRays(
-  const std::shared_ptr<AnyDevice>& device, std::vector<FrustumRays<AnyDevice>>& frusta, Kept kept)
+/// The processor sums exactly, over all ranks.
+inline double SumOfRays(
+  const std::shared_ptr<HostDevice>&, const FrustumRays<HostDevice>& all, const float* values)
 {
-  Visible sum;
-  if constexpr (AnyDevice::readsHostMemory)
+  ExactSum sum;
+  AddRays(all.Plan(), all.RaysAtRest(), values, sum);
+  if (all.Bands())
   {
-    SumRays(frusta, kept, &sum);
+    all.Bands()->Ranks().Sum(&sum, 1);
   }
-  else
-  {
-    DeviceArray<AnyDevice, Visible> there(device, 1, "sums");
-    const SumsOfRays sums(frusta, kept, there.Data());
-    SumOnDevice<AnyDevice> add(device);
-    add("sums", sums.visible, sums.unattenuated);
-    there.Download(&sum);
-  }
-  return sum;
+  return all.Plan().cellMeasure * sum.Value();
 }
 }
 
