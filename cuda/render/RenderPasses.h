@@ -66,21 +66,23 @@ public:
     this->Whole = this->Piece ? this->Whole : grid;
     this->Scalars = {};
     this->Filled = {};
-    this->Mended = {};
     if (!grid.HasVolume())
     {
       return;
     }
     const auto count = static_cast<std::size_t>(grid.NodeCount());
     ScalarField field(grid, scalars, shares);
-    this->Scalars.Borrow(this->Device, field.values, count, "the scalars");
+    if (field.mended.empty())
+    {
+      this->Scalars.Borrow(this->Device, field.values, count, "the scalars");
+    }
+    else
+    {
+      this->Scalars.Take(this->Device, std::move(field.mended), "the scalars");
+    }
     if (!field.filled.empty())
     {
-      this->Filled.Borrow(this->Device, field.filled.data(), count, "the empty nodes");
-    }
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      this->Mended = std::move(field);
+      this->Filled.Take(this->Device, std::move(field.filled), "the empty nodes");
     }
     this->Empty.SetScalars(grid.nodes, this->Scalars.Data(), this->Filled.Data());
   }
@@ -136,14 +138,11 @@ public:
     Field base = this->Classified(this->Functions.Majorant());
     if (nodes.ofAll)
     {
-      if constexpr (AnyDevice::readsHostMemory)
-      {
-        const ScenePiece& piece = *this->Piece;
-        base = Field(this->Device,
-          GatheredResampling(*piece.ranks, this->Whole, FieldView::Part(base.Data(), piece.nodes),
-            piece.owned, grid),
-          what);
-      }
+      const ScenePiece& piece = *this->Piece;
+      base = Field(this->Device,
+        GatheredResampling(
+          *piece.ranks, this->Whole, FieldView::Part(base.Data(), piece.nodes), piece.owned, grid),
+        what);
     }
     else if (grid.nodes != this->Nodes.nodes)
     {
@@ -168,17 +167,10 @@ public:
   {
     const float* opaque = this->ShadowExtinction(grid);
     Field transmittance(this->Device, std::size_t(grid.NodeCount()), "the shadows");
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      this->Piece && !this->CoversAllRanks
-        ? FindTransmittanceOnRanks(
-            this->Whole, *this->Piece, light, rayDensity, opaque, transmittance.Data())
-        : this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
-    }
-    else
-    {
-      this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
-    }
+    this->Piece && !this->CoversAllRanks
+      ? FindTransmittanceOnRanks(
+          this->Whole, *this->Piece, light, rayDensity, opaque, transmittance.Data())
+      : this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
     Field arriving(this->Device, std::size_t(grid.NodeCount()), "the shadows");
     this->FindArriving(
       ArrivingOn(grid, this->Nodes.spacing, light), opaque, transmittance.Data(), arriving.Data());
@@ -203,7 +195,10 @@ public:
     Field ofSlices(this->Device, std::size_t(nodes.z), what);
     Field largest(this->Device, 1, what);
     this->Device->ForNodes("steepness", nodes, SteepnessNode{ gradient, ofNodes.Data() });
-    this->ClearUnowned(ofNodes.Data());
+    if (this->Piece)
+    {
+      this->ClearUnowned(ofNodes.Data());
+    }
     const auto find = [&](const Field& values, int length, Field& ofRuns)
     {
       this->Device->ForIndices(
@@ -212,7 +207,10 @@ public:
     find(ofNodes, nodes.x, ofRows);
     find(ofRows, nodes.y, ofSlices);
     find(ofSlices, nodes.z, largest);
-    this->TakeLargestOfRanks(largest.Data());
+    if (this->Piece)
+    {
+      *largest.Data() = this->Piece->ranks->LargestOf(*largest.Data());
+    }
     FourPacked* packed = this->Gradient.RoomFor(this->Device, ofNodes.Size(), what);
     this->Device->ForNodes(
       "gradient", nodes, PackedGradientNode{ gradient, largest.Data(), packed });
@@ -314,19 +312,15 @@ private:
   }
 
   /// Gathers the extinction that all ranks show of their pieces.
-  void GatherShown([[maybe_unused]] const Grid& grid)
+  void GatherShown(const Grid& grid)
   {
-    if constexpr (AnyDevice::readsHostMemory)
+    const auto resample = [this](const Grid& part)
     {
-      const auto resample = [this](const Grid& part)
-      {
-        const auto numbers = this->Shown.On(part);
-        return std::vector<TwoPacked>(numbers.Data(), numbers.Data() + numbers.Size());
-      };
-      const std::vector<TwoPacked> ofAll =
-        GatheredOverlay(*this->Piece, this->Whole, grid, resample);
-      this->Shown.GoOnWith(grid, ofAll, this->Piece->ranks->AnyOf(this->Shown.Changed()));
-    }
+      const auto numbers = this->Shown.On(part);
+      return std::vector<TwoPacked>(numbers.Data(), numbers.Data() + numbers.Size());
+    };
+    const std::vector<TwoPacked> ofAll = GatheredOverlay(*this->Piece, this->Whole, grid, resample);
+    this->Shown.GoOnWith(grid, ofAll, this->Piece->ranks->AnyOf(this->Shown.Changed()));
   }
 
   OverlayGeometry PlaceOfShown() const
@@ -343,47 +337,27 @@ private:
   /// Draws this rank's part of the rays, and composes the picture.
   void CastPart(const Casting& casting, PictureRays& rays, Picture& picture)
   {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      const Communicator& ranks = *this->Piece->ranks;
-      const RayPart part(
-        this->Piece->owned[std::size_t(ranks.Rank())], this->Piece->nodes, this->Whole.nodes);
-      std::vector<PartialPixel> parts(std::size_t(rays.columns) * std::size_t(rays.rows));
-      rays.part = &part;
-      rays.parts = parts.data();
-      CastRays(*this->Device, this->SceneOf(casting), rays, Compositing::FrontToBack);
-      Compose(ranks, parts, casting.opaqueBelow, picture);
-    }
+    const Communicator& ranks = *this->Piece->ranks;
+    const RayPart part(
+      this->Piece->owned[std::size_t(ranks.Rank())], this->Piece->nodes, this->Whole.nodes);
+    std::vector<PartialPixel> parts(std::size_t(rays.columns) * std::size_t(rays.rows));
+    rays.part = &part;
+    rays.parts = parts.data();
+    CastRays(*this->Device, this->SceneOf(casting), rays, Compositing::FrontToBack);
+    Compose(ranks, parts, casting.opaqueBelow, picture);
   }
 
   /// Sets values of ghost nodes to 0, since no rank has all neighbours of nodes at the faces of its
   /// box.
-  void ClearUnowned([[maybe_unused]] float* values) const
+  void ClearUnowned(float* values) const
   {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (this->Piece)
-      {
-        const ScenePiece& piece = *this->Piece;
-        const NodeBox& own = piece.owned[std::size_t(piece.ranks->Rank())];
-        std::vector<float> kept(std::size_t(own.Count()));
-        const FieldView all = FieldView::Part(values, piece.nodes);
-        CopyNodes(own, all, FieldView::Part(kept.data(), own));
-        FillNodes(piece.nodes, 0, all);
-        CopyNodes(own, FieldView::Part(kept.data(), own), all);
-      }
-    }
-  }
-
-  void TakeLargestOfRanks([[maybe_unused]] float* largest) const
-  {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (this->Piece)
-      {
-        *largest = this->Piece->ranks->LargestOf(*largest);
-      }
-    }
+    const ScenePiece& piece = *this->Piece;
+    const NodeBox& own = piece.owned[std::size_t(piece.ranks->Rank())];
+    std::vector<float> kept(std::size_t(own.Count()));
+    const FieldView all = FieldView::Part(values, piece.nodes);
+    CopyNodes(own, all, FieldView::Part(kept.data(), own));
+    FillNodes(piece.nodes, 0, all);
+    CopyNodes(own, FieldView::Part(kept.data(), own), all);
   }
 
   /// Returns the transfer function's extinction of all scalars in a unit [1/length].
@@ -403,21 +377,18 @@ private:
   {
     const Int3 nodes = body.nodes;
     body.arriving = arriving;
-    if constexpr (AnyDevice::readsHostMemory)
+    if (this->Piece && !this->CoversAllRanks)
     {
-      if (this->Piece && !this->CoversAllRanks)
-      {
-        const ScenePiece& piece = *this->Piece;
-        body.nodes = this->Whole.nodes;
-        const std::vector<NodeBox> wanted = WithGhosts(piece.boxes, body.LayersRead(), body.nodes);
-        const auto bring = [&](const float* field)
-        { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
-        const NodeValues casts = bring(opaque);
-        const NodeValues lit = bring(transmittance);
-        body.Within(wanted[std::size_t(piece.ranks->Rank())], piece.nodes);
-        this->FindArrivingFrom(body, nodes, casts.Data(), lit.Data());
-        return;
-      }
+      const ScenePiece& piece = *this->Piece;
+      body.nodes = this->Whole.nodes;
+      const std::vector<NodeBox> wanted = WithGhosts(piece.boxes, body.LayersRead(), body.nodes);
+      const auto bring = [&](const float* field)
+      { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
+      const NodeValues casts = bring(opaque);
+      const NodeValues lit = bring(transmittance);
+      body.Within(wanted[std::size_t(piece.ranks->Rank())], piece.nodes);
+      this->FindArrivingFrom(body, nodes, casts.Data(), lit.Data());
+      return;
     }
     this->FindArrivingFrom(body, nodes, opaque, transmittance);
   }
@@ -543,8 +514,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   Grid Nodes;                              ///< grid of the scalars
   Grid Whole;                              ///< grid of the scalars of all ranks
-  std::shared_ptr<const ScenePiece> Piece; ///< piece of this rank; null: everything
-  ScalarField Mended;                      ///< if the device reads in place
+  std::shared_ptr<const ScenePiece> Piece; ///< piece of this rank; null: everything, as on a GPU
   BorrowedArray<AnyDevice, float> Scalars;
   BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are filled
 

@@ -87,6 +87,13 @@ public:
 
   const FaceFrustum& Plan() const { return this->Addresses; }
 
+  /// Must not be called: Settings and Renderer refuse distributed fields for GPUs.
+  void SweepFieldsOf(
+    const FieldLayout&, const Occupancy*, const std::shared_ptr<ExchangeBuffers>&, int)
+  {
+    LIMPID_EXPECT(!"a GPU sweeps fields in place");
+  }
+
   /// Returns the weights for means over voxels, for each slice (MadeHat); computed on first use.
   const HatOfVoxel* Hats()
   {

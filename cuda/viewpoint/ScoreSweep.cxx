@@ -99,19 +99,16 @@ private:
   }
 
   /// Returns the rays of a part, which is consumed. `margin`: see SlabExchange.
-  FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, [[maybe_unused]] int margin) const
+  FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, int margin) const
   {
     const ScenePiece* piece = part.fields->values.piece.get();
     const PlanSettings settings{ 1, RayPlacement::ForIntegrals,
       piece ? piece->ranks.get() : nullptr };
     FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum), settings);
-    if constexpr (AnyDevice::readsHostMemory)
+    if (part.fields->home)
     {
-      if (part.fields->home)
-      {
-        rays.SweepFieldsOf(*part.fields->home, part.fields->occupancy.get(),
-          std::make_shared<ExchangeBuffers>(), margin);
-      }
+      rays.SweepFieldsOf(*part.fields->home, part.fields->occupancy.get(),
+        std::make_shared<ExchangeBuffers>(), margin);
     }
     return rays;
   }
