@@ -161,7 +161,7 @@ struct vtkCameraPath::Internals
   std::size_t StepCount() const { return this->GoesThroughTime() ? this->Times.size() : 1; }
 
   bool Update(std::size_t step) const;
-  bool Read(const limpid::Communicator* ranks, vtkInformation* input, Found& found) const;
+  bool Read(const limpid::Communicator& ranks, vtkInformation* input, Found& found) const;
   void ReadStep(std::size_t step, vtkInformation* input, Found& found) const;
   void RequireStep(std::size_t step, bool isThere, const std::string& why) const;
   void RequireSettings() const;
@@ -228,14 +228,14 @@ void vtkCameraPath::Internals::ReadStep(std::size_t step, vtkInformation* input,
 // Reads all time steps; the input is at the first one. Returns false if the user wants to stop. All
 // ranks go on to the next step or none does, since a search waits for all of them.
 bool vtkCameraPath::Internals::Read(
-  const limpid::Communicator* ranks, vtkInformation* input, Found& found) const
+  const limpid::Communicator& ranks, vtkInformation* input, Found& found) const
 {
   const std::size_t steps = this->StepCount();
   for (std::size_t step = 0; step < steps; ++step)
   {
     limpid::UpstreamErrors errors(this->Self);
     const bool isThere = step == 0 || this->Update(step);
-    if (limpid::AnyRank(ranks, limpid::IsAborted(this->Self)))
+    if (ranks.AnyOf(limpid::IsAborted(this->Self)))
     {
       return false;
     }
@@ -246,7 +246,7 @@ bool vtkCameraPath::Internals::Read(
         this->ReadStep(step, input, found);
       });
     this->Self->UpdateProgress(double(step + 1) / double(steps));
-    if (limpid::AnyRank(ranks, limpid::IsAborted(this->Self)))
+    if (ranks.AnyOf(limpid::IsAborted(this->Self)))
     {
       return false;
     }
@@ -375,13 +375,14 @@ int vtkCameraPath::RequestData(
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const Internals& state = *this->State;
-  const auto ranks =
-    limpid::AllRanksUpdate(outputVector->GetInformationObject(0)) ? limpid::MakeRanks() : nullptr;
+  const auto ranks = limpid::AllRanksUpdate(outputVector->GetInformationObject(0))
+    ? limpid::MakeRanks()
+    : limpid::ThisProcess();
   try
   {
     state.RequireSettings();
     Found found;
-    const bool isWhole = state.Read(ranks.get(), input, found);
+    const bool isWhole = state.Read(*ranks, input, found);
     output->Initialize();
     if (isWhole && !found.scores.empty())
     {
@@ -398,7 +399,7 @@ int vtkCameraPath::RequestData(
   }
   catch (const std::exception& error)
   {
-    if (!ranks || ranks->Rank() == 0)
+    if (ranks->Rank() == 0)
     {
       vtkErrorMacro(<< error.what());
     }

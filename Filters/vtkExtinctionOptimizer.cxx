@@ -93,7 +93,7 @@ struct vtkExtinctionOptimizer::Internals
   limpid::ConcurrentResult Optimize(const limpid::SceneFields& scene, const limpid::Camera& camera,
     const limpid::Light& light) const;
   void StartFromLastResult(const limpid::SceneFields& scene, limpid::Solver& solver) const;
-  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
+  bool AnyRank(bool here) const { return limpid::OrThisProcess(this->Ranks.get()).AnyOf(here); }
   void WriteUnsolved(const limpid::ImageScene& scene, vtkImageData* output) const;
   void ReportReplaced(
     const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const;
@@ -171,8 +171,8 @@ int vtkExtinctionOptimizer::RequestData(
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(0);
     this->State->Ranks = this->State->RanksShare(outInfo) ? limpid::MakeRanks() : nullptr;
-    limpid::NotifyingOnFailure(
-      this->State->Ranks.get(), [&] { this->Optimize(inputVector, output, convergence); });
+    limpid::NotifyingOnFailure(limpid::OrThisProcess(this->State->Ranks.get()),
+      [&] { this->Optimize(inputVector, output, convergence); });
     KeepRequestedPiece(outInfo, SceneReader::WholeExtentOf(inputVector), output);
     return 1;
   }

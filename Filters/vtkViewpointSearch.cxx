@@ -146,8 +146,8 @@ int vtkViewpointSearch::RequestData(
     vtkInformation* requested = RequestedOf(request, outputVector);
     const bool isLaterPiece = requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
     this->State->Ranks = limpid::AllRanksUpdate(requested) ? limpid::MakeRanks() : nullptr;
-    limpid::NotifyingOnFailure(
-      this->State->Ranks.get(), [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
+    limpid::NotifyingOnFailure(limpid::OrThisProcess(this->State->Ranks.get()),
+      [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
     return 1;
   }
   catch (const limpid::Interrupted&)

@@ -107,7 +107,7 @@ bool vtkViewpointSearch::Internals::IsLarge(vtkInformationVector** inputVector) 
 // Returns whether `here` is true; if all ranks do the same steps, whether it is true on any rank.
 bool vtkViewpointSearch::Internals::IsTrueOnAnyRank(bool here) const
 {
-  return limpid::AnyRank(this->SharesImage ? this->Ranks.get() : nullptr, here);
+  return limpid::OrThisProcess(this->SharesImage ? this->Ranks.get() : nullptr).AnyOf(here);
 }
 
 limpid::ImageScene vtkViewpointSearch::Internals::Read(vtkInformationVector** inputVector) const

@@ -199,11 +199,11 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
   if (extinctionSource != ARRAY && !this->HasOpacityFunction())
   {
     limpid::RequireOnAllRanks(
-      &ranks, [&] { range = empty ? range : this->RangeOfScalars(shared.image); });
+      ranks, [&] { range = empty ? range : this->RangeOfScalars(shared.image); });
     limpid::JoinRange(ranks, range[0], range[1]);
   }
   this->AssumeShared(shared, WholeExtentOf(inputVector), assumed);
-  limpid::RequireOnAllRanks(&ranks,
+  limpid::RequireOnAllRanks(ranks,
     [&]
     {
       scene.arrays = empty
@@ -226,7 +226,7 @@ void vtkVisibilityAlgorithm::SceneReader::AssumeShared(
   limpid::FieldSource scalars;
   bool isThere = false;
   bool assumes = false;
-  limpid::RequireOnAllRanks(&ranks,
+  limpid::RequireOnAllRanks(ranks,
     [&]
     {
       if (!shared.piece->nodes.Empty())

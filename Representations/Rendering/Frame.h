@@ -46,11 +46,14 @@ struct FrameSettings
   const Communicator* ranks = nullptr;
 
   /// Returns whether `here` is true on any rank.
-  bool AnyRank(bool here) const { return limpid::AnyRank(this->ranks, here); }
+  bool AnyRank(bool here) const { return OrThisProcess(this->ranks).AnyOf(here); }
 
   /// Returns the largest value of all ranks, so that they take the same decision; values are at
   /// least zero.
-  double Largest(double here) const { return LargestOfRanks(this->ranks, here); }
+  double Largest(double here) const
+  {
+    return OrThisProcess(this->ranks).LargestOf(static_cast<float>(here));
+  }
 
   /// Returns how pictures are composed of samples; it is front to back unless a method needs
   /// importance.

@@ -116,7 +116,7 @@ private:
     bool operator==(const ArrayKey& other) const;
   };
 
-  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
+  bool AnyRank(bool here) const { return limpid::OrThisProcess(this->Ranks.get()).AnyOf(here); }
   vtkIdType SumOverRanks(vtkIdType here) const;
   bool Owns(const Vec3& index) const;
   vtkImageData* Here(vtkImageData* image) const;

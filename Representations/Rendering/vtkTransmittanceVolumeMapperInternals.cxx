@@ -261,7 +261,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   this->UpdateRanks();
   try
   {
-    limpid::NotifyingOnFailure(this->Ranks.get(),
+    limpid::NotifyingOnFailure(limpid::OrThisProcess(this->Ranks.get()),
       [&]()
       {
         this->Draw(view, renderer, volume, inParts);

@@ -40,7 +40,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   // Several processes.
   bool IsShared() const;
   double* FindWholeBounds(vtkImageData* image, double bounds[6]) const;
-  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks.get(), here); }
+  bool AnyRank(bool here) const { return limpid::OrThisProcess(this->Ranks.get()).AnyOf(here); }
   void UpdateRanks();
   void Disband();
 

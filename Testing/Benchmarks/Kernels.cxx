@@ -240,7 +240,7 @@ public:
   {
     std::swap(this->Last, this->Next);
     ExactDifferences moved;
-    SweepPolicy(*HostDevice::Shared(), this->Energy.all.front(), this->Given, this->Energy.Fields(),
+    SweepPolicy(*HostDevice::Shared(), this->Energy.all.front(), this->Energy, this->Given,
       { this->Last.data(), this->Lagged.data(), this->Next.data(), 10, this->Energy.Pulls(),
         Transmittance::OfLastIterate, Kept::Counted },
       moved);

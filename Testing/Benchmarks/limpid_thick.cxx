@@ -11,7 +11,7 @@
 #include "SceneForSolver.h"
 #include "Volume.h"
 
-#include "optimize/Levels.h"
+#include "Resampled.h"
 #include "optimize/Presets.h"
 
 #include <algorithm>

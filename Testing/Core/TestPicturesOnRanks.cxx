@@ -5,8 +5,9 @@
 
 #include "SceneOnRanks.h"
 
-#include "optimize/Levels.h"
+#include "Resampled.h"
 #include "render/Renderer.h"
+#include "scene/Resampling.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -151,7 +152,7 @@ void MakeMovie(Renderer& renderer, const Drawn& drawn, const Drawn& all, const L
   const auto move = [&](int factor, double share)
   {
     const Grid grid = CoarseGrid(all.grid, factor);
-    const std::vector<float> base = Restrict(all.grid, all.base.data(), grid);
+    const std::vector<float> base = Resampled(all.grid, all.base.data(), grid);
     std::vector<float> extinction = base;
     for (std::size_t node = 0; node < extinction.size() / 2; ++node)
     {

@@ -77,7 +77,7 @@ TEST_P(SweepFromTheBack, LeavesScoreAndDepthsOfTheNextIterate)
   std::vector<FrustumRays<HostDevice>>& otherFrusta = others.all.front().Frusta();
   ExactDifferences moved;
 
-  SweepPolicy(*HostDevice::Shared(), terms.all.front(), problem, terms.Fields(),
+  SweepPolicy(*HostDevice::Shared(), terms.all.front(), terms, problem,
     { scene.extinction.data(), nullptr, next.data(), problem.settings.weights.view, terms.Pulls(),
       Transmittance::AssumeOne, Kept::Counted },
     moved);

@@ -7,9 +7,9 @@
 #include "PretendedClock.h"
 #include "Tolerance.h"
 
+#include "Resampled.h"
 #include "backend/Interruption.h"
 #include "math/Require.h"
-#include "optimize/Levels.h"
 #include "optimize/PassTime.h"
 #include "optimize/Progressive.h"
 

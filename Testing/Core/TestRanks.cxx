@@ -7,8 +7,9 @@
 #include "RandomScene.h"
 #include "SceneOnRanks.h"
 
+#include "Resampled.h"
 #include "backend/Interruption.h"
-#include "optimize/Levels.h"
+#include "scene/Resampling.h"
 
 #include <gtest/gtest.h>
 
@@ -295,8 +296,8 @@ TEST(Ranks, StayNearWhatWasOnAnotherGrid)
   scene.settings.temporalCoherence = 0.2;
   Whole coarse = scene;
   coarse.grid = CoarseGrid(scene.grid, 2);
-  coarse.extinction = Restrict(scene.grid, scene.extinction.data(), coarse.grid);
-  coarse.importance = Restrict(scene.grid, scene.importance.data(), coarse.grid);
+  coarse.extinction = Resampled(scene.grid, scene.extinction.data(), coarse.grid);
+  coarse.importance = Resampled(scene.grid, scene.importance.data(), coarse.grid);
   const SceneFields small{ coarse.grid, coarse.extinction.data(), coarse.importance.data() };
   const Found alone = ByOne(scene,
     [&](const SceneFields& fields, const Whole& of) { return FoundAfter(fields, of, small); });

@@ -6,8 +6,9 @@
 #include "RenderScene.h"
 #include "Tolerance.h"
 
+#include "Resampled.h"
 #include "math/Require.h"
-#include "optimize/Levels.h"
+#include "scene/Resampling.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +57,7 @@ TEST(RendererCoarseShadows, OfTheTransferFunctionAreThoseOfItsRestrictedExtincti
     const float high = scene.functions.extinction[entry + 1];
     fine.push_back(low + (place - float(entry)) * (high - low));
   }
-  scene.base = scene.extinction = Restrict(scene.grid, fine.data(), scene.changeGrid);
+  scene.base = scene.extinction = Resampled(scene.grid, fine.data(), scene.changeGrid);
   Renderer restricted;
   scene.SetUp(restricted);
 
@@ -78,7 +79,7 @@ TEST(RendererCoarseShadows, OfAGivenExtinctionAreInterpolatedFromTheCoarseGrid)
   RenderScene restricted = scene;
   restricted.changeGrid = CoarseGrid(scene.changeGrid, 2);
   restricted.extinction =
-    Restrict(scene.changeGrid, scene.extinction.data(), restricted.changeGrid);
+    Resampled(scene.changeGrid, scene.extinction.data(), restricted.changeGrid);
   restricted.base = restricted.extinction;
   Renderer onCoarseGrid;
   restricted.SetUp(onCoarseGrid);

@@ -63,6 +63,16 @@ std::string BroadcastText(const Communicator& ranks, int teller, const std::stri
   }
   return told;
 }
+
+/// A process without others, which has nobody to exchange messages with.
+class OneProcess : public Communicator
+{
+public:
+  int Rank() const override { return 0; }
+  int Size() const override { return 1; }
+  void Exchange(const std::vector<Message>&, const std::vector<Message>&) const override {}
+  void GiveUp(const std::string&, bool) const noexcept override {}
+};
 }
 
 void Communicator::Sum(std::int64_t* numbers, std::size_t count) const
@@ -103,15 +113,21 @@ void Communicator::TakeLeast(std::int32_t* numbers, std::size_t count) const
   Reduce(*this, numbers, count, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
 }
 
-void RequireOnAllRanks(const Communicator* ranks, const std::function<void()>& work)
+const std::shared_ptr<const Communicator>& ThisProcess()
 {
-  if (!ranks)
+  static const std::shared_ptr<const Communicator> process = std::make_shared<OneProcess>();
+  return process;
+}
+
+void RequireOnAllRanks(const Communicator& ranks, const std::function<void()>& work)
+{
+  if (ranks.IsAlone())
   {
     work();
     return;
   }
   std::string failure;
-  std::int32_t first = ranks->Size();
+  std::int32_t first = ranks.Size();
   try
   {
     work();
@@ -119,24 +135,24 @@ void RequireOnAllRanks(const Communicator* ranks, const std::function<void()>& w
   catch (const Error& error)
   {
     failure = error.what();
-    first = ranks->Rank();
+    first = ranks.Rank();
   }
   catch (const std::bad_alloc&)
   {
     failure = "There is not enough memory (a rank could not allocate its part of the scene). Use "
               "more ranks, or machines with more memory.";
-    first = ranks->Rank();
+    first = ranks.Rank();
   }
-  ranks->TakeLeast(&first, 1);
-  if (first < ranks->Size())
+  ranks.TakeLeast(&first, 1);
+  if (first < ranks.Size())
   {
-    throw JointError(
-      "Rank " + std::to_string(first) + ": " + BroadcastText(*ranks, first, failure));
+    throw JointError("Rank " + std::to_string(first) + ": " + BroadcastText(ranks, first, failure));
   }
 }
 
-std::string NameOnRanks(const std::string& backend, const Communicator* ranks)
+std::string NameOnRanks(const std::string& backend, const Communicator& ranks)
 {
-  return ranks ? backend + ", on each of " + std::to_string(ranks->Size()) + " ranks" : backend;
+  return ranks.IsAlone() ? backend
+                         : backend + ", on each of " + std::to_string(ranks.Size()) + " ranks";
 }
 }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ public:
 
   virtual int Rank() const = 0; ///< index of this process, starting at 0
   virtual int Size() const = 0; ///< number of ranks
+
+  /// Whether there are no other ranks.
+  bool IsAlone() const { return this->Size() == 1; }
 
   /// A message to another rank, or a buffer for one from it.
   struct Message
@@ -81,22 +85,17 @@ public:
   }
 };
 
-/// Returns whether the condition holds on any rank; `ranks` is null for one process.
-inline bool AnyRank(const Communicator* ranks, bool here)
+/// Returns the communicator of a process that works alone: rank 0 of 1.
+const std::shared_ptr<const Communicator>& ThisProcess();
+
+/// Returns a communicator, or that of this process for null.
+inline const Communicator& OrThisProcess(const Communicator* ranks)
 {
-  return ranks ? ranks->AnyOf(here) : here;
+  return ranks ? *ranks : *ThisProcess();
 }
 
-/// Returns the maximum over all ranks of a non-negative number, so that all decide alike; `ranks`
-/// is null for one process.
-inline double LargestOfRanks(const Communicator* ranks, double here)
-{
-  return ranks ? double(ranks->LargestOf(static_cast<float>(here))) : here;
-}
-
-/// Describes the backend of all ranks for the user: "CPU, 2 threads, on each of 4 ranks". `ranks`
-/// is null for one process.
-std::string NameOnRanks(const std::string& backend, const Communicator* ranks);
+/// Describes the backend of all ranks for the user: "CPU, 2 threads, on each of 4 ranks".
+std::string NameOnRanks(const std::string& backend, const Communicator& ranks);
 
 /// An error that all ranks throw.
 class JointError : public Error
@@ -106,17 +105,9 @@ public:
 };
 
 /// Runs collective work. If it fails on this rank, the others are notified (Communicator::GiveUp).
-/// `ranks` is null for one process.
 template <class Work>
-decltype(auto) NotifyingOnFailure(const Communicator* ranks, const Work& work)
+decltype(auto) NotifyingOnFailure(const Communicator& ranks, const Work& work)
 {
-  const auto giveUp = [ranks](const char* why, bool interrupted)
-  {
-    if (ranks)
-    {
-      ranks->GiveUp(why, interrupted);
-    }
-  };
   try
   {
     return work();
@@ -127,20 +118,20 @@ decltype(auto) NotifyingOnFailure(const Communicator* ranks, const Work& work)
   }
   catch (const Interrupted&)
   {
-    giveUp("It was interrupted.", true);
+    ranks.GiveUp("It was interrupted.", true);
     throw;
   }
   catch (const std::exception& error)
   {
-    giveUp(error.what(), false);
+    ranks.GiveUp(error.what(), false);
     throw;
   }
 }
 
 /// Runs work that must succeed on all ranks. If it fails on any, all ranks throw JointError with
-/// the message of the first that failed. The work itself must not communicate. If `ranks` is null,
-/// exceptions are passed on unchanged.
-void RequireOnAllRanks(const Communicator* ranks, const std::function<void()>& work);
+/// the message of the first that failed. The work itself must not communicate. A process alone
+/// passes exceptions on unchanged.
+void RequireOnAllRanks(const Communicator& ranks, const std::function<void()>& work);
 }
 
 #endif

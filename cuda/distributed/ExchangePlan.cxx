@@ -162,24 +162,4 @@ void ExchangePlan::Bring(const std::vector<Field>& fields) const
     }
   }
 }
-
-std::vector<NodeBox> WithGhosts(const std::vector<NodeBox>& boxes, int layers, const Int3& nodes)
-{
-  std::vector<NodeBox> grown;
-  for (const NodeBox& box : boxes)
-  {
-    grown.push_back(box.Grown(layers, nodes));
-  }
-  return grown;
-}
-
-NodeValues FieldIn(const Communicator& ranks, const NodeBox& held,
-  const std::vector<NodeBox>& owned, const std::vector<NodeBox>& wanted, const float* field)
-{
-  const NodeBox& box = wanted[std::size_t(ranks.Rank())];
-  NodeValues values(box.Count());
-  Spread(ranks, FieldView::Part(const_cast<float*>(field), held), RegionsOf(owned),
-    FieldView::Part(values.Data(), box), RegionsOf(wanted));
-  return values;
-}
 }

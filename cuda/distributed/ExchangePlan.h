@@ -6,7 +6,6 @@
 
 #include "distributed/Communicator.h"
 #include "scene/FieldView.h"
-#include "scene/NodeValues.h"
 
 #include <cstddef>
 #include <memory>
@@ -92,15 +91,6 @@ inline void Spread(const Communicator& ranks, const FieldView& from, const std::
 {
   ExchangePlan(ranks, had, needed, filled).Bring({ { from, to } });
 }
-
-/// Returns boxes with so many layers of ghost nodes on every side, clipped to a grid of `nodes`.
-std::vector<NodeBox> WithGhosts(const std::vector<NodeBox>& boxes, int layers, const Int3& nodes);
-
-/// Returns the values of a field in other boxes, from the ranks that own them. `held`: this rank's
-/// box of `field`; `owned`: disjoint parts of the boxes that ranks hold, see ScenePiece; `wanted`:
-/// one box per rank. Collective.
-NodeValues FieldIn(const Communicator& ranks, const NodeBox& held,
-  const std::vector<NodeBox>& owned, const std::vector<NodeBox>& wanted, const float* field);
 }
 
 #endif

@@ -78,6 +78,12 @@ Occupancy OccupancyOnRanks(const Communicator& ranks, const Grid& grid, const No
   const FieldView& extinction, const FieldView& importance, bool skip)
 {
   const Int3& nodes = grid.nodes;
+  const auto isWhole = [&nodes](const FieldView& view)
+  { return view.stride == FieldView::Whole(view.values, nodes).stride; };
+  if (ranks.IsAlone() && box == NodeBox::Of(nodes) && isWhole(extinction) && isWhole(importance))
+  {
+    return { grid, extinction.values, importance.values, skip };
+  }
   const std::size_t rowsAlongX = std::size_t(nodes.y) * nodes.z;
   const std::size_t rowsAlongY = std::size_t(nodes.x) * nodes.z;
   SpanEnds ends(rowsAlongX + rowsAlongY);

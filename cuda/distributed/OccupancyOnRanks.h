@@ -11,7 +11,7 @@
 namespace limpid
 {
 /// Computes the Occupancy of a distributed scene; the result is the same on all ranks. `box`: the
-/// nodes that this rank owns. The boxes of ranks must not overlap.
+/// nodes that this rank owns. The boxes of ranks must not overlap. Collective.
 Occupancy OccupancyOnRanks(const Communicator& ranks, const Grid& grid, const NodeBox& box,
   const FieldView& extinction, const FieldView& importance, bool skip);
 }

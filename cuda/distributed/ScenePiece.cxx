@@ -3,6 +3,8 @@
 
 #include "distributed/ScenePiece.h"
 
+#include "distributed/Slab.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -124,17 +126,32 @@ std::vector<NodeBox> Parted(const std::vector<NodeBox>& boxes)
 }
 }
 
+std::shared_ptr<const ScenePiece> ScenePiece::Whole(const Grid& grid)
+{
+  return std::make_shared<const ScenePiece>(Slabs(ThisProcess(), grid));
+}
+
+ScenePiece ScenePiece::Slabs(std::shared_ptr<const Communicator> among, const Grid& grid)
+{
+  ScenePiece piece;
+  piece.boxes = piece.owned = EvenSlabs(*among, grid.nodes);
+  piece.nodes = piece.boxes[std::size_t(among->Rank())];
+  piece.all = NodeBox::Of(grid.nodes);
+  piece.ranks = std::move(among);
+  return piece;
+}
+
 ScenePiece::ScenePiece(
-  std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own)
-  : ranks(std::move(all))
+  std::shared_ptr<const Communicator> among, const Grid& grid, const NodeBox& own)
+  : ranks(std::move(among))
   , nodes(own)
   , boxes(BoxesOf(*this->ranks, own))
   , owned(Parted(this->boxes))
+  , all(NodeBox::Of(grid.nodes))
 {
-  const NodeBox whole = NodeBox::Of(grid.nodes);
   for (std::size_t rank = 0; rank < this->boxes.size(); ++rank)
   {
-    if (!Contains(whole, this->boxes[rank]))
+    if (!Contains(this->all, this->boxes[rank]))
     {
       throw JointError("The piece of rank " + std::to_string(rank) +
         " extends outside the image (its fields would not fit the grid). Give every rank a part of "

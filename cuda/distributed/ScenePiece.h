@@ -36,10 +36,31 @@ struct ScenePiece
 
   FieldPlaces places = FieldPlaces::Chosen; ///< equal on all ranks
 
+  /// The decomposition of a process that works alone: it has all nodes.
+  static std::shared_ptr<const ScenePiece> Whole(const Grid& grid);
+
+  /// One slab per rank, see EvenSlabs.
+  static ScenePiece Slabs(std::shared_ptr<const Communicator> among, const Grid& grid);
+
   /// Broadcasts the boxes. Throws JointError on all ranks if a box is not within the grid, or if
   /// boxes overlap such that owned parts cannot be boxes.
-  ScenePiece(std::shared_ptr<const Communicator> all, const Grid& grid, const NodeBox& own);
+  ScenePiece(std::shared_ptr<const Communicator> among, const Grid& grid, const NodeBox& own);
+
+  /// Whether this process works alone and has all nodes of the grid.
+  bool IsWhole() const { return this->ranks->IsAlone() && this->nodes == this->all; }
+
+private:
+  ScenePiece() = default;
+
+  NodeBox all; ///< of the grid
 };
+
+/// Returns a decomposition, or that of a process that works alone for null.
+inline std::shared_ptr<const ScenePiece> OrWhole(
+  const std::shared_ptr<const ScenePiece>& piece, const Grid& grid)
+{
+  return piece ? piece : ScenePiece::Whole(grid);
+}
 
 /// Returns pieces of the owned nodes plus this number of ghost nodes on every side, clipped to the
 /// grid. A rank that owns nothing gets two nodes along each axis for its own use.

@@ -223,14 +223,6 @@ void FillNodeImportanceOfFilled(const Grid& grid, const float* baseExtinction,
     });
 }
 
-double ImportantExtinction(const Grid& grid, const float* baseExtinction, const float* importance)
-{
-  const Range<int> all{ 0, grid.nodes.z };
-  std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z));
-  FillRowsOfImportantExtinction(grid, all, all, baseExtinction, importance, rows.data());
-  return SumOfRows(grid, rows);
-}
-
 void FillRowsOfImportantExtinction(const Grid& grid, const Range<int>& given,
   const Range<int>& slices, const float* baseExtinction, const float* importance, double* rows)
 {

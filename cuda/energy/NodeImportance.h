@@ -26,18 +26,16 @@ namespace limpid
 std::vector<float> NodeImportanceOfFilled(
   const Grid& grid, const float* baseExtinction, const float* importance);
 
-/// Returns the integral of importance times base extinction, both trilinear, over the box of the
-/// nodes: all that can be seen [length^2]. It does not depend on the number of threads.
-double ImportantExtinction(const Grid& grid, const float* baseExtinction, const float* importance);
-
-/// Computes the contributions of rows of nodes along x to that integral, without the volume of a
-/// cell, for the range `slices`. The fields start at the first of the slices `given`, which
-/// include one more slice on either side if there is one. `rows`: grid.nodes.y * grid.nodes.z
-/// values, row by row [1/length].
+/// Computes the contributions of rows of nodes along x to the integral of importance times base
+/// extinction, both trilinear, over the box of the nodes: all that can be seen. Contributions are
+/// without the volume of a cell, for the range `slices`. The fields start at the first of the
+/// slices `given`, which include one more slice on either side if there is one. `rows`:
+/// grid.nodes.y * grid.nodes.z values, row by row [1/length].
 void FillRowsOfImportantExtinction(const Grid& grid, const Range<int>& given,
   const Range<int>& slices, const float* baseExtinction, const float* importance, double* rows);
 
-/// Returns the integral from the contributions of all rows [length^2].
+/// Returns the integral from the contributions of all rows [length^2]. It does not depend on the
+/// number of threads.
 double SumOfRows(const Grid& grid, const std::vector<double>& rows);
 
 /// Called when rows of a slice are complete.

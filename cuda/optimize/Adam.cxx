@@ -7,7 +7,7 @@
 #include "backend/LargePages.h"
 #include "distributed/DistributedFields.h"
 #include "optimize/CoarseProblem.h"
-#include "optimize/Levels.h"
+#include "scene/Resampling.h"
 
 #include <numeric>
 #include <utility>

@@ -60,7 +60,7 @@ public:
       this->First = Field::Zeros(this->Device, this->Now.Size(), "the mean derivative");
       this->Second =
         Field::Zeros(this->Device, this->Now.Size(), "the mean square of the derivative");
-      this->Energy.FillGradient(this->Now.Data(), this->Gradient);
+      this->Energy.Differentiate(this->Now.Data(), this->Gradient.Data());
     }
     AdamVoxel<float> step = AdamStep(this->Given, count);
     step.gradient = this->Gradient.Data();
@@ -71,8 +71,8 @@ public:
     step.second = this->Second.Data();
     step.extinction = this->Now.Data();
     StepAll(*this->Device, this->Given, step, this->Gradient.Data(), this->Energy);
-    this->Energy.ShareSlabs(this->Now.Data());
-    this->Energy.FillGradient(this->Now.Data(), this->Gradient);
+    this->Energy.Distribution().Share(this->Now.Data(), FieldDistribution::slabs);
+    this->Energy.Differentiate(this->Now.Data(), this->Gradient.Data());
     this->Energy.TakeMoved(this->Now.Data(), nullptr);
     return this->Energy.Record();
   }

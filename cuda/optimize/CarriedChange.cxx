@@ -4,10 +4,10 @@
 #include "optimize/CarriedChange.h"
 
 #include "backend/Backend.h"
+#include "distributed/FieldResampling.h"
 #include "math/Angle.h"
 #include "math/Number.h"
 #include "math/Require.h"
-#include "optimize/Levels.h"
 #include "optimize/Solver.h"
 
 #include <algorithm>
@@ -36,27 +36,12 @@ double DegreesBetween(const Vec3& one, const Vec3& other)
   return std::isfinite(degrees) ? degrees : 0.0;
 }
 
-/// Returns c at the nodes of a scene, resampled if necessary.
-std::vector<float> OnScene(
-  const SceneFields& scene, const CarriedChange& change, const std::vector<float>& values)
+/// `from`, `to`: the decompositions of the change and of the scene.
+std::vector<float> Applied(const SceneFields& scene, const ScenePiece& to, float majorant,
+  const CarriedChange& change, const ScenePiece& from, const std::vector<float>& ofBase)
 {
-  if (!scene.piece)
-  {
-    return change.grid.nodes == scene.grid.nodes
-      ? values
-      : Resampled(change.grid, values.data(), scene.grid);
-  }
-  const ScenePiece& before = *change.piece;
-  return ResampledBox(*scene.piece->ranks, change.grid,
-    FieldView::Part(const_cast<float*>(values.data()), before.nodes), before.owned, scene.grid,
-    scene.piece->boxes);
-}
-
-std::vector<float> Applied(const SceneFields& scene, float majorant, const CarriedChange& change,
-  const std::vector<float>& ofBase)
-{
-  const Communicator* ranks = scene.piece ? scene.piece->ranks.get() : nullptr;
-  if (!AnyRank(ranks, !ofBase.empty()))
+  const Communicator& ranks = *to.ranks;
+  if (!ranks.AnyOf(!ofBase.empty()))
   {
     return {};
   }
@@ -68,7 +53,7 @@ std::vector<float> Applied(const SceneFields& scene, float majorant, const Carri
           << ofBase.size() << " values for " << change.ValueCount()
           << " nodes (it belongs to another grid). Give one value per node.");
     });
-  std::vector<float> values = OnScene(scene, change, ofBase);
+  std::vector<float> values = ResampledIn(from, change.grid, ofBase.data(), scene.grid, to.boxes);
   ParallelFor(static_cast<Index>(values.size()), valuesPerTask,
     [&](Index node)
     {
@@ -110,11 +95,12 @@ double CarriedChange::NearnessTo(
 CarriedChange OnPiece(
   CarriedChange change, const Grid& grid, const std::shared_ptr<const ScenePiece>& piece)
 {
+  const auto all = OrWhole(change.piece, change.grid);
   for (std::vector<float>* values : { &change.ofExtinction, &change.ofLight })
   {
     if (!values->empty())
     {
-      *values = ResampledBox(change.grid, values->data(), grid, piece->nodes);
+      *values = ResampledIn(*all, change.grid, values->data(), grid, { piece->nodes });
     }
   }
   change.grid = grid;
@@ -124,17 +110,15 @@ CarriedChange OnPiece(
 
 CarriedChange ForAllRanks(CarriedChange change, const Grid& grid)
 {
-  const ScenePiece& piece = *change.piece;
   for (std::vector<float>* values : { &change.ofExtinction, &change.ofLight })
   {
-    if (piece.ranks->AnyOf(!values->empty()))
+    if (change.piece->ranks->AnyOf(!values->empty()))
     {
-      *values = GatheredResampling(
-        *piece.ranks, change.grid, FieldView::Part(values->data(), piece.nodes), piece.owned, grid);
+      *values = ResampledForAll(*change.piece, change.grid, values->data(), grid);
     }
   }
   change.grid = grid;
-  change.piece = nullptr;
+  change.piece = ScenePiece::Whole(grid);
   return change;
 }
 
@@ -153,12 +137,14 @@ std::vector<float> ChangeOf(Index count, const float* base, const float* extinct
 
 CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change)
 {
-  const bool sharedAlike = bool(scene.piece) == bool(change.piece);
+  const auto from = OrWhole(change.piece, change.grid);
+  const auto to = OrWhole(scene.piece, scene.grid);
+  const bool sharedAlike = from->IsWhole() == to->IsWhole();
   if (change.Empty() || !sharedAlike || !scene.grid.HasSameBox(change.grid))
   {
     return {};
   }
-  return { Applied(scene, majorant, change, change.ofExtinction),
-    Applied(scene, majorant, change, change.ofLight) };
+  return { Applied(scene, *to, majorant, change, *from, change.ofExtinction),
+    Applied(scene, *to, majorant, change, *from, change.ofLight) };
 }
 }

@@ -35,7 +35,7 @@ struct CarriedChange
   Grid grid;
   std::vector<float> ofExtinction; ///< c, ValueCount() values in [-1, 1]; empty: no change
   std::vector<float> ofLight; ///< c of the extinction for the light; empty: same as ofExtinction
-  std::shared_ptr<const ScenePiece> piece; ///< this rank's subdomain; null for one process
+  std::shared_ptr<const ScenePiece> piece; ///< this rank's subdomain; null: all nodes
   Camera camera;                           ///< the camera for which the change was found
   Light light;
   Settings settings;

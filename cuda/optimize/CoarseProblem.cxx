@@ -5,11 +5,11 @@
 
 #include "backend/Backend.h"
 #include "distributed/DistributedFields.h"
+#include "distributed/FieldResampling.h"
+#include "distributed/Neighbourhood.h"
 #include "distributed/OccupancyOnRanks.h"
 #include "energy/NodeImportance.h"
 #include "optimize/ExtinctionBounds.h"
-#include "optimize/Levels.h"
-#include "optimize/Neighbourhood.h"
 
 namespace limpid
 {
@@ -35,14 +35,8 @@ RaySource Rescaled(const RaySource& source, const Grid& from, const Grid& to)
 std::vector<float> MovedTo(
   const Problem& problem, const Grid& from, const float* field, const Grid& to)
 {
-  if (!problem.shared)
-  {
-    return Resampled(from, field, to);
-  }
-  const Communicator& ranks = *problem.shared->ranks;
-  return ResampledBox(ranks, from,
-    FieldView::Part(const_cast<float*>(field), OwnSlab(ranks, from.nodes).Box()),
-    EvenSlabs(ranks, from.nodes), to, EvenSlabs(ranks, to.nodes));
+  return ResampledIn(ScenePiece::Slabs(problem.Ranks(), from), from, field, to,
+    EvenSlabs(*problem.Ranks(), to.nodes));
 }
 
 CoarseProblem::CoarseProblem(const Problem& given, int factor)
@@ -58,7 +52,8 @@ CoarseProblem::CoarseProblem(const Problem& given, int factor)
   {
     this->References.push_back(this->Restricted(pull.reference, problem.grid));
   }
-  given.shared ? this->ShareFields() : this->UseFields();
+  problem.piece = nullptr; // nor are they a part
+  this->UseFields();
   for (TermSource& source : problem.sources)
   {
     source.rays = Rescaled(source.rays, given.grid, problem.grid);
@@ -103,51 +98,53 @@ std::vector<float> CoarseProblem::Restricted(const float* field, const Grid& to)
 void CoarseProblem::UseFields()
 {
   Problem& problem = this->Coarse;
-  this->NodeImportance =
-    NodeImportanceOfFilled(problem.grid, this->Base.data(), this->Importance.data());
+  const ScenePiece slabs = ScenePiece::Slabs(problem.Ranks(), problem.grid);
+  const Neighbourhood around(slabs, problem.grid);
+  const FieldInBox bases = around.Extended(this->Base.data());
+  const FieldInBox importances = around.Extended(this->Importance.data());
+  NodeValues means(around.Around().NodeCount());
+  FillNodeImportanceOfFilled(
+    around.Around(), bases.Data(), importances.Data(), means.Data(), [](int, const Range<int>&) {});
+  this->NodeImportance = around.Inside(std::move(means));
+  const auto view = [&slabs](float* values) { return FieldView::Part(values, slabs.nodes); };
+  problem.occupancy =
+    std::make_shared<const Occupancy>(OccupancyOnRanks(*slabs.ranks, problem.grid, slabs.nodes,
+      view(this->Base.data()), view(this->NodeImportance.Data()), problem.settings.skipUnneeded));
+  if (problem.shared)
+  {
+    this->ShareFields(slabs);
+    return;
+  }
   problem.baseExtinction = this->Base.data();
   problem.importance = this->Importance.data();
-  problem.nodeImportance = this->NodeImportance.data();
+  problem.nodeImportance = this->NodeImportance.Data();
   for (std::size_t i = 0; i < this->References.size(); ++i)
   {
     problem.furtherPulls[i].reference = this->References[i].data();
   }
-  problem.occupancy = std::make_shared<const Occupancy>(
-    problem.grid, problem.baseExtinction, problem.nodeImportance, problem.settings.skipUnneeded);
 }
 
-/// UseFields for a distributed problem, where each rank has a slab of the fields.
-void CoarseProblem::ShareFields()
+/// Distributes the fields, of which each rank has a slab.
+void CoarseProblem::ShareFields(const ScenePiece& slabs)
 {
   Problem& problem = this->Coarse;
-  const std::shared_ptr<const Communicator> ranks = problem.shared->ranks;
-  const std::vector<NodeBox> slabs = EvenSlabs(*ranks, problem.grid.nodes);
-  const NodeBox own = slabs[std::size_t(ranks->Rank())];
-  const Neighbourhood around(*ranks, problem.grid, slabs, slabs);
-  const NodeValues bases = around.Extended(this->Base.data());
-  const NodeValues importances = around.Extended(this->Importance.data());
-  const NodeValues nodeImportance =
-    around.Inside(NodeImportanceOfFilled(around.Around(), bases.Data(), importances.Data()).data());
-  this->NodeImportance.assign(nodeImportance.Data(), nodeImportance.Data() + own.Count());
-  const auto fieldOf = [&](std::vector<float>& values)
+  const auto fieldOf = [&](float* values)
   {
-    return DistributedFields::Field{ FieldView::Part(values.data(), own),
+    return DistributedFields::Field{ FieldView::Part(values, slabs.nodes),
       NodeValues(problem.grid.NodeCount()) };
   };
   const auto fields = std::make_shared<DistributedFields>();
-  fields->ranks = ranks;
-  fields->pieces = RegionsOf(slabs);
+  fields->ranks = slabs.ranks;
+  fields->pieces = RegionsOf(slabs.boxes);
   fields->inSlabs = true;
   fields->places = problem.shared->places;
-  fields->base = fieldOf(this->Base);
-  fields->importance = fieldOf(this->Importance);
-  fields->nodeImportance = fieldOf(this->NodeImportance);
+  fields->base = fieldOf(this->Base.data());
+  fields->importance = fieldOf(this->Importance.data());
+  fields->nodeImportance = fieldOf(this->NodeImportance.Data());
   for (std::vector<float>& reference : this->References)
   {
-    fields->references.push_back(fieldOf(reference));
+    fields->references.push_back(fieldOf(reference.data()));
   }
   problem.Use(fields);
-  problem.occupancy = std::make_shared<const Occupancy>(OccupancyOnRanks(*ranks, problem.grid, own,
-    fields->base.piece, fields->nodeImportance.piece, problem.settings.skipUnneeded));
 }
 }

@@ -34,13 +34,13 @@ public:
 private:
   std::vector<float> Restricted(const float* field, const Grid& to) const;
   void UseFields();
-  void ShareFields();
+  void ShareFields(const ScenePiece& slabs);
 
   const Problem* Given;
   Problem Coarse;
   std::vector<float> Base;
   std::vector<float> Importance;
-  std::vector<float> NodeImportance;
+  NodeValues NodeImportance;
   std::vector<std::vector<float>> References; ///< one per further pull
 };
 }

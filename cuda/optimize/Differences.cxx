@@ -67,7 +67,7 @@ double SumOfChanges(const float* a, const float* b, Index count)
 }
 
 double SumOverRows(
-  const Slab& slab, const Communicator* ranks, const std::function<double(int y, int z)>& ofRow)
+  const Slab& slab, const Communicator& ranks, const std::function<double(int y, int z)>& ofRow)
 {
   std::vector<ExactSum> slices(std::size_t(slab.slices.Length()));
   ParallelFor(slab.slices.Length(),
@@ -83,10 +83,7 @@ double SumOverRows(
   {
     sum += slice;
   }
-  if (ranks)
-  {
-    ranks->Sum(&sum, 1);
-  }
+  ranks.Sum(&sum, 1);
   return sum.Value();
 }
 

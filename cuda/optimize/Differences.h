@@ -21,9 +21,9 @@ double SumOfSquares(const float* a, const float* b, Index count);
 double SumOfChanges(const float* a, const float* b, Index count);
 
 /// Sums ofRow(y, z) over the rows along x of a slab. The result is bit-identical for any number of
-/// threads and, if each rank has a slab, of ranks. `ranks`: null for one process.
+/// threads and, if each rank has a slab, of ranks.
 double SumOverRows(
-  const Slab& slab, const Communicator* ranks, const std::function<double(int y, int z)>& ofRow);
+  const Slab& slab, const Communicator& ranks, const std::function<double(int y, int z)>& ofRow);
 
 /// Distances of an iterate from the last one and from the references of all pulls.
 struct Differences

@@ -6,6 +6,8 @@
 #include "backend/Interruption.h"
 #include "backend/LargePages.h"
 #include "distributed/DistributedFields.h"
+#include "distributed/ExchangePlan.h"
+#include "distributed/Neighbourhood.h"
 #include "distributed/OccupancyOnRanks.h"
 #include "energy/NodeTransmittance.h"
 #include "energy/TransmittanceSweep.h"
@@ -324,11 +326,11 @@ struct CellsOfRank
 /// A field of a subdomain, extended by ghost values from the owners.
 struct WiderField
 {
-  NodeValues values;
+  FieldInBox values;
   FieldWithin nodes;
 
   WiderField(const ScenePiece& piece, const ScenePiece& wider, const float* field)
-    : values(FieldIn(*piece.ranks, piece.nodes, piece.owned, wider.boxes, There(field)))
+    : values(FieldIn(piece, wider.boxes, There(field)))
     , nodes{ this->values.Data(), Within(wider.nodes) }
   {
   }

@@ -3,6 +3,7 @@
 
 #include "optimize/FieldDistribution.h"
 
+#include "distributed/DistributedFields.h"
 #include "distributed/Slab.h"
 
 #include <algorithm>
@@ -44,9 +45,9 @@ FieldDistribution::FieldDistribution(const Communicator& ranks, const Int3& node
   , Filled(&filled)
   , Nodes(nodes)
 {
-  for (const OfTerm& term : terms)
+  for (Place number = 0; number < terms.size(); ++number)
   {
-    this->AddTerm(term);
+    this->AddTerm(number, terms[number]);
   }
   if (inSlabs)
   {
@@ -65,6 +66,30 @@ FieldDistribution::FieldDistribution(const Communicator& ranks, const Int3& node
     this->KeepOnly(slabs);
   }
   this->VisitHome(terms);
+}
+
+FieldDistribution::FieldDistribution(const Problem& problem, const std::vector<OfTerm>& terms)
+  : All(problem.Ranks().get())
+  , Filled(problem.occupancy.get())
+  , Nodes(problem.grid.nodes)
+{
+  if (!problem.shared)
+  {
+    this->AddSlabs(0);
+    return;
+  }
+  DistributedFields& fields = *problem.shared;
+  *this = { *fields.ranks, problem.grid.nodes, terms, *problem.occupancy, fields.inSlabs,
+    fields.places };
+  std::vector<Input> inputs;
+  const auto add = [&inputs](DistributedFields::Field& field) {
+    inputs.push_back({ field.piece, field.values.Data() });
+  };
+  add(fields.base);
+  add(fields.importance);
+  add(fields.nodeImportance);
+  std::for_each(fields.references.begin(), fields.references.end(), add);
+  this->FromPieces(fields.pieces, inputs);
 }
 
 Index FieldDistribution::NodesHeld() const
@@ -113,11 +138,11 @@ void FieldDistribution::VisitHome(const std::vector<OfTerm>& terms)
 {
   const FieldLayout fields(NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
     this->RegionsOf(0, &Regions::needed));
-  for (const OfTerm& term : terms)
+  for (Place number = 0; number < terms.size(); ++number)
   {
-    for (FrustumRays<HostDevice>& rays : *term.frusta)
+    for (FrustumRays<HostDevice>& rays : *terms[number].frusta)
     {
-      if (!this->Has(term.frusta))
+      if (!this->Has(number))
       {
         rays.SweepFieldsOf(fields, this->Filled, this->Room);
       }
@@ -125,7 +150,7 @@ void FieldDistribution::VisitHome(const std::vector<OfTerm>& terms)
   }
 }
 
-void FieldDistribution::AddTerm(const OfTerm& term)
+void FieldDistribution::AddTerm(Place number, const OfTerm& term)
 {
   std::vector<Regions> ofFrusta;
   for (const FrustumRays<HostDevice>& rays : *term.frusta)
@@ -145,7 +170,7 @@ void FieldDistribution::AddTerm(const OfTerm& term)
     regions.changed.front().push_back(unswept);
     regions.needed.front().push_back(unswept);
   }
-  this->Places.push_back(term.frusta);
+  this->Places.push_back(number);
   this->Of.push_back(std::move(ofFrusta));
 }
 
@@ -285,22 +310,27 @@ void FieldDistribution::Bring(float* field, const Way& way, const Find& find) co
   known->second.Bring({ { this->Whole(field), this->Whole(field) } });
 }
 
-void FieldDistribution::FillNeeded(Place place, float value, float* field) const
+void FieldDistribution::SetZero(Place place, float* field) const
 {
   const auto own = std::size_t(this->All->Rank());
   for (const Regions& frustum : this->Of[this->NumberOf(place)])
   {
     for (const NodeBox& box : frustum.needed[own])
     {
-      FillNodes(box, value, this->Whole(field));
+      FillNodes(box, 0, this->Whole(field));
     }
   }
 }
 
-void FieldDistribution::CopyNeeded(Place place, const float* from, float* to) const
+void FieldDistribution::CopyUnswept(
+  Place term, std::size_t frusta, bool, const float* from, float* to) const
 {
+  if (frusta < 2)
+  {
+    return;
+  }
   const auto own = std::size_t(this->All->Rank());
-  for (const Regions& frustum : this->Of[this->NumberOf(place)])
+  for (const Regions& frustum : this->Of[this->NumberOf(term)])
   {
     for (const NodeBox& box : frustum.needed[own])
     {

@@ -6,11 +6,14 @@
 
 #include "distributed/ExchangePlan.h"
 #include "distributed/ScenePiece.h"
+#include "optimize/Problem.h"
 #include "scene/FieldView.h"
 #include "sweep/FrustumRays.h"
 
 #include <array>
 #include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace limpid
@@ -23,19 +26,20 @@ namespace limpid
  *
  * If this takes much more than an even share of the memory, there is only one distribution, and
  * the sweeps of other terms transfer slabs from it (SlabExchange): that of the first term or, if
- * that needs as much or if some work needs no rays, slabs.
+ * that needs as much or if some work needs no rays, slabs. A process alone has one slab, and
+ * nothing is redistributed.
  */
 class FieldDistribution
 {
 public:
   using Frusta = std::vector<FrustumRays<HostDevice>>;
 
-  /// A distribution in which fields are changed: next to the rays of a term, given by its frusta,
-  /// whose address must not change, or slabs with one ghost slice on either side.
-  using Place = const Frusta*;
-  static constexpr Place slabs = nullptr;
+  /// A distribution in which fields are changed: next to the rays of a term, given by its number,
+  /// or slabs with one ghost slice on either side.
+  using Place = std::size_t;
+  static constexpr Place slabs = Place(-1);
 
-  /// A term and the source of its rays.
+  /// A term and the source of its rays. The address of the frusta must not change.
   struct OfTerm
   {
     Frusta* frusta;
@@ -47,7 +51,8 @@ public:
   FieldDistribution(const Communicator& ranks, const Int3& nodes, const std::vector<OfTerm>& terms,
     const Occupancy& filled, bool inSlabs, FieldPlaces places);
 
-  const Communicator& Ranks() const { return *this->All; }
+  /// Distributes the fields of a problem, which must outlive this object.
+  FieldDistribution(const Problem& problem, const std::vector<OfTerm>& terms);
 
   /// Number of nodes of a field for which this rank holds memory: all nodes on pages that it
   /// needs.
@@ -76,11 +81,12 @@ public:
   /// Redistributes updated values between two distributions.
   void Pass(float* field, Place from, Place to) const;
 
-  /// Sets the values that this rank needs in a distribution.
-  void FillNeeded(Place place, float value, float* field) const;
+  /// Sets the values that this rank needs in a distribution to 0.
+  void SetZero(Place place, float* field) const;
 
-  /// Copies the values that this rank needs in a distribution.
-  void CopyNeeded(Place place, const float* from, float* to) const;
+  /// Copies the values that the sweep of a term with several frusta reads before it writes them.
+  /// `isNew`: whether `to` is 0 everywhere, which it stays where nothing is filled.
+  void CopyUnswept(Place term, std::size_t frusta, bool isNew, const float* from, float* to) const;
 
 private:
   /// The regions of a frustum, or of the slabs, per rank.
@@ -95,7 +101,7 @@ private:
 
   template <class Find>
   void Bring(float* field, const Way& way, const Find& find) const;
-  void AddTerm(const OfTerm& term);
+  void AddTerm(Place number, const OfTerm& term);
   void AddSlabs(int more);
   bool HoldLittleMoreThanAShare() const;
   void KeepOnly(Place home);
@@ -112,6 +118,63 @@ private:
   std::vector<std::vector<Regions>> Of; ///< [place][frustum]
   std::shared_ptr<ExchangeBuffers> Room = std::make_shared<ExchangeBuffers>();
   mutable std::map<Way, ExchangePlan> Known;
+};
+
+/// The distribution of the fields on a device: a GPU holds all of them, and nothing is
+/// redistributed.
+template <class AnyDevice>
+class DistributionOn
+{
+public:
+  using Place = FieldDistribution::Place;
+
+  template <class AllTerms>
+  DistributionOn(std::shared_ptr<AnyDevice> device, const Problem& problem, AllTerms&)
+    : Device(std::move(device))
+    , Bytes(static_cast<std::size_t>(problem.grid.NodeCount()) * sizeof(float))
+  {
+  }
+
+  void ToPieces(const float*, const std::vector<Region>&, const FieldView&) const {}
+  void ShareFrustum(float*, Place, std::size_t) const {}
+  void Share(float*, Place) const {}
+  void Pass(float*, Place, Place) const {}
+  void SetZero(Place, float* field) const { this->Device->SetZero(field, this->Bytes); }
+  void CopyUnswept(Place, std::size_t frusta, bool isNew, const float* from, float* to) const
+  {
+    if (isNew || frusta > 1)
+    {
+      this->Device->Copy(to, from, this->Bytes);
+    }
+  }
+
+private:
+  std::shared_ptr<AnyDevice> Device;
+  std::size_t Bytes;
+};
+
+template <>
+class DistributionOn<HostDevice> : public FieldDistribution
+{
+public:
+  /// `terms`: the visibility terms, at fixed addresses.
+  template <class AllTerms>
+  DistributionOn(const std::shared_ptr<HostDevice>&, const Problem& problem, AllTerms& terms)
+    : FieldDistribution(problem, RaysOf(terms))
+  {
+  }
+
+private:
+  template <class AllTerms>
+  static std::vector<OfTerm> RaysOf(AllTerms& terms)
+  {
+    std::vector<OfTerm> rays;
+    for (auto& term : terms)
+    {
+      rays.push_back({ &term.Frusta(), &term.Rays() });
+    }
+    return rays;
+  }
 };
 }
 

@@ -38,30 +38,6 @@ bool AllocateIterate(
   return isNew;
 }
 
-/// Makes `next` writable. It gets the values of `last` where sweeps do not write them, and where
-/// rays meet voxels of a frustum that is swept later.
-template <class AnyDevice>
-void PrepareIterate(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
-  std::size_t frusta, const float* last, Iterate<AnyDevice>& next)
-{
-  const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
-  if (AllocateIterate(device, count, next) || frusta > 1)
-  {
-    device->Copy(next.own.Data(), last, count * sizeof(float));
-  }
-}
-
-/// The processor copies filled voxels only; all others are 0.
-inline void PrepareIterate(const std::shared_ptr<HostDevice>& device, const Problem& problem,
-  std::size_t frusta, const float* last, Iterate<HostDevice>& next)
-{
-  AllocateIterate(device, static_cast<std::size_t>(problem.grid.NodeCount()), next);
-  if (frusta > 1)
-  {
-    problem.CopyFilled(last, next.own.Data());
-  }
-}
-
 /// Downloads a field from a device; waits for it.
 template <class AnyDevice>
 std::vector<float> OnHost(AnyDevice& device, const float* field, Index count)

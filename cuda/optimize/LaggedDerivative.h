@@ -68,17 +68,17 @@ public:
     }
     const bool several = turn.others.size() > 1;
     this->MakeRoom(turn);
-    const Term* before = nullptr;
+    const DistributionOn<AnyDevice>& shared = this->Energy->Distribution();
+    std::size_t place = turn.others.front()->Number();
     for (Term* other : turn.others)
     {
-      this->Energy->Pass(this->Sum.Data(), before, other);
-      before = other;
+      shared.Pass(this->Sum.Data(), std::exchange(place, other->Number()), other->Number());
       const float kept = several ? 1 : 0;
       seeing.Contains(*other)
         ? this->Energy->DifferentiateSeen(*other, extinction, kept, this->Sum.Data())
         : this->Energy->DifferentiateTerm(*other, extinction, kept, this->Sum.Data());
     }
-    this->Energy->Pass(this->Sum.Data(), before, turn.swept);
+    shared.Pass(this->Sum.Data(), place, turn.swept->Number());
     seeing.KeepOnly(*turn.swept);
     this->FilledBy = several ? nullptr : turn.others[0];
     this->Beside = turn.swept;
@@ -100,13 +100,17 @@ public:
     {
       this->Pulled = this->Zeros("the pull");
     }
-    this->Energy->Pass(this->Sum.Data(), this->Sum.Empty() ? nullptr : turn.swept, nullptr);
+    const DistributionOn<AnyDevice>& shared = this->Energy->Distribution();
+    if (!this->Sum.Empty())
+    {
+      shared.Pass(this->Sum.Data(), turn.swept->Number(), FieldDistribution::slabs);
+    }
     FindPull(*this->Device,
       { this->Given->grid.nodes, this->Energy->Fields().base.Data(),
         this->Energy->Fields().importance.Data(), last, this->Sum.Data(),
         static_cast<float>(turn.smoothing), this->Pulled.Data() },
       this->Given->OwnSlab().slices);
-    this->Energy->PassFromSlabs(this->Pulled.Data(), *turn.swept);
+    shared.Pass(this->Pulled.Data(), FieldDistribution::slabs, turn.swept->Number());
     return this->Pulled.Data();
   }
 
@@ -121,9 +125,9 @@ private:
   void MakeRoom(const Turn& turn)
   {
     const bool several = turn.others.size() > 1;
-    if (several && !this->Sum.Empty() && !this->Energy->OnRanks())
+    if (several && !this->Sum.Empty())
     {
-      this->Sum.SetZero();
+      this->Energy->Distribution().SetZero(turn.others.front()->Number(), this->Sum.Data());
     }
     else if (several || this->FilledBy != turn.others[0]) // each writes voxels of its own
     {

@@ -139,13 +139,10 @@ public:
 
   int IterationLimit() const override { return this->Turns.IterationLimit(); }
 
-  void BestToPiece([[maybe_unused]] const FieldView& piece) const override
+  void BestToPiece(const FieldView& piece) const override
   {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      this->Energy.OnRanks()->ToPieces(
-        this->Iterates[this->BestOf].values, this->Given->shared->wanted, piece);
-    }
+    this->Energy.Distribution().ToPieces(
+      this->Iterates[this->BestOf].values, this->Given->shared->wanted, piece);
   }
 
   const float* BestValues() const override
@@ -392,7 +389,7 @@ private:
     const std::size_t free = this->FreeIterate();
     const float* last = this->Iterates[this->Now].values;
     limpid::Iterate<AnyDevice>& next = this->Iterates[free];
-    PrepareIterate(this->Device, *this->Given, 1, last, next); // allocates memory only
+    this->Allocate(next);
     if (!this->IsRefining)
     {
       this->Resilient.BeginAt(last);
@@ -464,22 +461,19 @@ private:
     return record;
   }
 
-  /// See PrepareIterate.
+  bool Allocate(limpid::Iterate<AnyDevice>& next) const
+  {
+    return AllocateIterate(
+      this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), next);
+  }
+
+  /// Makes `next` writable. It gets the values of `last` where sweeps do not write them, and where
+  /// rays meet voxels of a frustum that is swept later.
   void Prepare(const Term& swept, const float* last, limpid::Iterate<AnyDevice>& next)
   {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (const FieldDistribution* ranks = this->Energy.OnRanks())
-      {
-        PrepareIterate(this->Device, *this->Given, 1, last, next); // allocates memory only
-        if (swept.Frusta().size() > 1)
-        {
-          ranks->CopyNeeded(&swept.Frusta(), last, next.own.Data());
-        }
-        return;
-      }
-    }
-    PrepareIterate(this->Device, *this->Given, swept.Frusta().size(), last, next);
+    const bool isNew = this->Allocate(next);
+    this->Energy.Distribution().CopyUnswept(
+      swept.Number(), swept.Frusta().size(), isNew, last, next.own.Data());
   }
 
   IterationRecord Sweep(const Turn& turn, const float* last, float* next)
@@ -531,26 +525,12 @@ private:
       std::any_of(turn.others.begin(), turn.others.end(),
         [](const Term* other) { return other->IsOfCamera(); });
     const float* alternative = afterCamera ? last : this->Cheapest();
-    SweepPolicy(*this->Device, *turn.swept, *this->Given, this->Energy.Fields(),
+    SweepPolicy(*this->Device, *turn.swept, this->Energy, *this->Given,
       { last, turn.smoothing > 0 ? this->Lagged.WithPull(turn, last) : this->Lagged.Data(), next,
         turn.swept->Weight(), this->PullsOf(turn, last), turn.transmittance, kept,
-        turn.weighs ? alternative : nullptr, turn.reach, this->SweepsEmphasise(),
-        this->Energy.OnRanks() },
+        turn.weighs ? alternative : nullptr, turn.reach, this->SweepsEmphasise() },
       moved);
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (const FieldDistribution* ranks = this->Energy.OnRanks())
-      {
-        moved.SumOver(ranks->Ranks());
-        ranks->Share(next, &turn.swept->Frusta());
-      }
-      *this->Energy.Moved() = moved.Values();
-    }
-    else
-    {
-      this->Energy.TakeMoved(next, last);
-    }
-    this->Energy.TakeSeen(*turn.swept, kept);
+    this->Energy.TakeSwept(*turn.swept, kept, moved, last, next);
   }
 
   /// Returns the pulls of a sweep: those of the energy, a proximal step, and smoothing.

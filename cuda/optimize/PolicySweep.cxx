@@ -89,9 +89,10 @@ void SweepFrustum(HostDevice& device, FrustumRays<HostDevice>& rays, const Occup
 }
 
 template <class AnyDevice>
-void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved)
+void SweepPolicy(AnyDevice& device, EnergyTerm<AnyDevice>& term, const Terms<AnyDevice>& terms,
+  const Problem& problem, const PolicySweep& sweep, ExactDifferences& moved)
 {
+  const ProblemFields<AnyDevice>& fields = terms.Fields();
   const PolicyKernel<const float*, float*> kernel = KernelOf(problem, fields, sweep);
   const std::size_t frusta = term.Frusta().size();
   for (FrustumRays<AnyDevice>& rays : term.Frusta())
@@ -102,14 +103,8 @@ void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Probl
     }
     SweepFrustum(device, rays, term.Occupied(), kernel, &moved);
     rays.KeepCollected();
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      if (sweep.ranks)
-      {
-        sweep.ranks->ShareFrustum(
-          sweep.next, &term.Frusta(), std::size_t(&rays - term.Frusta().data()));
-      }
-    }
+    terms.Distribution().ShareFrustum(
+      sweep.next, term.Number(), std::size_t(&rays - term.Frusta().data()));
   }
   for (std::size_t index = 0; index < frusta; ++index)
   {
@@ -138,8 +133,8 @@ void SweepFirstPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const 
   }
 }
 
-template void SweepPolicy(CompiledDevice&, VisibilityTerm<CompiledDevice>&, const Problem&,
-  const ProblemFields<CompiledDevice>&, const PolicySweep&, ExactDifferences&);
+template void SweepPolicy(CompiledDevice&, EnergyTerm<CompiledDevice>&,
+  const Terms<CompiledDevice>&, const Problem&, const PolicySweep&, ExactDifferences&);
 template void SweepFirstPolicy(CompiledDevice&, VisibilityTerm<CompiledDevice>&, const Problem&,
   const ProblemFields<CompiledDevice>&, const std::vector<Pull>&, double, float*);
 }

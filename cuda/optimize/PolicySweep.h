@@ -44,15 +44,14 @@ struct PolicySweep
   const float* alternative = nullptr; ///< see WeighStep [1/length]; null if nothing is weighed
   Reach reach = Reach::Unlimited;     ///< initial reach of the rays, if weighing
   bool emphasises = true; ///< whether extinction may rise above the base, within its bounds
-  const FieldDistribution* ranks = nullptr; ///< of a distributed sweep; null for one process
 };
 
 /// Sweeps all frusta of a term. Afterwards the rays hold the visible importance and the optical
 /// depths of the next iterate. `moved`: on the processor, the distances of the next iterate are
 /// added to it.
 template <class AnyDevice>
-void SweepPolicy(AnyDevice& device, VisibilityTerm<AnyDevice>& term, const Problem& problem,
-  const ProblemFields<AnyDevice>& fields, const PolicySweep& sweep, ExactDifferences& moved);
+void SweepPolicy(AnyDevice& device, EnergyTerm<AnyDevice>& term, const Terms<AnyDevice>& terms,
+  const Problem& problem, const PolicySweep& sweep, ExactDifferences& moved);
 
 /// Performs the first policy sweep of one term, without transmittance and without other terms.
 /// Leaves no values with the rays. `pulls`: see PolicySweep.

@@ -3,10 +3,10 @@
 
 #include "optimize/PreparedScene.h"
 
+#include "distributed/Neighbourhood.h"
 #include "energy/Despeckle.h"
 #include "energy/SceneSurvey.h"
 #include "math/Require.h"
-#include "optimize/Neighbourhood.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,10 +47,6 @@ double RayDensityOfScores(const Problem& problem)
 /// Returns the index in the grid of a node, from its index in the arrays.
 Index NumberOf(const SceneFields& scene, Index value)
 {
-  if (!scene.piece)
-  {
-    return value;
-  }
   const NodeBox& box = scene.piece->nodes;
   const Int3 size = box.Size();
   const Index i = box.along[0].begin + value % size.x;
@@ -59,22 +55,20 @@ Index NumberOf(const SceneFields& scene, Index value)
   return (k * scene.grid.nodes.y + j) * scene.grid.nodes.x + i;
 }
 
-Neighbourhood NeighbourhoodOf(const SceneFields& scene)
+/// Surveys this rank's subdomain. A part of the scene has no occupancy, which needs communication.
+SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* importance)
 {
-  return { *scene.piece->ranks, scene.grid, scene.piece->boxes, scene.piece->owned };
-}
-
-/// Surveys a subdomain except for its occupancy, which needs communication.
-SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const float* importance)
-{
-  const Neighbourhood around = NeighbourhoodOf(scene);
-  const NodeValues extinctions = around.Extended(scene.baseExtinction);
-  const NodeValues importances = around.Extended(importance);
+  const Neighbourhood around(*scene.piece, scene.grid);
+  const FieldInBox extinctions = around.Extended(scene.baseExtinction);
+  const FieldInBox importances = around.Extended(importance);
   SceneSurvey found;
   if (!around.Empty())
   {
     found = SurveyScene(around.Around(), extinctions.Data(), mostExtinction, importances.Data(), 1);
-    found.nodeImportance = around.Inside(found.nodeImportance.Data());
+    found.nodeImportance = around.Inside(std::move(found.nodeImportance));
+  }
+  if (!scene.piece->IsWhole())
+  {
     found.occupancy = nullptr;
   }
   return found;
@@ -83,27 +77,15 @@ SceneSurvey SurveyPiece(const SceneFields& scene, float mostExtinction, const fl
 /// Returns the despeckled importance, see Despeckle.
 NodeValues DespeckledImportance(const SceneFields& scene)
 {
-  if (!scene.piece)
-  {
-    NodeValues values(scene.grid.NodeCount());
-    Despeckle(scene.grid, scene.baseExtinction, scene.importance, values.Data());
-    return values;
-  }
-  const Neighbourhood around = NeighbourhoodOf(scene);
-  const NodeValues extinctions = around.Extended(scene.baseExtinction);
-  const NodeValues importances = around.Extended(scene.importance);
+  const Neighbourhood around(*scene.piece, scene.grid);
+  const FieldInBox extinctions = around.Extended(scene.baseExtinction);
+  const FieldInBox importances = around.Extended(scene.importance);
   NodeValues values(around.Around().NodeCount());
   if (!around.Empty())
   {
     Despeckle(around.Around(), extinctions.Data(), importances.Data(), values.Data());
   }
-  return around.Inside(values.Data());
-}
-
-SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* importance)
-{
-  return scene.piece ? SurveyPiece(scene, mostExtinction, importance)
-                     : SurveyScene(scene.grid, scene.baseExtinction, mostExtinction, importance, 1);
+  return around.Inside(std::move(values));
 }
 
 /// A field with its name and valid range, for checks.
@@ -165,10 +147,12 @@ void RequireView(
   RequireDistances(SourcesOf(camera, light, settings, grid), grid);
 }
 
-PreparedScene::PreparedScene(const SceneFields& scene)
-  : Fields(scene)
+PreparedScene::PreparedScene(const SceneFields& given)
+  : Fields(given)
 {
-  const Communicator* ranks = scene.piece ? scene.piece->ranks.get() : nullptr;
+  SceneFields& scene = this->Fields;
+  scene.piece = OrWhole(given.piece, given.grid);
+  const Communicator& ranks = *scene.piece->ranks;
   RequireOnAllRanks(ranks, [&] { RequireFields(scene); });
   const CheckedField extinction{ scene.baseExtinction, LargestValue, "base extinction",
     "finite and not negative" };
@@ -180,11 +164,8 @@ PreparedScene::PreparedScene(const SceneFields& scene)
       RequireRange(scene, extinction, found.extinction);
       RequireRange(scene, importance, found.importance);
     });
-  if (ranks)
-  {
-    found.extinction.largest = ranks->LargestOf(found.extinction.largest);
-    found.importance.largest = ranks->LargestOf(found.importance.largest);
-  }
+  found.extinction.largest = ranks.LargestOf(found.extinction.largest);
+  found.importance.largest = ranks.LargestOf(found.importance.largest);
   // Without any absorption there is nothing to optimise, whatever the transfer function allows.
   const float largest = found.extinction.largest;
   this->LargestExtinction = largest > 0 ? std::max(largest, scene.majorant) : 0.0f;
@@ -233,7 +214,7 @@ Problem PreparedScene::ProblemFor(
 {
   const SceneFields& scene = this->Fields;
   Important& important = this->ImportantFor(settings.importanceSmoothing);
-  if (!scene.piece && important.occupancy->Skips() != settings.skipUnneeded)
+  if (scene.piece->IsWhole() && important.occupancy->Skips() != settings.skipUnneeded)
   {
     important.occupancy = std::make_shared<const Occupancy>(
       scene.grid, scene.baseExtinction, important.ofNodes.Data(), settings.skipUnneeded);
@@ -245,7 +226,7 @@ Problem PreparedScene::ProblemFor(
   task.nodeImportance = important.ofNodes.Data();
   task.occupancy = important.occupancy;
   task.resident = important.resident;
-  task.piece = scene.piece;
+  task.piece = scene.piece->IsWhole() ? nullptr : scene.piece;
   task.majorant = this->LargestExtinction;
   task.sources = SourcesOf(camera, light, settings, scene.grid);
   task.settings = settings;
@@ -275,8 +256,8 @@ std::vector<PullWithReferences> PreparedScene::PullsFor(const CarriedChange& bef
       return;
     }
     CarriedExtinction near = AppliedTo(this->Fields, this->LargestExtinction, change);
-    const Communicator* ranks = this->Fields.piece ? this->Fields.piece->ranks.get() : nullptr;
-    if (AnyRank(ranks, !near.extinction.empty())) // a subdomain may be empty
+    // A subdomain may be empty.
+    if (this->Fields.piece->ranks->AnyOf(!near.extinction.empty()))
     {
       problem.TakeIntoBounds(near.extinction);
       problem.TakeIntoBounds(near.light);

@@ -35,11 +35,19 @@ class PreparedScene
 {
 public:
   /// Throws limpid::Error if the scene is invalid.
-  explicit PreparedScene(const SceneFields& scene);
+  explicit PreparedScene(const SceneFields& given);
 
   const Grid& Nodes() const { return this->Fields.grid; }
-  const SceneFields& Arrays() const { return this->Fields; }
+  const SceneFields& Arrays() const { return this->Fields; } ///< with a decomposition
+  const ScenePiece& Piece() const { return *this->Fields.piece; }
+  const Communicator& Ranks() const { return *this->Piece().ranks; }
   float Majorant() const { return this->LargestExtinction; } ///< Eq. (25) [1/length]
+
+  /// Returns settings adapted to distributed runs if this is one, see ForRanks.
+  Settings Adapted(const Settings& settings) const
+  {
+    return this->Piece().IsWhole() ? settings : ForRanks(settings);
+  }
 
   /// Whether any extinction can show something: the volume is not empty, and something is
   /// important.

@@ -41,14 +41,17 @@ void Problem::Use(const std::shared_ptr<DistributedFields>& fields)
 
 Slab Problem::OwnSlab() const
 {
-  return this->shared ? limpid::OwnSlab(*this->shared->ranks, this->grid.nodes)
-                      : Slab::Of(this->grid.nodes);
+  return limpid::OwnSlab(*this->Ranks(), this->grid.nodes);
+}
+
+const std::shared_ptr<const Communicator>& Problem::Ranks() const
+{
+  return this->shared ? this->shared->ranks : ThisProcess();
 }
 
 double Problem::SumOverRows(const std::function<double(int y, int z)>& ofRow) const
 {
-  const Communicator* ranks = this->shared ? this->shared->ranks.get() : nullptr;
-  return limpid::SumOverRows(this->OwnSlab(), ranks, ofRow);
+  return limpid::SumOverRows(this->OwnSlab(), *this->Ranks(), ofRow);
 }
 
 double Problem::SquaresFrom(const float* other, const float* extinction) const
@@ -171,20 +174,6 @@ NodeValues Problem::LeastExtinction() const
     [&](Index voxel)
     { values[voxel] = protect * this->importance[voxel] * this->baseExtinction[voxel]; });
   return least;
-}
-
-void Problem::CopyFilled(const float* from, float* to) const
-{
-  const Int3& nodes = this->grid.nodes;
-  ParallelFor(Index(nodes.y) * nodes.z, 16,
-    [&](Index row)
-    {
-      const auto y = static_cast<int>(row % nodes.y);
-      const auto z = static_cast<int>(row / nodes.y);
-      const Range<int> filled = this->occupancy->Row(0, y, z).filled;
-      const Index first = row * nodes.x + filled.begin;
-      std::copy_n(from + first, std::max(filled.Length(), 0), to + first);
-    });
 }
 
 double Problem::MeanChange(double changes) const

@@ -62,7 +62,7 @@ struct Problem
   const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
-  std::shared_ptr<const ScenePiece> piece;    ///< this rank's subdomain; null for one process
+  std::shared_ptr<const ScenePiece> piece;    ///< this rank's part of the scene; null if it is all
   std::shared_ptr<DistributedFields>
     shared;                        ///< fields of a distributed problem; null for one process
   float majorant = 0;              ///< upper bound of the extinction [1/length]
@@ -99,8 +99,10 @@ struct Problem
   /// Uses the fields of a distributed problem.
   void Use(const std::shared_ptr<DistributedFields>& fields);
 
-  /// Returns the slab in which this rank does work on voxels that needs no rays; all nodes for one
-  /// process.
+  /// The ranks that share its fields.
+  const std::shared_ptr<const Communicator>& Ranks() const;
+
+  /// Returns the slab in which this rank does work on voxels that needs no rays.
   Slab OwnSlab() const;
 
   /// Sums ofRow(y, z) over all rows of voxels, on all ranks, see SumOverRows.
@@ -143,9 +145,6 @@ struct Problem
   /// Returns the lower bound of the extinction, see ExtinctionBounds, in a distributed run for
   /// this rank's subdomain [1/length]; empty if it is 0.
   NodeValues LeastExtinction() const;
-
-  /// Copies an extinction where the scene is filled.
-  void CopyFilled(const float* from, float* to) const;
 
   /// Returns the mean change of voxels that may change [majorant], given the sum of all changes.
   double MeanChange(double changes) const;

@@ -4,8 +4,8 @@
 #include "optimize/Progressive.h"
 
 #include "backend/Backend.h"
+#include "distributed/FieldResampling.h"
 #include "math/Require.h"
-#include "optimize/Levels.h"
 #include "optimize/PassTime.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/PreviewPass.h"
@@ -20,20 +20,14 @@ namespace limpid
 {
 namespace
 {
-/// Restricts a field of a scene, distributed or not, to a coarser grid that every rank gets.
-std::vector<float> Restrict(const SceneFields& scene, const float* field, const Grid& grid)
+/// Restricts a field of a scene to a coarser grid that every rank gets.
+std::vector<float> Restrict(const PreparedScene& scene, const float* field, const Grid& grid)
 {
-  if (!scene.piece)
-  {
-    return Restrict(scene.grid, field, grid);
-  }
-  const ScenePiece& piece = *scene.piece;
-  return GatheredResampling(*piece.ranks, scene.grid,
-    FieldView::Part(const_cast<float*>(field), piece.nodes), piece.owned, grid);
+  return ResampledForAll(scene.Piece(), scene.Nodes(), field, grid);
 }
 
 std::vector<float> RestrictImportance(
-  const SceneFields& scene, const float* importance, const Grid& grid)
+  const PreparedScene& scene, const float* importance, const Grid& grid)
 {
   std::vector<float> coarse = Restrict(scene, importance, grid);
   // Rounding may make a mean of numbers up to 1 exceed 1.
@@ -54,12 +48,12 @@ struct CoarseScene
   std::vector<float> despeckled; ///< specks are identified at full resolution; empty if not needed
 
   CoarseScene(PreparedScene& fine, ImportanceSmoothing smoothing, const Grid& grid)
-    : base(Restrict(fine.Arrays(), fine.Arrays().baseExtinction, grid))
-    , importance(RestrictImportance(fine.Arrays(), fine.Arrays().importance, grid))
+    : base(Restrict(fine, fine.Arrays().baseExtinction, grid))
+    , importance(RestrictImportance(fine, fine.Arrays().importance, grid))
   {
     if (smoothing == ImportanceSmoothing::Median)
     {
-      this->despeckled = RestrictImportance(fine.Arrays(), fine.ImportanceFor(smoothing), grid);
+      this->despeckled = RestrictImportance(fine, fine.ImportanceFor(smoothing), grid);
     }
   }
 
@@ -94,8 +88,8 @@ enum class Shown
 struct Progressive::Internals
 {
   std::shared_ptr<PreparedScene> scene;
-  std::optional<Grid> pieceGrid; ///< grid of this rank's subdomain; empty if it has all
-  std::vector<Grid> grids;       ///< of previews, finest first; small enough for every rank
+  Grid pieceGrid;          ///< grid of this rank's subdomain
+  std::vector<Grid> grids; ///< of previews, finest first; small enough for every rank
   std::vector<Index> nodes;
   std::vector<PreviewLevel> levels;
   PassTime time;
@@ -119,15 +113,13 @@ struct Progressive::Internals
   bool keptForLight = false;        ///< whether `kept` has a separate extinction for the light
   std::optional<Scores> keptScores; ///< empty if not known yet
 
-  /// The communicator; null for one process.
-  const Communicator* Ranks() const
-  {
-    const ScenePiece* piece = this->scene->Arrays().piece.get();
-    return piece ? piece->ranks.get() : nullptr;
-  }
+  const Communicator& Ranks() const { return this->scene->Ranks(); }
+
+  /// Whether the arrays of the scene hold all nodes.
+  bool IsWhole() const { return this->scene->Piece().IsWhole(); }
 
   /// The current settings, adapted to distributed runs.
-  Settings Wanted() const { return this->Ranks() ? ForRanks(this->settings) : this->settings; }
+  Settings Wanted() const { return this->scene->Adapted(this->settings); }
 
   void PlaceGrids()
   {
@@ -136,7 +128,7 @@ struct Progressive::Internals
     const auto suits = [&](const Grid& grid, bool last)
     {
       return this->grids.empty()
-        ? last || !this->Ranks() || IsForAll(*this->Ranks(), grid, full)
+        ? last || IsForAll(this->Ranks(), grid, full)
         : this->grids.back().NodeCount() > 4096 && grid.nodes != this->grids.back().nodes;
     };
     for (const int factor : { 1, 2, 3, 4, 6, 8, 12, 16, 24, coarsest })
@@ -162,7 +154,7 @@ struct Progressive::Internals
     if (!wanted.preview || (wanted.fields && !wanted.fields->Has(smoothing)))
     {
       std::shared_ptr<PreparedScene> prepared = this->scene;
-      if (number > 0 || this->Ranks())
+      if (number > 0 || !this->IsWhole())
       {
         const Grid& grid = this->grids[number];
         wanted.fields = std::make_unique<CoarseScene>(*this->scene, smoothing, grid);
@@ -240,10 +232,7 @@ Progressive::Progressive(const SceneFields& scene, const Settings& settings)
   RequireSettings(settings);
   this->State->scene = std::make_shared<PreparedScene>(scene);
   this->State->settings = settings;
-  if (scene.piece)
-  {
-    this->State->pieceGrid = GridOf(*scene.piece, scene.grid);
-  }
+  this->State->pieceGrid = GridOf(this->State->scene->Piece(), scene.grid);
   this->State->PlaceGrids();
 }
 
@@ -257,9 +246,9 @@ void Progressive::GoOnFrom(const CarriedChange& change)
   LIMPID_EXPECT(state.shown == Shown::Nothing);
   CarriedExtinction carried = AppliedTo(state.scene->Arrays(), state.scene->Majorant(), change);
   // The subdomain of a rank may be empty.
-  if (AnyRank(state.Ranks(), !carried.extinction.empty()))
+  if (state.Ranks().AnyOf(!carried.extinction.empty()))
   {
-    state.keptForLight = AnyRank(state.Ranks(), !carried.light.empty());
+    state.keptForLight = state.Ranks().AnyOf(!carried.light.empty());
     state.kept = { { std::move(carried.extinction), std::move(carried.light) } };
     state.keptScores.reset();
     state.Show(Shown::Kept);
@@ -274,7 +263,7 @@ void Progressive::GoOnFrom(const CarriedChange& change)
 CarriedChange Progressive::Change() const
 {
   const Internals& state = *this->State;
-  const bool isForAll = state.Ranks() && state.shown == Shown::Preview;
+  const bool isForAll = !state.IsWhole() && state.shown == Shown::Preview;
   return isForAll ? OnPiece(this->FoundChange(), state.scene->Nodes(), state.scene->Arrays().piece)
                   : this->FoundChange();
 }
@@ -338,20 +327,20 @@ void Progressive::Preview(double seconds)
     return; // the shown result cannot be improved for the current view
   }
   const std::size_t level =
-    state.time.Choose(state.nodes, LargestOfRanks(state.Ranks(), seconds), state.level);
+    state.time.Choose(state.nodes, state.Ranks().LargestOf(float(seconds)), state.level);
   if (state.levelIsCurrent && level >= state.level)
   {
     return;
   }
   PreviewPass& preview = state.PreviewOn(level);
   CarriedChange previous = this->StaysNear() ? this->FoundChange() : CarriedChange();
-  if (previous.piece)
+  if (previous.piece && !previous.piece->IsWhole())
   {
     previous = ForAllRanks(std::move(previous), state.grids[level]);
   }
   const double taken = SecondsPerNodeOf(
     state.nodes[level], [&] { preview.Make(state.camera, state.light, state.Wanted(), previous); });
-  state.time.Learn(LargestOfRanks(state.Ranks(), taken));
+  state.time.Learn(state.Ranks().LargestOf(float(taken)));
   state.level = level;
   state.levelIsCurrent = true;
   state.Show(Shown::Preview);
@@ -404,13 +393,13 @@ bool Progressive::Settled() const
 const Grid& Progressive::ShownGrid() const
 {
   const Internals& state = *this->State;
-  return this->ShowsPiece() ? *state.pieceGrid : state.ShownScene().Nodes();
+  return this->ShowsPiece() ? state.pieceGrid : state.ShownScene().Nodes();
 }
 
 bool Progressive::ShowsPiece() const
 {
   const Internals& state = *this->State;
-  return state.pieceGrid && state.shown != Shown::Preview;
+  return !state.IsWhole() && state.shown != Shown::Preview;
 }
 
 const float* Progressive::BaseExtinction() const

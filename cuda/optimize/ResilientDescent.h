@@ -55,7 +55,7 @@ public:
     this->Device->ForIndices("resilient steps", this->Own.Count(),
       detail::FillWith{
         this->State.Data() + this->Own.Begin(), this->LengthOf(firstChange, firstDepth) });
-    this->Energy->FillGradient(extinction, this->Gradient);
+    this->Energy->Differentiate(extinction, this->Gradient.Data());
   }
 
   /// Performs the step from the last extinction to the next and returns its record. `smoothing`:
@@ -74,8 +74,8 @@ public:
     }
     StepAll(*this->Device, *this->Given, this->StepWith(next, smoothing), this->Gradient.Data(),
       *this->Energy);
-    this->Energy->ShareSlabs(next);
-    this->Energy->FillGradient(next, this->Gradient);
+    this->Energy->Distribution().Share(next, FieldDistribution::slabs);
+    this->Energy->Differentiate(next, this->Gradient.Data());
     this->Energy->TakeMoved(next, nullptr);
     return this->Energy->Record();
   }

@@ -72,17 +72,14 @@ struct Solver::Internals
     const Camera& eye, const Light& lamp, const Settings& wanted, const CarriedChange& before)
   {
     this->scene = this->prepared->Arrays();
-    if (this->Ranks())
-    {
-      RequireAlike(
-        *this->Ranks(), this->scene.grid, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
-    }
+    RequireAlike(
+      this->Ranks(), this->scene.grid, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
     this->pulls =
       this->prepared->PullsFor(before, this->prepared->ProblemFor(eye, lamp, wanted), eye, lamp);
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
-    this->backend.Choose(this->Ranks() ? ForRanks(wanted) : wanted, this->scene.grid);
+    this->backend.Choose(this->prepared->Adapted(wanted), this->scene.grid);
   }
 
   /// Starts the first run.
@@ -140,14 +137,7 @@ struct Solver::Internals
       this->Ranks(), [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
   }
 
-  /// The communicator; null for one process.
-  const Communicator* Ranks() const
-  {
-    return this->scene.piece ? this->scene.piece->ranks.get() : nullptr;
-  }
-
-  /// Whether the condition holds on any rank.
-  bool AnyRank(bool here) const { return limpid::AnyRank(this->Ranks(), here); }
+  const Communicator& Ranks() const { return this->prepared->Ranks(); }
 
   /// Performs the next iteration or ends the run.
   void Advance(const Progress& progress)
@@ -386,8 +376,9 @@ struct Solver::Internals
       const bool tells = this->KnowsScores() && (!this->Minimizes() || this->SamplesAsScores());
       this->best = tells ? std::optional<Score>(record.score) : std::nullopt;
     }
-    this->stopped = this->AnyRank(progress && !progress(this->Share(), this->Describe(record)));
-    const bool late = this->AnyRank(
+    this->stopped =
+      this->Ranks().AnyOf(progress && !progress(this->Share(), this->Describe(record)));
+    const bool late = this->Ranks().AnyOf(
       this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds);
     if (this->stopped || late || this->RunIsOver())
     {

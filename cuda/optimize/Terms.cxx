@@ -37,53 +37,34 @@ struct AbsoluteChange
     return std::abs(double(this->next[voxel]) - before);
   }
 };
-}
 
 template <class AnyDevice>
-Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& problem)
-  : Given(&problem)
-  , Device(std::move(device))
-  , Scene(ProblemFields<AnyDevice>::Of(this->Device, problem))
-  , Drawn(this->Device, problem, this->Scene->base.Data())
-  , Add(this->Device)
-  , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, problem.sources.size(), "sums"))
+std::deque<EnergyTerm<AnyDevice>> MakeTerms(
+  const std::shared_ptr<AnyDevice>& device, const Problem& problem)
 {
+  std::deque<EnergyTerm<AnyDevice>> terms;
   for (const TermSource& source : problem.sources)
   {
     if (problem.WeightOf(source) > 0)
     {
-      this->all.emplace_back(this->Device, problem, source, this->all.size());
+      terms.emplace_back(device, problem, source, terms.size());
     }
   }
-  if (problem.shared)
-  {
-    this->ShareFields();
-  }
+  return terms;
+}
 }
 
 template <class AnyDevice>
-void Terms<AnyDevice>::ShareFields()
+Terms<AnyDevice>::Terms(std::shared_ptr<AnyDevice> device, const Problem& problem)
+  : all(MakeTerms(device, problem))
+  , Given(&problem)
+  , Device(std::move(device))
+  , Scene(ProblemFields<AnyDevice>::Of(this->Device, problem))
+  , Drawn(this->Device, problem, this->Scene->base.Data())
+  , Shared(this->Device, problem, this->all)
+  , Add(this->Device)
+  , Found(DeviceArray<AnyDevice, TermSums>::Zeros(this->Device, problem.sources.size(), "sums"))
 {
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    DistributedFields& shared = *this->Given->shared;
-    std::vector<FieldDistribution::OfTerm> terms;
-    for (Term& term : this->all)
-    {
-      terms.push_back({ &term.Frusta(), &term.Rays() });
-    }
-    this->Shared = std::make_unique<const FieldDistribution>(*shared.ranks, this->Given->grid.nodes,
-      terms, *this->Given->occupancy, shared.inSlabs, shared.places);
-    std::vector<FieldDistribution::Input> inputs;
-    const auto add = [&inputs](DistributedFields::Field& field) {
-      inputs.push_back({ field.piece, field.values.Data() });
-    };
-    add(shared.base);
-    add(shared.importance);
-    add(shared.nodeImportance);
-    std::for_each(shared.references.begin(), shared.references.end(), add);
-    this->Shared->FromPieces(shared.pieces, inputs);
-  }
 }
 
 template <class AnyDevice>
@@ -165,88 +146,26 @@ IterationRecord Terms<AnyDevice>::Measure(const float* extinction)
 template <class AnyDevice>
 void Terms<AnyDevice>::Differentiate(const float* extinction, float* gradient)
 {
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    if (this->Shared)
-    {
-      this->Shared->FillNeeded(&this->all.front().Frusta(), 0.0f, gradient);
-    }
-  }
-  const Term* before = nullptr;
+  std::size_t place = this->all.front().Number();
+  this->Shared.SetZero(place, gradient);
   for (Term& term : this->all)
   {
-    this->Pass(gradient, before, &term);
+    this->Shared.Pass(gradient, std::exchange(place, term.Number()), term.Number());
     this->DifferentiateTerm(term, extinction, 1.0f, gradient);
-    before = &term;
   }
-  this->Pass(gradient, before, nullptr);
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::FillGradient(
-  const float* extinction, DeviceArray<AnyDevice, float>& gradient)
-{
-  if (!this->Shared)
-  {
-    gradient.SetZero();
-  }
-  this->Differentiate(extinction, gradient.Data());
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::Pass(float* derivative, const Term* from, const Term* to) const
-{
-  if (from)
-  {
-    this->Redistribute(derivative, from, to);
-  }
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::PassFromSlabs(float* field, const Term& to) const
-{
-  this->Redistribute(field, nullptr, &to);
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::Redistribute([[maybe_unused]] float* field,
-  [[maybe_unused]] const Term* from, [[maybe_unused]] const Term* to) const
-{
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    if (this->Shared)
-    {
-      this->Shared->Pass(field, from ? &from->Frusta() : FieldDistribution::slabs,
-        to ? &to->Frusta() : FieldDistribution::slabs);
-    }
-  }
+  this->Shared.Pass(gradient, place, FieldDistribution::slabs);
 }
 
 template <class AnyDevice>
 DeviceArray<AnyDevice, float> Terms<AnyDevice>::Everywhere(
   const std::vector<float>& extinction) const
 {
-  if (!this->Shared)
-  {
-    return { this->Device, extinction, "an iterate" };
-  }
   auto field = DeviceArray<AnyDevice, float>::Zeros(
     this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), "an iterate");
-  std::copy(extinction.begin(), extinction.end(), field.Data() + this->Given->OwnSlab().Begin());
-  this->ShareSlabs(field.Data());
+  this->Device->Upload(field.Data() + this->Given->OwnSlab().Begin(), extinction.data(),
+    extinction.size() * sizeof(float));
+  this->Shared.Share(field.Data(), FieldDistribution::slabs);
   return field;
-}
-
-template <class AnyDevice>
-void Terms<AnyDevice>::ShareSlabs([[maybe_unused]] float* extinction) const
-{
-  if constexpr (AnyDevice::readsHostMemory)
-  {
-    if (this->Shared)
-    {
-      this->Shared->Share(extinction, FieldDistribution::slabs);
-    }
-  }
 }
 
 template <class AnyDevice>
@@ -312,6 +231,23 @@ void Terms<AnyDevice>::TakeMoved(const float* extinction, const float* last)
 {
   this->Unsummed.extinction = extinction;
   this->Unsummed.last = last;
+}
+
+template <class AnyDevice>
+void Terms<AnyDevice>::TakeSwept(
+  Term& swept, Kept kept, [[maybe_unused]] ExactDifferences& moved, const float* last, float* next)
+{
+  this->Shared.Share(next, swept.Number());
+  if constexpr (AnyDevice::readsHostMemory)
+  {
+    moved.SumOver(*this->Given->Ranks());
+    *this->Moved() = moved.Values();
+  }
+  else
+  {
+    this->TakeMoved(next, last);
+  }
+  this->TakeSeen(swept, kept);
 }
 
 template <class AnyDevice>

@@ -4,7 +4,6 @@
 #ifndef limpid_optimize_Terms_h
 #define limpid_optimize_Terms_h
 
-#include "distributed/DistributedFields.h"
 #include "energy/VisibilityTerm.h"
 #include "optimize/Differences.h"
 #include "optimize/FieldDistribution.h"
@@ -33,7 +32,7 @@ public:
   EnergyTerm(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
     const TermSource& source, std::size_t number)
     : VisibilityTerm<AnyDevice>(device, problem.grid, *problem.occupancy, source.rays,
-        problem.settings.rayDensity, problem.shared ? problem.shared->ranks.get() : nullptr)
+        problem.settings.rayDensity, problem.shared ? problem.Ranks().get() : nullptr)
     , Source(&source)
     , Share(problem.WeightOf(source))
     , Position(number)
@@ -80,20 +79,9 @@ public:
   /// The fields of a term's sweep. Kept base extinction matters to scores only.
   TermFields FieldsOf(const Term& term, const float* extinction) const;
 
-  /// Adds the derivative of the weighted visibility terms, Eqs. (27) and (28), to `gradient`,
-  /// which must be zero except in distributed runs. Also measures the extinction for the next
-  /// record. In distributed runs the result is in the ranks' slabs.
+  /// Computes the derivative of the weighted visibility terms, Eqs. (27) and (28), in the ranks'
+  /// slabs. Also measures the extinction for the next record.
   void Differentiate(const float* extinction, float* gradient);
-
-  /// Like Differentiate, but overwrites `gradient`.
-  void FillGradient(const float* extinction, DeviceArray<AnyDevice, float>& gradient);
-
-  /// In distributed runs, redistributes the derivative from where term `from` was added to where
-  /// term `to` will be added. `from`: null if no term was added yet; `to`: null for the slabs.
-  void Pass(float* derivative, const Term* from, const Term* to) const;
-
-  /// In distributed runs, redistributes a field from the slabs to where a term is swept.
-  void PassFromSlabs(float* field, const Term& to) const;
 
   /// Computes `kept` times `gradient` plus the weighted derivative of one visibility term. Also
   /// measures the extinction for the next record. Only voxels that the term depends on are
@@ -109,6 +97,10 @@ public:
 
   /// Includes the last sweep of a term's rays in the next record.
   void TakeSeen(Term& term, Kept kept);
+
+  /// Includes the policy sweep of a term from `last` to `next`, and redistributes `next`. `moved`:
+  /// see SweepPolicy.
+  void TakeSwept(Term& swept, Kept kept, ExactDifferences& moved, const float* last, float* next);
 
   /// Includes the distances of an extinction from all references and, if not null, from `last`.
   void TakeMoved(const float* extinction, const float* last);
@@ -132,15 +124,11 @@ public:
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
-  /// The distribution of the fields among ranks; null for one process.
-  const FieldDistribution* OnRanks() const { return this->Shared.get(); }
+  /// The distribution of the fields among ranks.
+  const DistributionOn<AnyDevice>& Distribution() const { return this->Shared; }
 
-  /// Uploads an extinction to the device. In distributed runs, redistributes the ranks' slabs to
-  /// all that need them.
+  /// Uploads an extinction, given in the ranks' slabs, and redistributes it to all that need it.
   DeviceArray<AnyDevice, float> Everywhere(const std::vector<float>& extinction) const;
-
-  /// Redistributes values changed in the slabs to all ranks that need them.
-  void ShareSlabs(float* extinction) const;
 
   /// All pulls of the problem, with references on the device.
   const std::vector<Pull>& Pulls() const { return this->Drawn.All(); }
@@ -150,9 +138,6 @@ public:
   std::deque<Term> all; ///< those of cameras first, at fixed addresses
 
 private:
-  /// Redistributes a field between the places of two terms; null: the slabs.
-  void Redistribute(float* field, const Term* from, const Term* to) const;
-
   /// What the next record includes but was not summed yet.
   struct Taken
   {
@@ -177,9 +162,6 @@ private:
   /// Address of the sum over a term's rays, on the device.
   Seen* SumOf(const Term& term) { return &this->Found.Data()[term.Number()].seen; }
 
-  /// Redistributes the fields of a distributed problem.
-  void ShareFields();
-
   /// Computes the derivative of one visibility term.
   void DifferentiateOne(
     Term& term, const float* extinction, const GradientTarget& target, float* gradient);
@@ -188,7 +170,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   std::shared_ptr<ProblemFields<AnyDevice>> Scene;
   PullsOnDevice<AnyDevice> Drawn;
-  std::unique_ptr<const FieldDistribution> Shared; ///< on processors only
+  DistributionOn<AnyDevice> Shared;
   SumOnDevice<AnyDevice> Add;
   DeviceArray<AnyDevice, TermSums> Found;
   Taken Unsummed;

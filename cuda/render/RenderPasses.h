@@ -4,10 +4,9 @@
 #ifndef limpid_render_RenderPasses_h
 #define limpid_render_RenderPasses_h
 
-#include "distributed/ExchangePlan.h"
-#include "optimize/AxisFilter.h"
+#include "distributed/FieldResampling.h"
+#include "distributed/Neighbourhood.h"
 #include "optimize/DistributedMinimizer.h"
-#include "optimize/Levels.h"
 #include "render/ArrivingLight.h"
 #include "render/Bricks.h"
 #include "render/ExtinctionOverlay.h"
@@ -138,11 +137,8 @@ public:
     Field base = this->Classified(this->Functions.Majorant());
     if (nodes.ofAll)
     {
-      const ScenePiece& piece = *this->Piece;
-      base = Field(this->Device,
-        GatheredResampling(
-          *piece.ranks, this->Whole, FieldView::Part(base.Data(), piece.nodes), piece.owned, grid),
-        what);
+      base =
+        Field(this->Device, ResampledForAll(*this->Piece, this->Whole, base.Data(), grid), what);
     }
     else if (grid.nodes != this->Nodes.nodes)
     {
@@ -382,10 +378,8 @@ private:
       const ScenePiece& piece = *this->Piece;
       body.nodes = this->Whole.nodes;
       const std::vector<NodeBox> wanted = WithGhosts(piece.boxes, body.LayersRead(), body.nodes);
-      const auto bring = [&](const float* field)
-      { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
-      const NodeValues casts = bring(opaque);
-      const NodeValues lit = bring(transmittance);
+      const FieldInBox casts = FieldIn(piece, wanted, opaque);
+      const FieldInBox lit = FieldIn(piece, wanted, transmittance);
       body.Within(wanted[std::size_t(piece.ranks->Rank())], piece.nodes);
       this->FindArrivingFrom(body, nodes, casts.Data(), lit.Data());
       return;

@@ -6,9 +6,9 @@
 #include "backend/ComputeBackend.h"
 #include "energy/TransmittanceSweep.h"
 #include "math/Require.h"
-#include "optimize/Levels.h"
 #include "render/RayScene.h"
 #include "render/RenderBackend.h"
+#include "scene/Resampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 
 #include "scene/FieldView.h"
 
+#include "backend/Backend.h"
+
 namespace limpid
 {
 std::vector<Region> RegionsOf(const std::vector<NodeBox>& boxes)
@@ -30,38 +32,71 @@ Region Intersection(const Region& region, const NodeBox& box)
   return inside;
 }
 
+namespace
+{
+/// Calls what(part) in parallel for the slices of a box along its last axis.
+template <class What>
+void ForSlicesOf(const NodeBox& box, const What& what)
+{
+  constexpr Index nodesPerTask = 65536;
+  const Index slices = box.Empty() ? 0 : box.along[2].Length();
+  const Index nodes = slices > 0 ? box.Count() / slices : 1;
+  ParallelFor(slices, std::max<Index>(nodesPerTask / nodes, 1),
+    [&](Index slice)
+    {
+      NodeBox part = box;
+      part.along[2].begin += static_cast<int>(slice);
+      part.along[2].end = part.along[2].begin + 1;
+      what(part);
+    });
+}
+}
+
 void FillNodes(const NodeBox& box, float value, const FieldView& field)
 {
-  ForRowsOf(box, nullptr,
-    [&](const Int3& first, int count)
+  ForSlicesOf(box,
+    [&](const NodeBox& slice)
     {
-      const RowInField here(field, first);
-      for (int i = 0; i < count; ++i)
-      {
-        here.first[i * here.stride] = value;
-      }
+      ForRowsOf(slice, nullptr,
+        [&](const Int3& first, int count)
+        {
+          const RowInField here(field, first);
+          if (here.stride == 1)
+          {
+            std::fill_n(here.first, count, value);
+            return;
+          }
+          for (int i = 0; i < count; ++i)
+          {
+            here.first[i * here.stride] = value;
+          }
+        });
     });
 }
 
 void CopyNodes(
   const NodeBox& box, const FieldView& from, const FieldView& to, const Occupancy* filled, int axis)
 {
-  ForRowsOf(
-    box, filled,
-    [&](const Int3& first, int count)
+  ForSlicesOf(box,
+    [&](const NodeBox& slice)
     {
-      const RowInField there(to, first, axis);
-      const RowInField here(from, first, axis);
-      if (there.stride == 1)
-      {
-        here.CopyTo(there.first, count);
-        return;
-      }
-      for (int i = 0; i < count; ++i)
-      {
-        there.first[i * there.stride] = here.first[i * here.stride];
-      }
-    },
-    axis);
+      ForRowsOf(
+        slice, filled,
+        [&](const Int3& first, int count)
+        {
+          const RowInField there(to, first, axis);
+          const RowInField here(from, first, axis);
+          if (there.stride == 1)
+          {
+            here.CopyTo(there.first, count);
+            return;
+          }
+          for (int i = 0; i < count; ++i)
+          {
+            there.first[i * there.stride] = here.first[i * here.stride];
+          }
+        },
+        axis);
+    });
 }
 }

@@ -67,7 +67,7 @@ namespace
 SearchProgress JointProgress(const ViewScore& score, const SearchProgress& progress)
 {
   return [&score, progress](double share)
-  { return !AnyRank(score.Ranks(), progress && !progress(share)); };
+  { return !score.Ranks().AnyOf(progress && !progress(share)); };
 }
 
 /// In distributed runs, scores one view after the other.
@@ -92,7 +92,7 @@ std::vector<ScoredView> ScoreViewsTogether(const ViewScore& score, const Orbit& 
 std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress)
 {
-  if (score.Ranks())
+  if (!score.Ranks().IsAlone())
   {
     return ScoreViewsTogether(score, orbit, directions, JointProgress(score, progress));
   }

@@ -170,13 +170,8 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
 }
 
 /// Returns the occupancy of the visible structures in the whole grid.
-Occupancy OccupancyOf(const Grid& grid, const ViewedFields& viewed)
+Occupancy OccupancyOf(const Grid& grid, const ScenePiece& piece, const ViewedFields& viewed)
 {
-  if (!viewed.piece)
-  {
-    return { grid, viewed.extinction, viewed.importance, true };
-  }
-  const ScenePiece& piece = *viewed.piece;
   const auto view = [&piece](const float* field)
   { return FieldView::Part(const_cast<float*>(field), piece.nodes); };
   return OccupancyOnRanks(*piece.ranks, grid, piece.owned[std::size_t(piece.ranks->Rank())],
@@ -197,8 +192,9 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
 
 ViewFields::ViewFields(const Grid& grid, const ViewedFields& viewed)
 {
-  const IndexBox box = FilledBox(grid, OccupancyOf(grid, viewed));
-  const auto make = viewed.piece ? Share : Copy;
+  const auto piece = OrWhole(viewed.piece, grid);
+  const IndexBox box = FilledBox(grid, OccupancyOf(grid, *piece, viewed));
+  const auto make = piece->IsWhole() ? Copy : Share;
   this->Straight = make(grid, viewed, box, Axes::Straight);
   this->Exchanged = make(grid, viewed, box, Axes::Exchanged);
 }

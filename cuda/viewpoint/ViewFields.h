@@ -21,7 +21,7 @@ struct ViewedFields
   const float* extinction;     ///< >= 0 [1/length]
   const float* importance;     ///< [0, 1]
   const float* base = nullptr; ///< base extinction [1/length]; null if `extinction` is the base
-  std::shared_ptr<const ScenePiece> piece = nullptr; ///< subdomain; null for one process
+  std::shared_ptr<const ScenePiece> piece = nullptr; ///< subdomain; null: all nodes
 
   /// Whether every ray chooses its own extinction between `least` and `extinction`, see
   /// CeilingKernel.
@@ -39,7 +39,7 @@ struct SweptFields
   std::vector<float> base;
   std::vector<float> least;
   std::unique_ptr<const Occupancy> occupancy; ///< null if nothing can be seen
-  std::unique_ptr<const FieldLayout> home; ///< the distribution among ranks; null for one process
+  std::unique_ptr<const FieldLayout> home;    ///< the distribution among ranks; null: copies
 };
 
 /**

@@ -4,10 +4,9 @@
 #include "viewpoint/ViewScore.h"
 
 #include "backend/ComputeBackend.h"
-#include "distributed/ExchangePlan.h"
+#include "distributed/Neighbourhood.h"
 #include "distributed/Slab.h"
 #include "energy/NodeImportance.h"
-#include "scene/FieldView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,33 +35,27 @@ namespace
 double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
 {
   const float* base = viewed.base ? viewed.base : viewed.extinction;
-  if (!viewed.piece)
-  {
-    return ImportantExtinction(grid, base, viewed.importance);
-  }
-  const ScenePiece& piece = *viewed.piece;
-  const std::vector<NodeBox> slabs = EvenSlabs(*piece.ranks, grid.nodes);
-  const auto rank = std::size_t(piece.ranks->Rank());
+  const auto piece = OrWhole(viewed.piece, grid);
+  const std::vector<NodeBox> slabs = EvenSlabs(*piece->ranks, grid.nodes);
+  const auto rank = std::size_t(piece->ranks->Rank());
   const NodeBox own = slabs[rank];
   const std::vector<NodeBox> wanted = WithGhosts(slabs, 1, grid.nodes);
-  const auto bring = [&](const float* field)
-  { return FieldIn(*piece.ranks, piece.nodes, piece.owned, wanted, field); };
-  const NodeValues bases = bring(base);
-  const NodeValues importances = bring(viewed.importance);
+  const FieldInBox bases = FieldIn(*piece, wanted, base);
+  const FieldInBox importances = FieldIn(*piece, wanted, viewed.importance);
   std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z), 0.0);
   if (!own.Empty())
   {
     FillRowsOfImportantExtinction(
       grid, wanted[rank].along[2], own.along[2], bases.Data(), importances.Data(), rows.data());
   }
-  piece.ranks->Gather(rows.data(), rows.size());
+  piece->ranks->Gather(rows.data(), rows.size());
   return SumOfRows(grid, rows);
 }
 }
 
 ViewScore::ViewScore(
   const Grid& grid, const ViewedFields& viewed, double rayDensity, BackendKind backend)
-  : All(viewed.piece ? viewed.piece->ranks : nullptr)
+  : All(OrWhole(viewed.piece, grid)->ranks)
   , Fields(std::make_unique<ViewFields>(grid, viewed))
   , RayDensity(DensityOf(this->Fields->Nodes(), rayDensity))
   , Important(ImportantExtinctionOf(grid, viewed))
@@ -72,7 +65,7 @@ ViewScore::ViewScore(
   const std::size_t fields = (viewed.base ? 3 : 2) + (viewed.least ? 1 : 0);
   const BackendChoice choice =
     ChooseBackend(backend, { nodes, 2 * fields * sizeof(float) * static_cast<std::size_t>(nodes) });
-  this->Name = NameOnRanks(choice.name, this->All.get());
+  this->Name = NameOnRanks(choice.name, *this->All);
   this->Sweep = BackendOf(choice.cuda).MakeScoreSweep(*this->Fields);
 }
 

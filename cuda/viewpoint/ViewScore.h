@@ -43,8 +43,7 @@ public:
   /// Describes the backend for the user.
   const std::string& BackendName() const { return this->Name; }
 
-  /// The communicator of a distributed run; null for one process.
-  const Communicator* Ranks() const { return this->All.get(); }
+  const Communicator& Ranks() const { return *this->All; }
 
   /// Thread-safe, except in distributed runs.
   Score At(const Camera& camera) const;

@@ -4,8 +4,9 @@
 #include "Errors.h"
 #include "PeakMemory.h"
 
+#include "Resampled.h"
 #include "backend/Backend.h"
-#include "optimize/Levels.h"
+#include "scene/Resampling.h"
 
 #include <iomanip>
 #include <numeric>
@@ -122,8 +123,8 @@ SceneForSolver Coarse(const SceneForSolver& scene, int coarsening)
   coarse.camera = scene.camera;
   coarse.light = scene.light;
   coarse.grid = CoarseGrid(scene.grid, coarsening);
-  coarse.extinction = Restrict(scene.grid, scene.extinction.data(), coarse.grid);
-  coarse.importance = Restrict(scene.grid, scene.importance.data(), coarse.grid);
+  coarse.extinction = Resampled(scene.grid, scene.extinction.data(), coarse.grid);
+  coarse.importance = Resampled(scene.grid, scene.importance.data(), coarse.grid);
   for (float& value : coarse.importance)
   {
     value = std::min(value, 1.0f); // a mean of ones may round up

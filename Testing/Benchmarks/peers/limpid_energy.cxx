@@ -87,10 +87,10 @@ public:
     const auto weight = static_cast<float>(this->Task.RegularizationWeight());
     float* gradient = this->Gradient.data();
     const Watch watch;
+    this->Both->Differentiate(this->Extinction.data(), gradient);
     ParallelFor(this->Scene.grid.NodeCount(), 65536,
       [&](Index node)
-      { gradient[node] = weight * (this->Extinction[node] - this->Task.baseExtinction[node]); });
-    this->Both->Differentiate(this->Extinction.data(), gradient);
+      { gradient[node] += weight * (this->Extinction[node] - this->Task.baseExtinction[node]); });
     this->Both->TakeMoved(this->Extinction.data(), nullptr);
     return Answer(this->Both->Record().energy, watch);
   }

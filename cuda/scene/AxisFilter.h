@@ -3,8 +3,8 @@
 
 // Resampling of fields to coarser or finer grids over the same box, axis by axis, on any device.
 
-#ifndef limpid_optimize_AxisFilter_h
-#define limpid_optimize_AxisFilter_h
+#ifndef limpid_scene_AxisFilter_h
+#define limpid_scene_AxisFilter_h
 
 #include "backend/DeviceArray.h"
 #include "backend/Simd.h"
@@ -83,7 +83,7 @@ struct FilteredNode
   }
 };
 
-/// Restricts or prolongs a field (Levels.h) on a device that holds both fields. Asynchronous.
+/// Restricts or prolongs a field (Resampling.h) on a device that holds both fields. Asynchronous.
 template <class AnyDevice>
 void Resample(const std::shared_ptr<AnyDevice>& device, const GridFilter& filter,
   const float* field, float* result)

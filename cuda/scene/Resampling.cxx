@@ -1,37 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "optimize/Levels.h"
+#include "scene/Resampling.h"
 
 #include "backend/HostDevice.h"
-#include "distributed/ExchangePlan.h"
-#include "distributed/Slab.h"
-#include "optimize/AxisFilter.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace limpid
 {
-namespace
-{
-NodeBox SourcesOf(const GridFilter& filter, const NodeBox& box)
-{
-  return box.Empty() ? NodeBox() : filter.SourcesOf(box);
-}
-
-/// `field`: holds only the source nodes of the box.
-std::vector<float> Resampled(const GridFilter& filter, const float* field, const NodeBox& box)
-{
-  std::vector<float> result(std::size_t(box.Count()));
-  if (!result.empty())
-  {
-    Resample(HostDevice::Shared(), filter.PartOf(box), field, result.data());
-  }
-  return result;
-}
-}
-
 AxisFilter::AxisFilter(int from, int to)
   : begin{ 0 }
 {
@@ -105,6 +83,10 @@ GridFilter::GridFilter(const Int3& fromNodes, const Int3& toNodes)
 
 NodeBox GridFilter::SourcesOf(const NodeBox& nodes) const
 {
+  if (nodes.Empty())
+  {
+    return {};
+  }
   NodeBox sources = nodes;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -145,61 +127,13 @@ Grid CoarseGrid(const Grid& grid, int factor)
   return coarse;
 }
 
-std::vector<float> Resampled(const Grid& from, const float* field, const Grid& to)
+std::vector<float> ResampledBox(const GridFilter& filter, const float* field, const NodeBox& box)
 {
-  std::vector<float> values(static_cast<std::size_t>(to.NodeCount()));
-  Resample(HostDevice::Shared(), from, field, to, values.data());
-  return values;
-}
-
-std::vector<float> ResampledBox(const Communicator& ranks, const Grid& from, const FieldView& field,
-  const std::vector<NodeBox>& had, const Grid& to, const std::vector<NodeBox>& wanted)
-{
-  const GridFilter filter(from.nodes, to.nodes);
-  std::vector<NodeBox> needed;
-  needed.reserve(wanted.size());
-  for (const NodeBox& box : wanted)
+  std::vector<float> values(std::size_t(box.Count()));
+  if (!values.empty())
   {
-    needed.push_back(SourcesOf(filter, box));
+    Resample(HostDevice::Shared(), filter.PartOf(box), field, values.data());
   }
-  const auto own = std::size_t(ranks.Rank());
-  std::vector<float> values(std::size_t(needed[own].Count()));
-  Spread(
-    ranks, field, RegionsOf(had), FieldView::Part(values.data(), needed[own]), RegionsOf(needed));
-  return Resampled(filter, values.data(), wanted[own]);
-}
-
-std::vector<float> GatheredResampling(const Communicator& ranks, const Grid& from,
-  const FieldView& field, const std::vector<NodeBox>& had, const Grid& to)
-{
-  const std::vector<NodeBox> slabs = EvenSlabs(ranks, to.nodes);
-  std::vector<float> own = ResampledBox(ranks, from, field, had, to, slabs);
-  std::vector<float> all(std::size_t(to.NodeCount()));
-  Spread(ranks, FieldView::Part(own.data(), slabs[std::size_t(ranks.Rank())]), RegionsOf(slabs),
-    FieldView::Whole(all.data(), to.nodes),
-    std::vector<Region>(slabs.size(), { NodeBox::Of(to.nodes) }));
-  return all;
-}
-
-std::vector<float> ResampledBox(
-  const Grid& from, const float* field, const Grid& to, const NodeBox& wanted)
-{
-  const GridFilter filter(from.nodes, to.nodes);
-  const NodeBox sources = SourcesOf(filter, wanted);
-  std::vector<float> values(std::size_t(sources.Count()));
-  CopyNodes(sources, FieldView::Whole(const_cast<float*>(field), from.nodes),
-    FieldView::Part(values.data(), sources));
-  return Resampled(filter, values.data(), wanted);
-}
-
-bool IsForAll(const Communicator& ranks, const Grid& grid, const Grid& full)
-{
-  constexpr Index few = 1 << 18; // grids this small may always be held completely
-  return grid.NodeCount() <= std::max(full.NodeCount() / (4 * Index(ranks.Size())), few);
-}
-
-std::vector<float> Restrict(const Grid& fine, const float* field, const Grid& coarse)
-{
-  return Resampled(fine, field, coarse);
+  return values;
 }
 }
