@@ -10,7 +10,7 @@
 # gallery; any other folder leaves the gallery alone). OPTIONs are those of make.py. Builds nothing,
 # but says what is missing; scenes that are absent are named and left out, the phantom is always
 # there. Takes 14 minutes on two cores. --only table_methods, S of all methods from all sides, takes
-# another 16 minutes and is made only if it is named. The captions say how long each took.
+# another 20 minutes and is made only if it is named. The captions say how long each took.
 
 set -euo pipefail
 
