@@ -17,7 +17,7 @@ from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
 from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
                     function_of, image_of, in_order, memory_limited_to, phantom, rounded_rotation,
-                    values, with_input)
+                    starting_importance, values, with_input)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -514,13 +514,6 @@ class TestValuesThatCannotBeUsed(OptimizerTest):
         np.testing.assert_array_equal(values(output, "Importance")[:200], 0)
         np.testing.assert_array_equal(values(output, "BaseExtinction")[:200], 0)
         self.assertIsNotNone(output.GetPointGhostArray())
-
-
-def starting_importance(scalars):
-    """What the display takes for important: the largest few per cent, in a ramp."""
-    ordered = np.sort(scalars.astype(float), axis=None)
-    ends = [ordered[int(share * (ordered.size - 1))] for share in (0.95, 0.99)]
-    return np.interp(scalars, ends, (0, 1))
 
 
 class TestImportanceNotGiven(OptimizerTest):

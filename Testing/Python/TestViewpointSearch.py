@@ -13,8 +13,8 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
 from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
-                    function_of, image_of, memory_limited_to, phantom, rounded_rotation, values,
-                    with_input)
+                    function_of, image_of, memory_limited_to, phantom, rounded_rotation,
+                    starting_importance, values, with_input)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -404,6 +404,40 @@ class TestScores(SearchTest):
                                         ImportanceFunction=half).GetOutput(), "VisibilityScore")
 
         np.testing.assert_allclose(mapped, 0.5 * whole, rtol=1e-6)
+
+
+class TestImportanceNotGiven(SearchTest):
+    """The largest scalars are important, as in the display."""
+
+    def searched(self, field_, **importance):
+        scalars = hidden_blob((1, 0, 0), points=14)
+        image = image_on(14, density=values(scalars, "BaseExtinction"), **importance)
+        image.GetPointData().SetActiveScalars("density")
+        result = self.run_filter(image, Field=field_, NumberOfDirections=12,
+                                 ExtinctionSource=vtkViewpointSearch.OPACITY_FUNCTION,
+                                 ScalarOpacityFunction=function_of((0, 0), (80, 0.3)))
+        return values(result.GetOutput(), "VisibilityScore"), result.messages["WarningEvent"]
+
+    def test_the_largest_scalars_are_important(self):
+        density = values(hidden_blob((1, 0, 0), points=14), "BaseExtinction")
+        for field_ in (PROXY, BASE, ATTAINABLE):
+            with self.subTest(field=field_):
+                expected, told = self.searched(field_, Importance=starting_importance(density))
+                self.assertEqual(told, [])
+                self.assertGreater(expected.min(), 0)
+                scores, told = self.searched(field_)
+                np.testing.assert_allclose(scores, expected, rtol=1e-5)
+                self.assertEqual(len(told), 1)
+                self.assertIn("No importance is set", told[0])
+
+    def test_scalars_that_are_all_alike_say_nothing(self):
+        image = image_on(8, density=np.ones(512), BaseExtinction=np.ones(512))
+        image.GetPointData().SetActiveScalars("density")
+        self.assert_refuses("No importance is set", "all scalars are equal", filter_=search(image))
+
+    def test_without_scalars_the_array_is_missing(self):
+        image = image_on(8, BaseExtinction=np.ones(512))
+        self.assert_refuses('"Importance" is not among', filter_=search(image))
 
 
 class TestViewpoints(SearchTest):

@@ -76,6 +76,13 @@ def blocks_of(*images):
     return blocks
 
 
+def starting_importance(scalars):
+    """What the display takes for important: the largest few per cent, in a ramp."""
+    ordered = np.sort(scalars.astype(float), axis=None)
+    ends = [ordered[int(share * (ordered.size - 1))] for share in (0.95, 0.99)]
+    return np.interp(scalars, ends, (0, 1))
+
+
 class PartOf(VTKPythonAlgorithmBase):
     """Announces an image and gives a part of it."""
 
