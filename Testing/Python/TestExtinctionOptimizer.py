@@ -15,9 +15,9 @@ from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPiecewiseFunction, v
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
-                    function_of, image_of, in_order, memory_limited_to, phantom, rounded_rotation,
-                    starting_importance, values, with_input)
+from images import (FILL_VALUES, FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on,
+                    flipped, function_of, image_of, image_with_fill, in_order, memory_limited_to,
+                    phantom, rounded_rotation, starting_importance, values, with_input)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -514,6 +514,34 @@ class TestValuesThatCannotBeUsed(OptimizerTest):
         np.testing.assert_array_equal(values(output, "Importance")[:200], 0)
         np.testing.assert_array_equal(values(output, "BaseExtinction")[:200], 0)
         self.assertIsNotNone(output.GetPointGhostArray())
+
+
+class TestFillValues(OptimizerTest):
+    """Importance and extinction are made of an array with huge values where there is none."""
+
+    def optimized(self, fill):
+        image, functions = image_with_fill(fill)
+        result = optimizer(image, ExtinctionSource=vtkExtinctionOptimizer.OPACITY_FUNCTION,
+                           **functions)
+        for index in (0, 1):
+            result.SetInputArrayToProcess(index, 0, 0, POINTS, "density")
+        result.Update()
+        self.assertEqual(result.messages, {"ErrorEvent": [], "WarningEvent": []})
+        return result.GetOutput()
+
+    def test_change_nothing(self):
+        expected = self.optimized(0.0)
+        self.assertGreater(number(expected, "VisibilityScore"),
+                           1.1 * number(expected, "BaseVisibilityScore"))
+        for fill in FILL_VALUES:
+            with self.subTest(fill=fill):
+                output = self.optimized(fill)
+                for name in ("VisibilityScore", "BaseVisibilityScore", "Energy"):
+                    self.assertAlmostEqual(number(output, name) / number(expected, name), 1,
+                                           delta=1e-5, msg=name)
+                for name in RESULTS:
+                    np.testing.assert_allclose(values(output, name), values(expected, name),
+                                               atol=1e-5 * values(expected, name).max())
 
 
 class TestImportanceNotGiven(OptimizerTest):

@@ -12,9 +12,9 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
-from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
-                    function_of, image_of, memory_limited_to, phantom, rounded_rotation,
-                    starting_importance, values, with_input)
+from images import (FILL_VALUES, FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on,
+                    flipped, function_of, image_of, image_with_fill, memory_limited_to, phantom,
+                    rounded_rotation, starting_importance, values, with_input)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -438,6 +438,26 @@ class TestImportanceNotGiven(SearchTest):
     def test_without_scalars_the_array_is_missing(self):
         image = image_on(8, BaseExtinction=np.ones(512))
         self.assert_refuses('"Importance" is not among', filter_=search(image))
+
+
+class TestFillValues(SearchTest):
+    def scores(self, fill, field_):
+        image, functions = image_with_fill(fill)
+        result = search(image, Field=field_, NumberOfDirections=12, Refine=0,
+                        ExtinctionSource=vtkViewpointSearch.OPACITY_FUNCTION, **functions)
+        for index in (0, 1):
+            result.SetInputArrayToProcess(index, 0, 0, 0, "density")
+        result.Update()
+        self.assertEqual(result.messages, {"ErrorEvent": [], "WarningEvent": []})
+        return values(result.GetOutput(), "VisibilityScore")
+
+    def test_change_no_score(self):
+        for field_ in (PROXY, BASE, ATTAINABLE):
+            expected = self.scores(0.0, field_)
+            self.assertGreater(expected.min(), 0)
+            for fill in FILL_VALUES:
+                with self.subTest(field=field_, fill=fill):
+                    np.testing.assert_allclose(self.scores(fill, field_), expected, rtol=1e-5)
 
 
 class TestViewpoints(SearchTest):
