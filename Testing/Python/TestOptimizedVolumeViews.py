@@ -206,6 +206,27 @@ if time == 1:
         self.assertEqual(results[1], (0, 0, 0))
         self.assertEqual(results[2], results[0])
 
+    def test_a_time_step_without_the_importance_array_is_an_error_that_names_it(self):
+        changing = phantom_in_two_steps("""
+if time == 1:
+    output.VTKObject.GetPointData().RemoveArray('Importance')
+""")
+        display = displays.show(changing, self.view)
+        display.ImportanceArray = ["POINTS", "Importance"]
+        results, messages = [], []
+        for time in (0, 1, 0):
+            self.view.ViewTime = time
+            simple.Render(self.view)
+            results.append((display.VisibleFraction, display.VisibilityScore))
+            messages.append(display.Messages)
+
+        self.assertEqual([messages[0], messages[2]], ["", ""])
+        self.assertEqual(messages[1].count('The importance array "Importance" is not among'), 1,
+                         messages[1])
+        self.assertEqual(results[1], (0, 0))
+        self.assertGreater(min(results[0]), 0)
+        self.assertEqual(results[2], results[0])
+
     # Picking
 
     def test_is_picked_where_it_is_seen(self):
