@@ -857,6 +857,16 @@ class TestPlaceInTheWorld(OptimizerTest):
             self.assertEqual(output.GetDirectionMatrix().GetElement(0, 1),
                              rounded_rotation(digits)[0, 1])
 
+    def test_a_shear_as_small_as_rounding_may_be_is_none(self):
+        exact = self.run_filter(phantom())
+        for shear in (0.001, 0.0017):
+            image = phantom()
+            image.SetDirectionMatrix(1, shear, 0, 0, 1, 0, 0, 0, 1)
+            output = self.run_filter(image)
+            # Turned by half of the shear, which moves nodes by as much in radii, see above.
+            self.assertLess(abs(number(output, "VisibilityScore") /
+                                number(exact, "VisibilityScore") - 1), 10 * shear / 2)
+
     def test_with_a_negative_spacing(self):
         image = phantom()
         reference = self.run_filter(image)
