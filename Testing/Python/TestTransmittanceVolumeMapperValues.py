@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import VTK_SCALAR_MODE_USE_CELL_DATA
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
+from images import FILL_VALUES, image_with_fill
 from mapper_tests import MapperTest, show
 from volume_views import colors_of, image_of, opacity_of, property_of
 
@@ -49,12 +50,14 @@ class TestFillValues(MapperTest):
         importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
         functions = property_of(colors_of((0, 0.2, 0.3, 0.9), (50, 0.9, 0.2, 0.1)),
                                 opacity_of((0, 0), (50, 0.5)), 1)
-        for fills in ((1e20, 9.96921e36, 1e37, 1e200, 1.7e308), (-1e20, -1e38, -1e200, -1.7e308)):
+        largest = float(np.finfo(np.float32).max)
+        for fills in ((1e20, 9.96921e36, 1e37, largest, 1e200, 1.7e308),
+                      (-1e20, -1e38, -largest, -1e200, -1.7e308)):
             scores, pictures = [], []
             for fill in fills:
                 scalars = 50 * blob()
                 scalars[:3] = fill  # no values below the ground
-                scalars = scalars if abs(fill) > 1e37 else scalars.astype(np.float32)
+                scalars = scalars if abs(fill) > largest else scalars.astype(np.float32)
                 view, mapper = scored(scalars, functions, importance)
                 pictures.append(view.picture())
                 scores.append(mapper.GetVisibilityScore())
@@ -63,6 +66,23 @@ class TestFillValues(MapperTest):
             np.testing.assert_allclose(scores, scores[0], rtol=1e-4)
             for picture in pictures:
                 np.testing.assert_allclose(picture, pictures[0], atol=1.5)
+
+    def test_that_are_empty_are_not_important_either(self):
+        expected = None
+        for fill in (0.0, *FILL_VALUES):
+            image, functions = image_with_fill(fill)
+            view, mapper = show(image, property_of(
+                colors_of((0, 0.2, 0.3, 0.9), (50, 0.9, 0.2, 0.1)),
+                functions["ScalarOpacityFunction"], functions["ScalarOpacityUnitDistance"]),
+                ImportanceArray="density", UseImportanceFunction=1,
+                ImportanceFunction=functions["ImportanceFunction"])
+            self.frames_to_the_end(view, mapper)
+            scores = mapper.GetBaseVisibilityScore(), mapper.GetVisibilityScore()
+            expected = expected or scores
+            with self.subTest(fill=fill):
+                self.assertGreater(scores[1], scores[0])
+                np.testing.assert_allclose(scores, expected, rtol=1e-3)
+                self.assert_fine(view)
 
     def test_leave_functions_of_huge_values_their_meaning(self):
         importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
