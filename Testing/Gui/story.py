@@ -20,6 +20,7 @@ import traceback
 import pictures
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from paraview.vtk.vtkCommonCore import vtkOutputWindow
 from paraview.vtk.vtkRenderingCore import vtkWindowToImageFilter
 
 ENDED = "The story ended well."
@@ -29,6 +30,18 @@ _report = open("report.txt", "w", encoding="utf-8")
 _begin = time.monotonic()
 _story = None
 _failures = 0
+_window = vtkOutputWindow.GetInstance()  # Output Messages
+_messages = []  # in it
+
+
+def _hear(_, __, text):
+    if "In unknown, line 0" not in text:  # those of Qt, of which ParaView's own widgets cause some
+        _messages.append(text)
+
+
+_hear.CallDataType = "string0"
+for _event in ("ErrorEvent", "WarningEvent"):
+    _window.AddObserver(_event, _hear)
 
 
 def say(text):
@@ -40,6 +53,13 @@ def expect(condition, text):
     global _failures
     _failures += not condition
     say(("ok: " if condition else "WRONG: ") + text)
+
+
+def take_messages():
+    """Errors and warnings since the last call. A story fails if any are left at its end."""
+    taken = _messages[:]
+    _messages.clear()
+    return taken
 
 
 def load_plugins():
@@ -221,11 +241,16 @@ def listen(view):
 
 def proceed():
     global _failures
+    of_macro = vtkOutputWindow.GetInstance()  # tells its messages when it ends
+    vtkOutputWindow.SetInstance(_window)
     try:
         next(_story)
     except StopIteration:
+        left = take_messages()
+        expect(not left, f"nothing else is in Output Messages {left or ''}")
         if _failures == 0:
             print(ENDED, file=_report, flush=True)
     except Exception:
         _failures += 1
         say(traceback.format_exc())
+    vtkOutputWindow.SetInstance(of_macro)
