@@ -10,6 +10,7 @@ whose last line is ENDED if nothing was wrong.
 """
 
 import ctypes
+import itertools
 import os
 import shutil
 import statistics
@@ -17,6 +18,7 @@ import subprocess
 import time
 import traceback
 
+import numpy as np
 import pictures
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
@@ -131,6 +133,41 @@ def shown(view):
     width, height, _ = grabber.GetOutput().GetDimensions()
     pixels = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
     return pixels.reshape(height, width, -1)[:, :, :3].astype(float)
+
+
+def axes_of(view):
+    """The directions to the right, upwards and ahead of a view's camera."""
+    ahead = np.subtract(view.CameraFocalPoint, view.CameraPosition)
+    ahead /= np.linalg.norm(ahead)
+    right = np.cross(ahead, view.CameraViewUp)
+    right /= np.linalg.norm(right)
+    return right, np.cross(right, ahead), ahead
+
+
+def corners_of(source):
+    bounds = np.reshape(source.GetDataInformation().GetBounds(), (3, 2))
+    return list(itertools.product(*bounds))
+
+
+def place_in_window(view, points):
+    """Where points are across and upwards in a view's window, whose sides are at -1 and 1."""
+    right, up, ahead = axes_of(view)
+    offsets = np.subtract(points, view.CameraPosition)
+    half = np.tan(np.radians(view.CameraViewAngle / 2)) * (offsets @ ahead)
+    aspect = view.ViewSize[0] / view.ViewSize[1]
+    return np.stack([offsets @ right / (half * aspect), offsets @ up / half])
+
+
+def expect_in_window(view, points, what):
+    most = abs(place_in_window(view, points)).max()
+    expect(most < 1, f"{what}: all of the box is in the window, {most:.3f}")
+
+
+def expect_filled(view, corners, what):
+    """The box with these corners is inside the window and fills at least 85 % of one side."""
+    expect_in_window(view, corners, what)
+    share = np.ptp(place_in_window(view, corners), axis=1).max() / 2
+    expect(share > 0.85, f"{what}: it fills the window to {share:.3f}")
 
 
 def turn(view, moves):
