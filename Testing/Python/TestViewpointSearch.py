@@ -818,6 +818,11 @@ class TestDegenerateInput(SearchTest):
         self.assert_refuses("0..11 0..11 0..8", "uninitialized",
                             filter_=with_input(search(phantom(12)), part))
 
+    def test_a_sheared_direction_matrix_is_refused(self):
+        image = phantom(8)
+        image.SetDirectionMatrix(1, 0.002, 0, 0, 1, 0, 0, 0, 1)
+        self.assert_refuses("direction matrix", filter_=search(image))
+
     def test_images_without_a_volume_are_refused(self):
         for shape in ((2, 1, 1), (5, 5, 1), (1, 1, 1), (1, 6, 7)):
             with self.subTest(shape=shape):
