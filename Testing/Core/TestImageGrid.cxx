@@ -97,6 +97,19 @@ TEST(ImageGrid, LeavesExactDirectionsAsTheyAre)
   }
 }
 
+TEST(ImageGrid, TakesShearThatIsAsSmallAsRounding)
+{
+  for (const double shear : { 0.001, 0.0017 })
+  {
+    const Mat3 direction = DirectionOf(Mat3(1, shear, 0, 0, 1, 0, 0, 0, 1));
+
+    EXPECT_LE(DistanceFromOrthonormal(direction), 1.01e-12);
+    // The nearest orthonormal matrix turns both axes by half of the shear.
+    EXPECT_NEAR(direction[0][1], shear / 2, shear * shear);
+    EXPECT_NEAR(direction[1][0], -shear / 2, shear * shear);
+  }
+}
+
 TEST(ImageGrid, RefusesShearScaleAndWhatIsNoMatrix)
 {
   const double notANumber = std::numeric_limits<double>::quiet_NaN();

@@ -49,6 +49,13 @@ def expect_setup(display, view, what, up=None):
     return got
 
 
+def expect_best_view(view, reader, what):
+    """The camera is upright, and the volume's box fills the window."""
+    right, _, _ = story.axes_of(view)
+    expect(abs(right[1]) < 1e-6, f"{what}: upwards is what was upwards before")
+    story.expect_filled(view, story.corners_of(reader), what)
+
+
 def tell():
     story.load_plugins()
     smtrace.start_trace()
@@ -76,10 +83,17 @@ def tell():
            f"from the best view {100 * display.VisibleFraction:.1f} %")
     expect(len(simple.GetSources()) == 1, "the search left nothing in the pipeline browser")
     expect(list(view.CameraPosition)[:2] != [0, 0], "the camera moved")
-    ahead = [b - a for a, b in zip(view.CameraPosition, view.CameraFocalPoint)]
-    expect(abs(ahead[2] * view.CameraViewUp[0] - ahead[0] * view.CameraViewUp[2]) < 1e-6,
-           "upwards is what was upwards before")
+    expect_best_view(view, reader, "the best view")
     story.screenshot("window-best.png")
+    shape = list(view.ViewSize)
+    simple.GetLayout().SplitHorizontal(0, 0.4)
+    story.live(1)
+    expect(shape[0] > 2 * view.ViewSize[0], f"the view is narrower: {view.ViewSize}, was {shape}")
+    yield
+
+    expect(frames.settle(), "the best view is finished again")
+    expect_best_view(view, reader, "the best view of a narrow window")
+    story.screenshot("window-narrow.png")
     yield
 
     taken = expect_setup(display, view, "the Extinction Optimizer")

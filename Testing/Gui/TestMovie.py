@@ -30,7 +30,8 @@ def cameras_of_movie(view):
         view.SMProxy.SynchronizeCameraProperties()
         cameras.append(camera_of(view))
         if frame in (0, 7, 15):
-            expect_in_window(view, simple.GetActiveSource(), f"frame {frame}")
+            corners = story.corners_of(simple.GetActiveSource())
+            story.expect_in_window(view, corners, f"frame {frame}")
     scene.SetOverrideStillRender(False)
     return cameras
 
@@ -55,23 +56,6 @@ def state_of_session():
             len(scene.Cues), [manager.GetNumberOfProxies(group) for group in groups])
 
 
-def expect_in_window(view, source, what):
-    """All of the source's box."""
-    bounds = np.reshape(source.GetDataInformation().GetBounds(), (3, 2))
-    corners = np.array([[bounds[axis, side] for axis, side in enumerate(sides)]
-                        for sides in np.ndindex(2, 2, 2)])
-    position, focal_point, up = map(np.array, camera_of(view))
-    ahead = (focal_point - position) / np.linalg.norm(focal_point - position)
-    up = up - (up @ ahead) * ahead
-    up /= np.linalg.norm(up)
-    offsets = corners - position
-    half = np.tan(np.radians(view.CameraViewAngle / 2)) * (offsets @ ahead)
-    aspect = view.ViewSize[0] / view.ViewSize[1]
-    most = max(abs(offsets @ np.cross(ahead, up) / (half * aspect)).max(),
-               abs(offsets @ up / half).max())
-    expect(most < 1, f"{what}: all of the volume is in the window, {most:.3f}")
-
-
 def tell():
     story.load_plugins()
     smtrace.start_trace()
@@ -91,14 +75,14 @@ def tell():
     frames.settle()
     first = camera_of(view)
     expect(first != before, "the preview looks from the best view")
-    expect_in_window(view, source, "the preview")
+    story.expect_in_window(view, story.corners_of(source), "the preview")
     expect(story.dialog_is_open(), "the dialog is open")
     story.screenshot("window-dialog.png")
     yield
 
     frames.settle()
     expect(camera_of(view) != first, "the preview follows its slider")
-    expect_in_window(view, source, "another frame of the preview")
+    story.expect_in_window(view, story.corners_of(source), "another frame of the preview")
     yield
 
     frames.settle()

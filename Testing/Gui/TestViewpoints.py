@@ -29,20 +29,13 @@ def direction_of(fields, position):
 
 def expect_fitted(view, fields, direction, what):
     """The view looks from a direction, upright, and the image's box fills its window."""
-    position, focal_point, up = (np.array(view.GetProperty(name)) for name in CAMERA[:3])
-    expect(np.allclose(direction_of(fields, position), direction, atol=1e-9),
+    expect(np.allclose(direction_of(fields, view.CameraPosition), direction, atol=1e-9),
            f"{what}: the camera is in direction {direction}")
-    ahead = (focal_point - position) / np.linalg.norm(focal_point - position)
-    right = np.cross(ahead, up)
+    right, _, _ = story.axes_of(view)
     sideways = right @ fields.GetArray("CameraUpAxis").GetTuple3(0)
     expect(abs(sideways) < 1e-9, f"{what}: upright, {sideways:.1g}")
-    corners = np.reshape(fields.GetArray("ImageCorners").GetTuple(0), (8, 3)) - position
-    half = np.tan(np.radians(view.CameraViewAngle / 2)) * (corners @ ahead)
-    aspect = view.ViewSize[0] / view.ViewSize[1]
-    at = np.stack([corners @ right / (half * aspect), corners @ up / half])
-    expect(abs(at).max() < 1, f"{what}: all of the box is in the window, {abs(at).max():.3f}")
-    expect(np.ptp(at, axis=1).max() > 2 * 0.85, f"{what}: it fills the window to "
-           f"{np.ptp(at, axis=1).max() / 2:.3f}")
+    corners = np.reshape(fields.GetArray("ImageCorners").GetTuple(0), (8, 3))
+    story.expect_filled(view, corners, what)
 
 
 def differ(first, second):

@@ -10,6 +10,7 @@ whose last line is ENDED if nothing was wrong.
 """
 
 import ctypes
+import itertools
 import os
 import shutil
 import statistics
@@ -17,9 +18,11 @@ import subprocess
 import time
 import traceback
 
+import numpy as np
 import pictures
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from paraview.vtk.vtkCommonCore import vtkOutputWindow
 from paraview.vtk.vtkRenderingCore import vtkWindowToImageFilter
 
 ENDED = "The story ended well."
@@ -29,6 +32,18 @@ _report = open("report.txt", "w", encoding="utf-8")
 _begin = time.monotonic()
 _story = None
 _failures = 0
+_window = vtkOutputWindow.GetInstance()  # Output Messages
+_messages = []  # in it
+
+
+def _hear(_, __, text):
+    if "In unknown, line 0" not in text:  # those of Qt, of which ParaView's own widgets cause some
+        _messages.append(text)
+
+
+_hear.CallDataType = "string0"
+for _event in ("ErrorEvent", "WarningEvent"):
+    _window.AddObserver(_event, _hear)
 
 
 def say(text):
@@ -40,6 +55,13 @@ def expect(condition, text):
     global _failures
     _failures += not condition
     say(("ok: " if condition else "WRONG: ") + text)
+
+
+def take_messages():
+    """Errors and warnings since the last call. A story fails if any are left at its end."""
+    taken = _messages[:]
+    _messages.clear()
+    return taken
 
 
 def load_plugins():
@@ -111,6 +133,41 @@ def shown(view):
     width, height, _ = grabber.GetOutput().GetDimensions()
     pixels = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
     return pixels.reshape(height, width, -1)[:, :, :3].astype(float)
+
+
+def axes_of(view):
+    """The directions to the right, upwards and ahead of a view's camera."""
+    ahead = np.subtract(view.CameraFocalPoint, view.CameraPosition)
+    ahead /= np.linalg.norm(ahead)
+    right = np.cross(ahead, view.CameraViewUp)
+    right /= np.linalg.norm(right)
+    return right, np.cross(right, ahead), ahead
+
+
+def corners_of(source):
+    bounds = np.reshape(source.GetDataInformation().GetBounds(), (3, 2))
+    return list(itertools.product(*bounds))
+
+
+def place_in_window(view, points):
+    """Where points are across and upwards in a view's window, whose sides are at -1 and 1."""
+    right, up, ahead = axes_of(view)
+    offsets = np.subtract(points, view.CameraPosition)
+    half = np.tan(np.radians(view.CameraViewAngle / 2)) * (offsets @ ahead)
+    aspect = view.ViewSize[0] / view.ViewSize[1]
+    return np.stack([offsets @ right / (half * aspect), offsets @ up / half])
+
+
+def expect_in_window(view, points, what):
+    most = abs(place_in_window(view, points)).max()
+    expect(most < 1, f"{what}: all of the box is in the window, {most:.3f}")
+
+
+def expect_filled(view, corners, what):
+    """The box with these corners is inside the window and fills at least 85 % of one side."""
+    expect_in_window(view, corners, what)
+    share = np.ptp(place_in_window(view, corners), axis=1).max() / 2
+    expect(share > 0.85, f"{what}: it fills the window to {share:.3f}")
 
 
 def turn(view, moves):
@@ -221,11 +278,16 @@ def listen(view):
 
 def proceed():
     global _failures
+    of_macro = vtkOutputWindow.GetInstance()  # tells its messages when it ends
+    vtkOutputWindow.SetInstance(_window)
     try:
         next(_story)
     except StopIteration:
+        left = take_messages()
+        expect(not left, f"nothing else is in Output Messages {left or ''}")
         if _failures == 0:
             print(ENDED, file=_report, flush=True)
     except Exception:
         _failures += 1
         say(traceback.format_exc())
+    vtkOutputWindow.SetInstance(of_macro)

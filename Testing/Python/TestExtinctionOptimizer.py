@@ -15,9 +15,9 @@ from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPiecewiseFunction, v
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
-                    function_of, image_of, in_order, memory_limited_to, phantom, rounded_rotation,
-                    values, with_input)
+from images import (FILL_VALUES, FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on,
+                    flipped, function_of, image_of, image_with_fill, in_order, memory_limited_to,
+                    phantom, rounded_rotation, starting_importance, values, with_input)
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -516,11 +516,32 @@ class TestValuesThatCannotBeUsed(OptimizerTest):
         self.assertIsNotNone(output.GetPointGhostArray())
 
 
-def starting_importance(scalars):
-    """What the display takes for important: the largest few per cent, in a ramp."""
-    ordered = np.sort(scalars.astype(float), axis=None)
-    ends = [ordered[int(share * (ordered.size - 1))] for share in (0.95, 0.99)]
-    return np.interp(scalars, ends, (0, 1))
+class TestFillValues(OptimizerTest):
+    """Importance and extinction are made of an array with huge values where there is none."""
+
+    def optimized(self, fill):
+        image, functions = image_with_fill(fill)
+        result = optimizer(image, ExtinctionSource=vtkExtinctionOptimizer.OPACITY_FUNCTION,
+                           **functions)
+        for index in (0, 1):
+            result.SetInputArrayToProcess(index, 0, 0, POINTS, "density")
+        result.Update()
+        self.assertEqual(result.messages, {"ErrorEvent": [], "WarningEvent": []})
+        return result.GetOutput()
+
+    def test_change_nothing(self):
+        expected = self.optimized(0.0)
+        self.assertGreater(number(expected, "VisibilityScore"),
+                           1.1 * number(expected, "BaseVisibilityScore"))
+        for fill in FILL_VALUES:
+            with self.subTest(fill=fill):
+                output = self.optimized(fill)
+                for name in ("VisibilityScore", "BaseVisibilityScore", "Energy"):
+                    self.assertAlmostEqual(number(output, name) / number(expected, name), 1,
+                                           delta=1e-5, msg=name)
+                for name in RESULTS:
+                    np.testing.assert_allclose(values(output, name), values(expected, name),
+                                               atol=1e-5 * values(expected, name).max())
 
 
 class TestImportanceNotGiven(OptimizerTest):
@@ -835,6 +856,16 @@ class TestPlaceInTheWorld(OptimizerTest):
                                 number(exact, "VisibilityScore") - 1), 10 * 10.0**-digits)
             self.assertEqual(output.GetDirectionMatrix().GetElement(0, 1),
                              rounded_rotation(digits)[0, 1])
+
+    def test_a_shear_as_small_as_rounding_may_be_is_none(self):
+        exact = self.run_filter(phantom())
+        for shear in (0.001, 0.0017):
+            image = phantom()
+            image.SetDirectionMatrix(1, shear, 0, 0, 1, 0, 0, 0, 1)
+            output = self.run_filter(image)
+            # Turned by half of the shear, which moves nodes by as much in radii, see above.
+            self.assertLess(abs(number(output, "VisibilityScore") /
+                                number(exact, "VisibilityScore") - 1), 10 * shear / 2)
 
     def test_with_a_negative_spacing(self):
         image = phantom()

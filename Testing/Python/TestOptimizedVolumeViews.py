@@ -10,6 +10,8 @@ import tempfile
 
 import numpy as np
 from paraview import simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+from paraview.vtk.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 
 import displays
 import pictures
@@ -188,6 +190,42 @@ output.PointData.append(importance if time < 1 else importance * 0, 'Importance'
         self.assertEqual(fractions[1], 0)
         self.assertEqual(fractions[2], fractions[0])
 
+    def test_follows_values_that_programs_change_in_place(self):
+        image = vtkImageData()
+        image.DeepCopy(simple.servermanager.Fetch(OcclusionPhantom(Resolution=24)))
+        image.AllocatePointGhostArray()
+        image.AllocateCellGhostArray()
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(image)
+
+        def shown(view):
+            display = displays.show(producer, view)
+            display.ImportanceArray = ["POINTS", "Importance"]
+            return display
+
+        def results(view, display):
+            return pictures.take(view), display.VisibleFraction, display.BaseVisibleFraction
+        display = shown(self.view)
+        points = image.GetPointData()
+        for array, part, value in (
+                (points.GetArray("Scalars"), slice(6000, None), 0.4),
+                (points.GetArray("Importance"), slice(3000), 1),
+                (image.GetPointGhostArray(), slice(8000, None), vtkDataSetAttributes.HIDDENPOINT),
+                (image.GetCellGhostArray(), slice(3000), vtkDataSetAttributes.HIDDENCELL)):
+            with self.subTest(array=array.GetName(), count=array.GetNumberOfTuples()):
+                before = results(self.view, display)
+                vtk_to_numpy(array)[part] = value
+                image.Modified()
+                producer.SMProxy.MarkModified(producer.SMProxy)
+                after = results(self.view, display)
+                other = displays.new_view()
+                expected = results(other, shown(other))
+                np.testing.assert_array_equal(after[0], expected[0])
+                self.assertEqual(after[1:], expected[1:])
+                self.assertGreater(abs(after[0] - before[0]).max(), 10)
+                self.assertNotEqual(after[1:], before[1:])
+                simple.Delete(other)
+
     def test_a_time_step_without_the_colored_array_shows_nothing_of_the_last_one(self):
         changing = phantom_in_two_steps("""
 if time == 1:
@@ -204,6 +242,27 @@ if time == 1:
 
         self.assertGreater(min(results[0]), 0)
         self.assertEqual(results[1], (0, 0, 0))
+        self.assertEqual(results[2], results[0])
+
+    def test_a_time_step_without_the_importance_array_is_an_error_that_names_it(self):
+        changing = phantom_in_two_steps("""
+if time == 1:
+    output.VTKObject.GetPointData().RemoveArray('Importance')
+""")
+        display = displays.show(changing, self.view)
+        display.ImportanceArray = ["POINTS", "Importance"]
+        results, messages = [], []
+        for time in (0, 1, 0):
+            self.view.ViewTime = time
+            simple.Render(self.view)
+            results.append((display.VisibleFraction, display.VisibilityScore))
+            messages.append(display.Messages)
+
+        self.assertEqual([messages[0], messages[2]], ["", ""])
+        self.assertEqual(messages[1].count('The importance array "Importance" is not among'), 1,
+                         messages[1])
+        self.assertEqual(results[1], (0, 0))
+        self.assertGreater(min(results[0]), 0)
         self.assertEqual(results[2], results[0])
 
     # Picking

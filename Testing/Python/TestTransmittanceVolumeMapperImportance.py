@@ -9,8 +9,11 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
+from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
+
+from images import filter_on
 from mapper_tests import MapperTest, show
-from volume_views import opacity_of, phantom, values
+from volume_views import opacity_of, phantom, phantom_property, values
 
 
 class TestImportance(MapperTest):
@@ -97,6 +100,41 @@ class TestImportance(MapperTest):
         view.window.Render()
         self.assertEqual(mapper.GetMessages(), "", "nothing is made of it but the score")
         self.assertGreater(mapper.GetVisibilityScore(), 0)
+
+    def test_filter_search_and_mapper_assume_the_same(self):
+        image = phantom(24)
+        image.GetPointData().RemoveArray("Importance")
+        shown = phantom_property()
+
+        def run(filter_class, **properties):
+            result = filter_on(image, filter_class, ScalarOpacityFunction=shown.GetScalarOpacity(),
+                               ExtinctionSource=filter_class.OPACITY_FUNCTION,
+                               ScalarOpacityUnitDistance=shown.GetScalarOpacityUnitDistance(),
+                               **properties)
+            result.Update()
+            self.assertEqual(result.messages["ErrorEvent"], [])
+            self.assertEqual(len(result.messages["WarningEvent"]), 1)
+            return result.GetOutput(), result.messages["WarningEvent"][0]
+
+        searched, told_by_search = run(vtkViewpointSearch, Field=vtkViewpointSearch.BASE_EXTINCTION,
+                                       NumberOfDirections=12)
+        camera = {name: tuple(values(searched, name)[5])
+                  for name in ("CameraPosition", "CameraFocalPoint", "CameraViewUp")}
+        optimized, told = run(vtkExtinctionOptimizer, MaximumIterations=0, RayDensity=3, **camera)
+        view, mapper = show(image, shown, RestrictToView=0, Shadows=0, RayDensity=3)
+        for name, place in camera.items():
+            getattr(view.camera, "Set" + name.replace("Camera", ""))(*place)
+        view.renderer.ResetCameraClippingRange()
+        view.window.Render()
+
+        score = optimized.GetFieldData().GetArray("BaseVisibilityScore").GetValue(0)
+        self.assertGreater(score, 0)
+        self.assertAlmostEqual(mapper.GetBaseVisibilityScore(), score, delta=1e-3 * score)
+        # The search has rays at other places, see TestViewpointSearch.
+        self.assertAlmostEqual(values(searched, "VisibilityScore")[5], score, delta=1e-2 * score)
+        ramp = told[told.index("from "):told.index(" (1)")]
+        for text in (told_by_search, mapper.GetMessages()):
+            self.assertIn(ramp, text)
 
     def test_a_named_scalar_array_gets_what_is_assumed_of_it(self):
         image = phantom(16)

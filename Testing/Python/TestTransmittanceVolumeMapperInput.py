@@ -254,6 +254,13 @@ class TestBadInput(MapperTest):
         view.messages = caught(mapper)
         self.assert_says(view, "vtkRectilinearGrid", "vtkResampleToImage")
 
+    def test_a_sheared_direction_matrix(self):
+        image = phantom(8)
+        image.SetDirectionMatrix(1, 0.002, 0, 0, 1, 0, 0, 0, 1)
+        view, _ = show(image)
+        self.assert_says(view, "direction matrix")
+        self.assert_empty(view.picture())
+
     def test_a_volume_that_is_scaled_flat(self):
         view, mapper = show()
         view.volume.SetScale(1, 1, 0)

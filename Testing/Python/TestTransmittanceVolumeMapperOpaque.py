@@ -9,11 +9,12 @@ import unittest
 import numpy as np
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
+from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
 from volume_views import (View, actor_of, colors_of, gray_property, image_of, opacity_of,
-                          plain_mapper, property_of, save, sphere)
+                          plain_mapper, property_of, save, sphere, values)
 
 NODES = 41
 SPACING = 2.0 / (NODES - 1)
@@ -39,65 +40,74 @@ def blob_property():
     return property_of(colors_of((0, 0.3, 0.3, 0.9), (1, *ORANGE)), opacity_of(*OPACITY), SPACING)
 
 
-def sampled(field, points):
+def sampled(fields, points):
     """Trilinear, at points of [-1, 1]^3 (x, y, z in the last axis); 0 outside."""
     index = (points + 1) / SPACING
     inside = np.all((index >= 0) & (index <= NODES - 1), axis=-1)
-    first = np.clip(index.astype(int), 0, NODES - 2)
-    weight = np.clip(index - first, 0, 1)
-    found = np.zeros(points.shape[:-1])
+    first = np.clip(index[inside].astype(int), 0, NODES - 2)
+    weight = np.clip(index[inside] - first, 0, 1)
+    found = np.zeros((len(fields), *points.shape[:-1]))
     for corner in range(8):
         step = [corner >> axis & 1 for axis in range(3)]
         share = np.prod([weight[..., axis] if step[axis] else 1 - weight[..., axis]
                          for axis in range(3)], axis=0)
         i, j, k = (first[..., axis] + step[axis] for axis in range(3))
-        found += share * field[k, j, i]
-    return np.where(inside, found, 0.0)
+        for number, field in enumerate(fields):
+            found[number, inside] += share * field[k, j, i]
+    return found
 
 
-def visible_share(ends):
-    """A march of its own along the rays of pixels from (0, 0, DISTANCE): the share of important
-    matter that is seen in front of `ends(x, y)`, the distance at which a ray of unit depth ends."""
+def axes_of(eye):
+    """The directions to the right, upwards and ahead of a camera at `eye` that looks at the origin."""
+    ahead = -np.array(eye) / np.linalg.norm(eye)
+    right = np.cross(ahead, (0, 1, 0))
+    right /= np.linalg.norm(right)
+    return right, np.cross(right, ahead), ahead
+
+
+def visible_shares(eye, ends, extinction=None):
+    """A march of its own along the rays of pixels from `eye`: the shares of important matter that
+    are seen in front of each of `ends`, functions of the eye and the rays, which give the distance at
+    which a ray of unit depth ends. `extinction` [z, y, x] is in place of that of the functions."""
     scalars, importance = blobs()
-    opacity = np.interp(scalars, *zip(*OPACITY))
-    extinction = -np.log1p(-opacity) / SPACING
+    base = -np.log1p(-np.interp(scalars, *zip(*OPACITY))) / SPACING
+    extinction = base if extinction is None else extinction
+    shown = np.minimum(base, extinction)  # matter that is added does not count
     pixels = 150
     half = math.tan(math.radians(VIEW_ANGLE / 2))
     across = half * (2 * (np.arange(pixels) + 0.5) / pixels - 1)
     x, y = np.meshgrid(across, across)
+    right, up, ahead = axes_of(eye)
+    rays = x[..., None] * right + y[..., None] * up + ahead
     length = np.sqrt(1 + x**2 + y**2)
-    end = ends(x, y)
+    last = [end(np.array(eye), rays) for end in ends]
     depth = np.zeros_like(x)
-    seen = 0.0
+    seen = np.zeros(len(ends))
     important = 0.0
     step = 0.25 * SPACING
-    for z in np.arange(DISTANCE - 1 + step / 2, DISTANCE + 1, step):
-        points = np.stack((x * z, y * z, np.full_like(x, DISTANCE - z)), axis=-1)
-        mu = sampled(extinction, points)
-        matter = sampled(importance, points) * mu * z**2
+    reach = np.abs(ahead).sum()  # of the cube along the direction of view
+    for z in np.arange(DISTANCE - reach + step / 2, DISTANCE + reach, step):
+        in_base, in_shown, mu, g = sampled((base, shown, extinction, importance), eye + z * rays)
         thickness = mu * step * length
-        middle = np.exp(-depth - thickness / 2)
-        important += matter.sum()
+        light = np.exp(-depth - thickness / 2) * in_shown * g * z**2
+        important += (g * in_base * z**2).sum()
         # The last step of a ray counts in part.
-        seen += (matter * middle * np.clip((end - z) / step + 0.5, 0, 1)).sum()
+        seen += [(light * np.clip((end - z) / step + 0.5, 0, 1)).sum() for end in last]
         depth += thickness
     return seen / important
 
 
-def look(view):
-    view.camera.SetPosition(0, 0, DISTANCE)
-    view.camera.SetFocalPoint(0, 0, 0)
-    view.camera.SetViewAngle(VIEW_ANGLE)
-    view.renderer.ResetCameraClippingRange()
-
-
-def blob_view(**properties):
+def blob_view(eye=(0, 0, DISTANCE), **properties):
     scalars, importance = blobs()
     image = image_of((NODES,) * 3, (SPACING,) * 3, (-1, -1, -1),
                      scalars=scalars.astype(np.float32).ravel(),
                      Importance=importance.astype(np.float32).ravel())
     view, mapper = show(image, blob_property(), size=(300, 300), **properties)
-    look(view)
+    view.camera.SetPosition(*eye)
+    view.camera.SetFocalPoint(0, 0, 0)
+    view.camera.SetViewUp(0, 1, 0)
+    view.camera.SetViewAngle(VIEW_ANGLE)
+    view.renderer.ResetCameraClippingRange()
     return view, mapper
 
 
@@ -106,15 +116,25 @@ def ball(center, radius):
 
 
 def ball_ends(center, radius):
-    def ends(x, y):
-        # |t (x, y, -1) + (0, 0, DISTANCE) - center| = radius
-        along = np.stack((x, y, -np.ones_like(x)), axis=-1)
-        start = np.array((0, 0, DISTANCE)) - np.array(center)
-        a = (along**2).sum(axis=-1)
-        b = (along * start).sum(axis=-1)
-        root = b**2 - a * ((start**2).sum() - radius**2)
+    def ends(eye, rays):
+        # |eye + t ray - center| = radius
+        start = eye - np.array(center)
+        a = (rays**2).sum(axis=-1)
+        b = rays @ start
+        root = b**2 - a * (start @ start - radius**2)
         return np.where(root > 0, (-b - np.sqrt(np.abs(root))) / a, np.inf)
     return ends
+
+
+def wall_ends(normal):
+    """Of a wall through the origin, which lies between the eye and what it hides."""
+    def ends(eye, rays):
+        return np.array(normal) @ eye / -(rays @ normal)
+    return ends
+
+
+def no_ends(_, rays):
+    return np.full(rays.shape[:-1], np.inf)
 
 
 def wall(corner, one, other):
@@ -125,37 +145,78 @@ def wall(corner, one, other):
     return source
 
 
-# A ball before one of the cores and one that cuts the other, a leaning wall through both, and a
-# wall in the middle. With where the ray (x, y, -1) from the eye ends.
-CASES = {
-    "ball in front": (lambda: ball((-0.45, 0.1, 0.7), 0.22), ball_ends((-0.45, 0.1, 0.7), 0.22)),
-    "ball in a core": (lambda: ball((0.4, -0.2, -0.3), 0.12), ball_ends((0.4, -0.2, -0.3), 0.12)),
-    # z = 0.6 x
-    "leaning wall": (lambda: wall((-3, -3, -1.8), (3, -3, 1.8), (-3, 3, -1.8)),
-                     lambda x, y: DISTANCE / (1 + 0.6 * x)),
-    "wall in the middle": (lambda: wall((-3, -3, 0), (3, -3, 0), (-3, 3, 0)),
-                           lambda x, y: np.full_like(x, DISTANCE)),
-}
+LEANING = ((-3, -3, -1.8), (3, -3, 1.8), (-3, 3, -1.8))  # z = 0.6 x
+MIDDLE = ((-3, -3, 0), (3, -3, 0), (-3, 3, 0))
+
+
+def cases(eye):
+    """A ball before one of the cores and one that cuts the other, a leaning wall through both, and
+    a wall in the middle. With where rays from the eye end."""
+    in_front = np.array((-0.45, 0.1, 0.2)) + 0.5 * np.array(eye) / np.linalg.norm(eye)
+    in_core = (0.4, -0.2, -0.3)
+    return {"ball in front": (ball(in_front, 0.22), ball_ends(in_front, 0.22)),
+            "ball in a core": (ball(in_core, 0.12), ball_ends(in_core, 0.12)),
+            "leaning wall": (wall(*LEANING), wall_ends((-0.6, 0, 1))),
+            "wall in the middle": (wall(*MIDDLE), wall_ends((0, 0, 1)))}
+
+
+# Along an axis, and oblique.
+EYES = ((0, 0, DISTANCE), tuple(DISTANCE * np.array((0.48, 0.36, 0.8))))
 
 
 class TestOpaque(MapperTest):
     def test_the_share_is_that_of_a_march_to_the_geometry(self):
-        view, mapper = blob_view(Method=Mapper.ORDINARY)
-        view.window.Render()
-        free = visible_share(lambda x, y: np.full_like(x, np.inf))
-        self.assertAlmostEqual(mapper.GetVisibleFraction(), free, delta=0.01 * free)
-        for name, (source, ends) in CASES.items():
-            with self.subTest(name=name):
-                view, mapper = blob_view(Method=Mapper.ORDINARY)
-                view.renderer.AddActor(actor_of(source(), WALL))
-                save(view.picture(), "opaque-" + name.replace(" ", "-"))
-                expected = visible_share(ends)
-                self.assertLess(expected, 0.97 * free)
-                self.assertAlmostEqual(mapper.GetVisibleFraction(), expected,
-                                       delta=0.01 * free)
-                self.assertAlmostEqual(mapper.GetBaseVisibleFraction(), expected,
-                                       delta=0.01 * free)
-                self.assert_fine(view)
+        for eye in EYES:
+            geometry = cases(eye)
+            free, *shares = visible_shares(eye, [no_ends] + [ends for _, ends in geometry.values()])
+            view, mapper = blob_view(eye, Method=Mapper.ORDINARY)
+            view.window.Render()
+            self.assertAlmostEqual(mapper.GetVisibleFraction(), free, delta=0.01 * free)
+            for (name, (source, _)), expected in zip(geometry.items(), shares):
+                with self.subTest(eye=eye, name=name):
+                    view, mapper = blob_view(eye, Method=Mapper.ORDINARY)
+                    view.renderer.AddActor(actor_of(source, WALL))
+                    save(view.picture(), "opaque-" + name.replace(" ", "-"))
+                    self.assertLess(expected, 0.97 * free)
+                    self.assertAlmostEqual(mapper.GetVisibleFraction(), expected,
+                                           delta=0.01 * expected)
+                    self.assertAlmostEqual(mapper.GetBaseVisibleFraction(), expected,
+                                           delta=0.01 * expected)
+                    self.assert_fine(view)
+
+    def test_the_share_of_an_optimized_volume_is_that_of_a_march(self):
+        for eye in EYES:
+            geometry = cases(eye)
+            view, mapper = blob_view(eye, ScalarComponent=0, LightSource=Mapper.OWN,
+                                     LightPosition=(1.0, 2.0, 5.0))
+            self.frames_to_the_end(view, mapper)
+            extinction = self.found_by_the_filter(view, mapper)
+            free, *shares = visible_shares(
+                eye, [no_ends] + [ends for _, ends in geometry.values()], extinction)
+            self.assertAlmostEqual(mapper.GetVisibleFraction(), free, delta=0.01 * free)
+            self.assertGreater(free, 1.1 * mapper.GetBaseVisibleFraction())
+            for (name, (source, _)), expected in zip(geometry.items(), shares):
+                with self.subTest(eye=eye, name=name):
+                    actor = actor_of(source, WALL)
+                    view.renderer.AddActor(actor)
+                    view.window.Render()
+                    self.assertAlmostEqual(mapper.GetVisibleFraction(), expected,
+                                           delta=0.01 * expected)
+                    view.renderer.RemoveActor(actor)
+
+    def found_by_the_filter(self, view, mapper):
+        """The extinction [z, y, x] that the filter finds for the same view."""
+        optimizer = vtkExtinctionOptimizer()
+        optimizer.SetInputDataObject(mapper.GetInput())
+        optimizer.SetInputArrayToProcess(0, 0, 0, 0, "scalars")
+        optimizer.SetVisibilitySettings(mapper.GetVisibilitySettings())
+        optimizer.SetExtinctionSource(vtkExtinctionOptimizer.OPACITY_FUNCTION)
+        optimizer.SetScalarOpacityFunction(opacity_of(*OPACITY))
+        optimizer.SetScalarOpacityUnitDistance(SPACING)
+        for name in ("Position", "FocalPoint", "ViewUp", "ViewAngle"):
+            getattr(optimizer, "SetCamera" + name)(getattr(view.camera, "Get" + name)())
+        optimizer.Update()
+        return values(optimizer.GetOutput(), "Extinction").reshape(3 * (NODES,))
 
     def test_an_optimized_volume_is_seen_in_front_of_it(self):
         view, mapper = blob_view()
@@ -163,7 +224,7 @@ class TestOpaque(MapperTest):
         free = {name: getattr(mapper, "Get" + name)() for name in (
             "VisibleFraction", "VisibilityScore", "AttainableFraction", "SacrificedFraction",
             "AttainableScore", "AttainableLightScore")}
-        actor = actor_of(CASES["wall in the middle"][0](), WALL)
+        actor = actor_of(wall(*MIDDLE), WALL)
         view.renderer.AddActor(actor)
         view.window.Render()
         for name in ("VisibleFraction", "VisibilityScore", "AttainableFraction",
@@ -195,7 +256,7 @@ class TestOpaque(MapperTest):
 
     def test_it_counts_where_surfaces_are_peeled(self):
         view, mapper = blob_view(Method=Mapper.ORDINARY)
-        view.renderer.AddActor(actor_of(CASES["leaning wall"][0](), WALL))
+        view.renderer.AddActor(actor_of(wall(*LEANING), WALL))
         view.window.Render()
         expected = mapper.GetVisibleFraction()
         view.renderer.AddActor(actor_of(ball((0, 0, 2), 0.3), WALL, 0.3))

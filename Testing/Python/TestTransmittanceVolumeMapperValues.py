@@ -7,11 +7,14 @@
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
+from vtkmodules.vtkRenderingCore import VTK_SCALAR_MODE_USE_CELL_DATA
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
+from images import FILL_VALUES, image_with_fill
 from mapper_tests import MapperTest, show
 from volume_views import colors_of, image_of, opacity_of, property_of
 
@@ -47,12 +50,14 @@ class TestFillValues(MapperTest):
         importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
         functions = property_of(colors_of((0, 0.2, 0.3, 0.9), (50, 0.9, 0.2, 0.1)),
                                 opacity_of((0, 0), (50, 0.5)), 1)
-        for fills in ((1e20, 9.96921e36, 1e37, 1e200, 1.7e308), (-1e20, -1e38, -1e200, -1.7e308)):
+        largest = float(np.finfo(np.float32).max)
+        for fills in ((1e20, 9.96921e36, 1e37, largest, 1e200, 1.7e308),
+                      (-1e20, -1e38, -largest, -1e200, -1.7e308)):
             scores, pictures = [], []
             for fill in fills:
                 scalars = 50 * blob()
                 scalars[:3] = fill  # no values below the ground
-                scalars = scalars if abs(fill) > 1e37 else scalars.astype(np.float32)
+                scalars = scalars if abs(fill) > largest else scalars.astype(np.float32)
                 view, mapper = scored(scalars, functions, importance)
                 pictures.append(view.picture())
                 scores.append(mapper.GetVisibilityScore())
@@ -61,6 +66,23 @@ class TestFillValues(MapperTest):
             np.testing.assert_allclose(scores, scores[0], rtol=1e-4)
             for picture in pictures:
                 np.testing.assert_allclose(picture, pictures[0], atol=1.5)
+
+    def test_that_are_empty_are_not_important_either(self):
+        expected = None
+        for fill in (0.0, *FILL_VALUES):
+            image, functions = image_with_fill(fill)
+            view, mapper = show(image, property_of(
+                colors_of((0, 0.2, 0.3, 0.9), (50, 0.9, 0.2, 0.1)),
+                functions["ScalarOpacityFunction"], functions["ScalarOpacityUnitDistance"]),
+                ImportanceArray="density", UseImportanceFunction=1,
+                ImportanceFunction=functions["ImportanceFunction"])
+            self.frames_to_the_end(view, mapper)
+            scores = mapper.GetBaseVisibilityScore(), mapper.GetVisibilityScore()
+            expected = expected or scores
+            with self.subTest(fill=fill):
+                self.assertGreater(scores[1], scores[0])
+                np.testing.assert_allclose(scores, expected, rtol=1e-3)
+                self.assert_fine(view)
 
     def test_leave_functions_of_huge_values_their_meaning(self):
         importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
@@ -181,44 +203,80 @@ class TestFunctions(MapperTest):
 class TestValuesInPlace(MapperTest):
     """Programs write into arrays and modify the image alone."""
 
-    def changed(self, act):
+    def changed(self, act, prepare=lambda image: None, **settings):
+        """Asserts that a view follows `act` on its image as a new view has it from the beginning.
+        Returns the largest difference in the picture, and the scores before and after."""
         scalars = blob().astype(np.float32)
         importance = np.clip((scalars - 0.5) / 0.3, 0, 1)
-        functions = property_of(colors_of((0, 0.2, 0.3, 0.9), (1, 0.9, 0.2, 0.1)),
-                                opacity_of((0, 0), (1, 0.5)), 1)
-        view, mapper = scored(scalars, functions, importance)
-        image = mapper.GetInput()
-        first = view.picture()
-        frames = [first]
+        image = image_of(scalars.shape, scalars=scalars.ravel(), Importance=importance.ravel())
+        prepare(image)
+
+        def new_view():
+            return show(image, property_of(colors_of((0, 0.2, 0.3, 0.9), (1, 0.9, 0.2, 0.1)),
+                                           opacity_of((0, 0), (1, 0.5)), 1),
+                        Optimization=Mapper.OFF, Shadows=0, RestrictToView=0, **settings)
+        view, mapper = new_view()
+        before, score = view.picture(), mapper.GetVisibilityScore()
         act(image)
         image.Modified()
-        frames.append(view.picture())
-        found = mapper.GetVisibilityScore()
-        other, again = show(image, functions, Optimization=Mapper.OFF, Shadows=0,
-                            RestrictToView=0)
-        np.testing.assert_array_equal(frames[1], other.picture())
-        self.assertEqual(found, again.GetVisibilityScore())
+        after = view.picture()
+        other, again = new_view()
+        np.testing.assert_array_equal(after, other.picture())
+        self.assertEqual(mapper.GetVisibilityScore(), again.GetVisibilityScore())
         self.assert_fine(view)
-        return first, frames[1]
+        return np.abs(before - after).max(), score, mapper.GetVisibilityScore()
+
+    def assert_follows(self, act, prepare=lambda image: None, **settings):
+        difference, before, after = self.changed(act, prepare, **settings)
+        self.assertGreater(difference, 10)
+        self.assertGreater(abs(after - before), 0.01 * before)
 
     def test_of_scalars(self):
         def act(image):
             vtk_to_numpy(image.GetPointData().GetArray("scalars"))[2000:] *= 0.3
-        self.assertGreater(np.abs(np.subtract(*self.changed(act))).max(), 10)
+        self.assert_follows(act)
+
+    def test_of_scalars_of_cells(self):
+        def prepare(image):
+            cells = numpy_to_vtk(blob(16).astype(np.float32).ravel(), deep=1)
+            image.GetCellData().SetScalars(cells)
+
+        def act(image):
+            vtk_to_numpy(image.GetCellData().GetScalars())[1600:] *= 0.3
+        self.assert_follows(act, prepare, ScalarMode=VTK_SCALAR_MODE_USE_CELL_DATA)
+
+    def test_of_extinction(self):
+        def prepare(image):
+            extinction = numpy_to_vtk(blob().ravel(), deep=1)
+            extinction.SetName("Extinction")
+            image.GetPointData().AddArray(extinction)
+
+        def act(image):
+            vtk_to_numpy(image.GetPointData().GetArray("Extinction"))[2000:] *= 0.3
+        self.assert_follows(act, prepare, ExtinctionSource=Mapper.ARRAY,
+                            ExtinctionArray="Extinction")
 
     def test_of_importance(self):
         def act(image):
             vtk_to_numpy(image.GetPointData().GetArray("Importance"))[:] = 0.25
-        self.changed(act)
+        _, before, after = self.changed(act)
+        self.assertGreater(abs(after - before), 0.01 * before)
 
-    def test_of_blanked_points(self):
+    def test_of_flags_of_points(self):
         def act(image):
-            flags = image.GetPointData().GetArray("vtkGhostType")
-            if flags is None:
-                image.AllocatePointGhostArray()
-                flags = image.GetPointData().GetArray("vtkGhostType")
-            vtk_to_numpy(flags)[2000:] = 2  # hidden
-        self.assertGreater(np.abs(np.subtract(*self.changed(act))).max(), 10)
+            vtk_to_numpy(image.GetPointGhostArray())[2000:] = vtkDataSetAttributes.HIDDENPOINT
+        self.assert_follows(act, vtkImageData.AllocatePointGhostArray)
+
+    def test_of_flags_of_cells(self):
+        def act(image):
+            vtk_to_numpy(image.GetCellGhostArray())[1600:] = vtkDataSetAttributes.HIDDENCELL
+        self.assert_follows(act, vtkImageData.AllocateCellGhostArray)
+
+    def test_of_new_flags_of_points(self):
+        def act(image):
+            image.AllocatePointGhostArray()
+            vtk_to_numpy(image.GetPointGhostArray())[2000:] = vtkDataSetAttributes.HIDDENPOINT
+        self.assert_follows(act)
 
     def test_of_none_make_nothing_anew(self):
         view, mapper = show()

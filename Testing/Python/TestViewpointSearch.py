@@ -12,9 +12,9 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
-from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on, flipped,
-                    function_of, image_of, memory_limited_to, phantom, rounded_rotation, values,
-                    with_input)
+from images import (FILL_VALUES, FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on,
+                    flipped, function_of, image_of, image_with_fill, memory_limited_to, phantom,
+                    rounded_rotation, starting_importance, values, with_input)
 
 ICOSPHERE, FIBONACCI, LATITUDE_LONGITUDE = SAMPLINGS = (
     vtkViewpointSearch.ICOSPHERE, vtkViewpointSearch.FIBONACCI,
@@ -406,6 +406,60 @@ class TestScores(SearchTest):
         np.testing.assert_allclose(mapped, 0.5 * whole, rtol=1e-6)
 
 
+class TestImportanceNotGiven(SearchTest):
+    """The largest scalars are important, as in the display."""
+
+    def searched(self, field_, **importance):
+        scalars = hidden_blob((1, 0, 0), points=14)
+        image = image_on(14, density=values(scalars, "BaseExtinction"), **importance)
+        image.GetPointData().SetActiveScalars("density")
+        result = self.run_filter(image, Field=field_, NumberOfDirections=12,
+                                 ExtinctionSource=vtkViewpointSearch.OPACITY_FUNCTION,
+                                 ScalarOpacityFunction=function_of((0, 0), (80, 0.3)))
+        return values(result.GetOutput(), "VisibilityScore"), result.messages["WarningEvent"]
+
+    def test_the_largest_scalars_are_important(self):
+        density = values(hidden_blob((1, 0, 0), points=14), "BaseExtinction")
+        for field_ in (PROXY, BASE, ATTAINABLE):
+            with self.subTest(field=field_):
+                expected, told = self.searched(field_, Importance=starting_importance(density))
+                self.assertEqual(told, [])
+                self.assertGreater(expected.min(), 0)
+                scores, told = self.searched(field_)
+                np.testing.assert_allclose(scores, expected, rtol=1e-5)
+                self.assertEqual(len(told), 1)
+                self.assertIn("No importance is set", told[0])
+
+    def test_scalars_that_are_all_alike_say_nothing(self):
+        image = image_on(8, density=np.ones(512), BaseExtinction=np.ones(512))
+        image.GetPointData().SetActiveScalars("density")
+        self.assert_refuses("No importance is set", "all scalars are equal", filter_=search(image))
+
+    def test_without_scalars_the_array_is_missing(self):
+        image = image_on(8, BaseExtinction=np.ones(512))
+        self.assert_refuses('"Importance" is not among', filter_=search(image))
+
+
+class TestFillValues(SearchTest):
+    def scores(self, fill, field_):
+        image, functions = image_with_fill(fill)
+        result = search(image, Field=field_, NumberOfDirections=12, Refine=0,
+                        ExtinctionSource=vtkViewpointSearch.OPACITY_FUNCTION, **functions)
+        for index in (0, 1):
+            result.SetInputArrayToProcess(index, 0, 0, 0, "density")
+        result.Update()
+        self.assertEqual(result.messages, {"ErrorEvent": [], "WarningEvent": []})
+        return values(result.GetOutput(), "VisibilityScore")
+
+    def test_change_no_score(self):
+        for field_ in (PROXY, BASE, ATTAINABLE):
+            expected = self.scores(0.0, field_)
+            self.assertGreater(expected.min(), 0)
+            for fill in FILL_VALUES:
+                with self.subTest(field=field_, fill=fill):
+                    np.testing.assert_allclose(self.scores(fill, field_), expected, rtol=1e-5)
+
+
 class TestViewpoints(SearchTest):
     def test_the_best_one_looks_through_the_opening(self):
         for opening in ((-1, 0, 0), (0, 0, 1), (0, 1, 0), (1, 2, -2)):
@@ -763,6 +817,11 @@ class TestDegenerateInput(SearchTest):
         part = PartOf(phantom(12), (0, 11, 0, 11, 0, 8))
         self.assert_refuses("0..11 0..11 0..8", "uninitialized",
                             filter_=with_input(search(phantom(12)), part))
+
+    def test_a_sheared_direction_matrix_is_refused(self):
+        image = phantom(8)
+        image.SetDirectionMatrix(1, 0.002, 0, 0, 1, 0, 0, 0, 1)
+        self.assert_refuses("direction matrix", filter_=search(image))
 
     def test_images_without_a_volume_are_refused(self):
         for shape in ((2, 1, 1), (5, 5, 1), (1, 1, 1), (1, 6, 7)):

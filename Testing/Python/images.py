@@ -76,6 +76,31 @@ def blocks_of(*images):
     return blocks
 
 
+def starting_importance(scalars):
+    """What the display takes for important: the largest few per cent, in a ramp."""
+    ordered = np.sort(scalars.astype(float), axis=None)
+    ends = [ordered[int(share * (ordered.size - 1))] for share in (0.95, 0.99)]
+    return np.interp(scalars, ends, (0, 1))
+
+
+FILL_VALUES = [np.float32(9.96921e36), np.finfo(np.float32).max, 1e200, np.finfo(float).max]
+FILL_VALUES += [-fill for fill in FILL_VALUES]
+
+
+def image_with_fill(fill):
+    """A ball of density up to 50 above a ground where there are no values, and how what is filled
+    is empty and unimportant: a function of opacity and one of importance, as properties."""
+    z, y, x = np.mgrid[-1:1:14j, -1:1:14j, -1:1:14j]
+    density = 50 * np.exp(-4 * (x ** 2 + y ** 2 + z ** 2))
+    density[:3] = fill
+    kind = type(fill) if isinstance(fill, np.floating) else float
+    image = image_of((14, 14, 14), density=density.astype(kind).ravel())
+    image.GetPointData().SetActiveScalars("density")
+    return image, dict(
+        ScalarOpacityFunction=function_of((0, 0), (50, 0.5), (60, 0)), ScalarOpacityUnitDistance=1,
+        UseImportanceFunction=1, ImportanceFunction=function_of((25, 0), (40, 1), (60, 0)))
+
+
 class PartOf(VTKPythonAlgorithmBase):
     """Announces an image and gives a part of it."""
 
