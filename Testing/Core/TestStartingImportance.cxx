@@ -113,6 +113,44 @@ TEST(StartingImportance, OfAMaskIsItsInsideHoweverLargeThatIs)
   }
 }
 
+TEST(StartingImportance, TakesLargeFillValuesForNothing)
+{
+  std::vector<double> values(1001);
+  std::iota(values.begin(), values.end(), 0.0);
+  const std::size_t count = values.size();
+  for (const double fill : { 1e20, 9.96921e36, 3.4028235e38, 1.7e308 })
+  {
+    for (const std::size_t fills : { 1, 30, 100, 5000 })
+    {
+      values.resize(count);
+      values.resize(count + fills, fill);
+
+      const ImportanceRamp ramp = RampOf(values, { { 0, fill } });
+
+      EXPECT_EQ(ramp.begin, 950) << fill << ", " << fills;
+      EXPECT_EQ(ramp.end, 990) << fill << ", " << fills;
+    }
+  }
+}
+
+TEST(StartingImportance, TakesLargeValuesThatAreNoFillForValues)
+{
+  std::vector<double> labels{ 0, 3, 1034 };
+  labels.resize(1000, 1034);
+  labels.resize(1100, 65535);
+  EXPECT_EQ(RampOf(labels, { { 0, 65535 } }).end, 65535);
+
+  std::vector<double> decades; // no gap
+  for (int power = 0; power < 200; ++power)
+  {
+    decades.push_back(std::pow(10.0, 0.15 * power));
+  }
+  EXPECT_GT(RampOf(decades, { { 1, 1e30 } }).end, 1e29);
+
+  // A mask of large numbers.
+  EXPECT_EQ(RampOf({ 0, 0, 0, 1e20 }, { { 0, 1e20 } }).end, 1e20);
+}
+
 TEST(StartingImportance, OfCleanValuesStaysWhatItIs)
 {
   const Image image = Ball(0.0);

@@ -78,7 +78,7 @@ double SpeckShare(const ImportanceRamp& ramp, const std::vector<ValueWithNeighbo
 
 /// Returns the ramp over the largest few per cent of the values. Usually few values matter most:
 /// those of bones, vessels, cores. `sorted`: finite samples of the values, ascending; `range`: of
-/// all values.
+/// all values. A large fill value, which stands for missing values, does not count.
 ImportanceRamp RampOf(const std::vector<double>& sorted, const std::array<double, 2>& range);
 
 /**
