@@ -85,7 +85,7 @@ def gpu_rows():
         return []
     with open(GPU, encoding="utf-8") as file:
         measured = json.load(file)
-    return [{"scene": scene["scene"], "nodes": 3 * [scene["nodes"]], "device": measured["device"],
+    return [{"scene": scene["scene"], "nodes": scene["nodes"], "device": measured["device"],
              **{key: scene[key].get("seconds") for key in ("policy", "run", "picture")},
              "peak": scene["policy"].get("device_memory")} for scene in measured["scenes"]]
 
@@ -114,8 +114,8 @@ def caption(numbers):
         def cell(key):
             return lambda r: ms(r[key]) if r[key] else "not measured"
 
-        gpu = "CUDA, {}:\n".format(numbers["gpu"][0]["device"]) + table(numbers["gpu"], [
-            ("scene", lambda r: r["scene"]), ("nodes", lambda r: sizes(r["nodes"])),
+        gpu = "{}:\n".format(numbers["gpu"][0]["device"]) + table(numbers["gpu"], [
+            ("scene", lambda r: r["scene"]), ("nodes along x", lambda r: str(r["nodes"])),
             ("iteration [ms]", cell("policy")), ("whole run [ms]", cell("run")),
             ("picture [ms]", cell("picture")), ("device memory [MB]", lambda r: megabytes(r["peak"]))])
     paper = table(PAPER, [
