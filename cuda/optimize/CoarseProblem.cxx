@@ -52,7 +52,6 @@ CoarseProblem::CoarseProblem(const Problem& given, int factor)
   {
     this->References.push_back(this->Restricted(pull.reference, problem.grid));
   }
-  problem.piece = nullptr; // nor are they a part
   this->UseFields();
   for (TermSource& source : problem.sources)
   {

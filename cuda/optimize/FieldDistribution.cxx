@@ -92,6 +92,19 @@ FieldDistribution::FieldDistribution(const Problem& problem, const std::vector<O
   this->FromPieces(fields.pieces, inputs);
 }
 
+/// Calls what(box) for the boxes of nodes that this rank needs in a distribution.
+template <class What>
+void FieldDistribution::ForNeededHere(std::size_t place, const What& what) const
+{
+  for (const Regions& frustum : this->Of[place])
+  {
+    for (const NodeBox& box : frustum.needed[std::size_t(this->All->Rank())])
+    {
+      what(box);
+    }
+  }
+}
+
 Index FieldDistribution::NodesHeld() const
 {
   constexpr Index nodesPerPage = 1024;
@@ -99,18 +112,19 @@ Index FieldDistribution::NodesHeld() const
   std::vector<char> held;
   for (std::size_t place = 0; place < this->Of.size(); ++place)
   {
-    const Region here = this->RegionsOf(place, &Regions::needed)[std::size_t(this->All->Rank())];
-    for (const NodeBox& box : here)
-    {
-      ForRowsOf(box, this->Filled,
-        [&](const Int3& first, int count)
-        {
-          const Index begin = numbers.At(first.x, first.y, first.z) / nodesPerPage;
-          const Index end = (numbers.At(first.x, first.y, first.z) + count - 1) / nodesPerPage + 1;
-          held.resize(std::max(held.size(), std::size_t(end)), 0);
-          std::fill(held.begin() + begin, held.begin() + end, char(1));
-        });
-    }
+    this->ForNeededHere(place,
+      [&](const NodeBox& box)
+      {
+        ForRowsOf(box, this->Filled,
+          [&](const Int3& first, int count)
+          {
+            const Index node = numbers.At(first.x, first.y, first.z);
+            const Index begin = node / nodesPerPage;
+            const Index end = (node + count - 1) / nodesPerPage + 1;
+            held.resize(std::max(held.size(), std::size_t(end)), 0);
+            std::fill(held.begin() + begin, held.begin() + end, char(1));
+          });
+      });
   }
   return nodesPerPage * std::count(held.begin(), held.end(), char(1));
 }
@@ -312,14 +326,8 @@ void FieldDistribution::Bring(float* field, const Way& way, const Find& find) co
 
 void FieldDistribution::SetZero(Place place, float* field) const
 {
-  const auto own = std::size_t(this->All->Rank());
-  for (const Regions& frustum : this->Of[this->NumberOf(place)])
-  {
-    for (const NodeBox& box : frustum.needed[own])
-    {
-      FillNodes(box, 0, this->Whole(field));
-    }
-  }
+  this->ForNeededHere(
+    this->NumberOf(place), [&](const NodeBox& box) { FillNodes(box, 0, this->Whole(field)); });
 }
 
 void FieldDistribution::CopyUnswept(
@@ -329,13 +337,7 @@ void FieldDistribution::CopyUnswept(
   {
     return;
   }
-  const auto own = std::size_t(this->All->Rank());
-  for (const Regions& frustum : this->Of[this->NumberOf(term)])
-  {
-    for (const NodeBox& box : frustum.needed[own])
-    {
-      CopyNodes(box, this->Whole(from), this->Whole(to), this->Filled);
-    }
-  }
+  this->ForNeededHere(this->NumberOf(term),
+    [&](const NodeBox& box) { CopyNodes(box, this->Whole(from), this->Whole(to), this->Filled); });
 }
 }

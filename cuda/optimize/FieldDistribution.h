@@ -109,6 +109,8 @@ private:
   bool Has(Place place) const;
   std::size_t NumberOf(Place place) const;
   std::vector<Region> RegionsOf(std::size_t place, std::vector<Region> Regions::*kind) const;
+  template <class What>
+  void ForNeededHere(std::size_t place, const What& what) const;
   FieldView Whole(const float* field) const;
 
   const Communicator* All;

@@ -4,7 +4,6 @@
 #ifndef limpid_optimize_Iterate_h
 #define limpid_optimize_Iterate_h
 
-#include "backend/HostDevice.h"
 #include "backend/LargePages.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/ProblemFields.h"
