@@ -367,7 +367,7 @@ private:
     float* const densest = this->Samples.densest;
     float* const important = this->Samples.important;
     detail::StepAllAs<LayerCrossing::Clipped>(this->RaysAt(columns),
-      [densest, important, resolve](const RayInLayer<LayerCrossing::Clipped>& ray, int i)
+      [densest, important](const RayInLayer<LayerCrossing::Clipped>& ray, int i)
         LIMPID_INLINE_LAMBDA
       {
         const float front = ray.importance[0];
