@@ -153,7 +153,7 @@ void ExchangePlan::Bring(const std::vector<Field>& fields) const
   }
   for (const Field& field : fields)
   {
-    if (field.from.values != field.to.values)
+    if (!field.from.IsSameAs(field.to))
     {
       for (const NodeBox& box : this->Own)
       {

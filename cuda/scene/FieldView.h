@@ -52,6 +52,13 @@ struct FieldView
   {
     return i * this->stride[0] + j * this->stride[1] + k * this->stride[2];
   }
+
+  /// Whether every node has the same address in both. The origins alone do not tell: a view of a
+  /// part may have its origin, which it does not contain, anywhere, even at that of another field.
+  bool IsSameAs(const FieldView& other) const
+  {
+    return this->values == other.values && this->stride == other.stride;
+  }
 };
 
 /// Calls what(first node of a row, count) for the filled parts of the rows of a box. `axis`:
