@@ -23,11 +23,11 @@ enum class Transmittance
 struct IdleStep
 {
   PolicyVoxel<float> policy;
-  const float* importance;                 ///< [0, 1]; null if nothing is protected
+  const float* importance;                 ///< [0, 1]; the base if nothing is protected
   const float* base;                       ///< [1/length]
   const float* references[mostReferences]; ///< see Pull; the base where there is none [1/length]
-  const float* lagged;                     ///< weighted derivative of the other terms; null if none
-  float* next;                             ///< out [1/length]
+  const float* lagged; ///< weighted derivative of the other terms; the base if there are none
+  float* next;         ///< out [1/length]
 
   LIMPID_HD LIMPID_INLINE void operator()(Index u) const { this->Write(u, 0.0f); }
 
@@ -40,8 +40,7 @@ struct IdleStep
       towards[i] = this->references[i][u];
     }
     this->next[u] =
-      this->policy(this->base[u], towards, this->importance ? this->importance[u] : 0.0f,
-        derivative, this->lagged ? this->lagged[u] : 0.0f);
+      this->policy(this->base[u], towards, this->importance[u], derivative, this->lagged[u]);
   }
 };
 
@@ -217,18 +216,20 @@ struct PolicyKernel
   }
 
 private:
+  /// Fields that the policy does not need, as their factor is 0, are replaced by the base: vector
+  /// registers read a null address element by element, even where none is selected.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE IdleStep StepAt(const Voxels& voxels) const
   {
     IdleStep step;
     step.policy = this->policy;
-    step.importance = this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : nullptr;
     step.base = voxels.Row(this->base);
+    step.importance = this->policy.bounds.protect > 0 ? voxels.Row(this->importance) : step.base;
     for (std::size_t i = 0; i < mostReferences; ++i)
     {
       step.references[i] = this->references[i] ? voxels.Row(this->references[i]) : step.base;
     }
-    step.lagged = this->lagged ? voxels.Row(this->lagged) : nullptr;
+    step.lagged = this->lagged ? voxels.Row(this->lagged) : step.base;
     step.next = voxels.Row(this->next);
     return step;
   }
