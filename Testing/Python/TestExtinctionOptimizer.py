@@ -18,6 +18,7 @@ from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 from images import (FILL_VALUES, FilterTest, PartOf, abort_at_every_event, blocks_of, caught, filter_on,
                     flipped, function_of, image_of, image_with_fill, in_order, memory_limited_to,
                     phantom, rounded_rotation, starting_importance, values, with_input)
+from noise import noisy_ball, speck_share
 
 POINTS, CELLS = 0, 1
 SINGLE = float(np.finfo(np.float32).eps)
@@ -566,6 +567,19 @@ class TestImportanceNotGiven(OptimizerTest):
         np.testing.assert_allclose(importance, starting_importance(scalars), atol=2 * SINGLE)
         self.assertEqual(len(told), 1)
         self.assertIn("No importance is set", told[0])
+
+    def test_noise_is_not_important(self):
+        density = noisy_ball()
+        ones = np.ones(density.size)
+
+        importance, told = self.found(
+            image_of(density.shape, density=density.ravel(), BaseExtinction=ones), "density")
+
+        begin = density.ravel()[importance == 0].max()
+        end = density.ravel()[importance == 1].min()
+        self.assertGreater(speck_share(density, *np.quantile(density, (0.95, 0.99))), 0.1)
+        self.assertLess(speck_share(density, begin, end), 0.1)
+        self.assertIn(f"from {begin:.2g}", told[0])
 
     def test_they_are_the_component_that_counts(self):
         vectors = np.sort(np.random.default_rng(2).normal(0, 100, (1320, 3)), axis=0)

@@ -7,10 +7,12 @@ import os
 
 import numpy as np
 from paraview import simple
-from paraview.vtk.util.numpy_support import vtk_to_numpy
+from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import displays
 import runner
+from noise import NOISE, noisy_ball, speck_share
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 SCENES = os.path.join(os.path.dirname(__file__), "..", "..", "..", "shared", "data")
@@ -76,6 +78,25 @@ class TestFirstPicture(displays.DisplayTest):
         fraction = display.VisibleFraction
         simple.Render(self.view)
         self.assertEqual(display.VisibleFraction, fraction, "another picture")
+
+    def test_begins_above_the_noise(self):
+        values = noisy_ball()
+        image = vtkImageData()
+        image.SetDimensions(values.shape)
+        image.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
+        image.GetPointData().GetScalars().SetName("density")
+        source = simple.TrivialProducer()
+        source.GetClientSideObject().SetOutput(image)
+
+        display = self.drawn(source)
+
+        of_all = ramp(values)
+        begin, end = display.ImportanceFunction.Points[4], display.ImportanceFunction.Points[8]
+        self.assertEqual(display.Messages, "")
+        self.assertGreater(speck_share(values, of_all[4], of_all[8]), 0.1)
+        self.assertLess(speck_share(values, begin, end), 0.1)
+        self.assertLess(end, 1 + 3 * NOISE, "the ball is still important")
+        self.assertGreater(display.VisibleFraction, 1.15 * display.BaseVisibleFraction)
 
     def test_starts_in_every_view(self):
         source = simple.Wavelet()
