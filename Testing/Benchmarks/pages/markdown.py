@@ -7,12 +7,9 @@ import math
 
 NOISY = 0.25  # spread above which times are preliminary
 
-# The day on which energies, scores and iterations of runs last changed by more than rounding: layers
-# that stop much light are resolved, resilient steps follow policy sweeps there, and media count as
-# thick from an optical depth of 0.5 on. Pages of such results that are older say so.
-RESULTS_CHANGED = "2026-11-27"
-RESULTS = {"Run time against error", "Resolutions", "Solvers", "Viewpoints", "Orbits", "Presets",
-           "Steadiness"}
+# The day on which times and results of runs last changed by more than rounding: rays across long
+# images and thick layers, the drawing and its shadows, policy sweeps. Older pages say so.
+RESULTS_CHANGED = "2026-11-28"
 
 
 def fixed(value, decimals=0):
@@ -90,9 +87,9 @@ def head(title, measured, command=None):
     if machine["load_before"] > 0.5:
         text += ("\n**The machine was not idle: times are preliminary.** Scores, energies and "
                  "memory do not depend on the load.\n")
-    if title in RESULTS and machine["date"] < RESULTS_CHANGED:
-        text += (f"\n**Not measured since {machine['date']}: the code's scores, energies and iterations "
-                 f"changed until {RESULTS_CHANGED}. The command above measures them anew.**\n")
+    if machine["date"] < RESULTS_CHANGED:
+        text += (f"\n**Not measured since {machine['date']}; times and results changed until "
+                 f"{RESULTS_CHANGED}. The command above measures them anew.**\n")
     if "load_after" in machine:
         text += (f"\nLoad average at the end: {machine['load_after']:.2f}, this program "
                  "included.\n")
