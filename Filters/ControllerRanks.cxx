@@ -190,7 +190,7 @@ bool AllRanksUpdate(vtkInformation*)
 
 std::shared_ptr<const Communicator> MakeRanks()
 {
-  return nullptr;
+  return ThisProcess();
 }
 #endif
 }

@@ -23,8 +23,8 @@ VTKLIMPIDFILTERS_EXPORT bool AllRanksUpdate(vtkInformation* outInfo);
 /// Returns whether there are several MPI processes.
 VTKLIMPIDFILTERS_EXPORT bool AreSeveral();
 
-/// Returns a communicator of these processes for one computation. Collective: all processes must
-/// call it, in the same order.
+/// Returns a communicator of these processes for one computation; that of this process if there are
+/// no others. Collective: all processes must call it, in the same order.
 VTKLIMPIDFILTERS_EXPORT std::shared_ptr<const Communicator> MakeRanks();
 }
 

@@ -93,15 +93,15 @@ struct vtkExtinctionOptimizer::Internals
   limpid::ConcurrentResult Optimize(const limpid::SceneFields& scene, const limpid::Camera& camera,
     const limpid::Light& light) const;
   void StartFromLastResult(const limpid::SceneFields& scene, limpid::Solver& solver) const;
-  bool AnyRank(bool here) const { return limpid::OrThisProcess(this->Ranks.get()).AnyOf(here); }
+  bool AnyRank(bool here) const { return this->Ranks->AnyOf(here); }
   void WriteUnsolved(const limpid::ImageScene& scene, vtkImageData* output) const;
   void ReportReplaced(
     const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const;
 
   vtkExtinctionOptimizer* Self;
   SceneReader Reader;
-  std::shared_ptr<const limpid::Communicator> Ranks; // of the present run; null: one process
-  vtkSmartPointer<vtkFloatArray> LastExtinction;     // for a warm start; also an output
+  std::shared_ptr<const limpid::Communicator> Ranks = limpid::ThisProcess(); // of the present run
+  vtkSmartPointer<vtkFloatArray> LastExtinction; // for a warm start; also an output
   limpid::Int3 LastNodes{ 0 };
   std::shared_ptr<const limpid::ScenePiece> LastPiece; // at the last run; null: one process
   limpid::CarriedChange LastChange;                    // for temporal coherence
@@ -154,7 +154,7 @@ bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) cons
 
 limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector** inputVector) const
 {
-  if (!this->Ranks)
+  if (this->Ranks->IsAlone())
   {
     return this->Reader.Read(
       this->Reader.RequireWholeImage(inputVector), this->Self->ExtinctionSource);
@@ -170,9 +170,10 @@ int vtkExtinctionOptimizer::RequestData(
   try
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(0);
-    this->State->Ranks = this->State->RanksShare(outInfo) ? limpid::MakeRanks() : nullptr;
-    limpid::NotifyingOnFailure(limpid::OrThisProcess(this->State->Ranks.get()),
-      [&] { this->Optimize(inputVector, output, convergence); });
+    this->State->Ranks =
+      this->State->RanksShare(outInfo) ? limpid::MakeRanks() : limpid::ThisProcess();
+    limpid::NotifyingOnFailure(
+      *this->State->Ranks, [&] { this->Optimize(inputVector, output, convergence); });
     KeepRequestedPiece(outInfo, SceneReader::WholeExtentOf(inputVector), output);
     return 1;
   }

@@ -145,9 +145,10 @@ int vtkViewpointSearch::RequestData(
   {
     vtkInformation* requested = RequestedOf(request, outputVector);
     const bool isLaterPiece = requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
-    this->State->Ranks = limpid::AllRanksUpdate(requested) ? limpid::MakeRanks() : nullptr;
-    limpid::NotifyingOnFailure(limpid::OrThisProcess(this->State->Ranks.get()),
-      [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
+    this->State->Ranks =
+      limpid::AllRanksUpdate(requested) ? limpid::MakeRanks() : limpid::ThisProcess();
+    limpid::NotifyingOnFailure(
+      *this->State->Ranks, [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
     return 1;
   }
   catch (const limpid::Interrupted&)

@@ -107,7 +107,7 @@ bool vtkViewpointSearch::Internals::IsLarge(vtkInformationVector** inputVector) 
 // Returns whether `here` is true; if all ranks do the same steps, whether it is true on any rank.
 bool vtkViewpointSearch::Internals::IsTrueOnAnyRank(bool here) const
 {
-  return limpid::OrThisProcess(this->SharesImage ? this->Ranks.get() : nullptr).AnyOf(here);
+  return this->SharesImage ? this->Ranks->AnyOf(here) : here;
 }
 
 limpid::ImageScene vtkViewpointSearch::Internals::Read(vtkInformationVector** inputVector) const
@@ -137,13 +137,13 @@ auto vtkViewpointSearch::Internals::Interruptibly(const Function& function) cons
 void vtkViewpointSearch::Internals::Search(
   vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3])
 {
-  this->SharesImage = this->Ranks && this->Ranks->AnyOf(!HasWholeImage(inputVector));
+  this->SharesImage = !this->Ranks->IsAlone() && this->Ranks->AnyOf(!HasWholeImage(inputVector));
   if (!this->SharesImage)
   {
     this->Reader.RequireWholeImage(inputVector);
   }
   this->RequirePossibleSettings();
-  if (isLaterPiece && !this->Ranks)
+  if (isLaterPiece && this->Ranks->IsAlone())
   {
     return;
   }
@@ -270,7 +270,7 @@ template <class Score>
 std::vector<limpid::ScoredView> vtkViewpointSearch::Internals::ScoreTogether(
   const std::vector<limpid::Vec3>& directions, const Score& score) const
 {
-  if (!this->Ranks || this->SharesImage)
+  if (this->SharesImage)
   {
     return score(directions);
   }
@@ -325,7 +325,7 @@ void vtkViewpointSearch::Internals::ScoreAndFind(
       const bool isStopped = this->IsTrueOnAnyRank(!progress(0));
       return isStopped ? Unscored(directions) : score(directions, progress);
     });
-  if (!this->Ranks || this->SharesImage || this->Ranks->Rank() == 0)
+  if (this->SharesImage || this->Ranks->Rank() == 0)
   {
     self->SetProgressText("Climbing to better views");
     search.refine = !this->IsTrueOnAnyRank(report.IsStopped()) && search.refine;

@@ -10,6 +10,8 @@
 #include "vtkViewpointSearch.h"
 #include "vtkVisibilityAlgorithmScene.h"
 
+#include "distributed/Communicator.h"
+
 #include <memory>
 #include <vector>
 
@@ -65,7 +67,7 @@ struct vtkViewpointSearch::Internals
 
   vtkViewpointSearch* Self;
   SceneReader Reader;
-  std::shared_ptr<const limpid::Communicator> Ranks; // that share the samples; null: one process
+  std::shared_ptr<const limpid::Communicator> Ranks = limpid::ThisProcess(); // they share samples
   bool SharesImage = false;          // they also share the image: all ranks score all samples
   std::vector<limpid::Vec3> Avoided; // directions, of any length
 };

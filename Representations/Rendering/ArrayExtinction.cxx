@@ -37,7 +37,7 @@ float PowerOfTwoFor(float value)
 }
 
 ArrayExtinction::ArrayExtinction(
-  vtkImageData* image, const FieldSource& source, float* scalars, const Communicator* ranks)
+  vtkImageData* image, const FieldSource& source, float* scalars, const Communicator& ranks)
 {
   const vtkSmartPointer<vtkFloatArray> field = source.array
     ? ConvertField(image, source, "Extinction")
@@ -72,7 +72,7 @@ ArrayExtinction::ArrayExtinction(
   this->shares.assign(values, values + field->GetNumberOfTuples());
   this->largest = std::accumulate(this->shares.begin(), this->shares.end(), 0.0F,
     [](float one, float other) { return std::max(one, other); });
-  this->largest = ranks ? ranks->LargestOf(this->largest) : this->largest;
+  this->largest = ranks.LargestOf(this->largest);
   if (!(this->largest > 0))
   {
     return;

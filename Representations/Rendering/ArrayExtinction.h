@@ -36,9 +36,9 @@ struct ArrayExtinction
 
   /// `scalars`: at the points of the image; set to NaN, which is empty, where the extinction is
   /// NaN, infinite or negative. Points that were empty before are not counted. `ranks`: that share
-  /// the image; some may have no points and no array; null: one process.
-  ArrayExtinction(vtkImageData* image, const FieldSource& source, float* scalars,
-    const Communicator* ranks = nullptr);
+  /// the image; some may have no points and no array.
+  ArrayExtinction(
+    vtkImageData* image, const FieldSource& source, float* scalars, const Communicator& ranks);
 };
 }
 

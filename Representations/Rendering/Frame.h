@@ -42,18 +42,16 @@ struct FrameSettings
   double easeTime = 0.3;  ///< time constant of changes during interaction [s]
   bool stepwise = false;  ///< still frames make one step of the optimisation only
 
-  /// The processes that draw the frame together; null: one process.
-  const Communicator* ranks = nullptr;
+  const Communicator* ranks = ThisProcess().get(); ///< those that draw the frame together
+
+  bool IsOfSeveral() const { return !this->ranks->IsAlone(); }
 
   /// Returns whether `here` is true on any rank.
-  bool AnyRank(bool here) const { return OrThisProcess(this->ranks).AnyOf(here); }
+  bool AnyRank(bool here) const { return this->ranks->AnyOf(here); }
 
   /// Returns the largest value of all ranks, so that they take the same decision; values are at
   /// least zero.
-  double Largest(double here) const
-  {
-    return OrThisProcess(this->ranks).LargestOf(static_cast<float>(here));
-  }
+  double Largest(double here) const { return this->ranks->LargestOf(static_cast<float>(here)); }
 
   /// Returns how pictures are composed of samples; it is front to back unless a method needs
   /// importance.

@@ -147,7 +147,7 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
     this->Remaining = 0;
     share = 1;
   }
-  this->SetFound(frame.ranks != nullptr, share);
+  this->SetFound(frame.IsOfSeveral(), share);
 }
 
 // Lets the picture begin the next change at the result of the optimiser instead of the base
@@ -347,7 +347,7 @@ void ViewOptimization::Reset()
 
 bool ViewOptimization::ShowsPiece(const FrameSettings& frame) const
 {
-  return frame.ranks &&
+  return frame.IsOfSeveral() &&
     (this->ShowsBase ? this->CasterVersion != 0 : this->Optimizer->ShowsPiece());
 }
 

@@ -38,7 +38,7 @@ void ViewShadows::MakeInTime(const FrameSettings& frame, const Grid& grid, const
   for (const int factor : Coarsenesses)
   {
     const Grid coarse = CoarseGrid(grid, factor);
-    const bool suits = IsForAll(OrThisProcess(frame.ranks), coarse, whole);
+    const bool suits = IsForAll(*frame.ranks, coarse, whole);
     if (suits || factor == Coarsenesses.back())
     {
       factors.push_back(factor);

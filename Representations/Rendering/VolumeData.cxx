@@ -134,7 +134,7 @@ ValueUnit VolumeData::ChooseUnit(const FieldSource& source, const FunctionRange&
     const bool single = source.array->GetNumberOfComponents() == 1;
     source.array->GetFiniteRange(range, single ? 0 : source.component);
   }
-  if (this->Ranks)
+  if (!this->Ranks->IsAlone())
   {
     const bool isRange = range[0] <= range[1];
     range[0] = isRange ? range[0] : std::nan("");
@@ -183,7 +183,7 @@ void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, 
   this->NegativeExtinctions = 0;
   if (this->AnyRank(source.array != nullptr))
   {
-    ArrayExtinction extinction(image, source, scalars, this->Ranks.get());
+    ArrayExtinction extinction(image, source, scalars, *this->Ranks);
     this->ScalarShares = std::move(extinction.shares);
     this->ArrayUnit = extinction.unit;
     this->ArrayMajorant = extinction.largest;
@@ -196,10 +196,7 @@ void VolumeData::TakeExtinction(vtkImageData* image, const FieldSource& source, 
 vtkIdType VolumeData::SumOverRanks(vtkIdType here) const
 {
   std::int64_t count = here;
-  if (this->Ranks)
-  {
-    this->Ranks->Sum(&count, 1);
-  }
+  this->Ranks->Sum(&count, 1);
   return static_cast<vtkIdType>(count);
 }
 
@@ -259,7 +256,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   this->TimeChanges += this->AnyRank(before && this->Time && *before != *this->Time) ? 1 : 0;
   this->ScalarValues = nullptr;
   this->Shared.reset();
-  if (this->Ranks)
+  if (!this->Ranks->IsAlone())
   {
     this->Shared.emplace(this->Ranks, image, this->WholeExtent);
   }

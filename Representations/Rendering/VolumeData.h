@@ -116,7 +116,7 @@ private:
     bool operator==(const ArrayKey& other) const;
   };
 
-  bool AnyRank(bool here) const { return limpid::OrThisProcess(this->Ranks.get()).AnyOf(here); }
+  bool AnyRank(bool here) const { return this->Ranks->AnyOf(here); }
   vtkIdType SumOverRanks(vtkIdType here) const;
   bool Owns(const Vec3& index) const;
   vtkImageData* Here(vtkImageData* image) const;
@@ -128,7 +128,7 @@ private:
   void CorrectImportance(const std::vector<float>& shares);
   void UpdateBaseExtinction();
 
-  std::shared_ptr<const Communicator> Ranks; ///< null: one process
+  std::shared_ptr<const Communicator> Ranks = ThisProcess();
   std::array<int, 6> WholeExtent{ { 0, -1, 0, -1, 0, -1 } };
   std::optional<SharedVolume> Shared;
 

@@ -210,7 +210,7 @@ void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
   }
   catch (const std::exception& error)
   {
-    if (frame.ranks || (IsOfGpu(error) && frame.solver.backend == BackendKind::Auto))
+    if (frame.IsOfSeveral() || (IsOfGpu(error) && frame.solver.backend == BackendKind::Auto))
     {
       throw; // an error of all ranks or of the GPU of the pictures; the optimisation handles its
              // own
@@ -253,7 +253,7 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
   messages = FrameMessages();
-  this->OnRanks = frame.ranks != nullptr;
+  this->OnRanks = frame.IsOfSeveral();
   this->Reports = frame.still && !frame.stepwise;
   this->RaysDone = 0;
   this->Clock.Begin(this->GoesOn);
@@ -266,7 +266,7 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   this->Opaque.reset();
   this->Image = Picture();
   ViewGeometry geometry = GeometryOf(this->Target, this->Volume, data.Whole());
-  if (frame.ranks)
+  if (frame.IsOfSeveral())
   {
     TakeFirstOf(*frame.ranks, geometry);
   }

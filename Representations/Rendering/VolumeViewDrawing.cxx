@@ -143,7 +143,7 @@ void VolumeView::DrawNow(
 OpaqueDepth VolumeView::OpaqueOf(const FrameSettings& frame, const ViewGeometry& geometry) const
 {
   OpaqueDepth opaque(this->Target, geometry);
-  if (frame.ranks)
+  if (frame.IsOfSeveral())
   {
     // A process may have opaque geometry that hides the pieces of others.
     opaque.TakeNearestOf(*frame.ranks);
@@ -157,7 +157,7 @@ bool VolumeView::DrawWhole(const FrameSettings& frame)
   const OpaqueDepth& opaque = *this->Opaque;
   const ViewGeometry& geometry = *this->Geometry;
   const bool coarse = this->Frame.whole != geometry.size;
-  const std::vector<DepthRange> ranges = coarse && !opaque.IsEmpty() && !frame.ranks
+  const std::vector<DepthRange> ranges = coarse && !opaque.IsEmpty() && !frame.IsOfSeveral()
     ? opaque.RangesOf(this->Frame)
     : std::vector<DepthRange>();
   if (!ranges.empty())
@@ -222,8 +222,9 @@ bool HasSeveralVolumes(vtkRenderer* renderer)
 // Draws the frame's picture into the view.
 void VolumeView::Show(const FrameSettings& frame)
 {
-  frame.ranks ? this->ShowShared(*frame.ranks)
-              : this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
+  frame.IsOfSeveral()
+    ? this->ShowShared(*frame.ranks)
+    : this->Quad.Draw(this->Target, this->Image, this->Frame, this->Geometry->nearest);
 }
 
 // Draws the pixels in which this process's piece is foremost.

@@ -90,7 +90,7 @@ bool VolumeView::MakeOriginal(const VolumeData& data)
 {
   this->Reports = false;
   const KeptPicture* optimized = this->Pictures.Optimized();
-  if (!this->RestsOptimized || !optimized || optimized->subject.frame.ranks)
+  if (!this->RestsOptimized || !optimized || optimized->subject.frame.IsOfSeveral())
   {
     return false;
   }

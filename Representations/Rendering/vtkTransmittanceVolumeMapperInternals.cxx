@@ -261,7 +261,7 @@ void vtkTransmittanceVolumeMapper::Internals::DrawFrame(
   this->UpdateRanks();
   try
   {
-    limpid::NotifyingOnFailure(limpid::OrThisProcess(this->Ranks.get()),
+    limpid::NotifyingOnFailure(*this->Ranks,
       [&]()
       {
         this->Draw(view, renderer, volume, inParts);
@@ -302,10 +302,10 @@ bool vtkTransmittanceVolumeMapper::Internals::IsShared() const
 
 void vtkTransmittanceVolumeMapper::Internals::UpdateRanks()
 {
-  if (this->IsShared() != bool(this->Ranks))
+  if (this->IsShared() == this->Ranks->IsAlone())
   {
     this->Disband();
-    this->Ranks = this->IsShared() ? limpid::MakeRanks() : nullptr;
+    this->Ranks = this->IsShared() ? limpid::MakeRanks() : limpid::ThisProcess();
   }
   std::array<int, 6> whole;
   std::copy_n(this->Self->WholeExtent, whole.size(), whole.begin());
@@ -315,9 +315,9 @@ void vtkTransmittanceVolumeMapper::Internals::UpdateRanks()
 // Discards what was computed with other processes.
 void vtkTransmittanceVolumeMapper::Internals::Disband()
 {
-  if (this->Ranks)
+  if (!this->Ranks->IsAlone())
   {
-    this->Ranks = nullptr;
+    this->Ranks = limpid::ThisProcess();
     this->ReleaseMemory();
   }
 }
@@ -351,7 +351,7 @@ void vtkTransmittanceVolumeMapper::Internals::NoticeChanges(
 void vtkTransmittanceVolumeMapper::Internals::Draw(
   limpid::VolumeView& view, vtkRenderer* renderer, vtkVolume* volume, bool inParts)
 {
-  LIMPID_REQUIRE(!inParts || !this->Ranks,
+  LIMPID_REQUIRE(!inParts || this->Ranks->IsAlone(),
     "Processes share the image, and the renderer peels volumes (this combination is not "
     "supported). Switch UseDepthPeelingForVolumes off.");
   vtkImageData* image = this->RequireImage();
@@ -374,7 +374,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   try
   {
     importance = isHere ? this->ImportanceOf(image, choice) : Importance();
-    if (!this->Ranks)
+    if (this->Ranks->IsAlone())
     {
       this->Data.UpdateImportance(image, importance.source, importance.functionTime);
     }
@@ -396,7 +396,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     frame.optimize = false;
     frame.showMissed = false;
   }
-  else if (this->Ranks)
+  else if (!this->Ranks->IsAlone())
   {
     this->Data.UpdateImportance(image, importance.source, importance.functionTime);
   }

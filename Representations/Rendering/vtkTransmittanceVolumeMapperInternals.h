@@ -40,7 +40,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   // Several processes.
   bool IsShared() const;
   double* FindWholeBounds(vtkImageData* image, double bounds[6]) const;
-  bool AnyRank(bool here) const { return limpid::OrThisProcess(this->Ranks.get()).AnyOf(here); }
+  bool AnyRank(bool here) const { return this->Ranks->AnyOf(here); }
   void UpdateRanks();
   void Disband();
 
@@ -96,7 +96,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   bool ReportVolume(vtkRenderer* renderer, vtkVolume* other, const limpid::Box& box, bool later);
 
   vtkTransmittanceVolumeMapper* Self;
-  std::shared_ptr<const limpid::Communicator> Ranks; ///< that draw together; null: one process
+  std::shared_ptr<const limpid::Communicator> Ranks = limpid::ThisProcess(); ///< draw together
   limpid::ArrayContents Contents;
   limpid::ImportanceRamp Ramp;                 ///< the assumption if importance is not specified
   std::pair<vtkMTimeType, int> RampOf{ 0, 0 }; ///< scalars: time and component

@@ -65,7 +65,7 @@ bool IsTranslucentInFront(vtkProp* prop, const limpid::Box& box, vtkRenderer* re
 // If processes draw together, only rank 0 reports warnings.
 bool vtkTransmittanceVolumeMapper::Internals::ReportsMessages() const
 {
-  return !this->Ranks || this->Ranks->Rank() == 0;
+  return this->Ranks->Rank() == 0;
 }
 
 void vtkTransmittanceVolumeMapper::Internals::Warn(const std::string& text)

@@ -81,7 +81,7 @@ vtkImageData* vtkTransmittanceVolumeMapper::Internals::RequireImage() const
     "The input is a " << (input ? input->GetClassName() : "null pointer")
                       << " (this mapper needs uniformly spaced points). Give it a vtkImageData, "
                          "for instance from Resample To Image (vtkResampleToImage).");
-  LIMPID_REQUIRE(image->GetNumberOfPoints() > 0 || this->Ranks,
+  LIMPID_REQUIRE(image->GetNumberOfPoints() > 0 || !this->Ranks->IsAlone(),
     "The input has 0 points (there is nothing to draw). Give it an image with data.");
   return image;
 }
@@ -192,7 +192,7 @@ void vtkTransmittanceVolumeMapper::Internals::AssumeImportance(
   {
     this->Ramp =
       limpid::StartingImportance(limpid::SharedArray(scalars, image, this->Self->WholeExtent,
-        this->Ranks ? vtkMultiProcessController::GetGlobalController() : nullptr));
+        this->Ranks->IsAlone() ? nullptr : vtkMultiProcessController::GetGlobalController()));
     this->RampOf = of;
     this->RampTime.Modified();
   }
@@ -305,7 +305,7 @@ limpid::Lighting vtkTransmittanceVolumeMapper::Internals::MakeLighting() const
 void vtkTransmittanceVolumeMapper::Internals::DropUnsupportedOnRanks(limpid::FrameSettings& frame)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() < 2 || this->Ranks)
+  if (!controller || controller->GetNumberOfProcesses() < 2 || !this->Ranks->IsAlone())
   {
     return;
   }
@@ -329,7 +329,7 @@ void vtkTransmittanceVolumeMapper::Internals::DropUnsupportedOnRanks(limpid::Fra
 void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::FrameSettings& frame)
 {
   frame.ranks = this->Ranks.get();
-  if (!frame.ranks)
+  if (!frame.IsOfSeveral())
   {
     return;
   }

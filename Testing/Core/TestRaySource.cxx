@@ -25,6 +25,14 @@ using namespace limpid;
 
 namespace
 {
+/// Returns the length of a ray to a point of the box over its advance along its depth axis.
+double LayerTo(const RaySource& source, const Grid& grid, const Vec3& point)
+{
+  const Vec3 ray = source.parallel ? source.direction : point - source.origin;
+  const Vec3 size = glm::abs(ray);
+  return glm::length(ray * grid.spacing) / std::max({ size.x, size.y, size.z });
+}
+
 /// A grid with three spacings, turned and far from the origin.
 Grid SkewGrid()
 {
@@ -286,6 +294,36 @@ TEST(RaySource, StaysOnThePlanesOfNodesOfATurnedGrid)
     for (int axis = 0; axis < 3; ++axis)
     {
       EXPECT_EQ(source.direction[axis] == 0, alongAxis[axis] == 0);
+    }
+  }
+}
+
+TEST(RaySource, BoundsTheLengthOfItsLayers)
+{
+  for (unsigned seed = 0; seed < 300; ++seed)
+  {
+    SCOPED_TRACE("scene " + std::to_string(seed));
+    const BoxScene scene = MakeRandomScene(seed);
+    const RaySource source = SourceOfCamera(scene.camera, scene.grid, false);
+    const double bound = LongestLayer(source, scene.grid);
+
+    RandomNumbers random(seed);
+    double longest = 0;
+    for (int sample = 0; sample < 300; ++sample)
+    {
+      Vec3 point(0.0);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        point[axis] = random.Between(0, scene.grid.nodes[axis] - 1);
+      }
+      longest = std::max(longest, LayerTo(source, scene.grid, point));
+    }
+
+    EXPECT_LE(longest, bound * (1 + 1e-12));
+    EXPECT_LE(bound, glm::length(scene.grid.spacing) * (1 + 1e-12));
+    if (source.parallel)
+    {
+      EXPECT_NEAR(longest, bound, 1e-12 * bound);
     }
   }
 }

@@ -88,12 +88,6 @@ public:
 /// Returns the communicator of a process that works alone: rank 0 of 1.
 const std::shared_ptr<const Communicator>& ThisProcess();
 
-/// Returns a communicator, or that of this process for null.
-inline const Communicator& OrThisProcess(const Communicator* ranks)
-{
-  return ranks ? *ranks : *ThisProcess();
-}
-
 /// Describes the backend of all ranks for the user: "CPU, 2 threads, on each of 4 ranks".
 std::string NameOnRanks(const std::string& backend, const Communicator& ranks);
 

@@ -23,11 +23,11 @@ struct ClearNode
 template <class AnyDevice>
 TransmittanceSweep<AnyDevice>::TransmittanceSweep(std::shared_ptr<AnyDevice> device,
   const Grid& grid, const Occupancy& occupancy, const RaySource& source, double rayDensity,
-  const Communicator* ranks)
+  const Communicator& ranks)
   : Device(std::move(device))
   , Nodes(grid.NodeCount())
   , Rays(PlanRays(
-      this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForNodes, ranks }))
+      this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForNodes, &ranks }))
 {
 }
 

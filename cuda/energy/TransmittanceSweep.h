@@ -36,7 +36,7 @@ public:
   /// wherever others may be. `ranks`: see PlanSettings.
   TransmittanceSweep(std::shared_ptr<AnyDevice> device, const Grid& grid,
     const Occupancy& occupancy, const RaySource& source, double rayDensity,
-    const Communicator* ranks = nullptr);
+    const Communicator& ranks = *ThisProcess());
 
   /// `extinction` [1/length] and `transmittance` [0, 1]: one value per node, on the device.
   /// Asynchronous.

@@ -219,7 +219,7 @@ public:
         PieceOf(problem, AxisPermutation(), problem.baseExtinction),
         PieceOf(problem, AxisPermutation(), problem.nodeImportance), problem.settings.skipUnneeded))
     , Term(HostDevice::Shared(), problem.grid, *this->Occupied, source, problem.settings.rayDensity,
-        problem.piece->ranks.get(), problem.fine)
+        *problem.piece->ranks, problem.fine)
   {
     VisitPieces(this->Term.Frusta(), *problem.piece, this->Occupied.get());
   }
@@ -434,7 +434,7 @@ void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const R
   const FieldView given = FieldView::Part(const_cast<float*>(extinction), piece.nodes);
   const auto occupancy = FindOccupancy(piece, grid, AxisPermutation(), given, given, /*skip=*/true);
   TransmittanceSweep<HostDevice> sweep(
-    HostDevice::Shared(), grid, *occupancy, source, rayDensity, piece.ranks.get());
+    HostDevice::Shared(), grid, *occupancy, source, rayDensity, *piece.ranks);
   VisitPieces(sweep.Frusta(), piece, nullptr);
   std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f); // for nodes that no ray
                                                                        // reaches

@@ -172,8 +172,8 @@ void FieldDistribution::AddTerm(Place number, const OfTerm& term)
     Regions regions;
     for (int rank = 0; rank < this->All->Size(); ++rank)
     {
-      regions.changed.push_back(OwnedRegion(rays.Plan(), *rays.Bands(), rank));
-      regions.needed.push_back(NeededRegion(rays.Plan(), *rays.Bands(), rank));
+      regions.changed.push_back(OwnedRegion(rays.Plan(), rays.Bands(), rank));
+      regions.needed.push_back(NeededRegion(rays.Plan(), rays.Bands(), rank));
     }
     ofFrusta.push_back(std::move(regions));
   }

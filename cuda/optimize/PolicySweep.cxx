@@ -109,7 +109,7 @@ void SweepPolicy(AnyDevice& device, EnergyTerm<AnyDevice>& term, const Terms<Any
   for (std::size_t index = 0; index < frusta; ++index)
   {
     // Policy sweeps do not resolve thick layers.
-    if (sweep.alternative || problem.MayHaveThickLayers() ||
+    if (sweep.alternative || problem.MayHaveThickLayers(term.Rays()) ||
       !MetNextIterate(index, frusta, problem.settings.derivative))
     {
       term.ForwardAt(index,

@@ -103,6 +103,11 @@ bool Problem::MayHaveThickLayers() const
   return this->majorant * glm::length(this->grid.spacing) > UsualCuts::thick;
 }
 
+bool Problem::MayHaveThickLayers(const RaySource& source) const
+{
+  return this->majorant * LongestLayer(source, this->grid) > UsualCuts::thick;
+}
+
 double Problem::NodeDistance() const
 {
   return std::cbrt(this->grid.CellVolume());

@@ -119,6 +119,9 @@ struct Problem
   /// UsualCuts.
   bool MayHaveThickLayers() const;
 
+  /// Whether the sweep of a source may.
+  bool MayHaveThickLayers(const RaySource& source) const;
+
   /// Whether an extinction within its bounds can stop much of the light between two nodes. The
   /// sign of the derivative at a node then does not tell what is best, and policy sweeps are
   /// followed by resilient steps (Documentation/Method.md, section on thick media).

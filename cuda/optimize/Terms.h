@@ -32,7 +32,7 @@ public:
   EnergyTerm(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
     const TermSource& source, std::size_t number)
     : VisibilityTerm<AnyDevice>(device, problem.grid, *problem.occupancy, source.rays,
-        problem.settings.rayDensity, problem.shared ? problem.Ranks().get() : nullptr)
+        problem.settings.rayDensity, *problem.Ranks())
     , Source(&source)
     , Share(problem.WeightOf(source))
     , Position(number)

@@ -7,6 +7,7 @@
 #include "math/Require.h"
 #include "scene/Grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -222,5 +223,28 @@ RaySource SourceOfLight(const Light& light, const Grid& grid)
   }
   eye.origin = IndexOf(light.position, grid);
   return eye;
+}
+
+double LongestLayer(const RaySource& source, const Grid& grid)
+{
+  // How far rays to points of the box advance along each axis.
+  Vec3 least(0.0);
+  Vec3 most(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double first = source.parallel ? source.direction[axis] : -source.origin[axis];
+    const double last = source.parallel ? first : first + (grid.nodes[axis] - 1);
+    most[axis] = std::max(std::abs(first), std::abs(last));
+    least[axis] = first * last > 0 ? std::min(std::abs(first), std::abs(last)) : 0.0;
+  }
+  const double depth = std::max({ least.x, least.y, least.z }); // along the depth axis, at least
+  const Vec3 slopes = glm::min(most / std::max(depth, 1e-300), Vec3(1.0));
+  const auto lengthOf = [&](int depthAxis)
+  {
+    Vec3 step = slopes * grid.spacing;
+    step[depthAxis] = grid.spacing[depthAxis];
+    return most[depthAxis] < depth ? 0.0 : glm::length(step);
+  };
+  return std::max({ lengthOf(0), lengthOf(1), lengthOf(2) });
 }
 }

@@ -75,6 +75,10 @@ RaySource SourceOfCamera(const Camera& camera, const Grid& grid, bool restrictTo
 
 /// Returns the eye of a light. Throws limpid::Error if a directional light has no direction.
 RaySource SourceOfLight(const Light& light, const Grid& grid);
+
+/// Returns an upper bound of the length of a ray in the box of a grid between two slices of nodes
+/// along the axis on which it advances most [length].
+double LongestLayer(const RaySource& source, const Grid& grid);
 }
 
 #endif

@@ -13,8 +13,14 @@ namespace limpid
 BandDecomposition::BandDecomposition(const FaceFrustum& frustum, const Communicator& ranks)
   : Frustum(frustum)
   , All(&ranks)
-  , Begins(FindEvenBands(frustum, ranks.Size()))
+  , SlicesPerStretch(slicesPerStretch)
 {
+  if (ranks.IsAlone())
+  {
+    this->TakeAll();
+    return;
+  }
+  this->Begins = FindEvenBands(frustum, ranks.Size());
   this->FindNeeded();
   this->FindVisited();
   for (int s = 0; s < frustum.SliceCount(); ++s)
@@ -37,7 +43,22 @@ BandDecomposition::BandDecomposition(const FaceFrustum& frustum, const Communica
   }
 }
 
-void BandDecomposition::FindNeeded()
+/// Gives all rows to the only rank.
+void BandDecomposition::TakeAll()
+{
+  const auto slices = static_cast<std::size_t>(this->Frustum.SliceCount());
+  this->SlicesPerStretch = this->Frustum.SliceCount();
+  this->Begins = { { 0, this->Frustum.rows } };
+  this->Needed.emplace_back(
+    std::size_t(this->NodesReached()), Range<int>{ 0, this->Frustum.nodesV });
+  this->Reached = { 0, this->Frustum.rows };
+  this->Rays[0].resize(slices);
+  this->Rays[1].resize(slices);
+  this->Voxels.resize(slices);
+}
+
+/// Returns the number of nodes along the depth axis that the frustum reaches.
+int BandDecomposition::NodesReached() const
 {
   int last = 0;
   for (int s = 0; s < this->Frustum.SliceCount(); ++s)
@@ -45,9 +66,14 @@ void BandDecomposition::FindNeeded()
     const Slice& slice = this->Frustum.SliceAt(s);
     last = std::max({ last, slice.node, slice.nodes[0], slice.nodes[1] });
   }
+  return last + 1;
+}
+
+void BandDecomposition::FindNeeded()
+{
   for (int rank = 0; rank < this->All->Size(); ++rank)
   {
-    std::vector<Range<int>> rows(static_cast<std::size_t>(last) + 1);
+    std::vector<Range<int>> rows(std::size_t(this->NodesReached()));
     const auto extend = [&rows](int node, const Range<int>& by)
     { rows[std::size_t(node)] = Hull(rows[std::size_t(node)], by); };
     for (int s = 0; s < this->Frustum.SliceCount(); ++s)
@@ -289,7 +315,7 @@ void BandDecomposition::Exchange(const OnSlice& passing, const Add& add) const
 
 void BandDecomposition::PassRays(int from, int to, const std::vector<RayValues>& carried) const
 {
-  if (from / slicesPerStretch == to / slicesPerStretch)
+  if (from / this->SlicesPerStretch == to / this->SlicesPerStretch)
   {
     return;
   }

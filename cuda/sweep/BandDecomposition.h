@@ -39,6 +39,8 @@ struct RayValues
  * Ranks wait for each other on every slice, and the active region differs between slices. The
  * decomposition therefore changes between stretches (EvenBands.h), and rays are redistributed with
  * all values that they carry. Between sweeps they are distributed as on the last slice.
+ *
+ * A process alone has one band of all rows, in one stretch, and exchanges nothing.
  */
 class BandDecomposition
 {
@@ -52,8 +54,14 @@ public:
   /// Rows of rays that a rank owns on slice `s`.
   Range<int> RaysOf(int rank, int s) const
   {
-    const std::vector<int>& begins = this->Begins[std::size_t(s / slicesPerStretch)];
+    const std::vector<int>& begins = this->Begins[std::size_t(s / this->SlicesPerStretch)];
     return { begins[std::size_t(rank)], begins[std::size_t(rank) + 1] };
+  }
+
+  /// Returns the end of the stretch of slices with slice `s`, see EvenBands.h.
+  int EndOfStretch(int s) const
+  {
+    return (s / this->SlicesPerStretch + 1) * this->SlicesPerStretch;
   }
 
   /// Rows of voxels of slice `s` that a rank owns, out of those that the frustum owns.
@@ -100,6 +108,8 @@ private:
 
   Range<int> RowsRead(const Range<int>& rays, int s) const;
   Range<int> RaysReadBy(int rank, int s, int more) const;
+  void TakeAll();
+  int NodesReached() const;
   void FindNeeded();
   void FindVisited();
   template <class Had, class Read>
@@ -109,6 +119,7 @@ private:
 
   FaceFrustum Frustum;
   const Communicator* All;
+  int SlicesPerStretch;
   std::vector<std::vector<int>> Begins;        ///< first rows of the bands, see FindEvenBands
   std::vector<std::vector<Range<int>>> Needed; ///< [rank][node]
   Range<int> Reached;

@@ -167,8 +167,8 @@ private:
   FaceFrustum Addresses;
 };
 
-/// The plan of a frustum on the host, with the memory for transposed slices and, in a distributed
-/// sweep, the decomposition of the rays.
+/// The plan of a frustum on the host, with the memory for transposed slices and the decomposition
+/// of the rays among ranks.
 template <>
 class FrustumTables<HostDevice>
 {
@@ -177,16 +177,14 @@ public:
     const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned, const PlanSettings& settings)
     : Planned(std::move(planned))
     , Pool(std::make_unique<SlabPool>())
-    , Shared(settings.ranks ? std::make_unique<BandDecomposition>(this->Planned, *settings.ranks)
-                            : nullptr)
+    , Shared(std::make_unique<BandDecomposition>(this->Planned, *settings.ranks))
   {
   }
 
   const FaceFrustum& Plan() const { return this->Planned; }
   SlabPool& Pooled() const { return *this->Pool; }
 
-  /// The decomposition among ranks; null if there is one rank.
-  const BandDecomposition* Bands() const { return this->Shared.get(); }
+  const BandDecomposition& Bands() const { return *this->Shared; }
 
   /// From now on sweeps read and write distributed fields through a SlabExchange.
   void SweepFieldsOf(const FieldLayout& home, const Occupancy* filled,
@@ -211,33 +209,24 @@ public:
     std::vector<Range<int>> stretches;
     for (int begin = slices.begin; begin < slices.end; begin = stretches.back().end)
     {
-      const int next = (begin / slicesPerStretch + 1) * slicesPerStretch;
-      stretches.push_back({ begin, this->Shared ? std::min(next, slices.end) : slices.end });
+      stretches.push_back({ begin, std::min(this->Shared->EndOfStretch(begin), slices.end) });
     }
     return stretches;
   }
 
   /// Rows of rays that this rank sweeps on slice `s`.
-  Range<int> RaysHere(int s) const
-  {
-    return this->Shared ? this->Shared->RaysOf(this->Shared->Ranks().Rank(), s)
-                        : Range<int>{ 0, this->Planned.rows };
-  }
+  Range<int> RaysHere(int s) const { return this->Shared->RaysOf(this->Shared->Ranks().Rank(), s); }
 
   /// Rows of rays whose values this rank owns between sweeps.
   Range<int> RaysAtRest() const { return this->RaysHere(this->Planned.lastSlice); }
 
   /// Rows of rays that this rank sweeps or reads on any slice.
-  Range<int> RaysReached() const
-  {
-    return this->Shared ? this->Shared->RaysReached() : Range<int>{ 0, this->Planned.rows };
-  }
+  const Range<int>& RaysReached() const { return this->Shared->RaysReached(); }
 
   /// Rows of voxels of slice `s` that this rank owns.
   Range<int> VoxelsHere(int s) const
   {
-    return this->Shared ? this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s)
-                        : this->Planned.SliceAt(s).ownedRows;
+    return this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s);
   }
 
 private:

@@ -4,6 +4,7 @@
 #ifndef limpid_sweep_PlanSweep_h
 #define limpid_sweep_PlanSweep_h
 
+#include "distributed/Communicator.h"
 #include "scene/Grid.h"
 #include "scene/Occupancy.h"
 #include "scene/RaySource.h"
@@ -15,8 +16,6 @@
 
 namespace limpid
 {
-class Communicator;
-
 /// Smallest depth of a slice of voxels [index]. A closer slice holds no voxel but the one at a
 /// point source, and rays have no width there.
 constexpr double nearestSlice = 1e-6;
@@ -41,7 +40,7 @@ struct PlanSettings
 {
   double rayDensity = 1; ///< rays per voxel and axis on the farthest slice
   RayPlacement placement = RayPlacement::ForIntegrals;
-  const Communicator* ranks = nullptr; ///< of a distributed sweep; null for one process
+  const Communicator* ranks = ThisProcess().get(); ///< those that share the rays
   Readers readers = Readers::RaysAndVoxels;
   std::array<bool, 3> depthAxes{ { true, true, true } }; ///< frusta along other axes are omitted
 };

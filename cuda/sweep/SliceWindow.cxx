@@ -40,13 +40,16 @@ std::shared_ptr<SlabMemory> SlabPool::Take(const FaceFrustum& frustum)
   return this->All.back();
 }
 
-SliceWindow::SliceWindow(const FaceFrustum& frustum, const Occupancy* occupancy, SlabPool& pool,
-  float* field, const FieldUse& use)
+SliceWindow::SliceWindow(const FaceFrustum& frustum, const BandDecomposition& bands,
+  const SlabExchange* delivery, const Occupancy* occupancy, SlabPool& pool, float* field,
+  const FieldUse& use)
   : Source(&frustum)
+  , Bands(&bands)
+  , Delivery(delivery)
   , Occupied(occupancy)
   , Field(field)
   , Use(use)
-  , IsCopied(frustum.axisW == 0)
+  , IsCopied(frustum.axisW == 0 || delivery)
   , Columns(frustum.nodesU)
   , Rows(frustum.nodesV)
   , Pitch(PitchOf(frustum))
@@ -61,10 +64,6 @@ std::vector<int> SliceWindow::RowsOfRank(const Range<int>& rows, const Range<int
 {
   std::vector<int> some(std::size_t(std::max(rows.Length(), 0)));
   std::iota(some.begin(), some.end(), rows.begin);
-  if (!this->Bands)
-  {
-    return some;
-  }
   std::vector<char> isNeeded(std::size_t(this->Rows), 0);
   for (int node = nodes.begin; node < nodes.end; ++node)
   {

@@ -66,23 +66,17 @@ class SliceWindow
 {
 public:
   /// `field`: one value per node, or null. Only Store writes it, or Row if it is not copied.
-  /// `occupancy`: outside of it the field is known to be 0 and writes are lost; null if nothing is
-  /// known. `pool` must outlive the window.
-  SliceWindow(const FaceFrustum& frustum, const Occupancy* occupancy, SlabPool& pool, float* field,
+  /// Only the rows that this rank needs are transferred. `delivery`: transfers them; if null, Load
+  /// and Store do. `occupancy`: outside of it the field is known to be 0 and writes are lost; null
+  /// if nothing is known. `bands`, `delivery` and `pool` must outlive the window.
+  SliceWindow(const FaceFrustum& frustum, const BandDecomposition& bands,
+    const SlabExchange* delivery, const Occupancy* occupancy, SlabPool& pool, float* field,
     const FieldUse& use);
-  SliceWindow(const FaceFrustum& frustum, const Occupancy* occupancy, SlabPool& pool,
-    const float* field, const FieldUse& use)
-    : SliceWindow(frustum, occupancy, pool, const_cast<float*>(field), use)
+  SliceWindow(const FaceFrustum& frustum, const BandDecomposition& bands,
+    const SlabExchange* delivery, const Occupancy* occupancy, SlabPool& pool, const float* field,
+    const FieldUse& use)
+    : SliceWindow(frustum, bands, delivery, occupancy, pool, const_cast<float*>(field), use)
   {
-  }
-
-  /// From now on only the rows that this rank needs are transferred. `delivery`: transfers them;
-  /// if null, Load and Store do.
-  void MoveNeeded(const BandDecomposition& bands, const SlabExchange* delivery)
-  {
-    this->Bands = &bands;
-    this->Delivery = delivery;
-    this->IsCopied = this->IsCopied || delivery;
   }
 
   /// Makes the slices of a slab readable, and those behind it that the sweep reads. Slices that
@@ -125,9 +119,9 @@ private:
   void TransposeRow(int v, const Range<int>& columns, const Range<int>& nodes);
 
   const FaceFrustum* Source;
+  const BandDecomposition* Bands;
+  const SlabExchange* Delivery;
   const Occupancy* Occupied;
-  const BandDecomposition* Bands = nullptr;
-  const SlabExchange* Delivery = nullptr;
   float* Field;
   FieldUse Use;
   bool IsCopied;

@@ -164,19 +164,16 @@ inline Visible SumOfPart(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept
 {
   ExactSum sums[2];
   double cellMeasure = 0; // of all frusta
-  const Communicator* ranks = nullptr;
+  const Communicator* ranks = ThisProcess().get();
   for (FrustumRays<HostDevice>& frustum : frusta)
   {
     const SeenByRay seen(frustum.States(), kept);
     AddRays(frustum.Plan(), frustum.RaysAtRest(), seen.visible, sums[0]);
     AddRays(frustum.Plan(), frustum.RaysAtRest(), seen.unattenuated, sums[1]);
     cellMeasure = frustum.Plan().cellMeasure;
-    ranks = frustum.Bands() ? &frustum.Bands()->Ranks() : nullptr;
+    ranks = &frustum.Bands().Ranks();
   }
-  if (ranks)
-  {
-    ranks->Sum(sums, 2);
-  }
+  ranks->Sum(sums, 2);
   return { cellMeasure * sums[0].Value(), cellMeasure * sums[1].Value() };
 }
 }
@@ -224,10 +221,7 @@ inline double SumOfRays(
 {
   ExactSum sum;
   AddRays(all.Plan(), all.RaysAtRest(), values, sum);
-  if (all.Bands())
-  {
-    all.Bands()->Ranks().Sum(&sum, 1);
-  }
+  all.Bands().Ranks().Sum(&sum, 1);
   return all.Plan().cellMeasure * sum.Value();
 }
 }

@@ -71,12 +71,14 @@ public:
     {
       return nullptr;
     }
-    this->All.emplace_back(this->Rays.Plan(), this->Occupied, this->Rays.Pooled(), field, use);
-    if (this->Rays.Bands())
+    this->All.emplace_back(this->Rays.Plan(), this->Rays.Bands(), this->Rays.Delivery(),
+      this->Occupied, this->Rays.Pooled(), field, use);
+    SliceWindow& window = this->All.back();
+    if (window.IsReadBehind())
     {
-      this->All.back().MoveNeeded(*this->Rays.Bands(), this->Rays.Delivery());
+      this->Changing.push_back(&window);
     }
-    return &this->All.back();
+    return &window;
   }
 
   void Load(const Range<int>& slab)
@@ -106,21 +108,7 @@ public:
   }
 
   /// Sends the changed voxels of a slice to the ranks whose rays read them.
-  void Exchange(int s)
-  {
-    std::vector<SliceWindow*> changed;
-    for (SliceWindow& window : this->All)
-    {
-      if (window.IsReadBehind())
-      {
-        changed.push_back(&window);
-      }
-    }
-    if (this->Rays.Bands() && !changed.empty())
-    {
-      this->Rays.Bands()->ExchangeVoxels(s, changed);
-    }
-  }
+  void Exchange(int s) const { this->Rays.Bands().ExchangeVoxels(s, this->Changing); }
 
 private:
   template <class Which>
@@ -140,18 +128,16 @@ private:
   const FrustumTables<HostDevice>& Rays;
   const Occupancy* Occupied;
   std::deque<SliceWindow> All;
+  std::vector<SliceWindow*> Changing; ///< those whose new values the sweep reads
 };
 
-/// Exchanges the ghost rows of rays that voxels of slice `s` read, see BandDecomposition.
+/// Returns the images of the rays that voxels read.
 template <class Kernel>
-void ExchangeRays(const FrustumRays<HostDevice>& rays, int s, bool cubic, const RayStates& states)
+std::vector<float*> ImagesRead(const RayStates& states)
 {
-  if (rays.Bands())
-  {
-    std::vector<float*> images;
-    ForRead<Kernel::readByVoxels>([&](RayChannel channel) { images.push_back(states[channel]); });
-    rays.Bands()->ExchangeRays(s, cubic, images);
-  }
+  std::vector<float*> images;
+  ForRead<Kernel::readByVoxels>([&](RayChannel channel) { images.push_back(states[channel]); });
+  return images;
 }
 
 /// Returns the rays' values that voxels read, see ForRead.
@@ -169,16 +155,6 @@ std::vector<RayValues> CarriedBy(const Kernel& kernel, const RayStates& states)
   std::vector<RayValues> carried;
   kernel.ForCarried([&](auto value) { carried.push_back(states[value]); });
   return carried;
-}
-
-/// Redistributes rays to their owners on slice `to`, see BandDecomposition.
-inline void PassRays(
-  const FrustumRays<HostDevice>& rays, int from, int to, const std::vector<RayValues>& carried)
-{
-  if (rays.Bands())
-  {
-    rays.Bands()->PassRays(from, to, carried);
-  }
 }
 
 /// Returns the rows of rays that this rank sweeps in a stretch.
@@ -211,7 +187,7 @@ void SweepForward(
     windows.Load(slab);
     for (const Range<int>& stretch : rays.StretchesOf(slab))
     {
-      PassRays(rays, stretch.begin - 1, stretch.begin, carried);
+      rays.Bands().PassRays(stretch.begin - 1, stretch.begin, carried);
       ForRows(RowsNear(rays, stretch), rowsPerTask / 2,
         [&](int row)
         {
@@ -246,7 +222,7 @@ void SweepRaysBackward(
     for (std::size_t index = stretches.size(); index-- > 0;)
     {
       const Range<int>& stretch = stretches[index];
-      PassRays(rays, std::min(stretch.end, frustum.lastSlice), stretch.end - 1, carried);
+      rays.Bands().PassRays(std::min(stretch.end, frustum.lastSlice), stretch.end - 1, carried);
       ForRows(RowsNear(rays, stretch), rowsPerTask / 2,
         [&](int row)
         {
@@ -260,7 +236,7 @@ void SweepRaysBackward(
     }
   }
   ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(FinishBehind{ ray }); });
-  PassRays(rays, 0, frustum.lastSlice, carried);
+  rays.Bands().PassRays(0, frustum.lastSlice, carried);
 }
 
 /**
@@ -279,6 +255,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside = RaysFor<Kernel>(states);
+  const std::vector<float*> images = ImagesRead<Kernel>(states);
   const std::vector<RayValues> carried = CarriedBy(kernel, states);
   const auto forRays = [&](int s, const auto& step)
   {
@@ -300,9 +277,9 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
     windows.Load(slab);
     for (int s = slab.end; s-- > std::max(slab.begin, frustum.firstNodeSlice);)
     {
-      PassRays(rays, std::min(s + 1, frustum.lastSlice), s, carried);
+      rays.Bands().PassRays(std::min(s + 1, frustum.lastSlice), s, carried);
       forRays(s, [&](RowSampler& sampler) { rowKernel.RayStep(sampler, s); });
-      ExchangeRays<Kernel>(rays, s, false, states);
+      rays.Bands().ExchangeRays(s, false, images);
       ForRows(rays.VoxelsHere(s), rowsPerTask,
         [&](int v)
         {
@@ -322,7 +299,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
     windows.Store(slab);
   }
   ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(FinishBehind{ ray }); });
-  PassRays(rays, 0, frustum.lastSlice, carried);
+  rays.Bands().PassRays(0, frustum.lastSlice, carried);
 }
 
 /// Back to front, for a kernel whose rays do not depend on the changes of voxels.
@@ -344,6 +321,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
   FieldWindows windows(rays, nullptr);
   const auto rowKernel = kernel.With(windows);
   const RaysBeside beside = RaysFor<Kernel>(states);
+  const std::vector<float*> images = ImagesRead<Kernel>(states);
   const std::vector<RayValues> carried = CarriedBy(kernel, states);
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // [row]: columns of rays that have
                                                              // met anything
@@ -352,7 +330,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
     windows.Load(slab);
     for (int s = slab.begin; s < slab.end; ++s)
     {
-      PassRays(rays, s - 1, s, carried);
+      rays.Bands().PassRays(s - 1, s, carried);
       const Range<int>& near = frustum.SliceAt(s).rayRows;
       ForRows(Intersection(rays.RaysHere(s), near), rowsPerTask,
         [&](int row)
@@ -369,7 +347,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
       {
         continue;
       }
-      ExchangeRays<Kernel>(rays, s, true, states);
+      rays.Bands().ExchangeRays(s, true, images);
       ForRows(rays.VoxelsHere(s), rowsPerTask,
         [&](int v)
         {

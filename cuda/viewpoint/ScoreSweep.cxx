@@ -101,9 +101,7 @@ private:
   /// Returns the rays of a part, which is consumed. `margin`: see SlabExchange.
   FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, int margin) const
   {
-    const ScenePiece* piece = part.fields->values.piece.get();
-    const PlanSettings settings{ 1, RayPlacement::ForIntegrals,
-      piece ? piece->ranks.get() : nullptr };
+    const PlanSettings settings{ 1, RayPlacement::ForIntegrals, part.fields->ranks };
     FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum), settings);
     if (part.fields->home)
     {

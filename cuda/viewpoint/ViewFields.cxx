@@ -166,6 +166,7 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
     home->On(const_cast<float*>(fields.values.extinction)),
     home->On(const_cast<float*>(fields.values.importance)), true));
   fields.home = std::move(home);
+  fields.ranks = piece.ranks.get();
   return fields;
 }
 
@@ -183,7 +184,7 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
 {
   const RaySource eye = SourceOfCamera(camera, fields.grid, false);
   for (PlannedFrustum& frustum : PlanSweep(fields.grid, *fields.occupancy, eye,
-         { rayDensity, RayPlacement::ForIntegrals, nullptr, Readers::Rays, depthAxes }))
+         { rayDensity, RayPlacement::ForIntegrals, fields.ranks, Readers::Rays, depthAxes }))
   {
     parts.push_back({ &fields, std::move(frustum) });
   }

@@ -38,8 +38,9 @@ struct SweptFields
   std::vector<float> importance;
   std::vector<float> base;
   std::vector<float> least;
-  std::unique_ptr<const Occupancy> occupancy; ///< null if nothing can be seen
-  std::unique_ptr<const FieldLayout> home;    ///< the distribution among ranks; null: copies
+  std::unique_ptr<const Occupancy> occupancy;      ///< null if nothing can be seen
+  std::unique_ptr<const FieldLayout> home;         ///< the distribution among ranks; null: copies
+  const Communicator* ranks = ThisProcess().get(); ///< those that share the fields
 };
 
 /**
