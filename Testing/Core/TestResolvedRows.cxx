@@ -117,9 +117,11 @@ struct RandomScene
       RayImages<HostDevice> images(device, frustum.RayCount());
       const RayStates states = images.States();
       SlabPool pool;
-      SliceWindow windows[3] = { { frustum, nullptr, pool, this->extinction.data(), { 1 } },
-        { frustum, nullptr, pool, this->importance.data(), { 1 } },
-        { frustum, nullptr, pool, this->base.data(), { 1 } } };
+      const BandDecomposition bands(frustum, *ThisProcess());
+      const auto windowOf = [&](const std::vector<float>& field)
+      { return SliceWindow(frustum, bands, nullptr, nullptr, pool, field.data(), { 1 }); };
+      SliceWindow windows[3] = { windowOf(this->extinction), windowOf(this->importance),
+        windowOf(this->base) };
       for (SliceWindow& window : windows)
       {
         window.Load({ 0, frustum.SliceCount() });

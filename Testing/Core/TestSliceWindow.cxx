@@ -3,6 +3,7 @@
 
 // Transposed slices: what rays read is the field, whatever was in their memory before.
 
+#include "sweep/BandDecomposition.h"
 #include "sweep/Registers.h"
 #include "sweep/SliceWindow.h"
 
@@ -77,7 +78,8 @@ int WrongValues(
 {
   const FaceFrustum& frustum = scene.frusta.front();
   const Occupancy occupancy = scene.MakeOccupancy();
-  SliceWindow window(frustum, &occupancy, pool, field.data(), { 1 });
+  const BandDecomposition bands(frustum, *ThisProcess());
+  SliceWindow window(frustum, bands, nullptr, &occupancy, pool, field.data(), { 1 });
   const std::vector<Range<int>> slabs = SlabsOf(frustum, frustum.axisW == 0);
   int wrong = 0;
   for (std::size_t index = slabs.size(); index-- > 0;)

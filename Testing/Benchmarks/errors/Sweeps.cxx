@@ -5,8 +5,11 @@
 
 #include "backend/Backend.h"
 #include "energy/NodeImportance.h"
+#include "energy/ScoreKernel.h"
 #include "energy/TransmittanceSweep.h"
 #include "energy/VisibilityTerm.h"
+#include "optimize/PolicyKernel.h"
+#include "sweep/Sweeps.h"
 
 #include <numeric>
 
@@ -38,23 +41,34 @@ struct Swept
   std::vector<float> gradient; // scratch, one value per node
 };
 
-/// Transmittance at voxels as a sweep back to front has it in an iteration. Without importance
-/// along the rays and with 1 at the nodes, the derivative of a term is -T.
+/// Transmittance at voxels as a policy sweep has it. Without importance along the rays and with 1
+/// at the nodes, the next iterate of an empty volume is T, for a gain and a majorant of 1.
 SampledTransmittance TransmittanceOf(
   Swept& swept, const Truth& truth, const RaySource& source, double rayDensity)
 {
-  VisibilityTerm<HostDevice> term(
-    HostDevice::Shared(), swept.source.grid, swept.everything, source, rayDensity);
-  Seen seen;
-  const std::vector<float> none(swept.gradient.size(), 0.0f);
+  const auto device = HostDevice::Shared();
+  std::vector<FrustumRays<HostDevice>> frusta = PlanRays(device, swept.source.grid,
+    swept.everything, source, { rayDensity, RayPlacement::ForIntegrals });
+  const std::vector<float> zeros(swept.gradient.size(), 0.0f);
   const std::vector<float> ones(swept.gradient.size(), 1.0f);
+  PolicyKernel<const float*, float*> kernel{};
+  kernel.base = kernel.importance = zeros.data();
+  kernel.nodeImportance = ones.data();
+  kernel.next = swept.gradient.data();
+  kernel.policy = { 1, 0, {}, { 0, 1, 1 } };
+  kernel.transmittance = Transmittance::OfLastIterate;
+  kernel.areaWeighted = true;
+  kernel.kept = Kept::Ignored;
   SampledTransmittance sampled;
   for (int which = 0; which < 2; ++which)
   {
-    const float* extinction = truth.Extinction(which).data();
-    std::fill(swept.gradient.begin(), swept.gradient.end(), 0.0f);
-    term.Differentiate({ extinction, none.data(), ones.data() }, Derivative::Volume,
-      { 1.0f, -1.0f }, swept.gradient.data(), &seen);
+    kernel.last = truth.Extinction(which).data();
+    for (FrustumRays<HostDevice>& rays : frusta)
+    {
+      SweepForward(*device, rays, swept.everything, DepthKernel<const float*>{ kernel.last });
+      SweepBackwardByPhases(
+        *device, rays, swept.everything, kernel, [](const VoxelRow&, const auto&, int) {});
+    }
     sampled[std::size_t(which)] = truth.AtVoxels(swept.gradient);
   }
   return sampled;
