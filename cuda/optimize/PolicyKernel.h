@@ -216,7 +216,7 @@ struct PolicyKernel
   }
 
 private:
-  /// Fields that the policy does not need, as their factor is 0, are replaced by the base: vector
+  /// Fields that the policy does not need get the factor 0 and are replaced by the base: vector
   /// registers read a null address element by element, even where none is selected.
   template <class Voxels>
   LIMPID_HD LIMPID_INLINE IdleStep StepAt(const Voxels& voxels) const
@@ -230,6 +230,7 @@ private:
       step.references[i] = this->references[i] ? voxels.Row(this->references[i]) : step.base;
     }
     step.lagged = this->lagged ? voxels.Row(this->lagged) : step.base;
+    step.policy.lagGain = this->lagged ? this->policy.lagGain : 0.0f;
     step.next = voxels.Row(this->next);
     return step;
   }

@@ -30,7 +30,7 @@ PolicyKernel<const float*, float*> KernelOf(
   kernel.next = sweep.next;
   kernel.alternative = sweep.alternative;
   kernel.policy.gain = gainOf(sweep.weight);
-  kernel.policy.lagGain = sweep.lagged ? gainOf(1.0) : 0.0f;
+  kernel.policy.lagGain = gainOf(1.0);
   kernel.policy.bounds = BoundsOf(problem);
   kernel.policy.bounds.emphasis = sweep.emphasises ? kernel.policy.bounds.emphasis : 0.0f;
   for (std::size_t i = 0; i < mostReferences; ++i)

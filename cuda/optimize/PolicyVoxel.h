@@ -24,7 +24,7 @@ template <class Real>
 struct PolicyVoxel
 {
   Real gain;    ///< weight of the swept term, divided by the sum of the pulls' weights [1/length]
-  Real lagGain; ///< 1 over that sum, or 0 if there are no other terms [1/length]
+  Real lagGain; ///< 1 over that sum [1/length]
   Real shares[mostReferences]; ///< of pulls to other references than the base in that sum [0, 1]
   ExtinctionBounds<Real> bounds;
 

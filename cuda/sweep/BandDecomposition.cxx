@@ -71,9 +71,10 @@ int BandDecomposition::NodesReached() const
 
 void BandDecomposition::FindNeeded()
 {
+  const auto nodes = static_cast<std::size_t>(this->NodesReached());
   for (int rank = 0; rank < this->All->Size(); ++rank)
   {
-    std::vector<Range<int>> rows(std::size_t(this->NodesReached()));
+    std::vector<Range<int>> rows(nodes);
     const auto extend = [&rows](int node, const Range<int>& by)
     { rows[std::size_t(node)] = Hull(rows[std::size_t(node)], by); };
     for (int s = 0; s < this->Frustum.SliceCount(); ++s)
@@ -356,6 +357,10 @@ void BandDecomposition::ExchangeRays(int s, bool cubic, const std::vector<float*
 
 void BandDecomposition::ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) const
 {
+  if (fields.empty())
+  {
+    return;
+  }
   this->Exchange(this->Voxels[std::size_t(s)],
     [&](int v, std::vector<Segment>& segments)
     {

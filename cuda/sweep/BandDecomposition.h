@@ -88,7 +88,7 @@ public:
   /// `cubic`: whether voxels read one more row on either side.
   void ExchangeRays(int s, bool cubic, const std::vector<float*>& images) const;
 
-  /// Sends the owned rows of slice `s` to all ranks whose rays read them.
+  /// Sends the owned rows of slice `s` to all ranks whose rays read them; nothing without fields.
   void ExchangeVoxels(int s, const std::vector<SliceWindow*>& fields) const;
 
 private:

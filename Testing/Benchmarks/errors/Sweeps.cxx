@@ -55,7 +55,7 @@ SampledTransmittance TransmittanceOf(
   kernel.base = kernel.importance = zeros.data();
   kernel.nodeImportance = ones.data();
   kernel.next = swept.gradient.data();
-  kernel.policy = { 1, 0, {}, { 0, 1, 1 } };
+  kernel.policy = { 1, 1, {}, { 0, 1, 1 } };
   kernel.transmittance = Transmittance::OfLastIterate;
   kernel.areaWeighted = true;
   kernel.kept = Kept::Ignored;
