@@ -215,8 +215,7 @@ void vtkViewpointSearch::Internals::SearchOneField(
       }
       if (found.isAttainable)
       {
-        const limpid::Camera any = found.orbit.At({ 0.0, 0.0, 1.0 });
-        least = scene.ProblemFor(any, limpid::Light(), settings).LeastExtinction();
+        least = scene.LeastExtinction(settings);
         viewed.attainable = true;
         viewed.least = least.Data();
       }

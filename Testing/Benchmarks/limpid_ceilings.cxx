@@ -233,8 +233,7 @@ void ReportViews(const SceneOfFile& scene)
   orbit.distance = 3 * scene.grid.Radius();
   const Settings settings = OfDisplay();
   const auto prepared = std::make_shared<PreparedScene>(scene.Fields());
-  const NodeValues least =
-    prepared->ProblemFor(orbit.At(Vec3(0, 0, 1)), scene.light, settings).LeastExtinction();
+  const NodeValues least = prepared->LeastExtinction(settings);
   const float* base = scene.extinction.data();
   const float* importance = scene.importance.data();
   ViewedFields attainable{ base, importance };

@@ -34,9 +34,8 @@ Ceiling CeilingOf(
   const BoxScene& scene, SolverBackend& backend, double emphasis, bool fromLight = false)
 {
   PreparedScene prepared(scene.Fields());
-  const Problem optimized = prepared.ProblemFor(scene.camera, scene.light, scene.settings);
   const Problem problem = prepared.ProblemForScores(scene.camera, scene.light, scene.settings);
-  const NodeValues least = optimized.LeastExtinction();
+  const NodeValues least = prepared.LeastExtinction(scene.settings);
   const MostExtinction<float> most{ static_cast<float>(emphasis), prepared.Majorant() };
   const auto sweeps =
     fromLight ? backend.SweepsFrom(problem, problem.Light()) : backend.SweepsFromCameras(problem);

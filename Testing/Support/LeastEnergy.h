@@ -22,7 +22,7 @@ inline double LeastEnergyOf(
   PreparedScene prepared(scene);
   const Problem problem = prepared.ProblemFor(camera, light, settings);
   const std::unique_ptr<SolverBackend> backend = MakeSolverBackend(HostDevice::Shared());
-  const NodeValues least = problem.LeastExtinction();
+  const NodeValues least = prepared.LeastExtinction(settings);
   const auto ceilingOf = [&](const std::unique_ptr<SourceSweeps>& sweeps)
   { return sweeps->CeilingOf(least.Data(), MostOf(problem)).visibility; };
 

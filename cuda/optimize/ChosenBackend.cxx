@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "backend/ComputeBackend.h"
-#include "optimize/SolverBackend.h"
+#include "optimize/DistributedBackend.h"
+#include "optimize/PreparedScene.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limpid
 {
@@ -27,17 +29,23 @@ GpuNeed NeedOf(const Grid& grid, const Settings& settings)
 }
 }
 
-void ChosenBackend::Choose(const Settings& settings, const Grid& grid)
+void ChosenBackend::Choose(const Settings& wanted, const PreparedScene& scene)
 {
+  const Settings settings = scene.Adapted(wanted);
   this->GpuFailed = this->GpuFailed && settings.backend == this->Wish;
   this->Wish = settings.backend;
   if (this->GpuFailed || (this->Solvers && this->OnGpu && settings.backend != BackendKind::Cpu))
   {
     return;
   }
-  const BackendChoice choice = ChooseBackend(settings.backend, NeedOf(grid, settings));
-  this->Solvers = BackendOf(choice.cuda).MakeSolverBackend();
-  this->Line = choice.name;
+  const BackendChoice choice = ChooseBackend(settings.backend, NeedOf(scene.Nodes(), settings));
+  std::unique_ptr<SolverBackend> solvers = BackendOf(choice.cuda).MakeSolverBackend();
+  if (!scene.Piece().IsWhole())
+  {
+    solvers = MakeDistributedBackend(std::move(solvers), scene.Arrays().piece);
+  }
+  this->Solvers = std::move(solvers);
+  this->Line = NameOnRanks(choice.name, scene.Ranks());
   this->OnGpu = choice.cuda;
 }
 

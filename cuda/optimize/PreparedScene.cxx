@@ -3,6 +3,7 @@
 
 #include "optimize/PreparedScene.h"
 
+#include "backend/Backend.h"
 #include "distributed/Neighbourhood.h"
 #include "energy/Despeckle.h"
 #include "energy/SceneSurvey.h"
@@ -152,6 +153,7 @@ PreparedScene::PreparedScene(const SceneFields& given)
 {
   SceneFields& scene = this->Fields;
   scene.piece = OrWhole(given.piece, given.grid);
+  this->OfArrays = GridOf(*scene.piece, scene.grid);
   const Communicator& ranks = *scene.piece->ranks;
   RequireOnAllRanks(ranks, [&] { RequireFields(scene); });
   const CheckedField extinction{ scene.baseExtinction, LargestValue, "base extinction",
@@ -209,6 +211,23 @@ const float* PreparedScene::ImportanceFor(ImportanceSmoothing smoothing)
   return this->ImportantFor(smoothing).values;
 }
 
+NodeValues PreparedScene::LeastExtinction(const Settings& settings)
+{
+  const auto protect = static_cast<float>(settings.protectImportance);
+  if (!(protect > 0))
+  {
+    return {};
+  }
+  const float* base = this->Fields.baseExtinction;
+  const float* importance = this->ImportanceFor(settings.importanceSmoothing);
+  const Index count = this->Fields.ValueCount();
+  NodeValues least(count);
+  float* values = least.Data();
+  ParallelFor(
+    count, 65536, [&](Index node) { values[node] = protect * importance[node] * base[node]; });
+  return least;
+}
+
 Problem PreparedScene::ProblemFor(
   const Camera& camera, const Light& light, const Settings& settings)
 {
@@ -226,7 +245,6 @@ Problem PreparedScene::ProblemFor(
   task.nodeImportance = important.ofNodes.Data();
   task.occupancy = important.occupancy;
   task.resident = important.resident;
-  task.piece = scene.piece->IsWhole() ? nullptr : scene.piece;
   task.majorant = this->LargestExtinction;
   task.sources = SourcesOf(camera, light, settings, scene.grid);
   task.settings = settings;

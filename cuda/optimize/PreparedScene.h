@@ -39,6 +39,7 @@ public:
 
   const Grid& Nodes() const { return this->Fields.grid; }
   const SceneFields& Arrays() const { return this->Fields; } ///< with a decomposition
+  const Grid& ArrayGrid() const { return this->OfArrays; }   ///< of the nodes in the arrays
   const ScenePiece& Piece() const { return *this->Fields.piece; }
   const Communicator& Ranks() const { return *this->Piece().ranks; }
   float Majorant() const { return this->LargestExtinction; } ///< Eq. (25) [1/length]
@@ -66,8 +67,12 @@ public:
   std::vector<PullWithReferences> PullsFor(const CarriedChange& before, const Problem& problem,
     const Camera& camera, const Light& light) const;
 
-  /// Returns the importance in the energy, grid.NodeCount() values [0, 1].
+  /// Returns the importance in the energy, one value per node of the arrays [0, 1].
   const float* ImportanceFor(ImportanceSmoothing smoothing);
+
+  /// Returns the lower bound of the extinction, see ExtinctionBounds, one value per node of the
+  /// arrays [1/length]; empty if it is 0.
+  NodeValues LeastExtinction(const Settings& settings);
 
 private:
   /// An importance and data derived from it.
@@ -83,6 +88,7 @@ private:
   Important& ImportantFor(ImportanceSmoothing smoothing);
 
   SceneFields Fields;
+  Grid OfArrays;
   float LargestExtinction = 0;
   bool SomethingImportant = false;
   Important Given;

@@ -49,7 +49,7 @@ void PreviewPass::Make(
   Settings judging = settings; // with the same rays: more would take too long
   judging.importanceSmoothing = ImportanceSmoothing::Off;
   this->Judged = this->Scene->ProblemFor(camera, light, judging);
-  this->Backend.Choose(settings, this->Given.grid);
+  this->Backend.Choose(settings, *this->Scene);
   this->Before.reset();
   this->After.reset();
   this->OnBackend([&]

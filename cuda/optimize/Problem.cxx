@@ -165,22 +165,6 @@ void Problem::TakeIntoBounds(std::vector<float>& extinction) const
     });
 }
 
-NodeValues Problem::LeastExtinction() const
-{
-  const auto protect = static_cast<float>(this->settings.protectImportance);
-  if (!(protect > 0))
-  {
-    return {};
-  }
-  const Index count = this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
-  NodeValues least(count);
-  float* values = least.Data();
-  ParallelFor(count, 65536,
-    [&](Index voxel)
-    { values[voxel] = protect * this->importance[voxel] * this->baseExtinction[voxel]; });
-  return least;
-}
-
 double Problem::MeanChange(double changes) const
 {
   const auto filled = double(this->occupancy->FilledVoxels());

@@ -62,7 +62,6 @@ struct Problem
   const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
-  std::shared_ptr<const ScenePiece> piece;    ///< this rank's part of the scene; null if it is all
   std::shared_ptr<DistributedFields>
     shared;                        ///< fields of a distributed problem; null for one process
   float majorant = 0;              ///< upper bound of the extinction [1/length]
@@ -144,10 +143,6 @@ struct Problem
   /// Clamps an extinction to its bounds, see ExtinctionBounds, and sets it to 0 where the scene is
   /// empty.
   void TakeIntoBounds(std::vector<float>& extinction) const;
-
-  /// Returns the lower bound of the extinction, see ExtinctionBounds, in a distributed run for
-  /// this rank's subdomain [1/length]; empty if it is 0.
-  NodeValues LeastExtinction() const;
 
   /// Returns the mean change of voxels that may change [majorant], given the sum of all changes.
   double MeanChange(double changes) const;

@@ -15,14 +15,13 @@ namespace limpid
 class ProblemInFront
 {
 public:
-  /// `opaque`: null: the problem as it is.
-  ProblemInFront(const Problem& problem, const OpaqueGeometry* opaque)
+  /// `grid`: of the nodes in the problem's arrays. `opaque`: null: the problem as it is.
+  ProblemInFront(const Problem& problem, const Grid& grid, const OpaqueGeometry* opaque)
     : Seen(problem)
   {
     if (opaque)
     {
-      const Grid nodes = problem.piece ? GridOf(*problem.piece, problem.grid) : problem.grid;
-      this->Importance = opaque->InFront(nodes, problem.importance);
+      this->Importance = opaque->InFront(grid, problem.importance);
       this->Seen.importance = this->Importance.data();
       this->Seen.resident = nullptr; // what is kept there has all of the importance
     }

@@ -88,7 +88,6 @@ enum class Shown
 struct Progressive::Internals
 {
   std::shared_ptr<PreparedScene> scene;
-  Grid pieceGrid;          ///< grid of this rank's subdomain
   std::vector<Grid> grids; ///< of previews, finest first; small enough for every rank
   std::vector<Index> nodes;
   std::vector<PreviewLevel> levels;
@@ -232,7 +231,6 @@ Progressive::Progressive(const SceneFields& scene, const Settings& settings)
   RequireSettings(settings);
   this->State->scene = std::make_shared<PreparedScene>(scene);
   this->State->settings = settings;
-  this->State->pieceGrid = GridOf(this->State->scene->Piece(), scene.grid);
   this->State->PlaceGrids();
 }
 
@@ -393,7 +391,7 @@ bool Progressive::Settled() const
 const Grid& Progressive::ShownGrid() const
 {
   const Internals& state = *this->State;
-  return this->ShowsPiece() ? state.pieceGrid : state.ShownScene().Nodes();
+  return this->ShowsPiece() ? state.scene->ArrayGrid() : state.ShownScene().Nodes();
 }
 
 bool Progressive::ShowsPiece() const
@@ -562,11 +560,12 @@ Scores Progressive::ScoresWith(
   const Camera& camera, const Settings& settings, const OpaqueGeometry* opaque) const
 {
   const Internals& state = *this->State;
+  PreparedScene& scene = state.ShownScene();
   const ProblemInFront seen(
-    state.ShownScene().ProblemForScores(camera, state.light, settings), opaque);
+    scene.ProblemForScores(camera, state.light, settings), scene.ArrayGrid(), opaque);
   const Problem& problem = seen.Get();
   ChosenBackend backend;
-  backend.Choose(settings, problem.grid);
+  backend.Choose(settings, scene);
   const auto score = [&]() -> Scores
   {
     const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFromCameras(problem);
@@ -585,7 +584,7 @@ Ceiling Progressive::CeilingFrom(const Camera& camera, const OpaqueGeometry* opa
   }
   settings.otherCameras.clear();
   ChosenBackend backend;
-  backend.Choose(settings, state.scene->Nodes());
+  backend.Choose(settings, *state.scene);
   return backend.Do([&]
     { return CeilingOfScores(*state.scene, backend, camera, state.light, settings, opaque); },
     [] {});

@@ -13,8 +13,8 @@ Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, cons
 {
   const Problem bounded = scene.ProblemFor(camera, light, settings);
   const Problem scored = scene.ProblemForScores(camera, light, settings);
-  const ProblemInFront seen(scored, opaque);
-  const NodeValues least = bounded.LeastExtinction();
+  const ProblemInFront seen(scored, scene.ArrayGrid(), opaque);
+  const NodeValues least = scene.LeastExtinction(settings);
   const MostExtinction<float> most = MostOf(bounded);
   Ceiling ceiling = backend->SweepsFromCameras(seen.Get())->CeilingOf(least.Data(), most);
   if (scored.settings.weights.light > 0)

@@ -206,7 +206,7 @@ double Solver::Seconds() const
 
 std::string Solver::BackendName() const
 {
-  return NameOnRanks(this->State->backend.Name(), this->State->Ranks());
+  return this->State->backend.Name();
 }
 
 const std::vector<IterationRecord>& Solver::History() const

@@ -9,7 +9,6 @@
 #include "energy/TransmittanceSweep.h"
 #include "optimize/Adam.h"
 #include "optimize/ClosedForm.h"
-#include "optimize/DistributedMinimizer.h"
 #include "optimize/Permuted.h"
 #include "optimize/Policy.h"
 #include "optimize/PolicySweep.h"
@@ -133,19 +132,11 @@ public:
   {
     const auto make = [this, warm](const Problem& inside, StartingExtinction&& first)
     { return MakeMinimizerOn(this->Device, inside, std::move(first), warm); };
-    if (problem.piece)
-    {
-      return MakeDistributed(problem, start, make);
-    }
     return MakePermuted(problem, FastestOrder(*this->Device, problem), std::move(start), make);
   }
 
   std::unique_ptr<SourceSweeps> SweepsFrom(const Problem& problem, const RaySource& source) override
   {
-    if (problem.piece)
-    {
-      return SweepsFromOnRanks(problem, source);
-    }
     return std::make_unique<SweepsOn<AnyDevice>>(this->Device, problem, source);
   }
 
@@ -162,16 +153,6 @@ public:
   void FindTransmittance(const Problem& problem, const RaySource& source, double rayDensity,
     const float* extinction, float* transmittance) override
   {
-    if (problem.piece)
-    {
-      FindTransmittanceOnRanks(
-        problem.grid, *problem.piece, source, rayDensity, extinction, transmittance);
-      if (problem.IsThick())
-      {
-        RefineTransmittanceOnRanks(problem.grid, *problem.piece, source, extinction, transmittance);
-      }
-      return;
-    }
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
     const BorrowedArray<AnyDevice, float> field(this->Device, extinction, count, "the extinction");
     const Occupancy occupancy(problem.grid, extinction, extinction, true);

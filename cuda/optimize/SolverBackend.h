@@ -16,6 +16,8 @@
 
 namespace limpid
 {
+class PreparedScene;
+
 /// The rays of one source through the fields of a problem.
 class SourceSweeps
 {
@@ -43,8 +45,8 @@ class SolverBackend
 public:
   virtual ~SolverBackend() = default;
 
-  /// Makes a method for a problem from a first iterate, in distributed runs that of this rank's
-  /// subdomain. `warm`: whether the iterate is near the optimum.
+  /// Makes a method for a problem from a first iterate. `warm`: whether the iterate is near the
+  /// optimum.
   virtual std::unique_ptr<Minimizer> MakeMinimizer(
     const Problem& problem, StartingExtinction&& start, bool warm) = 0;
 
@@ -73,9 +75,10 @@ std::unique_ptr<SolverBackend> MakeSolverBackend(std::shared_ptr<AnyDevice> devi
 class ChosenBackend
 {
 public:
-  /// Throws limpid::Error if CUDA was requested and is not available for this grid. A backend
-  /// already on the GPU stays there: its memory is occupied, but by this process.
-  void Choose(const Settings& settings, const Grid& grid);
+  /// For problems of a scene. Throws limpid::Error if CUDA was requested and is not available for
+  /// its grid, or if settings are not supported in distributed runs. A backend already on the GPU
+  /// stays there: its memory is occupied, but by this process.
+  void Choose(const Settings& settings, const PreparedScene& scene);
 
   SolverBackend* operator->() const { return this->Solvers.get(); }
 

@@ -7,7 +7,7 @@
 #include "backend/Backend.h"
 #include "energy/TransmittanceSweep.h"
 #include "math/Require.h"
-#include "optimize/DistributedMinimizer.h"
+#include "optimize/DistributedBackend.h"
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/Smoothing.h"
@@ -79,7 +79,7 @@ struct Solver::Internals
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
-    this->backend.Choose(this->prepared->Adapted(wanted), this->scene.grid);
+    this->backend.Choose(wanted, *this->prepared);
   }
 
   /// Starts the first run.

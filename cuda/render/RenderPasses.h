@@ -6,7 +6,7 @@
 
 #include "distributed/FieldResampling.h"
 #include "distributed/Neighbourhood.h"
-#include "optimize/DistributedMinimizer.h"
+#include "energy/TransmittanceOnRanks.h"
 #include "render/ArrivingLight.h"
 #include "render/Bricks.h"
 #include "render/ExtinctionOverlay.h"

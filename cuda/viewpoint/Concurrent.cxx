@@ -155,8 +155,7 @@ private:
   /// ceiling of the first camera, it also optimises for that one.
   void GoToCeiling()
   {
-    const NodeValues least =
-      this->Scene->ProblemFor(this->First, this->Lamp, this->Options).LeastExtinction();
+    const NodeValues least = this->Scene->LeastExtinction(this->Options);
     ViewedFields viewed{ this->Fields.baseExtinction, this->Fields.importance };
     viewed.attainable = true;
     viewed.least = least.Data();
