@@ -430,6 +430,11 @@ std::unique_ptr<SourceSweeps> SweepsFromOnRanks(const Problem& problem, const Ra
 void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
   double rayDensity, const float* extinction, float* transmittance)
 {
+  if (piece.IsWhole())
+  {
+    FillTransmittance(grid, extinction, source, rayDensity, transmittance);
+    return;
+  }
   const SmallPages small;
   const FieldView given = FieldView::Part(const_cast<float*>(extinction), piece.nodes);
   const auto occupancy = FindOccupancy(piece, grid, AxisPermutation(), given, given, /*skip=*/true);
