@@ -19,7 +19,7 @@ namespace limpid
 {
 namespace
 {
-// See Renderer::SetPiece.
+// See Renderer::SetScalars.
 constexpr int layers = 2 + static_cast<int>(farthestShared);
 }
 
@@ -27,9 +27,8 @@ SharedVolume::SharedVolume(
   std::shared_ptr<const Communicator> ranks, vtkImageData* input, const std::array<int, 6>& whole)
 {
   const SharedImage shared(std::move(ranks), input, whole);
-  this->WholeGrid = shared.grid;
   this->HerePiece = shared.piece;
-  this->DrawnPiece = Grown(*shared.piece, shared.grid, layers);
+  this->Part = { shared.grid, Grown(*shared.piece, shared.grid, layers) };
   this->Image = shared.image;
 }
 
@@ -41,14 +40,14 @@ vtkImageData* SharedVolume::Here() const
 void SharedVolume::Extend(const float* field, float* extended) const
 {
   const ScenePiece& here = *this->HerePiece;
-  const ScenePiece& drawn = *this->DrawnPiece;
+  const ScenePiece& drawn = *this->Part.Piece();
   Spread(*here.ranks, FieldView::Part(const_cast<float*>(field), here.nodes), RegionsOf(here.owned),
     FieldView::Part(extended, drawn.nodes), RegionsOf(drawn.boxes));
 }
 
 vtkSmartPointer<vtkFloatArray> SharedVolume::Extended(vtkFloatArray* field, float otherwise) const
 {
-  const Index count = this->DrawnPiece->nodes.Count();
+  const Index count = this->Part.Nodes().NodeCount();
   auto extended = NewArray<vtkFloatArray>(field->GetName(), count);
   float* values = extended->GetPointer(0);
   std::fill(values, values + count, otherwise);
@@ -58,12 +57,12 @@ vtkSmartPointer<vtkFloatArray> SharedVolume::Extended(vtkFloatArray* field, floa
 
 std::vector<float> SharedVolume::Extended(const std::vector<float>& shares) const
 {
-  if (!this->DrawnPiece->ranks->AnyOf(!shares.empty()))
+  if (!this->Part.AnyOf(!shares.empty()))
   {
     return {};
   }
   const std::vector<float> all(std::size_t(this->HerePiece->nodes.Count()), 1.0F);
-  std::vector<float> extended(std::size_t(this->DrawnPiece->nodes.Count()), 1.0F);
+  std::vector<float> extended(std::size_t(this->Part.Nodes().NodeCount()), 1.0F);
   this->Extend(shares.empty() ? all.data() : shares.data(), extended.data());
   return extended;
 }

@@ -6,7 +6,7 @@
 #ifndef limpid_SharedVolume_h
 #define limpid_SharedVolume_h
 
-#include "distributed/ScenePiece.h"
+#include "render/DrawnPart.h"
 
 #include "vtkSmartPointer.h"
 
@@ -30,10 +30,8 @@ public:
   SharedVolume(std::shared_ptr<const Communicator> ranks, vtkImageData* input,
     const std::array<int, 6>& whole);
 
-  const Grid& Whole() const { return this->WholeGrid; }
-
   /// Returns the nodes that this process owns, and the ghosts around them that drawing reads.
-  const std::shared_ptr<const ScenePiece>& Drawn() const { return this->DrawnPiece; }
+  const DrawnPart& Drawn() const { return this->Part; }
 
   /// Returns the input with ghost points treated as ordinary points.
   vtkImageData* Here() const;
@@ -48,9 +46,8 @@ public:
 private:
   void Extend(const float* field, float* extended) const;
 
-  Grid WholeGrid;
   std::shared_ptr<const ScenePiece> HerePiece;
-  std::shared_ptr<const ScenePiece> DrawnPiece;
+  DrawnPart Part;
   vtkSmartPointer<vtkImageData> Image;
 };
 }

@@ -40,6 +40,7 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   optimizer->GoOnFrom(shown);
   this->Optimizer = std::move(optimizer);
   this->Base = data.BaseExtinction();
+  this->Part = data.Drawn();
   this->SceneVersion = data.SceneVersion();
   this->SceneTimeVersion = data.TimeVersion();
 }
@@ -147,7 +148,7 @@ void ViewOptimization::Show(const FrameSettings& frame, double seconds, bool cha
     this->Remaining = 0;
     share = 1;
   }
-  this->SetFound(frame.IsOfSeveral(), share);
+  this->SetFound(share);
 }
 
 // Lets the picture begin the next change at the result of the optimiser instead of the base
@@ -156,12 +157,12 @@ void ViewOptimization::ShowFoundAgain()
 {
   if (this->HidesFound)
   {
-    this->SetFound(false, 1);
+    this->SetFound(1);
   }
 }
 
 // Passes a share of the optimiser's result to the picture.
-void ViewOptimization::SetFound(bool onRanks, double share)
+void ViewOptimization::SetFound(double share)
 {
   const bool separate = HasLightExtinction(this->ViewSettings);
   const Grid& grid = this->Optimizer->ShownGrid();
@@ -174,10 +175,9 @@ void ViewOptimization::SetFound(bool onRanks, double share)
   }
   else
   {
-    const auto set = onRanks && !this->Optimizer->ShowsPiece() ? &Renderer::SetGatheredExtinction
-                                                               : &Renderer::SetExtinction;
-    (this->Pictures.*set)(grid, this->Optimizer->BaseExtinction(), this->Optimizer->Extinction(),
-      share, separate ? this->Optimizer->LightExtinction() : nullptr);
+    this->Pictures.SetExtinction(this->Optimizer->ShowsPiece() ? this->Part : grid,
+      this->Optimizer->BaseExtinction(), this->Optimizer->Extinction(), share,
+      separate ? this->Optimizer->LightExtinction() : nullptr);
   }
   this->ShowsBase = false;
   this->HidesFound = false;
@@ -312,7 +312,7 @@ void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& da
   const std::uint64_t version = caster ? data.FunctionsVersion() : 0;
   if (!this->ShowsBase || version != this->CasterVersion)
   {
-    this->Pictures.SetExtinction(caster ? data.Nodes() : Grid(), caster, caster);
+    this->Pictures.SetExtinction(data.Drawn(), caster, caster);
     this->HidesFound = this->HasShownFound();
     this->ShowsBase = true;
     this->CasterVersion = version;

@@ -76,7 +76,7 @@ private:
   bool Work(
     const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
   void Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase);
-  void SetFound(bool onRanks, double share);
+  void SetFound(double share);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
   Scores InFront(const FrameSettings& frame, const Camera& camera,
     const std::optional<OpaqueGeometry>& opaque, const Scores& all, bool changed);
@@ -85,6 +85,7 @@ private:
 
   Renderer& Pictures;
   std::unique_ptr<Progressive> Optimizer;
+  DrawnPart Part;                      ///< of its scene
   vtkSmartPointer<vtkFloatArray> Base; ///< base extinction of the optimisation
   std::uint64_t SceneVersion = 0;
   std::uint64_t SceneTimeVersion = 0; ///< version of the time step of its data

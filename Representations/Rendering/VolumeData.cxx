@@ -154,7 +154,7 @@ ValueUnit VolumeData::ChooseUnit(const FieldSource& source, const FunctionRange&
 // planes cut. Returns the number of NaN values.
 vtkIdType VolumeData::EmptyScalars(const CropRegion& crop, const float* shares, float* values) const
 {
-  const vtkIdType invalidScalars = CountNodes(this->NodeGrid,
+  const vtkIdType invalidScalars = CountNodes(this->Nodes(),
     [=](vtkIdType node, const Vec3&)
     {
       const bool blanked = shares && shares[node] == 0;
@@ -164,7 +164,7 @@ vtkIdType VolumeData::EmptyScalars(const CropRegion& crop, const float* shares, 
     });
   if (!crop.IsEverything())
   {
-    const Grid& grid = this->NodeGrid;
+    const Grid& grid = this->Nodes();
     CountNodes(grid,
       [=, &crop, &grid](vtkIdType node, const Vec3& index)
       {
@@ -203,18 +203,11 @@ vtkIdType VolumeData::SumOverRanks(vtkIdType here) const
 // Returns whether this process owns a node.
 bool VolumeData::Owns(const Vec3& index) const
 {
-  if (!this->Shared)
-  {
-    return true;
-  }
-  const ScenePiece& piece = *this->Shared->Drawn();
-  const NodeBox& own = piece.owned[std::size_t(piece.ranks->Rank())];
+  const Int3 node = this->Part.Box().First() + Int3(index);
   bool owns = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto at = static_cast<std::size_t>(axis);
-    owns =
-      owns && own.along[at].Contains(piece.nodes.along[at].begin + static_cast<int>(index[axis]));
+    owns = owns && this->Part.Owned().along[std::size_t(axis)].Contains(node[axis]);
   }
   return owns;
 }
@@ -232,6 +225,7 @@ void VolumeData::ShareAmong(
   {
     this->Release(); // pieces have changed
     this->Shared.reset();
+    this->Part = this->Nodes();
     this->Ranks = std::move(ranks);
     this->WholeExtent = wholeExtent;
   }
@@ -269,7 +263,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
     scaled.mapping = [unit = this->Unit](double value) { return unit.Of(value); };
   }
   this->InputGrid = grid;
-  this->NodeGrid = grid;
+  this->Part = grid;
   vtkSmartPointer<vtkFloatArray> values =
     source.array ? ConvertField(here, scaled, "Scalars") : NewArray<vtkFloatArray>("Scalars", 0);
   this->ScalarShares = Blanking(here).Shares(source.onCells);
@@ -281,7 +275,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   {
     values = this->Shared->Extended(values, Empty);
     this->ScalarShares = this->Shared->Extended(this->ScalarShares);
-    this->NodeGrid = GridOf(*this->Piece(), this->Whole());
+    this->Part = this->Shared->Drawn();
   }
   this->ScalarValues = values; // completely or not at all
   this->ScalarsKey = key;
@@ -329,17 +323,17 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
   const bool isCut = !this->Crop.planes.empty();
   this->Arrays.allPoints = this->Whole().NodeCount();
   this->Arrays.invalidPoints = this->InvalidScalars +
-    this->SumOverRanks(CountNodes(this->NodeGrid,
+    this->SumOverRanks(CountNodes(this->Nodes(),
       [=, &shares](vtkIdType node, const Vec3& index)
       {
         const bool blanked = !shares.empty() && shares[std::size_t(node)] == 0;
-        const bool outside = isCut && !this->Crop.Contains(this->NodeGrid, index, 0);
+        const bool outside = isCut && !this->Crop.Contains(this->Nodes(), index, 0);
         const bool empty = blanked || outside || std::isnan(scalars[node]);
         const bool invalid = !empty && std::isnan(importance[node]);
         importance[node] = empty || invalid ? 0.0F : importance[node];
         return invalid && this->Owns(index);
       }));
-  this->Arrays.clampedPoints = this->SumOverRanks(CountNodes(this->NodeGrid,
+  this->Arrays.clampedPoints = this->SumOverRanks(CountNodes(this->Nodes(),
     [=](vtkIdType node, const Vec3& index)
     {
       const float value = importance[node];
@@ -354,17 +348,17 @@ void VolumeData::UpdateBaseExtinction()
   if (this->BaseVersion != this->FunctionChanges || !this->Arrays.baseExtinction)
   {
     this->Arrays.baseExtinction =
-      NewArray<vtkFloatArray>("BaseExtinction", this->NodeGrid.NodeCount());
+      NewArray<vtkFloatArray>("BaseExtinction", this->Nodes().NodeCount());
     LookUpExtinction(this->Tables, this->Exact, this->Unit, this->Scalars(),
-      this->NodeGrid.NodeCount(), this->Arrays.baseExtinction->GetPointer(0));
+      this->Nodes().NodeCount(), this->Arrays.baseExtinction->GetPointer(0));
     TakeShares(this->ScalarShares, this->Arrays.baseExtinction);
     if (!this->Crop.planes.empty())
     {
       float* base = this->Arrays.baseExtinction->GetPointer(0);
-      CountNodes(this->NodeGrid,
+      CountNodes(this->Nodes(),
         [=](vtkIdType node, const Vec3& index)
         {
-          base[node] = this->Crop.Contains(this->NodeGrid, index, 0) ? base[node] : 0.0F;
+          base[node] = this->Crop.Contains(this->Nodes(), index, 0) ? base[node] : 0.0F;
           return false;
         });
     }
@@ -423,7 +417,7 @@ SceneFields VolumeData::Scene() const
 {
   SceneFields scene;
   scene.grid = this->Whole();
-  scene.piece = this->Piece();
+  scene.piece = this->Part.Piece();
   scene.baseExtinction = this->Arrays.baseExtinction->GetPointer(0);
   scene.importance = this->Arrays.importance->GetPointer(0);
   scene.majorant = this->Majorant;

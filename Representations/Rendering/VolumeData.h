@@ -51,14 +51,10 @@ public:
   /// Frees memory.
   void Release();
 
-  const Grid& Nodes() const { return this->NodeGrid; } ///< of this process
-
-  /// Returns the grid of all processes, and the piece of it that is here; null: all of it.
-  const Grid& Whole() const { return this->Shared ? this->Shared->Whole() : this->NodeGrid; }
-  std::shared_ptr<const ScenePiece> Piece() const
-  {
-    return this->Shared ? this->Shared->Drawn() : nullptr;
-  }
+  /// Returns the part of the volume that is here; alone, a process has the whole.
+  const DrawnPart& Drawn() const { return this->Part; }
+  const Grid& Nodes() const { return this->Part.Nodes(); }
+  const Grid& Whole() const { return this->Part.Whole(); }
 
   const float* Scalars() const { return this->ScalarValues->GetPointer(0); } ///< NaN: empty
   const CropRegion& Cropped() const { return this->Crop; }
@@ -132,7 +128,7 @@ private:
   std::array<int, 6> WholeExtent{ { 0, -1, 0, -1, 0, -1 } };
   std::optional<SharedVolume> Shared;
 
-  Grid NodeGrid;
+  DrawnPart Part;
   Grid InputGrid;
   ArrayKey ScalarsKey;
   CropRegion Crop;

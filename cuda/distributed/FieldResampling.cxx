@@ -3,6 +3,7 @@
 
 #include "distributed/FieldResampling.h"
 
+#include "backend/HostDevice.h"
 #include "distributed/ExchangePlan.h"
 #include "distributed/Neighbourhood.h"
 
@@ -24,19 +25,26 @@ std::vector<float> ResampledIn(const ScenePiece& piece, const Grid& from, const 
   return ResampledBox(filter, values.Data(), wanted[std::size_t(piece.ranks->Rank())]);
 }
 
+void ResampleForAll(
+  const ScenePiece& piece, const Grid& from, const float* field, const Grid& to, float* result)
+{
+  if (piece.IsWhole())
+  {
+    Resample(HostDevice::Shared(), from, field, to, result);
+    return;
+  }
+  const ScenePiece slabs = ScenePiece::Slabs(piece.ranks, to);
+  std::vector<float> own = ResampledIn(piece, from, field, to, slabs.boxes);
+  Spread(*piece.ranks, FieldView::Part(own.data(), slabs.nodes), RegionsOf(slabs.boxes),
+    FieldView::Whole(result, to.nodes),
+    std::vector<Region>(slabs.boxes.size(), { NodeBox::Of(to.nodes) }));
+}
+
 std::vector<float> ResampledForAll(
   const ScenePiece& piece, const Grid& from, const float* field, const Grid& to)
 {
-  const ScenePiece slabs = ScenePiece::Slabs(piece.ranks, to);
-  std::vector<float> own = ResampledIn(piece, from, field, to, slabs.boxes);
-  if (slabs.IsWhole())
-  {
-    return own;
-  }
   std::vector<float> all(std::size_t(to.NodeCount()));
-  Spread(*piece.ranks, FieldView::Part(own.data(), slabs.nodes), RegionsOf(slabs.boxes),
-    FieldView::Whole(all.data(), to.nodes),
-    std::vector<Region>(slabs.boxes.size(), { NodeBox::Of(to.nodes) }));
+  ResampleForAll(piece, from, field, to, all.data());
   return all;
 }
 

@@ -18,6 +18,8 @@ std::vector<float> ResampledIn(const ScenePiece& piece, const Grid& from, const 
   const Grid& to, const std::vector<NodeBox>& wanted);
 
 /// Resamples a distributed field to all nodes of the other grid, on every rank. Collective.
+void ResampleForAll(
+  const ScenePiece& piece, const Grid& from, const float* field, const Grid& to, float* result);
 std::vector<float> ResampledForAll(
   const ScenePiece& piece, const Grid& from, const float* field, const Grid& to);
 

@@ -32,18 +32,23 @@ FieldInBox FieldIn(const ScenePiece& piece, const std::vector<NodeBox>& wanted, 
   return FieldInBox(std::move(values));
 }
 
-Neighbourhood::Neighbourhood(const ScenePiece& piece, const Grid& grid)
+Neighbourhood::Neighbourhood(const ScenePiece& piece, const Grid& grid, int layers)
   : Piece(&piece)
   , Nodes(grid)
-  , Wanted(WithGhosts(piece.boxes, 1, grid.nodes))
+  , Wanted(WithGhosts(piece.boxes, layers, grid.nodes))
 {
-  this->Nodes.nodes = this->Wanted[std::size_t(piece.ranks->Rank())].Size();
+  this->Nodes.nodes = this->Box().Size();
+}
+
+const NodeBox& Neighbourhood::Box() const
+{
+  return this->Wanted[std::size_t(this->Piece->ranks->Rank())];
 }
 
 NodeValues Neighbourhood::Inside(NodeValues&& field) const
 {
   const NodeBox& own = this->Piece->nodes;
-  const NodeBox& extended = this->Wanted[std::size_t(this->Piece->ranks->Rank())];
+  const NodeBox& extended = this->Box();
   if (own == extended)
   {
     return std::move(field);

@@ -40,15 +40,16 @@ std::vector<NodeBox> WithGhosts(const std::vector<NodeBox>& boxes, int layers, c
 /// nodes of the rank's box in `piece`; `wanted`: one box per rank. Collective.
 FieldInBox FieldIn(const ScenePiece& piece, const std::vector<NodeBox>& wanted, const float* field);
 
-/// A rank's box of nodes plus one layer of ghost nodes, as a grid of its own. Operations that
-/// depend on neighbours give the same values at the nodes of the box as on the whole grid.
+/// A rank's box of nodes plus layers of ghost nodes, as a grid of its own. Operations that depend
+/// on neighbours give the same values at the nodes of the box as on the whole grid.
 class Neighbourhood
 {
 public:
   /// `piece` must outlive this object.
-  Neighbourhood(const ScenePiece& piece, const Grid& grid);
+  Neighbourhood(const ScenePiece& piece, const Grid& grid, int layers = 1);
 
   const Grid& Around() const { return this->Nodes; }
+  const NodeBox& Box() const; ///< with the ghost nodes
   bool Empty() const { return this->Nodes.NodeCount() == 0; }
 
   /// Returns a field of the box, extended by ghost values. Collective.

@@ -152,6 +152,11 @@ void SweepSubdomains(
 void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const RaySource& source,
   double rayDensity, const float* extinction, float* transmittance)
 {
+  if (piece.IsWhole())
+  {
+    FillTransmittance(grid, extinction, source, rayDensity, transmittance);
+    return;
+  }
   const SmallPages small;
   const FieldView given = FieldView::Part(const_cast<float*>(extinction), piece.nodes);
   const Occupancy occupancy = OccupancyOnRanks(

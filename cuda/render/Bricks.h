@@ -35,7 +35,7 @@ struct BrickNodes
     BrickNodes box{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double scale = overlay.Scale(axis);
+      const double scale = overlay.scale[axis];
       const int shift = overlay.first[axis];
       box.first[axis] = int(std::floor((this->first[axis] + shift) * scale - 1e-6));
       box.last[axis] = int(std::ceil((this->last[axis] + shift) * scale + 1e-6));

@@ -5,8 +5,8 @@
 #define limpid_render_ExtinctionOverlay_h
 
 #include "backend/DeviceArray.h"
+#include "render/DrawnPart.h"
 #include "render/OverlayKernels.h"
-#include "scene/Grid.h"
 
 #include <algorithm>
 #include <memory>
@@ -52,14 +52,14 @@ public:
 
   /// Moves the change by `share` towards extinction - base. `unit`: the majorant [1/length];
   /// `shown`: out, the extinction that results [1/length]; null: not needed.
-  void MoveTo(const Grid& grid, const float* base, const float* extinction, float unit,
+  void MoveTo(const DrawnPart& part, const float* base, const float* extinction, float unit,
     double share, float* shown)
   {
     const float rescale = unit > 0 && !this->Empty() ? this->Unit / unit : 1.0f;
-    this->Fit(grid);
+    this->Fit(part);
     this->Unit = unit;
     this->HasChange = MoveNodes(*this->Device,
-      MovedNode{ grid.nodes, base, extinction, unit, unit > 0 ? 1 / unit : 0.0f,
+      MovedNode{ part.Nodes().nodes, base, extinction, unit, unit > 0 ? 1 / unit : 0.0f,
         static_cast<float>(share), rescale, this->Numbers.Data(), shown },
       this->HasChange);
   }
@@ -67,11 +67,12 @@ public:
   /// Returns the overlay at the nodes of another grid: over the same box, or a part of it.
   DeviceArray<AnyDevice, TwoPacked> On(const Grid& grid) const
   {
-    const Int3 from = this->Place.nodes;
-    const bool sameBox = this->Place.HasSameBox(grid);
-    const Vec3 first = sameBox ? Vec3(0.0) : this->Place.PointToIndex(grid.origin);
+    const Grid& here = this->Place.Nodes();
+    const Int3 from = here.nodes;
+    const bool sameBox = here.HasSameBox(grid);
+    const Vec3 first = sameBox ? Vec3(0.0) : here.PointToIndex(grid.origin);
     const Vec3 last =
-      sameBox ? Vec3(from - 1) : this->Place.PointToIndex(grid.PointToWorld(Vec3(grid.nodes - 1)));
+      sameBox ? Vec3(from - 1) : here.PointToIndex(grid.PointToWorld(Vec3(grid.nodes - 1)));
     DeviceArray<AnyDevice, TwoPacked> numbers(
       this->Device, std::size_t(grid.NodeCount()), "the overlay");
     ResampledNode body{ CellGrid(from), this->Packed(), {}, {}, numbers.Data() };
@@ -84,10 +85,10 @@ public:
     return numbers;
   }
 
-  /// Continues with an overlay on a grid over the box of all pieces. `changed`: see Changed.
-  void GoOnWith(const Grid& grid, const std::vector<TwoPacked>& numbers, bool changed)
+  /// Continues with other numbers at the nodes of a part. `changed`: see Changed.
+  void GoOnWith(const DrawnPart& part, const std::vector<TwoPacked>& numbers, bool changed)
   {
-    this->Take(grid, { this->Device, numbers, "the overlay" });
+    this->Take(part, { this->Device, numbers, "the overlay" });
     this->HasChange = changed;
   }
 
@@ -97,17 +98,18 @@ public:
   /// Drops the light that arrives, which is not read any more.
   void ClearShadow() { this->HasShadow = false; }
 
-  /// Interpolates the light that arrives at the nodes of a grid over the same box.
-  void SetShadow(const Int3& nodes, const float* light)
+  /// Interpolates the light that arrives. `part`: its nodes, those of the overlay or all of another
+  /// grid over the whole.
+  void SetShadow(const DrawnPart& part, const float* light)
   {
     this->HasShadow = true;
-    const Int3 to = this->Place.nodes;
-    float* shadow =
-      this->Arriving.RoomFor(this->Device, std::size_t(this->Place.NodeCount()), "the shadows");
-    if (nodes == to)
+    const Int3 nodes = part.Nodes().nodes;
+    const Int3 to = this->Nodes().nodes;
+    const Index count = this->Nodes().NodeCount();
+    float* shadow = this->Arriving.RoomFor(this->Device, std::size_t(count), "the shadows");
+    if (part.HasSameNodes(this->Place))
     {
-      this->Device->ForIndices(
-        "take shadows", this->Place.NodeCount(), ShadowedNode{ light, shadow });
+      this->Device->ForIndices("take shadows", count, ShadowedNode{ light, shadow });
       return;
     }
     const char* what = "interpolated shadows";
@@ -115,9 +117,10 @@ public:
     {
       std::vector<AxisPlace> places;
       places.reserve(static_cast<std::size_t>(to[axis]));
-      for (int node = 0; node < to[axis]; ++node)
+      const Range<int>& along = this->Place.Box().along[std::size_t(axis)];
+      for (int node = along.begin; node < along.end; ++node)
       {
-        places.emplace_back(node, nodes[axis], to[axis]);
+        places.emplace_back(node, nodes[axis], this->Place.Whole().nodes[axis]);
       }
       return DeviceArray<AnyDevice, AxisPlace>(this->Device, places, what);
     };
@@ -140,7 +143,7 @@ public:
   /// Returns the light that arrives at a position [nodes]. Waits.
   double ShadowAt(const Vec3& position) const
   {
-    const CellGrid grid(this->Place.nodes);
+    const CellGrid grid(this->Nodes().nodes);
     const float at[3] = { float(position.x), float(position.y), float(position.z) };
     const CellPlace place(grid, at);
     float corners[8];
@@ -157,7 +160,8 @@ public:
 
   const TwoPacked* Packed() const { return this->Numbers.Data(); }
   const float* Shadow() const { return this->Arriving.Data(); } ///< [packedOne]
-  const Grid& Nodes() const { return this->Place; }
+  const DrawnPart& Part() const { return this->Place; }
+  const Grid& Nodes() const { return this->Place.Nodes(); }
   float Majorant() const { return this->Unit; } ///< unit of the added extinction [1/length]
   bool Empty() const { return this->Numbers.Empty(); }
   bool Changed() const { return this->HasChange; } ///< whether a change may be nonzero
@@ -166,15 +170,18 @@ public:
 private:
   using Field = DeviceArray<AnyDevice, float>;
 
-  /// Resizes the overlay to the nodes of a grid, and interpolates the present overlay there.
-  void Fit(const Grid& grid)
+  /// Resizes the overlay to the nodes of a part, and interpolates the present overlay there.
+  void Fit(const DrawnPart& part)
   {
-    if (!this->Empty() && grid.nodes == this->Place.nodes && grid.spacing == this->Place.spacing &&
-      grid.origin == this->Place.origin)
+    const Grid& grid = part.Nodes();
+    const Grid& here = this->Nodes();
+    if (!this->Empty() && grid.nodes == here.nodes && grid.spacing == here.spacing &&
+      grid.origin == here.origin)
     {
+      this->Place = part;
       return;
     }
-    this->Take(grid, this->Empty() ? this->Unchanged(grid) : this->On(grid));
+    this->Take(part, this->Empty() ? this->Unchanged(grid) : this->On(grid));
   }
 
   DeviceArray<AnyDevice, TwoPacked> Unchanged(const Grid& grid) const
@@ -185,17 +192,17 @@ private:
     return numbers;
   }
 
-  void Take(const Grid& grid, DeviceArray<AnyDevice, TwoPacked> numbers)
+  void Take(const DrawnPart& part, DeviceArray<AnyDevice, TwoPacked> numbers)
   {
     this->Numbers = std::move(numbers);
     this->HasShadow = false;
-    this->Place = grid;
+    this->Place = part;
   }
 
   std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, TwoPacked> Numbers;
-  Field Arriving; ///< see Shadow
-  Grid Place;
+  Field Arriving;  ///< see Shadow
+  DrawnPart Place; ///< its nodes
   float Unit = 0;
   bool HasChange = false;
   bool HasShadow = false;

@@ -46,14 +46,15 @@ NodeBox NearestTo(const NodeBox& owned, const Int3& whole, const Int3& nodes)
 }
 }
 
-std::vector<TwoPacked> GatheredOverlay(const ScenePiece& piece, const Grid& whole, const Grid& grid,
-  const std::function<std::vector<TwoPacked>(const Grid& part)>& resample)
+std::vector<TwoPacked> GatheredOverlay(const DrawnPart& drawn, const Grid& grid,
+  const std::function<std::vector<TwoPacked>(const Grid& some)>& resample)
 {
+  const ScenePiece& piece = *drawn.Piece();
   const Communicator& ranks = *piece.ranks;
   std::vector<NodeBox> boxes;
   for (const NodeBox& owned : piece.owned)
   {
-    boxes.push_back(NearestTo(owned, whole.nodes, grid.nodes));
+    boxes.push_back(NearestTo(owned, drawn.Whole().nodes, grid.nodes));
   }
   const NodeBox& own = boxes[std::size_t(ranks.Rank())];
   const std::vector<TwoPacked> here =

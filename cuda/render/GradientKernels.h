@@ -60,17 +60,21 @@ private:
   }
 };
 
-/// Computes the squared length of a gradient.
+/// Computes the squared length of a gradient at the nodes of a box.
 struct SteepnessNode
 {
   GradientNode gradient;
-  float* squared; ///< out
+  Int3 first;     ///< of the box
+  float* squared; ///< out, at the nodes of the box
 
-  LIMPID_HD void operator()(Index node, int i, int j, int k) const
+  LIMPID_HD void operator()(Index out, int i, int j, int k) const
   {
+    const Int3& nodes = this->gradient.nodes;
+    const Int3 at = this->first + Int3(i, j, k);
+    const Index node = at.x + nodes.x * (at.y + Index(nodes.y) * at.z);
     float here[3];
-    this->gradient.At(node, i, j, k, here);
-    this->squared[node] = here[0] * here[0] + here[1] * here[1] + here[2] * here[2];
+    this->gradient.At(node, at.x, at.y, at.z, here);
+    this->squared[out] = here[0] * here[0] + here[1] * here[1] + here[2] * here[2];
   }
 };
 

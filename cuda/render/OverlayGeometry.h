@@ -4,30 +4,32 @@
 #ifndef limpid_render_OverlayGeometry_h
 #define limpid_render_OverlayGeometry_h
 
-#include "math/Macros.h"
 #include "math/Vec.h"
+#include "render/DrawnPart.h"
+
+#include <algorithm>
 
 namespace limpid
 {
-/// The position of an overlay's nodes relative to the scalars: over the same box, or over one of
-/// which the scalars are a part.
+/// The position of an overlay's nodes relative to the scalars.
 struct OverlayGeometry
 {
-  Int3 nodes{ 0 };    ///< nodes of the overlay
-  Int3 boxNodes{ 0 }; ///< number of scalars in the box of the overlay
-  Int3 first{ 0 };    ///< index of the first scalar among these
+  Int3 nodes{ 0 }; ///< nodes of the overlay
+  Int3 first{ 0 }; ///< the first scalar, counted from the first node of the overlay [scalars]
+  Vec3 scale{ 1 }; ///< nodes of the overlay per node of the scalars
 
-  /// Returns the place of an overlay over the box of the scalars.
-  static OverlayGeometry Over(const Int3& scalarNodes, const Int3& nodes)
+  /// `overlay`: has the nodes of the scalars, or all nodes of another grid over the whole.
+  static OverlayGeometry Of(const DrawnPart& overlay, const DrawnPart& scalars)
   {
-    return { nodes, scalarNodes, Int3(0) };
-  }
-
-  /// Returns the number of nodes of the overlay per node of the scalars.
-  LIMPID_HD LIMPID_INLINE double Scale(int axis) const
-  {
-    const int cells = this->boxNodes[axis] > 1 ? this->boxNodes[axis] - 1 : 1;
-    return double(this->nodes[axis] - 1) / cells;
+    OverlayGeometry place;
+    place.nodes = overlay.Nodes().nodes;
+    place.first = scalars.Box().First() - overlay.Box().First();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int cells = std::max(scalars.Whole().nodes[axis] - 1, 1);
+      place.scale[axis] = double(overlay.Whole().nodes[axis] - 1) / cells;
+    }
+    return place;
   }
 };
 }

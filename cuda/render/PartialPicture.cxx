@@ -93,9 +93,10 @@ ComposedPixel ComposeOne(const OfRanks<PartialPixel>& parts, std::size_t pixel, 
 }
 }
 
-void Compose(const Communicator& ranks, const std::vector<PartialPixel>& parts, double opaqueBelow,
+void Compose(const DrawnPart& drawn, const std::vector<PartialPixel>& parts, double opaqueBelow,
   Picture& picture)
 {
+  const Communicator& ranks = *drawn.Piece()->ranks;
   const auto count = static_cast<Index>(parts.size());
   const auto size = static_cast<std::size_t>(ranks.Size());
   const Range<Index> own = PixelsOf(ranks, ranks.Rank(), count);
@@ -128,15 +129,14 @@ void Compose(const Communicator& ranks, const std::vector<PartialPixel>& parts, 
   OfRanks<ComposedPixel> forAll(size, composed);
   shown = Exchanged(ranks, forAll, std::move(shown));
   std::uint8_t* color = picture.rgba.data();
-  picture.foremost.clear();
-  picture.foremost.reserve(parts.size());
+  std::int32_t* foremost = picture.foremost.data();
   for (const std::vector<ComposedPixel>& some : shown)
   {
     for (const ComposedPixel& pixel : some)
     {
       std::memcpy(color, &pixel.color, sizeof(Rgba));
       color += sizeof(Rgba);
-      picture.foremost.push_back(pixel.foremost);
+      *foremost++ = pixel.foremost;
     }
   }
 }

@@ -4,14 +4,13 @@
 #ifndef limpid_render_PartialPicture_h
 #define limpid_render_PartialPicture_h
 
-#include "distributed/Communicator.h"
 #include "render/Renderer.h"
 
 #include <vector>
 
 namespace limpid
 {
-/// The contribution of one rank's segment of a ray to a pixel.
+/// The contribution of one part of a ray to a pixel.
 struct PartialPixel
 {
   float light[3];      ///< red, green, blue, premultiplied by alpha
@@ -20,12 +19,12 @@ struct PartialPixel
 };
 
 /**
- * Composes the partial pictures of all ranks front to back, and rounds once. Every rank gets the
- * picture, which equals that of one process. `picture`: must have the same number of pixels.
+ * Composes the partial pictures of all processes front to back, and rounds once. Each gets the
+ * picture, which equals that of a process alone. `picture`: must have the same number of pixels.
  *
- * `opaqueBelow`: see View. Collective. Per pixel and rank, 20 bytes are sent and 8 received.
+ * `opaqueBelow`: see View. Collective. Per pixel and process, 20 bytes are sent and 8 received.
  */
-void Compose(const Communicator& ranks, const std::vector<PartialPixel>& parts, double opaqueBelow,
+void Compose(const DrawnPart& drawn, const std::vector<PartialPixel>& parts, double opaqueBelow,
   Picture& picture);
 }
 

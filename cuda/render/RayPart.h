@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The part of a ray in the nodes of one rank, for all backends.
+// The part of a ray in the owned nodes, for all backends.
 
 #ifndef limpid_render_RayPart_h
 #define limpid_render_RayPart_h
 
+#include "render/DrawnPart.h"
 #include "render/Ray.h"
-#include "scene/NodeBox.h"
 
 #include <limits>
 
@@ -16,7 +16,7 @@ namespace limpid
 /**
  * Cuts rays through a whole grid to the segments whose midpoints are in a box of nodes, half-open
  * along each axis. Boxes that partition the grid get each segment once, with the samples of the
- * whole ray. Positions then count from the node where the arrays of this rank begin.
+ * whole ray. Positions then count from the node where the arrays begin.
  */
 struct RayPart
 {
@@ -24,16 +24,18 @@ struct RayPart
   float high[3];
   float first[3];
 
-  /// `box`: in `whole`; at the faces of `whole` it is unbounded. `drawn`: the nodes of the arrays.
-  RayPart(const NodeBox& box, const NodeBox& drawn, const Int3& whole)
+  /// Cuts to the owned nodes, which are unbounded at the faces of the whole.
+  explicit RayPart(const DrawnPart& drawn)
   {
+    const NodeBox& box = drawn.Owned();
+    const Int3& whole = drawn.Whole().nodes;
     constexpr float infinity = std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < 3; ++axis)
     {
       const Range<int>& along = box.along[std::size_t(axis)];
       this->low[axis] = along.begin > 0 ? float(along.begin) : -infinity;
       this->high[axis] = along.end < whole[axis] ? float(along.end) : infinity;
-      this->first[axis] = float(drawn.along[std::size_t(axis)].begin);
+      this->first[axis] = float(drawn.Box().along[std::size_t(axis)].begin);
       if (box.Empty())
       {
         this->low[axis] = infinity;

@@ -38,14 +38,13 @@ struct RayScene
   float addedUnit = 1;  ///< unit of the overlay's added extinction [majorant]
   RayLight light;
 
-  void PlaceOverlay(const OverlayGeometry& place, const Int3& scalarNodes)
+  void PlaceOverlay(const OverlayGeometry& place)
   {
     this->overlayGrid = CellGrid(place.nodes);
-    this->overlaySameNodes = place.nodes == scalarNodes && place.boxNodes == scalarNodes;
     for (int axis = 0; axis < 3; ++axis)
     {
       this->overlayShift[axis] = float(place.first[axis]);
-      this->overlayScale[axis] = float(place.Scale(axis));
+      this->overlayScale[axis] = float(place.scale[axis]);
     }
   }
 };

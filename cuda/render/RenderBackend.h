@@ -26,14 +26,6 @@ struct Casting
   Compositing compositing = Compositing::FrontToBack; ///< the others need importance
 };
 
-/// The nodes of the extinction that is shown.
-struct ShownNodes
-{
-  Grid grid;          ///< over the box of this rank's scalars, or of those of all ranks
-  bool ofAll = false; ///< whether it covers the box of all ranks; every rank has all of the nodes
-                      ///< then
-};
-
 /**
  * Draws for a Renderer, on the processor or on a GPU. The backend holds the fields in the form that
  * rays read. The renderer tracks changes and calls only the passes that are needed.
@@ -45,16 +37,13 @@ class RenderBackend
 public:
   virtual ~RenderBackend() = default;
 
-  /// See Renderer; to be called before SetScalars. Null: this process has everything.
-  virtual void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece) = 0;
-
-  /// See Renderer. If the grid has no volume, nothing else is called.
-  virtual void SetScalars(const Grid& grid, const float* scalars, const float* shares) = 0;
+  /// See Renderer. If the part has no volume, nothing else is called.
+  virtual void SetScalars(const DrawnPart& part, const float* scalars, const float* shares) = 0;
 
   virtual void SetTransferFunctions(const Classification& classification) = 0;
 
   /// See Renderer. Only the last array may be null. Transfer functions must have been set.
-  virtual void SetExtinction(const ShownNodes& nodes, const float* base, const float* extinction,
+  virtual void SetExtinction(const DrawnPart& part, const float* base, const float* extinction,
     double share, const float* lightExtinction) = 0;
 
   /// Returns whether it is a device with its own memory.
@@ -65,8 +54,8 @@ public:
   virtual void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
     const float* lightExtinction) = 0;
 
-  /// Shows the transfer function's extinction of the scalars.
-  virtual void UseTransferFunction(const ShownNodes& nodes) = 0;
+  /// Shows the transfer function's extinction of the scalars, at the nodes of this part.
+  virtual void UseTransferFunction(const DrawnPart& part) = 0;
 
   /// Discards the extinction and its shadows.
   virtual void ClearExtinction() = 0;
@@ -74,9 +63,9 @@ public:
   /// Returns whether there is no extinction, neither given nor from the transfer function.
   virtual bool HasNoExtinction() const = 0;
 
-  /// Computes the shadows of the shown extinction, or of the lightExtinction that was given, on a
-  /// grid over the same box. Requires an extinction.
-  virtual void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) = 0;
+  /// Computes the shadows of the shown extinction, or of the lightExtinction that was given, at the
+  /// nodes of this part. Requires an extinction.
+  virtual void CastShadows(const DrawnPart& part, const RaySource& light, double rayDensity) = 0;
 
   /// Waits until all work is done.
   virtual void Wait() = 0;
@@ -101,7 +90,8 @@ public:
   /// are not empty here.
   virtual void FindBareBricks() = 0;
 
-  /// Draws a picture of the view's size.
+  /// Draws a picture of the view's size. With room for Picture::foremost, it is composed of the
+  /// parts of all processes.
   virtual void Cast(const Casting& casting, const View& view, Picture& picture) = 0;
 
   /// Returns the light that arrives at a position among the nodes of the extinction [index].

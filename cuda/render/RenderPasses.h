@@ -4,11 +4,10 @@
 #ifndef limpid_render_RenderPasses_h
 #define limpid_render_RenderPasses_h
 
-#include "distributed/FieldResampling.h"
-#include "distributed/Neighbourhood.h"
-#include "energy/TransmittanceOnRanks.h"
+#include "math/Require.h"
 #include "render/ArrivingLight.h"
 #include "render/Bricks.h"
+#include "render/DrawnPart.h"
 #include "render/ExtinctionOverlay.h"
 #include "render/GatheredOverlay.h"
 #include "render/GradientKernels.h"
@@ -53,16 +52,11 @@ public:
   {
   }
 
-  void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece) override
+  void SetScalars(const DrawnPart& part, const float* scalars, const float* shares) override
   {
-    this->Whole = whole;
-    this->Piece = std::move(piece);
-  }
-
-  void SetScalars(const Grid& grid, const float* scalars, const float* shares) override
-  {
-    this->Nodes = grid;
-    this->Whole = this->Piece ? this->Whole : grid;
+    LIMPID_EXPECT(part.IsWhole() || !this->IsDevice()); // parts are exchanged in host memory
+    this->Part = part;
+    const Grid& grid = part.Nodes();
     this->Scalars = {};
     this->Filled = {};
     if (!grid.HasVolume())
@@ -98,10 +92,10 @@ public:
     this->Table.maxima = this->Largest.Data();
   }
 
-  void SetExtinction(const ShownNodes& nodes, const float* base, const float* extinction,
+  void SetExtinction(const DrawnPart& part, const float* base, const float* extinction,
     double share, const float* lightExtinction) override
   {
-    const auto count = static_cast<std::size_t>(nodes.grid.NodeCount());
+    const auto count = static_cast<std::size_t>(part.Nodes().NodeCount());
     const char* what = "the extinction";
     const BorrowedArray<AnyDevice, float> baseThere(this->Device, base, count, what);
     BorrowedArray<AnyDevice, float> other;
@@ -109,7 +103,7 @@ public:
     {
       other.Borrow(this->Device, extinction, count, what);
     }
-    this->Move(nodes, baseThere.Data(), base == extinction ? baseThere.Data() : other.Data(), share,
+    this->Move(part, baseThere.Data(), base == extinction ? baseThere.Data() : other.Data(), share,
       lightExtinction == nullptr);
     if (lightExtinction)
     {
@@ -122,7 +116,7 @@ public:
   void ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
     const float* lightExtinction) override
   {
-    this->Move({ grid }, base, extinction, share, lightExtinction == nullptr);
+    this->Move(grid, base, extinction, share, lightExtinction == nullptr);
     if (lightExtinction)
     {
       this->Device->Copy(this->Opaque.Data(), lightExtinction,
@@ -130,23 +124,14 @@ public:
     }
   }
 
-  void UseTransferFunction(const ShownNodes& nodes) override
+  void UseTransferFunction(const DrawnPart& part) override
   {
-    const char* what = "a coarser extinction";
-    const Grid& grid = nodes.grid;
     Field base = this->Classified(this->Functions.Majorant());
-    if (nodes.ofAll)
+    if (!part.HasSameNodes(this->Part))
     {
-      base =
-        Field(this->Device, ResampledForAll(*this->Piece, this->Whole, base.Data(), grid), what);
+      base = this->OnCoarser(part.Nodes(), this->Part, base.Data());
     }
-    else if (grid.nodes != this->Nodes.nodes)
-    {
-      Field coarse(this->Device, std::size_t(grid.NodeCount()), what);
-      Resample(this->Device, this->Nodes, base.Data(), grid, coarse.Data());
-      base = std::move(coarse);
-    }
-    this->Move(nodes, base.Data(), base.Data(), 1, true);
+    this->Move(part, base.Data(), base.Data(), 1, true);
   }
 
   void ClearExtinction() override
@@ -154,23 +139,19 @@ public:
     this->CoarseOpaque = {};
     this->Opaque = {};
     this->Shown.Clear();
-    this->CoversAllRanks = false;
   }
 
   bool HasNoExtinction() const override { return this->Shown.Empty(); }
 
-  void CastShadows(const Grid& grid, const RaySource& light, double rayDensity) override
+  void CastShadows(const DrawnPart& part, const RaySource& light, double rayDensity) override
   {
-    const float* opaque = this->ShadowExtinction(grid);
-    Field transmittance(this->Device, std::size_t(grid.NodeCount()), "the shadows");
-    this->Piece && !this->CoversAllRanks
-      ? FindTransmittanceOnRanks(
-          this->Whole, *this->Piece, light, rayDensity, opaque, transmittance.Data())
-      : this->Shadows.Fill(grid, opaque, light, rayDensity, transmittance.Data());
-    Field arriving(this->Device, std::size_t(grid.NodeCount()), "the shadows");
-    this->FindArriving(
-      ArrivingOn(grid, this->Nodes.spacing, light), opaque, transmittance.Data(), arriving.Data());
-    this->Shown.SetShadow(grid.nodes, arriving.Data());
+    const auto count = static_cast<std::size_t>(part.Nodes().NodeCount());
+    const float* opaque = this->ShadowExtinction(part);
+    Field transmittance(this->Device, count, "the shadows");
+    this->Shadows.Fill(part, opaque, light, rayDensity, transmittance.Data());
+    Field arriving(this->Device, count, "the shadows");
+    this->FindArriving(part, light, opaque, transmittance.Data(), arriving.Data());
+    this->Shown.SetShadow(part, arriving.Data());
     this->GradientHasShadow = false;
   }
 
@@ -180,36 +161,14 @@ public:
 
   void FindGradient() override
   {
-    const Int3 nodes = this->Nodes.nodes;
-    const Index rows = Index(nodes.y) * nodes.z;
+    const Grid& grid = this->Part.Nodes();
     const char* what = "gradients";
     const Field extinction = this->Classified(1);
-    const GradientNode gradient{ extinction.Data(), nodes, this->Nodes.direction,
-      this->Nodes.spacing };
-    Field ofNodes(this->Device, std::size_t(rows * nodes.x), what);
-    Field ofRows(this->Device, std::size_t(rows), what);
-    Field ofSlices(this->Device, std::size_t(nodes.z), what);
-    Field largest(this->Device, 1, what);
-    this->Device->ForNodes("steepness", nodes, SteepnessNode{ gradient, ofNodes.Data() });
-    if (this->Piece)
-    {
-      this->ClearUnowned(ofNodes.Data());
-    }
-    const auto find = [&](const Field& values, int length, Field& ofRuns)
-    {
-      this->Device->ForIndices(
-        "steepness", Index(ofRuns.Size()), LargestOfRun{ values.Data(), length, ofRuns.Data() });
-    };
-    find(ofNodes, nodes.x, ofRows);
-    find(ofRows, nodes.y, ofSlices);
-    find(ofSlices, nodes.z, largest);
-    if (this->Piece)
-    {
-      *largest.Data() = this->Piece->ranks->LargestOf(*largest.Data());
-    }
-    FourPacked* packed = this->Gradient.RoomFor(this->Device, ofNodes.Size(), what);
+    const GradientNode gradient{ extinction.Data(), grid.nodes, grid.direction, grid.spacing };
+    const Field largest = this->LargestSteepness(gradient);
+    FourPacked* packed = this->Gradient.RoomFor(this->Device, std::size_t(grid.NodeCount()), what);
     this->Device->ForNodes(
-      "gradient", nodes, PackedGradientNode{ gradient, largest.Data(), packed });
+      "gradient", grid.nodes, PackedGradientNode{ gradient, largest.Data(), packed });
     this->GradientHasShadow = false;
   }
 
@@ -222,7 +181,7 @@ public:
   void SetImportance(const float* importance) override
   {
     this->Importance.Borrow(
-      this->Device, importance, std::size_t(this->Nodes.NodeCount()), "the importance");
+      this->Device, importance, std::size_t(this->Part.Nodes().NodeCount()), "the importance");
     this->Empty.FindUnimportant(this->Importance.Data());
   }
 
@@ -254,9 +213,9 @@ public:
     const float* depth = borrow(this->Depth, view.depth);
     Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
     this->ShadowGradient(casting);
-    PictureRays rays{ RayMaker(this->Whole, casting.stepLength, view), view.width, view.height,
-      nearDepth, depth, pixels };
-    if (this->Piece)
+    PictureRays rays{ RayMaker(this->Part.Whole(), casting.stepLength, view), view.width,
+      view.height, nearDepth, depth, pixels };
+    if (!picture.foremost.empty())
     {
       this->CastPart(casting, rays, picture);
       return;
@@ -284,21 +243,19 @@ private:
   /// Moves the shown extinction. If this fails, nothing is shown. `casts`: whether it casts the
   /// shadows.
   void Move(
-    const ShownNodes& nodes, const float* base, const float* extinction, double share, bool casts)
+    const DrawnPart& part, const float* base, const float* extinction, double share, bool casts)
   {
-    const Grid& grid = nodes.grid;
     try
     {
-      const auto count = static_cast<std::size_t>(grid.NodeCount());
+      const auto count = static_cast<std::size_t>(part.Nodes().NodeCount());
       float* opaque = this->Opaque.RoomFor(this->Device, count, "what casts the shadows");
       this->CoarseOpaque = {};
-      if (nodes.ofAll && !this->CoversAllRanks && !this->Shown.Empty())
+      if (part.IsWhole() && !this->Shown.Part().IsWhole())
       {
-        this->GatherShown(grid);
+        this->GatherShown(part);
       }
-      this->CoversAllRanks = nodes.ofAll;
       this->Shown.MoveTo(
-        grid, base, extinction, this->Functions.Majorant(), share, casts ? opaque : nullptr);
+        part, base, extinction, this->Functions.Majorant(), share, casts ? opaque : nullptr);
     }
     catch (...)
     {
@@ -307,59 +264,66 @@ private:
     }
   }
 
-  /// Gathers the extinction that all ranks show of their pieces.
-  void GatherShown(const Grid& grid)
+  /// Gathers the extinctions that are shown of all parts.
+  void GatherShown(const DrawnPart& all)
   {
-    const auto resample = [this](const Grid& part)
+    const auto resample = [this](const Grid& some)
     {
-      const auto numbers = this->Shown.On(part);
+      const auto numbers = this->Shown.On(some);
       return std::vector<TwoPacked>(numbers.Data(), numbers.Data() + numbers.Size());
     };
-    const std::vector<TwoPacked> ofAll = GatheredOverlay(*this->Piece, this->Whole, grid, resample);
-    this->Shown.GoOnWith(grid, ofAll, this->Piece->ranks->AnyOf(this->Shown.Changed()));
+    const std::vector<TwoPacked> gathered = GatheredOverlay(this->Part, all.Nodes(), resample);
+    this->Shown.GoOnWith(all, gathered, this->Part.AnyOf(this->Shown.Changed()));
   }
 
   OverlayGeometry PlaceOfShown() const
   {
-    const Int3& nodes = this->Shown.Nodes().nodes;
-    if (!this->CoversAllRanks)
-    {
-      return OverlayGeometry::Over(this->Nodes.nodes, nodes);
-    }
-    const std::array<Range<int>, 3>& along = this->Piece->nodes.along;
-    return { nodes, this->Whole.nodes, { along[0].begin, along[1].begin, along[2].begin } };
+    return OverlayGeometry::Of(this->Shown.Part(), this->Part);
   }
 
-  /// Draws this rank's part of the rays, and composes the picture.
+  /// Draws the owned part of the rays, and composes the picture.
   void CastPart(const Casting& casting, PictureRays& rays, Picture& picture)
   {
-    const Communicator& ranks = *this->Piece->ranks;
-    const RayPart part(
-      this->Piece->owned[std::size_t(ranks.Rank())], this->Piece->nodes, this->Whole.nodes);
+    const RayPart part(this->Part);
     std::vector<PartialPixel> parts(std::size_t(rays.columns) * std::size_t(rays.rows));
     rays.part = &part;
     rays.parts = parts.data();
     CastRays(*this->Device, this->SceneOf(casting), rays, Compositing::FrontToBack);
-    Compose(ranks, parts, casting.opaqueBelow, picture);
+    Compose(this->Part, parts, casting.opaqueBelow, picture);
   }
 
-  /// Sets values of ghost nodes to 0, since no rank has all neighbours of nodes at the faces of its
-  /// box.
-  void ClearUnowned(float* values) const
+  /// Returns the square of the largest length of a gradient at the owned nodes of all parts. Ghost
+  /// nodes at the faces of the box have neighbours elsewhere.
+  Field LargestSteepness(const GradientNode& gradient) const
   {
-    const ScenePiece& piece = *this->Piece;
-    const NodeBox& own = piece.owned[std::size_t(piece.ranks->Rank())];
-    std::vector<float> kept(std::size_t(own.Count()));
-    const FieldView all = FieldView::Part(values, piece.nodes);
-    CopyNodes(own, all, FieldView::Part(kept.data(), own));
-    FillNodes(piece.nodes, 0, all);
-    CopyNodes(own, FieldView::Part(kept.data(), own), all);
+    const char* what = "gradients";
+    const NodeBox& owned = this->Part.Owned();
+    const Int3 nodes = owned.Size();
+    Field ofNodes(this->Device, std::size_t(owned.Count()), what);
+    Field ofRows(this->Device, std::size_t(Index(nodes.y) * nodes.z), what);
+    Field ofSlices(this->Device, std::size_t(nodes.z), what);
+    Field largest(this->Device, 1, what);
+    this->Device->ForNodes("steepness", nodes,
+      SteepnessNode{ gradient, owned.First() - this->Part.Box().First(), ofNodes.Data() });
+    const auto find = [&](const Field& values, int length, Field& ofRuns)
+    {
+      this->Device->ForIndices(
+        "steepness", Index(ofRuns.Size()), LargestOfRun{ values.Data(), length, ofRuns.Data() });
+    };
+    find(ofNodes, nodes.x, ofRows);
+    find(ofRows, nodes.y, ofSlices);
+    find(ofSlices, nodes.z, largest);
+    if constexpr (AnyDevice::readsHostMemory) // other devices draw the whole
+    {
+      *largest.Data() = this->Part.LargestOf(*largest.Data());
+    }
+    return largest;
   }
 
   /// Returns the transfer function's extinction of all scalars in a unit [1/length].
   Field Classified(float majorant) const
   {
-    const Index count = this->Nodes.NodeCount();
+    const Index count = this->Part.Nodes().NodeCount();
     Field extinction(this->Device, std::size_t(count), "the transfer function's extinction");
     this->Device->ForIndices("classify", count,
       ClassifiedNode{
@@ -367,53 +331,48 @@ private:
     return extinction;
   }
 
-  /// Computes the light that arrives at the nodes of this rank, from fields there.
-  void FindArriving(
-    ArrivingNode body, const float* opaque, const float* transmittance, float* arriving)
+  /// Computes the light that arrives at the nodes of a part, from fields there.
+  void FindArriving(const DrawnPart& part, const RaySource& light, const float* opaque,
+    const float* transmittance, float* arriving)
   {
-    const Int3 nodes = body.nodes;
+    ArrivingNode body = ArrivingOn(part.Whole(), this->Part.Nodes().spacing, light);
+    const auto around = part.Around(body.LayersRead());
+    const auto casts = around.Extended(opaque);
+    const auto lit = around.Extended(transmittance);
+    body.Within(around.Box(), part.Box());
+    body.caster = casts.Data();
+    body.transmittance = lit.Data();
     body.arriving = arriving;
-    if (this->Piece && !this->CoversAllRanks)
-    {
-      const ScenePiece& piece = *this->Piece;
-      body.nodes = this->Whole.nodes;
-      const std::vector<NodeBox> wanted = WithGhosts(piece.boxes, body.LayersRead(), body.nodes);
-      const FieldInBox casts = FieldIn(piece, wanted, opaque);
-      const FieldInBox lit = FieldIn(piece, wanted, transmittance);
-      body.Within(wanted[std::size_t(piece.ranks->Rank())], piece.nodes);
-      this->FindArrivingFrom(body, nodes, casts.Data(), lit.Data());
-      return;
-    }
-    this->FindArrivingFrom(body, nodes, opaque, transmittance);
+    this->Device->ForNodes("light that arrives", part.Nodes().nodes, body);
   }
 
-  void FindArrivingFrom(
-    ArrivingNode body, const Int3& nodes, const float* opaque, const float* transmittance)
+  /// Returns the extinction that casts the shadows, at the nodes of a part.
+  const float* ShadowExtinction(const DrawnPart& part)
   {
-    body.caster = opaque;
-    body.transmittance = transmittance;
-    this->Device->ForNodes("light that arrives", nodes, body);
-  }
-
-  /// Returns the extinction that casts the shadows, at the nodes of their grid.
-  const float* ShadowExtinction(const Grid& grid)
-  {
-    const Grid& from = this->Shown.Nodes();
-    this->LimitCaster(from, this->Opaque.Data());
-    if (grid.nodes == from.nodes)
+    const DrawnPart& from = this->Shown.Part();
+    const Grid& grid = part.Nodes();
+    this->LimitCaster(from.Nodes(), this->Opaque.Data());
+    if (part.HasSameNodes(from))
     {
       return this->Opaque.Data();
     }
     if (this->CoarseOpaque.Empty() || grid.nodes != this->CoarseNodes)
     {
       this->CoarseOpaque = {}; // first, to free memory for the other one
-      Field coarse(this->Device, std::size_t(grid.NodeCount()), "a coarser extinction");
-      Resample(this->Device, from, this->Opaque.Data(), grid, coarse.Data());
+      Field coarse = this->OnCoarser(grid, from, this->Opaque.Data());
       this->LimitCaster(grid, coarse.Data());
       this->CoarseOpaque = std::move(coarse);
       this->CoarseNodes = grid.nodes;
     }
     return this->CoarseOpaque.Data();
+  }
+
+  /// Returns an extinction of a part at all nodes of a coarser grid.
+  Field OnCoarser(const Grid& grid, const DrawnPart& from, const float* extinction) const
+  {
+    Field coarse(this->Device, std::size_t(grid.NodeCount()), "a coarser extinction");
+    ResamplePart(this->Device, from, extinction, grid, coarse.Data());
+    return coarse;
   }
 
   /// Limits the extinction that casts shadows to what they resolve, see mostCasting.
@@ -426,10 +385,7 @@ private:
   }
 
   /// Returns whether the shadows have the nodes of the gradient.
-  bool ShadowsFitGradient() const
-  {
-    return !this->CoversAllRanks && this->Shown.Nodes().nodes == this->Nodes.nodes;
-  }
+  bool ShadowsFitGradient() const { return this->Shown.Part().HasSameNodes(this->Part); }
 
   /// Stores such shadows with the gradient, so that a sample reads both from one field.
   void ShadowGradient(const Casting& casting)
@@ -437,7 +393,7 @@ private:
     if (casting.lit && this->Shown.Shadowed() && this->ShadowsFitGradient() &&
       !this->GradientHasShadow)
     {
-      this->Device->ForIndices("shadows of the gradient", this->Nodes.NodeCount(),
+      this->Device->ForIndices("shadows of the gradient", this->Part.Nodes().NodeCount(),
         ShadowedGradientNode{ this->Shown.Shadow(), this->Gradient.Data() });
       this->GradientHasShadow = true;
     }
@@ -446,7 +402,7 @@ private:
   RayScene SceneOf(const Casting& casting) const
   {
     RayScene scene;
-    scene.grid = CellGrid(this->Nodes.nodes);
+    scene.grid = CellGrid(this->Part.Nodes().nodes);
     scene.scalars = this->Scalars.Data();
     scene.filled = this->Filled.Data();
     scene.table = this->Table;
@@ -457,7 +413,8 @@ private:
     scene.gradient = casting.lit ? this->Gradient.Data() : nullptr;
     if (!this->Shown.Empty())
     {
-      scene.PlaceOverlay(this->PlaceOfShown(), this->Nodes.nodes);
+      scene.PlaceOverlay(this->PlaceOfShown());
+      scene.overlaySameNodes = this->Shown.Part().HasSameNodes(this->Part);
       scene.addedUnit = this->Shown.Majorant() / scene.majorant;
       scene.overlay = this->Shown.Changed() ? this->Shown.Packed() : nullptr;
       const bool apart = casting.lit && this->Shown.Shadowed() && !this->ShadowsFitGradient();
@@ -506,9 +463,7 @@ private:
   bool IsChanged() const { return !this->Shown.Empty() && this->Shown.Changed(); }
 
   std::shared_ptr<AnyDevice> Device;
-  Grid Nodes;                              ///< grid of the scalars
-  Grid Whole;                              ///< grid of the scalars of all ranks
-  std::shared_ptr<const ScenePiece> Piece; ///< piece of this rank; null: everything, as on a GPU
+  DrawnPart Part; ///< nodes of the scalars; the whole on a GPU
   BorrowedArray<AnyDevice, float> Scalars;
   BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are filled
 
@@ -522,7 +477,6 @@ private:
   bool GradientHasShadow = false; ///< whether it includes the shadow of the overlay
   Bricks<AnyDevice> Empty;
   ExtinctionOverlay<AnyDevice> Shown;
-  bool CoversAllRanks = false; ///< whether the overlay covers the box of all ranks
   ShadowVolume<AnyDevice> Shadows;
   Field Opaque;       ///< extinction that casts the shadows, at the nodes of the overlay
   Field CoarseOpaque; ///< this on a coarser grid; empty: outdated or not needed

@@ -20,11 +20,12 @@ namespace limpid
 namespace
 {
 /// The extinction's grid must cover the box of the scalars: rays use one position for both.
-void RequireSameBox(const Grid& scalars, const Grid& extinction)
+void RequireSameBox(const DrawnPart& scalars, const DrawnPart& extinction)
 {
-  LIMPID_REQUIRE(extinction.HasVolume() && scalars.HasSameBox(extinction),
-    "The extinction's grid of " << extinction.nodes.x << " x " << extinction.nodes.y << " x "
-                                << extinction.nodes.z
+  const Grid& grid = extinction.Nodes();
+  LIMPID_REQUIRE(grid.HasVolume() && scalars.Whole().HasSameBox(extinction.Whole()) &&
+      extinction.Covers(scalars),
+    "The extinction's grid of " << grid.nodes.x << " x " << grid.nodes.y << " x " << grid.nodes.z
                                 << " nodes does not span the box of the scalars (it would be drawn "
                                    "in the wrong place). Give both over the same box.");
 }
@@ -47,17 +48,14 @@ struct Renderer::Internals
   }
 
   std::unique_ptr<RenderBackend> backend;
-  Grid grid;  ///< grid of the scalars
-  Grid whole; ///< grid of the scalars of all ranks
-  bool isPiece = false;
+  DrawnPart part; ///< nodes of the scalars
   bool hasScalars = false;
   bool hasFunctions = false;
   float majorant = 0; ///< of the transfer functions [1/length]
   Lighting lighting;
   double shadowRayDensity = transmittanceRayDensity;
   int shadowCoarseness = 1;
-  Grid extinctionGrid;
-  bool extinctionOfAll = false;      ///< whether the extinction covers the box of all ranks
+  DrawnPart shown;                   ///< nodes of the extinction
   bool usesTransferFunction = false; ///< as the extinction, if none was given
 
   bool hasImportance = false;
@@ -94,11 +92,9 @@ struct Renderer::Internals
   /// If no extinction was given, that of the transfer function casts the shadows.
   void UseTransferFunction()
   {
-    this->extinctionOfAll = this->isPiece && this->shadowCoarseness > 1;
-    this->extinctionGrid =
-      CoarseGrid(this->extinctionOfAll ? this->whole : this->grid, this->shadowCoarseness);
+    this->shown = this->part.Coarse(this->shadowCoarseness);
     this->usesTransferFunction = true;
-    this->backend->UseTransferFunction({ this->extinctionGrid, this->extinctionOfAll });
+    this->backend->UseTransferFunction(this->shown);
   }
 
   void ForgetTransferFunction()
@@ -111,26 +107,23 @@ struct Renderer::Internals
     }
   }
 
-  /// Returns the grid of the shadows.
-  Grid ShadowGrid() const
+  /// Returns the nodes of the shadows.
+  DrawnPart ShadowPart() const
   {
-    const bool isPieces = this->isPiece && !this->extinctionOfAll;
-    return this->usesTransferFunction || isPieces
-      ? this->extinctionGrid
-      : CoarseGrid(this->extinctionGrid, this->shadowCoarseness);
+    return this->usesTransferFunction ? this->shown : this->shown.Coarse(this->shadowCoarseness);
   }
 
-  bool HasScene() const { return this->hasScalars && this->grid.HasVolume() && this->hasFunctions; }
+  bool HasVolume() const { return this->part.Nodes().HasVolume(); }
+  bool HasScene() const { return this->hasScalars && this->HasVolume() && this->hasFunctions; }
 
   /// Prepares for a given extinction. Returns whether there is one.
-  bool WillShow(const ShownNodes& nodes, const float* base, const float* extinction, double share)
+  bool WillShow(const DrawnPart& nodes, const float* base, const float* extinction, double share)
   {
     ++this->changes;
     this->ForgetBricks();
     this->shadowIsCurrent = false;
     this->ForgetTransferFunction();
-    this->extinctionGrid = nodes.grid;
-    this->extinctionOfAll = nodes.ofAll;
+    this->shown = nodes;
     if (!base || !extinction)
     {
       this->backend->ClearExtinction();
@@ -160,10 +153,9 @@ struct Renderer::Internals
     }
     if (wanted)
     {
-      const Grid nodes = this->ShadowGrid();
-      const Grid& lit = this->isPiece && !this->extinctionOfAll ? this->whole : nodes;
+      const DrawnPart nodes = this->ShadowPart();
       this->backend->CastShadows(
-        nodes, SourceOfLight(this->lighting.light, lit), this->shadowRayDensity);
+        nodes, SourceOfLight(this->lighting.light, nodes.Whole()), this->shadowRayDensity);
     }
     else
     {
@@ -178,11 +170,11 @@ struct Renderer::Internals
   {
     if (!this->backend->HasNoExtinction())
     {
-      RequireSameBox(this->extinctionOfAll ? this->whole : this->grid, this->extinctionGrid);
+      RequireSameBox(this->part, this->shown);
     }
     if (this->lighting.enabled)
     {
-      SourceOfLight(this->lighting.light, this->whole); // throws if the light is invalid
+      SourceOfLight(this->lighting.light, this->part.Whole()); // throws if the light is invalid
     }
     this->UpdateShadow();
     if (this->lighting.enabled && !this->gradientIsCurrent)
@@ -204,7 +196,7 @@ struct Renderer::Internals
 
   Casting CastingOf(const View& view) const
   {
-    const Vec3& spacing = this->grid.spacing;
+    const Vec3& spacing = this->part.Whole().spacing;
     Casting casting;
     casting.opaqueBelow = static_cast<float>(view.opaqueBelow);
     casting.stepLength =
@@ -212,7 +204,7 @@ struct Renderer::Internals
     casting.lit = this->lighting.enabled;
     if (casting.lit)
     {
-      casting.light = MakeRayLight(this->lighting, this->whole, view);
+      casting.light = MakeRayLight(this->lighting, this->part.Whole(), view);
     }
     if (this->hasImportance)
     {
@@ -239,35 +231,17 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece)
+void Renderer::SetScalars(const DrawnPart& part, const float* scalars, const float* shares)
 {
-  Internals& state = *this->State;
-  LIMPID_REQUIRE(!piece || !state.backend->IsDevice(),
-    "Ranks share the picture, and a GPU draws it (distributed rendering is supported on CPUs "
-    "only). Use the backend Auto or CPU.");
-  if (!piece && state.extinctionOfAll)
-  {
-    state.backend->ClearExtinction();
-    state.extinctionOfAll = false;
-    state.shadowIsCurrent = false;
-  }
-  state.whole = whole;
-  state.isPiece = piece != nullptr;
-  state.backend->SetPiece(whole, std::move(piece));
-}
-
-void Renderer::SetScalars(const Grid& grid, const float* scalars, const float* shares)
-{
-  grid.Require();
+  part.Whole().Require();
   LIMPID_REQUIRE(
     scalars != nullptr, "There are no scalars (there is nothing to draw). Give an array.");
   Internals& state = *this->State;
   ++state.changes;
   state.hasScalars = false; // in case one of the next lines throws
   state.ForgetImportance();
-  state.backend->SetScalars(grid, scalars, shares);
-  state.grid = grid;
-  state.whole = state.isPiece ? state.whole : grid;
+  state.backend->SetScalars(part, scalars, shares);
+  state.part = part;
   state.hasScalars = true;
   state.ForgetBricks();
   state.gradientIsCurrent = false;
@@ -299,7 +273,7 @@ void Renderer::SetImportance(const float* importance)
   }
   LIMPID_REQUIRE(state.hasScalars,
     "The importance was given before the scalars (it is defined on their grid). Set them first.");
-  if (state.grid.HasVolume())
+  if (state.HasVolume())
   {
     state.backend->SetImportance(importance);
     state.hasImportance = true;
@@ -322,23 +296,12 @@ void Renderer::ComposeBy(Compositing compositing)
   this->State->Take(this->State->compositing, compositing);
 }
 
-void Renderer::SetExtinction(const Grid& grid, const float* base, const float* extinction,
+void Renderer::SetExtinction(const DrawnPart& part, const float* base, const float* extinction,
   double share, const float* lightExtinction)
 {
-  const ShownNodes nodes{ grid };
-  if (this->State->WillShow(nodes, base, extinction, share))
+  if (this->State->WillShow(part, base, extinction, share))
   {
-    this->State->backend->SetExtinction(nodes, base, extinction, share, lightExtinction);
-  }
-}
-
-void Renderer::SetGatheredExtinction(const Grid& grid, const float* base, const float* extinction,
-  double share, const float* lightExtinction)
-{
-  const ShownNodes nodes{ grid, this->State->isPiece };
-  if (this->State->WillShow(nodes, base, extinction, share))
-  {
-    this->State->backend->SetExtinction(nodes, base, extinction, share, lightExtinction);
+    this->State->backend->SetExtinction(part, base, extinction, share, lightExtinction);
   }
 }
 
@@ -350,7 +313,7 @@ bool Renderer::DrawsOnDevice() const
 void Renderer::ShowThere(const Grid& grid, const float* base, const float* extinction, double share,
   const float* lightExtinction)
 {
-  if (this->State->WillShow({ grid }, base, extinction, share))
+  if (this->State->WillShow(grid, base, extinction, share))
   {
     this->State->backend->ShowThere(grid, base, extinction, share, lightExtinction);
   }
@@ -422,11 +385,11 @@ void Renderer::Render(const View& view, Picture& picture)
   picture.height = std::max(view.height, 0);
   const std::size_t pixels = std::size_t(picture.width) * std::size_t(picture.height);
   picture.rgba.assign(4 * pixels, 0);
-  picture.foremost.assign(state.isPiece ? pixels : 0, -1);
+  picture.foremost.assign(state.part.IsWhole() ? 0 : pixels, -1);
   LIMPID_REQUIRE(state.hasScalars && state.hasFunctions,
     "There are no scalars or no transfer functions (nothing can "
     "be drawn). Set both.");
-  if (picture.rgba.empty() || !state.grid.HasVolume() || !(state.majorant > 0))
+  if (picture.rgba.empty() || !state.HasVolume() || !(state.majorant > 0))
   {
     return; // an empty picture
   }
@@ -444,10 +407,11 @@ double Renderer::ArrivingLightAt(const Vec3& world)
   {
     return 1;
   }
-  const Vec3 index = state.extinctionGrid.PointToIndex(world);
+  const Grid& grid = state.shown.Nodes();
+  const Vec3 index = grid.PointToIndex(world);
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (index[axis] < 0 || index[axis] > state.extinctionGrid.nodes[axis] - 1)
+    if (index[axis] < 0 || index[axis] > grid.nodes[axis] - 1)
     {
       return 1;
     }

@@ -4,8 +4,8 @@
 #ifndef limpid_render_Renderer_h
 #define limpid_render_Renderer_h
 
-#include "distributed/ScenePiece.h"
 #include "methods/Method.h"
+#include "render/DrawnPart.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 
@@ -101,7 +101,7 @@ struct Picture
   int height = 0;
   std::vector<std::uint8_t> rgba; ///< colours premultiplied by alpha, 4 bytes per pixel
 
-  /// If ranks have drawn together, for each pixel the rank whose part is foremost, whose box is
+  /// If processes have drawn parts, for each pixel the process whose part is foremost, whose box is
   /// certainly visible there; -1: none. Otherwise empty.
   std::vector<std::int32_t> foremost;
 };
@@ -129,41 +129,32 @@ public:
   Renderer& operator=(Renderer&&) noexcept;
 
   /**
-   * Sets this rank's piece of a volume that ranks draw together, see ScenePiece; null: this process
-   * has everything. Fields and their grid must then be those of piece->nodes. It must have at least
-   * two nodes along each axis, and ghosts around the owned nodes: two more than the distance of
-   * samples [nodes], for half a segment, the rest of a cell, and gradients. To be called before
-   * SetScalars.
+   * Sets the scalars at the nodes of a grid, or of the part of it that this process has; NaN: an
+   * empty node. `shares`: the share of the transfer function's extinction that is kept at each node
+   * [0, 1]; null: everything. Both are copied.
    *
-   * With a piece, all methods are collective, with equal arguments except fields; every rank gets
-   * the whole pictures. Shadows of a piece's extinction have its resolution. Importance is not
-   * supported, nor is compositing other than front to back.
+   * If several processes draw parts, all methods are collective, with equal arguments except
+   * fields, and every process gets the whole pictures. A part must have at least two nodes along
+   * each axis, and ghosts around the owned nodes: two more than the distance of samples [nodes],
+   * for half a segment, the rest of a cell, and gradients. Importance is not supported then, nor
+   * are GPUs, nor compositing other than front to back.
    */
-  void SetPiece(const Grid& whole, std::shared_ptr<const ScenePiece> piece);
-
-  /// Sets the scalars at the nodes of a grid, NodeCount() values; NaN: an empty node. `shares`: the
-  /// share of the transfer function's extinction that is kept at each node [0, 1]; null:
-  /// everything. Both are copied.
-  void SetScalars(const Grid& grid, const float* scalars, const float* shares = nullptr);
+  void SetScalars(const DrawnPart& part, const float* scalars, const float* shares = nullptr);
 
   /// Sets the transfer functions; call it again after changes.
   void SetTransferFunctions(const TransferFunctions& functions);
 
   /**
-   * Sets the extinction to show: `base` and `extinction` at the nodes of a grid over the same box,
-   * as fine as that of the scalars or coarser, NodeCount() values each [1/length]. Only their
-   * difference matters, and for shadows `extinction` itself. Null for both: the transfer function's
-   * extinction alone.
+   * Sets the extinction to show: `base` and `extinction` at the nodes of the scalars, or at all
+   * nodes of a grid over the whole box, as fine or coarser [1/length]; during interaction,
+   * processes that draw parts need not wait for each other with the latter. Only their difference
+   * matters, and for shadows `extinction` itself. Null for both: the transfer function's extinction
+   * alone.
    *
    * `share` in (0, 1]: how far to move from the shown extinction to the new one; 1: at once.
    * `lightExtinction`: casts the shadows, if it differs from `extinction`.
    */
-  void SetExtinction(const Grid& grid, const float* base, const float* extinction, double share = 1,
-    const float* lightExtinction = nullptr);
-
-  /// Sets the extinction if ranks draw together, on a grid over the box of all. Every rank passes
-  /// the whole field. For pictures during interaction, in which no rank waits for others.
-  void SetGatheredExtinction(const Grid& grid, const float* base, const float* extinction,
+  void SetExtinction(const DrawnPart& part, const float* base, const float* extinction,
     double share = 1, const float* lightExtinction = nullptr);
 
   /// Returns whether a device with its own memory draws.
@@ -193,8 +184,8 @@ public:
   void SetShadowRayDensity(double density);
 
   /// Sets the spacing of the nodes of the shadows along each axis, in units of that of the
-  /// extinction's nodes, for pictures during interaction. If ranks show the transfer function's
-  /// extinction, the grid covers the box of all ranks, and every rank has all of it. Default 1.
+  /// extinction's nodes, for pictures during interaction. Above 1, every process has all of them.
+  /// Default 1.
   void SetShadowCoarseness(int factor);
 
   /// Computes the shadows if the next picture needs them, and waits for them. Returns whether there

@@ -7,6 +7,7 @@
 #include "backend/CompiledDevice.h"
 #include "backend/HostDevice.h"
 #include "energy/TransmittanceSweep.h"
+#include "render/DrawnPart.h"
 
 #include <memory>
 #include <optional>
@@ -14,7 +15,7 @@
 
 namespace limpid
 {
-/// Computes the light that arrives at the nodes of a grid, on a device.
+/// Computes the light that arrives at the nodes of a part, on a device. GPUs draw the whole only.
 template <class AnyDevice>
 class ShadowVolume
 {
@@ -25,9 +26,10 @@ public:
   }
 
   /// FillTransmittance on the device, with both fields in its memory. Does not wait.
-  void Fill(const Grid& grid, const float* extinction, const RaySource& light, double rayDensity,
-    float* transmittance)
+  void Fill(const DrawnPart& whole, const float* extinction, const RaySource& light,
+    double rayDensity, float* transmittance)
   {
+    const Grid& grid = whole.Nodes();
     if (!this->Now || !this->Now->IsOf(grid, light, rayDensity))
     {
       this->Now.reset(); // first, to free memory for the other one
@@ -70,10 +72,10 @@ class ShadowVolume<HostDevice>
 public:
   explicit ShadowVolume(const std::shared_ptr<HostDevice>&) {}
 
-  void Fill(const Grid& grid, const float* extinction, const RaySource& light, double rayDensity,
-    float* transmittance)
+  void Fill(const DrawnPart& part, const float* extinction, const RaySource& light,
+    double rayDensity, float* transmittance)
   {
-    FillTransmittance(grid, extinction, light, rayDensity, transmittance);
+    part.FillTransmittance(extinction, light, rayDensity, transmittance);
   }
 };
 }

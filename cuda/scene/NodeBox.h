@@ -22,6 +22,12 @@ struct NodeBox
     return { { { { 0, nodes.x }, { 0, nodes.y }, { 0, nodes.z } } } };
   }
 
+  /// Returns the first node along each axis.
+  Int3 First() const
+  {
+    return { this->along[0].begin, this->along[1].begin, this->along[2].begin };
+  }
+
   bool Empty() const
   {
     return this->along[0].Empty() || this->along[1].Empty() || this->along[2].Empty();
