@@ -4,7 +4,7 @@
 // Sums without rounding: closed forms, any order, any split; against the processor's own rounding
 // where a sum of two is rounded once.
 
-#include "distributed/ExactSum.h"
+#include "math/ExactSum.h"
 
 #include <gtest/gtest.h>
 

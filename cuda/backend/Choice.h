@@ -29,7 +29,7 @@ struct CudaState
 };
 
 /// Detects the GPU once. If there are several, the processes on a machine take them in turn by
-/// their local rank, as set by MPI launchers.
+/// their local number, as set by MPI launchers.
 const CudaState& FindCuda();
 
 /// Returns the free bytes on the GPU; 0 if there is none.

@@ -5,7 +5,7 @@
 #define limpid_distributed_Communicator_h
 
 #include "backend/Interruption.h"
-#include "distributed/ExactSum.h"
+#include "math/ExactSum.h"
 #include "math/Require.h"
 
 #include <cstddef>

@@ -5,7 +5,6 @@
 
 #include "backend/Backend.h"
 #include "backend/LargePages.h"
-#include "distributed/DistributedFields.h"
 #include "optimize/CoarseProblem.h"
 #include "scene/Resampling.h"
 
@@ -108,11 +107,7 @@ public:
       this->Smoother->BestToPiece(piece);
       return;
     }
-    const DistributedFields& fields = *this->Given.shared;
-    const Slab own = this->Given.OwnSlab();
-    Spread(*fields.ranks, FieldView::Part(const_cast<float*>(this->Best().data()), own.Box()),
-      RegionsOf(EvenSlabs(*fields.ranks, own.nodes)), piece, fields.wanted,
-      this->Given.occupancy.get());
+    this->Given.SlabToPiece(this->Best().data(), piece);
   }
 
   std::vector<float> TakeBest() override
@@ -134,7 +129,7 @@ private:
     return level == 0 ? this->Given.grid : CoarseGrid(this->Given.grid, FactorOf(level));
   }
 
-  /// Returns the base extinction of this rank's slab.
+  /// Returns the base extinction of the owned slab.
   std::vector<float> OwnBase() const
   {
     const Slab own = this->Given.OwnSlab();

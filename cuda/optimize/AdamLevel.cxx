@@ -118,7 +118,7 @@ private:
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
-  Slab Own; ///< slab of this rank
+  Slab Own; ///< the owned slab
   Field Now;
   Field Kept;
   Field Gradient; ///< empty before the first step

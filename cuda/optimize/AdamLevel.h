@@ -12,8 +12,8 @@
 
 namespace limpid
 {
-/// Adam's state at one resolution, on any device. In distributed runs each rank passes and
-/// receives the extinction of its own slab.
+/// Adam's state at one resolution, on any device. In distributed runs each process
+/// passes and receives the extinction of its owned slab.
 class AdamLevel
 {
 public:

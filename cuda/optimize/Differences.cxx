@@ -66,27 +66,6 @@ double SumOfChanges(const float* a, const float* b, Index count)
   return sum;
 }
 
-double SumOverRows(
-  const Slab& slab, const Communicator& ranks, const std::function<double(int y, int z)>& ofRow)
-{
-  std::vector<ExactSum> slices(std::size_t(slab.slices.Length()));
-  ParallelFor(slab.slices.Length(),
-    [&](Index slice)
-    {
-      for (int y = 0; y < slab.nodes.y; ++y)
-      {
-        slices[std::size_t(slice)].Add(ofRow(y, slab.slices.begin + static_cast<int>(slice)));
-      }
-    });
-  ExactSum sum;
-  for (const ExactSum& slice : slices)
-  {
-    sum += slice;
-  }
-  ranks.Sum(&sum, 1);
-  return sum.Value();
-}
-
 void ExactDifferences::Add(const std::vector<Differences>& all)
 {
   constexpr std::size_t perPart = 4096;

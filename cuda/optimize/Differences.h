@@ -4,12 +4,11 @@
 #ifndef limpid_optimize_Differences_h
 #define limpid_optimize_Differences_h
 
-#include "distributed/Communicator.h"
-#include "distributed/Slab.h"
+#include "math/ExactSum.h"
 #include "optimize/Pulls.h"
+#include "scene/Grid.h"
 
 #include <array>
-#include <functional>
 #include <vector>
 
 namespace limpid
@@ -19,11 +18,6 @@ double SumOfSquares(const float* a, const float* b, Index count);
 
 /// Sum of |a - b| over `count` values.
 double SumOfChanges(const float* a, const float* b, Index count);
-
-/// Sums ofRow(y, z) over the rows along x of a slab. The result is bit-identical for any number of
-/// threads and, if each rank has a slab, of ranks.
-double SumOverRows(
-  const Slab& slab, const Communicator& ranks, const std::function<double(int y, int z)>& ofRow);
 
 /// Distances of an iterate from the last one and from the references of all pulls.
 struct Differences
@@ -58,8 +52,12 @@ public:
     return *this;
   }
 
-  /// Sums the differences over all ranks.
-  void SumOver(const Communicator& ranks) { ranks.Sum(this->Sums.data(), this->Sums.size()); }
+  /// Calls sum(sums, count) for all sums, which adds those of other processes.
+  template <class Sum>
+  void SumBy(const Sum& sum)
+  {
+    sum(this->Sums.data(), this->Sums.size());
+  }
 
   Differences Values() const
   {

@@ -81,6 +81,7 @@ FieldDistribution::FieldDistribution(const Problem& problem, const std::vector<O
   DistributedFields& fields = *problem.shared;
   *this = { *fields.ranks, problem.grid.nodes, terms, *problem.occupancy, fields.inSlabs,
     fields.places };
+  this->Wanted = fields.wanted;
   std::vector<Input> inputs;
   const auto add = [&inputs](DistributedFields::Field& field) {
     inputs.push_back({ field.piece, field.values.Data() });
@@ -246,10 +247,9 @@ void FieldDistribution::FromPieces(
   }
 }
 
-void FieldDistribution::ToPieces(
-  const float* field, const std::vector<Region>& pieces, const FieldView& piece) const
+void FieldDistribution::ToPiece(const float* field, const FieldView& piece) const
 {
-  Spread(*this->All, this->Whole(field), this->RegionsOf(0, &Regions::changed), piece, pieces,
+  Spread(*this->All, this->Whole(field), this->RegionsOf(0, &Regions::changed), piece, this->Wanted,
     this->Filled);
 }
 

@@ -68,9 +68,8 @@ public:
   /// Redistributes fields from `pieces`, one region per rank, to all ranks that need them.
   void FromPieces(const std::vector<Region>& pieces, const std::vector<Input>& inputs) const;
 
-  /// Redistributes a field that is valid in all distributions back to the pieces.
-  void ToPieces(
-    const float* field, const std::vector<Region>& pieces, const FieldView& piece) const;
+  /// Redistributes a field that is valid in all distributions to the subdomain of a result.
+  void ToPiece(const float* field, const FieldView& piece) const;
 
   /// Redistributes the changes of the sweep of one frustum for the other frusta of the term.
   void ShareFrustum(float* field, Place term, std::size_t frustum) const;
@@ -116,6 +115,7 @@ private:
   const Communicator* All;
   const Occupancy* Filled;
   Int3 Nodes;
+  std::vector<Region> Wanted; ///< of results
   std::vector<Place> Places;
   std::vector<std::vector<Regions>> Of; ///< [place][frustum]
   std::shared_ptr<ExchangeBuffers> Room = std::make_shared<ExchangeBuffers>();
@@ -137,7 +137,7 @@ public:
   {
   }
 
-  void ToPieces(const float*, const std::vector<Region>&, const FieldView&) const {}
+  void ToPiece(const float*, const FieldView&) const {}
   void ShareFrustum(float*, Place, std::size_t) const {}
   void Share(float*, Place) const {}
   void Pass(float*, Place, Place) const {}

@@ -5,7 +5,6 @@
 
 #include "optimize/Policy.h"
 
-#include "distributed/DistributedFields.h"
 #include "optimize/CoarseProblem.h"
 #include "optimize/DescentProgress.h"
 #include "optimize/Iterate.h"
@@ -141,8 +140,7 @@ public:
 
   void BestToPiece(const FieldView& piece) const override
   {
-    this->Energy.Distribution().ToPieces(
-      this->Iterates[this->BestOf].values, this->Given->shared->wanted, piece);
+    this->Energy.Distribution().ToPiece(this->Iterates[this->BestOf].values, piece);
   }
 
   const float* BestValues() const override
@@ -295,7 +293,7 @@ private:
     this->DescendFrom(free, this->MeasureIterate(free), fewSteps);
   }
 
-  /// Returns the optimum of another problem, on this rank's slab if the problem is distributed.
+  /// Returns the optimum of another problem, in the owned slab if the problem is distributed.
   std::vector<float> FoundBy(const Problem& problem)
   {
     Policy policy(this->Device, problem, {}, false);

@@ -49,9 +49,38 @@ const std::shared_ptr<const Communicator>& Problem::Ranks() const
   return this->shared ? this->shared->ranks : ThisProcess();
 }
 
+void Problem::SumOverAll(ExactSum* sums, std::size_t count) const
+{
+  this->Ranks()->Sum(sums, count);
+}
+
 double Problem::SumOverRows(const std::function<double(int y, int z)>& ofRow) const
 {
-  return limpid::SumOverRows(this->OwnSlab(), *this->Ranks(), ofRow);
+  const Slab slab = this->OwnSlab();
+  std::vector<ExactSum> slices(std::size_t(slab.slices.Length()));
+  ParallelFor(slab.slices.Length(),
+    [&](Index slice)
+    {
+      for (int y = 0; y < slab.nodes.y; ++y)
+      {
+        slices[std::size_t(slice)].Add(ofRow(y, slab.slices.begin + static_cast<int>(slice)));
+      }
+    });
+  ExactSum sum;
+  for (const ExactSum& slice : slices)
+  {
+    sum += slice;
+  }
+  this->SumOverAll(&sum, 1);
+  return sum.Value();
+}
+
+void Problem::SlabToPiece(const float* values, const FieldView& piece) const
+{
+  const Slab own = this->OwnSlab();
+  Spread(*this->Ranks(), FieldView::Part(const_cast<float*>(values), own.Box()),
+    RegionsOf(EvenSlabs(*this->Ranks(), own.nodes)), piece, this->shared->wanted,
+    this->occupancy.get());
 }
 
 double Problem::SquaresFrom(const float* other, const float* extinction) const

@@ -104,8 +104,15 @@ struct Problem
   /// Returns the slab in which this rank does work on voxels that needs no rays.
   Slab OwnSlab() const;
 
-  /// Sums ofRow(y, z) over all rows of voxels, on all ranks, see SumOverRows.
+  /// Sums over all ranks.
+  void SumOverAll(ExactSum* sums, std::size_t count) const;
+
+  /// Sums ofRow(y, z) over all rows of voxels, on all ranks. The result is bit-identical for any
+  /// number of threads and ranks.
   double SumOverRows(const std::function<double(int y, int z)>& ofRow) const;
+
+  /// Redistributes a field, given in the owned slab, to the subdomain (DistributedFields::wanted).
+  void SlabToPiece(const float* values, const FieldView& piece) const;
 
   /// Returns the sum over all voxels of (mu - other)^2, where `other` differs from the base
   /// extinction in filled voxels only [1/length^2].

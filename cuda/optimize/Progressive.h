@@ -61,7 +61,7 @@ public:
 
   /// Performs one policy pass on the finest grid that is expected to take at most `seconds`. Does
   /// nothing if the shown result is at least as good for the current view. In distributed runs
-  /// each rank computes the same pass, on a grid small enough for every rank.
+  /// each process computes the same pass, on a grid small enough for all.
   void Preview(double seconds);
 
   /// Performs the next iteration at full resolution; the first call for a view only prepares.
@@ -85,9 +85,9 @@ public:
   bool Settled() const;   ///< false if Refine finished because of a limit, see Solver::Settled
 
   /// The grid of the shown extinction: it covers the box of the scene's grid, or that of this
-  /// rank's subdomain. Valid after Preview or Refine.
+  /// process's subdomain. Valid after Preview or Refine.
   const Grid& ShownGrid() const;
-  bool ShowsPiece() const;              ///< whether ShownGrid() is a rank's subdomain
+  bool ShowsPiece() const;              ///< whether ShownGrid() is that of a subdomain
   const float* BaseExtinction() const;  ///< at the nodes of ShownGrid() [1/length]
   const float* Extinction() const;      ///< at the nodes of ShownGrid() [1/length]
   const float* LightExtinction() const; ///< the same array in joint mode

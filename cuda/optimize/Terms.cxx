@@ -240,7 +240,8 @@ void Terms<AnyDevice>::TakeSwept(
   this->Shared.Share(next, swept.Number());
   if constexpr (AnyDevice::readsHostMemory)
   {
-    moved.SumOver(*this->Given->Ranks());
+    moved.SumBy(
+      [this](ExactSum* sums, std::size_t count) { this->Given->SumOverAll(sums, count); });
     *this->Moved() = moved.Values();
   }
   else
@@ -262,7 +263,7 @@ void Terms<AnyDevice>::Sum()
     }
     for (std::size_t i = 0; taken.extinction && i < this->Pulls().size(); ++i)
     {
-      // In distributed runs no rank holds the whole base extinction.
+      // In distributed runs no process holds the whole base extinction.
       const float* reference = this->Pulls()[i].reference;
       this->Moved()->squares[i] =
         taken.extinction == reference ? 0.0 : this->Given->SquaresFrom(reference, taken.extinction);

@@ -79,8 +79,8 @@ public:
   /// The fields of a term's sweep. Kept base extinction matters to scores only.
   TermFields FieldsOf(const Term& term, const float* extinction) const;
 
-  /// Computes the derivative of the weighted visibility terms, Eqs. (27) and (28), in the ranks'
-  /// slabs. Also measures the extinction for the next record.
+  /// Computes the derivative of the weighted visibility terms, Eqs. (27) and (28), in the owned
+  /// slab. Also measures the extinction for the next record.
   void Differentiate(const float* extinction, float* gradient);
 
   /// Computes `kept` times `gradient` plus the weighted derivative of one visibility term. Also
@@ -124,10 +124,10 @@ public:
 
   const ProblemFields<AnyDevice>& Fields() const { return *this->Scene; }
 
-  /// The distribution of the fields among ranks.
+  /// The distribution of the fields.
   const DistributionOn<AnyDevice>& Distribution() const { return this->Shared; }
 
-  /// Uploads an extinction, given in the ranks' slabs, and redistributes it to all that need it.
+  /// Uploads an extinction, given in the owned slab, and redistributes it to all that need it.
   DeviceArray<AnyDevice, float> Everywhere(const std::vector<float>& extinction) const;
 
   /// All pulls of the problem, with references on the device.

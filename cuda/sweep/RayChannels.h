@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The values of rays in a sweep. A kernel declares in ForCarried which of them its rays carry. How
-// they start, stay in memory, are redistributed among ranks and end follows from that.
+// they start, stay in memory, are redistributed and end follows from that.
 
 #ifndef limpid_sweep_RayChannels_h
 #define limpid_sweep_RayChannels_h

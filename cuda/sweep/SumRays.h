@@ -7,7 +7,7 @@
 #define limpid_sweep_SumRays_h
 
 #include "backend/SumOnDevice.h"
-#include "distributed/ExactSum.h"
+#include "math/ExactSum.h"
 #include "sweep/FrustumRays.h"
 #include "sweep/RaySteps.h"
 

@@ -102,7 +102,7 @@ std::vector<ScoredView> RankedViews(std::vector<ScoredView> views, const SearchS
 std::vector<ScoredView> WithAllowed(std::vector<ScoredView> samples, const SearchSettings& settings,
   const std::function<ScoredView(const Vec3&)>& at);
 
-/// Climbs from the best samples and ranks the results.
+/// Climbs from the best samples and sorts the results.
 SearchResult FindViewpoints(const ViewScore& score, const Orbit& orbit,
   const std::vector<ScoredView>& samples, const SearchSettings& settings,
   const SearchProgress& progress);

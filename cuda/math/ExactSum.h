@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_distributed_ExactSum_h
-#define limpid_distributed_ExactSum_h
+#ifndef limpid_math_ExactSum_h
+#define limpid_math_ExactSum_h
 
 #include <array>
 #include <cstddef>
