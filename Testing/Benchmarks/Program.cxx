@@ -3,12 +3,13 @@
 
 #include "Program.h"
 
+#include "Today.h"
+
 #include "backend/Backend.h"
 #include "math/Require.h"
 
 #include <algorithm>
 #include <cctype>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -94,12 +95,9 @@ Json Machine(const std::vector<std::string>& command, double loadBefore)
     const bool absolute = word.rfind('/', 0) == 0;
     shown += (shown.empty() ? "" : " ") + (absolute ? word.substr(word.rfind('/') + 1) : word);
   }
-  const std::time_t now = std::time(nullptr);
-  char date[16] = "";
-  std::strftime(date, sizeof(date), "%Y-%m-%d", std::localtime(&now));
   return { { "command", shown }, { "processor", Line("/proc/cpuinfo", "model name") },
     { "cores", std::thread::hardware_concurrency() }, { "threads", ThreadCount() },
-    { "compiler", LIMPID_COMPILER }, { "build_type", LIMPID_BUILD_TYPE }, { "date", date },
+    { "compiler", LIMPID_COMPILER }, { "build_type", LIMPID_BUILD_TYPE }, { "date", Today() },
     { "load_before", loadBefore }, { "load_after", LoadAverage() } };
 }
 

@@ -7,6 +7,7 @@
 
 #include "CeilingMarch.h"
 #include "SceneForSolver.h"
+#include "Today.h"
 
 #include "optimize/PreparedScene.h"
 #include "viewpoint/Search.h"
@@ -28,9 +29,7 @@ namespace
 constexpr int directionCount = 32;
 
 const char* const page =
-  R"(# Ceilings
-
-What no extinction can exceed ([Method.md](../Method.md), 5), on the scenes of the tests (`Testing/Benchmarks/limpid_ceilings.cxx`):
+  R"(What no extinction can exceed ([Method.md](../Method.md), 5), on the scenes of the tests (`Testing/Benchmarks/limpid_ceilings.cxx`):
 
     build/bin/limpid_ceilings SCENE.scene.json ... > Documentation/Benchmarks/Ceilings.md
 
@@ -271,6 +270,7 @@ int main(int argc, char* argv[])
     using Report = void (*)(const SceneOfFile&);
     const std::pair<const char*, Report> parts[] = { { page, ReportResults },
       { viewsPage, ReportViews }, { marchPage, ReportMarch } };
+    std::printf("# Ceilings\n\n* date: %s\n\n", Today().c_str());
     for (const auto& [head, report] : parts)
     {
       std::printf("%s", head);

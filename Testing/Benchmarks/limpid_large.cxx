@@ -9,6 +9,7 @@
 #include "PeakMemory.h"
 
 #include "PhantomScenes.h"
+#include "Today.h"
 
 #include "backend/Backend.h"
 #include "backend/HostDevice.h"
@@ -83,9 +84,7 @@ private:
 };
 
 const char* const page =
-  R"(# Large volumes
-
-The head of `vtkOcclusionPhantom`, optimised by the core in one process (`Testing/Benchmarks/limpid_large.cxx`):
+  R"(The head of `vtkOcclusionPhantom`, optimised by the core in one process (`Testing/Benchmarks/limpid_large.cxx`):
 
     build/bin/limpid_large 128 256 512 1024 > Documentation/Benchmarks/LargeVolumes.md
 
@@ -143,7 +142,7 @@ void Report(int nodes)
 
 int main(int argumentCount, char** arguments)
 {
-  std::puts(page);
+  std::printf("# Large volumes\n\n* date: %s\n\n%s\n", Today().c_str(), page);
   try
   {
     for (int i = 1; i < argumentCount; ++i)

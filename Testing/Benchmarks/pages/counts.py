@@ -3,7 +3,7 @@
 
 """What a GPU would have to do, counted without one."""
 
-from markdown import fixed, plural, significant, table
+from markdown import age_of, fixed, plural, significant, table
 
 COPIES = ("upload", "download", "copy", "set to zero")
 
@@ -33,7 +33,7 @@ What a GPU would have to do, counted without one, by
 
 * compiler: nvcc, {measured['compiler']}, for sm_90
 * date: {measured['date']}
-
+{age_of(measured['date'])}
 Nothing here was measured on a GPU. Launches, waits and bytes are those of the processor in the role
 of a GPU, which runs the same launches; instructions are the compiler's output.
 

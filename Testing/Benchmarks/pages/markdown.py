@@ -71,6 +71,14 @@ def noise(spreads, limit=NOISY):
             f"{percent(limit)}): all times are preliminary.**\n\n")
 
 
+def age_of(date):
+    """A paragraph that says so if a page is older than the code; empty if it is not."""
+    if date >= RESULTS_CHANGED:
+        return ""
+    return (f"\n**Not measured since {date}; times and results changed until {RESULTS_CHANGED}. "
+            "The command above measures them anew.**\n")
+
+
 def head(title, measured, command=None):
     """Title, the page's command, what it was measured with and on."""
     machine = measured["machine"]
@@ -87,9 +95,7 @@ def head(title, measured, command=None):
     if machine["load_before"] > 0.5:
         text += ("\n**The machine was not idle: times are preliminary.** Scores, energies and "
                  "memory do not depend on the load.\n")
-    if machine["date"] < RESULTS_CHANGED:
-        text += (f"\n**Not measured since {machine['date']}; times and results changed until "
-                 f"{RESULTS_CHANGED}. The command above measures them anew.**\n")
+    text += age_of(machine["date"])
     if "load_after" in machine:
         text += (f"\nLoad average at the end: {machine['load_after']:.2f}, this program "
                  "included.\n")

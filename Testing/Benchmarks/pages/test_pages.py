@@ -3,6 +3,7 @@
 
 import math
 import os
+import re
 import unittest
 
 from fronts import equal_errors, front_of, place_of_first
@@ -32,6 +33,18 @@ class Pages(unittest.TestCase):
 
         self.assertTrue(is_old("2026-11-22"))
         self.assertFalse(is_old(RESULTS_CHANGED))
+
+    def test_written_by_programs_say_so_too(self):
+        for name in sorted(os.listdir(DOCUMENTATION)):
+            if not name.endswith(".md") or name == "README.md":
+                continue
+            with open(os.path.join(DOCUMENTATION, name), encoding="utf-8") as file:
+                text = file.read()
+            date = re.search(r"^\* date: (\S+)$", text, re.MULTILINE)
+            with self.subTest(name):
+                self.assertIsNotNone(date, "the page has no date")
+                self.assertEqual(f"Not measured since {date[1]}" in text,
+                                 date[1] < RESULTS_CHANGED)
 
 
 class Exponents(unittest.TestCase):
