@@ -198,7 +198,7 @@ private:
   Problem Inside; ///< the permuted problem
 };
 
-/// Makes sweeps use the fields of the ranks' subdomains. `filled`: see SlabExchange.
+/// Makes sweeps use the fields of the ranks' subdomains. `filled`: see FieldSlabs.
 void VisitPieces(
   std::vector<FrustumRays<HostDevice>>& frusta, const ScenePiece& piece, const Occupancy* filled)
 {
