@@ -116,16 +116,14 @@ struct RandomScene
     {
       RayImages<HostDevice> images(device, frustum.RayCount());
       const RayStates states = images.States();
-      SlabPool pool;
       const BandDecomposition bands(frustum, *ThisProcess());
-      const auto windowOf = [&](const std::vector<float>& field)
-      { return SliceWindow(frustum, bands, nullptr, nullptr, pool, field.data(), { 1 }); };
-      SliceWindow windows[3] = { windowOf(this->extinction), windowOf(this->importance),
-        windowOf(this->base) };
-      for (SliceWindow& window : windows)
+      const std::unique_ptr<FieldSlabs> slabs = FieldSlabs::Local(frustum, bands);
+      FieldSlabs::Windows windows;
+      for (const std::vector<float>* field : { &this->extinction, &this->importance, &this->base })
       {
-        window.Load({ 0, frustum.SliceCount() });
+        windows.push_back(slabs->Open(const_cast<float*>(field->data()), { 1 }));
       }
+      slabs->Load({ 0, frustum.SliceCount() }, nullptr, windows);
       for (int row = 0; row < frustum.rows; ++row)
       {
         for (int s = 0; s < frustum.lastSlice; ++s)

@@ -13,7 +13,7 @@
 
 namespace limpid
 {
-/// Makes sweeps use the fields of the ranks' subdomains. `filled`: see SlabExchange.
+/// Makes sweeps use the fields of the ranks' subdomains. `filled`: see FieldSlabs.
 void SweepSubdomains(
   std::vector<FrustumRays<HostDevice>>& frusta, const ScenePiece& piece, const Occupancy* filled);
 

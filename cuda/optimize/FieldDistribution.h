@@ -25,7 +25,7 @@ namespace limpid
  * the ranks that read it next.
  *
  * If this takes much more than an even share of the memory, there is only one distribution, and
- * the sweeps of other terms transfer slabs from it (SlabExchange): that of the first term or, if
+ * the sweeps of other terms transfer slabs from it (FieldSlabs): that of the first term or, if
  * that needs as much or if some work needs no rays, slabs. A process alone has one slab, and
  * nothing is redistributed.
  */

@@ -217,16 +217,6 @@ void Add(const NodeBox& box, int axis, Region& region)
   region.push_back(box);
 }
 
-NodeBox SliceOf(
-  const FaceFrustum& frustum, int node, const Range<int>& columns, const Range<int>& rows)
-{
-  NodeBox box;
-  box.along[std::size_t(frustum.axisU)] = columns;
-  box.along[std::size_t(frustum.axisV)] = rows;
-  box.along[std::size_t(frustum.axisW)] = { node, node + 1 };
-  return box;
-}
-
 /// Contiguous values in memory.
 struct Segment
 {
@@ -372,19 +362,30 @@ void BandDecomposition::ExchangeVoxels(int s, const std::vector<SliceWindow*>& f
     });
 }
 
+NodeBox BoxOf(const FaceFrustum& frustum, const Range<int>& columns, const Range<int>& rows,
+  const Range<int>& nodes)
+{
+  NodeBox box;
+  box.along[std::size_t(frustum.axisU)] = columns;
+  box.along[std::size_t(frustum.axisV)] = rows;
+  box.along[std::size_t(frustum.axisW)] = nodes;
+  return box;
+}
+
 Region OwnedRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
 {
   Region region;
   for (int s = frustum.firstNodeSlice; s <= frustum.lastSlice; ++s)
   {
     const Slice& slice = frustum.SliceAt(s);
-    Add(SliceOf(frustum, slice.node, slice.ownedColumns, bands.VoxelsOf(rank, s)), frustum.axisW,
-      region);
+    Add(BoxOf(frustum, slice.ownedColumns, bands.VoxelsOf(rank, s), { slice.node, slice.node + 1 }),
+      frustum.axisW, region);
   }
   return region;
 }
 
-Region NeededRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank)
+Region NeededRegion(
+  const FaceFrustum& frustum, const BandDecomposition& bands, int rank, int margin)
 {
   // Find the voxels that any ray reads; a layer is read together with the slice in front of it.
   std::vector<Range<int>> columns(std::size_t(bands.Depth()));
@@ -406,7 +407,9 @@ Region NeededRegion(const FaceFrustum& frustum, const BandDecomposition& bands, 
   for (int node = 0; node < bands.Depth(); ++node)
   {
     const auto at = std::size_t(node);
-    Add(SliceOf(frustum, node, columns[at], Intersection(rows[at], bands.VoxelsNeeded(rank, node))),
+    const Range<int> needed = Intersection(rows[at], bands.VoxelsNeeded(rank, node));
+    Add(BoxOf(frustum, Grown(columns[at], margin, frustum.nodesU),
+          Grown(needed, margin, frustum.nodesV), { node, node + 1 }),
       frustum.axisW, region);
   }
   return region;

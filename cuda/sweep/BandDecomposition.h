@@ -74,7 +74,7 @@ public:
     return this->Needed[std::size_t(rank)][std::size_t(node)];
   }
 
-  /// Rows of rays that this rank owns or reads on any slice.
+  /// Owned and ghost rows of rays on any slice.
   const Range<int>& RaysReached() const { return this->Reached; }
 
   /// Number of nodes along the depth axis that the frustum reaches.
@@ -131,8 +131,14 @@ private:
 /// Returns the nodes that a rank owns in the sweep of a frustum. No other rank changes them.
 Region OwnedRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
 
-/// Returns the nodes that a rank owns or reads in the sweep of a frustum.
-Region NeededRegion(const FaceFrustum& frustum, const BandDecomposition& bands, int rank);
+/// Returns the nodes that a rank owns or reads in the sweep of a frustum. `margin`: number of
+/// columns and rows beside them that are added.
+Region NeededRegion(
+  const FaceFrustum& frustum, const BandDecomposition& bands, int rank, int margin = 0);
+
+/// Returns the box of nodes with these columns and rows, and these nodes of the depth axis.
+NodeBox BoxOf(const FaceFrustum& frustum, const Range<int>& columns, const Range<int>& rows,
+  const Range<int>& nodes);
 }
 
 #endif

@@ -22,7 +22,7 @@ constexpr Index rowOfVoxels = 40;
 constexpr Index rowOfActive = 100; ///< row with active voxels
 constexpr Index activeVoxel = 2;
 constexpr Index filledVoxel = 2;     ///< includes allocation and packing between sweeps
-constexpr Index transposedVoxel = 7; ///< in all fields, see SliceWindow
+constexpr Index transposedVoxel = 7; ///< in all fields, see FieldSlabs
 
 /// The work of a stretch in front of every row, and the total.
 using WorkBefore = std::vector<Index>;

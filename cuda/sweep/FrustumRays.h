@@ -11,12 +11,12 @@
 #include "math/Require.h"
 #include "sweep/ActiveLayers.h"
 #include "sweep/BandDecomposition.h"
+#include "sweep/FieldSlabs.h"
 #include "sweep/HatOfVoxel.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/RayChannels.h"
 #include "sweep/RayTiles.h"
 #include "sweep/SlabTiles.h"
-#include "sweep/SliceWindow.h"
 
 #include <algorithm>
 #include <memory>
@@ -167,8 +167,8 @@ private:
   FaceFrustum Addresses;
 };
 
-/// The plan of a frustum on the host, with the memory for transposed slices and the decomposition
-/// of the rays among ranks.
+/// The plan of a frustum on the host, with the decomposition of the rays among ranks and the access
+/// to fields.
 template <>
 class FrustumTables<HostDevice>
 {
@@ -176,31 +176,21 @@ public:
   FrustumTables(
     const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned, const PlanSettings& settings)
     : Planned(std::move(planned))
-    , Pool(std::make_unique<SlabPool>())
     , Shared(std::make_unique<BandDecomposition>(this->Planned, *settings.ranks))
+    , Slabs(FieldSlabs::Local(this->Planned, *this->Shared))
   {
   }
 
   const FaceFrustum& Plan() const { return this->Planned; }
-  SlabPool& Pooled() const { return *this->Pool; }
-
   const BandDecomposition& Bands() const { return *this->Shared; }
+  FieldSlabs& Fields() const { return *this->Slabs; }
 
-  /// From now on sweeps read and write distributed fields through a SlabExchange.
+  /// From now on sweeps read and write fields of this distribution, see FieldSlabs::Redistributed.
   void SweepFieldsOf(const FieldLayout& home, const Occupancy* filled,
     const std::shared_ptr<ExchangeBuffers>& room, int margin = 0)
   {
-    this->Delivered =
-      std::make_unique<SlabExchange>(this->Planned, *this->Shared, home, filled, room, margin);
-  }
-
-  /// Null if sweeps access the fields in place.
-  const SlabExchange* Delivery() const { return this->Delivered.get(); }
-
-  /// Returns the ranges of slices that are copied together, front to back.
-  std::vector<Range<int>> Slabs() const
-  {
-    return SlabsOf(this->Planned, this->Delivered || this->Planned.axisW == 0);
+    this->Slabs =
+      FieldSlabs::Redistributed(this->Planned, *this->Shared, home, filled, room, margin);
   }
 
   /// Splits a range of slices where the decomposition of the rays changes.
@@ -214,16 +204,16 @@ public:
     return stretches;
   }
 
-  /// Rows of rays that this rank sweeps on slice `s`.
+  /// Owned rows of rays on slice `s`.
   Range<int> RaysHere(int s) const { return this->Shared->RaysOf(this->Shared->Ranks().Rank(), s); }
 
-  /// Rows of rays whose values this rank owns between sweeps.
+  /// Owned rows of rays between sweeps.
   Range<int> RaysAtRest() const { return this->RaysHere(this->Planned.lastSlice); }
 
-  /// Rows of rays that this rank sweeps or reads on any slice.
+  /// Owned and ghost rows of rays on any slice.
   const Range<int>& RaysReached() const { return this->Shared->RaysReached(); }
 
-  /// Rows of voxels of slice `s` that this rank owns.
+  /// Owned rows of voxels of slice `s`.
   Range<int> VoxelsHere(int s) const
   {
     return this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s);
@@ -231,9 +221,8 @@ public:
 
 private:
   PlannedFrustum Planned;
-  std::unique_ptr<SlabPool> Pool;
   std::unique_ptr<BandDecomposition> Shared;
-  std::unique_ptr<SlabExchange> Delivered;
+  std::unique_ptr<FieldSlabs> Slabs;
 };
 
 /// The plan of one frustum and the values of its rays on a device.

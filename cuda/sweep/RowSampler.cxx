@@ -63,7 +63,7 @@ struct RowsOfLesser
 Range<int> ColumnsRead(const LinearMap& map, const Range<int>& rays, const SliceWindow& field)
 {
   return WholeRegisters(
-    { map.index[rays.begin], map.index[rays.end - 1] + 2 }, { 0, field.ColumnCount() });
+    { map.index[rays.begin], map.index[rays.end - 1] + 2 }, { 0, field.columns });
 }
 
 /// Returns the sources of a cubic interpolation to `targets`: one more on either side than linear.

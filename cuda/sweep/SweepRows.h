@@ -12,7 +12,6 @@
 #include "sweep/VoxelRow.h"
 
 #include <algorithm>
-#include <deque>
 #include <vector>
 
 namespace limpid
@@ -28,7 +27,7 @@ void ForRows(const Range<int>& rows, Index perTask, const What& what)
     [&rows, &what](Index index) { what(rows.begin + static_cast<int>(index)); });
 }
 
-/// Calls act(ray) with the states of each ray that this rank sweeps or reads.
+/// Calls act(ray) with the states of each owned or ghost ray.
 template <class Act>
 void ForRaysReached(FrustumRays<HostDevice>& rays, const Act& act)
 {
@@ -57,77 +56,41 @@ void StartRays(FrustumRays<HostDevice>& rays, const Kernel& kernel)
 class FieldWindows
 {
 public:
+  /// `occupancy`: see FieldSlabs::Load.
   FieldWindows(const FrustumTables<HostDevice>& rays, const Occupancy* occupancy)
-    : Rays(rays)
+    : Fields(rays.Fields())
+    , Bands(rays.Bands())
     , Occupied(occupancy)
   {
   }
 
   /// Adds a field and returns its window; null for a null field.
-  template <class Value>
-  SliceWindow* operator()(Value* field, const FieldUse& use)
+  SliceWindow* operator()(const float* field, const FieldUse& use)
   {
     if (!field)
     {
       return nullptr;
     }
-    this->All.emplace_back(this->Rays.Plan(), this->Rays.Bands(), this->Rays.Delivery(),
-      this->Occupied, this->Rays.Pooled(), field, use);
-    SliceWindow& window = this->All.back();
-    if (window.IsReadBehind())
+    this->All.push_back(this->Fields.Open(const_cast<float*>(field), use));
+    if (use.writes && use.behind > 0)
     {
-      this->Changing.push_back(&window);
+      this->Changing.push_back(&this->All.back());
     }
-    return &window;
+    return &this->All.back();
   }
 
-  void Load(const Range<int>& slab)
-  {
-    for (SliceWindow& window : this->All)
-    {
-      window.Load(slab);
-    }
-    if (this->Rays.Delivery())
-    {
-      this->Rays.Delivery()->Bring(
-        slab, this->Delivered([](const SliceWindow& window) { return window.Reads(); }));
-    }
-  }
-
-  void Store(const Range<int>& slab)
-  {
-    for (SliceWindow& window : this->All)
-    {
-      window.Store(slab);
-    }
-    if (this->Rays.Delivery())
-    {
-      this->Rays.Delivery()->Return(
-        slab, this->Delivered([](const SliceWindow& window) { return window.Writes(); }));
-    }
-  }
+  const std::vector<Range<int>>& Slabs() const { return this->Fields.Slabs(); }
+  void Load(const Range<int>& slab) { this->Fields.Load(slab, this->Occupied, this->All); }
+  void Store(const Range<int>& slab) { this->Fields.Store(slab, this->Occupied, this->All); }
 
   /// Sends the changed voxels of a slice to the ranks whose rays read them.
-  void Exchange(int s) const { this->Rays.Bands().ExchangeVoxels(s, this->Changing); }
+  void Exchange(int s) const { this->Bands.ExchangeVoxels(s, this->Changing); }
 
 private:
-  template <class Which>
-  std::vector<SlabExchange::Field> Delivered(const Which& which) const
-  {
-    std::vector<SlabExchange::Field> fields;
-    for (const SliceWindow& window : this->All)
-    {
-      if (which(window))
-      {
-        fields.push_back(window.Delivered());
-      }
-    }
-    return fields;
-  }
-
-  const FrustumTables<HostDevice>& Rays;
+  FieldSlabs& Fields;
+  const BandDecomposition& Bands;
   const Occupancy* Occupied;
-  std::deque<SliceWindow> All;
+  FieldSlabs::Windows All;
   std::vector<SliceWindow*> Changing; ///< those whose new values the sweep reads
 };
 
@@ -157,7 +120,7 @@ std::vector<RayValues> CarriedBy(const Kernel& kernel, const RayStates& states)
   return carried;
 }
 
-/// Returns the rows of rays that this rank sweeps in a stretch.
+/// Returns the owned rows of rays in a stretch.
 inline Range<int> RowsNear(const FrustumRays<HostDevice>& rays, const Range<int>& stretch)
 {
   return Intersection(rays.RaysHere(stretch.begin), rays.Plan().RowsNear(stretch));
@@ -171,7 +134,7 @@ inline Range<int> LayersIn(const FaceFrustum& frustum, const Range<int>& stretch
 }
 
 /// Front to back: moves every row of rays through all layers. `Rays`: the sampler; `occupancy`:
-/// see SliceWindow.
+/// see FieldSlabs::Load.
 template <class Rays = RowSampler, class Kernel>
 void SweepForward(
   HostDevice&, FrustumRays<HostDevice>& rays, const Occupancy& occupancy, const Kernel& kernel)
@@ -182,7 +145,7 @@ void SweepForward(
   ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(StartInFront{ ray }); });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
-  for (const Range<int>& slab : rays.Slabs())
+  for (const Range<int>& slab : windows.Slabs())
   {
     windows.Load(slab);
     for (const Range<int>& stretch : rays.StretchesOf(slab))
@@ -214,7 +177,7 @@ void SweepRaysBackward(
   ForRaysReached(rays, [&](const RayStates& ray) { kernel.ForCarried(StartBehind{ ray }); });
   FieldWindows windows(rays, &occupancy);
   const auto rowKernel = kernel.With(windows);
-  const std::vector<Range<int>> slabs = rays.Slabs();
+  const std::vector<Range<int>>& slabs = windows.Slabs();
   for (std::size_t slab = slabs.size(); slab-- > 0;)
   {
     windows.Load(slabs[slab]);
@@ -270,7 +233,7 @@ void SweepBackwardByPhases(HostDevice&, FrustumRays<HostDevice>& rays, const Occ
         }
       });
   };
-  const std::vector<Range<int>> slabs = rays.Slabs();
+  const std::vector<Range<int>>& slabs = windows.Slabs();
   for (std::size_t index = slabs.size(); index-- > 0;)
   {
     const Range<int>& slab = slabs[index];
@@ -325,7 +288,7 @@ void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& 
   const std::vector<RayValues> carried = CarriedBy(kernel, states);
   std::vector<Range<int>> dimmed(std::size_t(frustum.rows)); // [row]: columns of rays that have
                                                              // met anything
-  for (const Range<int>& slab : rays.Slabs())
+  for (const Range<int>& slab : windows.Slabs())
   {
     windows.Load(slab);
     for (int s = slab.begin; s < slab.end; ++s)

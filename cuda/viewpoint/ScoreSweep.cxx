@@ -98,7 +98,7 @@ private:
     return { all, fields.base.Data() ? sumOf(Kept::Counted) : all };
   }
 
-  /// Returns the rays of a part, which is consumed. `margin`: see SlabExchange.
+  /// Returns the rays of a part, which is consumed. `margin`: see FieldSlabs.
   FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, int margin) const
   {
     const PlanSettings settings{ 1, RayPlacement::ForIntegrals, part.fields->ranks };

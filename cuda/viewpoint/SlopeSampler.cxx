@@ -155,7 +155,7 @@ Range<int> SlopeRowSampler::ReadBy(const Plane& plane, Field field) const
   const int* edges = plane.columnEdges.index;
   return WholeRegisters(
     { edges[this->Rays.columns.begin], edges[this->Rays.columns.end + edgesMore - 1] + 2 },
-    { 0, field->ColumnCount() });
+    { 0, field->columns });
 }
 
 void SlopeRowSampler::Blend(Field field, const Plane& plane, const Range<int>& read)

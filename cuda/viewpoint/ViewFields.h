@@ -8,7 +8,7 @@
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 #include "sweep/PlanSweep.h"
-#include "sweep/SlabExchange.h"
+#include "sweep/FieldSlabs.h"
 
 #include <memory>
 #include <vector>

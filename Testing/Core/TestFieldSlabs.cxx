@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Transposed slices: what rays read is the field, whatever was in their memory before.
+// Copied slices: what rays read is the field, whatever was in their memory before.
 
 #include "sweep/BandDecomposition.h"
+#include "sweep/FieldSlabs.h"
+#include "sweep/PlanSweep.h"
 #include "sweep/Registers.h"
-#include "sweep/SliceWindow.h"
 
 #include <gtest/gtest.h>
 
@@ -71,27 +72,41 @@ private:
   }
 };
 
+/// The slices of the only frustum of a scene as transposed copies, and as copies that are
+/// redistributed by a process alone.
+std::vector<std::unique_ptr<FieldSlabs>> CopiesOf(
+  const SlicedScene& scene, const BandDecomposition& bands, const Occupancy& occupancy)
+{
+  const FaceFrustum& frustum = scene.frusta.front();
+  const NodeBox all = NodeBox::Of(scene.grid.nodes);
+  const FieldLayout home(all, { { all } }, { { all } });
+  std::vector<std::unique_ptr<FieldSlabs>> copies;
+  copies.push_back(FieldSlabs::Local(frustum, bands));
+  copies.push_back(FieldSlabs::Redistributed(
+    frustum, bands, home, &occupancy, std::make_shared<ExchangeBuffers>(), 0));
+  return copies;
+}
+
 /// Moves a window through all slabs from the back and counts the values that are not the field's.
 /// `scribble`: writes where nothing is kept, too, as derivatives do.
 int WrongValues(
-  const SlicedScene& scene, const std::vector<float>& field, SlabPool& pool, bool scribble)
+  const SlicedScene& scene, std::vector<float> field, FieldSlabs& fields, bool scribble)
 {
   const FaceFrustum& frustum = scene.frusta.front();
   const Occupancy occupancy = scene.MakeOccupancy();
-  const BandDecomposition bands(frustum, *ThisProcess());
-  SliceWindow window(frustum, bands, nullptr, &occupancy, pool, field.data(), { 1 });
-  const std::vector<Range<int>> slabs = SlabsOf(frustum, frustum.axisW == 0);
+  FieldSlabs::Windows windows{ fields.Open(field.data(), { 1 }) };
+  const std::vector<Range<int>>& slabs = fields.Slabs();
   int wrong = 0;
   for (std::size_t index = slabs.size(); index-- > 0;)
   {
     const Range<int>& slab = slabs[index];
-    window.Load(slab);
+    fields.Load(slab, &occupancy, windows);
     for (int s = slab.begin; s < std::min(slab.end + 1, frustum.SliceCount()); ++s)
     {
       const Slice& slice = frustum.SliceAt(s);
       for (int v = slice.touchedRows.begin; v < slice.touchedRows.end; ++v)
       {
-        float* row = window.Row(slice.node, v);
+        float* row = windows.front().Row(slice.node, v);
         for (int u = slice.touchedColumns.begin; u < slice.touchedColumns.end; ++u)
         {
           wrong += row[u] == field[scene.Node(slice.node, u, v)] ? 0 : 1;
@@ -112,31 +127,72 @@ int WrongValues(
 }
 }
 
-TEST(SliceWindow, AreTheFieldWhateverWasThereBefore)
+TEST(FieldSlabs, AreTheFieldWhateverWasThereBefore)
 {
   for (const double eyeX : { -60.0, 140.0 })
   {
     const SlicedScene scene(eyeX);
     ASSERT_EQ(scene.frusta.size(), 1u);
     ASSERT_EQ(scene.frusta.front().axisW, 0);
-    SlabPool pool;
-    for (int round = 0; round < 3; ++round)
+    const BandDecomposition bands(scene.frusta.front(), *ThisProcess());
+    const Occupancy occupancy = scene.MakeOccupancy();
+    for (const std::unique_ptr<FieldSlabs>& fields : CopiesOf(scene, bands, occupancy))
     {
-      EXPECT_EQ(WrongValues(scene, scene.fields[0], pool, true), 0) << eyeX << ", " << round;
-      EXPECT_EQ(WrongValues(scene, scene.fields[1], pool, round > 0), 0) << eyeX << ", " << round;
+      for (int round = 0; round < 3; ++round)
+      {
+        EXPECT_EQ(WrongValues(scene, scene.fields[0], *fields, true), 0) << eyeX << ", " << round;
+        EXPECT_EQ(WrongValues(scene, scene.fields[1], *fields, round > 0), 0)
+          << eyeX << ", " << round;
+      }
     }
   }
 }
 
-TEST(SliceWindow, TwoWindowsDoNotShareMemory)
+TEST(FieldSlabs, StoreWhatWasWritten)
 {
   const SlicedScene scene(-60.0);
   const FaceFrustum& frustum = scene.frusta.front();
-  SlabPool pool;
-  const std::shared_ptr<SlabMemory> first = pool.Take(frustum);
-  std::shared_ptr<SlabMemory> second = pool.Take(frustum);
-  EXPECT_NE(first, second);
-  const SlabMemory* released = second.get();
-  second.reset();
-  EXPECT_EQ(pool.Take(frustum).get(), released) << "is kept for the next";
+  const BandDecomposition bands(frustum, *ThisProcess());
+  const Occupancy occupancy = scene.MakeOccupancy();
+  for (const std::unique_ptr<FieldSlabs>& fields : CopiesOf(scene, bands, occupancy))
+  {
+    std::vector<float> field = scene.fields[0];
+
+    FieldSlabs::Windows windows{ fields->Open(field.data(), { 0, true }) };
+    for (const Range<int>& slab : fields->Slabs())
+    {
+      fields->Load(slab, &occupancy, windows);
+      for (int s = std::max(slab.begin, frustum.firstNodeSlice); s < slab.end; ++s)
+      {
+        const Slice& slice = frustum.SliceAt(s);
+        for (int v = slice.ownedRows.begin; v < slice.ownedRows.end; ++v)
+        {
+          float* row = windows.front().Row(slice.node, v);
+          std::for_each(row + slice.ownedColumns.begin, row + slice.ownedColumns.end,
+            [](float& value) { value *= 2; });
+        }
+      }
+      fields->Store(slab, &occupancy, windows);
+    }
+
+    for (std::size_t node = 0; node < field.size(); ++node)
+    {
+      ASSERT_EQ(field[node], 2 * scene.fields[0][node]) << node;
+    }
+  }
+}
+
+TEST(FieldSlabs, TwoWindowsDoNotShareMemory)
+{
+  const SlicedScene scene(-60.0);
+  const BandDecomposition bands(scene.frusta.front(), *ThisProcess());
+  const std::unique_ptr<FieldSlabs> fields = FieldSlabs::Local(scene.frusta.front(), bands);
+  const SliceWindow first = fields->Open(nullptr, {});
+  const float* released = nullptr;
+  {
+    const SliceWindow second = fields->Open(nullptr, {});
+    EXPECT_NE(first.values, second.values);
+    released = second.values;
+  }
+  EXPECT_EQ(fields->Open(nullptr, {}).values, released) << "is kept for the next";
 }
