@@ -74,6 +74,21 @@ public:
     return this->Needed[std::size_t(rank)][std::size_t(node)];
   }
 
+  /// Owned rows of rays on a slice.
+  Range<int> RaysHere(int s) const { return this->RaysOf(this->All->Rank(), s); }
+
+  /// Owned rows of voxels of a slice.
+  Range<int> VoxelsHere(int s) const { return this->VoxelsOf(this->All->Rank(), s); }
+
+  /// Rows of voxels at a node of the depth axis that are owned or that owned rays read.
+  Range<int> VoxelsNeededHere(int node) const
+  {
+    return this->VoxelsNeeded(this->All->Rank(), node);
+  }
+
+  /// Sums over all ranks.
+  void SumOverAll(ExactSum* sums, std::size_t count) const { this->All->Sum(sums, count); }
+
   /// Owned and ghost rows of rays on any slice.
   const Range<int>& RaysReached() const { return this->Reached; }
 

@@ -105,8 +105,8 @@ std::vector<int> CopiedSlabs::RowsNeeded(const Box& box) const
   std::vector<char> isNeeded(std::size_t(this->Frustum.nodesV), 0);
   for (int node = box.nodes.begin; node < box.nodes.end; ++node)
   {
-    const Range<int> needed = Grown(this->Bands->VoxelsNeeded(this->Bands->Ranks().Rank(), node),
-      this->Margin, this->Frustum.nodesV);
+    const Range<int> needed =
+      Grown(this->Bands->VoxelsNeededHere(node), this->Margin, this->Frustum.nodesV);
     std::fill(isNeeded.begin() + needed.begin, isNeeded.begin() + needed.end, char(1));
   }
   std::vector<int> rows;

@@ -76,7 +76,7 @@ protected:
     window.values = window.memory->values.Data() - nodes.begin * window.strideW;
   }
 
-  /// Calls what(v, columns) for the rows of a box that the rank needs, in parallel, with the
+  /// Calls what(v, columns) for the rows of a box that are needed here, in parallel, with the
   /// columns that are not known to be 0 on all slices.
   template <class What>
   void ForFilledRows(const Box& box, const Occupancy* occupancy, const What& what) const

@@ -167,8 +167,7 @@ private:
   FaceFrustum Addresses;
 };
 
-/// The plan of a frustum on the host, with the decomposition of the rays among ranks and the access
-/// to fields.
+/// The plan of a frustum on the host, with the decomposition of its rays and the access to fields.
 template <>
 class FrustumTables<HostDevice>
 {
@@ -205,7 +204,7 @@ public:
   }
 
   /// Owned rows of rays on slice `s`.
-  Range<int> RaysHere(int s) const { return this->Shared->RaysOf(this->Shared->Ranks().Rank(), s); }
+  Range<int> RaysHere(int s) const { return this->Shared->RaysHere(s); }
 
   /// Owned rows of rays between sweeps.
   Range<int> RaysAtRest() const { return this->RaysHere(this->Planned.lastSlice); }
@@ -214,10 +213,7 @@ public:
   const Range<int>& RaysReached() const { return this->Shared->RaysReached(); }
 
   /// Owned rows of voxels of slice `s`.
-  Range<int> VoxelsHere(int s) const
-  {
-    return this->Shared->VoxelsOf(this->Shared->Ranks().Rank(), s);
-  }
+  Range<int> VoxelsHere(int s) const { return this->Shared->VoxelsHere(s); }
 
 private:
   PlannedFrustum Planned;

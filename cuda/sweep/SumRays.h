@@ -159,21 +159,22 @@ struct SumsOfSeen
 
 namespace detail
 {
-/// Returns what the rays of all ranks have seen, of one part.
+/// Returns what all rays have seen, of one part.
 inline Visible SumOfPart(std::vector<FrustumRays<HostDevice>>& frusta, Kept kept)
 {
   ExactSum sums[2];
   double cellMeasure = 0; // of all frusta
-  const Communicator* ranks = ThisProcess().get();
   for (FrustumRays<HostDevice>& frustum : frusta)
   {
     const SeenByRay seen(frustum.States(), kept);
     AddRays(frustum.Plan(), frustum.RaysAtRest(), seen.visible, sums[0]);
     AddRays(frustum.Plan(), frustum.RaysAtRest(), seen.unattenuated, sums[1]);
     cellMeasure = frustum.Plan().cellMeasure;
-    ranks = &frustum.Bands().Ranks();
   }
-  ranks->Sum(sums, 2);
+  if (!frusta.empty())
+  {
+    frusta.front().Bands().SumOverAll(sums, 2);
+  }
   return { cellMeasure * sums[0].Value(), cellMeasure * sums[1].Value() };
 }
 }
@@ -188,7 +189,7 @@ void SumRays(
   add("sums", sums.all.visible, sums.all.unattenuated, sums.kept.visible, sums.kept.unattenuated);
 }
 
-/// The processor sums exactly, over all ranks.
+/// The processor sums exactly, over all processes.
 inline void SumRays(
   SumOnDevice<HostDevice>&, std::vector<FrustumRays<HostDevice>>& frusta, Kept kept, Seen* sum)
 {
@@ -215,13 +216,13 @@ double SumOfRays(
   return sum;
 }
 
-/// The processor sums exactly, over all ranks.
+/// The processor sums exactly, over all processes.
 inline double SumOfRays(
   const std::shared_ptr<HostDevice>&, const FrustumRays<HostDevice>& all, const float* values)
 {
   ExactSum sum;
   AddRays(all.Plan(), all.RaysAtRest(), values, sum);
-  all.Bands().Ranks().Sum(&sum, 1);
+  all.Bands().SumOverAll(&sum, 1);
   return all.Plan().cellMeasure * sum.Value();
 }
 }

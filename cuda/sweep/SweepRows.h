@@ -83,7 +83,7 @@ public:
   void Load(const Range<int>& slab) { this->Fields.Load(slab, this->Occupied, this->All); }
   void Store(const Range<int>& slab) { this->Fields.Store(slab, this->Occupied, this->All); }
 
-  /// Sends the changed voxels of a slice to the ranks whose rays read them.
+  /// Sends the changed voxels of a slice to all whose rays read them.
   void Exchange(int s) const { this->Bands.ExchangeVoxels(s, this->Changing); }
 
 private:

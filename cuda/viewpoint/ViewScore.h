@@ -43,7 +43,11 @@ public:
   /// Describes the backend for the user.
   const std::string& BackendName() const { return this->Name; }
 
-  const Communicator& Ranks() const { return *this->All; }
+  /// Whether several ranks share the fields.
+  bool IsShared() const { return !this->All->IsAlone(); }
+
+  /// Returns whether a condition holds on any rank. Collective.
+  bool AnyOf(bool here) const { return this->All->AnyOf(here); }
 
   /// Thread-safe, except in distributed runs.
   Score At(const Camera& camera) const;
