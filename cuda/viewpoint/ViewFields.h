@@ -7,8 +7,8 @@
 #include "distributed/ScenePiece.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "sweep/PlanSweep.h"
 #include "sweep/FieldSlabs.h"
+#include "sweep/PlanSweep.h"
 
 #include <memory>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_test_Today_h
-#define limpid_test_Today_h
+#ifndef limpid_testing_benchmarks_Today_h
+#define limpid_testing_benchmarks_Today_h
 
 #include <ctime>
 #include <string>
