@@ -210,6 +210,10 @@ void vtkCameraPath::Internals::RequireStep(
 void vtkCameraPath::Internals::ReadStep(std::size_t step, vtkInformation* input, Found& found) const
 {
   vtkPolyData* sphere = vtkPolyData::GetData(input);
+  LIMPID_REQUIRE(sphere,
+    "The input is a " << vtkDataObject::GetData(input)->GetClassName()
+                      << " (a camera path goes over the sphere of scores of a viewpoint search). "
+                         "Apply this filter to the result of Viewpoint Search.");
   if (this->IsLaterPiece() && sphere->GetNumberOfPoints() == 0)
   {
     return;
@@ -335,7 +339,9 @@ vtkCameraPath::~vtkCameraPath() = default;
 
 int vtkCameraPath::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Data of other types are reported by this filter, as by vtkVisibilityAlgorithm.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 

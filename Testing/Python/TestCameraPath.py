@@ -9,8 +9,9 @@ import unittest
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonDataModel import (vtkDataObject, vtkImageData, vtkMultiBlockDataSet,
+                                           vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline, vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from limpid.vtkLimpidFilters import vtkCameraPath, vtkViewpointSearch
@@ -267,6 +268,13 @@ class TestCameraPath(FilterTest):
         self.assert_refuses("no camera position is allowed", filter_=path_of(
             search(phantom(12), CameraViewUp=(0.3, 1, 0.2)), ElevationRange=(89.9, 90)))
         self.assert_refuses("ViewDirection", "viewpoint search", filter_=path_of(vtkSphereSource()))
+
+    def test_data_of_other_kinds_are_refused_with_what_has_a_sphere(self):
+        for kind in (vtkUnstructuredGrid, vtkImageData, vtkMultiBlockDataSet):
+            with self.subTest(kind=kind.__name__):
+                data = vtkTrivialProducer()
+                data.SetOutput(kind())
+                self.assert_refuses(kind.__name__, "Viewpoint Search", filter_=path_of(data))
 
     def test_recovers_from_an_error(self):
         path = path_of(search(phantom(12)), NumberOfFrames=1)

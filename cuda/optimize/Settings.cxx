@@ -6,6 +6,8 @@
 #include "math/Require.h"
 #include "optimize/SettingsTable.h"
 
+#include <cmath>
+
 namespace limpid
 {
 namespace
@@ -32,7 +34,8 @@ void Settings::Require() const
   const auto require = [](const Valid& valid, double value)
   {
     LIMPID_REQUIRE(valid(value),
-      "The " << valid.name << " is " << value << valid.unit << " (" << valid.why << "). "
+      "The " << valid.name << " is " << value << valid.unit << " ("
+             << (std::isfinite(value) ? valid.why : "it is not a finite number") << "). "
              << valid.advice);
   };
   ForEachSetting([&](const Valid& valid, auto&& member)
