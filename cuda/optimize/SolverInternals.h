@@ -411,7 +411,8 @@ struct Solver::Internals
 
   /// Whether a result that only removes extinction shows less than the base. An exact minimum
   /// never does, except for a gain of the light. Smoothing and the despeckled importance minimise
-  /// something else and can do so in scenes of a few voxels.
+  /// something else and can do so in noise. A little less is accepted only if the light weighs more
+  /// than the view.
   bool ShowsLessThanBase()
   {
     const Settings& of = this->problem.settings;
@@ -420,7 +421,7 @@ struct Solver::Internals
       return false;
     }
     constexpr double leastForLight = 0.98;
-    const double least = of.weights.light > 0 ? leastForLight : 1.0;
+    const double least = of.weights.light > of.weights.view ? leastForLight : 1.0;
     return this->BestScore().fraction < least * this->base.fraction;
   }
 
