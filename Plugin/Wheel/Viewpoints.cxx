@@ -104,13 +104,6 @@ nb::list ViewpointsOf(
   return rows;
 }
 
-// Returns the least extinction that the settings allow at each node.
-NodeValues LeastExtinction(const SceneFields& fields, const Orbit& orbit, const Settings& settings)
-{
-  PreparedScene scene(fields);
-  return scene.ProblemFor(orbit.At({ 0.0, 0.0, 1.0 }), Light(), settings).LeastExtinction();
-}
-
 // `proxy`: the extinction to score; null: the base extinction. `attainable`: score the best
 // extinction for every ray within the bounds of the settings. `aimsAtCentre`: cameras of viewpoints
 // look at the orbit's centre instead of the middle of the box.
@@ -129,7 +122,8 @@ nb::dict SearchViewpoints(const Grid& grid, const Field& base, const Field& impo
     [&]
     {
       const SceneFields scene{ grid, base.data(), importance.data(), majorant };
-      const NodeValues least = attainable ? LeastExtinction(scene, orbit, settings) : NodeValues();
+      const NodeValues least =
+        attainable ? PreparedScene(scene).LeastExtinction(settings) : NodeValues();
       ViewedFields fields{ proxy ? proxy->data() : base.data(), importance.data() };
       fields.base = proxy ? base.data() : nullptr;
       fields.attainable = attainable;
