@@ -31,6 +31,7 @@ class TestOptimizeRefuses(Refusals):
         self.refuses("24 x 20 x 1 points", "at least two", volume=VALUES[:, :, :1])
         self.refuses("(24, 20)", "three axes", volume=VALUES[:, :, 0])
         self.refuses("neither a volume", volume=None)
+        self.refuses("A list was given", "numpy.array", volume=VALUES.tolist())
 
     def test_arrays_that_do_not_fit(self):
         mu, g = phantom.fields()

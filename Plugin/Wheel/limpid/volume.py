@@ -79,6 +79,10 @@ class Volume:
     def _grid(self, arrays, given):
         first = next((array for array in arrays if has_shape(array)), None)
         if first is None:
+            values = next((array for array in arrays if isinstance(array, (list, tuple))), None)
+            if values is not None:
+                raise ValueError(f"A {type(values).__name__} was given for values at points (it has "
+                                 "no shape). Give an array, for example numpy.array of it.")
             raise ValueError("There is neither a volume nor an array of extinction and importance "
                              "(there is nothing to process). Give an image or arrays.")
         axes = axes_of(first)
