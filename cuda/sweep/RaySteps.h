@@ -307,7 +307,7 @@ private:
 template <class Step>
 constexpr bool findsEffects = false;
 template <Kept kept>
-constexpr bool findsEffects<EffectStep<kept>> = true;
+inline constexpr bool findsEffects<EffectStep<kept>> = true;
 
 /// Carries visible importance to the middle of the layer (RayChannel::Ahead).
 struct LookAheadStep
