@@ -12,6 +12,7 @@ namespace limpid
 std::vector<NodeBox> WithGhosts(const std::vector<NodeBox>& boxes, int layers, const Int3& nodes)
 {
   std::vector<NodeBox> grown;
+  grown.reserve(boxes.size());
   for (const NodeBox& box : boxes)
   {
     grown.push_back(box.Grown(layers, nodes));

@@ -171,6 +171,7 @@ private:
   static std::vector<OfTerm> RaysOf(AllTerms& terms)
   {
     std::vector<OfTerm> rays;
+    rays.reserve(terms.size());
     for (auto& term : terms)
     {
       rays.push_back({ &term.Frusta(), &term.Rays() });
